@@ -1,0 +1,36 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+add_library(axiscomp_options INTERFACE)
+target_compile_options(axiscomp_options INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wnon-virtual-dtor -Woverloaded-virtual
+  $<$<BOOL:${AXISCOMP_WERROR}>:-Werror>
+  $<$<BOOL:${AXISCOMP_SANITIZE}>:-fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer>)
+target_link_options(axiscomp_options INTERFACE
+  $<$<BOOL:${AXISCOMP_SANITIZE}>:-fsanitize=address,undefined>)
+target_compile_definitions(axiscomp_options INTERFACE
+  QT_NO_KEYWORDS QT_NO_CAST_FROM_ASCII QT_NO_CAST_TO_ASCII QT_NO_URL_CAST_FROM_STRING
+  QT_DISABLE_DEPRECATED_BEFORE=0x060400)
+
+# A static library axiscomp::NAME. HEADERS is its public interface: every header of it must compile
+# alone with nothing but what PUBLIC_DEPS give, which is how the direction between the parts is kept
+# (target all_verify_interface_header_sets).
+function(axiscomp_add_module name)
+  cmake_parse_arguments(arg "" "" "HEADERS;SOURCES;PUBLIC_DEPS;PRIVATE_DEPS" ${ARGN})
+  set(target axiscomp_${name})
+  add_library(${target} STATIC ${arg_SOURCES})
+  add_library(axiscomp::${name} ALIAS ${target})
+  target_sources(${target} PUBLIC FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR} FILES ${arg_HEADERS})
+  target_link_libraries(${target} PUBLIC ${arg_PUBLIC_DEPS} PRIVATE $<BUILD_INTERFACE:axiscomp_options> ${arg_PRIVATE_DEPS})
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
+endfunction()
+
+# A Qt Test executable NAME from NAME.cpp, labelled with its module.
+function(axiscomp_add_test name)
+  cmake_parse_arguments(arg "" "MODULE" "SOURCES;DEPS" ${ARGN})
+  add_executable(${name} ${name}.cpp ${arg_SOURCES})
+  set_target_properties(${name} PROPERTIES AUTOMOC ON)
+  target_link_libraries(${name} PRIVATE axiscomp_options Qt6::Test axiscomp_test_support ${arg_DEPS})
+  add_test(NAME ${name} COMMAND ${name})
+  set_tests_properties(${name} PROPERTIES
+    LABELS "${arg_MODULE}" TIMEOUT 300
+    ENVIRONMENT "QT_QPA_PLATFORM=offscreen;LC_ALL=C.UTF-8")
+endfunction()

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace axiscomp {
+
+enum class Severity { Warning, Error };
+
+/// spec/csv.md, "What goes wrong".
+enum class DiagnosticCode {
+    EmptyFile,
+    NoHeader,
+    TooFewColumns,
+    ColumnCount,
+    NotANumber,
+    NotFinite,
+    MixedDecimals,
+    UnterminatedQuote,
+    DuplicatePoint,
+    MissingPoint,
+    UnevenSpacing,
+    TooFewPoints,
+    TooLarge,
+    NotText,
+    IoError,
+    // warnings
+    Encoding,
+    RoundedSpacing,
+    FloatPrecision,
+    LargeGradient,
+    ConstantTable,
+};
+
+/// One problem of a file. `line` and `column` are 1-based; 0 means the whole file or the whole
+/// line. For a table row, `column` is the column of the table (1 = first field), not the character.
+struct Diagnostic {
+    Severity severity = Severity::Error;
+    DiagnosticCode code = DiagnosticCode::IoError;
+    std::size_t line = 0;
+    std::size_t column = 0;
+    std::string found;
+    std::string expected;
+
+    friend bool operator==(const Diagnostic&, const Diagnostic&) = default;
+};
+
+/// "NotANumber"
+[[nodiscard]] std::string_view diagnosticName(DiagnosticCode code);
+
+/// "found "1,5x", expected a number such as 0.5 (NotANumber)": what follows FILE:LINE:COLUMN:
+/// error:
+[[nodiscard]] std::string message(const Diagnostic& diagnostic);
+
+} // namespace axiscomp

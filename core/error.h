@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace axiscomp {
+
+/// What went wrong. The program acts on the code and tests compare it; the sentence a person reads
+/// is made from the code's template (errorTemplate) and the error's context. The comment names the
+/// context keys that the template uses.
+enum class ErrorCode {
+    // What was asked for
+    InvalidArgument, ///< reason
+    Cancelled, ///< -
+    // Files on this computer
+    FileNotReadable, ///< file, reason
+    FileNotWritable, ///< file, reason
+    FileTooLarge, ///< file, size, limit
+    InvalidCalibration, ///< file, count: the diagnostics are beside it
+    InvalidTable, ///< field, offset, found, expected (TAM table, spec/tamtbl.md)
+    InvalidProfile, ///< file, path (JSON path), reason
+    InvalidConfiguration, ///< file, line, reason (TAM configuration)
+    InvalidBackup, ///< file, reason
+    UnknownFormat, ///< file, known
+    TableNotFound, ///< table, known
+    // The way to the drive
+    InvalidEndpoint, ///< endpoint, reason
+    NotConnected, ///< endpoint, reason: nothing was sent
+    ConnectionLost, ///< endpoint, reason: it is not known whether the drive acted
+    Timeout, ///< endpoint, seconds
+    Protocol, ///< endpoint, expected, quote (the beginning of what came)
+    Unauthorized, ///< endpoint
+    CertificateRejected, ///< endpoint, reason
+    // What the drive says
+    DriveRejected, ///< reason (malformed request, unsupported, internal)
+    UnknownRegister, ///< path, nearest (may be empty)
+    UnknownFile, ///< path
+    NotAllowedNow, ///< reason
+    TooLargeForSlot, ///< reason
+    TableRefused, ///< reason
+    FlashWear, ///< seconds
+    CompensationError, ///< axis, error (the drive's own), hint
+    // Checks before a write, and its outcome
+    AxisNotFound, ///< axis, known
+    AxisAmbiguous, ///< axis, matches
+    NoCompensation, ///< axis: the drive has no compensation registers for it
+    SourceMissing, ///< dimension
+    SourceSurplus, ///< dimension, dimensions
+    SourceNotFound, ///< source, nearest
+    SourceWrongType, ///< source, type
+    SourceOtherDrive, ///< source, drive, other
+    SourceRepeated, ///< source, first, second
+    DimensionMismatch, ///< table, chosen
+    TableTooLarge, ///< size, largest, slot
+    SlotNotFound, ///< slot, known
+    SlotInUse, ///< slot, user
+    NoTable, ///< axis
+    NothingToWrite, ///< axis
+    CompensationActive, ///< axis
+    NotHomed, ///< axis
+    OtherDrive, ///< expected, found
+    ChangedMeanwhile, ///< what, before, now
+    VerifyMismatch, ///< what, expected, found
+    ProofFailed, ///< axis, what, expected, found, position
+    RollbackFailed, ///< reason (why the write failed), rollback (why it could not be undone),
+                    ///< backup
+};
+
+using ErrorContext = std::map<std::string, std::string, std::less<>>;
+
+struct Error {
+    ErrorCode code = ErrorCode::InvalidArgument;
+    ErrorContext context;
+    std::string detail; ///< for the log, never needed to understand the sentence
+};
+
+/// "ConnectionLost": what the command line prints after "error: ".
+[[nodiscard]] std::string_view errorName(ErrorCode code);
+
+/// The English sentence with {key} placeholders. The window translates this text.
+[[nodiscard]] std::string_view errorTemplate(ErrorCode code);
+
+/// Replaces each {key} by its value; a key without a value becomes "?".
+[[nodiscard]] std::string fillTemplate(std::string_view text, const ErrorContext& context);
+
+/// The complete English sentence.
+[[nodiscard]] std::string sentence(const Error& error);
+
+/// Every code, for tests and for the translations.
+[[nodiscard]] std::span<const ErrorCode> allErrorCodes();
+
+} // namespace axiscomp

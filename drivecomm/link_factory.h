@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/drive_link.h"
+#include "core/drive_profile.h"
+#include "drivecomm/drive_endpoint.h"
+
+#include <memory>
+
+namespace axiscomp::drivecomm {
+
+/// A link of the kind that the endpoint names. It is used on the thread that made it, which needs
+/// no running event loop but a QCoreApplication must exist for http and https. demo: makes a
+/// virtual drive inside the process with an example state. Nothing is sent yet. profile must
+/// outlive the link. Errors: InvalidEndpoint for kinds that this build cannot do.
+[[nodiscard]] Result<std::unique_ptr<DriveLink>> makeLink(
+    const DriveEndpoint& endpoint, const DriveProfile& profile);
+
+} // namespace axiscomp::drivecomm

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/result.h"
+
+#include <chrono>
+#include <cstdint>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace axiscomp::drivecomm {
+
+/// A named fault (spec/cli.md). N counts requests from 1, over all clients.
+struct FaultSpec {
+    enum class Kind {
+        DropAfter, ///< drop-after=BYTES: the connection is cut once, after so many bytes in either
+                   ///< direction
+        NoReply, ///< no-reply=N: the N-th request is carried out, its reply never comes
+        Garble, ///< garble=N: bytes of the N-th reply are flipped
+        StoresWrong, ///< stores-wrong=N: the N-th write or upload stores something else
+        Slow, ///< slow=MS: every reply comes so much later
+        RebootAfter, ///< reboot-after=N: the drive reboots after the N-th request, instead of
+                     ///< replying
+        Reject, ///< reject=CODE: every write and upload is refused with this error code
+    };
+    Kind kind = Kind::Slow;
+    std::uint64_t number = 0;
+    std::string code;
+};
+
+/// Errors: InvalidArgument with the known names.
+[[nodiscard]] Result<FaultSpec> parseFault(std::string_view text);
+
+/// What a front must do with one request. Thread-safe; shared by all fronts of a drive.
+class FaultPlan {
+public:
+    explicit FaultPlan(std::vector<FaultSpec> faults = {});
+
+    struct Decision {
+        bool noReply = false;
+        bool garble = false;
+        bool storeWrong = false;
+        bool reboot = false;
+        std::optional<std::string> rejectCode;
+        std::chrono::milliseconds delay{ 0 };
+    };
+    /// Called once per request, before it is carried out.
+    [[nodiscard]] Decision next(bool isWrite);
+    /// How many more bytes a connection may carry before it must be cut; none: no such fault is
+    /// left.
+    [[nodiscard]] std::optional<std::uint64_t> bytesUntilDrop() const;
+    void countBytes(std::uint64_t bytes);
+    void add(FaultSpec fault);
+    void clear();
+
+private:
+    mutable std::mutex m_mutex;
+    std::vector<FaultSpec> m_faults;
+    std::uint64_t m_requests = 0;
+    std::uint64_t m_writes = 0;
+    std::uint64_t m_bytes = 0;
+};
+
+} // namespace axiscomp::drivecomm

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/result.h"
+
+#include <QTest>
+
+namespace axiscomp::test {
+
+/// Any warning that Qt logs fails the test unless it was announced with QTest::ignoreMessage.
+inline void failOnWarnings()
+{
+    QTest::failOnWarning(QRegularExpression(QStringLiteral(".*")));
+}
+
+inline std::string describe(const Error& error)
+{
+    return std::string(errorName(error.code)) + ": " + sentence(error)
+        + (error.detail.empty() ? "" : " [" + error.detail + "]");
+}
+
+} // namespace axiscomp::test
+
+/// Fails with the error's sentence when result holds one.
+#define VERIFY_RESULT(result)                                                                      \
+    QVERIFY2((result).has_value(),                                                                 \
+        (result).has_value() ? "" : axiscomp::test::describe((result).error()).c_str())
+
+/// Fails unless result holds an error with this code.
+#define VERIFY_ERROR(result, expectedCode)                                                         \
+    do {                                                                                           \
+        QVERIFY2(!(result).has_value(), "there was no error");                                     \
+        QVERIFY2((result).error().code == (expectedCode),                                          \
+            axiscomp::test::describe((result).error()).c_str());                                   \
+    } while (false)
