@@ -57,6 +57,7 @@ enum class ErrorCode {
     TableTooLarge, ///< size, largest, slot
     SlotNotFound, ///< slot, known
     SlotInUse, ///< slot, user
+    NoFreeSlot, ///< size, slots (each with why not)
     NoTable, ///< axis
     NothingToWrite, ///< axis
     CompensationActive, ///< axis
@@ -65,8 +66,10 @@ enum class ErrorCode {
     ChangedMeanwhile, ///< what, before, now
     VerifyMismatch, ///< what, expected, found
     ProofFailed, ///< axis, what, expected, found, position
+    OutcomeUnknown, ///< reason, backup: the drive holds the old or the new state, it cannot be
+                    ///< asked which
     RollbackFailed, ///< reason (why the write failed), rollback (why it could not be undone),
-                    ///< backup
+    ///< backup
 };
 
 using ErrorContext = std::map<std::string, std::string, std::less<>>;
