@@ -11,6 +11,7 @@
 #include <array>
 #include <chrono>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <stop_token>
 #include <string>
@@ -56,7 +57,7 @@ struct Progress {
 };
 
 struct OperationOptions {
-    std::chrono::milliseconds timeout{ 5000 }; ///< of each exchange
+    std::chrono::milliseconds timeout{5000}; ///< of each exchange
     std::stop_token stop;
     std::function<void(const Progress&)> progress;
 };
@@ -123,6 +124,7 @@ public:
     AxisCompensator(
         DriveLink& link, const DriveProfile& profile, DriveStore& store,
         std::function<WallTime()> clock = [] { return std::chrono::system_clock::now(); });
+    ~AxisCompensator();
 
     [[nodiscard]] Result<DriveIdentity> identify(const OperationOptions& options = {});
     [[nodiscard]] Result<std::vector<AxisInfo>> axes(const OperationOptions& options = {});
@@ -147,7 +149,7 @@ public:
         int axis, const WriteRequest& request, const OperationOptions& options = {});
     /// Plans, backs up, writes, verifies; puts everything back when a step fails or the user stops.
     /// Errors: those of plan, NothingToWrite, VerifyMismatch, RollbackFailed. After any error but
-    /// RollbackFailed the drive holds the old state.
+    /// OutcomeUnknown and RollbackFailed the drive holds the old state.
     [[nodiscard]] Result<WriteReport> write(
         int axis, const WriteRequest& request, const OperationOptions& options = {});
     [[nodiscard]] Result<WriteReport> setPersistency(
@@ -181,16 +183,19 @@ public:
         const DriveBackup& backup, bool force, const OperationOptions& options = {});
 
     /// Whether the drive holds the state before or after an unfinished write, and forgets that
-    /// write when it is one of the two completely. "old", "new" or "neither".
-    enum class UnfinishedOutcome { Old, New, Neither };
+    /// write when it is one of the two completely.
+    enum class UnfinishedOutcome {
+        Old,
+        New,
+        NewUnsaved, ///< new, but the parameters may not be saved: setPersistency finishes it
+        Neither,
+    };
     [[nodiscard]] Result<UnfinishedOutcome> settleUnfinished(
         const JournalEntry& entry, const OperationOptions& options = {});
 
 private:
-    DriveLink& m_link;
-    const DriveProfile& m_profile;
-    DriveStore& m_store;
-    std::function<WallTime()> m_clock;
+    struct Private;
+    std::unique_ptr<Private> d;
 };
 
 } // namespace axiscomp

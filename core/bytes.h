@@ -18,7 +18,7 @@ using ByteView = std::span<const std::byte>;
 }
 [[nodiscard]] inline std::string_view asText(ByteView bytes)
 {
-    return { reinterpret_cast<const char*>(bytes.data()), bytes.size() };
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
 /// CRC-32 of IEEE 802.3, as in zlib.

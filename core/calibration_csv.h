@@ -25,7 +25,7 @@ struct CalibrationData {
 struct CsvOptions {
     int dimensions = 1; ///< 1, 2 or 3: chosen by the user, never guessed
     std::size_t maximumCells = 64'000'000; ///< rows x columns; above: TooLarge
-    std::size_t maximumBytes = std::size_t{ 1 }
+    std::size_t maximumBytes = std::size_t{1}
         << 30; ///< file size; above: TooLarge, nothing is read
     std::size_t maximumDiagnostics = 100;
     std::stop_token stop;

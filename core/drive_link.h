@@ -33,7 +33,7 @@ struct DriveFile {
 
 /// How long one exchange may take, and how it is watched and stopped.
 struct Exchange {
-    std::chrono::milliseconds timeout{ 5000 }; ///< for the whole exchange, retries included
+    std::chrono::milliseconds timeout{5000}; ///< for the whole exchange, retries included
     std::stop_token stop; ///< Cancelled as soon as it is set
     std::function<void(std::uint64_t done, std::uint64_t total)> progress; ///< bytes of a transfer
 };

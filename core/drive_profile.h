@@ -79,7 +79,7 @@ struct WebPaths {
 /// to an error that goes away after some minutes).
 struct FlashWearLimits {
     int operations = 0;
-    std::chrono::seconds window{ 0 };
+    std::chrono::seconds window{0};
     std::uint32_t ratedCycles = 0; ///< usual life of a slot, 0 = unknown
 };
 

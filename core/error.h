@@ -67,7 +67,7 @@ enum class ErrorCode {
     VerifyMismatch, ///< what, expected, found
     ProofFailed, ///< axis, what, expected, found, position
     OutcomeUnknown, ///< reason, backup: the drive holds the old or the new state, it cannot be
-                    ///< asked which
+    ///< asked which
     RollbackFailed, ///< reason (why the write failed), rollback (why it could not be undone),
     ///< backup
 };

@@ -13,7 +13,7 @@ using WallTime = std::chrono::system_clock::time_point;
 /// What may be stored to flash now.
 struct FlashBudget {
     int left = 0; ///< operations left in the current window
-    std::chrono::seconds wait{ 0 }; ///< until one more is possible, 0 when left > 0
+    std::chrono::seconds wait{0}; ///< until one more is possible, 0 when left > 0
 };
 
 /// Counts flash operations in a sliding window (DriveProfile::flashWear). Knows only what it was

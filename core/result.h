@@ -14,7 +14,7 @@ template <typename T> using Result = tl::expected<T, Error>;
 [[nodiscard]] inline tl::unexpected<Error> fail(
     ErrorCode code, ErrorContext context = {}, std::string detail = {})
 {
-    return tl::unexpected<Error>(Error{ code, std::move(context), std::move(detail) });
+    return tl::unexpected<Error>(Error{code, std::move(context), std::move(detail)});
 }
 
 /// Hands an error on: `return fail(other.error());`

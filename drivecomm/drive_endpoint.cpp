@@ -12,7 +12,7 @@ tl::unexpected<Error> invalid(const QUrl& url, std::string reason)
 {
     const QString shown = url.toDisplayString(QUrl::RemoveUserInfo | QUrl::StripTrailingSlash);
     return fail(ErrorCode::InvalidEndpoint,
-        { { "endpoint", shown.toStdString() }, { "reason", std::move(reason) } });
+        {{"endpoint", shown.toStdString()}, {"reason", std::move(reason)}});
 }
 
 Result<DriveEndpoint> parseWeb(const QUrl& url, DriveEndpoint::Kind kind)
@@ -71,9 +71,9 @@ Result<DriveEndpoint> parseEndpoint(std::string_view text)
     // What follows the last @ cannot be a password.
     const QString shown = trimmed.section(u'@', -1);
     return fail(ErrorCode::InvalidEndpoint,
-        { { "endpoint", shown.toStdString() },
-            { "reason",
-                "write http://host[:port], https://host[:port], serial:/dev/ttyUSB0 or demo:" } });
+        {{"endpoint", shown.toStdString()},
+            {"reason",
+                "write http://host[:port], https://host[:port], serial:/dev/ttyUSB0 or demo:"}});
 }
 
 std::string displayText(const DriveEndpoint& endpoint)

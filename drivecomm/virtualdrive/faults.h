@@ -45,7 +45,7 @@ public:
         bool storeWrong = false;
         bool reboot = false;
         std::optional<std::string> rejectCode;
-        std::chrono::milliseconds delay{ 0 };
+        std::chrono::milliseconds delay{0};
     };
     /// Called once per request, before it is carried out.
     [[nodiscard]] Decision next(bool isWrite);
