@@ -95,7 +95,7 @@ constexpr std::array rows{
     Row{ErrorCode::ChangedMeanwhile, "ChangedMeanwhile",
         "somebody else changed {what} from {before} to {now}; nothing was written, look again"},
     Row{ErrorCode::VerifyMismatch, "VerifyMismatch",
-        "{what} read back as {found}, but {expected} was written; the old state was put back"},
+        "{what} read back as {found}, but {expected} was written"},
     Row{ErrorCode::ProofFailed, "ProofFailed",
         "the drive does not add what it should: {what} at {position} is {found}, expected "
         "{expected}"},

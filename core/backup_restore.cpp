@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/backup_restore.h"
+
+#include "core/tam_table.h"
+#include "core/verified_write.h"
+
+#include <algorithm>
+#include <charconv>
+
+namespace axiscomp {
+
+namespace {
+
+/// A backup file is one JSON document of table files in base64: twice the largest drive is plenty.
+constexpr std::uint64_t largestBackup = 64 * 1024 * 1024;
+
+std::string hexAddress(std::uint32_t address)
+{
+    char digits[8];
+    const auto end = std::to_chars(digits, digits + 8, address, 16).ptr;
+    return "0x" + std::string(digits, end);
+}
+
+const RegisterWrite* registerAt(const AxisBackup& backup, const std::string& path)
+{
+    const auto found = std::ranges::find(backup.registers, path, &RegisterWrite::path);
+    return found == backup.registers.end() ? nullptr : &*found;
+}
+
+/// The table file that the axis used when the backup was made.
+const AxisBackup::File* usedFile(const DriveAccess& access, const AxisBackup& backup)
+{
+    const RegisterWrite* table =
+        registerAt(backup, access.axisPath(access.registers().table, backup.axis));
+    if (!table)
+        return nullptr;
+    const auto file =
+        std::ranges::find(backup.files, toText(table->value), &AxisBackup::File::slot);
+    return file == backup.files.end() || file->bytes.empty() ? nullptr : &*file;
+}
+
+Result<AxisBackup> readAxisBackup(
+    const DriveAccess& access, const DriveIdentity& drive, const AxisInfo& info, WallTime now)
+{
+    AxisBackup backup;
+    backup.drive = drive;
+    backup.axis = info.index;
+    backup.axisName = info.name;
+    backup.time = now;
+    auto registers = readAxisRegisters(access, info.index);
+    if (!registers)
+        return fail(registers.error());
+    backup.registers = std::move(*registers);
+    const TableSlot* slot = access.profile().slotNamed(toText(backup.registers.front().value));
+    if (!slot)
+        return backup;
+    auto file = readSlotFile(access, *slot);
+    if (!file)
+        return fail(file.error());
+    backup.files.push_back(std::move(*file));
+    return backup;
+}
+
+Result<bool> holdsRegisters(const DriveAccess& access, const std::vector<RegisterWrite>& wanted)
+{
+    auto same = compareRegisters(access, wanted);
+    if (!same && same.error().code != ErrorCode::VerifyMismatch)
+        return fail(same.error());
+    return same.has_value();
+}
+
+} // namespace
+
+Result<AxisBackup::File> readSlotFile(const DriveAccess& access, const TableSlot& slot)
+{
+    AxisBackup::File file;
+    file.slot = slot.name;
+    file.path = slot.file;
+    auto bytes = access.link().download(slot.file, access.exchange());
+    if (!bytes && bytes.error().code != ErrorCode::UnknownFile)
+        return fail(bytes.error());
+    if (!bytes || bytes->empty())
+        return file;
+    file.bytes = std::move(*bytes);
+    const std::string path = access.slotPath(access.registers().tablePersistent, slot.name);
+    auto readings = access.readAvailable({path});
+    if (!readings)
+        return fail(readings.error());
+    file.persistent = numberAt(*readings, path) == 1.0;
+    return file;
+}
+
+Result<DriveBackup> readBackupOf(
+    const DriveAccess& access, const DriveIdentity& drive, WallTime now)
+{
+    auto axes = readAxes(access, drive);
+    if (!axes)
+        return fail(axes.error());
+    DriveBackup backup;
+    for (const AxisInfo& info : *axes) {
+        if (info.state.empty())
+            continue;
+        access.report("backup",
+            static_cast<double>(info.index) / static_cast<double>(std::max(drive.axes, 1)));
+        auto axis = readAxisBackup(access, drive, info, now);
+        if (!axis)
+            return fail(axis.error());
+        backup.axes.push_back(std::move(*axis));
+    }
+    return backup;
+}
+
+Result<void> checkRestorable(
+    const DriveAccess& access, const DriveBackup& backup, const DriveIdentity& drive, bool force)
+{
+    for (const AxisBackup& axis : backup.axes) {
+        if (axis.drive.serialNumber != drive.serialNumber && !force)
+            return fail(ErrorCode::OtherDrive,
+                {{"expected", std::to_string(axis.drive.serialNumber)},
+                    {"found", std::to_string(drive.serialNumber)}});
+        if (axis.axis < 0 || axis.axis >= drive.axes)
+            return fail(ErrorCode::AxisNotFound,
+                {{"axis", std::to_string(axis.axis)},
+                    {"known", "0 to " + std::to_string(drive.axes - 1)}});
+        if (!registerAt(axis, access.axisPath(access.registers().table, axis.axis)))
+            return fail(ErrorCode::InvalidBackup,
+                {{"file", "the backup"},
+                    {"reason", "axis " + std::to_string(axis.axis) + " has no Table register"}});
+    }
+    return {};
+}
+
+Result<std::optional<WriteRequest>> restoreRequest(
+    const DriveAccess& access, const AxisBackup& backup)
+{
+    const AxisBackup::File* file = usedFile(access, backup);
+    if (!file)
+        return std::nullopt;
+    auto decoded = decodeTamTable(file->bytes, access.profile().layout);
+    if (!decoded)
+        return fail(decoded.error());
+    WriteRequest request;
+    request.dimensionality = decoded->table.grid.dimensions();
+    request.table = std::move(decoded->table);
+    request.persistency = file->persistent ? Persistency::Persistent : Persistency::Volatile;
+    for (int n = 1; n <= request.dimensionality; ++n) {
+        const RegisterWrite* source =
+            registerAt(backup, access.axisPath(access.registers().source, backup.axis, n));
+        const double address = source ? toDouble(source->value) : 0.0;
+        if (!(address >= 1.0 && address <= 4294967295.0))
+            return fail(ErrorCode::SourceMissing, {{"dimension", std::to_string(n)}});
+        request.sources.push_back(hexAddress(static_cast<std::uint32_t>(address)));
+    }
+    return request;
+}
+
+Result<void> restoreDisabled(const DriveAccess& access, const AxisBackup& backup)
+{
+    std::vector<RegisterWrite> values = backup.registers;
+    for (RegisterWrite& value : values) {
+        // The slot that the axis named held nothing, and may hold somebody else's table by now.
+        if (value.path == access.axisPath(access.registers().table, backup.axis))
+            value.value = access.enums().tableDisabled;
+    }
+    if (auto written = writeSurely(access, values); !written)
+        return written;
+    return compareRegisters(access, values);
+}
+
+Result<AxisCompensator::UnfinishedOutcome> unfinishedOutcome(const DriveAccess& access,
+    const DriveIdentity& drive, const JournalEntry& entry, SourceDirectory& sources)
+{
+    using Outcome = AxisCompensator::UnfinishedOutcome;
+    auto status = readStatus(access, drive, entry.axis, sources);
+    if (!status)
+        return fail(status.error());
+    const bool hasNewTable = status->setup.slot == entry.newSlot
+        && status->setup.tableCrc == entry.newCrc
+        && (status->setup.persistency == Persistency::Persistent) == entry.persistent;
+    auto hasNewRegisters = holdsRegisters(access, entry.newRegisters);
+    if (!hasNewRegisters)
+        return fail(hasNewRegisters.error());
+    if (hasNewTable && *hasNewRegisters)
+        return entry.persistent ? Outcome::NewUnsaved : Outcome::New;
+
+    auto text = loadFile(entry.backup, largestBackup);
+    if (!text)
+        return fail(text.error());
+    auto backup = readBackup(asText(*text), entry.backup.string());
+    if (!backup)
+        return fail(backup.error());
+    if (backup->axes.empty())
+        return Outcome::Neither;
+    auto hasOldRegisters = holdsRegisters(access, backup->axes.front().registers);
+    if (!hasOldRegisters)
+        return fail(hasOldRegisters.error());
+    if (!*hasOldRegisters)
+        return Outcome::Neither;
+    const AxisBackup::File* old = usedFile(access, backup->axes.front());
+    if (!old)
+        return Outcome::Old;
+    auto bytes = access.link().download(old->path, access.exchange());
+    if (!bytes && bytes.error().code != ErrorCode::UnknownFile)
+        return fail(bytes.error());
+    return bytes && compareFiles(old->path, *bytes, old->bytes) ? Outcome::Old : Outcome::Neither;
+}
+
+} // namespace axiscomp

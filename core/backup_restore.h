@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/axis_reader.h"
+
+namespace axiscomp {
+
+/// A slot's file as it is now; without bytes when the slot is empty.
+[[nodiscard]] Result<AxisBackup::File> readSlotFile(
+    const DriveAccess& access, const TableSlot& slot);
+
+/// Table, sources and table file of every axis with compensation registers.
+[[nodiscard]] Result<DriveBackup> readBackupOf(
+    const DriveAccess& access, const DriveIdentity& drive, WallTime now);
+
+/// OtherDrive unless force, AxisNotFound when the backup has more axes than the drive.
+[[nodiscard]] Result<void> checkRestorable(
+    const DriveAccess& access, const DriveBackup& backup, const DriveIdentity& drive, bool force);
+
+/// The write that brings an axis back to its backup; none when the axis had no table.
+[[nodiscard]] Result<std::optional<WriteRequest>> restoreRequest(
+    const DriveAccess& access, const AxisBackup& backup);
+/// For an axis that had no table: registers only.
+[[nodiscard]] Result<void> restoreDisabled(const DriveAccess& access, const AxisBackup& backup);
+
+/// Which state an axis has after a write that did not end.
+[[nodiscard]] Result<AxisCompensator::UnfinishedOutcome> unfinishedOutcome(
+    const DriveAccess& access, const DriveIdentity& drive, const JournalEntry& entry,
+    SourceDirectory& sources);
+
+} // namespace axiscomp

@@ -1,0 +1,361 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/write_planner.h"
+
+#include "core/tam_table.h"
+
+#include <algorithm>
+#include <charconv>
+
+namespace axiscomp {
+
+namespace {
+
+std::string numberText(double value)
+{
+    return toText(RegisterValue{value});
+}
+
+std::string crcText(std::uint32_t crc)
+{
+    char digits[8];
+    const auto end = std::to_chars(digits, digits + 8, crc, 16).ptr;
+    const auto count = static_cast<std::size_t>(end - digits);
+    return std::string(8 - count, '0') + std::string(digits, count);
+}
+
+/// "5 x 4 points, X 0 .. 40, Y 0 .. 30": enough to recognise a table.
+std::string gridText(const Grid& grid)
+{
+    std::string sizes;
+    std::string ranges;
+    for (std::size_t n = 0; n < grid.axes.size(); ++n) {
+        const GridAxis& axis = grid.axes[n];
+        sizes += (n == 0 ? "" : " x ") + std::to_string(axis.size);
+        ranges += ", " + (axis.name.empty() ? "dim " + std::to_string(n + 1) : axis.name) + " "
+            + numberText(axis.start) + " .. " + numberText(axis.last());
+    }
+    return sizes + " points" + ranges;
+}
+
+std::string tableText(const std::string& slot, const Grid& grid, std::uint32_t crc)
+{
+    return slot + ": " + gridText(grid) + " (CRC " + crcText(crc) + ")";
+}
+
+bool sameSpans(const Grid& a, const Grid& b)
+{
+    return std::ranges::equal(a.axes, b.axes, [](const GridAxis& x, const GridAxis& y) {
+        return x.start == y.start && x.distance == y.distance && x.size == y.size;
+    });
+}
+
+const char* persistencyText(Persistency persistency)
+{
+    return persistency == Persistency::Persistent ? "persistent" : "volatile";
+}
+
+std::string hexText(std::uint32_t number)
+{
+    return "0x" + crcText(number);
+}
+
+std::string sourceText(const std::string& drive, const DimSource& source)
+{
+    if (!source.isSet())
+        return "none";
+    return source.path.empty() ? hexText(source.address) : sourceUri(drive, source.path);
+}
+
+/// The elements are the end of every table file.
+std::uint32_t elementCrcOf(ByteView file, const CompensationTable& table)
+{
+    return crc32(file.last(table.values.size() * sizeof(float)));
+}
+
+} // namespace
+
+std::string setupText(const CompensationSetup& setup)
+{
+    std::string text = setup.slot.empty() ? "no table" : setup.slot;
+    text += " (CRC " + crcText(setup.tableCrc) + "), ";
+    for (const DimSource& source : setup.sources) {
+        if (source.isSet())
+            text += (source.path.empty() ? hexText(source.address) : source.path) + ", ";
+    }
+    return text + persistencyText(setup.persistency);
+}
+
+std::string axisText(int index, const std::string& name)
+{
+    return "axis " + std::to_string(index) + (name.empty() ? "" : " (" + name + ")");
+}
+
+Result<PreparedWrite> WritePlanner::prepare(int axis, const WriteRequest& request)
+{
+    m_axis = axis;
+    auto status = readStatus(m_access, m_drive, axis, m_sources);
+    if (!status)
+        return fail(status.error());
+    m_status = *status;
+    if (m_status.axis.state == m_access.enums().stateActive
+        || m_status.axis.state == m_access.enums().stateRamping)
+        return fail(ErrorCode::CompensationActive,
+            {{"axis", std::to_string(axis)}, {"name", m_status.axis.name}});
+    if (request.expected && !(*request.expected == m_status.setup))
+        return fail(ErrorCode::ChangedMeanwhile,
+            {{"what", "the settings of " + axisText(axis, m_status.axis.name)},
+                {"before", setupText(*request.expected)}, {"now", setupText(m_status.setup)}});
+
+    m_write = {};
+    WritePlan& plan = m_write.plan;
+    plan.drive = m_drive;
+    plan.axis = axis;
+    plan.before = m_status.setup;
+    plan.after = m_status.setup;
+    plan.after.dimensionality = request.dimensionality;
+    if (auto decided = decideSources(request); !decided)
+        return fail(decided.error());
+    if (auto decided = decideTable(request); !decided)
+        return fail(decided.error());
+    if (auto decided = decideFlash(); !decided)
+        return fail(decided.error());
+    listChanges();
+    if (auto warned = warn(); !warned)
+        return fail(warned.error());
+    return m_write;
+}
+
+Result<void> WritePlanner::decideSources(const WriteRequest& request)
+{
+    auto& sources = m_write.plan.after.sources;
+    const auto dimensions = static_cast<std::size_t>(request.dimensionality);
+    if (dimensions < 1 || dimensions > sources.size())
+        return fail(ErrorCode::InvalidArgument, {{"reason", "the dimensionality is 1, 2 or 3"}});
+    if (!request.sources.empty()) {
+        sources = {};
+        if (request.sources.size() > dimensions)
+            return fail(ErrorCode::SourceSurplus,
+                {{"dimension", std::to_string(dimensions + 1)},
+                    {"dimensions", std::to_string(dimensions)}});
+        for (std::size_t n = 0; n < request.sources.size(); ++n) {
+            auto source = m_sources.resolve(m_access, request.sources[n]);
+            if (!source)
+                return fail(source.error());
+            sources[n] = *source;
+        }
+    }
+    for (std::size_t n = 0; n < sources.size(); ++n) {
+        if (n < dimensions && !sources[n].isSet())
+            return fail(ErrorCode::SourceMissing, {{"dimension", std::to_string(n + 1)}});
+        if (n >= dimensions && sources[n].isSet())
+            return fail(ErrorCode::SourceSurplus,
+                {{"dimension", std::to_string(n + 1)}, {"dimensions", std::to_string(dimensions)}});
+        const auto first = std::ranges::find(sources, sources[n]);
+        if (sources[n].isSet() && first < sources.begin() + static_cast<std::ptrdiff_t>(n))
+            return fail(ErrorCode::SourceRepeated,
+                {{"source", sources[n].path},
+                    {"first", std::to_string(first - sources.begin() + 1)},
+                    {"second", std::to_string(n + 1)}});
+    }
+    return {};
+}
+
+Result<void> WritePlanner::decideTable(const WriteRequest& request)
+{
+    if (!request.table) {
+        if (!m_status.table)
+            return fail(ErrorCode::NoTable, {{"axis", std::to_string(m_axis)}});
+        if (m_status.table->grid.dimensions() != request.dimensionality)
+            return fail(ErrorCode::DimensionMismatch,
+                {{"table", std::to_string(m_status.table->grid.dimensions())},
+                    {"chosen", std::to_string(request.dimensionality)}});
+        m_write.plan.slotReason = SlotReason::KeepTable;
+        m_write.elementCrc = m_status.table->crc;
+        m_write.plan.after.persistency = request.persistency.value_or(m_status.setup.persistency);
+        return {};
+    }
+    const CompensationTable& table = *request.table;
+    if (table.grid.dimensions() != request.dimensionality)
+        return fail(ErrorCode::DimensionMismatch,
+            {{"table", std::to_string(table.grid.dimensions())},
+                {"chosen", std::to_string(request.dimensionality)}});
+    auto file = encodeTamTable(table, false, m_access.profile().layout);
+    if (!file)
+        return fail(file.error());
+    m_write.elementCrc = elementCrcOf(*file, table);
+    m_write.plan.tableBytes = file->size();
+    m_write.plan.after.tableCrc = m_write.elementCrc;
+    m_write.plan.after.persistency = request.persistency.value_or(Persistency::Volatile);
+    const bool alreadyThere = m_status.table && m_status.table->crc == m_write.elementCrc
+        && sameSpans(m_status.table->grid, table.grid)
+        && request.slot.value_or(m_status.setup.slot) == m_status.setup.slot;
+    if (alreadyThere) {
+        m_write.plan.slotReason = SlotReason::KeepTable;
+        m_write.plan.after.persistency = request.persistency.value_or(m_status.setup.persistency);
+        return {};
+    }
+    return decideNewTable(request, std::move(*file));
+}
+
+Result<void> WritePlanner::decideNewTable(const WriteRequest& request, Bytes file)
+{
+    auto slots = slotFacts();
+    if (!slots)
+        return fail(slots.error());
+    auto choice = chooseSlot(file.size(), request.slot, *slots);
+    if (!choice)
+        return fail(choice.error());
+    m_write.slot = choice->slot;
+    m_write.file = std::move(file);
+    m_write.plan.slotReason = choice->reason;
+    m_write.plan.after.slot = choice->slot.name;
+    m_write.plan.changes.push_back({"Table",
+        m_status.table ? tableText(m_status.setup.slot, m_status.table->grid, m_status.table->crc)
+                       : "none",
+        tableText(choice->slot.name, request.table->grid, m_write.elementCrc)});
+    return {};
+}
+
+Result<std::vector<SlotFacts>> WritePlanner::slotFacts()
+{
+    auto files = m_access.link().listFiles(m_access.exchange());
+    if (!files)
+        return fail(files.error());
+    std::vector<SlotFacts> slots;
+    for (const DriveFile& file : *files) {
+        const TableSlot* slot = m_access.profile().slotOfFile(file.path);
+        if (!slot)
+            continue;
+        SlotFacts facts;
+        facts.slot = *slot;
+        // The drive knows its own limits better than the profile does.
+        if (file.maximumSize > 0)
+            facts.slot.maximumSize = std::min(slot->maximumSize, file.maximumSize);
+        facts.size = file.size;
+        facts.isCurrent = slot->name == m_status.setup.slot;
+        slots.push_back(facts);
+    }
+    if (auto marked = markUsers(slots); !marked)
+        return fail(marked.error());
+    if (auto marked = markOwnPrevious(slots); !marked)
+        return fail(marked.error());
+    return slots;
+}
+
+Result<void> WritePlanner::markUsers(std::vector<SlotFacts>& slots)
+{
+    std::vector<std::string> paths;
+    for (int axis = 0; axis < m_drive.axes; ++axis) {
+        paths.push_back(m_access.axisPath(m_access.registers().coggingTable, axis));
+        if (axis != m_axis)
+            paths.push_back(m_access.axisPath(m_access.registers().table, axis));
+    }
+    auto readings = m_access.readAvailable(paths);
+    if (!readings)
+        return fail(readings.error());
+    for (SlotFacts& facts : slots) {
+        for (int axis = 0; axis < m_drive.axes; ++axis) {
+            const std::string& name = facts.slot.name;
+            const RegisterPaths& registers = m_access.registers();
+            if (textAt(*readings, m_access.axisPath(registers.coggingTable, axis)) == name)
+                facts.otherUser = "the cogging compensation of axis " + std::to_string(axis);
+            else if (textAt(*readings, m_access.axisPath(registers.table, axis)) == name)
+                facts.otherUser = "axis " + std::to_string(axis);
+        }
+    }
+    return {};
+}
+
+Result<void> WritePlanner::markOwnPrevious(std::vector<SlotFacts>& slots)
+{
+    auto own = m_store.ownTables(m_drive.serialNumber, m_axis);
+    if (!own)
+        return fail(own.error());
+    std::vector<std::string> paths;
+    for (const SlotFacts& facts : slots)
+        paths.push_back(m_access.slotPath(m_access.registers().tableCrc, facts.slot.name));
+    auto readings = m_access.readAvailable(paths);
+    if (!readings)
+        return fail(readings.error());
+    for (std::size_t i = 0; i < slots.size(); ++i) {
+        const std::uint32_t crc = unsignedAt(*readings, paths[i]);
+        slots[i].isOwnPrevious =
+            slots[i].size > 0 && std::ranges::any_of(*own, [&](const DriveStore::OwnTable& table) {
+                return table.slot == slots[i].slot.name && table.crc == crc;
+            });
+    }
+    return {};
+}
+
+Result<void> WritePlanner::decideFlash()
+{
+    auto history = m_store.flashHistory(m_drive.serialNumber);
+    if (!history)
+        return fail(history.error());
+    WritePlan& plan = m_write.plan;
+    const FlashWearGuard guard(m_access.profile().flashWear, history->recent);
+    plan.flashBudget = guard.budget(m_now);
+    const bool persistent = plan.after.persistency == Persistency::Persistent;
+    const bool changes = plan.slotReason != SlotReason::KeepTable
+        ? persistent
+        : plan.after.persistency != plan.before.persistency;
+    plan.flashOperations = changes ? 1 : 0;
+    if (plan.flashOperations > plan.flashBudget.left)
+        return fail(
+            ErrorCode::FlashWear, {{"seconds", std::to_string(plan.flashBudget.wait.count())}});
+    return {};
+}
+
+void WritePlanner::listChanges()
+{
+    WritePlan& plan = m_write.plan;
+    if (plan.before.dimensionality != plan.after.dimensionality)
+        plan.changes.push_back({"Dimensionality", std::to_string(plan.before.dimensionality) + "D",
+            std::to_string(plan.after.dimensionality) + "D"});
+    for (std::size_t n = 0; n < plan.after.sources.size(); ++n) {
+        const DimSource& before = plan.before.sources[n];
+        const DimSource& after = plan.after.sources[n];
+        if (!(before == after))
+            plan.changes.push_back({"Dim" + std::to_string(n + 1) + "Source",
+                sourceText(m_drive.name, before), sourceText(m_drive.name, after)});
+    }
+    if (plan.before.persistency != plan.after.persistency || !m_status.table)
+        plan.changes.push_back(
+            {"Persistency", m_status.table ? persistencyText(plan.before.persistency) : "none",
+                persistencyText(plan.after.persistency)});
+}
+
+Result<void> WritePlanner::warn()
+{
+    WritePlan& plan = m_write.plan;
+    if (plan.slotReason == SlotReason::OverwriteOwn)
+        plan.warnings.push_back("No other slot is free: the table in " + plan.after.slot
+            + " is overwritten. A copy is kept in the backup.");
+    if (plan.slotReason == SlotReason::Named)
+        plan.warnings.push_back(
+            "What " + plan.after.slot + " holds now is overwritten. A copy is kept in the backup.");
+    if (plan.after.persistency == Persistency::Volatile && m_status.table
+        && m_status.table->persistent && plan.slotReason != SlotReason::KeepTable)
+        plan.warnings.push_back("The new table is volatile: after a reboot the axis has the old, "
+                                "persistent one again.");
+    if (plan.after.persistency != Persistency::Persistent)
+        return {};
+
+    // Saving stores the parameters of all axes, volatile tables of others included.
+    for (int axis = 0; axis < m_drive.axes; ++axis) {
+        if (axis == m_axis)
+            continue;
+        auto other = readStatus(m_access, m_drive, axis, m_sources);
+        if (!other && other.error().code == ErrorCode::NoCompensation)
+            continue;
+        if (!other)
+            return fail(other.error());
+        if (other->table && !other->table->persistent)
+            plan.warnings.push_back("The parameters of all axes are saved, but the table of "
+                + axisText(axis, other->axis.name) + " in " + other->setup.slot
+                + " is volatile: after a reboot that axis has no table.");
+    }
+    return {};
+}
+
+} // namespace axiscomp

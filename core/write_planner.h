@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/axis_reader.h"
+#include "core/slot_choice.h"
+
+namespace axiscomp {
+
+/// A plan with what carrying it out needs and what its reader does not.
+struct PreparedWrite {
+    WritePlan plan;
+    Bytes file; ///< the new table file, volatile; empty: the table stays
+    TableSlot slot; ///< where it goes
+    std::uint32_t elementCrc = 0; ///< of the table that the axis has afterwards
+};
+
+/// Everything that is decided before a write, without changing anything.
+class WritePlanner {
+public:
+    WritePlanner(const DriveAccess& access, DriveStore& store, SourceDirectory& sources,
+        const DriveIdentity& drive, WallTime now)
+        : m_access(access)
+        , m_store(store)
+        , m_sources(sources)
+        , m_drive(drive)
+        , m_now(now)
+    {
+    }
+
+    [[nodiscard]] Result<PreparedWrite> prepare(int axis, const WriteRequest& request);
+
+private:
+    [[nodiscard]] Result<void> decideSources(const WriteRequest& request);
+    [[nodiscard]] Result<void> decideTable(const WriteRequest& request);
+    [[nodiscard]] Result<void> decideNewTable(const WriteRequest& request, Bytes file);
+    [[nodiscard]] Result<void> decideFlash();
+    [[nodiscard]] Result<std::vector<SlotFacts>> slotFacts();
+    [[nodiscard]] Result<void> markUsers(std::vector<SlotFacts>& slots);
+    [[nodiscard]] Result<void> markOwnPrevious(std::vector<SlotFacts>& slots);
+    void listChanges();
+    [[nodiscard]] Result<void> warn();
+
+    const DriveAccess& m_access;
+    DriveStore& m_store;
+    SourceDirectory& m_sources;
+    const DriveIdentity& m_drive;
+    WallTime m_now;
+    int m_axis = 0;
+    AxisStatus m_status;
+    PreparedWrite m_write;
+};
+
+/// For errors: "Small1 (CRC 00c0ffee), Axes[0]/..., volatile"
+[[nodiscard]] std::string setupText(const CompensationSetup& setup);
+/// "axis 0 (X)"
+[[nodiscard]] std::string axisText(int index, const std::string& name);
+
+} // namespace axiscomp

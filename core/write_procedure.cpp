@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/write_procedure.h"
+
+#include "core/backup_restore.h"
+#include "core/verified_write.h"
+
+#include <algorithm>
+
+namespace axiscomp {
+
+WriteProcedure::WriteProcedure(const DriveAccess& access, DriveStore& store,
+    SourceDirectory& sources, std::function<WallTime()> clock, PreparedWrite prepared)
+    : m_access(access)
+    , m_store(store)
+    , m_sources(sources)
+    , m_clock(std::move(clock))
+    , m_write(std::move(prepared))
+{
+}
+
+bool WriteProcedure::overwritesOwn() const
+{
+    return isNewTable() && m_write.slot.name == m_write.plan.before.slot;
+}
+
+bool WriteProcedure::wantsPersistent() const
+{
+    return m_write.plan.after.persistency == Persistency::Persistent;
+}
+
+bool WriteProcedure::changesPersistency() const
+{
+    return m_write.plan.flashOperations > 0;
+}
+
+Result<WriteReport> WriteProcedure::run()
+{
+    if (auto kept = keepOldState(); !kept)
+        return fail(kept.error());
+    if (auto same = checkUnchanged(); !same) {
+        (void)m_store.closeJournal(m_write.plan.drive.serialNumber, m_write.plan.axis);
+        return fail(same.error());
+    }
+    if (auto changed = change(); !changed)
+        return fail(putBack(changed.error()));
+    return finish();
+}
+
+Result<void> WriteProcedure::keepOldState()
+{
+    m_access.report("backup", 0.05);
+    const WritePlan& plan = m_write.plan;
+    auto registers = readAxisRegisters(m_access, plan.axis);
+    if (!registers)
+        return fail(registers.error());
+    m_backup.drive = plan.drive;
+    m_backup.axis = plan.axis;
+    m_backup.time = m_clock();
+    m_backup.registers = std::move(*registers);
+
+    std::vector<const TableSlot*> slots{m_access.profile().slotNamed(plan.before.slot)};
+    if (isNewTable() && !overwritesOwn())
+        slots.push_back(&m_write.slot);
+    for (const TableSlot* slot : slots) {
+        if (!slot)
+            continue;
+        auto file = readSlotFile(m_access, *slot);
+        if (!file)
+            return fail(file.error());
+        m_backup.files.push_back(std::move(*file));
+    }
+    auto saved = m_store.saveBackup(m_backup);
+    if (!saved)
+        return fail(saved.error());
+    m_backupFile = *saved;
+
+    m_journal.serialNumber = plan.drive.serialNumber;
+    m_journal.axis = plan.axis;
+    m_journal.time = m_backup.time;
+    m_journal.backup = m_backupFile;
+    m_journal.newRegisters = axisRegisters(m_access, plan.axis, plan.after);
+    m_journal.newSlot = plan.after.slot;
+    m_journal.newCrc = m_write.elementCrc;
+    m_journal.persistent = wantsPersistent();
+    return note("begin", 0.1);
+}
+
+Result<void> WriteProcedure::note(const std::string& step, double progress)
+{
+    if (auto stopped = m_access.checkStop(); !stopped)
+        return stopped;
+    m_access.report(step, progress);
+    m_journal.step = step;
+    return m_store.openJournal(m_journal);
+}
+
+/// The last look before the first change: the drive must still be the one that was planned for.
+Result<void> WriteProcedure::checkUnchanged()
+{
+    const WritePlan& plan = m_write.plan;
+    auto drive = m_access.link().identify(m_access.exchange());
+    if (!drive)
+        return fail(drive.error());
+    if (drive->serialNumber != plan.drive.serialNumber)
+        return fail(ErrorCode::OtherDrive,
+            {{"expected", std::to_string(plan.drive.serialNumber)},
+                {"found", std::to_string(drive->serialNumber)}});
+    auto now = readStatus(m_access, plan.drive, plan.axis, m_sources);
+    if (!now)
+        return fail(now.error());
+    if (now->axis.state == m_access.enums().stateActive
+        || now->axis.state == m_access.enums().stateRamping)
+        return fail(ErrorCode::CompensationActive, {{"axis", std::to_string(plan.axis)}});
+    if (!(now->setup == plan.before))
+        return fail(ErrorCode::ChangedMeanwhile,
+            {{"what", "the settings of axis " + std::to_string(plan.axis)},
+                {"before", setupText(plan.before)}, {"now", setupText(now->setup)}});
+    return {};
+}
+
+Result<void> WriteProcedure::change()
+{
+    if (isNewTable()) {
+        if (overwritesOwn()) {
+            if (auto off = switchOff(); !off)
+                return off;
+        }
+        if (auto uploaded = uploadTable(); !uploaded)
+            return uploaded;
+        if (wantsPersistent()) {
+            if (auto committed = commitTable(); !committed)
+                return committed;
+        }
+    }
+    if (auto switched = switchOver(); !switched)
+        return switched;
+    if (!wantsPersistent())
+        return {};
+    if (auto noted = note("save", 0.95); !noted)
+        return noted;
+    m_savedTouched = true;
+    return saveParameters(m_access);
+}
+
+/// An axis whose table is being replaced in place must not be able to start with half of it.
+Result<void> WriteProcedure::switchOff()
+{
+    if (auto noted = note("switch off", 0.12); !noted)
+        return noted;
+    m_registersTouched = true;
+    return writeSurely(m_access,
+        {{m_access.axisPath(m_access.registers().table, m_write.plan.axis),
+            m_access.enums().tableDisabled}});
+}
+
+/// Uploads and reads back, byte by byte; the two halves share the progress.
+Result<void> WriteProcedure::uploadTable()
+{
+    if (auto noted = note("upload", 0.15); !noted)
+        return noted;
+    // Whatever happens to this write, a later one may take the slot again.
+    if (auto recorded = m_store.recordOwnTable(m_write.plan.drive.serialNumber, m_write.plan.axis,
+            {m_write.slot.name, m_write.elementCrc});
+        !recorded)
+        return recorded;
+    m_slotTouched = true;
+    return uploadSurely(
+        m_access, m_write.slot.file, m_write.file, [this](std::string_view step, double fraction) {
+            m_access.report(step, 0.15 + 0.7 * fraction);
+        });
+}
+
+std::vector<RegisterWrite> WriteProcedure::persistencyWrites() const
+{
+    return {{m_access.slotPath(m_access.registers().tablePersistent, m_write.plan.after.slot),
+        wantsPersistent()}};
+}
+
+/// The new table reaches flash while the axis still uses the old one: whenever the program is
+/// interrupted, the axis has one of the two completely.
+Result<void> WriteProcedure::commitTable()
+{
+    if (auto noted = note("commit", 0.86); !noted)
+        return noted;
+    m_flashTouched = true;
+    auto committed = writeSurely(m_access, persistencyWrites(),
+        {{m_access.slotPath(m_access.registers().tableCommand, m_write.slot.name),
+            m_access.enums().tableCommandCommit}});
+    if (committed || isUncertain(committed.error().code))
+        (void)m_store.recordFlash(m_write.plan.drive.serialNumber, m_clock(), 1);
+    if (!committed)
+        return committed;
+    return compareRegisters(m_access, persistencyWrites());
+}
+
+Result<void> WriteProcedure::switchOver()
+{
+    if (auto noted = note("switch", 0.9); !noted)
+        return noted;
+    const WritePlan& plan = m_write.plan;
+    std::vector<RegisterWrite> values = axisRegisters(m_access, plan.axis, plan.after);
+    std::vector<RegisterWrite> commands;
+    const bool commitsKept = !isNewTable() && changesPersistency();
+    if (commitsKept) {
+        const auto persistency = persistencyWrites();
+        values.insert(values.end(), persistency.begin(), persistency.end());
+        commands.push_back({m_access.slotPath(m_access.registers().tableCommand, plan.after.slot),
+            m_access.enums().tableCommandCommit});
+        m_flashTouched = true;
+    }
+    m_registersTouched = true;
+    if (!m_access.profile().writesAtOneInstant) {
+        // Disabled first and the new slot last: an interruption leaves an axis that cannot be
+        // activated instead of a mixture.
+        if (auto off = writeSurely(m_access, {{values[0].path, m_access.enums().tableDisabled}});
+            !off)
+            return off;
+        std::ranges::rotate(values, values.begin() + 1);
+    }
+    auto switched = writeSurely(m_access, values, commands);
+    if (commitsKept && (switched || isUncertain(switched.error().code)))
+        (void)m_store.recordFlash(plan.drive.serialNumber, m_clock(), 1);
+    if (!switched)
+        return switched;
+    return compareRegisters(m_access, values);
+}
+
+Result<WriteReport> WriteProcedure::finish()
+{
+    const WritePlan& plan = m_write.plan;
+    // From here on nothing is undone: the drive has the complete new state.
+    const DriveAccess access = m_access.withoutStop();
+    auto now = readStatus(access, plan.drive, plan.axis, m_sources);
+    if (!now)
+        return fail(outcome(ErrorCode::OutcomeUnknown, now.error(), {}));
+    // The next write may take the slot of the old table.
+    if (isNewTable() && !plan.before.slot.empty() && plan.before.slot != plan.after.slot)
+        (void)m_store.recordOwnTable(
+            plan.drive.serialNumber, plan.axis, {plan.before.slot, plan.before.tableCrc});
+    if (auto closed = m_store.closeJournal(plan.drive.serialNumber, plan.axis); !closed)
+        return fail(closed.error());
+    access.report("done", 1.0);
+    return WriteReport{plan, *now, m_backupFile};
+}
+
+} // namespace axiscomp

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/write_planner.h"
+
+namespace axiscomp {
+
+/// Carries a prepared write out in the safe order and puts everything back when a step fails or the
+/// user stops (DESIGN.md, "The safe order of a write"; DECISIONS.md, 3). Used once.
+class WriteProcedure {
+public:
+    WriteProcedure(const DriveAccess& access, DriveStore& store, SourceDirectory& sources,
+        std::function<WallTime()> clock, PreparedWrite prepared);
+
+    [[nodiscard]] Result<WriteReport> run();
+
+private:
+    // In the order in which they run.
+    [[nodiscard]] Result<void> keepOldState();
+    [[nodiscard]] Result<void> checkUnchanged();
+    [[nodiscard]] Result<void> change();
+    [[nodiscard]] Result<void> switchOff();
+    [[nodiscard]] Result<void> uploadTable();
+    [[nodiscard]] Result<void> commitTable();
+    [[nodiscard]] Result<void> switchOver();
+    [[nodiscard]] Result<WriteReport> finish();
+
+    // Putting back, in reverse order.
+    [[nodiscard]] Error putBack(const Error& reason);
+    [[nodiscard]] Result<void> undo(const DriveAccess& access);
+    [[nodiscard]] Result<void> undoRegisters(const DriveAccess& access);
+    [[nodiscard]] Result<void> undoSlot(const DriveAccess& access);
+    [[nodiscard]] bool hasOldState(const DriveAccess& access);
+
+    [[nodiscard]] Result<void> note(const std::string& step, double progress);
+    [[nodiscard]] bool isNewTable() const { return !m_write.file.empty(); }
+    [[nodiscard]] bool overwritesOwn() const;
+    [[nodiscard]] bool wantsPersistent() const;
+    [[nodiscard]] bool changesPersistency() const;
+    [[nodiscard]] std::vector<RegisterWrite> persistencyWrites() const;
+    [[nodiscard]] const AxisBackup::File* backupOf(const std::string& slot) const;
+    [[nodiscard]] Error outcome(
+        ErrorCode code, const Error& reason, const std::string& rollback) const;
+
+    DriveAccess m_access;
+    DriveStore& m_store;
+    SourceDirectory& m_sources;
+    std::function<WallTime()> m_clock;
+    PreparedWrite m_write;
+    AxisBackup m_backup;
+    std::filesystem::path m_backupFile;
+    JournalEntry m_journal;
+
+    // What may have been changed on the drive so far, and so has to be put back.
+    bool m_slotTouched = false;
+    bool m_flashTouched = false;
+    bool m_registersTouched = false;
+    bool m_savedTouched = false;
+};
+
+} // namespace axiscomp

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/verified_write.h"
+#include "core/write_procedure.h"
+
+#include <algorithm>
+
+namespace axiscomp {
+
+const AxisBackup::File* WriteProcedure::backupOf(const std::string& slot) const
+{
+    const auto file = std::ranges::find(m_backup.files, slot, &AxisBackup::File::slot);
+    return file == m_backup.files.end() ? nullptr : &*file;
+}
+
+Error WriteProcedure::outcome(
+    ErrorCode code, const Error& reason, const std::string& rollback) const
+{
+    return Error{code,
+        {{"reason", sentence(reason)}, {"rollback", rollback}, {"backup", m_backupFile.string()}},
+        std::string(errorName(reason.code)) + ": " + reason.detail};
+}
+
+/// Undoes what was changed and gives the error to report. The journal stays open unless the old
+/// state is known to be back.
+Error WriteProcedure::putBack(const Error& reason)
+{
+    const DriveAccess access = m_access.withoutStop();
+    access.report("putting back", 0.95);
+    auto undone = undo(access);
+    if (!undone && isUnreachable(undone.error().code)) {
+        // As long as the axis was not touched it has its old state, whatever the other slot holds.
+        if (!m_registersTouched)
+            return reason;
+        if (!overwritesOwn())
+            return outcome(ErrorCode::OutcomeUnknown, reason, {});
+    }
+    if (!undone && !hasOldState(access))
+        return outcome(ErrorCode::RollbackFailed, reason, sentence(undone.error()));
+    (void)m_store.closeJournal(m_backup.drive.serialNumber, m_backup.axis);
+    return reason;
+}
+
+Result<void> WriteProcedure::undo(const DriveAccess& access)
+{
+    if (overwritesOwn()) {
+        if (auto restored = undoSlot(access); !restored)
+            return restored;
+        return undoRegisters(access);
+    }
+    if (auto restored = undoRegisters(access); !restored)
+        return restored;
+    return undoSlot(access);
+}
+
+Result<void> WriteProcedure::undoRegisters(const DriveAccess& access)
+{
+    if (!m_registersTouched)
+        return {};
+    std::vector<RegisterWrite> values = m_backup.registers;
+    std::vector<RegisterWrite> commands;
+    const AxisBackup::File* old = backupOf(m_write.plan.before.slot);
+    if (!isNewTable() && m_flashTouched && old) {
+        values.push_back(
+            {access.slotPath(access.registers().tablePersistent, old->slot), old->persistent});
+        commands.push_back({access.slotPath(access.registers().tableCommand, old->slot),
+            access.enums().tableCommandCommit});
+    }
+    if (!access.profile().writesAtOneInstant) {
+        if (auto off = writeSurely(access, {{values[0].path, access.enums().tableDisabled}}); !off)
+            return off;
+        std::ranges::rotate(values, values.begin() + 1);
+    }
+    if (auto written = writeSurely(access, values, commands); !written)
+        return written;
+    if (auto same = compareRegisters(access, values); !same)
+        return same;
+    return m_savedTouched ? saveParameters(access) : Result<void>{};
+}
+
+Result<void> WriteProcedure::undoSlot(const DriveAccess& access)
+{
+    if (!m_slotTouched)
+        return {};
+    if (overwritesOwn()) {
+        // While its file is put back the axis must not be able to start.
+        const std::string table = access.axisPath(access.registers().table, m_write.plan.axis);
+        if (auto off = writeSurely(access, {{table, access.enums().tableDisabled}}); !off)
+            return off;
+    }
+    const AxisBackup::File* old = backupOf(m_write.slot.name);
+    if (!old || old->bytes.empty())
+        return deleteTable(access, m_write.slot.name);
+    return uploadSurely(access, old->path, old->bytes);
+}
+
+/// The last resort when undoing failed somewhere: does the axis have its old state all the same?
+bool WriteProcedure::hasOldState(const DriveAccess& access)
+{
+    if (!compareRegisters(access, m_backup.registers))
+        return false;
+    const AxisBackup::File* old = backupOf(m_write.plan.before.slot);
+    if (!old || old->bytes.empty())
+        return true;
+    auto bytes = access.link().download(old->path, access.exchange());
+    return bytes && compareFiles(old->path, *bytes, old->bytes).has_value();
+}
+
+} // namespace axiscomp
