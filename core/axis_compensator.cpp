@@ -262,9 +262,9 @@ Result<void> AxisCompensator::upload(
         return fail(old.error());
     auto uploaded = uploadSurely(access, path, bytes,
         [&](std::string_view step, double fraction) { access.report(step, fraction); });
-    if (uploaded
-        || !isUncertain(uploaded.error().code)
-            && uploaded.error().code != ErrorCode::VerifyMismatch)
+    const bool refused = !uploaded && !isUncertain(uploaded.error().code)
+        && uploaded.error().code != ErrorCode::VerifyMismatch;
+    if (uploaded || refused)
         return uploaded;
 
     const DriveAccess rest = access.withoutStop();
