@@ -4,6 +4,7 @@
 #include "core/compensation_setup.h"
 #include "core/drive_link.h"
 #include "core/flash_wear.h"
+#include "core/local_file.h"
 
 #include <filesystem>
 #include <map>
@@ -12,12 +13,6 @@
 #include <vector>
 
 namespace axiscomp {
-
-/// Writes a file so that after a crash or a full disk the old file is whole or the new one is: a
-/// temporary file beside it, fsync, rename. Errors: FileNotWritable.
-[[nodiscard]] Result<void> saveFile(const std::filesystem::path& file, ByteView bytes);
-/// Errors: FileNotReadable, FileTooLarge.
-[[nodiscard]] Result<Bytes> loadFile(const std::filesystem::path& file, std::uint64_t maximumSize);
 
 /// What one axis had before a write: its registers, and the files of the slots that the write
 /// touches.
