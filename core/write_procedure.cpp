@@ -182,15 +182,35 @@ Result<void> WriteProcedure::commitTable()
 {
     if (auto noted = note("commit", 0.86); !noted)
         return noted;
+    return commitWith(persistencyWrites());
+}
+
+/// Writes values and the commit of the slot in one request, and makes sure that flash was reached:
+/// a commit that did nothing is repeated, which costs nothing when flash already holds the table.
+Result<void> WriteProcedure::commitWith(const std::vector<RegisterWrite>& values)
+{
+    const std::string& slot = m_write.plan.after.slot;
+    const std::string countPath = m_access.slotPath(m_access.registers().tableEraseCount, slot);
+    const std::vector<RegisterWrite> commit{
+        {m_access.slotPath(m_access.registers().tableCommand, slot),
+            m_access.enums().tableCommandCommit}};
+    auto before = m_access.readAvailable({countPath});
+    if (!before)
+        return fail(before.error());
     m_flashTouched = true;
-    auto committed = writeSurely(m_access, persistencyWrites(),
-        {{m_access.slotPath(m_access.registers().tableCommand, m_write.slot.name),
-            m_access.enums().tableCommandCommit}});
+    auto committed = writeSurely(m_access, values, commit);
     if (committed || isUncertain(committed.error().code))
         (void)m_store.recordFlash(m_write.plan.drive.serialNumber, m_clock(), 1);
     if (!committed)
         return committed;
-    return compareRegisters(m_access, persistencyWrites());
+    if (auto same = compareRegisters(m_access, values); !same)
+        return same;
+    auto after = m_access.readAvailable({countPath});
+    if (!after)
+        return fail(after.error());
+    if (before->empty() || numberAt(*before, countPath) != numberAt(*after, countPath))
+        return {};
+    return writeSurely(m_access, {}, commit);
 }
 
 Result<void> WriteProcedure::switchOver()
@@ -199,15 +219,6 @@ Result<void> WriteProcedure::switchOver()
         return noted;
     const WritePlan& plan = m_write.plan;
     std::vector<RegisterWrite> values = axisRegisters(m_access, plan.axis, plan.after);
-    std::vector<RegisterWrite> commands;
-    const bool commitsKept = !isNewTable() && changesPersistency();
-    if (commitsKept) {
-        const auto persistency = persistencyWrites();
-        values.insert(values.end(), persistency.begin(), persistency.end());
-        commands.push_back({m_access.slotPath(m_access.registers().tableCommand, plan.after.slot),
-            m_access.enums().tableCommandCommit});
-        m_flashTouched = true;
-    }
     m_registersTouched = true;
     if (!m_access.profile().writesAtOneInstant) {
         // Disabled first and the new slot last: an interruption leaves an axis that cannot be
@@ -217,10 +228,12 @@ Result<void> WriteProcedure::switchOver()
             return off;
         std::ranges::rotate(values, values.begin() + 1);
     }
-    auto switched = writeSurely(m_access, values, commands);
-    if (commitsKept && (switched || isUncertain(switched.error().code)))
-        (void)m_store.recordFlash(plan.drive.serialNumber, m_clock(), 1);
-    if (!switched)
+    if (!isNewTable() && changesPersistency()) {
+        const auto persistency = persistencyWrites();
+        values.insert(values.end(), persistency.begin(), persistency.end());
+        return commitWith(values);
+    }
+    if (auto switched = writeSurely(m_access, values); !switched)
         return switched;
     return compareRegisters(m_access, values);
 }

@@ -22,6 +22,7 @@ private:
     [[nodiscard]] Result<void> switchOff();
     [[nodiscard]] Result<void> uploadTable();
     [[nodiscard]] Result<void> commitTable();
+    [[nodiscard]] Result<void> commitWith(const std::vector<RegisterWrite>& values);
     [[nodiscard]] Result<void> switchOver();
     [[nodiscard]] Result<WriteReport> finish();
 
