@@ -104,9 +104,9 @@ struct DriveProfile {
 
 /// Replaces {axis}, {slot}, {n} in a register path.
 struct PathArguments {
-    std::optional<int> axis;
-    std::string_view slot;
-    std::optional<int> n;
+    std::optional<int> axis{};
+    std::string_view slot{};
+    std::optional<int> n{};
 };
 [[nodiscard]] std::string expandPath(std::string_view pattern, const PathArguments& arguments);
 

@@ -30,10 +30,7 @@ public:
     static constexpr DriveTime duration = std::chrono::seconds(1);
     enum class State { NotHomed, Homing, Done };
 
-    explicit Homing(bool homed)
-        : m_homed(homed)
-    {
-    }
+    explicit Homing(bool homed) : m_homed(homed) { }
     void start(DriveTime now) { m_doneAt = now + duration, m_homed = true; }
     void lose() { m_homed = false; }
     [[nodiscard]] State state(DriveTime now) const
@@ -45,7 +42,7 @@ public:
 
 private:
     bool m_homed;
-    DriveTime m_doneAt{ DriveTime::min() };
+    DriveTime m_doneAt{DriveTime::min()};
 };
 
 /// The state machine of one axis's compensation. All transitions by time are computed from the
@@ -80,7 +77,7 @@ private:
     Request m_request = Request::Disabled;
     Fault m_fault = Fault::None;
     double m_gainAtRequest = 0.0;
-    DriveTime m_requestedAt{ 0 };
+    DriveTime m_requestedAt{0};
 };
 
 } // namespace axiscomp::drivecomm

@@ -49,11 +49,14 @@ public:
     };
     /// Called once per request, before it is carried out.
     [[nodiscard]] Decision next(bool isWrite);
-    /// How many more bytes a connection may carry before it must be cut; none: no such fault is
-    /// left.
+    /// How many more bytes a connection may carry before it must be cut (1 or more); none: no such
+    /// fault is left.
     [[nodiscard]] std::optional<std::uint64_t> bytesUntilDrop() const;
+    /// Counting the last of them spends the fault: whoever counts it cuts the connection.
     void countBytes(std::uint64_t bytes);
+    /// Requests and writes are counted from the beginning or the last clear(), bytes from here.
     void add(FaultSpec fault);
+    /// No more faults; counting starts again.
     void clear();
 
 private:
@@ -61,7 +64,6 @@ private:
     std::vector<FaultSpec> m_faults;
     std::uint64_t m_requests = 0;
     std::uint64_t m_writes = 0;
-    std::uint64_t m_bytes = 0;
 };
 
 } // namespace axiscomp::drivecomm

@@ -65,9 +65,9 @@ Result<void> FlashMemory::setPersistent(std::size_t index, bool persistent)
         return {};
     if (!slot.ram)
         return fail(ErrorCode::DriveRejected,
-            { { "reason",
+            {{"reason",
                 "there is no table in " + m_profile->slots[index].name
-                    + " that could be persistent" } });
+                    + " that could be persistent"}});
     Bytes bytes = slot.ram->bytes;
     axiscomp::setPersistent(bytes, persistent, m_profile->layout);
     slot.ram = possiblyDamagedTable(std::move(bytes), m_profile->layout);
@@ -80,9 +80,9 @@ Result<void> FlashMemory::commit(std::size_t index, DriveTime now)
     SlotMemory& slot = m_slots.at(index);
     if (!slot.ram)
         return fail(ErrorCode::DriveRejected,
-            { { "reason",
+            {{"reason",
                 "there is no table in " + m_profile->slots[index].name
-                    + " that could be committed" } });
+                    + " that could be committed"}});
     if (!slot.persistent)
         return slot.flash ? useFlash(slot, now).map([&] { slot.flash.reset(); }) : Result<void>{};
     if (slot.flash && sameTable(slot.flash->bytes, slot.ram->bytes, m_profile->layout))
@@ -125,8 +125,8 @@ Result<void> FlashMemory::useFlash(SlotMemory& slot, DriveTime now)
 {
     if (const DriveTime from = availableFrom(now); from > now)
         return fail(ErrorCode::FlashWear,
-            { { "seconds",
-                std::to_string(std::chrono::ceil<std::chrono::seconds>(from - now).count()) } });
+            {{"seconds",
+                std::to_string(std::chrono::ceil<std::chrono::seconds>(from - now).count())}});
     std::erase_if(m_operations,
         [&](DriveTime operation) { return now - operation >= m_profile->flashWear.window; });
     m_operations.push_back(now);

@@ -50,8 +50,8 @@ public:
 
     /// A file that was written: into RAM, and into flash too when its header says persistent.
     /// Errors: FlashWear.
-    [[nodiscard]] Result<void> upload(
-        std::size_t index, std::shared_ptr<const StoredTable> table, bool persistent, DriveTime now);
+    [[nodiscard]] Result<void> upload(std::size_t index, std::shared_ptr<const StoredTable> table,
+        bool persistent, DriveTime now);
     /// Changes the header in RAM. Errors: DriveRejected for an empty slot.
     [[nodiscard]] Result<void> setPersistent(std::size_t index, bool persistent);
     /// Brings flash in line with RAM: stored when persistent, erased when not. Costs no operation
@@ -70,8 +70,8 @@ public:
     [[nodiscard]] const std::vector<DriveTime>& operations() const { return m_operations; }
 
     /// Flash as it was saved in an earlier run; RAM is loaded from it.
-    void restore(std::size_t index, std::shared_ptr<const StoredTable> flash,
-        std::uint32_t eraseCount);
+    void restore(
+        std::size_t index, std::shared_ptr<const StoredTable> flash, std::uint32_t eraseCount);
     void restoreOperations(std::vector<DriveTime> operations);
 
 private:

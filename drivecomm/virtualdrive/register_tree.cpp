@@ -50,19 +50,18 @@ bool sameName(std::string_view a, std::string_view b)
 /// Levenshtein distance without regard to case; limit when it is not below limit.
 std::size_t editDistance(std::string_view a, std::string_view b, std::size_t limit)
 {
-    const std::size_t difference
-        = a.size() > b.size() ? a.size() - b.size() : b.size() - a.size();
+    const std::size_t difference = a.size() > b.size() ? a.size() - b.size() : b.size() - a.size();
     if (difference >= limit)
         return limit;
     std::vector<std::size_t> row(b.size() + 1);
-    std::iota(row.begin(), row.end(), std::size_t{ 0 });
+    std::iota(row.begin(), row.end(), std::size_t{0});
     for (std::size_t i = 1; i <= a.size(); ++i) {
         std::size_t diagonal = row[0];
         std::size_t smallest = row[0] = i;
         for (std::size_t j = 1; j <= b.size(); ++j) {
             const std::size_t above = row[j];
-            row[j] = std::min({ above + 1, row[j - 1] + 1,
-                diagonal + (lower(a[i - 1]) == lower(b[j - 1]) ? 0 : 1) });
+            row[j] = std::min({above + 1, row[j - 1] + 1,
+                diagonal + (lower(a[i - 1]) == lower(b[j - 1]) ? 0 : 1)});
             diagonal = above;
             smallest = std::min(smallest, row[j]);
         }
@@ -85,10 +84,10 @@ tl::unexpected<Error> refused(const Register& target, const RegisterValue& value
     for (const std::string& name : target.enumValues)
         known += (known.empty() ? ", one of " : ", ") + name;
     return fail(ErrorCode::DriveRejected,
-        { { "reason",
+        {{"reason",
             target.path + " is of type " + target.type + known + ", and cannot be "
                 + (std::holds_alternative<std::string>(value) ? '"' + toText(value) + '"'
-                                                              : toText(value)) } });
+                                                              : toText(value))}});
 }
 
 /// A number of any type; none for Boolean and enum.
@@ -143,7 +142,7 @@ Register& RegisterTree::add(Register added)
     if (Register* present = find(added.path))
         return *present;
     added.address = nextAddress(added);
-    added.initial = added.value;
+    added.factory = added.saved = added.value;
     Register& kept = m_registers.emplace_back(std::move(added));
     m_byPath.emplace(kept.path, &kept);
     m_byAddress.emplace(kept.address, &kept);
@@ -162,8 +161,8 @@ std::uint32_t RegisterTree::nextAddress(const Register& added)
         return base + aligned;
     };
     const std::uint32_t block = blockOf(added.path);
-    const std::uint32_t address
-        = take(m_configured ? block + configuredPart : block, blockSize - configuredPart);
+    const std::uint32_t address =
+        take(m_configured ? block + configuredPart : block, blockSize - configuredPart);
     return address != 0 ? address : take(overflowBlock, 0x1000'0000);
 }
 
@@ -202,9 +201,9 @@ std::string RegisterTree::nearest(std::string_view path) const
         const Register* found = nullptr;
     };
     std::array<Match, 3> best;
-    best.fill({ farthest, nullptr });
+    best.fill({farthest, nullptr});
     for (const Register& one : m_registers) {
-        Match match{ editDistance(wanted, one.path, best.back().distance), &one };
+        Match match{editDistance(wanted, one.path, best.back().distance), &one};
         for (Match& place : best)
             if (match.distance < place.distance)
                 std::swap(match, place);

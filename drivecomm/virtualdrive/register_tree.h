@@ -20,11 +20,11 @@ enum class RegisterRole {
     Value, ///< keeps what is written
     CompensationValue, ///< Table and DimSources: as Value, not while that axis's compensation is on
     TablePersistent,
-    // Commands: act when written
+    // Commands: act when written, in this order within one request, after all values.
     TableCommand,
     SaveParameters,
-    Activation,
     HomingCommand,
+    Activation,
     Reboot,
 };
 
@@ -38,12 +38,14 @@ struct Register {
     std::function<RegisterValue()> live{}; ///< a signal, computed for the drive's current instant
     bool independent = true; ///< may be a DimSource: does not follow from a compensation
     std::uint32_t address = 0; ///< given by the tree
-    RegisterValue initial{}; ///< after power-on; for a parameter: as last saved
+    RegisterValue factory{}; ///< after power-on, unless saved
+    RegisterValue saved{}; ///< of a parameter: by the last SaveParameters
 
+    [[nodiscard]] bool isCommand() const { return role >= RegisterRole::TableCommand; }
     /// Kept by SaveParameters.
     [[nodiscard]] bool isParameter() const;
     [[nodiscard]] RegisterValue current() const { return live ? live() : value; }
-    [[nodiscard]] RegisterReading reading() const { return { path, address, type, current() }; }
+    [[nodiscard]] RegisterReading reading() const { return {path, address, type, current()}; }
 };
 
 /// The registers of a drive by path and by address. An address follows from the register's place in
@@ -70,7 +72,8 @@ public:
 
     [[nodiscard]] auto begin() { return m_registers.begin(); }
     [[nodiscard]] auto end() { return m_registers.end(); }
-    [[nodiscard]] std::size_t size() const { return m_registers.size(); }
+    [[nodiscard]] auto begin() const { return m_registers.begin(); }
+    [[nodiscard]] auto end() const { return m_registers.end(); }
 
 private:
     [[nodiscard]] std::uint32_t nextAddress(const Register& added);

@@ -47,6 +47,12 @@ struct VirtualDriveOptions {
     std::function<WallTime()> wallClock;
 };
 
+/// What a person can enter for a register.
+struct RegisterEntry {
+    bool isWritable = false;
+    std::vector<std::string> names; ///< of an enum with fixed values
+};
+
 /// A drive with the behaviour of spec/drive.md ("Behaviour"): registers with addresses, RAM and
 /// flash tables, commit and delete, flash wear, homing, moving axes, 10 kHz lookup, 10 ms ramp,
 /// reboot. Every member function may be called from any thread. Errors carry the codes that
@@ -82,6 +88,8 @@ public:
     [[nodiscard]] std::vector<RegisterReading> readTree(const std::string& prefix);
     /// Up to DriveLink::maximumWrites, at one instant, all or none.
     [[nodiscard]] Result<void> writeRegisters(const std::vector<RegisterWrite>& writes);
+    /// Nothing that is writable where there is no such register.
+    [[nodiscard]] RegisterEntry registerEntry(const std::string& path) const;
     [[nodiscard]] std::vector<DriveFile> listFiles();
     [[nodiscard]] Result<Bytes> download(const std::string& path);
     [[nodiscard]] Result<void> upload(const std::string& path, ByteView bytes);

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "drivecomm/virtualdrive/faults.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+namespace axiscomp::drivecomm {
+
+namespace {
+
+struct Name {
+    std::string_view name;
+    FaultSpec::Kind kind;
+    std::string_view argument;
+    std::uint64_t most; ///< 0: the argument is an error code
+};
+
+constexpr std::uint64_t anyNumber = std::uint64_t{1} << 53;
+constexpr std::uint64_t longestDelayMs = 600'000;
+
+constexpr std::array names{
+    Name{"drop-after", FaultSpec::Kind::DropAfter, "BYTES", anyNumber},
+    Name{"no-reply", FaultSpec::Kind::NoReply, "N", anyNumber},
+    Name{"garble", FaultSpec::Kind::Garble, "N", anyNumber},
+    Name{"stores-wrong", FaultSpec::Kind::StoresWrong, "N", anyNumber},
+    Name{"slow", FaultSpec::Kind::Slow, "MS", longestDelayMs},
+    Name{"reboot-after", FaultSpec::Kind::RebootAfter, "N", anyNumber},
+    Name{"reject", FaultSpec::Kind::Reject, "CODE", 0},
+};
+
+/// What a drive can answer to a write or an upload.
+constexpr std::array rejections{ErrorCode::DriveRejected, ErrorCode::UnknownRegister,
+    ErrorCode::UnknownFile, ErrorCode::NotAllowedNow, ErrorCode::TooLargeForSlot,
+    ErrorCode::TableRefused, ErrorCode::FlashWear};
+
+tl::unexpected<Error> invalid(std::string reason)
+{
+    return fail(ErrorCode::InvalidArgument, {{"reason", std::move(reason)}});
+}
+
+std::string knownFaults()
+{
+    std::string result;
+    for (const Name& known : names)
+        result += (result.empty() ? "" : ", ") + std::string(known.name) + '='
+            + std::string(known.argument);
+    return result;
+}
+
+Result<FaultSpec> rejectFault(std::string_view code)
+{
+    std::string known;
+    for (const ErrorCode one : rejections) {
+        if (errorName(one) == code)
+            return FaultSpec{FaultSpec::Kind::Reject, 0, std::string(code)};
+        known += (known.empty() ? "" : ", ") + std::string(errorName(one));
+    }
+    return invalid('"' + std::string(code) + "\" is not what a drive can answer: " + known);
+}
+
+} // namespace
+
+Result<FaultSpec> parseFault(std::string_view text)
+{
+    const std::size_t equals = text.find('=');
+    const std::string_view name = text.substr(0, equals);
+    const auto known = std::ranges::find(names, name, &Name::name);
+    if (known == names.end() || equals == std::string_view::npos)
+        return invalid('"' + std::string(text) + "\" is not a fault; known are " + knownFaults());
+    const std::string_view argument = text.substr(equals + 1);
+    if (known->most == 0)
+        return rejectFault(argument);
+    std::uint64_t number = 0;
+    const auto parsed = std::from_chars(argument.data(), argument.data() + argument.size(), number);
+    if (parsed.ec != std::errc{} || parsed.ptr != argument.data() + argument.size() || number < 1
+        || number > known->most)
+        return invalid('"' + std::string(argument) + "\" is not a whole number from 1 to "
+            + std::to_string(known->most) + ", as " + std::string(known->name) + " needs");
+    return FaultSpec{known->kind, number, {}};
+}
+
+FaultPlan::FaultPlan(std::vector<FaultSpec> faults) : m_faults(std::move(faults)) { }
+
+FaultPlan::Decision FaultPlan::next(bool isWrite)
+{
+    const std::scoped_lock lock(m_mutex);
+    ++m_requests;
+    if (isWrite)
+        ++m_writes;
+    Decision decision;
+    for (const FaultSpec& fault : m_faults) {
+        const bool thisRequest = fault.number == m_requests;
+        switch (fault.kind) {
+        case FaultSpec::Kind::DropAfter:
+            break;
+        case FaultSpec::Kind::NoReply:
+            decision.noReply |= thisRequest;
+            break;
+        case FaultSpec::Kind::Garble:
+            decision.garble |= thisRequest;
+            break;
+        case FaultSpec::Kind::StoresWrong:
+            decision.storeWrong |= isWrite && fault.number == m_writes;
+            break;
+        case FaultSpec::Kind::Slow:
+            decision.delay += std::chrono::milliseconds(fault.number);
+            break;
+        case FaultSpec::Kind::RebootAfter:
+            decision.reboot |= thisRequest;
+            break;
+        case FaultSpec::Kind::Reject:
+            if (isWrite && !decision.rejectCode)
+                decision.rejectCode = fault.code;
+            break;
+        }
+    }
+    return decision;
+}
+
+std::optional<std::uint64_t> FaultPlan::bytesUntilDrop() const
+{
+    const std::scoped_lock lock(m_mutex);
+    std::optional<std::uint64_t> least;
+    for (const FaultSpec& fault : m_faults)
+        if (fault.kind == FaultSpec::Kind::DropAfter)
+            least = std::min(least.value_or(fault.number), fault.number);
+    return least;
+}
+
+void FaultPlan::countBytes(std::uint64_t bytes)
+{
+    const std::scoped_lock lock(m_mutex);
+    std::erase_if(m_faults, [&](FaultSpec& fault) {
+        if (fault.kind != FaultSpec::Kind::DropAfter)
+            return false;
+        fault.number -= std::min(fault.number, bytes);
+        return fault.number == 0;
+    });
+}
+
+void FaultPlan::add(FaultSpec fault)
+{
+    const std::scoped_lock lock(m_mutex);
+    m_faults.push_back(std::move(fault));
+}
+
+void FaultPlan::clear()
+{
+    const std::scoped_lock lock(m_mutex);
+    m_faults.clear();
+    m_requests = 0;
+    m_writes = 0;
+}
+
+} // namespace axiscomp::drivecomm
