@@ -115,6 +115,7 @@ private:
 /// The drive behind "demo:": axes X and Y in millimetres, homed. loadDemoState gives X a persistent
 /// 2D table over both axes and activates it.
 [[nodiscard]] VirtualDriveOptions demoDriveOptions();
-void loadDemoState(VirtualDrive& drive);
+/// Errors: those of the drive; none for a drive that demoDriveOptions made.
+[[nodiscard]] Result<void> loadDemoState(VirtualDrive& drive);
 
 } // namespace axiscomp::drivecomm

@@ -1,0 +1,312 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "drivecomm/virtualdrive/tam_configuration.h"
+
+#include "core/drive_store.h"
+#include "drivecomm/profile_loader.h"
+#include "drivecomm/virtualdrive/drive_registers.h"
+
+#include <QXmlStreamReader>
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <unordered_map>
+
+namespace axiscomp::drivecomm {
+
+namespace {
+
+constexpr std::uint64_t maximumBytes = std::uint64_t{64} << 20;
+constexpr std::size_t maximumRegisters = 200'000; ///< real drives have some 3000
+constexpr std::size_t longestValue = 64;
+constexpr int maximumAxes = 64;
+constexpr std::int32_t firstSerialNumber = 100001; ///< for stations that have none
+
+struct Station {
+    std::string name;
+    std::optional<std::int32_t> serialNumber;
+    int axes = 0;
+    std::vector<RegisterReading> registers;
+    std::unordered_map<std::string, std::size_t> places; ///< in registers, by path
+
+    [[nodiscard]] RegisterReading* find(std::string_view pattern, const PathArguments& arguments)
+    {
+        const auto found = places.find(normalisedPath(expandPath(pattern, arguments)));
+        return found == places.end() ? nullptr : &registers[found->second];
+    }
+};
+
+std::string text(QStringView view)
+{
+    return view.toUtf8().toStdString();
+}
+
+/// The number of axes that a register's path asks for: 3 for "Axes[2]/...". None when the index is
+/// none that a drive can have.
+std::optional<int> axesNeeded(std::string_view path)
+{
+    constexpr std::string_view axes = "Axes[";
+    if (!path.starts_with(axes))
+        return 0;
+    int index = -1;
+    const auto end = std::from_chars(path.data() + axes.size(), path.data() + path.size(), index);
+    if (end.ec != std::errc{} || index < 0 || index >= maximumAxes
+        || end.ptr == path.data() + path.size() || *end.ptr != ']')
+        return {};
+    return index + 1;
+}
+
+/// A register's value as the file writes it. Any type but the five is an enum.
+Result<RegisterValue> parseValue(const std::string& type, const std::string& value)
+{
+    if (type == "Boolean" || type == "Int32" || type == "UInt32")
+        return registerValueFromText(type, value);
+    if (type == "Single" || type == "Double") {
+        const Result<RegisterValue> parsed = registerValueFromText("Double", value);
+        if (!parsed)
+            return fail(parsed.error());
+        // Neither a drive's web server nor a person can do anything with NaN.
+        const double number = std::isfinite(toDouble(*parsed)) ? toDouble(*parsed) : 0.0;
+        if (type == "Double")
+            return number;
+        if (std::abs(number) > std::numeric_limits<float>::max())
+            return fail(ErrorCode::InvalidArgument,
+                {{"reason", '"' + value + "\" is too large for a Single"}});
+        return static_cast<float>(number);
+    }
+    if (value.size() > longestValue)
+        return fail(ErrorCode::InvalidArgument,
+            {{"reason", "the value is longer than any name of an enum"}});
+    return value;
+}
+
+class Parser {
+public:
+    Parser(std::string_view xml, const std::string& fileName)
+        : m_reader(QByteArray::fromRawData(xml.data(), static_cast<qsizetype>(xml.size())))
+        , m_fileName(fileName)
+    {
+    }
+
+    [[nodiscard]] Result<std::vector<Station>> parse()
+    {
+        while (!m_reader.atEnd()) {
+            Result<void> read;
+            switch (m_reader.readNext()) {
+            case QXmlStreamReader::DTD: // what it could define has no place in such a file
+                return wrong("a document type is not allowed");
+            case QXmlStreamReader::EntityReference:
+                return wrong("entities are not allowed");
+            case QXmlStreamReader::StartElement:
+                read = startElement();
+                break;
+            default:
+                break;
+            }
+            if (!read)
+                return fail(read.error());
+        }
+        if (m_reader.hasError())
+            return wrong(text(m_reader.errorString()));
+        return std::move(m_stations);
+    }
+
+private:
+    [[nodiscard]] tl::unexpected<Error> wrong(std::string reason) const
+    {
+        return fail(ErrorCode::InvalidConfiguration,
+            {{"file", m_fileName}, {"line", std::to_string(m_reader.lineNumber())},
+                {"reason", std::move(reason)}});
+    }
+
+    [[nodiscard]] Result<void> startElement()
+    {
+        if (!m_rootSeen && m_reader.name() != u"TamTopology")
+            return wrong("the root element is " + text(m_reader.name()) + ", expected TamTopology");
+        m_rootSeen = true;
+        if (m_reader.name() == u"TamStation")
+            return station();
+        if (m_reader.name() == u"TamModule")
+            m_reader.skipCurrentElement();
+        else if (m_reader.name() == u"RegisterComponent" && !m_stations.empty())
+            return registerComponent();
+        return {};
+    }
+
+    [[nodiscard]] Result<void> station()
+    {
+        const QXmlStreamAttributes attributes = m_reader.attributes();
+        Station& added = m_stations.emplace_back();
+        added.name = text(attributes.value(QLatin1String("Name")));
+        const std::string serial = text(attributes.value(QLatin1String("HardwareSerialNumber")));
+        if (serial.empty())
+            return {};
+        const Result<RegisterValue> number = registerValueFromText("Int32", serial);
+        if (!number)
+            return wrong("HardwareSerialNumber: " + sentence(number.error()));
+        added.serialNumber = std::get<std::int32_t>(*number);
+        return {};
+    }
+
+    [[nodiscard]] Result<void> registerComponent()
+    {
+        const QXmlStreamAttributes attributes = m_reader.attributes();
+        RegisterReading read{normalisedPath(text(attributes.value(QLatin1String("Address")))), 0,
+            text(attributes.value(QLatin1String("Type"))), {}};
+        if (read.path.empty() || read.type.empty()
+            || !attributes.hasAttribute(QLatin1String("Value")))
+            return wrong("a RegisterComponent needs Address, Type and Value");
+        const std::optional<int> axes = axesNeeded(read.path);
+        if (!axes)
+            return wrong(read.path + ": the axis index must be from 0 to "
+                + std::to_string(maximumAxes - 1));
+        Result<RegisterValue> value =
+            parseValue(read.type, text(attributes.value(QLatin1String("Value"))));
+        if (!value)
+            return wrong(read.path + ": " + sentence(value.error()));
+        if (++m_registers > maximumRegisters)
+            return wrong("there are more than " + std::to_string(maximumRegisters) + " registers");
+        read.value = *std::move(value);
+        Station& station = m_stations.back();
+        station.axes = std::max(station.axes, *axes);
+        const auto [place, isNew] = station.places.emplace(read.path, station.registers.size());
+        if (isNew)
+            station.registers.push_back(std::move(read));
+        else
+            station.registers[place->second] = std::move(read);
+        return {};
+    }
+
+    QXmlStreamReader m_reader;
+    std::string m_fileName;
+    std::vector<Station> m_stations;
+    std::size_t m_registers = 0;
+    bool m_rootSeen = false;
+};
+
+/// Makes a drive of what the file says about a station.
+class DriveMaker {
+public:
+    explicit DriveMaker(Station station)
+        : m_station(std::move(station))
+        , m_paths(genericProfile().registers)
+    {
+    }
+
+    [[nodiscard]] VirtualDriveOptions make(std::int32_t ownSerialNumber)
+    {
+        VirtualDriveOptions options;
+        options.serialNumber = m_station.serialNumber.value_or(ownSerialNumber);
+        options.name = name(m_paths.deviceName, m_paths.deviceNameWords, {});
+        if (options.name.empty()) {
+            options.name = m_station.name.empty() ? "Drive" : m_station.name;
+            setDeviceName(options.name);
+        }
+        for (int axis = 0; axis < m_station.axes; ++axis)
+            options.axes.push_back(makeAxis(axis));
+        options.parameters = std::move(m_station.registers);
+        return options;
+    }
+
+private:
+    [[nodiscard]] std::string name(std::string_view pattern, int words, std::optional<int> axis)
+    {
+        std::vector<std::int32_t> packed;
+        for (int n = 0; n < words; ++n) {
+            const RegisterReading* word = m_station.find(pattern, {.axis = axis, .n = n});
+            const auto* number = word ? std::get_if<std::int32_t>(&word->value) : nullptr;
+            packed.push_back(number ? *number : 0);
+        }
+        return unpackName(packed);
+    }
+
+    void setDeviceName(const std::string& name)
+    {
+        int n = 0;
+        for (const std::int32_t word : packName(name, m_paths.deviceNameWords))
+            if (RegisterReading* kept = m_station.find(m_paths.deviceName, {.n = n++}))
+                kept->value = word;
+    }
+
+    [[nodiscard]] VirtualAxis makeAxis(int index)
+    {
+        VirtualAxis axis;
+        axis.name = name(m_paths.axisName, m_paths.axisNameWords, index);
+        if (RegisterReading* unit = m_station.find(m_paths.positionUnit, {.axis = index}))
+            if (auto* found = std::get_if<std::string>(&unit->value))
+                axis.unit = *found = knownUnit(*found);
+        const auto number = [&](std::string_view pattern) {
+            const RegisterReading* found = m_station.find(pattern, {.axis = index});
+            return found ? toDouble(found->value) : 0.0;
+        };
+        axis.low = number(registers::positionMinimum);
+        axis.high = number(registers::positionMaximum);
+        if (!(axis.low < axis.high)) {
+            axis.low = 0.0;
+            axis.high = usualRange(axis.unit);
+        }
+        return axis;
+    }
+
+    /// Real files write "degree" and "unspecified"; other names stay as they are.
+    [[nodiscard]] static std::string knownUnit(const std::string& unit)
+    {
+        const auto lower = [](unsigned char c) { return std::tolower(c); };
+        const auto same = [&](std::string_view name) {
+            return std::ranges::equal(unit, name, {}, lower, lower);
+        };
+        if (same("unspecified"))
+            return "None";
+        for (const std::string_view known : {"None", "Meter", "Millimeter", "Radian", "Degree"})
+            if (same(known))
+                return std::string(known);
+        return unit;
+    }
+
+    [[nodiscard]] static double usualRange(std::string_view unit)
+    {
+        if (unit == "Degree")
+            return 360.0;
+        if (unit == "Radian")
+            return 2.0 * std::numbers::pi;
+        return unit == "Meter" ? 0.1 : 100.0;
+    }
+
+    Station m_station;
+    const RegisterPaths& m_paths;
+};
+
+} // namespace
+
+Result<std::vector<VirtualDriveOptions>> parseTamConfiguration(
+    std::string_view xml, const std::string& fileName)
+{
+    Result<std::vector<Station>> stations = Parser(xml, fileName).parse();
+    if (!stations)
+        return fail(stations.error());
+    std::vector<VirtualDriveOptions> drives;
+    for (Station& station : *stations)
+        if (station.axes > 0)
+            drives.push_back(
+                DriveMaker(std::move(station))
+                    .make(firstSerialNumber + static_cast<std::int32_t>(drives.size())));
+    if (drives.empty())
+        return fail(ErrorCode::InvalidConfiguration,
+            {{"file", fileName}, {"line", "1"},
+                {"reason", "there is no TamStation with registers of an axis in it"}});
+    return drives;
+}
+
+Result<std::vector<VirtualDriveOptions>> loadTamConfiguration(const std::filesystem::path& file)
+{
+    const Result<Bytes> bytes = loadFile(file, maximumBytes);
+    if (!bytes)
+        return fail(bytes.error());
+    return parseTamConfiguration(asText(*bytes), file.string());
+}
+
+} // namespace axiscomp::drivecomm
