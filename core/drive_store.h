@@ -1,44 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/compensation_setup.h"
-#include "core/drive_link.h"
-#include "core/flash_wear.h"
+#include "core/axis_backup.h"
+#include "core/file_lock.h"
 #include "core/local_file.h"
+#include "core/register_value.h"
+#include "core/result.h"
+#include "core/wall_time.h"
 
+#include <chrono>
+#include <cstdint>
 #include <filesystem>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace axiscomp {
-
-/// What one axis had before a write: its registers, and the files of the slots that the write
-/// touches.
-struct AxisBackup {
-    DriveIdentity drive;
-    int axis = 0;
-    std::string axisName;
-    WallTime time{};
-    std::vector<RegisterWrite> registers; ///< Table, Dim1Source .. Dim3Source
-    struct File {
-        std::string slot;
-        std::string path;
-        Bytes bytes; ///< empty: the slot was empty
-        bool persistent = false;
-        friend bool operator==(const File&, const File&) = default;
-    };
-    std::vector<File> files;
-};
-
-/// Everything the program can change on a drive (`axiscomp backup`): one AxisBackup per axis.
-struct DriveBackup {
-    std::vector<AxisBackup> axes;
-};
-/// JSON, tables as base64; InvalidBackup names the JSON path of a fault.
-[[nodiscard]] std::string writeBackup(const DriveBackup& backup);
-[[nodiscard]] Result<DriveBackup> readBackup(std::string_view text, const std::string& fileName);
 
 /// A write that has begun: kept from before its first change until it has ended.
 struct JournalEntry {
@@ -51,45 +28,70 @@ struct JournalEntry {
     std::string newSlot;
     std::uint32_t newCrc = 0; ///< of the new table's elements
     bool persistent = false;
+
+    friend bool operator==(const JournalEntry&, const JournalEntry&) = default;
 };
 
 /// What the program remembers about drives across runs and programs: backups, journal, flash
-/// history and which table it put into which slot. One folder per drive serial number, files saved
-/// atomically, shared by several programs under a lock file.
+/// history and which table it put into which slot. One folder per drive serial number, made when
+/// something is kept in it; readable JSON, saved atomically, shared by several programs under a
+/// lock file. Times come from the caller.
+///
+/// Errors of all: FileNotReadable, FileNotWritable (also when another program holds the lock). A
+/// file that cannot be understood does not stop the program: see the functions.
 class DriveStore {
 public:
-    explicit DriveStore(std::filesystem::path root);
+    /// lockWait: how long an operation waits for another program's.
+    explicit DriveStore(
+        std::filesystem::path root, std::chrono::milliseconds lockWait = std::chrono::seconds{5});
     /// $XDG_STATE_HOME/axiscomp, ~/.local/state/axiscomp
     [[nodiscard]] static std::filesystem::path defaultRoot();
 
-    /// One dated file per call, parsed back before it counts; the newest 50 of the axis are kept.
+    /// One dated file per call, parsed back before it counts. The newest 50 of the axis are kept,
+    /// and always this one and the one that the axis's journal names.
     [[nodiscard]] Result<std::filesystem::path> saveBackup(const AxisBackup& backup);
 
+    /// Replaces the axis's entry.
     [[nodiscard]] Result<void> openJournal(const JournalEntry& entry);
     [[nodiscard]] Result<void> closeJournal(std::int32_t serialNumber, int axis);
+    /// A broken journal is FileNotReadable with what to do about it: what it knew about a write
+    /// that did not end must not be lost unnoticed.
     [[nodiscard]] Result<std::optional<JournalEntry>> journal(std::int32_t serialNumber, int axis);
 
-    /// Flash operations of a drive that still count, and the number ever recorded.
+    /// The drive's last 1000 flash operations in the order in which they were recorded (which of
+    /// them still count is for FlashWearGuard to say), and the number ever recorded.
     struct FlashHistory {
         std::vector<WallTime> recent;
         std::uint64_t total = 0;
+        friend bool operator==(const FlashHistory&, const FlashHistory&) = default;
     };
+    /// A broken file is moved aside to *.broken and counts as empty.
     [[nodiscard]] Result<FlashHistory> flashHistory(std::int32_t serialNumber);
     [[nodiscard]] Result<void> recordFlash(std::int32_t serialNumber, WallTime now, int operations);
 
     /// The slot and element CRC of tables that this program wrote for an axis, newest first: such a
     /// slot may be taken again when its content is still the same (DESIGN, "Slots are taken in
-    /// turn").
+    /// turn"). The last 4 of each slot are remembered, so that a slot is still known when a write
+    /// was undone; the same table in the same slot belongs to the axis that wrote it last.
     struct OwnTable {
         std::string slot;
         std::uint32_t crc = 0;
+        friend bool operator==(const OwnTable&, const OwnTable&) = default;
     };
+    /// A broken file is moved aside to *.broken and counts as empty.
     [[nodiscard]] Result<std::vector<OwnTable>> ownTables(std::int32_t serialNumber, int axis);
     [[nodiscard]] Result<void> recordOwnTable(
         std::int32_t serialNumber, int axis, const OwnTable& table);
 
+    /// For the time of a whole write: keeps two programs from writing to one drive at once. None of
+    /// the functions above waits for it.
+    [[nodiscard]] Result<FileLock> lockWrites(std::int32_t serialNumber);
+
 private:
+    class Folder;
+
     std::filesystem::path m_root;
+    std::chrono::milliseconds m_lockWait;
 };
 
 } // namespace axiscomp

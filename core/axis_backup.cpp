@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/axis_backup.h"
+
+#include "core/backup_json.h"
+#include "core/base64.h"
+
+#include <limits>
+#include <set>
+#include <utility>
+
+namespace axiscomp {
+
+namespace {
+
+constexpr std::string_view format = "axiscomp-backup";
+constexpr JsonLimits limits{.size = maximumBackupSize, .depth = 8, .values = 100'000};
+
+OrderedJson toJson(const DriveIdentity& drive)
+{
+    return {{"name", drive.name}, {"serialNumber", drive.serialNumber}, {"axes", drive.axes}};
+}
+
+OrderedJson toJson(const AxisBackup::File& file)
+{
+    return {{"slot", file.slot}, {"path", file.path}, {"persistent", file.persistent},
+        {"crc32", crcText(crc32(file.bytes))}, {"bytes", toBase64(file.bytes)}};
+}
+
+OrderedJson toJson(const AxisBackup& backup)
+{
+    OrderedJson files = OrderedJson::array();
+    for (const AxisBackup::File& file : backup.files)
+        files.push_back(toJson(file));
+    return {{"drive", toJson(backup.drive)}, {"axis", backup.axis}, {"axisName", backup.axisName},
+        {"time", utcText(backup.time)}, {"registers", toJson(backup.registers)},
+        {"files", std::move(files)}};
+}
+
+DriveIdentity driveFromJson(const JsonNode& node)
+{
+    node.expectMembers({"name", "serialNumber", "axes"});
+    return {node["name"].text(), node["serialNumber"].integer<std::int32_t>(),
+        node["axes"].integer<int>(0)};
+}
+
+AxisBackup::File fileFromJson(const JsonNode& node)
+{
+    node.expectMembers({"slot", "path", "persistent", "crc32", "bytes"});
+    AxisBackup::File file{
+        node["slot"].text(), node["path"].text(), {}, node["persistent"].boolean()};
+    if (auto bytes = fromBase64(node["bytes"].textView()))
+        file.bytes = std::move(*bytes);
+    else
+        node["bytes"].refuse("this is not base64");
+    const std::uint32_t crc = crc32(file.bytes);
+    if (crcFromJson(node["crc32"]) != crc)
+        node["crc32"].refuse("the bytes have the CRC-32 " + crcText(crc) + ", so they are damaged");
+    return file;
+}
+
+AxisBackup axisFromJson(const JsonNode& node)
+{
+    node.expectMembers({"drive", "axis", "axisName", "time", "registers", "files"});
+    AxisBackup backup{driveFromJson(node["drive"]), node["axis"].integer<int>(0),
+        node["axisName"].text(), timeFromJson(node["time"]), registersFromJson(node["registers"]),
+        {}};
+    std::set<std::pair<std::string, std::string>> places;
+    for (const JsonNode& item : node["files"].items()) {
+        backup.files.push_back(fileFromJson(item));
+        const AxisBackup::File& file = backup.files.back();
+        if (!places.emplace(file.slot, file.path).second)
+            item["path"].refuse("this file is there twice");
+    }
+    return backup;
+}
+
+DriveBackup backupFromJson(const JsonNode& root)
+{
+    DriveBackup backup;
+    expectFormat(root, format);
+    root.expectMembers({"format", "version", "axes"});
+    std::set<std::pair<std::int32_t, int>> axes;
+    for (const JsonNode& item : root["axes"].items()) {
+        backup.axes.push_back(axisFromJson(item));
+        const AxisBackup& axis = backup.axes.back();
+        if (!axes.emplace(axis.drive.serialNumber, axis.axis).second)
+            item["axis"].refuse("this axis of the drive is there twice");
+    }
+    return backup;
+}
+
+} // namespace
+
+std::string writeBackup(const DriveBackup& backup)
+{
+    OrderedJson document = newDocument(format);
+    document["axes"] = OrderedJson::array();
+    for (const AxisBackup& axis : backup.axes)
+        document["axes"].push_back(toJson(axis));
+    return jsonText(document);
+}
+
+Result<DriveBackup> readBackup(std::string_view text, const std::string& fileName)
+{
+    StrictJson document{text, limits};
+    DriveBackup backup = backupFromJson(document.root());
+    if (document.problem())
+        return fail(
+            ErrorCode::InvalidBackup, {{"file", fileName}, {"reason", document.problem()->reason}});
+    return backup;
+}
+
+} // namespace axiscomp

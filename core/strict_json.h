@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include <cstdint>
+#include <initializer_list>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace axiscomp {
+
+struct JsonLimits {
+    std::size_t size = 0; ///< bytes of text
+    int depth = 16; ///< objects and arrays inside each other
+    std::size_t values = 1'000'000; ///< objects, arrays, texts, numbers ... together
+};
+
+/// The first thing that is wrong with a document, in words.
+struct JsonProblem {
+    std::string reason; ///< "axes[0].files[1].crc32: ..." or "line 3, column 5: ..."
+};
+
+class JsonNode;
+
+/// A JSON document from a file that anybody may have edited: refuses what is too large or too deep
+/// and members that are there twice. Then node() reads it; the first problem is kept, so that a
+/// reader asks for everything it needs and looks at problem() once, at the end.
+class StrictJson {
+public:
+    StrictJson(std::string_view text, const JsonLimits& limits);
+
+    [[nodiscard]] JsonNode root();
+    [[nodiscard]] const std::optional<JsonProblem>& problem() const { return m_problem; }
+
+private:
+    friend class JsonNode;
+    nlohmann::json m_document;
+    std::optional<JsonProblem> m_problem;
+};
+
+/// One place in a StrictJson document, which must outlive it. Where the document is not as asked
+/// for, the problem is recorded with the place's path, and an empty value comes back.
+class JsonNode {
+public:
+    /// A member that must be there.
+    [[nodiscard]] JsonNode operator[](std::string_view key) const;
+    /// The elements of an array.
+    [[nodiscard]] std::vector<JsonNode> items() const;
+    /// An object with exactly these members, in any order.
+    void expectMembers(std::initializer_list<std::string_view> keys) const;
+
+    [[nodiscard]] std::string text() const;
+    [[nodiscard]] std::string_view textView() const; ///< lives as long as the document
+    [[nodiscard]] bool boolean() const;
+    [[nodiscard]] double number() const;
+    template <typename Integer>
+    [[nodiscard]] Integer integer(Integer minimum = std::numeric_limits<Integer>::min(),
+        Integer maximum = std::numeric_limits<Integer>::max()) const
+    {
+        return static_cast<Integer>(
+            integerWithin(static_cast<std::int64_t>(minimum), static_cast<std::int64_t>(maximum)));
+    }
+
+    [[nodiscard]] bool isText() const;
+    /// Records a problem at this place, unless there is one already.
+    void refuse(std::string_view reason) const;
+
+private:
+    friend class StrictJson;
+    JsonNode(StrictJson* document, const nlohmann::json* value, std::string path);
+    [[nodiscard]] std::int64_t integerWithin(std::int64_t minimum, std::int64_t maximum) const;
+
+    StrictJson* m_document;
+    const nlohmann::json* m_value; ///< null: there was a problem on the way here
+    std::string m_path;
+};
+
+} // namespace axiscomp
