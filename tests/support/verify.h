@@ -21,15 +21,19 @@ inline std::string describe(const Error& error)
 
 } // namespace axiscomp::test
 
-/// Fails with the error's sentence when result holds one.
+/// Fails with the error's sentence when result holds one. Evaluates result once.
 #define VERIFY_RESULT(result)                                                                      \
-    QVERIFY2((result).has_value(),                                                                 \
-        (result).has_value() ? "" : axiscomp::test::describe((result).error()).c_str())
+    do {                                                                                           \
+        const auto& verified = (result);                                                           \
+        QVERIFY2(verified.has_value(),                                                             \
+            verified.has_value() ? "" : axiscomp::test::describe(verified.error()).c_str());       \
+    } while (false)
 
-/// Fails unless result holds an error with this code.
+/// Fails unless result holds an error with this code. Evaluates result once.
 #define VERIFY_ERROR(result, expectedCode)                                                         \
     do {                                                                                           \
-        QVERIFY2(!(result).has_value(), "there was no error");                                     \
-        QVERIFY2((result).error().code == (expectedCode),                                          \
-            axiscomp::test::describe((result).error()).c_str());                                   \
+        const auto& verified = (result);                                                           \
+        QVERIFY2(!verified.has_value(), "there was no error");                                     \
+        QVERIFY2(verified.error().code == (expectedCode),                                          \
+            axiscomp::test::describe(verified.error()).c_str());                                   \
     } while (false)
