@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/command_line.h"
+#include "app/cli/drive_session.h"
+#include "app/cli/json_output.h"
+#include "app/cli/status_text.h"
+#include "app/common/arguments.h"
+#include "app/common/text_table.h"
+#include "drivecomm/drive_endpoint.h"
+
+#include <thread>
+
+namespace axiscomp::app {
+
+namespace {
+
+struct DriveAnswer {
+    std::string endpoint; ///< without a password
+    DriveIdentity drive;
+    Result<std::vector<AxisInfo>> axes;
+};
+
+DriveAnswer ask(Environment& environment, const DriveOptions& options, const std::string& endpoint)
+{
+    const auto parsed = drivecomm::parseEndpoint(endpoint);
+    DriveAnswer answer{parsed ? drivecomm::displayText(*parsed) : "", {}, {}};
+    auto session = DriveSession::open(environment, options, endpoint);
+    if (!session) {
+        answer.axes = fail(session.error());
+        return answer;
+    }
+    const auto drive = (*session)->compensator().identify((*session)->operation());
+    if (!drive) {
+        answer.axes = fail(drive.error());
+        return answer;
+    }
+    answer.drive = *drive;
+    answer.axes = (*session)->compensator().axes((*session)->operation());
+    return answer;
+}
+
+/// All drives at once: one that does not answer must not make the others wait. Each session lives
+/// on a thread of its own.
+std::vector<DriveAnswer> askAll(Environment& environment, const DriveOptions& options)
+{
+    std::vector<DriveAnswer> answers(options.endpoints.size());
+    std::vector<std::jthread> threads;
+    for (std::size_t i = 0; i < answers.size(); ++i)
+        threads.emplace_back([&environment, &options, &answers, i] {
+            answers[i] = ask(environment, options, options.endpoints[i]);
+        });
+    for (std::jthread& thread : threads)
+        thread.join();
+    return answers;
+}
+
+std::string axesText(const std::vector<DriveAnswer>& answers)
+{
+    TextTable table(
+        {"drive", ">serial number", ">axis", "name", "unit", "homing", "compensation", "address"});
+    for (const DriveAnswer& answer : answers) {
+        if (!answer.axes)
+            continue;
+        for (const AxisInfo& axis : *answer.axes)
+            table.add({answer.drive.name, std::to_string(answer.drive.serialNumber),
+                std::to_string(axis.index), axis.name, axis.unit, axis.homing,
+                axis.state.empty() ? "not available" : axis.state, answer.endpoint});
+    }
+    return table.text("");
+}
+
+Json axesJson(const std::vector<DriveAnswer>& answers)
+{
+    Json drives = Json::array();
+    for (const DriveAnswer& answer : answers) {
+        Json json = {{"endpoint", answer.endpoint}};
+        if (answer.axes) {
+            json["drive"] = answer.drive.name;
+            json["serialNumber"] = answer.drive.serialNumber;
+            json["axes"] = Json::array();
+            for (const AxisInfo& axis : *answer.axes)
+                json["axes"].push_back(toJson(axis));
+        } else {
+            json["error"] = toJson(answer.axes.error(), Json::array());
+        }
+        drives.push_back(std::move(json));
+    }
+    return {{"drives", std::move(drives)}};
+}
+
+Result<ExitCode> runAxes(Environment& environment, const DriveOptions& options)
+{
+    if (options.endpoints.empty())
+        return wrongUsage("the drive is missing: give --drive http://host, or set AXISCOMP_DRIVE",
+            options.command);
+    const QtRuntime runtime;
+    const std::vector<DriveAnswer> answers = askAll(environment, options);
+    environment.console().clearProgress();
+    if (answers.size() == 1 && !answers.front().axes)
+        return fail(answers.front().axes.error());
+
+    environment.print(axesText(answers));
+    environment.document(axesJson(answers));
+    ExitCode code = ExitCode::Done;
+    for (const DriveAnswer& answer : answers) {
+        if (answer.axes)
+            continue;
+        const Error& error = answer.axes.error();
+        environment.console().note(
+            "error: " + std::string(errorName(error.code)) + ": " + sentence(error));
+        code = code == ExitCode::Done ? exitCode(error.code) : code;
+    }
+    return environment.interrupt().stopped() ? ExitCode::Stopped : code;
+}
+
+} // namespace
+
+void addAxesCommand(CommandLine& line)
+{
+    auto options = std::make_shared<DriveOptions>();
+    options->command = commandName("axes");
+    CLI::App* command = line.add("axes", driveCommands, "List the axes of one or several drives",
+        [options](Environment& environment) { return runAxes(environment, *options); });
+    addDriveOptions(*command, *options, DriveCount::Several);
+}
+
+} // namespace axiscomp::app

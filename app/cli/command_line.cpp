@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/command_line.h"
+
+#include "app/common/arguments.h"
+
+namespace axiscomp::app {
+
+CommandLine::CommandLine()
+    : m_parser("Brings measured axis errors into a servo drive: reads a calibration file, writes "
+               "the compensation table, switches it on and proves that it works.",
+        "axiscomp")
+{
+    setHelpStyle(m_parser);
+    m_parser.set_version_flag("--version", "axiscomp " AXISCOMP_VERSION, "Show the version");
+    m_parser.require_subcommand(1);
+    m_parser.footer(
+        "ENDPOINT is http://host[:port], https://host[:port] or demo: (a virtual drive inside the\n"
+        "program). AXISCOMP_DRIVE is the default of --drive. `axiscomp COMMAND --help` has more.");
+    addExampleCommand(*this);
+    addInspectCommand(*this);
+    addConvertCommand(*this);
+    addLookupCommand(*this);
+    addFormatsCommand(*this);
+    addAxesCommand(*this);
+    addStatusCommand(*this);
+    addWriteCommand(*this);
+    addPersistencyCommands(*this);
+    addActivationCommands(*this);
+    addReadCommand(*this);
+    addTransferCommands(*this);
+    addMonitorCommand(*this);
+    addBackupCommands(*this);
+}
+
+CLI::App* CommandLine::add(
+    const std::string& name, const std::string& group, const std::string& description, Command run)
+{
+    CLI::App* command = m_parser.add_subcommand(name, description);
+    command->group(group);
+    command->add_flag("--json", m_json, "Print one JSON document on standard output");
+    command->callback([this, run = std::move(run)] { m_chosen = run; });
+    return command;
+}
+
+std::string commandName(const std::string& command)
+{
+    return "axiscomp " + command;
+}
+
+} // namespace axiscomp::app

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/cli/environment.h"
+
+#include <CLI/App.hpp>
+
+#include <string>
+
+namespace axiscomp::app {
+
+/// The command line of axiscomp: collects the commands, and holds the one that was chosen.
+class CommandLine {
+public:
+    CommandLine();
+
+    /// A command with its --json. run is called after parsing, if this command was chosen; it keeps
+    /// its options alive.
+    CLI::App* add(const std::string& name, const std::string& group, const std::string& description,
+        Command run);
+
+    [[nodiscard]] CLI::App& parser() { return m_parser; }
+    [[nodiscard]] const Command& chosen() const { return m_chosen; }
+    [[nodiscard]] bool json() const { return m_json; }
+
+private:
+    CLI::App m_parser;
+    Command m_chosen;
+    bool m_json = false;
+};
+
+/// "axiscomp write", for hints to --help.
+[[nodiscard]] std::string commandName(const std::string& command);
+
+inline constexpr const char* fileCommands = "Files on this computer";
+inline constexpr const char* driveCommands = "Drives";
+
+void addExampleCommand(CommandLine& line);
+void addInspectCommand(CommandLine& line);
+void addConvertCommand(CommandLine& line);
+void addLookupCommand(CommandLine& line);
+void addFormatsCommand(CommandLine& line);
+void addAxesCommand(CommandLine& line);
+void addStatusCommand(CommandLine& line);
+void addWriteCommand(CommandLine& line);
+void addPersistencyCommands(CommandLine& line);
+void addActivationCommands(CommandLine& line);
+void addReadCommand(CommandLine& line);
+void addTransferCommands(CommandLine& line);
+void addMonitorCommand(CommandLine& line);
+void addBackupCommands(CommandLine& line);
+
+} // namespace axiscomp::app

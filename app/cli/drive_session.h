@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/cli/environment.h"
+#include "core/axis_compensator.h"
+
+#include <CLI/App.hpp>
+#include <QCoreApplication>
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace axiscomp::app {
+
+/// The options of every command that talks to a drive.
+struct DriveOptions {
+    std::string command; ///< "axiscomp write": for hints
+    std::vector<std::string> endpoints;
+    std::string axis; ///< index or name; empty: the only one
+    std::string profile; ///< path; empty: the built-in one
+    double timeoutSeconds = 5.0;
+};
+
+enum class DriveCount { One, Several };
+void addDriveOptions(CLI::App& command, DriveOptions& options, DriveCount count = DriveCount::One);
+void addAxisOption(CLI::App& command, DriveOptions& options);
+
+/// What Qt needs to exist while drives are talked to. Made by drive commands only: it costs more
+/// time than the start of the program.
+class QtRuntime {
+public:
+    QtRuntime();
+
+private:
+    int m_count = 1;
+    std::string m_name = "axiscomp";
+    std::vector<char*> m_arguments;
+    std::optional<QCoreApplication> m_application;
+};
+
+/// A connection to one drive with what works on it; used on the thread that made it. A QtRuntime
+/// must exist.
+class DriveSession {
+public:
+    /// Errors: InvalidEndpoint, InvalidProfile, ...; nothing is sent yet.
+    [[nodiscard]] static Result<std::unique_ptr<DriveSession>> open(
+        Environment& environment, const DriveOptions& options, const std::string& endpoint);
+    /// Of the one drive that the options name. Errors: InvalidArgument when they name none.
+    [[nodiscard]] static Result<std::unique_ptr<DriveSession>> open(
+        Environment& environment, const DriveOptions& options);
+
+    [[nodiscard]] AxisCompensator& compensator() { return *m_compensator; }
+    [[nodiscard]] DriveLink& link() { return *m_link; }
+    [[nodiscard]] const DriveProfile& profile() const { return m_profile; }
+    /// Deadline, stop and progress of an operation.
+    [[nodiscard]] OperationOptions operation() const;
+    [[nodiscard]] Exchange exchange() const;
+
+    /// The axis that the options name. Errors: InvalidArgument when none is named and there are
+    /// several; AxisNotFound, AxisAmbiguous.
+    [[nodiscard]] Result<int> axis();
+
+    /// Flash operations of a drive, as far as this computer knows.
+    struct FlashUse {
+        FlashBudget budget;
+        std::uint64_t total = 0;
+    };
+    [[nodiscard]] Result<FlashUse> flashUse(std::int32_t serialNumber);
+
+private:
+    DriveSession(Environment& environment, DriveOptions options, DriveProfile profile);
+
+    Environment& m_environment;
+    DriveOptions m_options;
+    DriveProfile m_profile;
+    DriveStore m_store;
+    std::unique_ptr<DriveLink> m_link;
+    std::unique_ptr<AxisCompensator> m_compensator;
+};
+
+/// The state of an axis; says on standard error what became of an earlier write that did not end,
+/// and forgets it where the drive holds one of its two states completely.
+struct SettledStatus {
+    AxisStatus status;
+    std::optional<AxisCompensator::UnfinishedOutcome> unfinished;
+};
+[[nodiscard]] Result<SettledStatus> settledStatus(
+    Environment& environment, DriveSession& session, int axis);
+
+/// "Old", "New", "NewUnsaved", "Neither"
+[[nodiscard]] std::string_view outcomeName(AxisCompensator::UnfinishedOutcome outcome);
+/// One sentence for people about it.
+[[nodiscard]] std::string outcomeSentence(
+    const JournalEntry& entry, AxisCompensator::UnfinishedOutcome outcome);
+
+/// Reads the options of a command, opens a session and runs the function with it and the axis.
+using AxisFunction = std::function<Result<ExitCode>(Environment&, DriveSession&, int axis)>;
+[[nodiscard]] Result<ExitCode> withAxis(
+    Environment& environment, const DriveOptions& options, const AxisFunction& function);
+using DriveFunction = std::function<Result<ExitCode>(Environment&, DriveSession&)>;
+[[nodiscard]] Result<ExitCode> withDrive(
+    Environment& environment, const DriveOptions& options, const DriveFunction& function);
+
+} // namespace axiscomp::app

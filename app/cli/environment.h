@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/common/console.h"
+#include "app/common/exit_codes.h"
+#include "app/common/interrupt.h"
+#include "core/diagnostic.h"
+
+#include <nlohmann/json.hpp>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace axiscomp::app {
+
+using Json = nlohmann::ordered_json;
+
+/// What a command works with besides its options.
+class Environment {
+public:
+    Environment(Console& console, Interrupt& interrupt, bool json);
+
+    [[nodiscard]] Console& console() { return m_console; }
+    [[nodiscard]] Interrupt& interrupt() { return m_interrupt; }
+    [[nodiscard]] std::stop_token stopToken() const { return m_interrupt.token(); }
+
+    /// Whether --json was given: print() is silent then, and document() speaks.
+    [[nodiscard]] bool json() const { return m_json; }
+    /// Text for people on standard output.
+    void print(std::string_view text);
+    /// The one JSON document of the command.
+    void document(const Json& json);
+
+    /// "FILE:LINE:COLUMN: error: ..." on standard error, kept for the JSON document of an error.
+    void diagnose(const std::string& file, const std::vector<Diagnostic>& diagnostics);
+    /// The same for an error of a file that is no calibration file.
+    void diagnose(const std::string& file, std::size_t line, std::size_t column,
+        const std::string& code, const std::string& what);
+    [[nodiscard]] const Json& diagnostics() const { return m_diagnostics; }
+
+    /// "warning: ..." on standard error.
+    void warn(const std::string& sentence);
+
+private:
+    Console& m_console;
+    Interrupt& m_interrupt;
+    bool m_json = false;
+    Json m_diagnostics = Json::array();
+};
+
+/// One command, its options already read. The code is Done unless the command has reported a
+/// failure itself.
+using Command = std::function<Result<ExitCode>(Environment&)>;
+
+} // namespace axiscomp::app

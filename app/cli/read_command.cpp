@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/command_line.h"
+#include "app/cli/drive_session.h"
+#include "app/cli/json_output.h"
+#include "app/cli/output_file.h"
+#include "app/cli/status_text.h"
+#include "app/cli/table_formats.h"
+#include "app/common/number_text.h"
+#include "core/calibration_csv.h"
+#include "core/tam_table.h"
+
+namespace axiscomp::app {
+
+namespace {
+
+struct ReadOptions {
+    DriveOptions drive;
+    std::string output;
+    std::string to;
+};
+
+struct ReadTable {
+    CompensationTable table;
+    Bytes file; ///< in the format that was asked for
+};
+
+/// A table file is handed out byte by byte as the drive has it.
+Result<ReadTable> readAsTamTable(DriveSession& session, const AxisStatus& status)
+{
+    const TableSlot* const slot = session.profile().slotNamed(status.setup.slot);
+    if (!slot || !status.table)
+        return fail(ErrorCode::NoTable, {{"axis", std::to_string(status.axis.index)}});
+    auto bytes = session.compensator().download(slot->file, session.operation());
+    if (!bytes)
+        return fail(bytes.error());
+    auto decoded = decodeTamTable(*bytes, session.profile().layout);
+    if (!decoded)
+        return fail(decoded.error());
+    return ReadTable{std::move(decoded->table), std::move(*bytes)};
+}
+
+Result<ReadTable> readAsCsv(DriveSession& session, const AxisStatus& status)
+{
+    auto table = session.compensator().readTable(status.axis.index, session.operation());
+    if (!table)
+        return fail(table.error());
+    CalibrationData data{table->grid, {*table}, {}};
+    data.notes.push_back("read from " + driveWords(status.drive) + ", " + axisWords(status.axis)
+        + ", slot " + status.setup.slot);
+    const std::string text = writeCalibrationCsv(data);
+    const ByteView view = asBytes(text);
+    return ReadTable{std::move(*table), Bytes(view.begin(), view.end())};
+}
+
+Result<ExitCode> runRead(Environment& environment, const ReadOptions& options)
+{
+    const Output output{options.output, options.drive.command};
+    const bool isUnnamed = output.isStandardOutput() && options.to.empty();
+    const auto format = isUnnamed ? Result<TableFormat>(TableFormat::Csv)
+                                  : chooseFormat(options.output, options.to);
+    if (!format)
+        return fail(format.error());
+    const TableFormatInfo& info = formatInfo(*format);
+    if (auto possible = checkOutput(environment, output, info.isText); !possible)
+        return fail(possible.error());
+    const auto read = [&](Environment&, DriveSession& session, int axis) -> Result<ExitCode> {
+        const auto status = session.compensator().status(axis, session.operation());
+        if (!status)
+            return fail(status.error());
+        auto table = *format == TableFormat::TamTable ? readAsTamTable(session, *status)
+                                                      : readAsCsv(session, *status);
+        if (!table)
+            return fail(table.error());
+        if (auto written = writeOutput(environment, output, table->file); !written)
+            return fail(written.error());
+        environment.document({{"output", options.output}, {"format", info.name},
+            {"bytes", table->file.size()}, {"axes", toJson(table->table.grid)},
+            {"table", toJson(table->table)}, {"status", toJson(*status)}});
+        if (!output.isStandardOutput())
+            environment.print("Wrote " + options.output + ": the table of "
+                + axisWords(status->axis) + " in " + status->setup.slot + ", "
+                + plural(table->table.values.size(), "value", "values") + ".\n");
+        return ExitCode::Done;
+    };
+    return withAxis(environment, options.drive, read);
+}
+
+} // namespace
+
+void addReadCommand(CommandLine& line)
+{
+    auto options = std::make_shared<ReadOptions>();
+    options->drive.command = commandName("read");
+    CLI::App* command = line.add("read", driveCommands, "Download the table that an axis uses",
+        [options](Environment& environment) { return runRead(environment, *options); });
+    addDriveOptions(*command, options->drive);
+    addAxisOption(*command, options->drive);
+    command
+        ->add_option("-o,--output", options->output,
+            "File to write, .csv or .TAMtbl; CSV on standard output without it")
+        ->option_text("FILE");
+    command->add_option("--to", options->to, "Format of the output, if its name does not tell")
+        ->option_text("FORMAT");
+}
+
+} // namespace axiscomp::app

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/command_line.h"
+#include "app/cli/drive_session.h"
+#include "app/cli/json_output.h"
+#include "app/cli/status_text.h"
+#include "app/common/number_text.h"
+
+namespace axiscomp::app {
+
+namespace {
+
+Result<ExitCode> runStatus(Environment& environment, DriveSession& session, int axis)
+{
+    const auto settled = settledStatus(environment, session, axis);
+    if (!settled)
+        return fail(settled.error());
+    const auto flash = session.flashUse(settled->status.drive.serialNumber);
+    if (!flash)
+        return fail(flash.error());
+
+    Json json = toJson(settled->status);
+    if (settled->unfinished) {
+        const JournalEntry& entry = *settled->status.unfinishedWrite;
+        json["unfinishedWrite"] = {{"began", utcText(entry.time)}, {"step", entry.step},
+            {"driveHolds", outcomeName(*settled->unfinished)}, {"backup", entry.backup.string()}};
+    }
+    environment.document(json);
+    environment.print(statusText(settled->status, session.profile()));
+    environment.print("\nFlash: " + budgetWords(flash->budget) + "; "
+        + plural(flash->total, "operation", "operations")
+        + " by this computer so far (others are not counted)\n");
+    return ExitCode::Done;
+}
+
+} // namespace
+
+void addStatusCommand(CommandLine& line)
+{
+    auto options = std::make_shared<DriveOptions>();
+    options->command = commandName("status");
+    CLI::App* command = line.add("status", driveCommands,
+        "Show the compensation of an axis, and what became of a write that was interrupted",
+        [options](Environment& environment) { return withAxis(environment, *options, runStatus); });
+    addDriveOptions(*command, *options);
+    addAxisOption(*command, *options);
+}
+
+} // namespace axiscomp::app

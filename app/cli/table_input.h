@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/cli/environment.h"
+#include "app/cli/table_formats.h"
+#include "core/calibration_csv.h"
+#include "core/drive_profile.h"
+
+#include <CLI/App.hpp>
+
+#include <optional>
+
+namespace axiscomp::app {
+
+/// The options that say which table is meant, common to all commands that read one.
+struct TableInputOptions {
+    std::string command; ///< "axiscomp inspect": for hints
+    std::string file; ///< "-": standard input
+    std::string from; ///< empty: by the extension
+    int dimensions = 0; ///< 0: not given
+    std::string table; ///< name or number; empty: the only one
+    std::string profile; ///< path; empty: the built-in one
+};
+
+void addDimensionsOption(CLI::App& command, TableInputOptions& options);
+void addFromOption(CLI::App& command, TableInputOptions& options);
+void addTableOption(CLI::App& command, TableInputOptions& options);
+void addProfileOption(CLI::App& command, std::string& profile);
+
+/// The named profile, or the built-in one, which must outlive nothing.
+[[nodiscard]] Result<DriveProfile> profileOf(const std::string& file);
+
+/// A file of any known format.
+struct TableInput {
+    TableFormat format = TableFormat::Csv;
+    std::optional<CalibrationData> data; ///< none: errors were found
+    std::vector<Diagnostic> diagnostics;
+    std::size_t suppressed = 0; ///< further errors that are not listed
+    bool persistent = false;
+    std::size_t bytes = 0; ///< of a TAM table file
+};
+
+/// "input.csv", "<stdin>": as diagnostics name it.
+[[nodiscard]] std::string displayName(const std::string& file);
+
+/// Reads; diagnostics are reported to the environment and kept. Errors: UnknownFormat,
+/// InvalidArgument when the number of dimensions is needed and missing, DimensionMismatch,
+/// FileNotReadable, FileTooLarge, InvalidTable, Cancelled.
+[[nodiscard]] Result<TableInput> inspectInput(
+    Environment& environment, const TableInputOptions& options);
+
+/// The same, and a file with errors is an error: InvalidCalibration.
+[[nodiscard]] Result<TableInput> readInput(
+    Environment& environment, const TableInputOptions& options);
+
+/// The index of the table that was asked for. Errors: TableNotFound, InvalidArgument when there are
+/// several and none was named.
+[[nodiscard]] Result<std::size_t> chooseTable(
+    const CalibrationData& data, const TableInputOptions& options);
+
+} // namespace axiscomp::app

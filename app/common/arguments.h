@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/common/console.h"
+#include "core/result.h"
+
+#include <CLI/CLI.hpp>
+
+namespace axiscomp::app {
+
+/// The look of --help for both programs.
+void setHelpStyle(CLI::App& app);
+
+/// Reads the command line into the options of app. True: go on. False: --help or --version was
+/// asked for and printed. Errors: InvalidArgument with a hint to the right --help.
+[[nodiscard]] Result<bool> parseArguments(CLI::App& app, int argc, char** argv, Console& console);
+
+/// InvalidArgument whose sentence ends in the same hint, for what only shows after parsing.
+/// command: "axiscomp write"
+[[nodiscard]] tl::unexpected<Error> wrongUsage(
+    const std::string& reason, const std::string& command);
+
+} // namespace axiscomp::app

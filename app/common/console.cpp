@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/common/console.h"
+
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+
+namespace axiscomp::app {
+
+namespace {
+
+constexpr std::size_t bufferSize = 64 * 1024;
+constexpr std::chrono::milliseconds progressInterval{100};
+constexpr std::string_view eraseLine = "\r\033[K";
+
+/// errno of the first failure, 0 when all of it went out.
+int writeAll(int descriptor, std::string_view text)
+{
+    while (!text.empty()) {
+        const ssize_t count = ::write(descriptor, text.data(), text.size());
+        if (count < 0) {
+            if (errno == EINTR)
+                continue;
+            return errno;
+        }
+        text.remove_prefix(static_cast<std::size_t>(count));
+    }
+    return 0;
+}
+
+std::string percent(double fraction)
+{
+    const int value = static_cast<int>(std::clamp(fraction, 0.0, 1.0) * 100.0);
+    std::string text = std::to_string(value);
+    text.insert(0, 3 - text.size(), ' ');
+    return text + " %";
+}
+
+} // namespace
+
+std::string singleLine(std::string_view text)
+{
+    std::string result;
+    result.reserve(text.size());
+    for (const char c : text) {
+        const auto byte = static_cast<unsigned char>(c);
+        result.push_back(byte < 0x20 || byte == 0x7f ? ' ' : c);
+    }
+    return result;
+}
+
+Console::Console()
+    : m_outputIsTerminal(::isatty(STDOUT_FILENO) == 1)
+    , m_showsProgress(::isatty(STDERR_FILENO) == 1)
+{
+    winsize size{};
+    if (m_showsProgress && ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 20)
+        m_width = size.ws_col;
+}
+
+Console::~Console()
+{
+    const std::lock_guard lock(m_mutex);
+    hideProgress();
+    send();
+}
+
+void Console::print(std::string_view text)
+{
+    const std::lock_guard lock(m_mutex);
+    hideProgress();
+    m_kept.append(text);
+    if (m_kept.size() >= bufferSize)
+        send();
+}
+
+void Console::note(std::string_view line)
+{
+    const std::lock_guard lock(m_mutex);
+    hideProgress();
+    send();
+    std::string text = singleLine(line);
+    text.push_back('\n');
+    // Nobody can be told that standard error does not work.
+    static_cast<void>(writeAll(STDERR_FILENO, text));
+}
+
+void Console::progress(std::string_view step, double fraction)
+{
+    const std::lock_guard lock(m_mutex);
+    const auto now = std::chrono::steady_clock::now();
+    if (!m_showsProgress || now < m_progressDue)
+        return;
+    m_progressDue = now + progressInterval;
+    send();
+    const std::string head = percent(fraction) + "  ";
+    const std::string words = singleLine(step).substr(0, m_width - 1 - head.size());
+    m_progressVisible = true;
+    static_cast<void>(writeAll(STDERR_FILENO, std::string(eraseLine) + head + words));
+}
+
+void Console::clearProgress()
+{
+    const std::lock_guard lock(m_mutex);
+    hideProgress();
+}
+
+Result<void> Console::flush()
+{
+    const std::lock_guard lock(m_mutex);
+    send();
+    if (m_outputError != 0 && m_outputError != EPIPE)
+        return fail(ErrorCode::FileNotWritable,
+            {{"file", "standard output"}, {"reason", std::strerror(m_outputError)}});
+    return {};
+}
+
+bool Console::readerGone() const
+{
+    const std::lock_guard lock(m_mutex);
+    return m_outputError == EPIPE;
+}
+
+void Console::send()
+{
+    if (m_kept.empty())
+        return;
+    if (m_outputError == 0)
+        m_outputError = writeAll(STDOUT_FILENO, m_kept);
+    m_kept.clear();
+}
+
+void Console::hideProgress()
+{
+    if (!m_progressVisible)
+        return;
+    m_progressVisible = false;
+    static_cast<void>(writeAll(STDERR_FILENO, eraseLine));
+}
+
+} // namespace axiscomp::app

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/error.h"
+
+namespace axiscomp::app {
+
+/// What a program returns to the shell (spec/cli.md). OtherFailure is what the list of the
+/// specification has no number for: something on this computer failed, such as a full disk.
+enum class ExitCode : int {
+    Done = 0,
+    OtherFailure = 1,
+    Usage = 2,
+    InputFile = 3,
+    DriveRefused = 4,
+    NoConnection = 5,
+    ReadBackDiffers = 6,
+    FlashWear = 7,
+    Stopped = 130,
+};
+
+/// The one place that says which error ends a program with which code.
+[[nodiscard]] ExitCode exitCode(ErrorCode code);
+
+} // namespace axiscomp::app

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/result.h"
+#include "drivecomm/virtualdrive/virtual_drive.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace axiscomp::app {
+
+/// The command line of axiscomp-virtualdrive.
+struct VirtualDriveArguments {
+    std::string http;
+    std::string serial;
+    std::string name;
+    int axes = 0; ///< 0: not given
+    std::string configuration;
+    std::string stateFolder;
+    std::vector<std::string> faults;
+    double speed = 1.0;
+    bool unhomed = false;
+    std::string user;
+    std::string passwordFile;
+    std::string certificate;
+    std::string key;
+    std::string profile;
+};
+
+struct HostAndPort {
+    std::string host;
+    std::uint16_t port = 0;
+};
+
+/// "127.0.0.1:8080", "[::1]:8080". Errors: InvalidArgument.
+[[nodiscard]] Result<HostAndPort> parseHostAndPort(const std::string& text);
+[[nodiscard]] bool isLoopback(const std::string& host);
+
+/// One drive as the options say, or those of the configuration file. Errors: InvalidArgument,
+/// FileNotReadable, InvalidConfiguration.
+[[nodiscard]] Result<std::vector<drivecomm::VirtualDriveOptions>> drivesOf(
+    const VirtualDriveArguments& arguments);
+
+} // namespace axiscomp::app

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/virtualdrive/program.h"
+
+#include "app/common/arguments.h"
+#include "app/common/exit_codes.h"
+#include "app/common/interrupt.h"
+#include "app/virtualdrive/drive_options.h"
+#include "core/local_file.h"
+#include "drivecomm/profile_loader.h"
+#include "drivecomm/virtualdrive/faults.h"
+#include "drivecomm/virtualdrive/web_front.h"
+
+#include <exception>
+#include <memory>
+
+namespace axiscomp::app {
+
+namespace {
+
+constexpr const char* programName = "axiscomp-virtualdrive";
+constexpr std::size_t longestName = 28; // seven registers of four characters
+constexpr std::uint64_t longestPasswordFile = 4096;
+
+/// A drive and everything that serves it; members are destroyed from the last to the first.
+struct RunningDrive {
+    std::string name;
+    std::unique_ptr<drivecomm::VirtualDrive> drive;
+    std::unique_ptr<drivecomm::FaultPlan> faults;
+    std::unique_ptr<drivecomm::WebFront> web;
+};
+
+void addOptions(CLI::App& app, VirtualDriveArguments& arguments)
+{
+    app.add_option("--http", arguments.http,
+           "Serve the drive's web pages here; port 0 picks a free one (127.0.0.1:0 unless given). "
+           "Several drives take ports in a row")
+        ->option_text("HOST:PORT");
+    app.add_option("--serial", arguments.serial, "Serve the serial link (not in this version)")
+        ->option_text("LINK");
+    app.add_option("--name", arguments.name, "Name of the drive (Virtual-1 unless given)")
+        ->option_text("NAME");
+    app.add_option("--axes", arguments.axes, "Number of axes, 1 to 16 (2 unless given)")
+        ->option_text("N")
+        ->check(CLI::Range(1, 16));
+    app.add_option("--config", arguments.configuration,
+           "Take names, axes and parameters from a TAM configuration; several drives in it are "
+           "several virtual drives")
+        ->option_text("FILE.TAMcfg");
+    app.add_option("--state", arguments.stateFolder,
+           "Keep flash and saved parameters here across runs, a folder per drive")
+        ->option_text("DIR");
+    app.add_option("--fault", arguments.faults,
+           "Misbehave: drop-after=BYTES, no-reply=N, garble=N, stores-wrong=N, slow=MS, "
+           "reboot-after=N or reject=CODE; may be given several times")
+        ->option_text("SPEC")
+        ->allow_extra_args(false);
+    app.add_option("--speed", arguments.speed, "Simulated seconds per second (1 unless given)")
+        ->option_text("FACTOR")
+        ->check(CLI::Range(0.001, 10000.0));
+    app.add_flag("--unhomed", arguments.unhomed, "Start with axes that are not homed");
+    CLI::Option* user = app.add_option("--user", arguments.user, "Ask for this user name");
+    user->option_text("NAME");
+    app.add_option("--password-file", arguments.passwordFile,
+           "File whose first line is the password of --user")
+        ->option_text("FILE")
+        ->needs(user);
+    CLI::Option* certificate =
+        app.add_option("--certificate", arguments.certificate, "Serve https with this certificate");
+    certificate->option_text("FILE.pem");
+    app.add_option("--key", arguments.key, "Private key of --certificate")
+        ->option_text("FILE.pem")
+        ->needs(certificate);
+    app.add_option("--profile", arguments.profile,
+           "Drive profile (JSON) in place of the built-in one, generic")
+        ->option_text("FILE");
+}
+
+Result<void> checkArguments(const VirtualDriveArguments& arguments)
+{
+    if (!arguments.serial.empty())
+        return wrongUsage("--serial is not offered by this version; use --http", programName);
+    if (arguments.name.size() > longestName)
+        return wrongUsage(
+            "a drive name has at most " + std::to_string(longestName) + " characters", programName);
+    if (arguments.user.empty() != arguments.passwordFile.empty())
+        return wrongUsage("--user and --password-file belong together", programName);
+    if (arguments.certificate.empty() != arguments.key.empty())
+        return wrongUsage("--certificate and --key belong together", programName);
+    return {};
+}
+
+Result<drivecomm::WebFrontOptions> webOptions(const VirtualDriveArguments& arguments)
+{
+    drivecomm::WebFrontOptions options;
+    const auto address = parseHostAndPort(arguments.http.empty() ? "127.0.0.1:0" : arguments.http);
+    if (!address)
+        return fail(address.error());
+    options.host = address->host;
+    options.port = address->port;
+    options.user = arguments.user;
+    options.certificateFile = arguments.certificate;
+    options.privateKeyFile = arguments.key;
+    if (!arguments.passwordFile.empty()) {
+        const auto bytes = loadFile(arguments.passwordFile, longestPasswordFile);
+        if (!bytes)
+            return fail(bytes.error());
+        const std::string_view text = asText(*bytes);
+        options.password = text.substr(0, text.find_first_of("\r\n"));
+        if (options.password.empty())
+            return wrongUsage(arguments.passwordFile + " holds no password", programName);
+    }
+    return options;
+}
+
+Result<std::vector<drivecomm::FaultSpec>> faultsOf(const VirtualDriveArguments& arguments)
+{
+    std::vector<drivecomm::FaultSpec> faults;
+    for (const std::string& text : arguments.faults) {
+        auto fault = drivecomm::parseFault(text);
+        if (!fault)
+            return fail(fault.error());
+        faults.push_back(std::move(*fault));
+    }
+    return faults;
+}
+
+std::function<std::chrono::nanoseconds()> simulatedClock(double speed)
+{
+    return [speed, start = std::chrono::steady_clock::now()] {
+        const std::chrono::duration<double> real = std::chrono::steady_clock::now() - start;
+        return std::chrono::duration_cast<std::chrono::nanoseconds>(real * speed);
+    };
+}
+
+Result<std::vector<RunningDrive>> startAll(
+    const VirtualDriveArguments& arguments, const DriveProfile& profile)
+{
+    auto drives = drivesOf(arguments);
+    if (!drives)
+        return fail(drives.error());
+    auto web = webOptions(arguments);
+    if (!web)
+        return fail(web.error());
+    const auto faults = faultsOf(arguments);
+    if (!faults)
+        return fail(faults.error());
+    std::vector<RunningDrive> running;
+    for (drivecomm::VirtualDriveOptions& options : *drives) {
+        RunningDrive drive;
+        drive.name = options.name;
+        options.clock = simulatedClock(arguments.speed);
+        drive.drive = std::make_unique<drivecomm::VirtualDrive>(profile, std::move(options));
+        drive.faults = std::make_unique<drivecomm::FaultPlan>(*faults);
+        auto front = drivecomm::WebFront::start(*drive.drive, profile, *drive.faults, *web);
+        if (!front)
+            return fail(front.error());
+        drive.web = std::move(*front);
+        if (web->port != 0)
+            ++web->port;
+        running.push_back(std::move(drive));
+    }
+    return running;
+}
+
+Result<void> serve(const VirtualDriveArguments& arguments, Console& console, Interrupt& interrupt)
+{
+    if (auto checked = checkArguments(arguments); !checked)
+        return checked;
+    auto profile = arguments.profile.empty() ? Result<DriveProfile>(drivecomm::genericProfile())
+                                             : drivecomm::loadProfile(arguments.profile);
+    if (!profile)
+        return fail(profile.error());
+    const auto running = startAll(arguments, *profile);
+    if (!running)
+        return fail(running.error());
+    if (!arguments.http.empty() && !isLoopback(parseHostAndPort(arguments.http)->host))
+        console.note("warning: the virtual drive can be reached from other computers");
+    for (const RunningDrive& drive : *running)
+        console.print("ready http=" + drive.web->url() + " drive=" + singleLine(drive.name) + "\n");
+    if (auto flushed = console.flush(); !flushed)
+        return flushed;
+    interrupt.wait();
+    return {};
+}
+
+int run(int argc, char** argv, Console& console)
+{
+    VirtualDriveArguments arguments;
+    CLI::App app("A drive that exists only in this computer, with the pages, registers and habits "
+                 "of a real one.",
+        programName);
+    setHelpStyle(app);
+    app.set_version_flag(
+        "--version", std::string(programName) + " " AXISCOMP_VERSION, "Show the version");
+    app.footer("Prints a line `ready http=URL drive=NAME` for each drive, and runs until Ctrl-C.");
+    addOptions(app, arguments);
+    const auto proceed = parseArguments(app, argc, argv, console);
+    if (proceed && !*proceed)
+        return static_cast<int>(ExitCode::Done);
+    Result<void> outcome;
+    if (proceed) {
+        Interrupt interrupt;
+        outcome = serve(arguments, console, interrupt);
+    } else {
+        outcome = fail(proceed.error());
+    }
+    if (outcome)
+        return static_cast<int>(ExitCode::Done);
+    const Error& error = outcome.error();
+    console.note("error: " + std::string(errorName(error.code)) + ": " + sentence(error));
+    return static_cast<int>(exitCode(error.code));
+}
+
+} // namespace
+
+int runVirtualDrive(int argc, char** argv)
+{
+    Console console;
+    try {
+        return run(argc, argv, console);
+    } catch (const std::exception& exception) {
+        console.note("error: Internal: " + std::string(exception.what()));
+        return static_cast<int>(ExitCode::OtherFailure);
+    }
+}
+
+} // namespace axiscomp::app
