@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/wizard_controller.h"
+
+#include <QWidget>
+
+#include <memory>
+
+class QSettings;
+
+namespace axiscomp::ui {
+
+/// The one-page wizard of AN140 figure 2 (spec/wizard.md), as a widget that another Qt program can
+/// put behind its own menu entry (docs/embedding).
+class CompensationWizard : public QWidget {
+    Q_OBJECT
+
+public:
+    /// settings remembers window, files and connections; may be null, must outlive the wizard.
+    CompensationWizard(WizardOptions options, QSettings* settings, QWidget* parent = nullptr);
+    ~CompensationWizard() override;
+
+    [[nodiscard]] WizardController& controller();
+    /// Opens a file as if it had been dropped on the window.
+    void openData(const QString& path);
+    /// Asks when a write is running or changes are unwritten; false: stay open.
+    [[nodiscard]] bool mayClose();
+
+Q_SIGNALS:
+    /// For the title of the window around it: "[*]Axis Compensation Wizard - X · Triamec-616
+    /// (demo)".
+    void titleChanged(const QString& title, bool isModified);
+    void closeRequested();
+
+protected:
+    void changeEvent(QEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+
+private:
+    struct Private;
+    std::unique_ptr<Private> d;
+};
+
+} // namespace axiscomp::ui

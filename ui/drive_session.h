@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/axis_compensator.h"
+
+#include <QFuture>
+#include <QObject>
+#include <QPromise>
+#include <QString>
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <stop_token>
+
+namespace axiscomp::ui {
+
+/// Makes a link from what the user typed ("http://192.168.1.20", "demo:"); passed in by the
+/// program, so that ui and drivecomm do not see each other. Called on the session's thread.
+using LinkFactory = std::function<Result<std::unique_ptr<DriveLink>>(const std::string& endpoint)>;
+
+/// One drive and the one thread that talks to it. Link and compensator are made, used and destroyed
+/// on that thread; everything here is called on the window's thread and returns at once. Operations
+/// run one after the other, in the order in which they were asked for.
+class DriveSession : public QObject {
+    Q_OBJECT
+
+public:
+    template <typename T>
+    using Operation = std::function<Result<T>(AxisCompensator&, const OperationOptions&)>;
+
+    /// profile must outlive the session.
+    DriveSession(QString endpoint, LinkFactory factory, const DriveProfile& profile,
+        std::filesystem::path storeRoot, std::chrono::milliseconds timeout,
+        QObject* parent = nullptr);
+    /// Stops what runs, drops what waits (their futures end as cancelled) and ends the thread:
+    /// within one deadline, even when the drive hangs.
+    ~DriveSession() override;
+
+    /// Without a password.
+    [[nodiscard]] QString endpoint() const;
+    [[nodiscard]] bool isDemo() const;
+
+    /// Keep the future and watch it (QFuture::then with a context, QFutureWatcher).
+    template <typename T> [[nodiscard]] QFuture<Result<T>> run(Operation<T> operation)
+    {
+        QPromise<Result<T>> promise;
+        promise.start();
+        QFuture<Result<T>> future = promise.future();
+        post([promise = std::make_shared<QPromise<Result<T>>>(std::move(promise)),
+                 operation = std::move(operation)](
+                 Result<AxisCompensator*> compensator, const OperationOptions& options) {
+            promise->addResult(compensator ? operation(**compensator, options)
+                                           : Result<T>(fail(compensator.error())));
+            promise->finish();
+        });
+        return future;
+    }
+
+    /// Stops the operation that runs now; it ends with Cancelled, after putting back what it has
+    /// to.
+    void stop();
+
+Q_SIGNALS:
+    /// Of the operation that runs, at most 30 times a second.
+    void progressed(const QString& step, double fraction);
+
+private:
+    using Job = std::function<void(Result<AxisCompensator*>, const OperationOptions&)>;
+    void post(Job job);
+
+    struct Private;
+    std::unique_ptr<Private> d;
+};
+
+} // namespace axiscomp::ui
