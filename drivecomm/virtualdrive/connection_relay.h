@@ -16,8 +16,8 @@ namespace axiscomp::drivecomm {
 class ConnectionRelay {
 public:
     /// faults must outlive the relay. Errors: InvalidEndpoint (endpoint = host:port, reason).
-    [[nodiscard]] static Result<std::unique_ptr<ConnectionRelay>> start(const std::string& host,
-        std::uint16_t port, std::uint16_t serverPort, FaultPlan& faults);
+    [[nodiscard]] static Result<std::unique_ptr<ConnectionRelay>> start(
+        const std::string& host, std::uint16_t port, std::uint16_t serverPort, FaultPlan& faults);
     ~ConnectionRelay();
 
     [[nodiscard]] std::uint16_t port() const;

@@ -13,14 +13,8 @@ namespace axiscomp::drivecomm {
 class Socket {
 public:
     Socket() = default;
-    explicit Socket(int descriptor)
-        : m_descriptor(descriptor)
-    {
-    }
-    Socket(Socket&& other) noexcept
-        : m_descriptor(std::exchange(other.m_descriptor, -1))
-    {
-    }
+    explicit Socket(int descriptor) : m_descriptor(descriptor) { }
+    Socket(Socket&& other) noexcept : m_descriptor(std::exchange(other.m_descriptor, -1)) { }
     Socket& operator=(Socket&& other) noexcept
     {
         std::swap(m_descriptor, other.m_descriptor);

@@ -4,8 +4,8 @@
 #include "core/bytes.h"
 #include "core/drive_link.h"
 #include "core/drive_profile.h"
-#include "core/flash_wear.h"
 #include "core/result.h"
+#include "core/wall_time.h"
 
 #include <chrono>
 #include <cstdint>

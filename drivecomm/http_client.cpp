@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "drivecomm/http_client.h"
+
+#include "drivecomm/http_worker.h"
+
+#include <QThread>
+
+#include <array>
+#include <charconv>
+
+namespace axiscomp::drivecomm {
+
+namespace {
+
+constexpr int repeats = 2;
+
+std::string inSeconds(std::chrono::milliseconds time)
+{
+    std::array<char, 32> text{};
+    const double seconds = static_cast<double>(time.count()) / 1000.0;
+    const auto end = std::to_chars(text.data(), text.data() + text.size(), seconds).ptr;
+    return {text.data(), end};
+}
+
+} // namespace
+
+struct HttpClient::Private {
+    explicit Private(DriveEndpoint theEndpoint) : endpoint(std::move(theEndpoint)) { }
+
+    void startThread()
+    {
+        if (worker)
+            return;
+        worker = new HttpWorker(endpoint);
+        worker->moveToThread(&thread);
+        QObject::connect(&thread, &QThread::finished, worker, &QObject::deleteLater);
+        thread.setObjectName(QStringLiteral("drive http"));
+        thread.start();
+    }
+
+    [[nodiscard]] Result<HttpReply> sendOnce(
+        const HttpRequest& request, const RunningExchange& running);
+
+    DriveEndpoint endpoint;
+    QThread thread;
+    HttpWorker* worker = nullptr; ///< lives on thread, deleted when it ends
+};
+
+HttpClient::HttpClient(DriveEndpoint endpoint) : d(std::make_unique<Private>(std::move(endpoint)))
+{
+}
+
+HttpClient::~HttpClient()
+{
+    d->thread.quit();
+    d->thread.wait();
+}
+
+Result<HttpReply> HttpClient::Private::sendOnce(
+    const HttpRequest& request, const RunningExchange& running)
+{
+    const Exchange& exchange = running.exchange;
+    if (exchange.stop.stop_requested())
+        return fail(ErrorCode::Cancelled);
+    startThread();
+    const auto pending = std::make_shared<PendingHttp>(request);
+    const auto post = [this](auto action) {
+        QMetaObject::invokeMethod(worker, std::move(action), Qt::QueuedConnection);
+    };
+    post([worker = worker, pending] { worker->start(pending); });
+
+    std::unique_lock lock(pending->mutex);
+    std::uint64_t reported = 0;
+    while (!pending->outcome) {
+        const bool woken = pending->changed.wait_until(lock, exchange.stop, running.deadline,
+            [&] { return pending->outcome || pending->progress != reported; });
+        if (!woken)
+            break;
+        if (pending->progress == reported)
+            continue;
+        reported = pending->progress;
+        const std::uint64_t total = pending->total;
+        if (!request.reportsProgress || !exchange.progress)
+            continue;
+        lock.unlock();
+        exchange.progress(reported, total);
+        lock.lock();
+    }
+    if (!pending->outcome) {
+        // The request's bytes are the caller's: nothing may touch them after this function.
+        post([worker = worker, pending] { worker->abort(pending); });
+        pending->changed.wait(lock, [&] { return pending->outcome.has_value(); });
+        if (exchange.stop.stop_requested())
+            return fail(ErrorCode::Cancelled);
+        return fail(ErrorCode::Timeout,
+            {{"endpoint", displayText(endpoint)}, {"seconds", inSeconds(exchange.timeout)}});
+    }
+    return std::move(*pending->outcome);
+}
+
+Result<HttpReply> HttpClient::send(const HttpRequest& request, const RunningExchange& running)
+{
+    auto reply = d->sendOnce(request, running);
+    for (int i = 0; i < repeats && request.method == HttpRequest::Method::Get; ++i) {
+        if (reply || reply.error().code != ErrorCode::ConnectionLost)
+            break;
+        reply = d->sendOnce(request, running);
+    }
+    return reply;
+}
+
+} // namespace axiscomp::drivecomm

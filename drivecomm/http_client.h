@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/drive_link.h"
+#include "drivecomm/drive_endpoint.h"
+
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace axiscomp::drivecomm {
+
+/// An Exchange with its clock started: several requests share one deadline.
+struct RunningExchange {
+    explicit RunningExchange(const Exchange& theExchange)
+        : exchange(theExchange)
+        , deadline(std::chrono::steady_clock::now() + theExchange.timeout)
+    {
+    }
+    const Exchange& exchange;
+    std::chrono::steady_clock::time_point deadline;
+};
+
+struct HttpRequest {
+    enum class Method { Get, Put, Post };
+    Method method = Method::Get;
+    std::string target; ///< "/registers?prefix=Axes", percent-encoded
+    std::string accept = "application/json";
+    std::string contentType; ///< of the body
+    std::vector<ByteView> body; ///< its pieces; they must live until send returns
+    std::size_t watchedPiece = 0; ///< the piece of the body whose bytes are the progress
+    std::uint64_t replyLimit = std::uint64_t{1} << 20; ///< bytes of the reply's body
+    bool reportsProgress = false;
+};
+
+struct HttpReply {
+    int status = 0;
+    std::string contentType; ///< lower case, without parameters
+    std::string location;
+    std::string retryAfter;
+    bool hasEnd = false; ///< the reply said itself where its body ends
+    std::string body;
+};
+
+/// HTTP/1.1 to one host, blocking, one request at a time. The network runs on a thread of its own:
+/// the caller needs no event loop, and none runs while it waits. Never follows a redirect. A GET is
+/// repeated after ConnectionLost, twice at most and within the deadline; PUT and POST never are.
+class HttpClient {
+public:
+    explicit HttpClient(DriveEndpoint endpoint);
+    ~HttpClient();
+    HttpClient(const HttpClient&) = delete;
+    HttpClient& operator=(const HttpClient&) = delete;
+
+    /// Any complete reply, whatever its status. Errors: NotConnected, ConnectionLost, Timeout,
+    /// Protocol, CertificateRejected, Cancelled.
+    [[nodiscard]] Result<HttpReply> send(
+        const HttpRequest& request, const RunningExchange& running);
+
+private:
+    struct Private;
+    std::unique_ptr<Private> d;
+};
+
+} // namespace axiscomp::drivecomm
