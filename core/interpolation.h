@@ -4,6 +4,7 @@
 #include "core/grid.h"
 
 #include <array>
+#include <cstddef>
 #include <limits>
 #include <span>
 
@@ -21,7 +22,8 @@ enum class Outside {
 
 /// Linear, bilinear or trilinear lookup in an even table (AN140 3.1). The only interpolation of the
 /// program: preview, virtual drive, command line and proof use it. Refers to the table's values and
-/// must not outlive them. A NaN position gives NaN.
+/// must not outlive them. A NaN position gives NaN;
+/// so does an infinite one that is wrapped or extrapolated.
 class Lookup {
 public:
     /// table: consistent (values.size() == grid.pointCount(), 1 to 3 dimensions, sizes >= 2).
@@ -35,17 +37,41 @@ public:
     [[nodiscard]] double at(std::span<const double> positions) const;
 
     /// The fractional index of a position in dimension 0, 1 or 2, as the drive's Dim1Index ..
-    /// Dim3Index show it: 0 .. size - 1, held at the ends when outside is Hold.
+    /// Dim3Index show it. Within the table 0 .. size - 1, whole exactly at the grid points.
+    /// Outside: Hold holds it at the ends, Wrap wraps it, Zero and Extrapolate let it go on, Error
+    /// gives NaN.
     [[nodiscard]] double index(int dimension, double position) const;
 
 private:
+    /// A dimension that the table lacks has the single position 0.
     struct Axis {
         double start = 0.0;
         double last = 0.0;
-        double perUnit = 1.0; ///< 1 / distance
-        std::uint32_t size = 2;
-        std::size_t stride = 1;
+        double distance = 0.0;
+        double perUnit = 0.0; ///< 1 / distance
+        double lastIndex = 0.0; ///< size - 1
+        std::size_t stride = 0;
+
+        [[nodiscard]] bool contains(double position) const
+        {
+            return position >= start && position <= last;
+        }
     };
+    /// Two neighbouring grid points, as offsets into the values, and the way between them.
+    struct Cell {
+        std::size_t lower = 0;
+        std::size_t upper = 0;
+        double fraction = 0.0;
+    };
+    [[nodiscard]] static double nearestIndex(const Axis& axis, double position);
+    [[nodiscard]] static Cell heldCell(const Axis& axis, double position);
+    [[nodiscard]] static Cell endCell(const Axis& axis, double position);
+    [[nodiscard]] static double wrapped(const Axis& axis, double position);
+    [[nodiscard]] double blend(const Cell& x) const;
+    [[nodiscard]] double blend(const Cell& x, const Cell& y) const;
+    [[nodiscard]] double blend(const Cell& x, const Cell& y, const Cell& z) const;
+    [[nodiscard]] double atOutside(std::array<double, 3> positions) const;
+
     std::array<Axis, 3> m_axes;
     const float* m_values = nullptr;
     int m_dimensions = 0;
