@@ -19,6 +19,17 @@ std::string lineAndColumn(std::string_view text, std::size_t position)
         + std::to_string(before.size() - lineStart + 1);
 }
 
+std::string orDocument(const std::string& path)
+{
+    return path.empty() ? "the document" : path;
+}
+
+JsonProblem problemAt(const std::string& path, std::string_view fault)
+{
+    const std::string place = orDocument(path);
+    return {place + ": " + std::string(fault), place, std::string(fault)};
+}
+
 std::string described(const json* value)
 {
     if (value->is_structured())
@@ -38,7 +49,7 @@ public:
         , m_document(document)
     {
     }
-    [[nodiscard]] const std::string& reason() const { return m_reason; }
+    [[nodiscard]] const JsonProblem& problem() const { return m_problem; }
 
     bool null() override { return place(nullptr); }
     bool boolean(bool value) override { return place(value); }
@@ -57,16 +68,37 @@ public:
         const auto [member, isNew] = m_open.back()->emplace(name, nullptr);
         m_member = &*member;
         if (!isNew)
-            m_reason = "the member \"" + name + "\" is there twice in one object";
+            breach("the member \"" + name + "\" is there twice in one object", path() + name);
         return isNew;
     }
     bool parse_error(std::size_t position, const std::string&, const json::exception&) override
     {
-        m_reason = lineAndColumn(m_text, position == 0 ? 0 : position - 1) + ": this is not JSON";
+        m_problem = problemAt(
+            lineAndColumn(m_text, position == 0 ? 0 : position - 1), "this is not JSON");
         return false;
     }
 
 private:
+    void breach(const std::string& fault, const std::string& place = {})
+    {
+        m_problem = {fault, orDocument(place), fault};
+    }
+    /// Of the innermost object that is open, with a dot behind it: "slots[2]."
+    [[nodiscard]] std::string path() const
+    {
+        std::string result;
+        for (std::size_t i = 0; i + 1 < m_open.size(); ++i) {
+            const json& outer = *m_open[i];
+            if (outer.is_array()) {
+                result += "[" + std::to_string(outer.size() - 1) + "]";
+                continue;
+            }
+            const auto isOpen = [&](const json& member) { return &member == m_open[i + 1]; };
+            const auto member = std::find_if(outer.begin(), outer.end(), isOpen);
+            result += (result.empty() ? "" : ".") + member.key();
+        }
+        return result.empty() ? result : result + ".";
+    }
     template <typename Value> bool place(Value&& value)
     {
         return put(json(std::forward<Value>(value))) != nullptr;
@@ -74,7 +106,7 @@ private:
     json* put(json&& value)
     {
         if (++m_values > m_limits.values) {
-            m_reason = "it has more than " + std::to_string(m_limits.values) + " values";
+            breach("it has more than " + std::to_string(m_limits.values) + " values");
             return nullptr;
         }
         json* const target = m_open.empty() ? &m_document
@@ -86,7 +118,7 @@ private:
     bool open(json&& container)
     {
         if (static_cast<int>(m_open.size()) >= m_limits.depth) {
-            m_reason = "it is nested deeper than " + std::to_string(m_limits.depth) + " levels";
+            breach("it is nested deeper than " + std::to_string(m_limits.depth) + " levels");
             return false;
         }
         m_open.push_back(put(std::move(container)));
@@ -104,7 +136,7 @@ private:
     std::vector<json*> m_open; ///< the objects and arrays around the current place
     json* m_member = nullptr; ///< of the innermost object, awaiting its value
     std::size_t m_values = 0;
-    std::string m_reason;
+    JsonProblem m_problem;
 };
 
 } // namespace
@@ -112,13 +144,15 @@ private:
 StrictJson::StrictJson(std::string_view text, const JsonLimits& limits)
 {
     if (text.size() > limits.size) {
-        m_problem = JsonProblem{"it has " + std::to_string(text.size()) + " bytes, more than the "
-            + std::to_string(limits.size) + " that such a file can have"};
+        const std::string fault = "it has " + std::to_string(text.size())
+            + " bytes, more than the " + std::to_string(limits.size)
+            + " that such a file can have";
+        m_problem = JsonProblem{fault, orDocument({}), fault};
         return;
     }
     Builder builder{text, limits, m_document};
     if (!json::sax_parse(text, &builder))
-        m_problem = JsonProblem{builder.reason()};
+        m_problem = builder.problem();
 }
 
 JsonNode StrictJson::root()
@@ -136,13 +170,17 @@ JsonNode::JsonNode(StrictJson* document, const json* value, std::string path)
 void JsonNode::refuse(std::string_view reason) const
 {
     if (!m_document->m_problem)
-        m_document->m_problem =
-            JsonProblem{(m_path.empty() ? "the document" : m_path) + ": " + std::string(reason)};
+        m_document->m_problem = problemAt(m_path, reason);
+}
+
+std::string JsonNode::pathOf(std::string_view key) const
+{
+    return m_path.empty() ? std::string(key) : m_path + "." + std::string(key);
 }
 
 JsonNode JsonNode::operator[](std::string_view key) const
 {
-    std::string path = m_path.empty() ? std::string(key) : m_path + "." + std::string(key);
+    std::string path = pathOf(key);
     const json* member = nullptr;
     if (m_value != nullptr && !m_value->is_object())
         refuse("an object is expected, not " + described(m_value));
@@ -170,13 +208,29 @@ std::vector<JsonNode> JsonNode::items() const
 
 void JsonNode::expectMembers(std::initializer_list<std::string_view> keys) const
 {
+    expectMembers(std::span(keys.begin(), keys.size()));
+}
+
+void JsonNode::expectMembers(
+    std::span<const std::string_view> keys, std::span<const std::string_view> optional) const
+{
     for (const std::string_view key : keys)
         static_cast<void>((*this)[key]);
     if (m_value == nullptr || !m_value->is_object())
         return;
-    for (const auto& [key, value] : m_value->items())
-        if (std::ranges::find(keys, key) == keys.end())
-            refuse("the member \"" + key + "\" is not known");
+    for (const auto& [key, value] : m_value->items()) {
+        if (m_document->m_problem || std::ranges::find(keys, key) != keys.end()
+            || std::ranges::find(optional, key) != optional.end())
+            continue;
+        JsonProblem problem = problemAt(m_path, "the member \"" + key + "\" is not known");
+        problem.place = pathOf(key);
+        m_document->m_problem = std::move(problem);
+    }
+}
+
+bool JsonNode::has(std::string_view key) const
+{
+    return m_value != nullptr && m_value->is_object() && m_value->contains(key);
 }
 
 bool JsonNode::isText() const

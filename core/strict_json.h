@@ -8,6 +8,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,6 +24,10 @@ struct JsonLimits {
 /// The first thing that is wrong with a document, in words.
 struct JsonProblem {
     std::string reason; ///< "axes[0].files[1].crc32: ..." or "line 3, column 5: ..."
+    /// The same in two parts: "slots[2].maximumSize", "line 3, column 5" or "the document", and the
+    /// fault alone.
+    std::string place{};
+    std::string fault{};
 };
 
 class JsonNode;
@@ -51,8 +56,12 @@ public:
     [[nodiscard]] JsonNode operator[](std::string_view key) const;
     /// The elements of an array.
     [[nodiscard]] std::vector<JsonNode> items() const;
-    /// An object with exactly these members, in any order.
+    /// An object with exactly these members, in any order; those of `optional` may be missing.
     void expectMembers(std::initializer_list<std::string_view> keys) const;
+    void expectMembers(std::span<const std::string_view> keys,
+        std::span<const std::string_view> optional = {}) const;
+    /// True when this is an object with that member.
+    [[nodiscard]] bool has(std::string_view key) const;
 
     [[nodiscard]] std::string text() const;
     [[nodiscard]] std::string_view textView() const; ///< lives as long as the document
@@ -74,6 +83,7 @@ private:
     friend class StrictJson;
     JsonNode(StrictJson* document, const nlohmann::json* value, std::string path);
     [[nodiscard]] std::int64_t integerWithin(std::int64_t minimum, std::int64_t maximum) const;
+    [[nodiscard]] std::string pathOf(std::string_view key) const;
 
     StrictJson* m_document;
     const nlohmann::json* m_value; ///< null: there was a problem on the way here
