@@ -266,7 +266,9 @@ Result<std::filesystem::path> DriveStore::saveBackup(const AxisBackup& backup)
     std::filesystem::path file;
     for (int number = 1; file.empty() || !isMissing(file); ++number)
         file = folder.backups() / backupName(backup.time, backup.axis, number);
-    const std::string text = writeBackup({{backup}});
+    DriveBackup ofAxis;
+    ofAxis.axes = {backup};
+    const std::string text = writeBackup(ofAxis);
     if (auto saved = saveFile(file, asBytes(text)); !saved)
         return fail(saved.error());
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
+#include <limits>
 #include <new>
 #include <optional>
 #include <string>
@@ -256,8 +257,11 @@ try {
     if (expected > maximumSize)
         return tooLarge(std::to_string(expected));
 
+    // One byte more is asked for to see that nothing follows.
+    const std::uint64_t readable =
+        std::min<std::uint64_t>(maximumSize, std::numeric_limits<std::int64_t>::max());
     Bytes bytes;
-    if (!readAll(descriptor.number(), expected, maximumSize, bytes))
+    if (!readAll(descriptor.number(), expected, readable, bytes))
         return notReadable(file, errno);
     if (bytes.size() > maximumSize)
         return tooLarge("more than " + std::to_string(maximumSize));
