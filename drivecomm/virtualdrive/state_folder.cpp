@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "drivecomm/virtualdrive/state_folder.h"
 
-#include "core/drive_store.h"
-
-#include <QLockFile>
-#include <QString>
+#include "core/local_file.h"
 
 #include <algorithm>
 #include <cctype>
@@ -156,13 +153,11 @@ SavedDrive parseDrive(
 
 } // namespace
 
-StateFolder::StateFolder(std::filesystem::path folder, std::unique_ptr<QLockFile> lock)
+StateFolder::StateFolder(std::filesystem::path folder, FileLock lock)
     : m_folder(std::move(folder))
     , m_lock(std::move(lock))
 {
 }
-
-StateFolder::~StateFolder() = default;
 
 Result<std::unique_ptr<StateFolder>> StateFolder::open(const std::filesystem::path& folder)
 {
@@ -171,17 +166,11 @@ Result<std::unique_ptr<StateFolder>> StateFolder::open(const std::filesystem::pa
     if (problem)
         return fail(
             ErrorCode::FileNotWritable, {{"file", folder.string()}, {"reason", problem.message()}});
-    auto lock = std::make_unique<QLockFile>(QString::fromStdString((folder / "lock").string()));
-    lock->setStaleLockTime(0); // only a program that is gone loses its lock
-    if (!lock->tryLock()) {
-        const bool taken = lock->error() == QLockFile::LockFailedError;
-        return fail(ErrorCode::FileNotWritable,
-            {{"file", folder.string()},
-                {"reason",
-                    taken ? "another virtual drive is using this folder"
-                          : "no lock file can be made in this folder"}});
-    }
-    return std::unique_ptr<StateFolder>(new StateFolder(folder, std::move(lock)));
+    Result<FileLock> lock =
+        FileLock::acquire(folder / "lock", std::chrono::milliseconds(0), folder);
+    if (!lock)
+        return fail(lock.error());
+    return std::unique_ptr<StateFolder>(new StateFolder(folder, *std::move(lock)));
 }
 
 Result<std::optional<SavedDrive>> StateFolder::load()

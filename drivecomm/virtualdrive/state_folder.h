@@ -2,8 +2,9 @@
 #pragma once
 
 #include "core/bytes.h"
-#include "core/flash_wear.h"
+#include "core/file_lock.h"
 #include "core/register_value.h"
+#include "core/wall_time.h"
 
 #include <chrono>
 #include <filesystem>
@@ -13,8 +14,6 @@
 #include <set>
 #include <string>
 #include <vector>
-
-class QLockFile;
 
 namespace axiscomp::drivecomm {
 
@@ -36,7 +35,6 @@ struct SavedDrive {
 /// programs while open.
 class StateFolder {
 public:
-    ~StateFolder();
     /// Makes the folder when it is missing. Errors: FileNotWritable.
     [[nodiscard]] static Result<std::unique_ptr<StateFolder>> open(
         const std::filesystem::path& folder);
@@ -49,11 +47,11 @@ public:
     [[nodiscard]] std::filesystem::path mainFile() const { return m_folder / "drive.json"; }
 
 private:
-    StateFolder(std::filesystem::path folder, std::unique_ptr<QLockFile> lock);
+    StateFolder(std::filesystem::path folder, FileLock lock);
     void removeUnused() const;
 
     std::filesystem::path m_folder;
-    std::unique_ptr<QLockFile> m_lock;
+    FileLock m_lock;
     std::set<std::string> m_tableFiles; ///< that drive.json names
 };
 

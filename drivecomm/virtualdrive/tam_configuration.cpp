@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "drivecomm/virtualdrive/tam_configuration.h"
 
-#include "core/drive_store.h"
+#include "core/local_file.h"
 #include "drivecomm/profile_loader.h"
 #include "drivecomm/virtualdrive/drive_registers.h"
 
