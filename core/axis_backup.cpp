@@ -26,14 +26,19 @@ OrderedJson toJson(const AxisBackup::File& file)
         {"crc32", crcText(crc32(file.bytes))}, {"bytes", toBase64(file.bytes)}};
 }
 
+OrderedJson toJson(const std::vector<AxisBackup::File>& files)
+{
+    OrderedJson list = OrderedJson::array();
+    for (const AxisBackup::File& file : files)
+        list.push_back(toJson(file));
+    return list;
+}
+
 OrderedJson toJson(const AxisBackup& backup)
 {
-    OrderedJson files = OrderedJson::array();
-    for (const AxisBackup::File& file : backup.files)
-        files.push_back(toJson(file));
     return {{"drive", toJson(backup.drive)}, {"axis", backup.axis}, {"axisName", backup.axisName},
         {"time", utcText(backup.time)}, {"registers", toJson(backup.registers)},
-        {"files", std::move(files)}};
+        {"files", toJson(backup.files)}};
 }
 
 DriveIdentity driveFromJson(const JsonNode& node)
@@ -58,27 +63,31 @@ AxisBackup::File fileFromJson(const JsonNode& node)
     return file;
 }
 
+std::vector<AxisBackup::File> filesFromJson(const JsonNode& node)
+{
+    std::vector<AxisBackup::File> files;
+    std::set<std::pair<std::string, std::string>> places;
+    for (const JsonNode& item : node.items()) {
+        files.push_back(fileFromJson(item));
+        if (!places.emplace(files.back().slot, files.back().path).second)
+            item["path"].refuse("this file is there twice");
+    }
+    return files;
+}
+
 AxisBackup axisFromJson(const JsonNode& node)
 {
     node.expectMembers({"drive", "axis", "axisName", "time", "registers", "files"});
-    AxisBackup backup{driveFromJson(node["drive"]), node["axis"].integer<int>(0),
-        node["axisName"].text(), timeFromJson(node["time"]), registersFromJson(node["registers"]),
-        {}};
-    std::set<std::pair<std::string, std::string>> places;
-    for (const JsonNode& item : node["files"].items()) {
-        backup.files.push_back(fileFromJson(item));
-        const AxisBackup::File& file = backup.files.back();
-        if (!places.emplace(file.slot, file.path).second)
-            item["path"].refuse("this file is there twice");
-    }
-    return backup;
+    return {driveFromJson(node["drive"]), node["axis"].integer<int>(0), node["axisName"].text(),
+        timeFromJson(node["time"]), registersFromJson(node["registers"]),
+        filesFromJson(node["files"])};
 }
 
 DriveBackup backupFromJson(const JsonNode& root)
 {
     DriveBackup backup;
     expectFormat(root, format);
-    root.expectMembers({"format", "version", "axes"});
+    root.expectMembers({"format", "version", "axes", "otherFiles"});
     std::set<std::pair<std::int32_t, int>> axes;
     for (const JsonNode& item : root["axes"].items()) {
         backup.axes.push_back(axisFromJson(item));
@@ -86,6 +95,7 @@ DriveBackup backupFromJson(const JsonNode& root)
         if (!axes.emplace(axis.drive.serialNumber, axis.axis).second)
             item["axis"].refuse("this axis of the drive is there twice");
     }
+    backup.otherFiles = filesFromJson(root["otherFiles"]);
     return backup;
 }
 
@@ -97,6 +107,7 @@ std::string writeBackup(const DriveBackup& backup)
     document["axes"] = OrderedJson::array();
     for (const AxisBackup& axis : backup.axes)
         document["axes"].push_back(toJson(axis));
+    document["otherFiles"] = toJson(backup.otherFiles);
     return jsonText(document);
 }
 

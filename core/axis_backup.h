@@ -34,9 +34,11 @@ struct AxisBackup {
     friend bool operator==(const AxisBackup&, const AxisBackup&) = default;
 };
 
-/// Everything the program can change on a drive (`axiscomp backup`): one AxisBackup per axis.
+/// Everything the program can change on a drive (`axiscomp backup`): one AxisBackup per axis, and
+/// the tables that no axis uses.
 struct DriveBackup {
     std::vector<AxisBackup> axes;
+    std::vector<AxisBackup::File> otherFiles{};
 
     friend bool operator==(const DriveBackup&, const DriveBackup&) = default;
 };

@@ -154,6 +154,9 @@ Result<WriteReport> AxisCompensator::write(
     auto drive = d->identify(access, axis);
     if (!drive)
         return fail(drive.error());
+    auto lock = d->store.lockWrites(drive->serialNumber);
+    if (!lock)
+        return fail(lock.error());
     auto prepared =
         WritePlanner(access, d->store, d->sources, *drive, d->clock()).prepare(axis, request);
     if (!prepared)
@@ -315,6 +318,10 @@ Result<std::vector<WriteReport>> AxisCompensator::restore(
         if (!report)
             return fail(report.error());
         reports.push_back(std::move(*report));
+    }
+    for (const AxisBackup::File& file : backup.otherFiles) {
+        if (auto restored = restoreFile(access, file, drive->axes); !restored)
+            return fail(restored.error());
     }
     return reports;
 }

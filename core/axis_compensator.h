@@ -178,7 +178,8 @@ public:
         const std::string& path, ByteView bytes, const OperationOptions& options = {});
 
     [[nodiscard]] Result<DriveBackup> backup(const OperationOptions& options = {});
-    /// A normal verified write per axis. Errors: OtherDrive unless force; those of write.
+    /// A normal verified write per axis, then the tables that no axis uses. Errors: OtherDrive
+    /// unless force; those of write; SlotInUse.
     [[nodiscard]] Result<std::vector<WriteReport>> restore(
         const DriveBackup& backup, bool force, const OperationOptions& options = {});
 

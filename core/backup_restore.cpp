@@ -11,9 +11,6 @@ namespace axiscomp {
 
 namespace {
 
-/// A backup file is one JSON document of table files in base64: twice the largest drive is plenty.
-constexpr std::uint64_t largestBackup = 64 * 1024 * 1024;
-
 std::string hexAddress(std::uint32_t address)
 {
     char digits[8];
@@ -59,6 +56,13 @@ Result<AxisBackup> readAxisBackup(
         return fail(file.error());
     backup.files.push_back(std::move(*file));
     return backup;
+}
+
+bool isUsedBy(const DriveBackup& backup, const std::string& slot)
+{
+    return std::ranges::any_of(backup.axes, [&](const AxisBackup& axis) {
+        return std::ranges::find(axis.files, slot, &AxisBackup::File::slot) != axis.files.end();
+    });
 }
 
 Result<bool> holdsRegisters(const DriveAccess& access, const std::vector<RegisterWrite>& wanted)
@@ -107,7 +111,38 @@ Result<DriveBackup> readBackupOf(
             return fail(axis.error());
         backup.axes.push_back(std::move(*axis));
     }
+    for (const TableSlot& slot : access.profile().slots) {
+        if (isUsedBy(backup, slot.name))
+            continue;
+        auto file = readSlotFile(access, slot);
+        if (!file)
+            return fail(file.error());
+        if (!file->bytes.empty())
+            backup.otherFiles.push_back(std::move(*file));
+    }
     return backup;
+}
+
+Result<void> restoreFile(const DriveAccess& access, const AxisBackup::File& file, int axes)
+{
+    const TableSlot* slot = access.profile().slotNamed(file.slot);
+    if (!slot || slot->file != file.path)
+        return fail(ErrorCode::UnknownFile, {{"path", file.path}});
+    auto now = readSlotFile(access, *slot);
+    if (!now)
+        return fail(now.error());
+    if (now->bytes == file.bytes)
+        return {};
+    for (int axis = 0; axis < axes; ++axis) {
+        const std::string table = access.axisPath(access.registers().table, axis);
+        auto readings = access.readAvailable({table});
+        if (!readings)
+            return fail(readings.error());
+        if (textAt(*readings, table) == file.slot)
+            return fail(ErrorCode::SlotInUse,
+                {{"slot", file.slot}, {"user", "axis " + std::to_string(axis)}});
+    }
+    return uploadSurely(access, file.path, file.bytes);
 }
 
 Result<void> checkRestorable(
@@ -183,7 +218,7 @@ Result<AxisCompensator::UnfinishedOutcome> unfinishedOutcome(const DriveAccess& 
     if (hasNewTable && *hasNewRegisters)
         return entry.persistent ? Outcome::NewUnsaved : Outcome::New;
 
-    auto text = loadFile(entry.backup, largestBackup);
+    auto text = loadFile(entry.backup, maximumBackupSize);
     if (!text)
         return fail(text.error());
     auto backup = readBackup(asText(*text), entry.backup.string());

@@ -23,6 +23,11 @@ namespace axiscomp {
 /// For an axis that had no table: registers only.
 [[nodiscard]] Result<void> restoreDisabled(const DriveAccess& access, const AxisBackup& backup);
 
+/// Puts a table that no axis uses back where it was, unless it is there. Errors: SlotInUse when an
+/// axis has taken its slot meanwhile.
+[[nodiscard]] Result<void> restoreFile(
+    const DriveAccess& access, const AxisBackup::File& file, int axes);
+
 /// Which state an axis has after a write that did not end.
 [[nodiscard]] Result<AxisCompensator::UnfinishedOutcome> unfinishedOutcome(
     const DriveAccess& access, const DriveIdentity& drive, const JournalEntry& entry,
