@@ -21,6 +21,8 @@ public:
         std::function<void(std::uint64_t)> onRead);
 
     [[nodiscard]] bool isSequential() const override { return true; }
+    bool reset() override { return false; }
+    bool seek(qint64) override { return false; }
     [[nodiscard]] qint64 bytesAvailable() const override;
     [[nodiscard]] bool wasRead() const { return m_read > 0; }
     /// Forgets the pieces: what is read from now on is the end.

@@ -129,7 +129,7 @@ void HttpWorker::abort(const std::shared_ptr<PendingHttp>& pending)
 
 void HttpWorker::receive(PendingHttp& pending)
 {
-    if (!pending.reply || pending.tooMuch)
+    if (!pending.reply || !pending.reply->isOpen() || pending.tooMuch)
         return;
     const std::uint64_t limit = pending.request.replyLimit;
     const auto total = pending.reply->header(QNetworkRequest::ContentLengthHeader).toULongLong();

@@ -25,6 +25,8 @@ constexpr int mostAxes = 1024;
 /// For the error of a drive that does not say which of several registers it lacks.
 std::string nameOf(std::span<const std::string> paths)
 {
+    if (paths.empty())
+        return {};
     const std::string first = normalisedPath(paths.front());
     return paths.size() == 1
         ? first
@@ -250,12 +252,6 @@ Result<std::vector<RegisterReading>> WebDriveLink::readTree(
 Result<void> WebDriveLink::writeRegisters(
     std::span<const RegisterWrite> writes, const Exchange& exchange)
 {
-    if (writes.empty() || writes.size() > maximumWrites) {
-        return fail(ErrorCode::InvalidArgument,
-            {{"reason",
-                "1 to " + std::to_string(maximumWrites) + " registers are written at once, not "
-                    + std::to_string(writes.size())}});
-    }
     const RunningExchange running(exchange);
     std::vector<std::string> paths;
     std::ranges::transform(writes, std::back_inserter(paths), &RegisterWrite::path);

@@ -27,9 +27,12 @@ using Clock = std::chrono::steady_clock;
 using Fate = ConnectionRelay::Fate;
 
 constexpr std::size_t bufferSize = 64 * 1024;
-constexpr std::size_t mostConnections = 64;
+constexpr std::size_t mostConnections = 128;
 /// For a client to read the end of a reply before bytes of its own, unread, reset the connection.
 constexpr std::chrono::seconds farewell{2};
+/// httplib takes a client that has said all it wants to say for one that is gone, and does not
+/// answer it: it learns of that only when nothing was said on either side for this time.
+constexpr std::chrono::milliseconds silence{250};
 
 /// Bytes on their way from one socket to the other.
 struct Lane {
@@ -50,6 +53,8 @@ struct Connection {
     Lane request;
     Lane reply;
     std::optional<Fate> fate;
+    Clock::time_point lastPassed = Clock::now();
+    std::optional<Clock::time_point> endRequestAt;
     std::optional<Clock::time_point> closeAt;
     bool isDead = false;
 };
@@ -103,7 +108,8 @@ struct ConnectionRelay::Private {
     void applyFates();
     void accept();
     void pass(Connection& connection, Lane& lane, const Socket& target);
-    [[nodiscard]] int timeUntilNextClose() const;
+    static void passEnd(Connection& connection, Lane& lane, const Socket& target);
+    [[nodiscard]] int timeUntilNextAction() const;
 
     Socket listener;
     Socket wake;
@@ -128,7 +134,7 @@ void ConnectionRelay::Private::run()
             polled.push_back(watch(each.client, each.request, each.reply));
             polled.push_back(watch(each.server, each.reply, each.request));
         }
-        if (::poll(polled.data(), polled.size(), timeUntilNextClose()) < 0)
+        if (::poll(polled.data(), polled.size(), timeUntilNextAction()) < 0)
             continue;
         std::uint64_t rings = 0;
         [[maybe_unused]] const ssize_t read = ::read(wake.get(), &rings, sizeof rings);
@@ -158,13 +164,13 @@ void ConnectionRelay::Private::accept()
     connections.push_back(std::move(connection));
 }
 
-int ConnectionRelay::Private::timeUntilNextClose() const
+int ConnectionRelay::Private::timeUntilNextAction() const
 {
     std::optional<Clock::time_point> next;
-    for (const Connection& each : connections) {
-        if (each.closeAt && (!next || *each.closeAt < *next))
-            next = each.closeAt;
-    }
+    for (const Connection& each : connections)
+        for (const auto& time : {each.closeAt, each.endRequestAt})
+            if (time && (!next || *time < *next))
+                next = time;
     if (!next)
         return -1;
     const auto wait = std::chrono::ceil<std::chrono::milliseconds>(*next - Clock::now());
@@ -245,23 +251,33 @@ void ConnectionRelay::Private::pass(Connection& c, Lane& lane, const Socket& tar
                 return;
         }
         if (sent < 0) {
-            c.isDead = &lane == &c.reply || c.reply.sourceEnded;
+            c.isDead = &lane == &c.reply;
             lane.bytes.clear();
             lane.begin = 0;
             lane.discards = true;
             return;
         }
         lane.begin += static_cast<std::size_t>(sent);
+        c.lastPassed = Clock::now();
         faults.countBytes(static_cast<std::uint64_t>(sent));
         if (limit && static_cast<std::uint64_t>(sent) == *limit) {
             c.isDead = true;
             return;
         }
     }
-    if (lane.sourceEnded && !lane.endPassedOn && c.fate != Fate::Silent) {
-        ::shutdown(target.get(), SHUT_WR);
-        lane.endPassedOn = true;
+    if (lane.sourceEnded && !lane.endPassedOn && c.fate != Fate::Silent)
+        passEnd(c, lane, target);
+}
+
+void ConnectionRelay::Private::passEnd(Connection& c, Lane& lane, const Socket& target)
+{
+    if (&lane == &c.request && !c.reply.sourceEnded && Clock::now() < c.lastPassed + silence) {
+        c.endRequestAt = c.lastPassed + silence;
+        return;
     }
+    c.endRequestAt.reset();
+    ::shutdown(target.get(), SHUT_WR);
+    lane.endPassedOn = true;
 }
 
 ConnectionRelay::ConnectionRelay(std::unique_ptr<Private> theD) : d(std::move(theD)) { }

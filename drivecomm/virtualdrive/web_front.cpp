@@ -23,7 +23,7 @@ namespace {
 
 using Fate = ConnectionRelay::Fate;
 
-constexpr std::size_t mostThreads = 64;
+constexpr std::size_t mostThreads = 128;
 constexpr std::size_t mostRequestsOfConnection = 1'000'000;
 constexpr time_t keepAliveSeconds = 30;
 constexpr time_t slowClientSeconds = 10;
@@ -36,6 +36,7 @@ public:
     using Server::Server;
     int bindToLoopback()
     {
+        this->set_tcp_nodelay(true); // accepted sockets have it from the listening one
         const int port = this->bind_to_any_port("127.0.0.1");
         constexpr int backlog = 128;
         return port > 0 && ::listen(this->svr_sock_, backlog) == 0 ? port : 0;
@@ -172,7 +173,6 @@ Result<void> WebFront::Private::start()
 void WebFront::Private::configure()
 {
     server->new_task_queue = [] { return new ConnectionThreads(mostThreads); };
-    server->set_tcp_nodelay(true);
     server->set_keep_alive_max_count(mostRequestsOfConnection);
     server->set_keep_alive_timeout(keepAliveSeconds);
     server->set_read_timeout(slowClientSeconds);

@@ -87,7 +87,10 @@ WebReply WebService::notAllowed(const WebRequest& request, const std::string& me
 WebReply WebService::answer(const WebRequest& request) const
 {
     if (request.isTooLarge)
-        return refusal(request, rejected("the request is too large"), 413);
+        return refusal(request,
+            {ErrorCode::TooLargeForSlot,
+                {{"reason", "the request has more bytes than the largest that the drive takes"}},
+                {}});
     if (request.isMalformed)
         return refusal(request, rejected("the body is not what its Content-Type says"), 400);
     const WebPaths& web = m_profile.web;
