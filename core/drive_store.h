@@ -88,8 +88,6 @@ public:
     [[nodiscard]] Result<FileLock> lockWrites(std::int32_t serialNumber);
 
 private:
-    class Folder;
-
     std::filesystem::path m_root;
     std::chrono::milliseconds m_lockWait;
 };
