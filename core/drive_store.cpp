@@ -20,6 +20,22 @@ namespace {
 constexpr std::size_t keptFlashOperations = 1000;
 constexpr std::ptrdiff_t keptTablesPerSlot = 4;
 
+/// Whether the file holds the backup that was written as this text.
+Result<void> checkBackup(const std::filesystem::path& file, const std::string& text)
+{
+    auto bytes = loadFile(file, maximumBackupSize);
+    if (!bytes)
+        return fail(bytes.error());
+    auto readBack = readBackup(asText(*bytes), file.string());
+    if (!readBack)
+        return fail(readBack.error());
+    // As texts, because a register may hold NaN, which differs from itself.
+    if (writeBackup(*readBack) != text)
+        return fail(ErrorCode::FileNotWritable,
+            {{"file", file.string()}, {"reason", "it does not read back as it was written"}});
+    return {};
+}
+
 } // namespace
 
 DriveStore::DriveStore(std::filesystem::path root, std::chrono::milliseconds lockWait)
@@ -65,16 +81,10 @@ Result<std::filesystem::path> DriveStore::saveBackup(const AxisBackup& backup)
     if (auto saved = saveFile(file, asBytes(text)); !saved)
         return fail(saved.error());
 
-    auto bytes = loadFile(file, maximumBackupSize);
-    if (!bytes)
-        return fail(bytes.error());
-    auto readBack = readBackup(asText(*bytes), file.string());
-    if (!readBack)
-        return fail(readBack.error());
-    // As texts, because a register may hold NaN, which differs from itself.
-    if (writeBackup(*readBack) != text)
-        return fail(ErrorCode::FileNotWritable,
-            {{"file", file.string()}, {"reason", "it does not read back as it was written"}});
+    if (auto same = checkBackup(file, text); !same) {
+        (void)removeFile(file);
+        return fail(same.error());
+    }
     pruneBackups(folder, backup.axis, file);
     return file;
 }
