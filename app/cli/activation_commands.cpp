@@ -40,6 +40,10 @@ Result<ExitCode> runActivation(
     Json json = {{"status", toJson(*status)}};
     if (activation != Activation::Deactivate) {
         const auto proof = session.compensator().prove(axis, proofSamples, session.operation());
+        if (!proof && activation == Activation::Activate)
+            environment.warn(
+                "the compensation is on although it is not proved: axiscomp deactivate "
+                "switches it off");
         if (!proof)
             return fail(proof.error());
         // Output and indices of a moment in which the compensation works.

@@ -100,9 +100,7 @@ void addBackupCommands(CommandLine& line)
     CLI::App* restore = line.add("restore", driveCommands,
         "Bring a drive back to what a backup file holds, by normal verified writes",
         [restoring](Environment& environment) { return runRestore(environment, *restoring); });
-    restore->add_option("FILE", restoring->file, "File that `axiscomp backup` wrote")
-        ->option_text(" ")
-        ->required();
+    restore->add_option("FILE", restoring->file, "File that `axiscomp backup` wrote")->required();
     addDriveOptions(*restore, restoring->drive);
     restore->add_flag("--force", restoring->force,
         "Restore to a drive with another serial number, such as a replacement");

@@ -13,9 +13,6 @@ CommandLine::CommandLine()
     setHelpStyle(m_parser);
     m_parser.set_version_flag("--version", "axiscomp " AXISCOMP_VERSION, "Show the version");
     m_parser.require_subcommand(1);
-    m_parser.footer(
-        "ENDPOINT is http://host[:port], https://host[:port] or demo: (a virtual drive inside the\n"
-        "program). AXISCOMP_DRIVE is the default of --drive. `axiscomp COMMAND --help` has more.");
     addExampleCommand(*this);
     addInspectCommand(*this);
     addConvertCommand(*this);
@@ -30,6 +27,10 @@ CommandLine::CommandLine()
     addTransferCommands(*this);
     addMonitorCommand(*this);
     addBackupCommands(*this);
+    // Last, as commands take over what is there when they are added.
+    m_parser.footer(
+        "ENDPOINT is http://host[:port], https://host[:port] or demo: (a virtual drive inside the\n"
+        "program). AXISCOMP_DRIVE is the default of --drive. `axiscomp COMMAND --help` has more.");
 }
 
 CLI::App* CommandLine::add(

@@ -114,12 +114,10 @@ void addConvertCommand(CommandLine& line)
     CLI::App* command = line.add("convert", fileCommands, "Turn a table file into another format",
         [options](Environment& environment) { return runConvert(environment, *options); });
     command->add_option("IN", options->input.file, "File to read; - for standard input")
-        ->option_text(" ")
         ->required();
     command
         ->add_option(
             "OUT", options->output, "File to write, replaced if it exists; - for standard output")
-        ->option_text(" ")
         ->required();
     addDimensionsOption(*command, options->input);
     addTableOption(*command, options->input);
@@ -134,6 +132,8 @@ void addConvertCommand(CommandLine& line)
         ->excludes(persistent);
     command->add_option("--name", options->name, "Name of the table")->option_text("TEXT");
     addProfileOption(*command, options->input.profile);
+    command->footer("Example:\n"
+                    "  axiscomp convert x.csv x.TAMtbl --dims 1 --table 2 --persistent");
 }
 
 } // namespace axiscomp::app

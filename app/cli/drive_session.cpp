@@ -52,11 +52,13 @@ QtRuntime::QtRuntime() : m_arguments{m_name.data(), nullptr}
     m_application.emplace(m_count, m_arguments.data());
 }
 
-DriveSession::DriveSession(Environment& environment, DriveOptions options, DriveProfile profile)
+DriveSession::DriveSession(Environment& environment, DriveOptions options, DriveProfile profile,
+    std::optional<TemporaryFolder> demoState)
     : m_environment(environment)
     , m_options(std::move(options))
     , m_profile(std::move(profile))
-    , m_store(DriveStore::defaultRoot())
+    , m_demoState(std::move(demoState))
+    , m_store(m_demoState ? m_demoState->path() : DriveStore::defaultRoot())
 {
 }
 
@@ -69,8 +71,16 @@ Result<std::unique_ptr<DriveSession>> DriveSession::open(
     auto profile = profileOf(options.profile);
     if (!profile)
         return fail(profile.error());
+    // What is remembered of a drive must not outlive it: the next demo is another drive.
+    std::optional<TemporaryFolder> demoState;
+    if (parsed->kind == drivecomm::DriveEndpoint::Kind::Demo) {
+        auto folder = TemporaryFolder::make();
+        if (!folder)
+            return fail(folder.error());
+        demoState = std::move(*folder);
+    }
     std::unique_ptr<DriveSession> session(
-        new DriveSession(environment, options, std::move(*profile)));
+        new DriveSession(environment, options, std::move(*profile), std::move(demoState)));
     auto link = drivecomm::makeLink(*parsed, session->m_profile);
     if (!link)
         return fail(link.error());

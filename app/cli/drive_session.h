@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/cli/environment.h"
+#include "app/cli/temporary_folder.h"
 #include "core/axis_compensator.h"
 
 #include <CLI/App.hpp>
@@ -54,6 +55,8 @@ public:
     [[nodiscard]] AxisCompensator& compensator() { return *m_compensator; }
     [[nodiscard]] DriveLink& link() { return *m_link; }
     [[nodiscard]] const DriveProfile& profile() const { return m_profile; }
+    /// The drive is inside this process and ends with it.
+    [[nodiscard]] bool isDemo() const { return m_demoState.has_value(); }
     /// Deadline, stop and progress of an operation.
     [[nodiscard]] OperationOptions operation() const;
     [[nodiscard]] Exchange exchange() const;
@@ -70,11 +73,13 @@ public:
     [[nodiscard]] Result<FlashUse> flashUse(std::int32_t serialNumber);
 
 private:
-    DriveSession(Environment& environment, DriveOptions options, DriveProfile profile);
+    DriveSession(Environment& environment, DriveOptions options, DriveProfile profile,
+        std::optional<TemporaryFolder> demoState);
 
     Environment& m_environment;
     DriveOptions m_options;
     DriveProfile m_profile;
+    std::optional<TemporaryFolder> m_demoState;
     DriveStore m_store;
     std::unique_ptr<DriveLink> m_link;
     std::unique_ptr<AxisCompensator> m_compensator;

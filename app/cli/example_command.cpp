@@ -48,6 +48,7 @@ void addExampleCommand(CommandLine& line)
         ->add_option(
             "-o,--output", options->output, "File to write; standard output without it, or with -")
         ->option_text("FILE");
+    command->footer("Example:\n  axiscomp example --dims 2 -o example.csv");
 }
 
 } // namespace axiscomp::app

@@ -10,7 +10,7 @@ namespace {
 std::string holds(const TableFormatInfo& info)
 {
     std::string text = info.severalTables ? "several tables" : "one table";
-    text += info.holdsNames ? ", names" : "";
+    text += info.holdsNames ? ", names of dimensions" : "";
     text += info.holdsUnits ? ", units" : "";
     text += info.holdsNotes ? ", notes" : "";
     text += info.holdsPersistency ? ", persistency" : "";

@@ -101,7 +101,6 @@ void addInspectCommand(CommandLine& line)
         "Check a file and report its grid, its tables and what is wrong with it",
         [options](Environment& environment) { return runInspect(environment, *options); });
     command->add_option("FILE", options->file, "Calibration file or table; - for standard input")
-        ->option_text(" ")
         ->required();
     addDimensionsOption(*command, *options);
     addFromOption(*command, *options);

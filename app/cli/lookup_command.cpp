@@ -230,13 +230,11 @@ void addLookupCommand(CommandLine& line)
     CLI::App* command = line.add("lookup", fileCommands,
         "Print the interpolated value at a position, as the drive computes it",
         [options](Environment& environment) { return runLookup(environment, *options); });
-    command->add_option("FILE", options->input.file, "Calibration file or table")
-        ->option_text(" ")
-        ->required();
+    command->add_option("FILE", options->input.file, "Calibration file or table")->required();
     command
         ->add_option(
             "POSITION", options->position, "X [Y [Z]], one number per dimension; may be negative")
-        ->option_text(" ")
+        ->option_text("[X [Y [Z]]]")
         ->expected(0, 3);
     addDimensionsOption(*command, options->input);
     addTableOption(*command, options->input);
@@ -253,6 +251,9 @@ void addLookupCommand(CommandLine& line)
             std::vector<std::string>{"hold", "zero", "wrap", "extrapolate", "error"}));
     addFromOption(*command, options->input);
     addProfileOption(*command, options->input.profile);
+    command->footer("Examples:\n"
+                    "  axiscomp lookup x.csv -12.5 --dims 1\n"
+                    "  axiscomp lookup plane.TAMtbl --points positions.txt --outside error");
 }
 
 } // namespace axiscomp::app

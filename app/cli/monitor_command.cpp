@@ -164,6 +164,8 @@ void addMonitorCommand(CommandLine& line)
     command->add_option("--count", options->count, "Number of lines; without end unless given")
         ->option_text("N")
         ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000'000}));
+    command->footer(
+        "Example:\n  axiscomp monitor --drive http://192.168.1.20 --axis X --rate 50 > x.csv");
 }
 
 } // namespace axiscomp::app

@@ -99,9 +99,7 @@ void addTransferCommands(CommandLine& line)
     CLI::App* upload = line.add("upload", driveCommands,
         "Send a file to a drive as it is, and verify it (for drive programs that use tables)",
         [sending](Environment& environment) { return runUpload(environment, *sending); });
-    upload->add_option("FILE", sending->file, "File on this computer")
-        ->option_text(" ")
-        ->required();
+    upload->add_option("FILE", sending->file, "File on this computer")->required();
     upload->add_option("--to", sending->path, "Path in the drive, such as tables/small1.TAMtbl")
         ->option_text("PATH (required)")
         ->required();
@@ -112,7 +110,6 @@ void addTransferCommands(CommandLine& line)
     CLI::App* download = line.add("download", driveCommands, "Get a file from a drive as it is",
         [fetching](Environment& environment) { return runDownload(environment, *fetching); });
     download->add_option("PATH", fetching->path, "Path in the drive, such as tables/small1.TAMtbl")
-        ->option_text(" ")
         ->required();
     download
         ->add_option(

@@ -144,8 +144,12 @@ void addWriteCommand(CommandLine& line)
             "Slot to use, small1 to small8, large1 or large2; chosen unless given")
         ->option_text("SLOT");
     command->add_flag("--dry-run", options->isDryRun, "Show what would be written, write nothing");
-    command->footer("Without --source1 the axis keeps its sources. The compensation stays off: "
-                    "`axiscomp activate` switches it on.");
+    command->footer(
+        "Without --source1 the axis keeps its sources. The compensation stays off:\n"
+        "`axiscomp activate` switches it on.\n\n"
+        "Example:\n"
+        "  axiscomp write --drive http://192.168.1.20 --axis X --data x.csv --dims 1 \\\n"
+        "      --source1 'Axes[0]/Signals/PathPlanner/Position' --persistent");
 }
 
 void addPersistencyCommands(CommandLine& line)

@@ -120,7 +120,7 @@ Result<ExitCode> runWrite(Environment& environment, DriveSession& session, int a
     if (!report && !nothingToDo)
         return fail(report.error());
     if (report) {
-        environment.print(reportText(*report, session.link().endpoint()));
+        environment.print(reportText(*report, session.link().endpoint(), session.isDemo()));
         json["report"] = toJson(*report);
     } else {
         environment.print("Nothing had to be written.\n");

@@ -112,14 +112,17 @@ std::string planText(
     return text + "\n" + labelled(lines, "  ");
 }
 
-std::string reportText(const WriteReport& report, const std::string& endpoint)
+std::string reportText(const WriteReport& report, const std::string& endpoint, bool isDemo)
 {
     const AxisStatus& now = report.now;
-    std::string next =
-        "axiscomp activate --drive " + endpoint + " --axis " + std::to_string(now.axis.index);
     std::string text = "\nWritten and verified: every byte of what was written was read back and "
                        "compared.\n";
-    text += labelled({{"Backup of the old state", report.backup.string()}, {"Next", next}});
+    if (isDemo)
+        return text + "This was the demo: its drive and its backup end with this program.\n";
+    text += labelled({{"Backup of the old state", report.backup.string()},
+        {"Next",
+            "axiscomp activate --drive " + endpoint + " --axis "
+                + std::to_string(now.axis.index)}});
     if (now.table && !now.table->persistent)
         text += "The table is volatile: a reboot of the drive removes it. `axiscomp persist` keeps "
                 "it.\n";

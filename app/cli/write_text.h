@@ -18,6 +18,7 @@ namespace axiscomp::app {
 [[nodiscard]] std::string signSentence(const CompensationTable& table, std::string_view unit);
 
 /// After a write: what was verified, where the old state is kept, what comes next.
-[[nodiscard]] std::string reportText(const WriteReport& report, const std::string& endpoint);
+[[nodiscard]] std::string reportText(
+    const WriteReport& report, const std::string& endpoint, bool isDemo);
 
 } // namespace axiscomp::app

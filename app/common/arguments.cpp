@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/common/arguments.h"
 
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -10,29 +11,78 @@ namespace axiscomp::app {
 
 namespace {
 
+constexpr std::size_t helpWidth = 100;
+constexpr std::size_t helpIndent = 2;
+constexpr std::size_t nameWidth = 24;
+
+/// Breaks text at blanks so that no line goes beyond the width; lines after the first are indented.
+std::string wrapped(std::string_view text, std::size_t indent)
+{
+    std::string result;
+    std::size_t column = indent;
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find(' '), text.size());
+        if (column > indent && column + 1 + end > helpWidth) {
+            result += "\n" + std::string(indent, ' ');
+            column = indent;
+        } else if (column > indent) {
+            result += ' ';
+            ++column;
+        }
+        result += text.substr(0, end);
+        column += end;
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    return result;
+}
+
+std::string helpLine(const std::string& name, const std::string& description)
+{
+    const std::size_t column = helpIndent + nameWidth;
+    std::string line = std::string(helpIndent, ' ') + name;
+    if (line.size() + 2 > column)
+        line += "\n" + std::string(column, ' ');
+    else
+        line.resize(column, ' ');
+    return line + wrapped(description, column) + "\n";
+}
+
 class HelpFormatter final : public CLI::Formatter {
 public:
     HelpFormatter()
     {
-        column_width(32);
         label("Positionals", "Arguments");
         label("OPTIONS", "options");
-        label("SUBCOMMAND", "command");
+        label("SUBCOMMAND", "COMMAND");
         label("Usage", "usage");
     }
 
     std::string make_description(const CLI::App* app) const override
     {
-        return app->get_description() + "\n\n";
+        return wrapped(app->get_description(), 0) + "\n\n";
     }
 
-    /// "-o,--output FILE" reads better as "-o, --output FILE".
-    std::string make_option_name(const CLI::Option* option, bool isPositional) const override
+    std::string make_option(const CLI::Option* option, bool isPositional) const override
     {
-        std::string name = CLI::Formatter::make_option_name(option, isPositional);
+        std::string name = make_option_name(option, isPositional);
+        // "-o,--output FILE" reads better as "-o, --output FILE".
         if (const auto comma = name.find(','); comma != std::string::npos)
             name.insert(comma + 1, " ");
-        return name;
+        if (!isPositional && !option->get_option_text().empty())
+            name += " " + option->get_option_text();
+        return helpLine(name, option->get_description());
+    }
+
+    /// The text of an argument is how it looks in the usage line, where that is not its name.
+    std::string make_option_usage(const CLI::Option* option) const override
+    {
+        return option->get_option_text().empty() ? option->get_name(true)
+                                                 : option->get_option_text();
+    }
+
+    std::string make_subcommand(const CLI::App* command) const override
+    {
+        return helpLine(command->get_name(), command->get_description());
     }
 };
 
@@ -47,9 +97,14 @@ std::string commandBeingRead(const CLI::App& app)
 
 std::string readableReason(const CLI::App& app, const CLI::ParseError& error)
 {
-    if (error.get_name() == "RequiredError" && commandBeingRead(app) == app.get_name())
-        return "the command is missing";
+    if (error.get_name() == "RequiredError" && commandBeingRead(app) == app.get_name()) {
+        const std::vector<std::string> rest = app.remaining();
+        return rest.empty() ? "the command is missing" : "there is no command " + rest.front();
+    }
     std::string text = error.what();
+    // "--dims: 7 not in {1,2,3}"
+    if (const auto place = text.find(" not in {"); place != std::string::npos)
+        text.replace(place, 8, " is not one of ");
     constexpr std::string_view theFollowing = "The following argument";
     if (text.starts_with(theFollowing))
         text.front() = 't';

@@ -80,12 +80,13 @@ std::string plural(std::uint64_t count, std::string_view one, std::string_view m
 
 std::optional<double> numberFromText(std::string_view text)
 {
+    const bool hasTwoSigns =
+        text.size() > 1 && text[0] == '+' && (text[1] == '+' || text[1] == '-');
     if (text.starts_with('+'))
         text.remove_prefix(1);
     double value = 0.0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     const bool isWhole = error == std::errc{} && end == text.data() + text.size();
-    const bool hasTwoSigns = text.starts_with('+') || text.empty();
     if (!isWhole || hasTwoSigns || !std::isfinite(value))
         return std::nullopt;
     return value;

@@ -149,7 +149,10 @@ Result<std::vector<RunningDrive>> startAll(
         RunningDrive drive;
         drive.name = options.name;
         options.clock = simulatedClock(arguments.speed);
-        drive.drive = std::make_unique<drivecomm::VirtualDrive>(profile, std::move(options));
+        auto created = drivecomm::VirtualDrive::create(profile, std::move(options));
+        if (!created)
+            return fail(created.error());
+        drive.drive = std::move(*created);
         drive.faults = std::make_unique<drivecomm::FaultPlan>(*faults);
         auto front = drivecomm::WebFront::start(*drive.drive, profile, *drive.faults, *web);
         if (!front)

@@ -1,0 +1,112 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Completion of axiscomp and axiscomp-virtualdrive for bash.
+
+# The options of each command. tests/app compares them with --help.
+_axiscomp_options()
+{
+    local drive="--drive --profile --timeout"
+    case $1 in
+        "") echo "--help --version" ;;
+        example) echo "--help --json --dims --tables --output" ;;
+        inspect) echo "--help --json --dims --from --profile" ;;
+        convert) echo "--help --json --dims --table --from --to --persistent --volatile --name --profile" ;;
+        lookup) echo "--help --json --dims --table --points --outside --from --profile" ;;
+        formats) echo "--help --json" ;;
+        axes | files) echo "--help --json $drive" ;;
+        status | persist | unpersist | evaluate | activate | deactivate) echo "--help --json $drive --axis" ;;
+        write) echo "--help --json $drive --axis --data --dims --table --from --source1 --source2 --source3 --persistent --volatile --slot --dry-run" ;;
+        read) echo "--help --json $drive --axis --output --to" ;;
+        upload) echo "--help --json $drive --to" ;;
+        download) echo "--help --json $drive --output" ;;
+        monitor) echo "--help --json $drive --axis --rate --count" ;;
+        backup) echo "--help --json $drive --output" ;;
+        restore) echo "--help --json $drive --force" ;;
+    esac
+}
+
+_axiscomp_commands="example inspect convert lookup formats axes status write persist unpersist evaluate activate deactivate read files upload download monitor backup restore"
+
+_axiscomp_slots="small1 small2 small3 small4 small5 small6 small7 small8 large1 large2"
+
+_axiscomp_paths()
+{
+    local slot
+    for slot in $_axiscomp_slots; do
+        echo "tables/$slot.TAMtbl"
+    done
+}
+
+_axiscomp()
+{
+    local cur prev words cword
+    _init_completion -n : || return
+
+    local command="" i
+    for ((i = 1; i < cword; i++)); do
+        if [[ " $_axiscomp_commands " == *" ${words[i]} "* ]]; then
+            command=${words[i]}
+            break
+        fi
+    done
+
+    case $prev in
+        --dims) COMPREPLY=($(compgen -W "1 2 3" -- "$cur")); return ;;
+        --from) COMPREPLY=($(compgen -W "csv tamtbl" -- "$cur")); return ;;
+        --to)
+            if [[ $command == upload ]]; then
+                COMPREPLY=($(compgen -W "$(_axiscomp_paths)" -- "$cur"))
+            else
+                COMPREPLY=($(compgen -W "csv tamtbl" -- "$cur"))
+            fi
+            return ;;
+        --outside) COMPREPLY=($(compgen -W "hold zero wrap extrapolate error" -- "$cur")); return ;;
+        --slot) COMPREPLY=($(compgen -W "$_axiscomp_slots" -- "$cur")); return ;;
+        --drive)
+            COMPREPLY=($(compgen -W "http:// https:// demo:" -- "$cur"))
+            [[ ${COMPREPLY-} == *// ]] && compopt -o nospace
+            __ltrim_colon_completions "$cur"
+            return ;;
+        --profile) _filedir json; return ;;
+        --data) _filedir '@(csv|CSV|TAMtbl)'; return ;;
+        -o | --output | --points) _filedir; return ;;
+        --axis | --table | --tables | --timeout | --name | --rate | --count | --source[123]) return ;;
+    esac
+
+    if [[ -z $command ]]; then
+        COMPREPLY=($(compgen -W "$_axiscomp_commands $(_axiscomp_options "")" -- "$cur"))
+    elif [[ $cur == -* ]]; then
+        COMPREPLY=($(compgen -W "$(_axiscomp_options "$command")" -- "$cur"))
+    elif [[ $command == download ]]; then
+        COMPREPLY=($(compgen -W "$(_axiscomp_paths)" -- "$cur"))
+    else
+        case $command in
+            inspect | convert | lookup | upload | restore) _filedir ;;
+        esac
+    fi
+}
+
+_axiscomp_virtualdrive_options="--help --version --http --serial --name --axes --config --state --fault --speed --unhomed --user --password-file --certificate --key --profile"
+
+_axiscomp_virtualdrive()
+{
+    local cur prev words cword
+    _init_completion -n := || return
+
+    case $prev in
+        --http) COMPREPLY=($(compgen -W "127.0.0.1:0 127.0.0.1:8080" -- "$cur")); __ltrim_colon_completions "$cur"; return ;;
+        --config) _filedir TAMcfg; return ;;
+        --state) _filedir -d; return ;;
+        --certificate | --key) _filedir pem; return ;;
+        --password-file) _filedir; return ;;
+        --profile) _filedir json; return ;;
+        --fault)
+            COMPREPLY=($(compgen -W "drop-after= no-reply= garble= stores-wrong= slow= reboot-after= reject=" -- "$cur"))
+            compopt -o nospace
+            return ;;
+        --serial | --name | --axes | --speed | --user) return ;;
+    esac
+    COMPREPLY=($(compgen -W "$_axiscomp_virtualdrive_options" -- "$cur"))
+}
+
+complete -F _axiscomp axiscomp
+complete -F _axiscomp_virtualdrive axiscomp-virtualdrive
