@@ -4,6 +4,11 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <cstdint>
+
+#ifdef __SSE2__
+#include <emmintrin.h>
+#endif
 
 namespace axiscomp {
 
@@ -11,18 +16,28 @@ namespace {
 
 constexpr double notANumber = std::numeric_limits<double>::quiet_NaN();
 
-/// value, held between low and high; NaN stays NaN. The order of the comparisons lets the compiler
-/// use one minimum and one maximum instruction.
-double held(double low, double value, double high)
+/// Two neighbouring values of dimension 1, in one register where the processor has such.
+using Pair = double __attribute__((vector_size(16)));
+
+Pair pairAt(const float* values)
 {
-    const double above = low > value ? low : value;
-    return high < above ? high : above;
+#ifdef __SSE2__
+    // one instruction; from the code below compilers make four
+    return _mm_cvtps_pd(_mm_castsi128_ps(_mm_loadu_si64(values)));
+#else
+    return Pair{static_cast<double>(values[0]), static_cast<double>(values[1])};
+#endif
 }
 
-/// Exactly from at fraction 0, and exactly constant between equal values.
-double mixed(double from, double to, double fraction)
+/// Exactly `from` at fraction 0, and exactly constant between equal values.
+template <typename Number> Number mixed(Number from, Number to, double fraction)
 {
     return from + fraction * (to - from);
+}
+
+double mixed(Pair ends, double fraction)
+{
+    return mixed(ends[0], ends[1], fraction);
 }
 
 } // namespace
@@ -40,45 +55,46 @@ Lookup::Lookup(const CompensationTable& table, Outside outside)
         assert(axis.size >= 2 && axis.distance > 0.0);
         // the reciprocal of a denormal distance would be infinite and turn 0 into NaN
         const double perUnit = std::min(1.0 / axis.distance, std::numeric_limits<double>::max());
+        const double largest = std::max(std::abs(axis.start), std::abs(axis.last()));
+        const double roundingError = std::min(
+            0.25, 4.0 * std::numeric_limits<double>::epsilon() * (largest * perUnit + axis.size));
         m_axes[i] = {axis.start, axis.last(), axis.distance, perUnit,
-            static_cast<double>(axis.size - 1), stride};
+            axis.start - roundingError * axis.distance, static_cast<double>(axis.size - 1),
+            axis.size - 1, stride};
         stride *= axis.size;
     }
 }
 
-/// The grid point next to a position between start and last, 0 .. size - 1 whatever the position
-/// is.
-inline double Lookup::nearestIndex(const Axis& axis, double position)
+/// The fraction is measured from the position of the point as GridAxis computes it, so that it is
+/// exactly 0 at every grid point; a position that is below one by no more than rounding belongs to
+/// it. The order of the comparisons lets the compiler use minimum and maximum instructions, and
+/// lets NaN pass to the fraction but not to the point.
+inline Lookup::Place Lookup::heldPlace(const Axis& axis, double position)
 {
-    const double index = (position - axis.start) * axis.perUnit + 0.5;
-    const double limited = index < axis.lastIndex ? index : axis.lastIndex; // NaN: lastIndex
-    return static_cast<double>(static_cast<std::int64_t>(limited));
+    const double above = axis.start > position ? axis.start : position;
+    const double within = axis.last < above ? axis.last : above;
+    const double index = (within - axis.cellStart) * axis.perUnit;
+    const auto point = static_cast<std::int64_t>(index < axis.lastIndex ? index : axis.lastIndex);
+    const double pointPosition = axis.start + static_cast<double>(point) * axis.distance;
+    return {static_cast<std::size_t>(point), (within - pointPosition) * axis.perUnit};
 }
 
-/// The way is measured from the nearest grid point, whose position is computed as GridAxis does: at
-/// a grid point it is exactly 0 and the value exactly the table's.
-inline Lookup::Cell Lookup::heldCell(const Axis& axis, double position)
+Lookup::Cell Lookup::heldCell(const Axis& axis, double position)
 {
-    const double within = held(axis.start, position, axis.last);
-    const double nearest = nearestIndex(axis, within);
-    const double way = (within - (axis.start + nearest * axis.distance)) * axis.perUnit;
-    const auto isBefore = static_cast<std::int64_t>(way < 0.0);
-    const std::int64_t lower = static_cast<std::int64_t>(nearest) - isBefore;
-    const std::int64_t step = nearest < axis.lastIndex ? 1 : isBefore;
-    const std::size_t offset = static_cast<std::size_t>(lower) * axis.stride;
-    return {offset, offset + static_cast<std::size_t>(step) * axis.stride,
-        way + static_cast<double>(isBefore)};
+    const Place place = heldPlace(axis, position);
+    return {
+        place.point * axis.stride, place.point == axis.lastPoint ? 0 : axis.stride, place.fraction};
 }
 
 /// The first or the last cell goes on: the fraction is below 0 or above 1 outside.
-inline Lookup::Cell Lookup::endCell(const Axis& axis, double position)
+Lookup::Cell Lookup::extrapolatedCell(const Axis& axis, double position)
 {
     if (axis.contains(position))
         return heldCell(axis, position);
     if (position < axis.start)
         return {0, axis.stride, (position - axis.start) * axis.perUnit};
-    const std::size_t last = static_cast<std::size_t>(axis.lastIndex) * axis.stride;
-    return {last - axis.stride, last, 1.0 + (position - axis.last) * axis.perUnit};
+    return {(axis.lastPoint - 1) * axis.stride, axis.stride,
+        1.0 + (position - axis.last) * axis.perUnit};
 }
 
 double Lookup::wrapped(const Axis& axis, double position)
@@ -90,41 +106,37 @@ double Lookup::wrapped(const Axis& axis, double position)
     return axis.start + (way < 0.0 ? way + period : way);
 }
 
-inline double Lookup::blend(const Cell& x) const
+double Lookup::blended(const std::array<Cell, 3>& cells) const
 {
-    const double from = static_cast<double>(m_values[x.lower]);
-    return mixed(from, static_cast<double>(m_values[x.upper]), x.fraction);
-}
-
-inline double Lookup::blend(const Cell& x, const Cell& y) const
-{
-    const auto row = [&](std::size_t offset) {
-        const float* const values = m_values + offset;
+    const auto& [x, y, z] = cells;
+    const auto row = [&x = x](const float* values) {
         return mixed(
-            static_cast<double>(values[x.lower]), static_cast<double>(values[x.upper]), x.fraction);
+            static_cast<double>(values[0]), static_cast<double>(values[x.step]), x.fraction);
     };
-    return mixed(row(y.lower), row(y.upper), y.fraction);
+    const auto plane = [&row, &y = y](const float* values) {
+        return mixed(row(values), row(values + y.step), y.fraction);
+    };
+    const float* const corner = m_values + x.offset + y.offset + z.offset;
+    return mixed(plane(corner), plane(corner + z.step), z.fraction);
 }
 
-inline double Lookup::blend(const Cell& x, const Cell& y, const Cell& z) const
+double Lookup::heldAt(double x, double y, double z) const
 {
-    const auto plane = [&](std::size_t offset) {
-        const auto row = [&](std::size_t rowOffset) {
-            const float* const values = m_values + offset + rowOffset;
-            return mixed(static_cast<double>(values[x.lower]), static_cast<double>(values[x.upper]),
-                x.fraction);
-        };
-        return mixed(row(y.lower), row(y.upper), y.fraction);
-    };
-    return mixed(plane(z.lower), plane(z.upper), z.fraction);
+    return blended({heldCell(m_axes[0], x), heldCell(m_axes[1], y), heldCell(m_axes[2], z)});
 }
+
+// In the three functions that follow, the last grid point of a dimension is left to heldAt: the
+// pair of values that begins with it is none.
 
 double Lookup::at(double x) const
 {
     assert(m_dimensions == 1);
     if (m_outside != Outside::Hold && !m_axes[0].contains(x)) [[unlikely]]
-        return atOutside({x, 0.0, 0.0});
-    return blend(heldCell(m_axes[0], x));
+        return atOutside(x, 0.0, 0.0);
+    const Place placeX = heldPlace(m_axes[0], x);
+    if (placeX.point == m_axes[0].lastPoint) [[unlikely]]
+        return heldAt(x, 0.0, 0.0);
+    return mixed(pairAt(m_values + placeX.point), placeX.fraction);
 }
 
 double Lookup::at(double x, double y) const
@@ -132,8 +144,14 @@ double Lookup::at(double x, double y) const
     assert(m_dimensions == 2);
     if (m_outside != Outside::Hold && !(m_axes[0].contains(x) && m_axes[1].contains(y)))
         [[unlikely]]
-        return atOutside({x, y, 0.0});
-    return blend(heldCell(m_axes[0], x), heldCell(m_axes[1], y));
+        return atOutside(x, y, 0.0);
+    const Place placeX = heldPlace(m_axes[0], x);
+    const Place placeY = heldPlace(m_axes[1], y);
+    if (placeX.point == m_axes[0].lastPoint || placeY.point == m_axes[1].lastPoint) [[unlikely]]
+        return heldAt(x, y, 0.0);
+    const std::size_t stepY = m_axes[1].stride;
+    const float* const corner = m_values + placeX.point + placeY.point * stepY;
+    return mixed(mixed(pairAt(corner), pairAt(corner + stepY), placeY.fraction), placeX.fraction);
 }
 
 double Lookup::at(double x, double y, double z) const
@@ -141,8 +159,21 @@ double Lookup::at(double x, double y, double z) const
     assert(m_dimensions == 3);
     if (m_outside != Outside::Hold
         && !(m_axes[0].contains(x) && m_axes[1].contains(y) && m_axes[2].contains(z))) [[unlikely]]
-        return atOutside({x, y, z});
-    return blend(heldCell(m_axes[0], x), heldCell(m_axes[1], y), heldCell(m_axes[2], z));
+        return atOutside(x, y, z);
+    const Place placeX = heldPlace(m_axes[0], x);
+    const Place placeY = heldPlace(m_axes[1], y);
+    const Place placeZ = heldPlace(m_axes[2], z);
+    if (placeX.point == m_axes[0].lastPoint || placeY.point == m_axes[1].lastPoint
+        || placeZ.point == m_axes[2].lastPoint) [[unlikely]]
+        return heldAt(x, y, z);
+    const std::size_t stepY = m_axes[1].stride;
+    const std::size_t stepZ = m_axes[2].stride;
+    const float* const corner =
+        m_values + placeX.point + placeY.point * stepY + placeZ.point * stepZ;
+    const auto row = [&](const float* values) {
+        return mixed(pairAt(values), pairAt(values + stepZ), placeZ.fraction);
+    };
+    return mixed(mixed(row(corner), row(corner + stepY), placeY.fraction), placeX.fraction);
 }
 
 double Lookup::at(std::span<const double> positions) const
@@ -160,29 +191,17 @@ double Lookup::at(std::span<const double> positions) const
     }
 }
 
-double Lookup::atOutside(std::array<double, 3> positions) const
+/// At least one position is outside or no number, and m_outside is not Hold.
+double Lookup::atOutside(double x, double y, double z) const
 {
-    if (std::ranges::any_of(positions, [](double position) { return std::isnan(position); }))
+    if (m_outside == Outside::Error || std::isnan(x) || std::isnan(y) || std::isnan(z))
         return notANumber;
-    std::array<Cell, 3> cells;
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-        switch (m_outside) {
-        case Outside::Zero:
-            return 0.0;
-        case Outside::Error:
-            return notANumber;
-        case Outside::Hold:
-            cells[i] = heldCell(m_axes[i], positions[i]);
-            break;
-        case Outside::Wrap:
-            cells[i] = heldCell(m_axes[i], wrapped(m_axes[i], positions[i]));
-            break;
-        case Outside::Extrapolate:
-            cells[i] = endCell(m_axes[i], positions[i]);
-            break;
-        }
-    }
-    return blend(cells[0], cells[1], cells[2]);
+    if (m_outside == Outside::Zero)
+        return 0.0;
+    if (m_outside == Outside::Extrapolate)
+        return blended({extrapolatedCell(m_axes[0], x), extrapolatedCell(m_axes[1], y),
+            extrapolatedCell(m_axes[2], z)});
+    return heldAt(wrapped(m_axes[0], x), wrapped(m_axes[1], y), wrapped(m_axes[2], z));
 }
 
 double Lookup::index(int dimension, double position) const
@@ -200,9 +219,8 @@ double Lookup::index(int dimension, double position) const
         else
             return axis.lastIndex + (position - axis.last) * axis.perUnit;
     }
-    const double within = held(axis.start, position, axis.last);
-    const double nearest = nearestIndex(axis, within);
-    return nearest + (within - (axis.start + nearest * axis.distance)) * axis.perUnit;
+    const Place place = heldPlace(axis, position);
+    return static_cast<double>(place.point) + place.fraction;
 }
 
 } // namespace axiscomp

@@ -49,7 +49,9 @@ private:
         double last = 0.0;
         double distance = 0.0;
         double perUnit = 0.0; ///< 1 / distance
+        double cellStart = 0.0; ///< start, lower by more than the rounding error of a position
         double lastIndex = 0.0; ///< size - 1
+        std::size_t lastPoint = 0; ///< the same
         std::size_t stride = 0;
 
         [[nodiscard]] bool contains(double position) const
@@ -57,20 +59,24 @@ private:
             return position >= start && position <= last;
         }
     };
-    /// Two neighbouring grid points, as offsets into the values, and the way between them.
-    struct Cell {
-        std::size_t lower = 0;
-        std::size_t upper = 0;
+    /// A grid point, and the way from there to the next one as a fraction of the distance.
+    struct Place {
+        std::size_t point = 0;
         double fraction = 0.0;
     };
-    [[nodiscard]] static double nearestIndex(const Axis& axis, double position);
+    /// The same, as offsets into the values.
+    struct Cell {
+        std::size_t offset = 0;
+        std::size_t step = 0; ///< to the next point; 0 behind the last one
+        double fraction = 0.0;
+    };
+    [[nodiscard]] static Place heldPlace(const Axis& axis, double position);
     [[nodiscard]] static Cell heldCell(const Axis& axis, double position);
-    [[nodiscard]] static Cell endCell(const Axis& axis, double position);
+    [[nodiscard]] static Cell extrapolatedCell(const Axis& axis, double position);
     [[nodiscard]] static double wrapped(const Axis& axis, double position);
-    [[nodiscard]] double blend(const Cell& x) const;
-    [[nodiscard]] double blend(const Cell& x, const Cell& y) const;
-    [[nodiscard]] double blend(const Cell& x, const Cell& y, const Cell& z) const;
-    [[nodiscard]] double atOutside(std::array<double, 3> positions) const;
+    [[nodiscard]] double blended(const std::array<Cell, 3>& cells) const;
+    [[nodiscard]] double heldAt(double x, double y, double z) const;
+    [[nodiscard]] double atOutside(double x, double y, double z) const;
 
     std::array<Axis, 3> m_axes;
     const float* m_values = nullptr;
