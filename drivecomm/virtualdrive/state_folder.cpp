@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <functional>
 #include <limits>
 #include <nlohmann/json.hpp>
 
@@ -151,6 +152,17 @@ SavedDrive parseDrive(
     return drive;
 }
 
+/// Whatever cannot be removed does no harm.
+void removeFiles(const std::filesystem::path& folder,
+    const std::function<bool(const std::filesystem::path&)>& unused)
+{
+    std::error_code ignored;
+    std::filesystem::directory_iterator file(folder, ignored);
+    for (; file != std::filesystem::directory_iterator{}; file.increment(ignored))
+        if (unused(file->path()))
+            std::filesystem::remove(file->path(), ignored);
+}
+
 } // namespace
 
 StateFolder::StateFolder(std::filesystem::path folder, FileLock lock)
@@ -242,17 +254,15 @@ Result<void> StateFolder::save(const SavedDrive& drive)
     return {};
 }
 
-/// Tables of former states, or of a save that did not come to its end. Whatever cannot be removed
-/// does no harm.
+/// Tables of former states, and what a save left behind that did not come to its end.
 void StateFolder::removeUnused() const
 {
-    std::error_code ignored;
-    std::filesystem::directory_iterator file(m_folder / flashFolder, ignored);
-    for (; file != std::filesystem::directory_iterator{}; file.increment(ignored)) {
-        const std::string name = file->path().filename().string();
-        if (name.ends_with(tableEnding) && !m_tableFiles.contains(name))
-            std::filesystem::remove(file->path(), ignored);
-    }
+    removeFiles(m_folder, isTemporaryFile);
+    removeFiles(m_folder / flashFolder, [&](const std::filesystem::path& file) {
+        const std::string name = file.filename().string();
+        return isTemporaryFile(file)
+            || (name.ends_with(tableEnding) && !m_tableFiles.contains(name));
+    });
 }
 
 } // namespace axiscomp::drivecomm

@@ -21,7 +21,7 @@ namespace axiscomp::drivecomm {
 namespace {
 
 constexpr std::uint64_t maximumBytes = std::uint64_t{64} << 20;
-constexpr std::size_t maximumRegisters = 200'000; ///< real drives have some 3000
+constexpr std::size_t maximumRegisters = 100'000; ///< a drive has some 3000
 constexpr std::size_t longestValue = 64;
 constexpr int maximumAxes = 64;
 constexpr std::int32_t firstSerialNumber = 100001; ///< for stations that have none

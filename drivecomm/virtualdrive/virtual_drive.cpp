@@ -4,6 +4,7 @@
 #include "drivecomm/virtualdrive/virtual_drive_p.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace axiscomp::drivecomm {
 
@@ -42,6 +43,7 @@ VirtualDrive::VirtualDrive(std::unique_ptr<Private> made) : d(std::move(made)) {
 VirtualDrive::VirtualDrive(const DriveProfile& profile, VirtualDriveOptions options)
     : d(std::make_unique<Private>(profile, std::move(options)))
 {
+    assert(d->options.stateFolder.empty());
     (void)d->applyParameters();
 }
 

@@ -4,6 +4,8 @@
 
 #include <QTemporaryDir>
 
+#include <array>
+
 using namespace axiscomp;
 using namespace axiscomp::test;
 using drivecomm::VirtualDrive;
@@ -323,8 +325,17 @@ void TestDriveFlash::leavesNoOldTables()
     QCOMPARE(files(), 2);
     // what a save left behind that was cut off before drive.json named it
     VERIFY_RESULT(saveFile(path(folder) / "flash" / "Small2-2.TAMtbl", asBytes("half")));
+    bench.drive.reset();
+    const std::array unfinished{
+        path(folder) / ".axiscomp-1-0.tmp", path(folder) / "flash" / ".axiscomp-1-1.tmp"};
+    for (const std::filesystem::path& file : unfinished) {
+        QVERIFY(isTemporaryFile(file));
+        VERIFY_RESULT(saveFile(file, asBytes("half")));
+    }
     bench.start();
     QCOMPARE(files(), 2);
+    for (const std::filesystem::path& file : unfinished)
+        QVERIFY(!std::filesystem::exists(file));
     VERIFY_RESULT(bench.upload("Small2", evenTable(3, 0.1F, 4), true));
     bench.start();
     QVERIFY(bench.file("Small2") == bench.encoded(evenTable(3, 0.1F, 4), true));

@@ -619,7 +619,7 @@ void TestVirtualDrive::manyThreadsSeeOneInstant()
 {
     std::atomic<std::int64_t> ticks = 0;
     drivecomm::VirtualDriveOptions options;
-    options.clock = [&ticks] { return std::chrono::microseconds(37 * ++ticks); };
+    options.clock = [&ticks] { return std::chrono::microseconds(211 * ++ticks); };
     const DriveProfile& profile = drivecomm::genericProfile();
     drivecomm::VirtualDrive drive(profile, options);
     const auto encode = [&](float value) {
@@ -661,7 +661,7 @@ void TestVirtualDrive::manyThreadsSeeOneInstant()
     const std::uint32_t source = drive.readRegisters({masterOf0})->front().address;
     int switches = 0;
     int refusals = 0;
-    while (switches < 300 || (reads < 1000 && wrong == 0)) {
+    while (switches < 60 || (reads < 500 && wrong == 0)) {
         const float value = switches % 2 == 0 ? 1.0F : 2.0F;
         const auto written =
             drive.writeRegisters({{tableOf0, "Small" + toText(value)}, {sourceOf0(1), source},
