@@ -89,6 +89,11 @@ Result<std::filesystem::path> DriveStore::saveBackup(const AxisBackup& backup)
     return file;
 }
 
+std::vector<std::filesystem::path> DriveStore::backups(std::int32_t serialNumber, int axis) const
+{
+    return backupFiles(StoreFolder{m_root, serialNumber, m_lockWait}, axis);
+}
+
 Result<void> DriveStore::openJournal(const JournalEntry& entry)
 {
     const StoreFolder folder{m_root, entry.serialNumber, m_lockWait};

@@ -50,6 +50,9 @@ public:
     /// One dated file per call, parsed back before it counts. The newest 50 of the axis are kept,
     /// and always this one and the one that the axis's journal names.
     [[nodiscard]] Result<std::filesystem::path> saveBackup(const AxisBackup& backup);
+    /// The files that saveBackup left for the axis, newest first; empty when there are none.
+    [[nodiscard]] std::vector<std::filesystem::path> backups(
+        std::int32_t serialNumber, int axis) const;
 
     /// Replaces the axis's entry.
     [[nodiscard]] Result<void> openJournal(const JournalEntry& entry);

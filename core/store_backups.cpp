@@ -73,6 +73,20 @@ std::filesystem::path newBackupFile(const StoreFolder& folder, WallTime time, in
     return file;
 }
 
+std::vector<std::filesystem::path> backupFiles(const StoreFolder& folder, int axis)
+{
+    std::vector<BackupFile> backups;
+    for (const std::filesystem::path& file : filesIn(folder.backups()))
+        if (auto backup = asBackupFile(file, axis))
+            backups.push_back(*std::move(backup));
+    std::ranges::sort(backups, std::greater<>{},
+        [](const BackupFile& file) { return std::pair(file.time, file.number); });
+    std::vector<std::filesystem::path> files;
+    for (BackupFile& backup : backups)
+        files.push_back(std::move(backup.path));
+    return files;
+}
+
 void pruneBackups(const StoreFolder& folder, int axis, const std::filesystem::path& justMade)
 {
     std::error_code ignored;
@@ -89,15 +103,11 @@ void pruneBackups(const StoreFolder& folder, int axis, const std::filesystem::pa
             return; // it may name any of them
         inJournal = entry->backup;
     }
-    std::vector<BackupFile> old;
-    for (const std::filesystem::path& file : filesIn(folder.backups()))
-        if (auto backup = asBackupFile(file, axis); backup && file != justMade)
-            old.push_back(*std::move(backup));
-    std::ranges::sort(old, std::greater<>{},
-        [](const BackupFile& file) { return std::pair(file.time, file.number); });
+    std::vector<std::filesystem::path> old = backupFiles(folder, axis);
+    std::erase(old, justMade);
     for (std::size_t i = keptBackups - 1; i < old.size(); ++i)
-        if (old[i].path != inJournal)
-            std::filesystem::remove(old[i].path, ignored);
+        if (old[i] != inJournal)
+            std::filesystem::remove(old[i], ignored);
 }
 
 } // namespace axiscomp
