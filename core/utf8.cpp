@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <cstring>
 
 namespace axiscomp {
 
@@ -43,6 +44,26 @@ std::string_view cutAtCharacter(std::string_view text, std::size_t maximumBytes)
     while (end > 0 && isContinuation(text[end]))
         --end;
     return text.substr(0, end);
+}
+
+std::size_t findInvalidUtf8(std::string_view text)
+{
+    constexpr std::uint64_t highBits = 0x8080808080808080U;
+    std::size_t i = 0;
+    while (i < text.size()) {
+        std::uint64_t word = highBits;
+        if (i + sizeof word <= text.size())
+            std::memcpy(&word, text.data() + i, sizeof word);
+        if ((word & highBits) == 0) {
+            i += sizeof word;
+            continue;
+        }
+        const std::size_t length = characterLength(text.substr(i));
+        if (length == 0)
+            return i;
+        i += length;
+    }
+    return std::string_view::npos;
 }
 
 std::string cleanText(std::string_view text)

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/grid.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace axiscomp {
+
+TableStatistics statistics(const CompensationTable& table)
+{
+    if (table.values.empty())
+        return {};
+    const auto [minimum, maximum] = std::ranges::minmax(table.values);
+    double squares = 0.0;
+    for (const float value : table.values)
+        squares += static_cast<double>(value) * static_cast<double>(value);
+    return {static_cast<double>(minimum), static_cast<double>(maximum),
+        std::sqrt(squares / static_cast<double>(table.values.size()))};
+}
+
+} // namespace axiscomp
