@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "drivecomm/http_client.h"
 
-#include "drivecomm/http_worker.h"
+#include "drivecomm/http_connection.h"
 
 #include <QThread>
 
@@ -29,11 +29,11 @@ struct HttpClient::Private {
 
     void startThread()
     {
-        if (worker)
+        if (connection)
             return;
-        worker = new HttpWorker(endpoint);
-        worker->moveToThread(&thread);
-        QObject::connect(&thread, &QThread::finished, worker, &QObject::deleteLater);
+        connection = new HttpConnection(endpoint);
+        connection->moveToThread(&thread);
+        QObject::connect(&thread, &QThread::finished, connection, &QObject::deleteLater);
         thread.setObjectName(QStringLiteral("drive http"));
         thread.start();
     }
@@ -43,7 +43,7 @@ struct HttpClient::Private {
 
     DriveEndpoint endpoint;
     QThread thread;
-    HttpWorker* worker = nullptr; ///< lives on thread, deleted when it ends
+    HttpConnection* connection = nullptr; ///< lives on thread, deleted when it ends
 };
 
 HttpClient::HttpClient(DriveEndpoint endpoint) : d(std::make_unique<Private>(std::move(endpoint)))
@@ -65,9 +65,9 @@ Result<HttpReply> HttpClient::Private::sendOnce(
     startThread();
     const auto pending = std::make_shared<PendingHttp>(request);
     const auto post = [this](auto action) {
-        QMetaObject::invokeMethod(worker, std::move(action), Qt::QueuedConnection);
+        QMetaObject::invokeMethod(connection, std::move(action), Qt::QueuedConnection);
     };
-    post([worker = worker, pending] { worker->start(pending); });
+    post([connection = connection, pending] { connection->start(pending); });
 
     std::unique_lock lock(pending->mutex);
     std::uint64_t reported = 0;
@@ -88,7 +88,7 @@ Result<HttpReply> HttpClient::Private::sendOnce(
     }
     if (!pending->outcome) {
         // The request's bytes are the caller's: nothing may touch them after this function.
-        post([worker = worker, pending] { worker->abort(pending); });
+        post([connection = connection, pending] { connection->abort(pending); });
         pending->changed.wait(lock, [&] { return pending->outcome.has_value(); });
         if (exchange.stop.stop_requested())
             return fail(ErrorCode::Cancelled);

@@ -3,6 +3,7 @@
 
 #include "core/drive_link.h"
 #include "drivecomm/drive_endpoint.h"
+#include "drivecomm/http_reply_parser.h"
 
 #include <chrono>
 #include <cstdint>
@@ -34,15 +35,6 @@ struct HttpRequest {
     std::size_t watchedPiece = 0; ///< the piece of the body whose bytes are the progress
     std::uint64_t replyLimit = std::uint64_t{1} << 20; ///< bytes of the reply's body
     bool reportsProgress = false;
-};
-
-struct HttpReply {
-    int status = 0;
-    std::string contentType; ///< lower case, without parameters
-    std::string location;
-    std::string retryAfter;
-    bool hasEnd = false; ///< the reply said itself where its body ends
-    std::string body;
 };
 
 /// HTTP/1.1 to one host, blocking, one request at a time. The network runs on a thread of its own:

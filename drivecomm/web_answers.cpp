@@ -56,7 +56,8 @@ Error plainError(const HttpReply& reply, const AskedFor& asked)
         case 503:
             return seconds.empty() ? ErrorCode::Protocol : ErrorCode::FlashWear;
         default:
-            return reply.status < 500 ? ErrorCode::DriveRejected : ErrorCode::Protocol;
+            return reply.status >= 400 && reply.status < 500 ? ErrorCode::DriveRejected
+                                                             : ErrorCode::Protocol;
         }
     }();
     Error error{code, {}, statusText(reply.status)};

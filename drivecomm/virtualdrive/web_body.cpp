@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "drivecomm/virtualdrive/web_body.h"
 
+#include "drivecomm/media_type.h"
+
 namespace axiscomp::drivecomm {
 
 namespace {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "drivecomm/virtualdrive/web_message.h"
 
+#include "drivecomm/media_type.h"
 #include "drivecomm/percent_encoding.h"
 
-#include <algorithm>
 #include <charconv>
 
 namespace axiscomp::drivecomm {
@@ -94,14 +94,6 @@ WebReply htmlReply(std::string page, int status)
 WebReply jsonReply(std::string json, int status)
 {
     return {status, "application/json", std::move(json), {}};
-}
-
-std::string mediaType(std::string_view contentType)
-{
-    std::string type(trimmed(contentType.substr(0, contentType.find(';'))));
-    std::ranges::transform(type, type.begin(),
-        [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-    return type;
 }
 
 Form preferredForm(std::string_view accept, Form otherwise)

@@ -54,9 +54,6 @@ struct WebReply {
 [[nodiscard]] WebReply htmlReply(std::string page, int status = 200);
 [[nodiscard]] WebReply jsonReply(std::string json, int status = 200);
 
-/// The media type in lower case, without parameters.
-[[nodiscard]] std::string mediaType(std::string_view contentType);
-
 /// What the client would rather have; otherwise when it likes both alike, or says nothing.
 enum class Form { Html, Json };
 [[nodiscard]] Form preferredForm(std::string_view accept, Form otherwise);

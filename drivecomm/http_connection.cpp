@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "drivecomm/http_connection.h"
+
+#include "drivecomm/json_text.h"
+
+#include <QHostAddress>
+#include <QNetworkProxy>
+
+#include <algorithm>
+#include <utility>
+
+namespace axiscomp::drivecomm {
+
+namespace {
+
+constexpr qint64 writeAhead = 64 * 1024;
+/// A server may be closing a connection that was idle for long, and a write that meets this could
+/// not be repeated.
+constexpr qint64 longestIdleForWriteMs = 1000;
+
+bool isLoopback(const std::string& host)
+{
+    return host == "localhost" || QHostAddress(QString::fromStdString(host)).isLoopback();
+}
+
+std::string_view verb(HttpRequest::Method method)
+{
+    switch (method) {
+    case HttpRequest::Method::Put:
+        return "PUT";
+    case HttpRequest::Method::Post:
+        return "POST";
+    case HttpRequest::Method::Get:
+        break;
+    }
+    return "GET";
+}
+
+std::uint64_t bodySize(const HttpRequest& request)
+{
+    std::uint64_t size = 0;
+    for (const ByteView& piece : request.body)
+        size += piece.size();
+    return size;
+}
+
+} // namespace
+
+HttpConnection::HttpConnection(DriveEndpoint endpoint)
+    : m_endpoint(std::move(endpoint))
+    , m_isSecure(m_endpoint.kind == DriveEndpoint::Kind::Https)
+{
+}
+
+std::string HttpConnection::head(const HttpRequest& request) const
+{
+    const bool isIPv6 = m_endpoint.host.find(':') != std::string::npos;
+    std::string text = std::string(verb(request.method)) + ' ' + request.target + " HTTP/1.1\r\n";
+    text += "Host: " + (isIPv6 ? '[' + m_endpoint.host + ']' : m_endpoint.host);
+    if (m_endpoint.port != (m_isSecure ? 443 : 80))
+        text += ':' + std::to_string(m_endpoint.port);
+    text += "\r\nUser-Agent: axiscomp\r\nAccept: " + request.accept + "\r\n";
+    if (!m_endpoint.user.empty() || !m_endpoint.password.empty()) {
+        const auto secret = QByteArray::fromStdString(m_endpoint.user + ':' + m_endpoint.password);
+        text += "Authorization: Basic " + secret.toBase64().toStdString() + "\r\n";
+    }
+    if (request.method != HttpRequest::Method::Get)
+        text += "Content-Type: " + request.contentType
+            + "\r\nContent-Length: " + std::to_string(bodySize(request)) + "\r\n";
+    return text + "\r\n";
+}
+
+void HttpConnection::start(const std::shared_ptr<PendingHttp>& pending)
+{
+    m_pending = pending;
+    m_parser.emplace(pending->request.replyLimit);
+    m_head = head(pending->request);
+    m_piece = 0;
+    m_offset = 0;
+    m_written = 0;
+    if (canBeUsedAgain(pending->request))
+        begin();
+    else
+        connectSocket();
+}
+
+bool HttpConnection::canBeUsedAgain(const HttpRequest& request) const
+{
+    const bool isOpen = m_socket && m_isReady
+        && m_socket->state() == QAbstractSocket::ConnectedState && m_socket->bytesAvailable() == 0;
+    return isOpen
+        && (request.method == HttpRequest::Method::Get
+            || !m_idle.hasExpired(longestIdleForWriteMs));
+}
+
+void HttpConnection::connectSocket()
+{
+    makeSocket();
+    const QString host = QString::fromStdString(m_endpoint.host);
+    if (m_isSecure)
+        m_socket->connectToHostEncrypted(host, m_endpoint.port);
+    else
+        m_socket->connectToHost(host, m_endpoint.port);
+}
+
+void HttpConnection::makeSocket()
+{
+    if (m_socket) {
+        m_socket->disconnect();
+        m_socket->abort();
+        m_socket.release()->deleteLater(); // it may be what called
+    }
+    m_isReady = false;
+    m_sslErrors.clear();
+    m_socket = std::make_unique<QSslSocket>();
+    if (isLoopback(m_endpoint.host))
+        m_socket->setProxy(QNetworkProxy::NoProxy);
+    QSslSocket* socket = m_socket.get();
+    if (m_isSecure)
+        connect(socket, &QSslSocket::encrypted, this, &HttpConnection::begin);
+    else
+        connect(socket, &QSslSocket::connected, this, &HttpConnection::begin);
+    connect(socket, &QSslSocket::bytesWritten, this, &HttpConnection::write);
+    connect(socket, &QSslSocket::readyRead, this, &HttpConnection::read);
+    connect(socket, &QSslSocket::errorOccurred, this, &HttpConnection::connectionFailed);
+    connect(socket, &QSslSocket::sslErrors, this,
+        [this](const QList<QSslError>& errors) { m_sslErrors = errors; });
+}
+
+void HttpConnection::begin()
+{
+    if (!m_isReady)
+        m_socket->setSocketOption(QAbstractSocket::LowDelayOption, 1);
+    m_isReady = true;
+    write();
+}
+
+void HttpConnection::write()
+{
+    if (!m_pending || !m_isReady)
+        return;
+    const HttpRequest& request = m_pending->request;
+    while (m_socket->bytesToWrite() < writeAhead && m_piece <= request.body.size()) {
+        const ByteView piece = m_piece == 0 ? asBytes(m_head) : request.body[m_piece - 1];
+        const ByteView rest = piece.subspan(m_offset);
+        const qint64 count = m_socket->write(reinterpret_cast<const char*>(rest.data()),
+            std::min<qint64>(writeAhead, static_cast<qint64>(rest.size())));
+        if (count < 0)
+            return; // errorOccurred tells why
+        m_offset += static_cast<std::size_t>(count);
+        m_written += static_cast<std::uint64_t>(count);
+        if (m_offset == piece.size()) {
+            ++m_piece;
+            m_offset = 0;
+        }
+    }
+    if (request.body.empty())
+        return;
+    std::uint64_t before = m_head.size();
+    for (std::size_t i = 0; i < request.watchedPiece; ++i)
+        before += request.body[i].size();
+    const std::uint64_t sent = m_written - static_cast<std::uint64_t>(m_socket->bytesToWrite());
+    const std::uint64_t total = request.body[request.watchedPiece].size();
+    if (sent > before)
+        notify(std::min(sent - before, total), total);
+}
+
+void HttpConnection::read()
+{
+    if (!m_pending) { // nobody asked: what came would be taken for the next reply
+        m_socket->abort();
+        return;
+    }
+    while (
+        m_socket->bytesAvailable() > 0 && m_parser->state() == HttpReplyParser::State::Incomplete) {
+        const QByteArray bytes = m_socket->read(writeAhead);
+        m_parser->feed({bytes.constData(), static_cast<std::size_t>(bytes.size())});
+    }
+    if (m_pending->request.method == HttpRequest::Method::Get && m_parser->announced())
+        notify(m_parser->received(), *m_parser->announced());
+    if (m_parser->state() == HttpReplyParser::State::Complete)
+        return finish(m_parser->take());
+    if (m_parser->state() == HttpReplyParser::State::Failed) {
+        Error error{ErrorCode::Protocol,
+            {{"endpoint", displayText(m_endpoint)}, {"expected", m_parser->expected()},
+                {"quote", quoteOf(m_parser->found())}},
+            {}};
+        finish(fail(std::move(error)));
+    }
+}
+
+void HttpConnection::connectionFailed(QAbstractSocket::SocketError error)
+{
+    if (!m_pending)
+        return;
+    read(); // what came before the end may be all that was due
+    if (!m_pending)
+        return;
+    if (error == QAbstractSocket::RemoteHostClosedError)
+        m_parser->end();
+    if (m_parser->state() == HttpReplyParser::State::Complete)
+        return finish(m_parser->take());
+    finish(failure(error));
+}
+
+void HttpConnection::abort(const std::shared_ptr<PendingHttp>& pending)
+{
+    if (m_pending == pending)
+        finish(fail(ErrorCode::Cancelled));
+}
+
+void HttpConnection::finish(Result<HttpReply> outcome)
+{
+    const bool wasSent = m_piece > m_pending->request.body.size() && m_socket->bytesToWrite() == 0;
+    const bool isUsable = outcome && wasSent && m_parser->keepsConnection();
+    const auto pending = std::exchange(m_pending, nullptr);
+    if (!isUsable) {
+        m_isReady = false;
+        m_socket->abort();
+    }
+    m_idle.start();
+    const std::scoped_lock lock(pending->mutex);
+    pending->outcome = std::move(outcome);
+    pending->changed.notify_all();
+}
+
+void HttpConnection::notify(std::uint64_t progress, std::uint64_t total)
+{
+    const std::scoped_lock lock(m_pending->mutex);
+    if (progress <= m_pending->progress)
+        return;
+    m_pending->progress = progress;
+    m_pending->total = total;
+    m_pending->changed.notify_all();
+}
+
+tl::unexpected<Error> HttpConnection::failed(ErrorCode code, std::string reason) const
+{
+    return fail(code, {{"endpoint", displayText(m_endpoint)}, {"reason", std::move(reason)}},
+        m_socket->errorString().toStdString());
+}
+
+Result<HttpReply> HttpConnection::failure(QAbstractSocket::SocketError error) const
+{
+    if (m_isReady) {
+        const bool wasClosed = error == QAbstractSocket::RemoteHostClosedError;
+        return failed(ErrorCode::ConnectionLost,
+            wasClosed ? "it was closed before the reply was complete"
+                      : m_socket->errorString().toStdString());
+    }
+    if (!m_sslErrors.isEmpty()) {
+        QStringList reasons;
+        for (const QSslError& each : m_sslErrors)
+            reasons += each.errorString();
+        reasons.removeDuplicates();
+        return failed(
+            ErrorCode::CertificateRejected, reasons.join(QStringLiteral("; ")).toStdString());
+    }
+    switch (error) {
+    case QAbstractSocket::ConnectionRefusedError:
+        return failed(ErrorCode::NotConnected,
+            "nothing listens there; is the drive switched on, and is the address right?");
+    case QAbstractSocket::HostNotFoundError:
+        return failed(
+            ErrorCode::NotConnected, "the network does not know the name " + m_endpoint.host);
+    case QAbstractSocket::SslHandshakeFailedError:
+    case QAbstractSocket::RemoteHostClosedError:
+        if (m_isSecure)
+            return failed(
+                ErrorCode::NotConnected, "there is no https; try http://, or another port");
+        [[fallthrough]];
+    default:
+        return failed(ErrorCode::NotConnected, m_socket->errorString().toStdString());
+    }
+}
+
+} // namespace axiscomp::drivecomm
