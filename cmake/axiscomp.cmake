@@ -1,4 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+
+# What packaging/ makes Debian packages of: "programs" and "development".
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME programs)
+
 add_library(axiscomp_options INTERFACE)
 target_compile_options(axiscomp_options INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wnon-virtual-dtor -Woverloaded-virtual

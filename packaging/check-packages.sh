@@ -1,0 +1,63 @@
+#!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Builds the Debian packages in build/packages and checks them: lintian, what is in them, what they
+# depend on, and that the packed programs run.
+set -euo pipefail
+cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.."
+
+fail() {
+    echo "$*" >&2
+    exit 1
+}
+
+launcher=()
+if command -v ccache >/dev/null; then
+    launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
+fi
+build=build/run # of ./run: the same programs
+mkdir -p "$build"
+cmake --preset release -B "$build" -DBUILD_TESTING=OFF -DAXISCOMP_BENCH=OFF "${launcher[@]}" \
+    >"$build/configure.log" 2>&1 || {
+    cat "$build/configure.log" >&2
+    exit 1
+}
+cmake --build "$build" -- --quiet
+
+output=$PWD/build/packages
+rm -rf "$output"
+cpack --config "$build/CPackConfig.cmake" -G DEB -B "$output" >"$build/cpack.log" 2>&1 || {
+    cat "$build/cpack.log" >&2
+    exit 1
+}
+shopt -s nullglob
+programs=("$output"/axis-compensation-wizard_*.deb)
+development=("$output"/axis-compensation-wizard-dev_*.deb)
+if [ ${#programs[@]} -ne 1 ] || [ ${#development[@]} -ne 1 ]; then
+    fail "two packages are expected in $output: $(ls "$output")"
+fi
+
+lintian --fail-on error --no-tag-display-limit --allow-root "${programs[@]}" "${development[@]}"
+
+depends=$(dpkg-deb --field "${programs[0]}" Depends)
+for library in libc6 libstdc++6 libqt6core6 libcpp-httplib0.11; do
+    [[ $depends == *"$library"* ]] || fail "the programs do not depend on $library, but on: $depends"
+done
+
+files=$(dpkg-deb --contents "${programs[0]}" | awk '{print $6}')
+for file in bin/axiscomp bin/axiscomp-virtualdrive share/man/man1/axiscomp.1.gz \
+    share/man/man1/axiscomp-virtualdrive.1.gz share/bash-completion/completions/axiscomp \
+    share/axiscomp/profiles/generic.json share/doc/axis-compensation-wizard/copyright \
+    share/doc/axis-compensation-wizard/changelog.gz; do
+    grep -qx "./usr/$file" <<<"$files" || fail "the package has no /usr/$file"
+done
+if grep -qE '/include/|\.a$|/cmake/' <<<"$files"; then
+    fail "development files are in the package of the programs"
+fi
+
+unpacked=$(mktemp -d)
+trap 'rm -rf "$unpacked"' EXIT
+dpkg-deb --extract "${programs[0]}" "$unpacked"
+for program in axiscomp axiscomp-virtualdrive; do
+    "$unpacked/usr/bin/$program" --version
+done
+sha256sum -- "${programs[@]}" "${development[@]}" | sed "s|$output/||"
