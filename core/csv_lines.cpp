@@ -60,7 +60,9 @@ std::string_view LineReader::next()
     const char* end = std::min(m_nextFeed, m_nextReturn);
     const char* following = end;
     if (following != m_end)
-        following += end == m_nextReturn && m_nextFeed == end + 1 ? 2 : 1;
+        ++following;
+    if (end == m_nextReturn && following == m_nextFeed && following != m_end)
+        ++following;
     skipTo(following, 1);
     return {begin, static_cast<std::size_t>(end - begin)};
 }

@@ -67,7 +67,8 @@ bool looksBinary(std::string_view text)
     const auto isControl = [](char c) {
         return (c >= 0 && c < ' ' && (c < '\t' || c > '\r')) || c == '\x7f';
     };
-    return static_cast<std::size_t>(std::ranges::count_if(head, isControl)) * 32 > head.size();
+    const auto controls = static_cast<std::size_t>(std::ranges::count_if(head, isControl));
+    return controls >= 3 && controls * 32 > head.size();
 }
 
 /// Windows-1252, 0x80 to 0x9f; the five unused bytes become the replacement character.
