@@ -37,13 +37,16 @@ Result<WriteReport> WriteProcedure::run()
 {
     if (auto kept = keepOldState(); !kept)
         return fail(kept.error());
-    if (auto same = checkUnchanged(); !same) {
-        (void)m_store.closeJournal(m_write.plan.drive.serialNumber, m_write.plan.axis);
+    if (auto same = checkUnchanged(); !same)
         return fail(same.error());
-    }
     if (auto changed = change(); !changed)
         return fail(putBack(changed.error()));
-    return finish();
+    auto now = confirm();
+    if (!now && isUnreachable(now.error().code))
+        return fail(outcome(ErrorCode::OutcomeUnknown, now.error(), {}));
+    if (!now)
+        return fail(putBack(now.error()));
+    return finish(std::move(*now));
 }
 
 Result<void> WriteProcedure::keepOldState()
@@ -82,9 +85,10 @@ Result<void> WriteProcedure::keepOldState()
     m_journal.newSlot = plan.after.slot;
     m_journal.newCrc = m_write.elementCrc;
     m_journal.persistent = wantsPersistent();
-    return note("begin", 0.1);
+    return {};
 }
 
+/// Announces a step that changes the drive, to the user and, before it begins, in the journal.
 Result<void> WriteProcedure::note(const std::string& step, double progress)
 {
     if (auto stopped = m_access.checkStop(); !stopped)
@@ -238,22 +242,33 @@ Result<void> WriteProcedure::switchOver()
     return compareRegisters(m_access, values);
 }
 
-Result<WriteReport> WriteProcedure::finish()
+/// Every step was read back, but a drive that restarted between two steps has forgotten the first:
+/// only all of it together is success. From here on the user cannot stop any more.
+Result<AxisStatus> WriteProcedure::confirm()
 {
     const WritePlan& plan = m_write.plan;
-    // From here on nothing is undone: the drive has the complete new state.
     const DriveAccess access = m_access.withoutStop();
     auto now = readStatus(access, plan.drive, plan.axis, m_sources);
-    if (!now)
-        return fail(outcome(ErrorCode::OutcomeUnknown, now.error(), {}));
+    if (!now && isUnreachable(now.error().code))
+        now = readStatus(access, plan.drive, plan.axis, m_sources);
+    if (now && !(now->setup == plan.after))
+        return fail(ErrorCode::VerifyMismatch,
+            {{"what", axisText(plan.axis, now->axis.name)}, {"found", setupText(now->setup)},
+                {"expected", setupText(plan.after)}});
+    return now;
+}
+
+Result<WriteReport> WriteProcedure::finish(AxisStatus now)
+{
+    const WritePlan& plan = m_write.plan;
     // The next write may take the slot of the old table.
     if (isNewTable() && !plan.before.slot.empty() && plan.before.slot != plan.after.slot)
         (void)m_store.recordOwnTable(
             plan.drive.serialNumber, plan.axis, {plan.before.slot, plan.before.tableCrc});
     if (auto closed = m_store.closeJournal(plan.drive.serialNumber, plan.axis); !closed)
         return fail(closed.error());
-    access.report("done", 1.0);
-    return WriteReport{plan, *now, m_backupFile};
+    m_access.report("done", 1.0);
+    return WriteReport{plan, std::move(now), m_backupFile};
 }
 
 } // namespace axiscomp

@@ -24,13 +24,15 @@ private:
     [[nodiscard]] Result<void> commitTable();
     [[nodiscard]] Result<void> commitWith(const std::vector<RegisterWrite>& values);
     [[nodiscard]] Result<void> switchOver();
-    [[nodiscard]] Result<WriteReport> finish();
+    [[nodiscard]] Result<AxisStatus> confirm();
+    [[nodiscard]] Result<WriteReport> finish(AxisStatus now);
 
     // Putting back, in reverse order.
     [[nodiscard]] Error putBack(const Error& reason);
     [[nodiscard]] Result<void> undo(const DriveAccess& access);
+    [[nodiscard]] Result<void> undoTable(const DriveAccess& access);
     [[nodiscard]] Result<void> undoRegisters(const DriveAccess& access);
-    [[nodiscard]] Result<void> undoSlot(const DriveAccess& access);
+    [[nodiscard]] Result<void> undoOtherSlot(const DriveAccess& access);
     [[nodiscard]] bool hasOldState(const DriveAccess& access);
 
     [[nodiscard]] Result<void> note(const std::string& step, double progress);

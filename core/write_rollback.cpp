@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/tam_table.h"
 #include "core/verified_write.h"
 #include "core/write_procedure.h"
 
@@ -40,53 +41,71 @@ Error WriteProcedure::putBack(const Error& reason)
     return reason;
 }
 
+/// Brings the drive back to the backup, whatever it holds now: it may have restarted in between and
+/// have lost what this write never touched.
 Result<void> WriteProcedure::undo(const DriveAccess& access)
 {
-    if (overwritesOwn()) {
-        if (auto restored = undoSlot(access); !restored)
-            return restored;
-        return undoRegisters(access);
-    }
-    if (auto restored = undoRegisters(access); !restored)
-        return restored;
-    return undoSlot(access);
-}
-
-Result<void> WriteProcedure::undoRegisters(const DriveAccess& access)
-{
-    if (!m_registersTouched)
-        return {};
-    std::vector<RegisterWrite> values = m_backup.registers;
-    std::vector<RegisterWrite> commands;
-    const AxisBackup::File* old = backupOf(m_write.plan.before.slot);
-    if (!isNewTable() && m_flashTouched && old) {
-        values.push_back(
-            {access.slotPath(access.registers().tablePersistent, old->slot), old->persistent});
-        commands.push_back({access.slotPath(access.registers().tableCommand, old->slot),
-            access.enums().tableCommandCommit});
-    }
-    if (!access.profile().writesAtOneInstant) {
-        if (auto off = writeSurely(access, {{values[0].path, access.enums().tableDisabled}}); !off)
-            return off;
-        std::ranges::rotate(values, values.begin() + 1);
-    }
-    if (auto written = writeSurely(access, values, commands); !written)
-        return written;
-    if (auto same = compareRegisters(access, values); !same)
-        return same;
-    return m_savedTouched ? saveParameters(access) : Result<void>{};
-}
-
-Result<void> WriteProcedure::undoSlot(const DriveAccess& access)
-{
-    if (!m_slotTouched)
-        return {};
-    if (overwritesOwn()) {
+    if (overwritesOwn() && m_slotTouched) {
         // While its file is put back the axis must not be able to start.
         const std::string table = access.axisPath(access.registers().table, m_write.plan.axis);
         if (auto off = writeSurely(access, {{table, access.enums().tableDisabled}}); !off)
             return off;
     }
+    if (auto restored = undoTable(access); !restored)
+        return restored;
+    if (auto restored = undoRegisters(access); !restored)
+        return restored;
+    return undoOtherSlot(access);
+}
+
+Result<void> WriteProcedure::undoTable(const DriveAccess& access)
+{
+    const AxisBackup::File* old = backupOf(m_write.plan.before.slot);
+    if (!old || old->bytes.empty())
+        return overwritesOwn() && m_slotTouched ? deleteTable(access, m_write.slot.name)
+                                                : Result<void>{};
+    auto bytes = access.link().download(old->path, access.exchange());
+    if (!bytes && bytes.error().code != ErrorCode::UnknownFile)
+        return fail(bytes.error());
+    // Persistency alone is put back with the registers.
+    if (bytes && sameTable(*bytes, old->bytes, access.profile().layout))
+        return {};
+    return uploadSurely(access, old->path, old->bytes);
+}
+
+Result<void> WriteProcedure::undoRegisters(const DriveAccess& access)
+{
+    std::vector<RegisterWrite> values = m_backup.registers;
+    std::vector<RegisterWrite> commands;
+    const AxisBackup::File* old = backupOf(m_write.plan.before.slot);
+    if (m_flashTouched && old && !old->bytes.empty() && (!isNewTable() || overwritesOwn())) {
+        values.push_back(
+            {access.slotPath(access.registers().tablePersistent, old->slot), old->persistent});
+        commands.push_back({access.slotPath(access.registers().tableCommand, old->slot),
+            access.enums().tableCommandCommit});
+    }
+    auto unchanged = compareRegisters(access, values);
+    if (!unchanged && unchanged.error().code != ErrorCode::VerifyMismatch)
+        return unchanged;
+    if (!unchanged) {
+        if (!access.profile().writesAtOneInstant) {
+            if (auto off = writeSurely(access, {{values[0].path, access.enums().tableDisabled}});
+                !off)
+                return off;
+            std::ranges::rotate(values, values.begin() + 1);
+        }
+        if (auto written = writeSurely(access, values, commands); !written)
+            return written;
+        if (auto same = compareRegisters(access, values); !same)
+            return same;
+    }
+    return m_savedTouched ? saveParameters(access) : Result<void>{};
+}
+
+Result<void> WriteProcedure::undoOtherSlot(const DriveAccess& access)
+{
+    if (!m_slotTouched || overwritesOwn())
+        return {};
     const AxisBackup::File* old = backupOf(m_write.slot.name);
     if (!old || old->bytes.empty())
         return deleteTable(access, m_write.slot.name);

@@ -6,7 +6,10 @@
 #include "drivecomm/profile_loader.h"
 #include "tests/support/faulty_link.h"
 
+#include <QDir>
+#include <QFileInfo>
 #include <QTemporaryDir>
+#include <QTest>
 
 #include <atomic>
 #include <cmath>
@@ -88,7 +91,14 @@ struct DriveFixture {
     }
 
     std::atomic<std::int64_t> time = 0;
-    QTemporaryDir folder;
+    /// In memory where there is such a place: thousands of writes would wait for a disk.
+    static QString folderTemplate()
+    {
+        const QString memory = QStringLiteral("/dev/shm");
+        return (QFileInfo(memory).isWritable() ? memory : QDir::tempPath())
+            + QStringLiteral("/axiscomp-test-XXXXXX");
+    }
+    QTemporaryDir folder{folderTemplate()};
     drivecomm::VirtualDrive drive;
     FaultyLink link;
     DriveStore store;
