@@ -35,6 +35,6 @@ function(axiscomp_add_test name)
   target_link_libraries(${name} PRIVATE axiscomp_options Qt6::Test axiscomp_test_support ${arg_DEPS})
   add_test(NAME ${name} COMMAND ${name})
   set_tests_properties(${name} PROPERTIES
-    LABELS "${arg_MODULE}" TIMEOUT 300
+    LABELS "${arg_MODULE}" TIMEOUT 900
     ENVIRONMENT "QT_QPA_PLATFORM=offscreen;LC_ALL=C.UTF-8")
 endfunction()
