@@ -50,7 +50,7 @@ enum class ErrorCode {
     SourceMissing, ///< dimension
     SourceSurplus, ///< dimension, dimensions
     SourceNotFound, ///< source, nearest
-    SourceWrongType, ///< source, type
+    SourceWrongType, ///< source, type, allowed
     SourceOtherDrive, ///< source, drive, other
     SourceRepeated, ///< source, first, second
     DimensionMismatch, ///< table, chosen

@@ -194,7 +194,7 @@ Result<void> Decoder::checkPositions()
         if (!(distance > 0.0) || !std::isfinite(distance))
             return invalidItem(TableField::Distance, i, found, "a finite number above 0");
         const double stroke = static_cast<double>(integer(TableField::Size, i) - 1) * distance;
-        if (!std::isfinite(start + stroke) || !std::isfinite(start + stroke - start))
+        if (!std::isfinite(start + stroke))
             return invalidItem(
                 TableField::Distance, i, found, "one that leads to a finite last position");
     }
