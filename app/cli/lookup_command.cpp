@@ -235,7 +235,7 @@ void addLookupCommand(CommandLine& line)
         ->add_option(
             "POSITION", options->position, "X [Y [Z]], one number per dimension; may be negative")
         ->option_text("[X [Y [Z]]]")
-        ->expected(0, 3);
+        ->expected(1, 3);
     addDimensionsOption(*command, options->input);
     addTableOption(*command, options->input);
     command

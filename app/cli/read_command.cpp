@@ -44,6 +44,11 @@ Result<ReadTable> readAsCsv(DriveSession& session, const AxisStatus& status)
     auto table = session.compensator().readTable(status.axis.index, session.operation());
     if (!table)
         return fail(table.error());
+    // A table file has no names, but a CSV file is read by people.
+    for (std::size_t n = 0; n < table->grid.axes.size(); ++n)
+        table->grid.axes[n].name = "Dim " + std::to_string(n + 1);
+    if (table->name.empty())
+        table->name = "Table";
     CalibrationData data{table->grid, {*table}, {}};
     data.notes.push_back("read from " + driveWords(status.drive) + ", " + axisWords(status.axis)
         + ", slot " + status.setup.slot);

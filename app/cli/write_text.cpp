@@ -88,6 +88,16 @@ std::string signSentence(const CompensationTable& table, std::string_view unit)
         + " the encoder: the drive will add " + added;
 }
 
+std::optional<std::string> unitWarning(const CompensationTable& table, const AxisInfo& axis)
+{
+    const std::string unit = unitSymbol(axis.unit);
+    if (table.unit.empty() || table.unit == unit || table.unit == axis.unit)
+        return std::nullopt;
+    return "The file says that the values are in " + table.unit + ", but " + axisWords(axis)
+        + " counts in " + (unit.empty() ? axis.unit : unit)
+        + ": the numbers are written as they are, not converted.";
+}
+
 std::string planText(
     const WritePlan& plan, const AxisInfo& axis, const std::optional<CompensationTable>& table)
 {

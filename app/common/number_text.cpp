@@ -56,7 +56,7 @@ int decimalsOf(double value, int most)
 
 std::string signedText(std::string text)
 {
-    return text.starts_with('-') ? text : "+" + text;
+    return text.starts_with('-') || text == "0" ? text : "+" + text;
 }
 
 std::string hexText(std::uint32_t value)

@@ -22,7 +22,7 @@ namespace axiscomp::app {
 /// Digits behind the point that a value needs, at most `most`.
 [[nodiscard]] int decimalsOf(double value, int most);
 
-/// "+0.0021"
+/// "+0.0021"; zero stays "0"
 [[nodiscard]] std::string signedText(std::string text);
 
 /// "1c291ca3"

@@ -14,10 +14,10 @@ using test::Sandbox;
 
 namespace {
 
-const QByteArray line1D = "X,T\n-10,1\n0,2\n10,5\n";
-const QByteArray plane = "X,Y,T\n0,0,0\n10,0,1\n0,10,2\n10,10,5\n";
-const QByteArray cube = "X,Y,Z,T\n0,0,0,0\n1,0,0,1\n0,1,0,2\n1,1,0,3\n"
-                        "0,0,1,4\n1,0,1,5\n0,1,1,6\n1,1,1,7\n";
+const QByteArray line1D = "X,T\n-10000,1\n0,2\n10000,5\n";
+const QByteArray plane = "X,Y,T\n0,0,0\n10000,0,1\n0,10000,2\n10000,10000,5\n";
+const QByteArray cube = "X,Y,Z,T\n0,0,0,0\n1000,0,0,1\n0,1000,0,2\n1000,1000,0,3\n"
+                        "0,0,1000,4\n1000,0,1000,5\n0,1000,1000,6\n1000,1000,1000,7\n";
 
 } // namespace
 
@@ -32,19 +32,20 @@ private Q_SLOTS:
         QTest::addColumn<QByteArray>("content");
         QTest::addColumn<QStringList>("arguments");
         QTest::addColumn<QByteArray>("value");
-        QTest::newRow("1D") << line1D << QStringList{"5", "--dims", "1"} << QByteArray("3.5\n");
-        QTest::newRow("negative") << line1D << QStringList{"-5", "--dims", "1"}
+        QTest::newRow("1D") << line1D << QStringList{"5000", "--dims", "1"} << QByteArray("3.5\n");
+        QTest::newRow("negative") << line1D << QStringList{"-5000", "--dims", "1"}
                                   << QByteArray("1.5\n");
         QTest::newRow("negative fraction")
-            << line1D << QStringList{"-.5", "--dims", "1"} << QByteArray("1.95\n");
+            << line1D << QStringList{"-.5", "--dims", "1"} << QByteArray("1.99995\n");
         QTest::newRow("negative exponent")
-            << line1D << QStringList{"-5e-1", "--dims", "1"} << QByteArray("1.95\n");
+            << line1D << QStringList{"-5e3", "--dims", "1"} << QByteArray("1.5\n");
         QTest::newRow("negative behind the options")
-            << line1D << QStringList{"--dims", "1", "--", "-5"} << QByteArray("1.5\n");
-        QTest::newRow("2D") << plane << QStringList{"5", "5", "--dims", "2"} << QByteArray("2\n");
+            << line1D << QStringList{"--dims", "1", "--", "-5000"} << QByteArray("1.5\n");
+        QTest::newRow("2D") << plane << QStringList{"5000", "5000", "--dims", "2"}
+                            << QByteArray("2\n");
         QTest::newRow("2D negative")
             << plane << QStringList{"--dims", "2", "-3", "-1"} << QByteArray("0\n");
-        QTest::newRow("3D") << cube << QStringList{"0.5", "0.5", "0.5", "--dims", "3"}
+        QTest::newRow("3D") << cube << QStringList{"500", "500", "500", "--dims", "3"}
                             << QByteArray("3.5\n");
     }
     void positionsMayBeNegative()
@@ -73,7 +74,7 @@ private Q_SLOTS:
         QFETCH(const QString, rule);
         const Sandbox box;
         box.file("t.csv", line1D);
-        QStringList arguments{"lookup", "t.csv", "15", "--dims", "1"};
+        QStringList arguments{"lookup", "t.csv", "15000", "--dims", "1"};
         if (!rule.isEmpty())
             arguments << "--outside" << rule;
         const ProgramRun run = box.run(arguments);
@@ -86,9 +87,9 @@ private Q_SLOTS:
         const Sandbox box;
         box.file("t.csv", line1D);
         const ProgramRun run =
-            box.run({"lookup", "t.csv", "15", "--dims", "1", "--outside", "error"});
+            box.run({"lookup", "t.csv", "15000", "--dims", "1", "--outside", "error"});
         VERIFY_CODE(run, 2);
-        QVERIFY2(run.err.contains("15 of -10 to 10"), run.err.constData());
+        QVERIFY2(run.err.contains("15000 of -10000 to 10000"), run.err.constData());
         QCOMPARE(run.out, QByteArray());
     }
 
@@ -96,7 +97,7 @@ private Q_SLOTS:
     {
         const Sandbox box;
         box.file("t.csv", plane);
-        box.file("points.txt", "0 0\n5,5\r\n10; 10\n-1\t0\n5 0");
+        box.file("points.txt", "0 0\n5000,5e3\r\n10000; 10000\n-1\t0\n+5000 0");
         const ProgramRun run =
             box.run({"lookup", "t.csv", "--dims", "2", "--points", "points.txt"});
         VERIFY_CODE(run, 0);
@@ -109,10 +110,12 @@ private Q_SLOTS:
         box.file("t.csv", line1D);
         const auto process =
             box.start(test::axiscompProgram(), {"lookup", "t.csv", "--dims", "1", "--points", "-"});
-        process->write("5\n");
-        QTRY_COMPARE_WITH_TIMEOUT(process->readAllStandardOutput(), "3.5\n", 30'000);
-        process->write("-5\n");
-        QTRY_COMPARE_WITH_TIMEOUT(process->readAllStandardOutput(), "1.5\n", 30'000);
+        process->write("5000\n");
+        QTRY_VERIFY_WITH_TIMEOUT(process->canReadLine(), 30'000);
+        QCOMPARE(process->readLine(), "3.5\n");
+        process->write("-5000\n");
+        QTRY_VERIFY_WITH_TIMEOUT(process->canReadLine(), 30'000);
+        QCOMPARE(process->readLine(), "1.5\n");
         process->closeWriteChannel();
         QVERIFY(process->waitForFinished());
         QCOMPARE(process->exitCode(), 0);
@@ -124,8 +127,9 @@ private Q_SLOTS:
         box.file("t.csv", line1D);
         const auto process =
             box.start(test::axiscompProgram(), {"lookup", "t.csv", "--dims", "1", "--points", "-"});
-        process->write("5\n");
-        QTRY_COMPARE_WITH_TIMEOUT(process->readAllStandardOutput(), "3.5\n", 30'000);
+        process->write("5000\n");
+        QTRY_VERIFY_WITH_TIMEOUT(process->canReadLine(), 30'000);
+        QCOMPARE(process->readLine(), "3.5\n");
         ::kill(static_cast<pid_t>(process->processId()), SIGINT);
         QVERIFY(process->waitForFinished());
         QCOMPARE(process->exitStatus(), QProcess::NormalExit);
@@ -159,7 +163,7 @@ private Q_SLOTS:
     void theDocumentHoldsExactNumbers()
     {
         const Sandbox box;
-        box.file("t.csv", "X,T [um]\n0,0.1\n1,0.2\n");
+        box.file("t.csv", "X,T [um]\n0,0.1\n1000,0.2\n");
         const ProgramRun run = box.run({"lookup", "t.csv", "0", "--dims", "1", "--json"});
         VERIFY_CODE(run, 0);
         const QJsonObject json = run.json();

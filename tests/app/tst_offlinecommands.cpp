@@ -15,7 +15,7 @@ using test::Sandbox;
 namespace {
 
 const QByteArray line1D = "X [mm],Error [mm]\n0,0.001\n10,0.002\n20,-0.004\n";
-const QByteArray twoTables = "X,Cold,Warm\n0,0,1\n10,0.1,2\n20,0.2,3\n";
+const QByteArray twoTables = "X,Cold,Warm\n0,0,1\n1000,0.1,2\n2000,0.2,3\n";
 
 } // namespace
 
@@ -202,7 +202,7 @@ private Q_SLOTS:
         QVERIFY2(table.out.contains("Warm"), table.out.constData());
 
         VERIFY_CODE(box.run({"convert", "t.TAMtbl", "back.csv"}), 0);
-        const ProgramRun back = box.run({"lookup", "back.csv", "5", "--dims", "1"});
+        const ProgramRun back = box.run({"lookup", "back.csv", "500", "--dims", "1"});
         VERIFY_CODE(back, 0);
         QCOMPARE(back.out, "1.5\n");
     }

@@ -149,7 +149,8 @@ private Q_SLOTS:
         QCOMPARE(run.err.count('\n'), 1);
         QCOMPARE(run.out, QByteArray());
 
-        const ProgramRun json = box.run(arguments + QStringList{"--json"});
+        const ProgramRun json =
+            box.run(arguments.mid(0, 1) + QStringList{"--json"} + arguments.mid(1));
         VERIFY_CODE(json, 2);
         const QJsonObject error = json.json().value("error").toObject();
         QCOMPARE(error.value("code").toString(), "InvalidArgument");
