@@ -21,7 +21,8 @@ using LinkFactory = std::function<Result<std::unique_ptr<DriveLink>>(const std::
 
 /// One drive and the one thread that talks to it. Link and compensator are made, used and destroyed
 /// on that thread; everything here is called on the window's thread and returns at once. Operations
-/// run one after the other, in the order in which they were asked for.
+/// run one after the other, in the order in which they were asked for. After a lost connection the
+/// next operation has a new link.
 class DriveSession : public QObject {
     Q_OBJECT
 
@@ -33,27 +34,34 @@ public:
     DriveSession(QString endpoint, LinkFactory factory, const DriveProfile& profile,
         std::filesystem::path storeRoot, std::chrono::milliseconds timeout,
         QObject* parent = nullptr);
-    /// Stops what runs, drops what waits (their futures end as cancelled) and ends the thread:
-    /// within one deadline, even when the drive hangs.
+    /// close(), and waits for the end of the thread: within one deadline, even when the drive
+    /// hangs.
     ~DriveSession() override;
 
     /// Without a password.
     [[nodiscard]] QString endpoint() const;
     [[nodiscard]] bool isDemo() const;
+    /// Where the operations keep backups, journal and flash history. Of a demo drive nothing is
+    /// kept longer than the session: the next one is another drive.
+    [[nodiscard]] std::filesystem::path storeRoot() const;
 
-    /// Keep the future and watch it (QFuture::then with a context, QFutureWatcher).
-    template <typename T> [[nodiscard]] QFuture<Result<T>> run(Operation<T> operation)
+    /// Keep the future and watch it (whenDone). stop ends this operation only, before it has begun
+    /// or while it runs.
+    template <typename T>
+    [[nodiscard]] QFuture<Result<T>> run(Operation<T> operation, std::stop_token stop = {})
     {
         QPromise<Result<T>> promise;
         promise.start();
         QFuture<Result<T>> future = promise.future();
-        post([promise = std::make_shared<QPromise<Result<T>>>(std::move(promise)),
-                 operation = std::move(operation)](
-                 Result<AxisCompensator*> compensator, const OperationOptions& options) {
-            promise->addResult(compensator ? operation(**compensator, options)
-                                           : Result<T>(fail(compensator.error())));
-            promise->finish();
-        });
+        post(
+            [promise = std::make_shared<QPromise<Result<T>>>(std::move(promise)),
+                operation = std::move(operation)](
+                Result<AxisCompensator*> compensator, const OperationOptions& options) {
+                promise->addResult(compensator ? operation(**compensator, options)
+                                               : Result<T>(fail(compensator.error())));
+                promise->finish();
+            },
+            std::move(stop));
         return future;
     }
 
@@ -61,14 +69,21 @@ public:
     /// to.
     void stop();
 
+    /// Stops what runs, drops what waits and what is asked for from now on (their futures end as
+    /// cancelled), and ends the thread. Does not wait: closed() follows.
+    void close();
+    [[nodiscard]] bool isClosed() const;
+
 Q_SIGNALS:
     /// Of the operation that runs, at most 30 times a second.
     void progressed(const QString& step, double fraction);
+    void closed();
 
 private:
     using Job = std::function<void(Result<AxisCompensator*>, const OperationOptions&)>;
-    void post(Job job);
+    void post(Job job, std::stop_token stop);
 
+    class Worker;
     struct Private;
     std::unique_ptr<Private> d;
 };

@@ -1,98 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/axis_compensator.h"
-#include "core/calibration_csv.h"
-#include "ui/drive_session.h"
+#include "ui/error_text.h"
 #include "ui/setup_model.h"
+#include "ui/wizard_types.h"
 
 #include <QObject>
 #include <QString>
 #include <QStringList>
 
-#include <filesystem>
 #include <memory>
 #include <optional>
 #include <vector>
 
 namespace axiscomp::ui {
-
-/// The page's actions. Each says why it cannot be done now.
-enum class Action {
-    Write,
-    Activate,
-    Evaluate,
-    Deactivate,
-    Revert,
-    RestorePrevious,
-    Refresh,
-    OpenData,
-    Cancel,
-};
-inline constexpr std::array allActions{Action::Write, Action::Activate, Action::Evaluate,
-    Action::Deactivate, Action::Revert, Action::RestorePrevious, Action::Refresh, Action::OpenData,
-    Action::Cancel};
-
-struct ActionState {
-    bool isEnabled = false;
-    QString reason; ///< a translated sentence: why not, or what will happen
-    friend bool operator==(const ActionState&, const ActionState&) = default;
-};
-
-/// One entry of the Axis field.
-struct AxisEntry {
-    QString endpoint;
-    QString driveName;
-    std::int32_t serialNumber = 0;
-    AxisInfo axis;
-    bool isDemo = false;
-    bool isUsable = false; ///< false: no compensation registers, or the drive does not answer
-    QString label; ///< unique among the entries, "X · Triamec-616 (demo)"
-};
-
-struct DriveState {
-    enum class Connection { Connecting, Connected, Lost };
-    QString endpoint;
-    QString name; ///< empty until identified
-    Connection connection = Connection::Connecting;
-    QString problem; ///< translated, when Lost
-    bool isDemo = false;
-};
-
-/// The open file of compensation data.
-struct DataFile {
-    QString path; ///< empty: none is open
-    std::shared_ptr<const CalibrationData> data; ///< only of a file without errors
-    std::vector<Diagnostic> problems;
-    std::size_t suppressedProblems = 0;
-    bool isReading = false;
-    double progress = 0.0;
-    bool hasChangedOnDisk = false;
-};
-
-/// What a busy page shows.
-struct BusyState {
-    bool isBusy = false;
-    QString step; ///< translated: "writing: verifying table"
-    double fraction = 0.0;
-    bool canCancel = false;
-};
-
-struct LogLine {
-    WallTime time;
-    enum class Kind { Information, Warning, Error } kind = Kind::Information;
-    QString text;
-    QString detail;
-};
-
-struct WizardOptions {
-    LinkFactory linkFactory;
-    const DriveProfile* profile = nullptr; ///< must outlive the controller
-    std::filesystem::path storeRoot;
-    std::chrono::milliseconds timeout{5000};
-    std::chrono::milliseconds liveInterval{100}; ///< 0: live values only on refreshLive()
-    std::chrono::milliseconds reconnectInterval{2000};
-};
 
 /// Everything of the wizard but its widgets: which drives and axes there are, the setup of the
 /// chosen axis, the open file, what runs, and each action with its reason. Never blocks: drives are
@@ -188,10 +109,5 @@ private:
     struct Private;
     std::unique_ptr<Private> d;
 };
-
-/// The translated sentence of an error (context "Error" in the translations).
-[[nodiscard]] QString errorText(const Error& error);
-/// The translated sentence of a file's problem.
-[[nodiscard]] QString problemText(const Diagnostic& diagnostic);
 
 } // namespace axiscomp::ui

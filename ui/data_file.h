@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/calibration_loader.h"
+#include "ui/wizard_types.h"
+
+#include <QFileSystemWatcher>
+#include <QObject>
+
+namespace axiscomp::ui {
+
+/// The open file of compensation data: opens, reads again and watches it. A file with errors leaves
+/// the data of the one before.
+class DataFileModel : public QObject {
+    Q_OBJECT
+
+public:
+    /// layout must outlive the model.
+    explicit DataFileModel(const TableLayout& layout, QObject* parent = nullptr);
+
+    [[nodiscard]] const DataFile& file() const { return m_file; }
+    /// The table of that index, kept as long as it is used; null when there is none.
+    [[nodiscard]] std::shared_ptr<const CompensationTable> table(int index) const;
+
+    void open(const QString& path, int dimensions);
+    /// The open CSV file again, when its columns mean something else now; a TAM table knows its own
+    /// dimensions.
+    void setDimensions(int dimensions);
+    void close();
+    void cancelReading();
+
+Q_SIGNALS:
+    void changed();
+    /// New data: of another file or the same one again. before: what there was, may be null.
+    void dataReplaced(std::shared_ptr<const axiscomp::CalibrationData> before, bool isSameFile);
+    void failed(const axiscomp::ui::LoadedFile& file);
+
+private:
+    void take(const LoadedFile& loaded);
+    void watch();
+    void lookAtDisk();
+
+    DataFile m_file;
+    FileStamp m_stamp;
+    int m_dimensions = 1; ///< with which the data was read, or is being read
+    CalibrationLoader m_loader;
+    QFileSystemWatcher m_watcher;
+};
+
+} // namespace axiscomp::ui

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+
+#include <span>
+#include <string>
+
+namespace axiscomp::ui {
+
+/// The sentences that core and drivecomm make, in English and with {placeholders}, as the
+/// translations (context "Error") have them. tests/ui compares them with core's.
+[[nodiscard]] std::span<const char* const> knownPhrases();
+
+/// An English text that was made from one of the phrases, in the language of the window; what its
+/// placeholders hold is translated in the same way. A text that is not known stays as it is.
+[[nodiscard]] QString translatedPhrase(const std::string& english);
+
+} // namespace axiscomp::ui

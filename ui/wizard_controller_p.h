@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/flash_wear.h"
+#include "ui/data_file.h"
+#include "ui/drive_connection.h"
+#include "ui/drive_table.h"
+#include "ui/future_handler.h"
+#include "ui/live_monitor.h"
+#include "ui/outcome_text.h"
+#include "ui/wizard_controller.h"
+#include "ui/wizard_log.h"
+#include "ui/wizard_rules.h"
+
+#include <QCoreApplication>
+#include <QPointer>
+#include <QTimer>
+
+#include <functional>
+#include <map>
+#include <stop_token>
+
+namespace axiscomp::ui {
+
+/// What a busy controller is doing.
+enum class Task { Plan, Write, Activate, Evaluate, Deactivate, Restore };
+
+[[nodiscard]] QString taskText(Task task);
+
+struct WizardController::Private {
+    Q_DECLARE_TR_FUNCTIONS(axiscomp::ui::WizardController)
+
+public:
+    Private(WizardController& controller, WizardOptions wizardOptions);
+    ~Private();
+
+    // Drives and axes (wizard_drives.cpp)
+    void setEndpoints(const QStringList& wanted);
+    DriveConnection* addConnection(const QString& endpoint);
+    void removeConnection(DriveConnection* connection);
+    void listDrives();
+    void listAxes();
+    void select(const AxisEntry& entry);
+    void leaveAxis();
+    [[nodiscard]] DriveConnection* connectionOf(const QString& endpoint) const;
+    [[nodiscard]] DriveConnection* connection() const; ///< of the current axis, may be null
+    void driveFound(DriveConnection* found, bool wasAnother);
+    void driveLost(DriveConnection* lost, const Error& error);
+
+    // The current axis (wizard_axis.cpp)
+    void readAxisNow();
+    void takeReading(const AxisReading& reading);
+    void takeStatus(const AxisStatus& now, bool isComplete);
+    void noteUnfinished(const AxisReading& reading);
+    void noteChanges(const AxisStatus& before, const AxisStatus& now);
+    void axisFailed(const Error& error);
+    void liveFailed(const Error& error);
+    [[nodiscard]] FlashBudget flashBudget() const;
+    void takeFlash(const AxisReading& reading);
+    void noteFlashRefusal(const Error& error);
+
+    // Sources (wizard_sources.cpp)
+    struct SourceField {
+        QString problem;
+        bool isBeingChecked = false;
+        int check = 0; ///< the newest check counts
+    };
+    [[nodiscard]] SourceField& sourceField(int dimension);
+    void chooseSource(int dimension, const QString& text);
+    void acceptSource(int dimension, const DimSource& source);
+    void refuseSource(int dimension, const QString& problem);
+    void forgetSourceProblems();
+
+    // The file and the tables (wizard_tables.cpp)
+    void fileReplaced(const std::shared_ptr<const CalibrationData>& before, bool isSameFile);
+    void fileFailed(const LoadedFile& file);
+    [[nodiscard]] std::shared_ptr<const CompensationTable> selectedTable() const;
+    [[nodiscard]] std::size_t selectedTableBytes() const;
+    void noteSelectedTable();
+    void fieldChanged(Field field);
+
+    // Operations (wizard_operations.cpp)
+    template <typename T>
+    void begin(
+        Task task, DriveSession::Operation<T> operation, std::function<void(const Result<T>&)> end);
+    void startTask(Task task);
+    void endTask();
+    void showProgress(DriveConnection* of, const QString& step, double fraction);
+    [[nodiscard]] bool mayStart(Action action);
+    void planWrite();
+    void write();
+    void switchTo(Task task, Action action, Switch wanted);
+    void restorePrevious();
+    void cancel();
+    void planned(const Result<WritePlan>& result);
+    void written(const Result<OperationEnd<WriteReport>>& end);
+    template <typename T> void takeEnd(const OperationEnd<T>& end);
+
+    // What is shown (wizard_state.cpp)
+    [[nodiscard]] WizardSnapshot snapshot() const;
+    void snapshotDrive(WizardSnapshot& now) const;
+    void snapshotSetup(WizardSnapshot& now) const;
+    void update(); ///< actions and hint
+    void show(const Outcome& outcome);
+    void log(LogLine::Kind kind, const QString& text, const QString& detail = {});
+
+    WizardController& q;
+    WizardOptions options;
+    const DriveProfile& profile;
+
+    std::vector<DriveConnection*> connections; ///< children of q
+    std::vector<DriveState> drives;
+    std::vector<AxisEntry> axes;
+    struct AxisKey {
+        QString endpoint;
+        int axis = 0;
+        friend bool operator==(const AxisKey&, const AxisKey&) = default;
+    };
+    std::optional<AxisKey> current;
+    int currentIndex = -1;
+
+    SetupModel setup;
+    std::optional<AxisStatus> status;
+    std::optional<AxisCompensator::UnfinishedOutcome> unfinished;
+    bool hasBackup = false;
+    bool hasCompensation = true;
+    QString readProblem;
+    int reading = 0; ///< the newest reading of the axis counts
+    bool isLeaving = false; ///< the fields are emptied: that is not a choice
+    QString liveProblem; ///< as last logged
+    FlashWearGuard flash;
+    std::map<std::int32_t, WallTime> flashRefusals; ///< by serial number, until when
+    std::array<SourceField, 3> sourceFields;
+
+    LiveMonitor live;
+    DriveTable driveTable;
+    DataFileModel file;
+    std::shared_ptr<const CompensationTable> shownTable;
+
+    BusyState busy;
+    std::optional<Task> task;
+    QPointer<DriveConnection> taskConnection;
+    std::stop_source taskStop;
+    std::optional<WritePlan> plan;
+    EditedSetup plannedSetup; ///< that the plan is of
+    WriteRequest request; ///< the same as a request, without its table
+    std::shared_ptr<const CompensationTable> requestTable;
+    std::optional<Proof> proof;
+    Outcome outcome;
+
+    WizardDecision decision;
+    WizardLog logLines;
+    QTimer countdown; ///< while flash wear makes the user wait
+    QTimer readAgain; ///< after a reading that failed
+};
+
+} // namespace axiscomp::ui

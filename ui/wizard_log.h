@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/wizard_types.h"
+
+#include <vector>
+
+namespace axiscomp::ui {
+
+/// What happened, in order; only the newest lines are kept.
+class WizardLog {
+public:
+    static constexpr std::size_t capacity = 1000;
+
+    void add(LogLine::Kind kind, const QString& text, const QString& detail = {})
+    {
+        if (m_lines.size() == capacity)
+            m_lines.erase(m_lines.begin());
+        m_lines.push_back({std::chrono::system_clock::now(), kind, text, detail});
+    }
+    [[nodiscard]] const std::vector<LogLine>& lines() const { return m_lines; }
+
+private:
+    std::vector<LogLine> m_lines;
+};
+
+} // namespace axiscomp::ui

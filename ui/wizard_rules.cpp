@@ -1,0 +1,355 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/wizard_rules.h"
+
+#include "ui/error_text.h"
+#include "ui/value_text.h"
+
+#include <QCoreApplication>
+
+#include <optional>
+
+namespace axiscomp::ui {
+
+namespace {
+
+using Unfinished = WizardSnapshot::Unfinished;
+
+/// Nothing: it can be done.
+using Obstacle = std::optional<QString>;
+
+class Rules {
+    Q_DECLARE_TR_FUNCTIONS(axiscomp::ui::WizardRules)
+
+public:
+    explicit Rules(const WizardSnapshot& now) : m_now(now) { }
+
+    [[nodiscard]] ActionState state(Action action) const;
+    [[nodiscard]] QString hint() const;
+
+private:
+    [[nodiscard]] Obstacle obstacle(Action action) const;
+    [[nodiscard]] QString consequence(Action action) const;
+
+    [[nodiscard]] Obstacle noAxis() const;
+    [[nodiscard]] Obstacle busy() const;
+    [[nodiscard]] Obstacle unknown() const;
+    [[nodiscard]] Obstacle active() const;
+    [[nodiscard]] Obstacle unfit() const;
+    [[nodiscard]] Obstacle noFlash() const;
+
+    [[nodiscard]] Obstacle againstWrite() const;
+    [[nodiscard]] Obstacle againstActivate() const;
+    [[nodiscard]] Obstacle againstEvaluate() const;
+    [[nodiscard]] Obstacle againstSwitchOn() const;
+    [[nodiscard]] Obstacle againstDeactivate() const;
+    [[nodiscard]] Obstacle againstRevert() const;
+    [[nodiscard]] Obstacle againstRestore() const;
+    [[nodiscard]] Obstacle againstCancel() const;
+    [[nodiscard]] QString writeConsequence() const;
+
+    const WizardSnapshot& m_now;
+};
+
+Obstacle Rules::noAxis() const
+{
+    if (!m_now.hasDrives)
+        return tr("No drive is connected: add a connection first.");
+    if (!m_now.hasAxis)
+        return m_now.isConnecting ? tr("The drives are being asked for their axes.")
+                                  : tr("Choose an axis first.");
+    if (!m_now.isConnected)
+        return tr("The drive is not connected.");
+    if (!m_now.hasCompensation)
+        return tr("This axis has no compensation registers.");
+    return {};
+}
+
+Obstacle Rules::busy() const
+{
+    if (m_now.isBusy)
+        return m_now.operation.isEmpty() ? tr("Please wait for what is running.")
+                                         : tr("Please wait: %1.").arg(m_now.operation);
+    return {};
+}
+
+Obstacle Rules::unknown() const
+{
+    if (m_now.isKnown)
+        return {};
+    return m_now.readProblem.isEmpty() ? tr("The axis is being read.") : m_now.readProblem;
+}
+
+Obstacle Rules::active() const
+{
+    if (m_now.isActive)
+        return tr("The compensation is active: deactivate it first.");
+    return {};
+}
+
+/// Whether table and sources belong together and to this drive.
+Obstacle Rules::unfit() const
+{
+    if (!m_now.hasTable)
+        return tr("No table is chosen: open compensation data.");
+    if (m_now.tableDimensions != m_now.dimensionality)
+        return m_now.tableDimensions == 1
+            ? tr("The table has 1 dimension, but %1D is chosen.").arg(m_now.dimensionality)
+            : tr("The table has %1 dimensions, but %2D is chosen.")
+                  .arg(m_now.tableDimensions)
+                  .arg(m_now.dimensionality);
+    if (m_now.isSourceBeingChecked)
+        return tr("A source is being checked.");
+    if (m_now.missingSource > 0)
+        return tr("Dim%1 Source is missing.").arg(m_now.missingSource);
+    if (m_now.repeatedSource > 0)
+        return tr("Dim%1 Source is the same as another source.").arg(m_now.repeatedSource);
+    if (m_now.isNewTable && m_now.tableBytes > m_now.largestSlotBytes)
+        return tr("The table needs %1 bytes, but the largest slot has %2.")
+            .arg(m_now.tableBytes)
+            .arg(m_now.largestSlotBytes);
+    return {};
+}
+
+Obstacle Rules::noFlash() const
+{
+    if (m_now.flashOperationsNeeded <= m_now.flashOperationsLeft)
+        return {};
+    return m_now.isPersistent
+        ? tr("Flash wear: wait %1, or write volatile.").arg(durationText(m_now.flashWaitSeconds))
+        : tr("Flash wear: wait %1.").arg(durationText(m_now.flashWaitSeconds));
+}
+
+Obstacle Rules::againstWrite() const
+{
+    if (Obstacle found = noAxis())
+        return found;
+    if (Obstacle found = busy())
+        return found;
+    if (Obstacle found = unknown())
+        return found;
+    if (Obstacle found = active())
+        return found;
+    if (!m_now.isChanged && m_now.unfinished != Unfinished::Unsaved)
+        return tr("Nothing has changed.");
+    if (m_now.isReadingFile)
+        return tr("The file is being read.");
+    if (Obstacle found = unfit())
+        return found;
+    return noFlash();
+}
+
+/// What Activate and Evaluate have in common.
+Obstacle Rules::againstSwitchOn() const
+{
+    if (m_now.isChanged)
+        return tr("Parameters must be written.");
+    if (!m_now.hasDriveTable)
+        return tr("The axis has no table on the drive: write one first.");
+    if (Obstacle found = unfit())
+        return found;
+    if (m_now.unfinished == Unfinished::Mixture)
+        return tr("An earlier write left the axis in neither the old nor the new state: write "
+                  "again, or restore the previous state.");
+    return {};
+}
+
+Obstacle Rules::againstActivate() const
+{
+    if (Obstacle found = noAxis())
+        return found;
+    if (Obstacle found = busy())
+        return found;
+    if (Obstacle found = unknown())
+        return found;
+    if (m_now.isActive)
+        return tr("The compensation is active already.");
+    if (Obstacle found = againstSwitchOn())
+        return found;
+    if (!m_now.isHomed)
+        return tr("The axis must be homed first.");
+    return {};
+}
+
+Obstacle Rules::againstEvaluate() const
+{
+    if (Obstacle found = noAxis())
+        return found;
+    if (Obstacle found = busy())
+        return found;
+    if (Obstacle found = unknown())
+        return found;
+    if (Obstacle found = active())
+        return found;
+    if (m_now.isEvaluating)
+        return tr("The compensation is being evaluated already.");
+    return againstSwitchOn();
+}
+
+Obstacle Rules::againstDeactivate() const
+{
+    if (Obstacle found = noAxis())
+        return found;
+    if (Obstacle found = busy())
+        return found;
+    if (!m_now.isActive && !m_now.isEvaluating && m_now.problem.isEmpty())
+        return tr("The compensation is not active.");
+    return {};
+}
+
+Obstacle Rules::againstRevert() const
+{
+    if (!m_now.hasAxis)
+        return noAxis().value_or(tr("Choose an axis first."));
+    if (Obstacle found = busy())
+        return found;
+    if (!m_now.isChanged)
+        return tr("Nothing has changed.");
+    return {};
+}
+
+Obstacle Rules::againstRestore() const
+{
+    if (Obstacle found = noAxis())
+        return found;
+    if (Obstacle found = busy())
+        return found;
+    if (Obstacle found = unknown())
+        return found;
+    if (Obstacle found = active())
+        return found;
+    if (!m_now.hasBackup)
+        return tr("There is no backup of this axis yet: one is made before every write.");
+    return {};
+}
+
+Obstacle Rules::againstCancel() const
+{
+    if (m_now.isReadingFile)
+        return {};
+    if (!m_now.isBusy)
+        return tr("Nothing is running.");
+    if (!m_now.canCancel)
+        return tr("It is being stopped already.");
+    return {};
+}
+
+Obstacle Rules::obstacle(Action action) const
+{
+    switch (action) {
+    case Action::Write:
+        return againstWrite();
+    case Action::Activate:
+        return againstActivate();
+    case Action::Evaluate:
+        return againstEvaluate();
+    case Action::Deactivate:
+        return againstDeactivate();
+    case Action::Revert:
+        return againstRevert();
+    case Action::RestorePrevious:
+        return againstRestore();
+    case Action::Refresh:
+        return m_now.hasDrives ? busy() : noAxis();
+    case Action::OpenData:
+        return busy();
+    case Action::Cancel:
+        break;
+    }
+    return againstCancel();
+}
+
+QString Rules::writeConsequence() const
+{
+    if (!m_now.isChanged)
+        return tr("Finishes an earlier write: saves the parameters of the drive.");
+    if (m_now.flashOperationsNeeded > 0 && m_now.isFlashLimitKnown)
+        return tr("Writes to the drive and stores in flash: %1 of %2 flash operations that are "
+                  "possible now.")
+            .arg(m_now.flashOperationsNeeded)
+            .arg(m_now.flashOperationsLeft);
+    if (m_now.flashOperationsNeeded > 0)
+        return tr("Writes to the drive and stores in flash.");
+    if (m_now.isPersistent)
+        return tr("Writes to the drive and saves its parameters; the table in flash stays.");
+    return tr("Writes to the drive; a reboot of the drive brings the stored state back.");
+}
+
+QString Rules::consequence(Action action) const
+{
+    switch (action) {
+    case Action::Write:
+        return writeConsequence();
+    case Action::Activate:
+        return tr("Adds the table's values to the encoder position, then proves that the drive "
+                  "adds what the table says.");
+    case Action::Evaluate:
+        return tr("Lets the drive check table and sources and look up, without adding anything.");
+    case Action::Deactivate:
+        return tr("Switches the compensation off; table and settings stay on the drive.");
+    case Action::Revert:
+        return tr("Puts the drive's values back into the fields.");
+    case Action::RestorePrevious:
+        return tr("Writes the table and the sources that the axis had before.");
+    case Action::Refresh:
+        return tr("Looks for drives and axes again and reads the axis.");
+    case Action::OpenData:
+        return tr("Opens a file of compensation data, .csv or .TAMtbl.");
+    case Action::Cancel:
+        break;
+    }
+    if (m_now.isReadingFile && !m_now.isBusy)
+        return tr("Stops reading the file.");
+    return m_now.isWriting ? tr("Stops the write and puts the old state back.")
+                           : tr("Stops what is running.");
+}
+
+ActionState Rules::state(Action action) const
+{
+    if (Obstacle found = obstacle(action))
+        return {false, *found};
+    return {true, consequence(action)};
+}
+
+QString Rules::hint() const
+{
+    if (m_now.isBusy)
+        return m_now.operation.isEmpty() ? tr("Please wait for what is running.")
+                                         : asSentence(tr("%1 ...").arg(m_now.operation));
+    if (Obstacle found = noAxis())
+        return *found;
+    if (Obstacle found = unknown())
+        return *found;
+    if (m_now.isReadingFile)
+        return tr("The file is being read.");
+    if (m_now.unfinished == Unfinished::Mixture)
+        return tr("An earlier write left the axis in neither the old nor the new state: write "
+                  "again, or restore the previous state.");
+    if (m_now.isChanged)
+        return againstWrite().value_or(tr("Parameters must be written."));
+    if (m_now.unfinished == Unfinished::Unsaved)
+        return againstWrite().value_or(tr(
+            "An earlier write did not end: the parameters may not be saved. Write to finish it."));
+    if (!m_now.problem.isEmpty())
+        return m_now.problem;
+    if (m_now.isActive)
+        return tr("The compensation is active.");
+    if (!m_now.hasDriveTable)
+        return unfit().value_or(tr("The axis has no table on the drive: write one first."));
+    if (m_now.isEvaluating)
+        return tr("The compensation is being evaluated: the drive adds nothing.");
+    return againstActivate().value_or(consequence(Action::Activate));
+}
+
+} // namespace
+
+WizardDecision decide(const WizardSnapshot& now)
+{
+    const Rules rules(now);
+    WizardDecision decision;
+    for (const Action action : allActions)
+        decision.actions[static_cast<std::size_t>(action)] = rules.state(action);
+    decision.hint = rules.hint();
+    return decision;
+}
+
+} // namespace axiscomp::ui

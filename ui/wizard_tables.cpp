@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/tam_table.h"
+#include "ui/sign_sentence.h"
+#include "ui/wizard_controller_p.h"
+
+#include <algorithm>
+
+namespace axiscomp::ui {
+
+namespace {
+
+/// Where the table is in the file that was read again: by its name, else by its place.
+int placeOf(const CalibrationData& before, int index, const CalibrationData& now)
+{
+    const auto& name = before.tables[static_cast<std::size_t>(index)].name;
+    const auto found = std::ranges::find(now.tables, name, &CompensationTable::name);
+    if (found != now.tables.end())
+        return static_cast<int>(found - now.tables.begin());
+    return std::min(index, static_cast<int>(now.tables.size()) - 1);
+}
+
+} // namespace
+
+void WizardController::Private::fileReplaced(
+    const std::shared_ptr<const CalibrationData>& before, bool isSameFile)
+{
+    const auto& now = file.file().data;
+    const std::optional<int> chosen = setup.edited().table.fileTable;
+    if (!now)
+        setup.setTable({});
+    else if (!isSameFile || !before)
+        setup.setTable({0});
+    else if (chosen && *chosen < static_cast<int>(before->tables.size()))
+        setup.setTable({placeOf(*before, *chosen, *now)});
+    if (now)
+        log(LogLine::Kind::Information,
+            tr("%1 has been read: %2 points, tables: %3.")
+                .arg(file.file().path)
+                .arg(now->grid.pointCount())
+                .arg(now->tables.size()));
+    noteSelectedTable();
+}
+
+void WizardController::Private::fileFailed(const LoadedFile& failed)
+{
+    const auto problems =
+        std::ranges::count(failed.problems, Severity::Error, &Diagnostic::severity);
+    log(LogLine::Kind::Error,
+        tr("%1 cannot be used: %2 problems.")
+            .arg(failed.path)
+            .arg(static_cast<qulonglong>(problems) + failed.suppressedProblems));
+}
+
+std::shared_ptr<const CompensationTable> WizardController::Private::selectedTable() const
+{
+    const std::optional<int> chosen = setup.edited().table.fileTable;
+    return chosen ? file.table(*chosen) : driveTable.table();
+}
+
+std::size_t WizardController::Private::selectedTableBytes() const
+{
+    const auto table = selectedTable();
+    return table ? tamTableSize(table->grid, profile.layout) : 0;
+}
+
+void WizardController::Private::noteSelectedTable()
+{
+    auto now = selectedTable();
+    if (now == shownTable)
+        return;
+    shownTable = std::move(now);
+    Q_EMIT q.selectedTableChanged();
+}
+
+void WizardController::Private::fieldChanged(Field field)
+{
+    if (task != Task::Write)
+        plan.reset();
+    if (field == Field::Dimensionality && !isLeaving)
+        file.setDimensions(setup.edited().dimensionality);
+    if (field == Field::Table)
+        noteSelectedTable();
+    update();
+}
+
+QString WizardController::signSentence() const
+{
+    const auto table = d->selectedTable();
+    const AxisInfo axis = d->status ? d->status->axis : AxisInfo{};
+    return table ? signSentenceFor(*table, axis, d->setup.edited().sources) : QString();
+}
+
+} // namespace axiscomp::ui

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/axis_compensator.h"
+#include "core/calibration_csv.h"
+#include "ui/drive_session.h"
+
+#include <QString>
+
+#include <array>
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+/// The plain values that the wizard's page shows.
+namespace axiscomp::ui {
+
+/// The page's actions. Each says why it cannot be done now.
+enum class Action {
+    Write,
+    Activate,
+    Evaluate,
+    Deactivate,
+    Revert,
+    RestorePrevious,
+    Refresh,
+    OpenData,
+    Cancel,
+};
+inline constexpr std::array allActions{Action::Write, Action::Activate, Action::Evaluate,
+    Action::Deactivate, Action::Revert, Action::RestorePrevious, Action::Refresh, Action::OpenData,
+    Action::Cancel};
+
+struct ActionState {
+    bool isEnabled = false;
+    QString reason; ///< a translated sentence: why not, or what will happen
+    friend bool operator==(const ActionState&, const ActionState&) = default;
+};
+
+/// One entry of the Axis field.
+struct AxisEntry {
+    QString endpoint; ///< of its drive, without a password
+    QString driveName;
+    std::int32_t serialNumber = 0;
+    AxisInfo axis;
+    bool isDemo = false;
+    bool isUsable = false; ///< false: no compensation registers, or the drive does not answer
+    QString label; ///< unique among the entries, "X · Triamec-616 (demo)"
+    QString problem; ///< a translated sentence: why it is not usable; empty when it is
+};
+
+struct DriveState {
+    enum class Connection { Connecting, Connected, Lost };
+    QString endpoint; ///< without a password
+    QString name; ///< empty until identified
+    Connection connection = Connection::Connecting;
+    QString problem; ///< translated, when Lost
+    bool isDemo = false;
+    friend bool operator==(const DriveState&, const DriveState&) = default;
+};
+
+/// The open file of compensation data.
+struct DataFile {
+    QString path; ///< of data; of the file that was tried when there is none; empty: none is open
+    std::shared_ptr<const CalibrationData> data; ///< only of a file without errors
+    std::vector<Diagnostic> problems;
+    std::size_t suppressedProblems = 0;
+    QString problemsPath; ///< the file that has the problems: after a bad one, not that of data
+    bool isReading = false;
+    QString readingPath; ///< the file that is being read
+    double progress = 0.0;
+    bool hasChangedOnDisk = false;
+};
+
+/// What a busy page shows.
+struct BusyState {
+    bool isBusy = false;
+    QString step; ///< translated: "writing: verifying table"
+    double fraction = 0.0;
+    bool canCancel = false;
+};
+
+struct LogLine {
+    WallTime time;
+    enum class Kind { Information, Warning, Error } kind = Kind::Information;
+    QString text;
+    QString detail;
+};
+
+struct WizardOptions {
+    LinkFactory linkFactory;
+    const DriveProfile* profile = nullptr; ///< must outlive the controller
+    std::filesystem::path storeRoot;
+    std::chrono::milliseconds timeout{5000};
+    std::chrono::milliseconds liveInterval{100}; ///< 0: live values only on refreshLive()
+    std::chrono::milliseconds reconnectInterval{2000};
+};
+
+} // namespace axiscomp::ui
