@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/file_picker.h"
 #include "ui/wizard_controller.h"
 
 #include <QWidget>
@@ -17,7 +18,9 @@ class CompensationWizard : public QWidget {
     Q_OBJECT
 
 public:
-    /// settings remembers window, files and connections; may be null, must outlive the wizard.
+    /// settings remembers files, connections, language and the page's proportions; may be null,
+    /// must outlive the wizard. When it is shown first and has been given no endpoints, it connects
+    /// to those of the settings, or to the demo drive.
     CompensationWizard(WizardOptions options, QSettings* settings, QWidget* parent = nullptr);
     ~CompensationWizard() override;
 
@@ -26,6 +29,10 @@ public:
     void openData(const QString& path);
     /// Asks when a write is running or changes are unwritten; false: stay open.
     [[nodiscard]] bool mayClose();
+    /// Without questions: a running write is stopped and put back, then closeRequested follows.
+    void stopAndClose();
+    /// Asks for files in place of the system's dialog.
+    void setFilePicker(FilePicker picker);
 
 Q_SIGNALS:
     /// For the title of the window around it: "[*]Axis Compensation Wizard - X · Triamec-616
@@ -36,7 +43,10 @@ Q_SIGNALS:
 protected:
     void changeEvent(QEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
+    void dragLeaveEvent(QDragLeaveEvent* event) override;
     void dropEvent(QDropEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void showEvent(QShowEvent* event) override;
 
 private:
     struct Private;

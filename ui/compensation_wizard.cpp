@@ -1,0 +1,334 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/compensation_wizard.h"
+
+#include "ui/action_panel.h"
+#include "ui/changed_style.h"
+#include "ui/connections_dialog.h"
+#include "ui/drive_bar.h"
+#include "ui/drop_frame.h"
+#include "ui/file_actions.h"
+#include "ui/language.h"
+#include "ui/leave_guard.h"
+#include "ui/log_view.h"
+#include "ui/message_stack.h"
+#include "ui/page_menu.h"
+#include "ui/page_messages.h"
+#include "ui/preview_panel.h"
+#include "ui/setup_panel.h"
+#include "ui/wizard_page.h"
+#include "ui/wizard_settings.h"
+#include "ui/write_flow.h"
+#include "ui/write_preview.h"
+
+#include <QBoxLayout>
+#include <QDragEnterEvent>
+#include <QFileInfo>
+#include <QKeyEvent>
+#include <QMimeData>
+#include <QPointer>
+#include <QShortcut>
+#include <QTimer>
+
+namespace axiscomp::ui {
+
+namespace {
+
+const QLatin1StringView demoEndpoint("demo:");
+
+/// The one file that is dragged; empty when it is none or several.
+QString draggedFile(const QMimeData& data)
+{
+    const QList<QUrl> urls = data.urls();
+    return urls.size() == 1 ? urls.front().toLocalFile() : QString();
+}
+
+} // namespace
+
+struct CompensationWizard::Private {
+    Private(CompensationWizard& wizard, const WizardOptions& wizardOptions, QSettings* qSettings);
+
+    void connectParts();
+    void addShortcut(const QKeySequence& keys, std::function<void()> action);
+    void addShortcuts();
+    void start();
+    void chooseDrive(const QString& endpoint);
+    void chooseAxis(int index);
+    void showConnections();
+    void takeEndpoints(const QStringList& endpoints);
+    void chooseLanguage(const QString& chosen);
+    void skipPreview(bool isSkipped);
+    void announceTitle();
+
+    CompensationWizard& q;
+    WizardOptions options;
+    WizardSettings settings;
+    Language language;
+    ChangedStyle style;
+    WizardController controller;
+    PageMenu* menu;
+    WizardPage* page;
+    DropFrame* dropFrame;
+    FileActions files;
+    WriteFlow writeFlow;
+    LeaveGuard guard;
+    PageMessages messages;
+    QPointer<ConnectionsDialog> connections;
+    bool isStarted = false;
+};
+
+CompensationWizard::Private::Private(
+    CompensationWizard& wizard, const WizardOptions& wizardOptions, QSettings* qSettings)
+    : q(wizard)
+    , options(wizardOptions)
+    , settings(qSettings)
+    , language(settings.language())
+    , controller(wizardOptions)
+    , menu(new PageMenu(&wizard))
+    , page(new WizardPage(controller, *options.profile, style, *menu, &wizard))
+    , dropFrame(new DropFrame(&wizard))
+    , files(controller, settings, page->setup->dataField(), wizard)
+    , writeFlow(controller, *page->preview)
+    , guard(controller, *page->messages)
+    , messages(controller, *page->messages)
+{
+    menu->showLanguage(settings.language());
+    page->preview->writePreview().setSkippedForVolatile(settings.isPreviewSkippedForVolatile());
+    menu->showPreviewSkipped(settings.isPreviewSkippedForVolatile());
+    page->restoreSplitters(settings);
+}
+
+void CompensationWizard::Private::connectParts()
+{
+    connect(page->driveBar, &DriveBar::driveChosen, &q,
+        [this](const QString& endpoint) { chooseDrive(endpoint); });
+    connect(page->driveBar, &DriveBar::connectionsRequested, &q, [this] { showConnections(); });
+    connect(&messages, &PageMessages::connectionsRequested, &q, [this] { showConnections(); });
+    connect(page->setup, &SetupPanel::axisChosen, &q, [this](int index) { chooseAxis(index); });
+    connect(page->actions, &ActionPanel::writeRequested, &writeFlow, &WriteFlow::proceed);
+    connect(page->actions, &ActionPanel::restoreRequested, &controller,
+        &WizardController::restorePrevious);
+    connect(page->preview, &PreviewPanel::saveExampleRequested, &files, &FileActions::saveExample);
+    connect(&page->preview->writePreview(), &WritePreview::skipForVolatileChanged, &q,
+        [this](bool isSkipped) { skipPreview(isSkipped); });
+    connect(page->log, &LogView::saveRequested, &q, [this] { files.saveLog(page->log->text()); });
+    connect(&files, &FileActions::failed, &messages, &PageMessages::showFailure);
+    connect(&guard, &LeaveGuard::closeAgreed, &q, &CompensationWizard::closeRequested);
+    connect(menu, &PageMenu::languageChosen, &q,
+        [this](const QString& chosen) { chooseLanguage(chosen); });
+    connect(menu, &PageMenu::previewSkippedChosen, &q,
+        [this](bool isSkipped) { skipPreview(isSkipped); });
+    connect(menu, &PageMenu::saveLogRequested, &q, [this] { files.saveLog(page->log->text()); });
+    const auto announce = [this] { announceTitle(); };
+    connect(&controller, &WizardController::currentAxisChanged, &q, announce);
+    connect(&controller, &WizardController::axesChanged, &q, announce);
+    connect(&controller.setup(), &SetupModel::fieldChanged, &q, announce);
+}
+
+void CompensationWizard::Private::addShortcut(
+    const QKeySequence& keys, std::function<void()> action)
+{
+    auto* shortcut = new QShortcut(keys, &q);
+    shortcut->setContext(Qt::WidgetWithChildrenShortcut);
+    connect(shortcut, &QShortcut::activated, &q, std::move(action));
+}
+
+void CompensationWizard::Private::addShortcuts()
+{
+    addShortcut(QKeySequence::Refresh, [this] {
+        if (controller.action(Action::Refresh).isEnabled)
+            controller.refresh();
+    });
+    addShortcut(QKeySequence::Open, [this] { files.askAndOpen(); });
+    addShortcut(Qt::CTRL | Qt::Key_Return, [this] { writeFlow.proceed(); });
+    addShortcut(Qt::CTRL | Qt::Key_Enter, [this] { writeFlow.proceed(); });
+    addShortcut(Qt::CTRL | Qt::Key_R, [this] { page->setup->revertFocused(); });
+    addShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_R, [this] {
+        if (controller.action(Action::Revert).isEnabled)
+            controller.setup().revert();
+    });
+    addShortcut(Qt::CTRL | Qt::Key_L, [this] { page->showLog(!page->isLogShown()); });
+}
+
+void CompensationWizard::Private::start()
+{
+    if (isStarted)
+        return;
+    isStarted = true;
+    if (!controller.endpoints().isEmpty())
+        return;
+    const QStringList known = settings.endpoints();
+    controller.setEndpoints(known.isEmpty() ? QStringList(demoEndpoint) : known);
+    if (known.isEmpty())
+        messages.offerDemo();
+}
+
+void CompensationWizard::Private::chooseDrive(const QString& endpoint)
+{
+    const auto& axes = controller.axes();
+    const int current = controller.currentAxis();
+    if (current >= 0 && axes.at(static_cast<std::size_t>(current)).endpoint == endpoint)
+        return;
+    for (std::size_t i = 0; i < axes.size(); ++i) {
+        if (axes[i].endpoint == endpoint && axes[i].isUsable) {
+            chooseAxis(static_cast<int>(i));
+            return;
+        }
+    }
+}
+
+void CompensationWizard::Private::chooseAxis(int index)
+{
+    guard.loseChanges(CompensationWizard::tr("&Discard and Change Axis"),
+        [this, index] { controller.selectAxis(index); });
+}
+
+void CompensationWizard::Private::showConnections()
+{
+    if (!connections) {
+        connections = new ConnectionsDialog(controller,
+            {options.linkFactory, options.profile, options.storeRoot, options.timeout}, &q);
+        connect(connections, &ConnectionsDialog::endpointsAccepted, &q,
+            [this](const QStringList& endpoints) { takeEndpoints(endpoints); });
+    }
+    connections->open();
+}
+
+void CompensationWizard::Private::takeEndpoints(const QStringList& endpoints)
+{
+    if (endpoints == controller.endpoints())
+        return;
+    guard.loseChanges(CompensationWizard::tr("&Discard and Change Connections"), [this, endpoints] {
+        settings.setEndpoints(endpoints);
+        page->messages->remove(QStringLiteral("demoMessage"));
+        controller.setEndpoints(endpoints);
+    });
+}
+
+void CompensationWizard::Private::chooseLanguage(const QString& chosen)
+{
+    settings.setLanguage(chosen);
+    language.select(chosen);
+    menu->showLanguage(chosen);
+}
+
+void CompensationWizard::Private::skipPreview(bool isSkipped)
+{
+    settings.setPreviewSkippedForVolatile(isSkipped);
+    menu->showPreviewSkipped(isSkipped);
+    page->preview->writePreview().setSkippedForVolatile(isSkipped);
+}
+
+void CompensationWizard::Private::announceTitle()
+{
+    const int axis = controller.currentAxis();
+    const QString program = CompensationWizard::tr("Axis Compensation Wizard");
+    const QString title = axis < 0 ? program
+                                   : program + QStringLiteral(" - ")
+            + controller.axes().at(static_cast<std::size_t>(axis)).label;
+    Q_EMIT q.titleChanged(QStringLiteral("[*]") + title, controller.setup().isChanged());
+}
+
+CompensationWizard::CompensationWizard(WizardOptions options, QSettings* settings, QWidget* parent)
+    : QWidget(parent)
+    , d(std::make_unique<Private>(*this, options, settings))
+{
+    setObjectName(QStringLiteral("compensationWizard"));
+    setAcceptDrops(true);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(d->page);
+    d->connectParts();
+    d->addShortcuts();
+}
+
+CompensationWizard::~CompensationWizard()
+{
+    d->page->saveSplitters(d->settings);
+    // The widgets refer to what d owns, so they go first.
+    const auto children = findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly);
+    qDeleteAll(children);
+}
+
+WizardController& CompensationWizard::controller()
+{
+    return d->controller;
+}
+
+void CompensationWizard::openData(const QString& path)
+{
+    d->files.open(path);
+}
+
+bool CompensationWizard::mayClose()
+{
+    return d->guard.mayClose();
+}
+
+void CompensationWizard::stopAndClose()
+{
+    d->guard.stopAndClose();
+}
+
+void CompensationWizard::setFilePicker(FilePicker picker)
+{
+    d->files.setPicker(std::move(picker));
+}
+
+void CompensationWizard::changeEvent(QEvent* event)
+{
+    if (event->type() == QEvent::LanguageChange && d) {
+        d->menu->retranslate();
+        d->page->retranslate();
+        d->messages.retranslate();
+        d->announceTitle();
+    }
+    QWidget::changeEvent(event);
+}
+
+void CompensationWizard::dragEnterEvent(QDragEnterEvent* event)
+{
+    const QString file = draggedFile(*event->mimeData());
+    if (file.isEmpty() || !d->controller.action(Action::OpenData).isEnabled)
+        return;
+    event->acceptProposedAction();
+    d->dropFrame->showFor(QFileInfo(file).fileName());
+}
+
+void CompensationWizard::dragLeaveEvent(QDragLeaveEvent* event)
+{
+    d->dropFrame->hide();
+    QWidget::dragLeaveEvent(event);
+}
+
+void CompensationWizard::dropEvent(QDropEvent* event)
+{
+    d->dropFrame->hide();
+    const QString file = draggedFile(*event->mimeData());
+    if (file.isEmpty())
+        return;
+    event->acceptProposedAction();
+    openData(file);
+}
+
+void CompensationWizard::keyPressEvent(QKeyEvent* event)
+{
+    if (event->key() != Qt::Key_Escape) {
+        QWidget::keyPressEvent(event);
+        return;
+    }
+    if (d->writeFlow.isPreviewing())
+        d->writeFlow.back();
+    else if (d->controller.busy().canCancel)
+        d->controller.cancel();
+    else
+        QWidget::keyPressEvent(event);
+}
+
+void CompensationWizard::showEvent(QShowEvent* event)
+{
+    QWidget::showEvent(event);
+    // After the first paint.
+    QTimer::singleShot(0, this, [this] { d->start(); });
+}
+
+} // namespace axiscomp::ui

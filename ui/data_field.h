@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QStringList>
+#include <QWidget>
+
+class QLineEdit;
+class QMenu;
+class QProgressBar;
+class QPushButton;
+class QStackedWidget;
+class QToolButton;
+
+namespace axiscomp::ui {
+
+/// The name of the open file, or how far it is read, with the buttons to open and to cancel.
+class DataField : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit DataField(QWidget* parent = nullptr);
+
+    /// Empty: no file is open.
+    void showFile(const QString& path);
+    void showReading(double fraction);
+    void setOpenEnabled(bool isEnabled, const QString& reason);
+    void setRecentFiles(const QStringList& paths);
+    void retranslate();
+
+Q_SIGNALS:
+    void openRequested();
+    void fileChosen(const QString& path);
+    void readAgainRequested();
+    void closeRequested();
+    void cancelRequested();
+
+private:
+    void fillMenu();
+
+    QStackedWidget* m_stack;
+    QLineEdit* m_name;
+    QProgressBar* m_progress;
+    QPushButton* m_open;
+    QPushButton* m_cancel;
+    QToolButton* m_more;
+    QMenu* m_menu;
+    QString m_path;
+    QStringList m_recent;
+    QString m_reason;
+};
+
+} // namespace axiscomp::ui

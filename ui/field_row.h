@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <QString>
+
+class QGridLayout;
+class QLabel;
+class QStyle;
+class QToolButton;
+class QWidget;
+
+namespace axiscomp::ui {
+
+class BusyMark;
+
+/// The fixed texts of a field.
+struct FieldTexts {
+    QString label; ///< with its mnemonic
+    QString toolTip;
+    QString description; ///< for screen readers; what the field is for
+};
+
+/// One field of the page: its label, its editor, a button that puts the drive's value back, and a
+/// line below the editor that says what is wrong, that the value is changed, or what it means, in
+/// this order of importance. Says the same to screen readers.
+class FieldRow : public QObject {
+    Q_OBJECT
+
+public:
+    /// Takes the editor, which has an object name; style draws the frame of a changed editor.
+    FieldRow(QWidget* editor, QStyle* style, QWidget* parent);
+
+    /// Two rows of the grid: columns label, editor, buttons.
+    void addTo(QGridLayout& grid, int firstRow);
+
+    [[nodiscard]] QWidget& editor();
+    [[nodiscard]] const FieldTexts& texts() const;
+    void setTexts(const FieldTexts& texts);
+    /// Whether there is a button for putting the drive's value back.
+    void setRevertible(bool isRevertible);
+    void setVisible(bool isVisible);
+    [[nodiscard]] bool isVisible() const;
+    void setEnabled(bool isEnabled);
+
+    /// driveText: the drive's value in words.
+    void setChanged(bool isChanged, const QString& driveText);
+    [[nodiscard]] bool isChanged() const;
+    void setProblem(const QString& sentence);
+    void setInformation(const QString& text);
+    void setBusy(bool isBusy);
+    /// What the line below the editor says now.
+    [[nodiscard]] QString note() const;
+
+Q_SIGNALS:
+    void revertRequested();
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    void showState();
+    void showContextMenu(const QPoint& position);
+    [[nodiscard]] QString changedText() const;
+
+    QWidget* m_editor;
+    QLabel* m_label;
+    QLabel* m_note;
+    QLabel* m_noteSymbol;
+    QWidget* m_noteLine;
+    QToolButton* m_revert;
+    BusyMark* m_busy;
+    FieldTexts m_texts;
+    QString m_driveText;
+    QString m_problem;
+    QString m_information;
+    bool m_isChanged = false;
+    bool m_isRevertible = true;
+    bool m_isVisible = true;
+};
+
+} // namespace axiscomp::ui

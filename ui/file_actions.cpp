@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/file_actions.h"
+
+#include "core/local_file.h"
+#include "ui/background.h"
+#include "ui/data_field.h"
+#include "ui/future_handler.h"
+#include "ui/wizard_controller.h"
+#include "ui/wizard_settings.h"
+
+#include <QDateTime>
+#include <QDir>
+#include <QWidget>
+
+namespace axiscomp::ui {
+
+namespace {
+
+Bytes bytesOf(const std::string& text)
+{
+    const auto* begin = reinterpret_cast<const std::byte*>(text.data());
+    return {begin, begin + text.size()};
+}
+
+} // namespace
+
+FileActions::FileActions(WizardController& controller, WizardSettings& settings, DataField& field,
+    QWidget& window, QObject* parent)
+    : QObject(parent)
+    , m_controller(controller)
+    , m_settings(settings)
+    , m_field(field)
+    , m_window(window)
+    , m_picker(systemFilePicker())
+{
+    field.setRecentFiles(settings.recentFiles());
+    connect(&field, &DataField::openRequested, this, &FileActions::askAndOpen);
+    connect(&field, &DataField::fileChosen, this, &FileActions::open);
+    connect(&field, &DataField::readAgainRequested, this,
+        [this] { m_controller.openData(m_controller.dataFile().path); });
+    connect(&field, &DataField::closeRequested, &controller, &WizardController::closeData);
+    connect(&field, &DataField::cancelRequested, &controller, &WizardController::cancelReading);
+}
+
+void FileActions::setPicker(FilePicker picker)
+{
+    m_picker = std::move(picker);
+}
+
+void FileActions::askAndOpen()
+{
+    if (!m_controller.action(Action::OpenData).isEnabled)
+        return;
+    FileQuestion question;
+    question.purpose = FileQuestion::Purpose::OpenData;
+    question.title = tr("Open Compensation Data");
+    question.filter = tr("Calibration files (*.csv *.txt);;All files (*)");
+    question.start = m_settings.folder();
+    m_picker(m_window, question, [this](const QString& path) { open(path); });
+}
+
+void FileActions::open(const QString& path)
+{
+    if (path.isEmpty())
+        return;
+    m_controller.openData(path);
+    m_settings.addRecentFile(path);
+    m_field.setRecentFiles(m_settings.recentFiles());
+}
+
+void FileActions::saveExample(int dimensionality)
+{
+    FileQuestion question;
+    question.purpose = FileQuestion::Purpose::SaveExample;
+    question.title = tr("Save Example File");
+    question.filter = tr("Calibration files (*.csv)");
+    question.start =
+        QDir(m_settings.folder()).filePath(QStringLiteral("example-%1d.csv").arg(dimensionality));
+    m_picker(m_window, question, [this, dimensionality](const QString& path) {
+        save(path, exampleCalibrationCsv(dimensionality));
+    });
+}
+
+void FileActions::saveLog(const QString& text)
+{
+    FileQuestion question;
+    question.purpose = FileQuestion::Purpose::SaveLog;
+    question.title = tr("Save Log");
+    question.filter = tr("Text files (*.txt)");
+    const QString time = QDateTime::currentDateTime().toString(QStringLiteral("yyyyMMdd-HHmmss"));
+    question.start =
+        QDir(m_settings.folder()).filePath(QStringLiteral("axis-compensation-%1.txt").arg(time));
+    m_picker(m_window, question,
+        [this, text = text.toStdString()](const QString& path) { save(path, text); });
+}
+
+void FileActions::save(const QString& path, std::string text)
+{
+    if (path.isEmpty())
+        return;
+    const std::filesystem::path file = path.toStdString();
+    const auto saved = inBackground<Result<void>>(
+        [file, text = std::move(text)] { return saveFile(file, bytesOf(text)); });
+    whenDone(saved, this, [this](const Result<void>& result) {
+        if (!result)
+            Q_EMIT failed(errorText(result.error()));
+    });
+}
+
+} // namespace axiscomp::ui

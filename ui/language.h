@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QLocale>
+#include <QObject>
+#include <QTranslator>
+
+namespace axiscomp::ui {
+
+/// The language of the page's texts and numbers, changed while the program runs. Translations are
+/// the resources :/i18n/axiscomp_<language>.qm; the texts in the sources are English.
+class Language : public QObject {
+    Q_OBJECT
+
+public:
+    /// As select().
+    explicit Language(const QString& language, QObject* parent = nullptr);
+    ~Language() override;
+
+    /// "en" and every language that there is a translation for.
+    [[nodiscard]] static QStringList available();
+    /// "Deutsch"
+    [[nodiscard]] static QString nativeName(const QString& language);
+
+    /// Empty: the system's, English when there is no translation for it. Every widget gets a
+    /// LanguageChange event.
+    void select(const QString& language);
+    /// As selected: empty for the system's.
+    [[nodiscard]] const QString& selected() const;
+
+private:
+    void install(
+        QTranslator& translator, const QLocale& locale, const QString& name, const QString& folder);
+
+    QString m_selected;
+    QLocale m_systemDefault;
+    QTranslator m_texts;
+    QTranslator m_qtTexts;
+};
+
+} // namespace axiscomp::ui

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/page_messages.h"
+
+#include "ui/message_stack.h"
+#include "ui/wizard_controller.h"
+
+#include <QFileInfo>
+
+namespace axiscomp::ui {
+
+namespace {
+
+const QLatin1StringView outcomeId("outcomeMessage");
+const QLatin1StringView fileId("fileChangedMessage");
+const QLatin1StringView demoId("demoMessage");
+const QLatin1StringView failureId("failureMessage");
+
+} // namespace
+
+PageMessages::PageMessages(WizardController& controller, MessageStack& messages, QObject* parent)
+    : QObject(parent)
+    , m_controller(controller)
+    , m_messages(messages)
+{
+    connect(&controller, &WizardController::outcomeChanged, this, &PageMessages::showOutcome);
+    connect(&controller, &WizardController::dataFileChanged, this, &PageMessages::showFileChange);
+}
+
+void PageMessages::offerDemo()
+{
+    Message message;
+    message.id = demoId;
+    message.text = tr("No drive is set up yet, so this is the built-in demo drive: everything can "
+                      "be tried, nothing is real.");
+    message.buttons = {{QStringLiteral("setUpDrivesButton"), tr("Set &Up Drives…"),
+        [this] { Q_EMIT connectionsRequested(); }}};
+    m_messages.show(message);
+}
+
+void PageMessages::showFailure(const QString& sentence)
+{
+    Message message;
+    message.id = failureId;
+    message.tone = Tone::Error;
+    message.text = sentence;
+    m_messages.show(message);
+}
+
+void PageMessages::retranslate()
+{
+    if (m_messages.contains(demoId))
+        offerDemo();
+    if (m_messages.contains(outcomeId))
+        showOutcome();
+    showFileChange();
+}
+
+void PageMessages::showOutcome()
+{
+    Message message;
+    message.id = outcomeId;
+    message.tone = m_controller.isOutcomeAnError() ? Tone::Error : Tone::Success;
+    message.text = m_controller.outcome();
+    if (message.text.isEmpty())
+        m_messages.remove(message.id);
+    else if (m_messages.text(message.id) != message.text)
+        m_messages.show(message);
+}
+
+void PageMessages::showFileChange()
+{
+    const DataFile& file = m_controller.dataFile();
+    if (!file.hasChangedOnDisk || file.isReading) {
+        m_messages.remove(fileId);
+        return;
+    }
+    Message message;
+    message.id = fileId;
+    message.text = tr("%1 has changed on disk.").arg(QFileInfo(file.path).fileName());
+    message.buttons = {{QStringLiteral("readAgainButton"), tr("Read A&gain"),
+        [this] { m_controller.openData(m_controller.dataFile().path); }}};
+    if (m_messages.text(message.id) != message.text)
+        m_messages.show(message);
+}
+
+} // namespace axiscomp::ui

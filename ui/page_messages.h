@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+
+namespace axiscomp::ui {
+
+class MessageStack;
+class WizardController;
+
+/// What the page tells on its own: how an operation ended, that the open file has changed, that the
+/// drive is the demo.
+class PageMessages : public QObject {
+    Q_OBJECT
+
+public:
+    PageMessages(WizardController& controller, MessageStack& messages, QObject* parent = nullptr);
+
+    /// Nothing is configured: the demo drive is what there is.
+    void offerDemo();
+    void showFailure(const QString& sentence);
+    void retranslate();
+
+Q_SIGNALS:
+    void connectionsRequested();
+
+private:
+    void showOutcome();
+    void showFileChange();
+
+    WizardController& m_controller;
+    MessageStack& m_messages;
+};
+
+} // namespace axiscomp::ui

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+
+class QLabel;
+class QPushButton;
+class QStackedWidget;
+class QTabWidget;
+
+namespace axiscomp {
+struct DriveProfile;
+}
+
+namespace axiscomp::ui {
+
+class ProblemList;
+class TablePlot;
+class WizardController;
+class WritePreview;
+
+/// The right side of the page: what the page does, the picture of the table with its numbers, and,
+/// before a write, the list of what will be written.
+class PreviewPanel : public QWidget {
+    Q_OBJECT
+
+public:
+    /// All references must outlive the panel.
+    PreviewPanel(
+        WizardController& controller, const DriveProfile& profile, QWidget* parent = nullptr);
+
+    [[nodiscard]] WritePreview& writePreview();
+    void showWritePreview(bool isShown);
+    [[nodiscard]] bool isWritePreviewShown() const;
+    void retranslate();
+
+Q_SIGNALS:
+    void saveExampleRequested(int dimensionality);
+
+private:
+    void build();
+    [[nodiscard]] QWidget* buildExplanation();
+    void connectController();
+    void showTables();
+    void showFacts();
+    void showMarker();
+    void showProblems();
+    void showExample();
+    [[nodiscard]] QString sizeText() const;
+    [[nodiscard]] QString warningText() const;
+
+    WizardController& m_controller;
+    const DriveProfile& m_profile;
+    QLabel* m_title;
+    QLabel* m_explanation;
+    QLabel* m_exampleLabel;
+    QPushButton* m_example;
+    QStackedWidget* m_stack;
+    QTabWidget* m_tabs;
+    TablePlot* m_plot;
+    ProblemList* m_problems;
+    WritePreview* m_writePreview;
+    QLabel* m_facts;
+    QLabel* m_size;
+    QLabel* m_warnings;
+    QLabel* m_sign;
+};
+
+} // namespace axiscomp::ui

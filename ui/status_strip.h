@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+
+class QLabel;
+class QProgressBar;
+class QPushButton;
+class QToolButton;
+
+namespace axiscomp {
+struct RegisterEnums;
+}
+
+namespace axiscomp::ui {
+
+class WizardController;
+
+/// The last row of the page: what runs and how far it is on the left, what the drive does now on
+/// the right.
+class StatusStrip : public QWidget {
+    Q_OBJECT
+
+public:
+    /// enums must outlive the strip.
+    StatusStrip(
+        WizardController& controller, const RegisterEnums& enums, QWidget* parent = nullptr);
+
+    void retranslate();
+    void setLogShown(bool isShown);
+
+Q_SIGNALS:
+    void logToggled(bool isShown);
+
+private:
+    void showBusy();
+    void showLive();
+
+    WizardController& m_controller;
+    const RegisterEnums& m_enums;
+    QLabel* m_step;
+    QProgressBar* m_progress;
+    QPushButton* m_cancel;
+    QLabel* m_stateSymbol;
+    QLabel* m_state;
+    QLabel* m_live;
+    QToolButton* m_log;
+};
+
+} // namespace axiscomp::ui
