@@ -4,6 +4,11 @@
 #include "tests/core/table_samples.h"
 #include "tests/support/verify.h"
 
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QProcess>
+#include <QTemporaryFile>
 #include <QTest>
 
 #include <cmath>
@@ -18,6 +23,21 @@ namespace {
 template <typename T> T loaded(const Bytes& file, std::size_t offset, bool littleEndian = true)
 {
     return loadAt<T>(ByteView(file).subspan(offset), littleEndian);
+}
+
+/// What tests/decode_tamtbl.py says about a file.
+QJsonObject independentlyRead(const Bytes& bytes)
+{
+    QTemporaryFile file;
+    if (!file.open() || file.write(asText(bytes).data(), static_cast<qint64>(bytes.size())) < 0
+        || !file.flush())
+        return {};
+    QProcess reader;
+    reader.setProcessChannelMode(QProcess::ForwardedErrorChannel);
+    reader.start(QStringLiteral("python3"),
+        {QStringLiteral(AXISCOMP_SOURCE_DIR "/tests/decode_tamtbl.py"), file.fileName()});
+    reader.waitForFinished();
+    return QJsonDocument::fromJson(reader.readAllStandardOutput()).object();
 }
 
 } // namespace
@@ -229,6 +249,33 @@ private Q_SLOTS:
         }
         QVERIFY(!sameTable(file, ByteView(file).first(file.size() - 1), genericTableLayout()));
         QVERIFY(sameTable({}, {}, genericTableLayout()));
+    }
+
+    void anIndependentReaderFindsTheSame()
+    {
+        CompensationTable table = exampleTable(3);
+        table.name = "Tr\xC3\xA4ger";
+        Bytes file = encoded(table, genericTableLayout(), true);
+        const QJsonObject found = independentlyRead(file);
+        QCOMPARE(found[QLatin1String("wrong")], QJsonArray());
+        QCOMPARE(found[QLatin1String("name")], QString::fromUtf8("Tr\xC3\xA4ger"));
+        QCOMPARE(found[QLatin1String("persistent")], true);
+        const QJsonArray axes = found[QLatin1String("axes")].toArray();
+        QCOMPARE(axes.size(), 3);
+        for (int i = 0; i < 3; ++i) {
+            const GridAxis& axis = table.grid.axes[static_cast<std::size_t>(i)];
+            QCOMPARE(axes[i][QLatin1String("size")], static_cast<qint64>(axis.size));
+            QCOMPARE(axes[i][QLatin1String("start")], axis.start);
+            QCOMPARE(axes[i][QLatin1String("distance")], axis.distance);
+        }
+        QJsonArray values;
+        for (const float value : table.values)
+            values.append(static_cast<double>(value));
+        QCOMPARE(found[QLatin1String("values")], values);
+
+        file.back() ^= std::byte{1};
+        QCOMPARE(independentlyRead(file)[QLatin1String("wrong")],
+            QJsonArray{QStringLiteral("elementCrc")});
     }
 
     void theLargestTableOfADriveFits()
