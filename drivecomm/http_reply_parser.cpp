@@ -70,7 +70,7 @@ void HttpReplyParser::feed(std::string_view bytes)
         }
         const std::size_t end = bytes.find('\n');
         const std::string_view piece = bytes.substr(0, end);
-        m_headSize += piece.size() + 1;
+        m_headSize += piece.size() + (end == std::string_view::npos ? 0 : 1);
         m_line += piece.substr(0, mostHead);
         if (m_step == Step::StatusLine && !mayBeStatusLine(m_line))
             return fail(
@@ -116,7 +116,8 @@ void HttpReplyParser::takeStatusLine(std::string_view line)
     // "HTTP/1.1 200" and perhaps a reason
     const std::string_view rest = line.substr(std::min(version.size(), line.size()));
     const bool isStatusLine = rest.size() >= 5 && isDigit(rest[0]) && rest[1] == ' '
-        && std::ranges::all_of(rest.substr(2, 3), isDigit) && (rest.size() == 5 || rest[5] == ' ');
+        && std::ranges::all_of(rest.substr(2, 3), isDigit) && rest[2] != '0'
+        && (rest.size() == 5 || rest[5] == ' ');
     if (!isStatusLine)
         return fail("the status line of an HTTP reply", line);
     m_reply = {};
