@@ -58,8 +58,25 @@ public:
 
 protected:
     void changeEvent(QEvent* event) override; ///< palette and language
+    bool eventFilter(QObject* watched, QEvent* event) override; ///< keys and mouse of the picture
 
 private:
+    void build();
+    void connectTools();
+    void retranslate();
+    void showTables();
+    void showSlice();
+    void showMarker();
+    void showReadout();
+    void moveCursor(int stepI, int stepJ);
+    void placeCursor(const QPointF& pixel);
+    void setCursorsShown(bool isShown);
+    void toggleCursor();
+    [[nodiscard]] bool handleKey(int key, Qt::KeyboardModifiers modifiers);
+    [[nodiscard]] QString pointText(
+        const CompensationTable& table, std::size_t i, std::size_t j) const;
+    void askForExport();
+
     struct Private;
     std::unique_ptr<Private> d;
 };
