@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/wizard/program.h"
+
+#include "app/common/arguments.h"
+#include "app/common/exit_codes.h"
+#include "app/common/interrupt.h"
+#include "app/wizard/first_paint.h"
+#include "app/wizard/wizard_window.h"
+#include "core/drive_store.h"
+#include "drivecomm/link_factory.h"
+#include "drivecomm/profile_loader.h"
+
+#include <QApplication>
+#include <QIcon>
+#include <QSettings>
+
+#include <exception>
+
+namespace axiscomp::app {
+
+namespace {
+
+constexpr const char* programName = "axis-compensation-wizard";
+
+struct WizardArguments {
+    std::vector<std::string> drives;
+    std::string profile;
+    std::string data;
+    double timeoutSeconds = 5.0;
+};
+
+void addOptions(CLI::App& app, WizardArguments& arguments)
+{
+    app.add_option("--drive", arguments.drives,
+           "Use this drive in place of the remembered ones; may be given several times: "
+           "http://[user:password@]host[:port], https://..., demo:")
+        ->option_text("ENDPOINT")
+        ->envname("AXISCOMP_DRIVE")
+        ->allow_extra_args(false);
+    app.add_option("--profile", arguments.profile,
+           "Drive profile (JSON) in place of the built-in one, generic")
+        ->option_text("FILE");
+    app.add_option("--data", arguments.data, "Open this file of compensation data")
+        ->option_text("FILE");
+    app.add_option("--timeout", arguments.timeoutSeconds,
+           "How long one exchange with a drive may take (5 unless given)")
+        ->option_text("SECONDS")
+        ->check(CLI::Range(0.1, 3600.0));
+}
+
+Result<DriveProfile> profileOf(const WizardArguments& arguments)
+{
+    if (arguments.profile.empty())
+        return drivecomm::genericProfile();
+    return drivecomm::loadProfile(arguments.profile);
+}
+
+/// A wrong address is a mistake on the command line, told before there is a window.
+Result<QStringList> endpointsOf(const WizardArguments& arguments)
+{
+    QStringList endpoints;
+    for (const std::string& text : arguments.drives) {
+        if (const auto endpoint = drivecomm::parseEndpoint(text); !endpoint)
+            return fail(endpoint.error());
+        endpoints += QString::fromStdString(text);
+    }
+    return endpoints;
+}
+
+ui::WizardOptions wizardOptions(const WizardArguments& arguments, const DriveProfile& profile)
+{
+    ui::WizardOptions options;
+    options.profile = &profile;
+    options.storeRoot = DriveStore::defaultRoot();
+    options.timeout =
+        std::chrono::milliseconds(static_cast<std::int64_t>(arguments.timeoutSeconds * 1000.0));
+    options.linkFactory = [&profile](
+                              const std::string& text) -> Result<std::unique_ptr<DriveLink>> {
+        const auto endpoint = drivecomm::parseEndpoint(text);
+        if (!endpoint)
+            return fail(endpoint.error());
+        return drivecomm::makeLink(*endpoint, profile);
+    };
+    return options;
+}
+
+QIcon programIcon()
+{
+    QIcon icon;
+    for (const int size : {16, 24, 32, 48, 64, 128, 256})
+        icon.addFile(QStringLiteral(":/axiscomp/icons/axis-compensation-wizard-%1.png").arg(size));
+    return icon;
+}
+
+Result<int> showWindow(
+    int argc, char** argv, const WizardArguments& arguments, Console& console, FirstPaint& paint)
+{
+    const auto profile = profileOf(arguments);
+    if (!profile)
+        return fail(profile.error());
+    const auto endpoints = endpointsOf(arguments);
+    if (!endpoints)
+        return fail(endpoints.error());
+    if (auto flushed = console.flush(); !flushed)
+        return fail(flushed.error());
+
+    Interrupt interrupt; // before any other thread
+    QApplication application(argc, argv);
+    QApplication::setOrganizationName(QStringLiteral("axiscomp"));
+    QApplication::setApplicationName(QString::fromLatin1(programName));
+    QApplication::setApplicationVersion(QStringLiteral(AXISCOMP_VERSION));
+    QApplication::setDesktopFileName(QString::fromLatin1(programName));
+    QApplication::setWindowIcon(programIcon());
+    QSettings settings;
+    WizardWindow window(wizardOptions(arguments, *profile), settings);
+    if (!endpoints->isEmpty())
+        window.wizard().controller().setEndpoints(*endpoints);
+    if (!arguments.data.empty())
+        window.wizard().openData(QString::fromStdString(arguments.data));
+    paint.watch(window, console);
+    window.show();
+    interrupt.setListener([&window](int) {
+        QMetaObject::invokeMethod(
+            &window, [&window] { window.wizard().stopAndClose(); }, Qt::QueuedConnection);
+    });
+    const int result = QApplication::exec();
+    interrupt.setListener({});
+    return result;
+}
+
+int run(int argc, char** argv, Console& console)
+{
+    FirstPaint paint;
+    WizardArguments arguments;
+    CLI::App app("Brings measured errors of machine axes into their drives: a window for one axis "
+                 "after the other.",
+        programName);
+    setHelpStyle(app);
+    app.set_version_flag(
+        "--version", std::string(programName) + " " AXISCOMP_VERSION, "Show the version");
+    app.footer("Without --drive it uses the drives of the last time, or the built-in demo drive.");
+    addOptions(app, arguments);
+    const auto proceed = parseArguments(app, argc, argv, console);
+    if (proceed && !*proceed)
+        return static_cast<int>(ExitCode::Done);
+    const Result<int> outcome =
+        proceed ? showWindow(argc, argv, arguments, console, paint) : fail(proceed.error());
+    if (outcome)
+        return *outcome;
+    const Error& error = outcome.error();
+    console.note("error: " + std::string(errorName(error.code)) + ": " + sentence(error));
+    return static_cast<int>(exitCode(error.code));
+}
+
+} // namespace
+
+int runWizard(int argc, char** argv)
+{
+    Console console;
+    try {
+        return run(argc, argv, console);
+    } catch (const std::exception& exception) {
+        console.note("error: Internal: " + std::string(exception.what()));
+        return static_cast<int>(ExitCode::OtherFailure);
+    }
+}
+
+} // namespace axiscomp::app
