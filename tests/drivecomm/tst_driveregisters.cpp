@@ -318,6 +318,11 @@ void TestDriveRegisters::writesAllOrNothing()
     const auto written =
         bench.drive->writeRegisters({fine, activation, persistent, commit, refused});
     VERIFY_ERROR(written, code);
+    const std::string said = sentence(written.error());
+    const std::string named = code == ErrorCode::DriveRejected && path.endsWith(u"/Command")
+        ? "Small2"
+        : path.toStdString();
+    QVERIFY2(said.find(named) != std::string::npos, said.c_str());
     QVERIFY(bench.drive->readTree("") == before);
 }
 

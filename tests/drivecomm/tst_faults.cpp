@@ -133,9 +133,9 @@ void TestFaults::countsWritesApart()
 {
     FaultPlan plan({{FaultSpec::Kind::StoresWrong, 2, {}}});
     std::vector<bool> wrong;
-    for (const bool isWrite : {false, true, false, false, true, true})
+    for (const bool isWrite : {false, true, false, true, false, true})
         wrong.push_back(plan.next(isWrite).storeWrong);
-    QVERIFY((wrong == std::vector<bool>{false, false, false, false, true, false}));
+    QVERIFY((wrong == std::vector<bool>{false, false, false, true, false, false}));
 }
 
 void TestFaults::slowAndRejectStay()
