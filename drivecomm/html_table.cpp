@@ -186,7 +186,8 @@ bool isInline(std::string_view name)
     if (name.starts_with('/'))
         name.remove_prefix(1);
     return name == "a" || name == "b" || name == "i" || name == "em" || name == "strong"
-        || name == "span" || name == "code" || name == "tt" || name == "font" || name == "u";
+        || name == "span" || name == "code" || name == "tt" || name == "font" || name == "u"
+        || name == "wbr";
 }
 
 /// Calls onText and onTag for the pieces of a page.

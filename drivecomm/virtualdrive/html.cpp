@@ -12,13 +12,13 @@ body { font: 1rem/1.5 system-ui, sans-serif; max-width: 64rem; margin: 0 auto; p
 header { display: flex; flex-wrap: wrap; gap: .25rem 1.5rem; align-items: baseline;
   border-bottom: 1px solid var(--line); padding: .75rem 0; }
 header strong { font-size: 1.1rem; }
-nav { display: flex; flex-wrap: wrap; gap: 1rem; margin-left: auto; }
+header nav { display: flex; flex-wrap: wrap; gap: 1rem; margin-left: auto; }
 a { color: var(--accent); }
 h1 { font-size: 1.5rem; margin: 1.25rem 0 .75rem; }
 h2 { font-size: 1.15rem; margin: 1.5rem 0 .5rem; }
 table { border-collapse: collapse; width: 100%; }
 th, td { text-align: left; vertical-align: baseline; padding: .3rem .75rem .3rem 0;
-  border-bottom: 1px solid var(--line); overflow-wrap: anywhere; }
+  border-bottom: 1px solid var(--line); overflow-wrap: break-word; }
 th.number, td.number { text-align: right; font-variant-numeric: tabular-nums; }
 td.value { font-family: ui-monospace, monospace; }
 label { display: block; margin: .75rem 0 .25rem; }
@@ -27,6 +27,9 @@ input, select, button { font: inherit; padding: .35rem .5rem; box-sizing: border
 td input, td select { width: 100%; min-width: 9rem; }
 label + input { width: 24rem; }
 button { margin-top: 1rem; padding: .4rem 1.5rem; cursor: pointer; }
+td form { display: flex; gap: .5rem; }
+td button { margin: 0; white-space: nowrap; }
+main nav { margin-bottom: .75rem; }
 :focus-visible { outline: 3px solid var(--accent); outline-offset: 1px; }
 .note { opacity: .8; }
 .error { border-left: .3rem solid #c62828; padding: .5rem 1rem; background: var(--soft); }
@@ -60,6 +63,17 @@ std::string escaped(std::string_view text)
         }
     }
     return result;
+}
+
+std::string breakable(std::string_view path)
+{
+    std::string result;
+    for (std::size_t slash = path.find('/'); slash != std::string_view::npos;
+         slash = path.find('/')) {
+        result += escaped(path.substr(0, slash + 1)) + "<wbr>";
+        path.remove_prefix(slash + 1);
+    }
+    return result + escaped(path);
 }
 
 std::string link(std::string_view target, std::string_view text)

@@ -9,6 +9,9 @@ namespace axiscomp::drivecomm {
 /// Text for element content and for quoted attributes.
 [[nodiscard]] std::string escaped(std::string_view text);
 
+/// A path that may go on in another line after a slash.
+[[nodiscard]] std::string breakable(std::string_view path);
+
 /// A complete page: heading and drive are text, content is HTML. Every page leads to the others.
 struct PageFrame {
     std::string driveName;

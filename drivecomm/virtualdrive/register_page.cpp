@@ -15,10 +15,8 @@ constexpr std::string_view sourceList = "sources";
 
 std::string shownValue(const RegisterRow& row)
 {
-    const std::string value = toText(row.reading.value);
-    if (!row.isSource)
-        return escaped(value);
-    return escaped(row.sourcePath.empty() ? value : value + " = " + row.sourcePath);
+    const std::string value = escaped(toText(row.reading.value));
+    return row.sourcePath.empty() ? value : value + " = " + breakable(row.sourcePath);
 }
 
 std::string option(const std::string& value, const std::string& text)
@@ -67,13 +65,15 @@ std::string registerTable(const DriveProfile& profile, std::span<const RegisterR
     for (const RegisterRow& row : rows) {
         const std::string path = row.reading.path;
         html += "<tr><td title=\"address " + std::to_string(row.reading.address) + "\">"
-            + escaped(path.substr(std::min(shownFrom, path.size()))) + "</td><td>"
+            + breakable(path.substr(std::min(shownFrom, path.size()))) + "</td><td>"
             + escaped(row.reading.type) + "</td><td class=\"value\">" + shownValue(row) + "</td>";
         if (row.isWritable && oneForm)
             html += "<td>" + entryField(row) + "</td>";
         else if (row.isWritable)
             html += "<td>" + formStart(profile) + entryField(row)
                 + "<button type=\"submit\">Set</button></form></td>";
+        else if (writable > 0)
+            html += "<td></td>";
         html += "</tr>\n";
     }
     html += "</tbody>\n</table>\n";
@@ -90,11 +90,23 @@ std::string registerTable(const DriveProfile& profile, std::span<const RegisterR
     return html;
 }
 
+/// "Axes[0]": what all paths have in common.
+std::string commonFolder(std::span<const RegisterRow> rows)
+{
+    std::string_view common = rows.empty() ? std::string_view() : rows.front().reading.path;
+    common = common.substr(0, common.rfind('/'));
+    for (const RegisterRow& row : rows)
+        while (!common.empty() && !row.reading.path.starts_with(std::string(common) + '/'))
+            common = common.substr(
+                0, common.rfind('/') == std::string_view::npos ? 0 : common.rfind('/'));
+    return std::string(common);
+}
+
 /// Links to the folders above prefix.
 std::string crumbs(const DriveProfile& profile, std::string_view prefix)
 {
     std::string html =
-        "<p><nav aria-label=\"Folders above\">" + link(treeLink(profile, ""), "Registers");
+        "<nav aria-label=\"Folders above\">" + link(treeLink(profile, ""), "Registers");
     for (std::size_t slash = prefix.find('/'), begin = 0; !prefix.empty();
          begin = slash + 1, slash = prefix.find('/', begin)) {
         html += " / "
@@ -102,15 +114,16 @@ std::string crumbs(const DriveProfile& profile, std::string_view prefix)
         if (slash == std::string_view::npos)
             break;
     }
-    return html + "</nav></p>\n";
+    return html + "</nav>\n";
 }
 
 } // namespace
 
 std::string registerListPage(const PageFrame& frame, const DriveProfile& profile,
-    std::string_view heading, std::span<const RegisterRow> rows,
-    std::span<const std::string> sources)
+    std::span<const RegisterRow> rows, std::span<const std::string> sources)
 {
+    const std::string folder = commonFolder(rows);
+    const std::string heading = folder.empty() ? "Registers" : "Registers of " + folder;
     return page(frame, heading, registerTable(profile, rows, sources, 0));
 }
 
@@ -133,14 +146,14 @@ std::string registerTreePage(const PageFrame& frame, const DriveProfile& profile
 }
 
 std::string registersSetPage(
-    const PageFrame& frame, std::span<const RegisterReading> readings, std::string_view backLink)
+    const PageFrame& frame, std::span<const RegisterRow> rows, std::string_view backLink)
 {
     std::string html = "<p role=\"status\">The drive has taken the values. They read back as:</p>\n"
                        "<table>\n<thead><tr><th scope=\"col\">Register</th>"
                        "<th scope=\"col\">Value</th></tr></thead>\n<tbody>\n";
-    for (const RegisterReading& each : readings)
-        html += "<tr><td>" + escaped(each.path) + "</td><td class=\"value\">"
-            + escaped(toText(each.value)) + "</td></tr>\n";
+    for (const RegisterRow& row : rows)
+        html += "<tr><td>" + breakable(row.reading.path) + "</td><td class=\"value\">"
+            + shownValue(row) + "</td></tr>\n";
     html += "</tbody>\n</table>\n<p>" + link(backLink, "Back") + "</p>\n";
     return page(frame, "Set", html);
 }

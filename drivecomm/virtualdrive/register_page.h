@@ -25,8 +25,7 @@ struct RegisterRow {
 /// Registers in a table, with a form that sets all fields that were filled in, in one request.
 /// sources are suggestions for DimSources.
 [[nodiscard]] std::string registerListPage(const PageFrame& frame, const DriveProfile& profile,
-    std::string_view heading, std::span<const RegisterRow> rows,
-    std::span<const std::string> sources);
+    std::span<const RegisterRow> rows, std::span<const std::string> sources);
 
 /// One level of the register tree: the folders below prefix, and the registers in it.
 [[nodiscard]] std::string registerTreePage(const PageFrame& frame, const DriveProfile& profile,
@@ -35,6 +34,6 @@ struct RegisterRow {
 
 /// What was set, read back.
 [[nodiscard]] std::string registersSetPage(
-    const PageFrame& frame, std::span<const RegisterReading> readings, std::string_view backLink);
+    const PageFrame& frame, std::span<const RegisterRow> rows, std::string_view backLink);
 
 } // namespace axiscomp::drivecomm

@@ -73,7 +73,7 @@ WebReply WebService::showRegisters(const WebRequest& request) const
     if (formFor(request) == Form::Json)
         return jsonReply(readingsJson(*readings));
     const auto rows = rowsFor(*readings);
-    return htmlReply(registerListPage(frame(), m_profile, "Registers", rows, suggestedSources()));
+    return htmlReply(registerListPage(frame(), m_profile, rows, suggestedSources()));
 }
 
 WebReply WebService::showTree(const WebRequest& request, const std::string& prefix) const
@@ -172,7 +172,7 @@ WebReply WebService::setByForm(const WebRequest& request) const
         return refusal(request, readings.error());
     if (formFor(request) == Form::Json)
         return jsonReply(readingsJson(*readings));
-    return htmlReply(registersSetPage(frame(), *readings, pageBefore(request)));
+    return htmlReply(registersSetPage(frame(), rowsFor(*readings), pageBefore(request)));
 }
 
 Result<RegisterValue> WebService::enteredValue(
