@@ -5,6 +5,7 @@
 #include "app/common/number_text.h"
 #include "app/common/text_table.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace axiscomp::app {
@@ -110,14 +111,25 @@ std::string proofText(const Proof& proof, const AxisStatus& status)
     for (std::size_t n = 0; n < dimensions; ++n)
         headings.push_back(">source " + std::to_string(n + 1));
     headings.insert(headings.end(), {">drive adds", ">computed here"});
-    TextTable table(headings);
+    std::vector<std::vector<double>> columns(dimensions + 2);
     for (const Proof::Sample& sample : proof.samples) {
-        std::vector<std::string> cells;
         for (std::size_t n = 0; n < dimensions; ++n)
-            cells.push_back(shortText(sample.sources[n]));
-        cells.push_back(signedText(floatText(sample.output)));
-        cells.push_back(signedText(floatText(sample.expected)));
-        table.add(std::move(cells));
+            columns[n].push_back(sample.sources[n]);
+        columns[dimensions].push_back(sample.output);
+        columns[dimensions + 1].push_back(sample.expected);
+    }
+    std::vector<std::vector<std::string>> cells;
+    for (std::size_t n = 0; n < columns.size(); ++n) {
+        cells.push_back(columnTexts(columns[n]));
+        if (n >= dimensions)
+            std::ranges::transform(cells.back(), cells.back().begin(), signedText);
+    }
+    TextTable table(headings);
+    for (std::size_t i = 0; i < proof.samples.size(); ++i) {
+        std::vector<std::string> row;
+        for (const std::vector<std::string>& column : cells)
+            row.push_back(column[i]);
+        table.add(std::move(row));
     }
     return table.text() + "  largest difference "
         + withUnit(shortText(proof.largestDifference), unit) + ", allowed "

@@ -175,6 +175,8 @@ void addPersistencyCommands(CommandLine& line)
                         const auto now = session.compensator().status(axis, session.operation());
                         if (!now)
                             return fail(now.error());
+                        if (!now->table)
+                            return fail(ErrorCode::NoTable, {{"axis", std::to_string(axis)}});
                         WriteRequest request;
                         request.dimensionality = now->setup.dimensionality;
                         request.persistency = persistency;

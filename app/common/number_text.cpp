@@ -54,6 +54,27 @@ int decimalsOf(double value, int most)
     return static_cast<int>(std::min(digits, static_cast<std::size_t>(most)));
 }
 
+std::vector<std::string> columnTexts(const std::vector<double>& values)
+{
+    constexpr int mostDecimals = 15;
+    double largest = 0.0;
+    int needed = 0;
+    for (const double value : values) {
+        if (!std::isfinite(value))
+            continue;
+        largest = std::max(largest, std::abs(value));
+        needed = std::max(needed, decimalsOf(value, mostDecimals));
+    }
+    const int wholeDigits =
+        largest > 0.0 ? static_cast<int>(std::floor(std::log10(largest))) + 1 : 1;
+    const int decimals =
+        std::min(needed, std::clamp(comfortableDigits - wholeDigits, 0, mostDecimals));
+    std::vector<std::string> texts;
+    for (const double value : values)
+        texts.push_back(fixedText(value, decimals));
+    return texts;
+}
+
 std::string signedText(std::string text)
 {
     return text.starts_with('-') || text == "0" ? text : "+" + text;

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace axiscomp::app {
 
@@ -21,6 +22,9 @@ namespace axiscomp::app {
 
 /// Digits behind the point that a value needs, at most `most`.
 [[nodiscard]] int decimalsOf(double value, int most);
+
+/// The numbers of a column: as many digits behind the point in each, seven digits in the largest.
+[[nodiscard]] std::vector<std::string> columnTexts(const std::vector<double>& values);
 
 /// "+0.0021"; zero stays "0"
 [[nodiscard]] std::string signedText(std::string text);

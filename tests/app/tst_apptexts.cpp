@@ -32,6 +32,16 @@ private Q_SLOTS:
         QTEST(QString::fromStdString(shortText(value)), "text");
     }
 
+    void numbersOfAColumnHaveTheSameDecimals()
+    {
+        QCOMPARE(columnTexts({5.0, 12.25, -100.0}),
+            (std::vector<std::string>{"5.00", "12.25", "-100.00"}));
+        QCOMPARE(columnTexts({1.0 / 3.0, 20.0}), (std::vector<std::string>{"0.33333", "20.00000"}));
+        QCOMPARE(columnTexts({static_cast<double>(0.0021F), 0.0}),
+            (std::vector<std::string>{"0.0021", "0.0000"}));
+        QCOMPARE(columnTexts({}), std::vector<std::string>{});
+    }
+
     void numbersAreReadWithoutGuessing_data()
     {
         QTest::addColumn<QString>("text");

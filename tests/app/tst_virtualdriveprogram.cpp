@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "program_run.h"
+
+#include "tests/support/verify.h"
+
+#include <QJsonArray>
+#include <QRegularExpression>
+#include <QTcpServer>
+#include <QTest>
+#include <QUrl>
+
+#include <csignal>
+
+using namespace axiscomp;
+using test::ProgramRun;
+using test::Sandbox;
+using test::VirtualDriveProcess;
+
+namespace {
+
+QJsonArray axesOf(const Sandbox& box, const QString& url)
+{
+    return box.run({"axes", "--drive", url, "--json"})
+        .json()
+        .value("drives")
+        .toArray()
+        .at(0)
+        .toObject()
+        .value("axes")
+        .toArray();
+}
+
+ProgramRun runDrive(const Sandbox& box, const QStringList& arguments)
+{
+    return box.runProgram(test::virtualDriveProgram(), arguments);
+}
+
+} // namespace
+
+class tst_VirtualDriveProgram : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { test::failOnWarnings(); }
+
+    void itIsReadyOnLoopbackWithoutOptions()
+    {
+        const Sandbox box;
+        const VirtualDriveProcess drive(box);
+        QCOMPARE(drive.urls().size(), 1);
+        QCOMPARE(drive.names(), (QStringList{"Virtual-1"}));
+        QCOMPARE(QUrl(drive.url()).host(), "127.0.0.1");
+        QCOMPARE(axesOf(box, drive.url()).size(), 2);
+    }
+
+    void itEndsCleanlyOnASignal_data()
+    {
+        QTest::addColumn<int>("number");
+        QTest::newRow("SIGINT") << SIGINT;
+        QTest::newRow("SIGTERM") << SIGTERM;
+    }
+    void itEndsCleanlyOnASignal()
+    {
+        QFETCH(const int, number);
+        const Sandbox box;
+        VirtualDriveProcess drive(box);
+        QVERIFY(drive.isReady());
+        ::kill(static_cast<pid_t>(drive.process().processId()), number);
+        QVERIFY(drive.process().waitForFinished());
+        QCOMPARE(drive.process().exitStatus(), QProcess::NormalExit);
+        QCOMPARE(drive.process().exitCode(), 0);
+        QCOMPARE(drive.said(), QByteArray());
+    }
+
+    void axesAndHomingAreAsGiven()
+    {
+        const Sandbox box;
+        const VirtualDriveProcess drive(box, {"--axes", "5", "--unhomed", "--name", "Press 7"});
+        QCOMPARE(drive.names(), (QStringList{"Press 7"}));
+        const QJsonArray axes = axesOf(box, drive.url());
+        QCOMPARE(axes.size(), 5);
+        QCOMPARE(axes.at(0).toObject().value("name").toString(), "X");
+        QCOMPARE(axes.at(0).toObject().value("homing").toString(), "NotHomed");
+        QCOMPARE(axes.at(4).toObject().value("unit").toString(), "Degree");
+    }
+
+    void aPortInUseIsAClearError()
+    {
+        QTcpServer other;
+        QVERIFY(other.listen(QHostAddress::LocalHost));
+        const QString address = QStringLiteral("127.0.0.1:%1").arg(other.serverPort());
+        const Sandbox box;
+        const ProgramRun run = runDrive(box, {"--http", address});
+        VERIFY_CODE(run, 2);
+        QVERIFY2(run.err.startsWith("error: InvalidEndpoint: "), run.err.constData());
+        QVERIFY2(run.err.contains(address.toUtf8()), run.err.constData());
+        QCOMPARE(run.out, QByteArray());
+    }
+
+    void otherComputersAreWarnedOf()
+    {
+        const Sandbox box;
+        VirtualDriveProcess drive(box, {"--http", "0.0.0.0:0"});
+        QVERIFY(drive.isReady());
+        QTRY_VERIFY(drive.process().bytesAvailable() == 0);
+        QCOMPARE(drive.said(), "warning: the virtual drive can be reached from other computers\n");
+    }
+
+    void wrongUsageIsExplained_data()
+    {
+        QTest::addColumn<QStringList>("arguments");
+        QTest::addColumn<QByteArray>("part");
+        QTest::newRow("serial") << QStringList{"--serial", "/tmp/link"} << QByteArray("--serial");
+        QTest::newRow("address") << QStringList{"--http", "8080"} << QByteArray("HOST:PORT");
+        QTest::newRow("fault") << QStringList{"--fault", "explode=1"} << QByteArray("explode");
+        QTest::newRow("axes") << QStringList{"--axes", "0"} << QByteArray("--axes");
+        QTest::newRow("speed") << QStringList{"--speed", "0"} << QByteArray("--speed");
+        QTest::newRow("name") << QStringList{"--name", QString(29, 'x')}
+                              << QByteArray("28 characters");
+        QTest::newRow("user") << QStringList{"--user", "me"} << QByteArray("--password-file");
+        QTest::newRow("certificate")
+            << QStringList{"--certificate", "c.pem"} << QByteArray("--key");
+        QTest::newRow("unknown") << QStringList{"--fast"} << QByteArray("--fast");
+    }
+    void wrongUsageIsExplained()
+    {
+        QFETCH(const QStringList, arguments);
+        QFETCH(const QByteArray, part);
+        const Sandbox box;
+        const ProgramRun run = runDrive(box, arguments);
+        VERIFY_CODE(run, 2);
+        QVERIFY2(run.err.startsWith("error: InvalidArgument: "), run.err.constData());
+        QVERIFY2(run.err.contains(part), run.err.constData());
+        QCOMPARE(run.err.count('\n'), 1);
+    }
+
+    void brokenFilesAreNamed_data()
+    {
+        QTest::addColumn<QStringList>("arguments");
+        QTest::addColumn<QByteArray>("error");
+        QTest::newRow("no configuration") << QStringList{"--config", "no.TAMcfg"}
+                                          << QByteArray("error: FileNotReadable: no.TAMcfg");
+        QTest::newRow("broken configuration")
+            << QStringList{"--config", "bad.TAMcfg"} << QByteArray("error: InvalidConfiguration: ");
+        QTest::newRow("profile") << QStringList{"--profile", "bad.json"}
+                                 << QByteArray("error: InvalidProfile: ");
+        QTest::newRow("password") << QStringList{"--user", "me", "--password-file", "no.txt"}
+                                  << QByteArray("error: FileNotReadable: no.txt");
+    }
+    void brokenFilesAreNamed()
+    {
+        QFETCH(const QStringList, arguments);
+        QFETCH(const QByteArray, error);
+        const Sandbox box;
+        box.file("bad.TAMcfg", "<TamTopology><Stations>");
+        box.file("bad.json", "{}");
+        const ProgramRun run = runDrive(box, arguments);
+        VERIFY_CODE(run, 3);
+        QVERIFY2(run.err.startsWith(error), run.err.constData());
+    }
+
+    void passwordsAreAskedFor()
+    {
+        const Sandbox box;
+        box.file("password.txt", "s3cret\n");
+        const VirtualDriveProcess drive(box, {"--user", "me", "--password-file", "password.txt"});
+        const ProgramRun refused = box.run({"files", "--drive", drive.url()});
+        VERIFY_CODE(refused, 4);
+        QVERIFY2(refused.err.startsWith("error: Unauthorized: "), refused.err.constData());
+        QUrl url(drive.url());
+        url.setUserName("me");
+        url.setPassword("s3cret");
+        VERIFY_CODE(box.run({"files", "--drive", url.toString()}), 0);
+        url.setPassword("wrong");
+        const ProgramRun wrong = box.run({"files", "--drive", url.toString()});
+        VERIFY_CODE(wrong, 4);
+        QVERIFY(!wrong.err.contains("wrong"));
+    }
+
+    void flashSurvivesTheProgramAndVolatileTablesDoNot_data()
+    {
+        QTest::addColumn<QString>("persistency");
+        QTest::addColumn<bool>("survives");
+        QTest::newRow("persistent") << "--persistent" << true;
+        QTest::newRow("volatile") << "--volatile" << false;
+    }
+    void flashSurvivesTheProgramAndVolatileTablesDoNot()
+    {
+        QFETCH(const QString, persistency);
+        QFETCH(const bool, survives);
+        const Sandbox box;
+        box.file("t.csv", "X,T\n0,0\n50,0.001\n100,0.003\n");
+        QJsonValue table;
+        {
+            const VirtualDriveProcess drive(box, {"--state", "flash"});
+            VERIFY_CODE(box.run({"write", "--drive", drive.url(), "--axis", "0", "--data", "t.csv",
+                            "--dims", "1", "--source1", test::positionSource(0), persistency}),
+                0);
+            table = box.run({"status", "--drive", drive.url(), "--axis", "0", "--json"})
+                        .json()
+                        .value("table");
+            QVERIFY(table.isObject());
+        }
+        const VirtualDriveProcess again(box, {"--state", "flash"});
+        const QJsonObject status =
+            box.run({"status", "--drive", again.url(), "--axis", "0", "--json"}).json();
+        QCOMPARE(status.value("table"), survives ? table : QJsonValue());
+    }
+
+    void aConfigurationOfTwoDrivesIsTwoVirtualDrives()
+    {
+        const QString file =
+            QStringLiteral(AXISCOMP_SOURCE_FOLDER "/tests/data/tamcfg/two-drives.TAMcfg");
+        const Sandbox box;
+        const VirtualDriveProcess drives(box, {"--config", file});
+        QCOMPARE(drives.urls().size(), 2);
+        QVERIFY(drives.url(0) != drives.url(1));
+        QVERIFY(drives.names().at(0) != drives.names().at(1));
+        for (int i = 0; i < 2; ++i) {
+            const ProgramRun run = box.run({"axes", "--drive", drives.url(i), "--json"});
+            VERIFY_CODE(run, 0);
+            QCOMPARE(
+                run.json().value("drives").toArray().at(0).toObject().value("drive").toString(),
+                drives.names().at(i));
+        }
+        const ProgramRun named = runDrive(box, {"--config", file, "--name", "One"});
+        VERIFY_CODE(named, 2);
+    }
+
+    void twoDrivesTakePortsInARow()
+    {
+        const QString file =
+            QStringLiteral(AXISCOMP_SOURCE_FOLDER "/tests/data/tamcfg/two-drives.TAMcfg");
+        const Sandbox box;
+        // A pair of ports that is free now may be taken by somebody else a moment later.
+        for (int attempt = 0; attempt < 10; ++attempt) {
+            QTcpServer probe;
+            QVERIFY(probe.listen(QHostAddress::LocalHost));
+            const int port = probe.serverPort();
+            probe.close();
+            const VirtualDriveProcess drives(
+                box, {"--config", file, "--http", QStringLiteral("127.0.0.1:%1").arg(port)});
+            if (!drives.isReady())
+                continue;
+            QCOMPARE(QUrl(drives.url(0)).port(), port);
+            QCOMPARE(QUrl(drives.url(1)).port(), port + 1);
+            return;
+        }
+        QFAIL("no two free ports in a row");
+    }
+};
+
+QTEST_GUILESS_MAIN(tst_VirtualDriveProgram)
+#include "tst_virtualdriveprogram.moc"
