@@ -85,7 +85,7 @@ void Scanner::readLine()
     const std::string_view line = m_lines.next();
     const std::string_view content = trimmed(line);
     if (content.starts_with("//"))
-        m_scan.notes.push_back(toUtf8(trimmed(content.substr(2)), m_encoding));
+        m_scan.notes.emplace_back(trimmed(toUtf8(content.substr(2), m_encoding)));
     else if (content.empty())
         return;
     else if (m_scan.headerLine == 0)

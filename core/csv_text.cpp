@@ -182,20 +182,20 @@ void TextInspection::decideEncoding()
 std::string toUtf8(std::string_view bytes, Encoding encoding)
 {
     if (encoding == Encoding::Utf8)
-        return std::string(bytes);
+        return cleanText(bytes);
     std::string text;
     for (const char c : bytes) {
         const auto byte = static_cast<unsigned char>(c);
         const bool special = byte >= 0x80 && byte < 0xA0;
         appendUtf8(text, special ? windows1252[byte - 0x80U] : char16_t{byte});
     }
-    return text;
+    return cleanText(text);
 }
 
 std::string excerpt(std::string_view bytes, Encoding encoding)
 {
     constexpr std::size_t longest = 40;
-    const std::string text = cleanText(toUtf8(bytes.substr(0, 4 * longest), encoding));
+    const std::string text = toUtf8(bytes.substr(0, 4 * longest), encoding);
     std::string_view kept = text;
     if (text.size() > longest || bytes.size() > 4 * longest)
         kept = cutAtCharacter(text, longest);

@@ -29,6 +29,7 @@ private:
     Encoding m_encoding = Encoding::Utf8;
 };
 
+/// Text of the file as it may be shown: UTF-8 without control characters.
 [[nodiscard]] std::string toUtf8(std::string_view bytes, Encoding encoding);
 
 /// What a diagnostic quotes of the file: UTF-8, one line, at most about 40 characters.

@@ -115,6 +115,17 @@ private Q_SLOTS:
         QCOMPARE(reading.data->notes, (std::vector<std::string>{"first", "second note", "/", ""}));
     }
 
+    void controlCharactersDoNotComeThrough()
+    {
+        const CsvReading reading = parse("X\x01,A\x7f"
+                                         "B\n0,0.001\n1,0.002\n// a\x01",
+            1);
+        QVERIFY(reading.data);
+        QCOMPARE(reading.data->grid.axes[0].name, "X");
+        QCOMPARE(reading.data->tables[0].name, "A B");
+        QCOMPARE(reading.data->notes, (std::vector<std::string>{"a"}));
+    }
+
     void windows1252IsReadAsText()
     {
         const CsvReading reading = parse("// 20 \xB0"
