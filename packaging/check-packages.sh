@@ -36,7 +36,7 @@ if [ ${#programs[@]} -ne 1 ] || [ ${#development[@]} -ne 1 ]; then
     fail "two packages are expected in $output: $(ls "$output")"
 fi
 
-lintian --fail-on error --no-tag-display-limit --allow-root "${programs[@]}" "${development[@]}"
+lintian --fail-on error --tag-display-limit 0 --allow-root "${programs[@]}" "${development[@]}"
 
 depends=$(dpkg-deb --field "${programs[0]}" Depends)
 for library in libc6 libstdc++6 libqt6core6 libcpp-httplib0.11; do
@@ -46,7 +46,7 @@ done
 files=$(dpkg-deb --contents "${programs[0]}" | awk '{print $6}')
 for file in bin/axiscomp bin/axiscomp-virtualdrive share/man/man1/axiscomp.1.gz \
     share/man/man1/axiscomp-virtualdrive.1.gz share/bash-completion/completions/axiscomp \
-    share/axiscomp/profiles/generic.json share/doc/axis-compensation-wizard/copyright \
+    share/axiscomp/profiles/generic.json share/axiscomp/examples/calibration-2d.csv share/doc/axis-compensation-wizard/copyright \
     share/doc/axis-compensation-wizard/changelog.gz; do
     grep -qx "./usr/$file" <<<"$files" || fail "the package has no /usr/$file"
 done
