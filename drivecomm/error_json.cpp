@@ -68,8 +68,10 @@ std::string errorJson(const Error& error)
         if (const auto seconds = wholeSeconds(wait->second))
             json += ",\"retryAfterSeconds\":" + std::to_string(*seconds);
     }
-    if (const auto path = error.context.find("path"); path != error.context.end())
-        json += ",\"path\":" + jsonString(path->second);
+    for (const char* key : {"path", "nearest"})
+        if (const auto value = error.context.find(key);
+            value != error.context.end() && !value->second.empty())
+            json += ",\"" + std::string(key) + "\":" + jsonString(value->second);
     return json + "}}\n";
 }
 
@@ -93,8 +95,9 @@ std::optional<Error> parseErrorJson(std::string_view json)
     result.code = driveErrorNamed(code).value_or(ErrorCode::DriveRejected);
     result.context["reason"] =
         !message.empty() ? message : (code.empty() ? std::string(unnamed) : code);
-    if (const std::string path = textOf(*error, "path"); !path.empty())
-        result.context["path"] = path;
+    for (const char* key : {"path", "nearest"})
+        if (const std::string value = textOf(*error, key); !value.empty())
+            result.context[key] = value;
     const auto wait = error->find("retryAfterSeconds");
     if (wait != error->end() && wait->is_number_unsigned()
         && wait->get<std::uint64_t>() < 1'000'000)

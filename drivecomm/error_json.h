@@ -15,8 +15,8 @@ namespace axiscomp::drivecomm {
 /// What a person reads: the reason where the error has one, else the whole sentence.
 [[nodiscard]] std::string driveMessage(const Error& error);
 
-/// {"error": {"code", "message", "retryAfterSeconds"?, "path"?}}. code is the error's name, path
-/// the register or file that is not known.
+/// {"error": {"code", "message", "retryAfterSeconds"?, "path"?, "nearest"?}}. code is the error's
+/// name, path the register or file that is not known, nearest those that look like it.
 [[nodiscard]] std::string errorJson(const Error& error);
 
 /// The code of that name among those that a drive can report.

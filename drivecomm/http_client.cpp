@@ -40,6 +40,11 @@ struct HttpClient::Private {
 
     [[nodiscard]] Result<HttpReply> sendOnce(
         const HttpRequest& request, const RunningExchange& running);
+    [[nodiscard]] tl::unexpected<Error> late(const Exchange& exchange) const
+    {
+        return fail(ErrorCode::Timeout,
+            {{"endpoint", displayText(endpoint)}, {"seconds", inSeconds(exchange.timeout)}});
+    }
 
     DriveEndpoint endpoint;
     QThread thread;
@@ -62,6 +67,8 @@ Result<HttpReply> HttpClient::Private::sendOnce(
     const Exchange& exchange = running.exchange;
     if (exchange.stop.stop_requested())
         return fail(ErrorCode::Cancelled);
+    if (std::chrono::steady_clock::now() >= running.deadline)
+        return late(exchange);
     startThread();
     const auto pending = std::make_shared<PendingHttp>(request);
     const auto post = [this](auto action) {
@@ -92,8 +99,7 @@ Result<HttpReply> HttpClient::Private::sendOnce(
         pending->changed.wait(lock, [&] { return pending->outcome.has_value(); });
         if (exchange.stop.stop_requested())
             return fail(ErrorCode::Cancelled);
-        return fail(ErrorCode::Timeout,
-            {{"endpoint", displayText(endpoint)}, {"seconds", inSeconds(exchange.timeout)}});
+        return late(exchange);
     }
     return std::move(*pending->outcome);
 }

@@ -5,6 +5,7 @@
 #include "drivecomm/drive_endpoint.h"
 #include "drivecomm/http_reply_parser.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <memory>
@@ -18,7 +19,8 @@ namespace axiscomp::drivecomm {
 struct RunningExchange {
     explicit RunningExchange(const Exchange& theExchange)
         : exchange(theExchange)
-        , deadline(std::chrono::steady_clock::now() + theExchange.timeout)
+        , deadline(std::chrono::steady_clock::now()
+              + std::min<std::chrono::milliseconds>(theExchange.timeout, std::chrono::years(1)))
     {
     }
     const Exchange& exchange;

@@ -200,6 +200,10 @@ void LinkContract::namesTheRegisterThatIsUnknown()
     const auto readings = link().readRegisters(paths, {});
     VERIFY_ERROR(readings, ErrorCode::UnknownRegister);
     QCOMPARE(readings.error().context.at("path"), std::string("Axes[0]/Nix"));
+    const std::vector<std::string> misspelt{"Axes[0]/Signals/Homing/Stat"};
+    const auto other = link().readRegisters(misspelt, {});
+    VERIFY_ERROR(other, ErrorCode::UnknownRegister);
+    QVERIFY(other.error().context.at("nearest").starts_with("Axes[0]/Signals/Homing/State"));
 }
 
 void LinkContract::readsATreeByItsPrefix_data()

@@ -181,8 +181,8 @@ void RegisterJsonTest::bringsErrorsAcross()
     QFETCH(ErrorCode, code);
     QFETCH(int, status);
     QCOMPARE(httpStatus(code), status);
-    const ErrorContext context{
-        {"reason", "because \"of\" this"}, {"path", "Axes[0]/Nix"}, {"seconds", "583"}};
+    const ErrorContext context{{"reason", "because \"of\" this"}, {"path", "Axes[0]/Nix"},
+        {"nearest", "Axes[0]/Nx"}, {"seconds", "583"}};
     const auto error = parseErrorJson(errorJson({code, context, {}}));
     QVERIFY(error);
     QCOMPARE(error->code, code);
