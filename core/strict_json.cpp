@@ -73,8 +73,8 @@ public:
     }
     bool parse_error(std::size_t position, const std::string&, const json::exception&) override
     {
-        m_problem = problemAt(
-            lineAndColumn(m_text, position == 0 ? 0 : position - 1), "this is not JSON");
+        m_problem =
+            problemAt(lineAndColumn(m_text, position == 0 ? 0 : position - 1), "this is not JSON");
         return false;
     }
 
@@ -144,9 +144,8 @@ private:
 StrictJson::StrictJson(std::string_view text, const JsonLimits& limits)
 {
     if (text.size() > limits.size) {
-        const std::string fault = "it has " + std::to_string(text.size())
-            + " bytes, more than the " + std::to_string(limits.size)
-            + " that such a file can have";
+        const std::string fault = "it has " + std::to_string(text.size()) + " bytes, more than the "
+            + std::to_string(limits.size) + " that such a file can have";
         m_problem = JsonProblem{fault, orDocument({}), fault};
         return;
     }

@@ -46,8 +46,8 @@ done
 files=$(dpkg-deb --contents "${programs[0]}" | awk '{print $6}')
 for file in bin/axiscomp bin/axiscomp-virtualdrive share/man/man1/axiscomp.1.gz \
     share/man/man1/axiscomp-virtualdrive.1.gz share/bash-completion/completions/axiscomp \
-    share/axiscomp/profiles/generic.json share/axiscomp/examples/calibration-2d.csv share/doc/axis-compensation-wizard/copyright \
-    share/doc/axis-compensation-wizard/changelog.gz; do
+    share/axiscomp/profiles/generic.json share/axiscomp/examples/calibration-2d.csv \
+    share/doc/axis-compensation-wizard/copyright share/doc/axis-compensation-wizard/changelog.gz; do
     grep -qx "./usr/$file" <<<"$files" || fail "the package has no /usr/$file"
 done
 if grep -qE '/include/|\.a$|/cmake/' <<<"$files"; then

@@ -23,7 +23,7 @@ list_files() {
     if git rev-parse --is-inside-work-tree >/dev/null 2>&1; then
         git ls-files --cached --others --exclude-standard -z
     else
-        find . -path ./build -prune -o -type f -printf '%P\0'
+        find . \( -path ./build -o -path ./.git \) -prune -o -type f -printf '%P\0'
     fi
 }
 
