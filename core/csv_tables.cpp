@@ -120,13 +120,13 @@ void TableReader::warnOfGradient(const CompensationTable& table)
     const Step step = steepestStep(table);
     if (!(step.slope > largestGradient))
         return;
+    const GridAxis& axis = table.grid.axes[step.dimension];
     const auto row = std::ranges::find(m_points, static_cast<std::uint32_t>(step.to));
     m_diagnostics.warning(DiagnosticCode::LargeGradient,
         m_scan.rowLines.lineOf(static_cast<std::size_t>(row - m_points.begin())), m_column,
         "a step from " + toText(table.values[step.from]) + " to " + toText(table.values[step.to])
-            + " over "
-            + positionText({"", table.grid.axes[step.dimension].unit}, step.dimension,
-                table.grid.axes[step.dimension].distance),
+            + " over " + roundedText(axis.distance) + (axis.unit.empty() ? "" : ' ' + axis.unit)
+            + " in dimension " + std::to_string(step.dimension + 1),
         "at most 0.01 per unit of position");
 }
 

@@ -174,7 +174,7 @@ private Q_SLOTS:
                                          << QByteArray("4:2 FloatPrecision a change of ");
         QTest::newRow("steep")
             << QByteArray("X [mm],T\n0,0\n10,0.1\n20,0.3\n30,0.31\n")
-            << QByteArray("4:2 LargeGradient a step from 0.1 to 0.3 over position 1 = 10 mm"
+            << QByteArray("4:2 LargeGradient a step from 0.1 to 0.3 over 10 mm in dimension 1"
                           "|at most 0.01 per unit of position");
         QTest::newRow("constant")
             << QByteArray("X,T\n0,0.5\n1,0.5\n")
