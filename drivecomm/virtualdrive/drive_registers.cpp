@@ -99,12 +99,10 @@ Register* VirtualDrive::Private::defineEnum(std::string_view pattern,
     const PathArguments& arguments, std::string type, std::vector<std::string> values,
     RegisterRole role, int index, std::function<std::string()> live)
 {
-    Register added{.path = {},
-        .type = std::move(type),
-        .value = values.front(),
-        .role = role,
-        .index = index,
-        .enumValues = std::move(values)};
+    Register added{.path = {}, .type = std::move(type), .value = values.front()};
+    added.role = role;
+    added.index = index;
+    added.enumValues = std::move(values);
     if (live)
         added.live = [live = std::move(live)] { return RegisterValue(live()); };
     return define(pattern, arguments, std::move(added));
@@ -259,7 +257,7 @@ void VirtualDrive::Private::defineSlot(int index)
             .live = [this, self] { return RegisterValue(memory.slot(self).persistent); }});
     // The view of the header: zeros for an empty slot and for a damaged table.
     const auto view = [&](std::string_view pattern, int n, std::string type,
-                          std::function<RegisterValue(const StoredTable*)> of) {
+                          const std::function<RegisterValue(const StoredTable*)>& of) {
         define(pattern, {.slot = name, .n = n},
             {.path = {}, .type = std::move(type), .value = of(nullptr), .live = [this, self, of] {
                  const auto& ram = memory.slot(self).ram;
