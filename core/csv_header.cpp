@@ -30,6 +30,10 @@ char separatorOf(std::string_view line)
 std::string nameText(const Cell& cell, Encoding encoding)
 {
     std::string text = toUtf8(cell.text, encoding);
+    // Nobody sees a byte-order mark that stands elsewhere than first, as in files put together.
+    constexpr std::string_view mark = "\xEF\xBB\xBF";
+    for (std::size_t at = 0; (at = text.find(mark, at)) != std::string::npos;)
+        text.erase(at, mark.size());
     if (cell.quoting != Quoting::Quoted)
         return text;
     for (std::size_t at = 0; (at = text.find("\"\"", at)) != std::string::npos; ++at)

@@ -84,6 +84,9 @@ private Q_SLOTS:
                                               << QByteArrayList{"X [a]|mm", "A|", "B [x] y|"};
         QTest::newRow("quote within a name")
             << QByteArray("X 5\",A,B") << QByteArrayList{"X 5\"|", "A|", "B|"};
+        QTest::newRow("stray byte-order marks")
+            << QByteArray("\xEF\xBB\xBF\xEF\xBB\xBFX,\xEF\xBB\xBF,B")
+            << QByteArrayList{"X|", "Table 1|", "B|"};
         QTest::newRow("UTF-8") << QByteArray("X [µm],Größe,Ω")
                                << QByteArrayList{"X|µm", "Größe|", "Ω|"};
     }
