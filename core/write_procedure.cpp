@@ -230,7 +230,7 @@ Result<void> WriteProcedure::switchOver()
         if (auto off = writeSurely(m_access, {{values[0].path, m_access.enums().tableDisabled}});
             !off)
             return off;
-        std::ranges::rotate(values, values.begin() + 1);
+        std::rotate(values.begin(), values.begin() + 1, values.end());
     }
     if (!isNewTable() && changesPersistency()) {
         const auto persistency = persistencyWrites();

@@ -92,7 +92,7 @@ Result<void> WriteProcedure::undoRegisters(const DriveAccess& access)
             if (auto off = writeSurely(access, {{values[0].path, access.enums().tableDisabled}});
                 !off)
                 return off;
-            std::ranges::rotate(values, values.begin() + 1);
+            std::rotate(values.begin(), values.begin() + 1, values.end());
         }
         if (auto written = writeSurely(access, values, commands); !written)
             return written;
