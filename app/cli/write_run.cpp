@@ -37,6 +37,8 @@ Result<WriteReport> carryOut(
         progress(now);
     };
     environment.print("\n");
+    // Whoever watches reads the plan before it is carried out.
+    static_cast<void>(environment.console().flush());
     auto report = session.compensator().write(axis, request, operation);
     environment.console().clearProgress();
     if (report)

@@ -31,9 +31,23 @@ int writeAll(int descriptor, std::string_view text)
     return 0;
 }
 
+/// Cut so that no UTF-8 character is torn.
+std::string firstBytes(std::string text, std::size_t most)
+{
+    if (text.size() <= most)
+        return text;
+    const auto isContinuation = [](char c) {
+        return (static_cast<unsigned char>(c) & 0xc0) == 0x80;
+    };
+    while (most > 0 && isContinuation(text[most]))
+        --most;
+    text.resize(most);
+    return text;
+}
+
 std::string percent(double fraction)
 {
-    const int value = static_cast<int>(std::clamp(fraction, 0.0, 1.0) * 100.0);
+    const int value = fraction > 0.0 ? static_cast<int>(std::min(fraction, 1.0) * 100.0) : 0;
     std::string text = std::to_string(value);
     text.insert(0, 3 - text.size(), ' ');
     return text + " %";
@@ -97,7 +111,7 @@ void Console::progress(std::string_view step, double fraction)
     m_progressDue = now + progressInterval;
     send();
     const std::string head = percent(fraction) + "  ";
-    const std::string words = singleLine(step).substr(0, m_width - 1 - head.size());
+    const std::string words = firstBytes(singleLine(step), m_width - 1 - head.size());
     m_progressVisible = true;
     static_cast<void>(writeAll(STDERR_FILENO, std::string(eraseLine) + head + words));
 }

@@ -2,6 +2,8 @@
 #include "app/common/exit_codes.h"
 #include "tests/support/verify.h"
 
+#include <QFile>
+
 #include <map>
 #include <set>
 
@@ -79,6 +81,29 @@ private Q_SLOTS:
             const std::string name(errorName(code));
             QVERIFY2(expectedCodes.contains(code), name.c_str());
             QVERIFY2(static_cast<int>(app::exitCode(code)) == expectedCodes.at(code), name.c_str());
+        }
+    }
+
+    void theUserGuideListsEveryError()
+    {
+        QFile guide(QStringLiteral(AXISCOMP_SOURCE_FOLDER "/docs/cli.md"));
+        QVERIFY(guide.open(QIODevice::ReadOnly));
+        std::map<int, QByteArray> rows;
+        for (const QByteArray& line : guide.readAll().split('\n')) {
+            const QList<QByteArray> cells = line.split('|');
+            bool isCode = false;
+            const int code = cells.size() == 5 ? cells.at(1).trimmed().toInt(&isCode) : -1;
+            if (isCode)
+                rows[code] = cells.at(3);
+        }
+        qsizetype listed = 0;
+        for (const auto& [code, names] : rows)
+            listed += names.count('`') / 2;
+        QCOMPARE(listed, static_cast<qsizetype>(expectedCodes.size()));
+        for (const auto& [error, code] : expectedCodes) {
+            const QByteArray name =
+                '`' + QByteArray::fromStdString(std::string(errorName(error))) + '`';
+            QVERIFY2(rows[code].contains(name), name.constData());
         }
     }
 

@@ -326,6 +326,22 @@ private Q_SLOTS:
         QVERIFY(text.out.contains("tamtbl"));
     }
 
+    void progressIsOnlyForTerminals()
+    {
+        const Sandbox box;
+        box.file("t.csv", line1D);
+        const QString command = "'" + test::axiscompProgram() + "' convert t.csv t.TAMtbl --dims 1";
+        const ProgramRun terminal =
+            box.runProgram("script", {"--quiet", "--return", "--command", command, "/dev/null"});
+        VERIFY_CODE(terminal, 0);
+        QVERIFY2(terminal.out.contains("%  reading t.csv"), terminal.out.constData());
+        // The line is cleared before anything else is said.
+        QVERIFY2(terminal.out.contains("\r\033[KWrote t.TAMtbl"), terminal.out.constData());
+        const ProgramRun plain = box.runProgram("/bin/sh", {"-c", command});
+        VERIFY_CODE(plain, 0);
+        QCOMPARE(plain.err, QByteArray());
+    }
+
     void resultsAndTheDocumentCannotShareStandardOutput()
     {
         const Sandbox box;
