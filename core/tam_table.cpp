@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/tam_table.h"
 
-#include "core/element_order.h"
 #include "core/field_codec.h"
+#include "core/grid_points.h"
 #include "core/register_value.h"
 #include "core/utf8.h"
 
@@ -71,6 +71,7 @@ private:
         return loadNumber(header(), *m_layout.place(field), index, m_layout.littleEndian);
     }
     [[nodiscard]] Result<void> equals(TableField field, std::int64_t expected) const;
+    [[nodiscard]] GridAxis axis(std::uint32_t index) const;
     [[nodiscard]] CompensationTable table() const;
 
     [[nodiscard]] static tl::unexpected<Error> invalid(
@@ -193,10 +194,14 @@ Result<void> Decoder::checkPositions()
         const std::string found = toText(RegisterValue{distance});
         if (!(distance > 0.0) || !std::isfinite(distance))
             return invalidItem(TableField::Distance, i, found, "a finite number above 0");
-        const double stroke = static_cast<double>(integer(TableField::Size, i) - 1) * distance;
-        if (!std::isfinite(start + stroke))
+        const GridAxis stored = axis(i);
+        if (!std::isfinite(stored.last()))
             return invalidItem(
                 TableField::Distance, i, found, "one that leads to a finite last position");
+        if (!pointsAreDistinct(stored))
+            return invalidItem(TableField::Distance, i, found,
+                "one that tells positions such as " + toText(RegisterValue{stored.last()})
+                    + " apart");
     }
     return {};
 }
@@ -232,15 +237,20 @@ Result<void> Decoder::checkValues()
     return {};
 }
 
+GridAxis Decoder::axis(std::uint32_t index) const
+{
+    return {{}, {}, number(TableField::Start, index), number(TableField::Distance, index),
+        static_cast<std::uint32_t>(integer(TableField::Size, index))};
+}
+
 CompensationTable Decoder::table() const
 {
     CompensationTable result;
     if (const auto& place = m_layout.place(TableField::Name))
-        result.name = cleanText(asText(header().subspan(place->offset, place->count)));
+        result.name = cutAtCharacter(
+            cleanText(asText(header().subspan(place->offset, place->count))), place->count);
     for (std::uint32_t i = 0; i < m_dimensions; ++i)
-        result.grid.axes.push_back(
-            {{}, {}, number(TableField::Start, i), number(TableField::Distance, i),
-                static_cast<std::uint32_t>(integer(TableField::Size, i))});
+        result.grid.axes.push_back(axis(i));
 
     const ByteView bytes = elements();
     result.values.resize(static_cast<std::size_t>(m_elementCount));

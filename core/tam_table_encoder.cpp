@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/element_order.h"
 #include "core/field_codec.h"
+#include "core/grid_points.h"
 #include "core/register_value.h"
 #include "core/tam_table.h"
 #include "core/utf8.h"
@@ -44,6 +44,9 @@ Result<void> checkAxis(const GridAxis& axis, std::size_t index)
             + ", a finite number above 0 is needed");
     if (!std::isfinite(axis.last()))
         return refused(ofDimension("last position", index) + " is too large to be a number");
+    if (!pointsAreDistinct(axis))
+        return refused(ofDimension("distance", index) + " is " + text(axis.distance)
+            + ", too little to tell positions such as " + text(axis.last()) + " apart");
     return {};
 }
 

@@ -203,6 +203,8 @@ private Q_SLOTS:
         QTest::newRow("four bytes do not fit")
             << letters.substr(2) + "\xF0\x9F\x98\x80" << letters.substr(2);
         QTest::newRow("not UTF-8") << std::string("a\xFFz") << std::string("a\xEF\xBF\xBDz");
+        QTest::newRow("not UTF-8, longer when repaired") << std::string(
+            20, '\xFF') << QString(10, QChar(QChar::ReplacementCharacter)).toStdString();
         QTest::newRow("control character") << std::string("a\nb") << std::string("a b");
         QTest::newRow("zero byte") << std::string("a\0b", 3) << std::string("a");
     }

@@ -130,6 +130,8 @@ void TestTamTableFaults::aWrongFieldIsNamed_data()
     row("negative distance", 64, -1.0, "distance[1]", "-1", "a finite number above 0");
     row("endless distance", 64, infinity, "distance[1]", "inf", "a finite number above 0");
     row("last position is none", 56, 1e308, "distance[0]", "1e+308", "one that leads to a finite");
+    row("points in one place", 64, 1e-15, "distance[1]", "1e-15", "one that tells positions such");
+    row("denormal distance", 56, 5e-324, "distance[0]", "5e-324", "one that tells positions such");
     row("element count", 80, std::uint32_t{11}, "elementCount", "11", "12, the product");
     row("element count of 2^32 - 1", 80, std::uint32_t{0xFFFFFFFF}, "elementCount", "4294967295",
         "12, the product");
@@ -197,6 +199,8 @@ void TestTamTableFaults::aTableThatIsNoneIsNotWritten_data()
         [](Table& t) { t.grid.axes[0].distance = -1.0; });
     row("distance no number", "distance of dimension 1 is nan",
         [](Table& t) { t.grid.axes[0].distance = std::nan(""); });
+    row("points in one place", "too little to tell positions such as 100 apart",
+        [](Table& t) { t.grid.axes[1].distance = 1e-15; });
     row("last position", "last position of dimension 1",
         [](Table& t) { t.grid.axes[0].distance = 1.7e308; });
 }

@@ -4,9 +4,18 @@
 #include "core/grid.h"
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 
 namespace axiscomp {
+
+/// False where the distance is below the resolution of the positions, so that neighbours are one
+/// place, or below that of numbers at all.
+[[nodiscard]] inline bool pointsAreDistinct(const GridAxis& axis)
+{
+    return std::isnormal(axis.distance) && axis.position(1) > axis.start
+        && axis.last() > axis.position(axis.size - 2);
+}
 
 /// Calls visit(index in the file, index in CompensationTable::values) for every element of a file
 /// in which the last dimension is the fastest.
