@@ -178,6 +178,8 @@ Result<WriteReport> AxisCompensator::setPersistency(
     auto now = status(axis, options);
     if (!now)
         return fail(now.error());
+    if (!now->table)
+        return fail(ErrorCode::NoTable, {{"axis", std::to_string(axis)}});
     WriteRequest request;
     request.dimensionality = now->setup.dimensionality;
     request.persistency = persistency;

@@ -222,6 +222,7 @@ private Q_SLOTS:
         DriveFixture f;
         VERIFY_ERROR(f.compensator.activate(0), ErrorCode::NoTable);
         VERIFY_ERROR(f.compensator.evaluate(0), ErrorCode::NoTable);
+        VERIFY_ERROR(f.compensator.setPersistency(0, Persistency::Persistent), ErrorCode::NoTable);
         VERIFY_ERROR(f.compensator.readTable(0), ErrorCode::NoTable);
     }
 
