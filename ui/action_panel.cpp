@@ -120,6 +120,12 @@ void ActionPanel::apply(QAction& menuEntry, Action action, const QString& toolTi
     menuEntry.setToolTip(state.isEnabled || state.reason.isEmpty() ? toolTip : state.reason);
 }
 
+void ActionPanel::setPreviewing(bool isPreviewing)
+{
+    m_isPreviewing = isPreviewing;
+    showActions();
+}
+
 void ActionPanel::showActions()
 {
     apply(*m_write, Action::Write,
@@ -133,9 +139,13 @@ void ActionPanel::showActions()
         tr("The drive checks table and sources and shows the indices, but adds nothing"));
     apply(*m_restore, Action::RestorePrevious,
         tr("Writes the table and the settings that the axis had before the last write"));
+    if (m_isPreviewing) {
+        m_write->setEnabled(false);
+        m_write->setToolTip(tr("Write or go back in the list on the right"));
+    }
     // The next step is the one that Return stands for.
     m_write->setDefault(m_write->isEnabled());
-    m_activate->setDefault(!m_write->isEnabled() && m_activate->isEnabled());
+    m_activate->setDefault(!m_isPreviewing && !m_write->isEnabled() && m_activate->isEnabled());
 
     const QString hint = m_controller.hint();
     m_hint->setText(hint);

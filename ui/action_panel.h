@@ -19,6 +19,8 @@ class ActionPanel : public QWidget {
 public:
     explicit ActionPanel(WizardController& controller, QWidget* parent = nullptr);
 
+    /// While the list before a write is shown it is confirmed there.
+    void setPreviewing(bool isPreviewing);
     void retranslate();
 
 Q_SIGNALS:
@@ -32,6 +34,7 @@ private:
     void connectActions();
 
     WizardController& m_controller;
+    bool m_isPreviewing = false;
     QPushButton* m_write;
     QPushButton* m_revert;
     QPushButton* m_activate;

@@ -21,9 +21,10 @@ constexpr int symbolSize = 16;
 
 QString driveText(const DriveState& drive)
 {
-    QString text =
-        drive.name.isEmpty() ? drive.endpoint : drive.name + QStringLiteral("   ") + drive.endpoint;
-    return drive.isDemo ? DriveBar::tr("%1   (demo)").arg(text) : text;
+    if (drive.isDemo)
+        return DriveBar::tr("%1 (demo)").arg(drive.name);
+    return drive.name.isEmpty() ? drive.endpoint
+                                : drive.name + QStringLiteral("   ") + drive.endpoint;
 }
 
 QPushButton* pushButton(const char* name, Symbol symbol)

@@ -45,16 +45,20 @@ void FieldBinder::bind(Field field, FieldRow& row, QCheckBox& checkBox,
 }
 
 void FieldBinder::bind(FieldRow& row, SourceCombo& combo, int dimension,
-    std::function<QString(const DimSource&)> text, DriveText driveText)
+    std::function<QString(const DimSource&)> uri, std::function<QString(const DimSource&)> name)
 {
     connect(&combo, &SourceCombo::chosen, this,
         [this, dimension](const QString& entered) { Q_EMIT sourceEntered(dimension, entered); });
     const auto index = static_cast<std::size_t>(dimension - 1);
-    const auto show = [this, &combo, index, text = std::move(text)] {
-        combo.showValue(text(m_model.edited().sources.at(index)));
+    const auto show = [this, &combo, index, uri = std::move(uri), name] {
+        const DimSource& source = m_model.edited().sources.at(index);
+        combo.showValue(uri(source), source.isSet() ? name(source) : QString());
+    };
+    const auto driveText = [index, name](const CompensationSetup& drive) {
+        return name(drive.sources.at(index));
     };
     const auto field = static_cast<Field>(static_cast<int>(Field::Source1) + dimension - 1);
-    add({field, &row, show, std::move(driveText)});
+    add({field, &row, show, driveText});
 }
 
 void FieldBinder::refresh()

@@ -39,7 +39,8 @@ public:
     /// What the user enters is not a value yet: it leaves by sourceEntered, and the model gets the
     /// register when the drive has said that there is one.
     void bind(FieldRow& row, SourceCombo& combo, int dimension,
-        std::function<QString(const DimSource&)> text, DriveText driveText);
+        std::function<QString(const DimSource&)> uri,
+        std::function<QString(const DimSource&)> name);
 
     /// Shows the model's value again: after the list or the texts of an editor have changed.
     void refresh();

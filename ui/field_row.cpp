@@ -56,7 +56,8 @@ FieldRow::FieldRow(QWidget* editor, QStyle* style, QWidget* parent)
     , m_note(new QLabel)
     , m_noteSymbol(new QLabel)
     , m_noteLine(new QWidget(parent))
-    , m_revert(new QToolButton(parent))
+    , m_buttons(new QWidget(parent))
+    , m_revert(new QToolButton)
     , m_busy(new BusyMark)
 {
     editor->setParent(parent);
@@ -75,6 +76,7 @@ FieldRow::FieldRow(QWidget* editor, QStyle* style, QWidget* parent)
     m_note->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     m_note->setTextFormat(Qt::PlainText);
     m_noteSymbol->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    m_busy->hide();
     m_revert->setObjectName(objectNameOf(*editor, QLatin1StringView("Revert")));
     m_revert->setAutoRaise(true);
     m_revert->setIcon(symbolIcon(Symbol::Revert));
@@ -86,21 +88,21 @@ FieldRow::FieldRow(QWidget* editor, QStyle* style, QWidget* parent)
     auto* line = new QHBoxLayout(m_noteLine);
     line->setContentsMargins(2, 0, 0, 4);
     line->setSpacing(4);
+    line->addWidget(m_busy);
     line->addWidget(m_noteSymbol);
     line->addWidget(m_note, 1);
+    auto* buttons = new QHBoxLayout(m_buttons);
+    buttons->setContentsMargins(0, 0, 0, 0);
+    buttons->addWidget(m_revert);
     connect(m_revert, &QToolButton::clicked, this, &FieldRow::revertRequested);
     showState();
 }
 
 void FieldRow::addTo(QGridLayout& grid, int firstRow)
 {
-    auto* buttons = new QHBoxLayout;
-    buttons->setSpacing(2);
-    buttons->addWidget(m_revert);
-    buttons->addWidget(m_busy);
     grid.addWidget(m_label, firstRow, 0);
     grid.addWidget(m_editor, firstRow, 1);
-    grid.addLayout(buttons, firstRow, 2);
+    grid.addWidget(m_buttons, firstRow, 2);
     grid.addWidget(m_noteLine, firstRow + 1, 1, 1, 2);
     QWidget::setTabOrder(m_editor, m_revert);
 }
@@ -136,7 +138,7 @@ void FieldRow::setVisible(bool isVisible)
     m_label->setVisible(isVisible);
     m_editor->setVisible(isVisible);
     m_noteLine->setVisible(isVisible);
-    m_busy->setVisible(isVisible);
+    m_buttons->setVisible(isVisible);
     m_revert->setVisible(isVisible && m_isChanged && m_isRevertible);
 }
 
@@ -183,9 +185,18 @@ void FieldRow::setInformation(const QString& text)
     showState();
 }
 
+void FieldRow::setWholeValue(const QString& text)
+{
+    if (m_wholeValue == text)
+        return;
+    m_wholeValue = text;
+    showState();
+}
+
 void FieldRow::setBusy(bool isBusy)
 {
     m_busy->setBusy(isBusy);
+    m_busy->setVisible(isBusy);
 }
 
 QString FieldRow::note() const
@@ -225,7 +236,8 @@ void FieldRow::showState()
     m_note->setText(breakable(text));
     m_revert->setVisible(m_isVisible && m_isChanged && m_isRevertible);
 
-    QString toolTip = m_texts.toolTip;
+    QString toolTip =
+        m_wholeValue.isEmpty() ? m_texts.toolTip : m_wholeValue + u'\n' + m_texts.toolTip;
     QString description = m_texts.description;
     if (m_isChanged) {
         const QString onDrive = tr("on the drive: %1").arg(m_driveText);

@@ -48,6 +48,8 @@ public:
     [[nodiscard]] bool isChanged() const;
     void setProblem(const QString& sentence);
     void setInformation(const QString& text);
+    /// The value in full, for the tooltip of an editor that may be too narrow for it.
+    void setWholeValue(const QString& text);
     void setBusy(bool isBusy);
     /// What the line below the editor says now.
     [[nodiscard]] QString note() const;
@@ -68,12 +70,14 @@ private:
     QLabel* m_note;
     QLabel* m_noteSymbol;
     QWidget* m_noteLine;
+    QWidget* m_buttons;
     QToolButton* m_revert;
     BusyMark* m_busy;
     FieldTexts m_texts;
     QString m_driveText;
     QString m_problem;
     QString m_information;
+    QString m_wholeValue;
     bool m_isChanged = false;
     bool m_isRevertible = true;
     bool m_isVisible = true;

@@ -14,6 +14,20 @@ const QLatin1StringView outcomeId("outcomeMessage");
 const QLatin1StringView fileId("fileChangedMessage");
 const QLatin1StringView demoId("demoMessage");
 const QLatin1StringView failureId("failureMessage");
+const QLatin1StringView connectionId("connectionMessage");
+
+/// The drive that the page is about, when it cannot be reached.
+const DriveState* lostDrive(const WizardController& controller)
+{
+    const int axis = controller.currentAxis();
+    for (const DriveState& drive : controller.drives()) {
+        const bool isCurrent = axis < 0
+            || drive.endpoint == controller.axes().at(static_cast<std::size_t>(axis)).endpoint;
+        if (isCurrent && drive.connection == DriveState::Connection::Lost)
+            return &drive;
+    }
+    return nullptr;
+}
 
 } // namespace
 
@@ -24,6 +38,9 @@ PageMessages::PageMessages(WizardController& controller, MessageStack& messages,
 {
     connect(&controller, &WizardController::outcomeChanged, this, &PageMessages::showOutcome);
     connect(&controller, &WizardController::dataFileChanged, this, &PageMessages::showFileChange);
+    connect(&controller, &WizardController::drivesChanged, this, &PageMessages::showConnection);
+    connect(
+        &controller, &WizardController::currentAxisChanged, this, &PageMessages::showConnection);
 }
 
 void PageMessages::offerDemo()
@@ -53,6 +70,24 @@ void PageMessages::retranslate()
     if (m_messages.contains(outcomeId))
         showOutcome();
     showFileChange();
+    showConnection();
+}
+
+void PageMessages::showConnection()
+{
+    const DriveState* drive = lostDrive(m_controller);
+    if (!drive) {
+        m_messages.remove(connectionId);
+        return;
+    }
+    Message message;
+    message.id = connectionId;
+    message.tone = Tone::Error;
+    message.text = m_controller.setup().isChanged()
+        ? tr("%1 What you have changed is kept; the program keeps trying.").arg(drive->problem)
+        : tr("%1 The program keeps trying.").arg(drive->problem);
+    if (m_messages.text(message.id) != message.text)
+        m_messages.show(message);
 }
 
 void PageMessages::showOutcome()

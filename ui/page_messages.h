@@ -27,6 +27,7 @@ Q_SIGNALS:
 private:
     void showOutcome();
     void showFileChange();
+    void showConnection();
 
     WizardController& m_controller;
     MessageStack& m_messages;

@@ -11,7 +11,6 @@
 #include "ui/write_preview.h"
 
 #include <QBoxLayout>
-#include <QFileInfo>
 #include <QLabel>
 #include <QPushButton>
 #include <QStackedWidget>
@@ -134,6 +133,7 @@ void PreviewPanel::connectController()
     connect(&m_controller.setup(), &SetupModel::fieldChanged, this, [this](Field field) {
         if (field == Field::Dimensionality)
             showExample();
+        showMarker();
     });
 }
 
@@ -192,11 +192,17 @@ void PreviewPanel::showTables()
 void PreviewPanel::showMarker()
 {
     const auto& status = m_controller.status();
-    if (!status || !m_controller.selectedTable()) {
-        m_plot->setMarker(std::nullopt);
-        return;
+    const auto table = m_controller.selectedTable();
+    // The drive's values are places in the picture only where it looks up what the page shows.
+    const EditedSetup& edited = m_controller.setup().edited();
+    bool isPlace = status && table && table->grid.dimensions() == edited.dimensionality;
+    for (std::size_t n = 0; isPlace && n < table->grid.axes.size(); ++n) {
+        const DimSource& source = status->setup.sources.at(n);
+        isPlace = source.isSet() && source == edited.sources.at(n);
     }
-    m_plot->setMarker(TablePlot::Marker{status->sourceValues, status->output});
+    m_plot->setMarker(isPlace
+            ? std::optional(TablePlot::Marker{status->sourceValues, status->output})
+            : std::nullopt);
 }
 
 void PreviewPanel::showFacts()
@@ -253,8 +259,7 @@ void PreviewPanel::showProblems()
     const bool hasErrors = std::ranges::any_of(file.problems,
         [](const Diagnostic& problem) { return problem.severity == Severity::Error; });
     const int index = m_tabs->indexOf(m_problems);
-    m_problems->setProblems(
-        QFileInfo(file.path).fileName(), file.problems, file.suppressedProblems);
+    m_problems->setProblems(file.problemsPath, file.problems, file.suppressedProblems);
     if (file.problems.empty()) {
         if (index >= 0)
             m_tabs->removeTab(index);

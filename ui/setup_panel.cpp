@@ -55,6 +55,7 @@ SetupPanel::SetupPanel(
     m_dataRow = new FieldRow(m_data, &style, this);
     m_tableRow = new FieldRow(m_table, &style, this);
     m_persistency->setObjectName(QStringLiteral("persistencyField"));
+    m_persistency->setMinimumHeight(m_table->sizeHint().height());
     m_persistencyRow = new FieldRow(m_persistency, &style, this);
     m_axisRow->setRevertible(false);
     m_dataRow->setRevertible(false);
@@ -97,9 +98,8 @@ void SetupPanel::bind()
         const auto index = static_cast<std::size_t>(dimension - 1);
         m_binder->bind(
             *m_sourceRows[index], *m_sources[index], dimension,
-            [this](const DimSource& source) { return sourceText(source); },
-            [this, index](
-                const CompensationSetup& drive) { return sourceName(drive.sources.at(index)); });
+            [this](const DimSource& source) { return sourceUriText(source); },
+            [this](const DimSource& source) { return sourceName(source); });
     }
     m_binder->bind(
         Field::Table, *m_tableRow, *m_table,
@@ -145,6 +145,8 @@ void SetupPanel::connectController()
     connect(&m_controller.setup(), &SetupModel::fieldChanged, this, [this](Field field) {
         if (field == Field::Dimensionality)
             showDimensions();
+        if (field == Field::Table)
+            showTableState();
         showPersistency();
         showSourceValues();
     });

@@ -55,10 +55,11 @@ private:
     void showSourceValues();
     void showDimensions();
     void showTables();
+    void showTableState();
     void showData();
     void showPersistency();
     void showAvailability();
-    [[nodiscard]] QString sourceText(const DimSource& source) const;
+    [[nodiscard]] QString sourceUriText(const DimSource& source) const;
     [[nodiscard]] QString sourceName(const DimSource& source) const;
     [[nodiscard]] QString driveTableText(const CompensationSetup& baseline) const;
 

@@ -89,9 +89,7 @@ void SetupPanel::showAxes()
         const int row = static_cast<int>(i);
         if (!entry.isUsable && items) {
             items->item(row)->setEnabled(false);
-            items->item(row)->setToolTip(
-                tr("This axis cannot be compensated: it has no compensation registers, or its "
-                   "drive does not answer"));
+            items->item(row)->setToolTip(entry.problem);
         }
     }
     m_axis->setCurrentIndex(m_controller.currentAxis());
@@ -155,13 +153,13 @@ void SetupPanel::showSourceValues()
     const SetupModel& setup = m_controller.setup();
     for (std::size_t n = 0; n < m_sources.size(); ++n) {
         const DimSource& source = setup.edited().sources[n];
-        QString text = source.isSet() ? sourceName(source) : QString();
         const bool isOnDrive = status && source == status->setup.sources[n];
-        if (source.isSet() && isOnDrive)
-            text = tr("%1 = %2", "register = value").arg(text, numberText(status->sourceValues[n]));
-        if (!source.isSet())
-            text = tr("choose a register, or type one");
+        QString text = tr("choose a register, or type one");
+        if (source.isSet())
+            text = isOnDrive ? tr("now %1", "value").arg(numberText(status->sourceValues[n]))
+                             : QString();
         m_sourceRows[n]->setInformation(text);
+        m_sourceRows[n]->setWholeValue(source.isSet() ? sourceUriText(source) : QString());
     }
 }
 
@@ -171,9 +169,9 @@ void SetupPanel::showDimensions()
     for (int n = 0; n < 3; ++n)
         m_sourceRows[static_cast<std::size_t>(n)]->setVisible(n < dimensions);
     const std::array texts{
-        tr("one source; the first column of the file is the position"),
-        tr("two sources; the first two columns of the file are positions"),
-        tr("three sources; the first three columns of the file are positions"),
+        tr("one source, one column of positions"),
+        tr("two sources, two columns of positions"),
+        tr("three sources, three columns of positions"),
     };
     m_dimensionalityRow->setInformation(
         texts.at(static_cast<std::size_t>(std::clamp(dimensions, 1, 3) - 1)));
@@ -197,13 +195,20 @@ void SetupPanel::showTables()
                 static_cast<int>(i));
     }
     m_binder->refresh(Field::Table);
-    const bool isOfFile = setup.edited().table.fileTable.has_value();
-    if (isOfFile)
+    showTableState();
+    showPersistency();
+}
+
+void SetupPanel::showTableState()
+{
+    const DataFile& file = m_controller.dataFile();
+    const auto& status = m_controller.status();
+    const bool hasTable = status && status->table;
+    if (m_controller.setup().edited().table.fileTable)
         m_tableRow->setInformation(tr("from %1").arg(QFileInfo(file.path).fileName()));
     else
         m_tableRow->setInformation(
             hasTable ? gridText(status->table->grid) : tr("open a file to get a table"));
-    showPersistency();
 }
 
 void SetupPanel::showData()
@@ -219,7 +224,7 @@ void SetupPanel::showData()
             : tr("problems: %1; nothing of this file is used").arg(countText(errors)));
     QString information = tr("CSV; only needed for a new table");
     if (file.isReading)
-        information = tr("reading %1").arg(QFileInfo(file.path).fileName());
+        information = tr("reading %1").arg(QFileInfo(file.readingPath).fileName());
     else if (file.data)
         information =
             tr("tables: %1, points: %2")
@@ -231,11 +236,10 @@ void SetupPanel::showData()
 void SetupPanel::showPersistency()
 {
     const bool isPersistent = m_controller.setup().edited().persistency == Persistency::Persistent;
-    QString text =
-        isPersistent ? tr("in flash, still there after a reboot") : tr("gone after a reboot");
+    QString text = isPersistent ? tr("in flash") : tr("gone after a reboot");
     const int limit = m_profile.flashWear.operations;
     if (isPersistent && limit > 0)
-        text += tr("; flash operations left for now: %1 of %2")
+        text += tr("; operations left for now: %1 of %2", "of the flash")
                     .arg(m_controller.flashOperationsLeft())
                     .arg(limit);
     m_persistencyRow->setInformation(text);
@@ -254,7 +258,7 @@ void SetupPanel::showAvailability()
     showPersistency();
 }
 
-QString SetupPanel::sourceText(const DimSource& source) const
+QString SetupPanel::sourceUriText(const DimSource& source) const
 {
     const auto& status = m_controller.status();
     if (!source.isSet())

@@ -18,7 +18,8 @@ namespace {
 constexpr int nameRole = Qt::UserRole;
 constexpr int longestPopupWidth = 640;
 
-/// Shows the beginning and the end of a text that is too long, as long as nobody edits it.
+/// A URI that is too long to be seen whole gives way to the register's name as long as nobody edits
+/// it.
 class SourceLineEdit final : public QLineEdit {
 public:
     using QLineEdit::QLineEdit;
@@ -38,7 +39,9 @@ protected:
         }
         QPainter painter(this);
         style()->drawPrimitive(QStyle::PE_PanelLineEdit, &option, &painter, this);
-        const QString shown = fontMetrics().elidedText(text(), Qt::ElideMiddle, contents.width());
+        const auto* combo = static_cast<const SourceCombo*>(parentWidget());
+        const QString shown =
+            fontMetrics().elidedText(combo->nameOfValue(), Qt::ElideMiddle, contents.width());
         style()->drawItemText(&painter, contents, Qt::AlignLeft | Qt::AlignVCenter, palette(),
             isEnabled(), shown, QPalette::Text);
     }
@@ -140,9 +143,10 @@ void SourceCombo::setChoices(std::vector<SourceChoice> choices)
     lineEdit()->setCursorPosition(cursor);
 }
 
-void SourceCombo::showValue(const QString& uri)
+void SourceCombo::showValue(const QString& uri, const QString& name)
 {
     m_value = uri;
+    m_name = name;
     m_asked.clear();
     if (!m_isTyping)
         showText(uri);
@@ -151,6 +155,11 @@ void SourceCombo::showValue(const QString& uri)
 const QString& SourceCombo::value() const
 {
     return m_value;
+}
+
+QString SourceCombo::nameOfValue() const
+{
+    return m_name.isEmpty() || currentText() != m_value ? currentText() : m_name;
 }
 
 bool SourceCombo::isTyping() const

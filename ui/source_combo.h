@@ -24,9 +24,12 @@ public:
 
     void setChoices(std::vector<SourceChoice> choices);
     /// Shows the value, unless the user is typing: then it is what Escape goes back to.
-    void showValue(const QString& uri);
+    /// name: for people, shown where the URI does not fit.
+    void showValue(const QString& uri, const QString& name = {});
     /// What showValue was last told.
     [[nodiscard]] const QString& value() const;
+    /// The value's name while it is shown, otherwise what is in the field.
+    [[nodiscard]] QString nameOfValue() const;
     /// The user has typed something that has not been taken over yet.
     [[nodiscard]] bool isTyping() const;
     /// The typed text was refused; it stays for correction while the field has the focus.
@@ -45,6 +48,7 @@ private:
 
     std::vector<SourceChoice> m_choices;
     QString m_value;
+    QString m_name;
     QString m_asked; ///< the text that was handed on last and not answered
     bool m_isTyping = false;
 };

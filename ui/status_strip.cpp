@@ -15,6 +15,8 @@
 #include <QSignalBlocker>
 #include <QToolButton>
 
+#include <algorithm>
+
 namespace axiscomp::ui {
 
 namespace {
@@ -101,6 +103,7 @@ StatusStrip::StatusStrip(WizardController& controller, const RegisterEnums& enum
     connect(&controller, &WizardController::liveChanged, this, &StatusStrip::showLive);
     connect(&controller, &WizardController::statusChanged, this, &StatusStrip::showLive);
     connect(&controller, &WizardController::currentAxisChanged, this, &StatusStrip::showLive);
+    connect(&controller, &WizardController::drivesChanged, this, &StatusStrip::showLive);
     retranslate();
 }
 
@@ -137,13 +140,26 @@ void StatusStrip::showBusy()
     m_cancel->setEnabled(busy.canCancel);
 }
 
+/// What was read before the connection was lost says nothing about now.
+bool StatusStrip::isConnected() const
+{
+    const int axis = m_controller.currentAxis();
+    if (axis < 0)
+        return false;
+    const QString& endpoint = m_controller.axes().at(static_cast<std::size_t>(axis)).endpoint;
+    return std::ranges::any_of(m_controller.drives(), [&](const DriveState& drive) {
+        return drive.endpoint == endpoint && drive.connection == DriveState::Connection::Connected;
+    });
+}
+
 void StatusStrip::showLive()
 {
     const auto& status = m_controller.status();
-    m_stateSymbol->setVisible(status.has_value());
-    m_state->setVisible(status.has_value());
-    m_live->setVisible(status.has_value());
-    if (!status)
+    const bool isLive = status && isConnected();
+    m_stateSymbol->setVisible(isLive);
+    m_state->setVisible(isLive);
+    m_live->setVisible(isLive);
+    if (!isLive)
         return;
     const Tone tone = toneOf(status->axis.state, m_enums);
     const QColor color =

@@ -35,6 +35,7 @@ Q_SIGNALS:
 private:
     void showBusy();
     void showLive();
+    [[nodiscard]] bool isConnected() const;
 
     WizardController& m_controller;
     const RegisterEnums& m_enums;

@@ -57,7 +57,7 @@ WizardPage::WizardPage(WizardController& controller, const DriveProfile& profile
     m_columns->addWidget(right);
     m_columns->setStretchFactor(0, 0);
     m_columns->setStretchFactor(1, 1);
-    m_columns->setSizes({440, 800});
+    m_columns->setSizes({456, 800});
     m_rows->setObjectName(QStringLiteral("rows"));
     m_rows->setChildrenCollapsible(false);
     m_rows->addWidget(m_columns);

@@ -13,9 +13,15 @@ WriteFlow::WriteFlow(WizardController& controller, PreviewPanel& panel, QObject*
     , m_panel(panel)
 {
     connect(&controller, &WizardController::planReady, this, &WriteFlow::take);
-    connect(&controller, &WizardController::outcomeChanged, this, [this] { m_isPlanning = false; });
+    connect(&controller, &WizardController::outcomeChanged, this, [this] {
+        if (m_controller.isOutcomeAnError())
+            m_isPlanning = false;
+    });
     connect(&controller, &WizardController::currentAxisChanged, this, &WriteFlow::back);
-    connect(&controller, &WizardController::selectedTableChanged, this, &WriteFlow::back);
+    connect(&controller, &WizardController::selectedTableChanged, this, [this] {
+        if (fileTable() != m_table)
+            back();
+    });
     connect(&controller.setup(), &SetupModel::fieldChanged, this, &WriteFlow::back);
     connect(&controller, &WizardController::actionsChanged, this, [this] {
         if (!m_controller.action(Action::Write).isEnabled && !m_controller.busy().isBusy)
@@ -34,13 +40,19 @@ void WriteFlow::proceed()
     if (!m_controller.action(Action::Write).isEnabled)
         return;
     m_isPlanning = true;
+    m_table = fileTable();
     m_controller.planWrite();
 }
 
 void WriteFlow::back()
 {
     m_isPlanning = false;
-    m_panel.showWritePreview(false);
+    showPreview(false);
+}
+
+std::shared_ptr<const CompensationTable> WriteFlow::fileTable() const
+{
+    return m_controller.setup().edited().table.fileTable ? m_controller.selectedTable() : nullptr;
 }
 
 bool WriteFlow::isPreviewing() const
@@ -59,13 +71,23 @@ void WriteFlow::take()
     if (isVolatile && m_panel.writePreview().isSkippedForVolatile())
         m_controller.write();
     else
-        m_panel.showWritePreview(true);
+        showPreview(true);
 }
 
 void WriteFlow::confirm()
 {
-    m_panel.showWritePreview(false);
+    if (!isPreviewing())
+        return;
+    showPreview(false);
     m_controller.write();
+}
+
+void WriteFlow::showPreview(bool isShown)
+{
+    if (isShown == isPreviewing())
+        return;
+    m_panel.showWritePreview(isShown);
+    Q_EMIT previewingChanged(isShown);
 }
 
 } // namespace axiscomp::ui

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/grid.h"
+
 #include <QObject>
+
+#include <memory>
 
 namespace axiscomp::ui {
 
@@ -21,13 +25,19 @@ public:
     void back();
     [[nodiscard]] bool isPreviewing() const;
 
+Q_SIGNALS:
+    void previewingChanged(bool isPreviewing);
+
 private:
     void take();
     void confirm();
+    void showPreview(bool isShown);
+    [[nodiscard]] std::shared_ptr<const CompensationTable> fileTable() const;
 
     WizardController& m_controller;
     PreviewPanel& m_panel;
     bool m_isPlanning = false;
+    std::shared_ptr<const CompensationTable> m_table; ///< the file's, when the plan was asked for
 };
 
 } // namespace axiscomp::ui

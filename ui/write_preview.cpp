@@ -69,6 +69,9 @@ void WritePreview::build()
     m_rows->setFocusPolicy(Qt::TabFocus);
     m_rows->setTabKeyNavigation(false);
     m_rows->setWordWrap(true);
+    m_rows->setSizeAdjustPolicy(QAbstractItemView::AdjustToContents);
+    m_rows->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Maximum);
+    m_rows->verticalHeader()->setMinimumSectionSize(qRound(1.7 * m_rows->fontMetrics().height()));
     m_rows->setAlternatingRowColors(true);
     m_rows->setShowGrid(false);
     m_rows->horizontalHeader()->setHighlightSections(false);
@@ -92,10 +95,11 @@ void WritePreview::build()
     layout->setSpacing(10);
     layout->addWidget(m_title);
     layout->addWidget(m_introduction);
-    layout->addWidget(m_rows, 1);
+    layout->addWidget(m_rows);
     layout->addWidget(m_cost);
     layout->addWidget(m_remarks);
     layout->addLayout(buttons);
+    layout->addStretch(1);
     setTabOrder(m_rows, m_skip);
     setTabOrder(m_skip, m_back);
     setTabOrder(m_back, m_write);

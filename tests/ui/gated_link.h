@@ -102,8 +102,7 @@ public:
     {
         return pass<std::vector<DriveFile>>([&] { return m_inner->listFiles(exchange); });
     }
-    [[nodiscard]] Result<Bytes> download(
-        const std::string& path, const Exchange& exchange) override
+    [[nodiscard]] Result<Bytes> download(const std::string& path, const Exchange& exchange) override
     {
         return pass<Bytes>([&] { return m_inner->download(path, exchange); });
     }

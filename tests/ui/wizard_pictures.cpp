@@ -1,17 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Renders every state of the page into PNG files, for a person to look at:
-// wizard-pictures FOLDER [STATE...]. QT_SCALE_FACTOR makes them larger.
+// wizard-pictures FOLDER [STATE...]. QT_SCALE_FACTOR makes them larger, AXISCOMP_LONG_TEXTS makes
+// every text longer than any language needs.
 #include "tests/ui/wizard_stage.h"
 #include "ui/language.h"
 
 #include <QApplication>
 #include <QComboBox>
+#include <QDialog>
 #include <QDir>
+#include <QLabel>
+#include <QLineEdit>
 #include <QLocale>
 #include <QPushButton>
 #include <QSettings>
 #include <QStyleFactory>
 #include <QTextStream>
+#include <QTranslator>
+#include <QTreeWidget>
 
 using namespace axiscomp;
 using namespace axiscomp::ui;
@@ -27,6 +33,19 @@ void wait(const std::function<bool()>& condition, const char* what)
     if (!QTest::qWaitFor(condition, patienceMs))
         qFatal("waited in vain for %s", what);
 }
+
+class LongTexts final : public QTranslator {
+public:
+    [[nodiscard]] bool isEmpty() const override { return false; }
+    [[nodiscard]] QString translate(
+        const char* context, const char* text, const char*, int) const override
+    {
+        const QString source = QString::fromUtf8(text);
+        const bool isOwn = QByteArray(context).startsWith("axiscomp");
+        return isOwn ? source + u' ' + source.left(1 + source.size() / 3).remove(u'&').remove(u'%')
+                     : QString();
+    }
+};
 
 /// A page on a stage, brought into a state by what a user would do.
 class Scene {
@@ -53,7 +72,10 @@ public:
     void click(const char* name)
     {
         auto* button = m_wizard->findChild<QAbstractButton*>(QLatin1StringView(name));
-        wait([&] { return button && button->isEnabled(); }, name);
+        if (!QTest::qWaitFor(
+                [&] { return button && button->isEnabled() && button->isVisible(); }, patienceMs))
+            qFatal("%s cannot be clicked: %s; %s", name, qPrintable(controller().hint()),
+                qPrintable(controller().outcome()));
         button->click();
     }
     void chooseSources(int count)
@@ -65,7 +87,10 @@ public:
                 n + 1, QString::fromStdString(paths.at(static_cast<std::size_t>(n))));
             wait(
                 [&] {
-                    return controller().setup().edited().sources.at(static_cast<std::size_t>(n))
+                    return controller()
+                        .setup()
+                        .edited()
+                        .sources.at(static_cast<std::size_t>(n))
                         .isSet();
                 },
                 "a source");
@@ -127,7 +152,10 @@ void writePreview(Scene& scene)
 {
     unwritten2D(scene);
     scene.click("writeButton");
-    wait([&] { return scene.page().findChild<QWidget*>(QStringLiteral("writePreview"))->isVisible(); },
+    wait(
+        [&] {
+            return scene.page().findChild<QWidget*>(QStringLiteral("writePreview"))->isVisible();
+        },
         "the list");
     scene.settle();
 }
@@ -165,7 +193,8 @@ void badFile(Scene& scene)
     scene.controller().setup().setDimensionality(2);
     scene.chooseSources(2);
     scene.openData(scene.stage().file(QStringLiteral("measurement.csv"),
-        "X [mm],Y [mm],table 1\n0,0,0.001\n10,0,0.0O2\n20,0,0.001\n0,10,nan\n10,10\n20,10,0.002\n"));
+        "X [mm],Y [mm],table "
+        "1\n0,0,0.001\n10,0,0.0O2\n20,0,0.001\n0,10,nan\n10,10\n20,10,0.002\n"));
     scene.settle();
 }
 
@@ -232,6 +261,22 @@ void otherAxis(Scene& scene)
     scene.settle();
 }
 
+void connections(Scene& scene)
+{
+    unwritten2D(scene);
+    scene.click("connectionsButton");
+    auto* dialog = scene.page().findChild<QDialog*>(QStringLiteral("connectionsDialog"));
+    dialog->findChild<QAbstractButton*>(QStringLiteral("addDemo"))->click();
+    dialog->findChild<QLineEdit*>(QStringLiteral("connectionAddress"))
+        ->setText(QStringLiteral("192.168.1.21/"));
+    dialog->findChild<QAbstractButton*>(QStringLiteral("addConnection"))->click();
+    auto* note = dialog->findChild<QLabel*>(QStringLiteral("connectionNote"));
+    auto* list = dialog->findChild<QTreeWidget*>(QStringLiteral("connections"));
+    wait([&] { return !list->topLevelItem(1)->text(1).isEmpty() && !note->text().isEmpty(); },
+        "the answers");
+    QTest::qWait(200);
+}
+
 struct State {
     const char* name;
     std::function<void(Scene&)> make;
@@ -254,6 +299,7 @@ const std::vector<State>& states()
         {"table-3d", table3D},
         {"connection-lost", connectionLost},
         {"other-axis", otherAxis},
+        {"connections", connections},
     };
     return all;
 }
@@ -291,7 +337,11 @@ void render(const State& state, const QString& file)
     Scene scene(state.isHomed);
     state.make(scene);
     scene.page().setFocus();
-    if (!scene.page().grab().save(file))
+    auto* dialog = scene.page().findChild<QDialog*>();
+    QWidget* shown = &scene.page();
+    if (dialog && dialog->isVisible())
+        shown = dialog;
+    if (!shown->grab().save(file))
         qFatal("cannot write %s", qPrintable(file));
     QTextStream(stdout) << file << Qt::endl;
     scene.stage().gate().release();
@@ -310,10 +360,12 @@ int main(int argc, char** argv)
     if (!folder.mkpath(QStringLiteral(".")))
         qFatal("cannot make %s", qPrintable(folder.path()));
     const QStringList wanted = arguments.mid(1);
+    LongTexts longTexts;
+    if (qEnvironmentVariableIsSet("AXISCOMP_LONG_TEXTS"))
+        QApplication::installTranslator(&longTexts);
     const QPalette light = QApplication::palette();
     const qreal scale = application.devicePixelRatio();
-    const QString suffix =
-        scale > 1.0 ? QStringLiteral("-%1").arg(qRound(scale * 100)) : QString();
+    const QString suffix = scale > 1.0 ? QStringLiteral("-%1").arg(qRound(scale * 100)) : QString();
     for (const QString& language : Language::available()) {
         QLocale::setDefault(QLocale(language));
         for (const bool isDark : {false, true}) {
@@ -322,10 +374,11 @@ int main(int argc, char** argv)
                 const QString name = QString::fromLatin1(state.name);
                 if (wanted.isEmpty() || wanted.contains(name))
                     render(state,
-                        folder.filePath(QStringLiteral("%1-%2-%3%4.png")
-                                            .arg(name, isDark ? QStringLiteral("dark")
-                                                              : QStringLiteral("light"),
-                                                language, suffix)));
+                        folder.filePath(
+                            QStringLiteral("%1-%2-%3%4.png")
+                                .arg(name,
+                                    isDark ? QStringLiteral("dark") : QStringLiteral("light"),
+                                    language, suffix)));
             }
         }
     }
