@@ -96,8 +96,7 @@ struct PlotCanvas::Private {
     std::shared_ptr<const CompensationTable> table;
     std::shared_ptr<const CompensationTable> second;
     double range = 1.0;
-    QString firstName;
-    QString secondName;
+    bool isDrawn = false; ///< a layer alone can be drawn only after the whole was
 
     [[nodiscard]] bool isMap() const { return table && table->grid.dimensions() == 2; }
     [[nodiscard]] double xOf(const PlotPoint& point) const
@@ -115,9 +114,6 @@ PlotCanvas::PlotCanvas(QWidget* parent) : QObject(parent), d(std::make_unique<Pr
 {
     QCustomPlot& plot = *d->plot;
     plot.setObjectName(QStringLiteral("plotCanvas"));
-    plot.addLayer(
-        QStringLiteral("overlay"), plot.layer(QStringLiteral("main")), QCustomPlot::limAbove);
-    plot.layer(QStringLiteral("overlay"))->setMode(QCPLayer::lmBuffered);
     plot.setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);
     plot.setNoAntialiasingOnDrag(true);
     plot.axisRect()->setupFullAxesBox(true);
@@ -148,6 +144,7 @@ PlotCanvas::PlotCanvas(QWidget* parent) : QObject(parent), d(std::make_unique<Pr
         d->cursorLabels[which] = label;
     }
     plot.legend->setVisible(false);
+    connect(&plot, &QCustomPlot::afterReplot, this, [this] { d->isDrawn = true; });
     setPalette(parent->palette());
 }
 
@@ -355,7 +352,10 @@ void PlotCanvas::replot()
 
 void PlotCanvas::paintOverlay()
 {
-    d->plot->layer(QStringLiteral("overlay"))->replot();
+    if (d->isDrawn)
+        d->plot->layer(QStringLiteral("overlay"))->replot();
+    else
+        replot();
 }
 
 } // namespace axiscomp::ui
