@@ -66,6 +66,7 @@ void DriveConnection::take(const Result<DriveFindings>& findings)
     }
     const bool wasAnother =
         m_findings && m_findings->drive.serialNumber != findings->drive.serialNumber;
+    m_retry.stop();
     m_findings = *findings;
     m_state.name = QString::fromStdString(findings->drive.name);
     m_state.connection = Connection::Connected;
