@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/verify.h"
+#include "tests/ui/controller_bench.h"
+#include "tests/ui/heartbeat.h"
+
+#include <QEventLoop>
+#include <QTest>
+#include <QTimer>
+
+#include <cmath>
+
+using namespace axiscomp;
+using namespace axiscomp::ui;
+using test::ControllerBench;
+using test::DriveGate;
+using test::Heartbeat;
+
+namespace {
+
+/// The window's goal is 16 ms; a machine that runs many tests at once needs some room.
+constexpr std::chrono::milliseconds longestGap{100};
+
+/// As QTRY_VERIFY, but the event loop turns all the time: that one sleeps in between.
+template <typename Condition> bool waitFor(const Condition& condition)
+{
+    QEventLoop loop;
+    QTimer poll;
+    QObject::connect(&poll, &QTimer::timeout, &loop, [&] {
+        if (condition())
+            loop.quit();
+    });
+    QTimer::singleShot(120'000, &loop, &QEventLoop::quit);
+    poll.start(1);
+    loop.exec();
+    return condition();
+}
+
+/// About 20 MB: 2D, two tables.
+QByteArray largeCalibration()
+{
+    QByteArray text = "X [mm],Y [mm],first [mm],second [mm]\n";
+    constexpr int size = 720;
+    text.reserve(22'000'000);
+    for (int y = 0; y < size; ++y) {
+        for (int x = 0; x < size; ++x) {
+            const double value = 0.002 * std::sin(0.01 * x) * std::cos(0.013 * y);
+            text += QByteArray::number(0.25 * x, 'f', 4) + ','
+                + QByteArray::number(0.25 * y, 'f', 4) + ',' + QByteArray::number(value, 'f', 12)
+                + ',' + QByteArray::number(-value, 'f', 12) + '\n';
+        }
+    }
+    return text;
+}
+
+} // namespace
+
+class TestWizardHeartbeat : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { test::failOnWarnings(); }
+
+    void readingAFileOf20MegabytesNeverStopsTheWindow()
+    {
+        ControllerBench bench;
+        bench.options.liveInterval = std::chrono::milliseconds(100);
+        QVERIFY(bench.connect());
+        bench.chooseMasterSources();
+        const QByteArray text = largeCalibration();
+        QVERIFY(text.size() > 20'000'000);
+        const QString path = bench.file(QStringLiteral("large.csv"), text);
+        std::vector<double> progress;
+        connect(&bench.controller(), &WizardController::dataFileChanged, this,
+            [&] { progress.push_back(bench->dataFile().progress); });
+        Heartbeat heart;
+        bench->openData(path);
+        QVERIFY(bench->dataFile().isReading);
+        QVERIFY(waitFor([&] { return !bench->dataFile().isReading; }));
+        QVERIFY(bench->dataFile().data);
+        QCOMPARE(bench->dataFile().data->grid.pointCount(), std::size_t{720 * 720});
+        QVERIFY(!bench->signSentence().isEmpty());
+        const int beats = heart.beats();
+        QVERIFY(waitFor([&] { return heart.beats() > beats + 20; }));
+        qInfo("reading 20 MB: longest gap %.1f ms of %d beats, %zu progress reports",
+            static_cast<double>(heart.longest().count()) / 1000.0, heart.beats(), progress.size());
+        QVERIFY(heart.longest() < longestGap);
+        QVERIFY(std::ranges::any_of(progress, [](double p) { return p > 0.0 && p < 1.0; }));
+    }
+
+    void readingCanBeCancelled()
+    {
+        ControllerBench bench;
+        const QString path = bench.file(QStringLiteral("large.csv"), largeCalibration());
+        bench->openData(path);
+        QTRY_VERIFY(bench->dataFile().progress > 0.0);
+        QVERIFY(bench->action(Action::Cancel).isEnabled);
+        QCOMPARE(bench->action(Action::Cancel).reason, QStringLiteral("Stops reading the file."));
+        bench->cancel();
+        QVERIFY(!bench->dataFile().isReading);
+        QVERIFY(!bench->dataFile().data);
+        // The next file is read as if nothing had been.
+        bench->openData(bench.file(QStringLiteral("1d.csv"), "X,table\n0,0.1\n1,0.2\n2,0.1\n"));
+        QVERIFY(bench.fileRead());
+        QVERIFY(bench->dataFile().data);
+        QCOMPARE(bench->dataFile().path, bench.path(QStringLiteral("1d.csv")));
+    }
+
+    void aDriveThatNeverAnswersNeverStopsTheWindow()
+    {
+        ControllerBench bench;
+        bench.options.timeout = std::chrono::milliseconds(300);
+        bench.options.liveInterval = std::chrono::milliseconds(5);
+        QVERIFY(bench.connect());
+        QVERIFY(bench.prepare2D());
+        Heartbeat heart;
+        bench.drive().gate.set(DriveGate::Mode::Deaf);
+        const auto is = [&](DriveState::Connection connection) {
+            return
+                [&bench, connection] { return bench->drives().front().connection == connection; };
+        };
+        const auto idle = [&] { return !bench->busy().isBusy; };
+        QVERIFY(waitFor(is(DriveState::Connection::Lost)));
+        // It goes on trying.
+        QVERIFY(waitFor([&] { return bench.drive().gate.timeouts() >= 3; }));
+        bench.drive().gate.set(DriveGate::Mode::Open);
+        QVERIFY(waitFor(is(DriveState::Connection::Connected)));
+        QVERIFY(waitFor([&] { return bench->action(Action::Write).isEnabled; }));
+        bench->planWrite();
+        QVERIFY(waitFor(idle));
+        bench.drive().gate.setAt(12, DriveGate::Mode::Deaf);
+        bench->write();
+        QVERIFY(waitFor(idle));
+        QVERIFY(bench->isOutcomeAnError());
+        bench->refresh();
+        bench->setEndpoints({}); // its session ends by itself, some time
+        bench.drive().gate.set(DriveGate::Mode::Open);
+        const int beats = heart.beats();
+        QVERIFY(waitFor([&] { return heart.beats() > beats + 20; }));
+        qInfo("a drive that never answers: longest gap %.1f ms of %d beats",
+            static_cast<double>(heart.longest().count()) / 1000.0, heart.beats());
+        QVERIFY(heart.longest() < longestGap);
+    }
+
+    void theEndTakesNoLongerWithManyDrivesThatHang()
+    {
+        ControllerBench bench;
+        bench.options.timeout = std::chrono::milliseconds(1'000);
+        QStringList endpoints;
+        for (int i = 0; i < 8; ++i) {
+            const QString endpoint = QStringLiteral("http://drive%1").arg(i);
+            bench.addDrive(endpoint.toStdString(), ControllerBench::xyDrive())
+                .gate.set(DriveGate::Mode::Deaf);
+            endpoints.append(endpoint);
+        }
+        bench->setEndpoints(endpoints);
+        for (const QString& endpoint : endpoints)
+            QTRY_COMPARE(bench.drive(endpoint.toStdString()).gate.waiting(), 1);
+        bench.endController();
+        int timeouts = 0;
+        for (const QString& endpoint : endpoints)
+            timeouts += bench.drive(endpoint.toStdString()).gate.timeouts();
+        // Each was waited for once, all at the same time.
+        QVERIFY(timeouts <= 8);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestWizardHeartbeat)
+#include "tst_wizardheartbeat.moc"
