@@ -16,7 +16,8 @@ if command -v ccache >/dev/null; then
 fi
 build=build/run # of ./run: the same programs
 mkdir -p "$build"
-cmake --preset release -B "$build" -DBUILD_TESTING=OFF -DAXISCOMP_BENCH=OFF "${launcher[@]}" \
+cmake --preset release -B "$build" -DBUILD_TESTING=OFF -DAXISCOMP_BENCH=OFF \
+    -DAXISCOMP_WINDOW=ON "${launcher[@]}" \
     >"$build/configure.log" 2>&1 || {
     cat "$build/configure.log" >&2
     exit 1
