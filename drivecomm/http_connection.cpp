@@ -5,6 +5,7 @@
 
 #include <QHostAddress>
 #include <QNetworkProxy>
+#include <QSslSocket>
 
 #include <algorithm>
 #include <utility>
@@ -97,8 +98,8 @@ void HttpConnection::connectSocket()
 {
     makeSocket();
     const QString host = QString::fromStdString(m_endpoint.host);
-    if (m_isSecure)
-        m_socket->connectToHostEncrypted(host, m_endpoint.port);
+    if (auto* secure = qobject_cast<QSslSocket*>(m_socket.get()))
+        secure->connectToHostEncrypted(host, m_endpoint.port);
     else
         m_socket->connectToHost(host, m_endpoint.port);
 }
@@ -112,19 +113,22 @@ void HttpConnection::makeSocket()
     }
     m_isReady = false;
     m_sslErrors.clear();
-    m_socket = std::make_unique<QSslSocket>();
+    if (m_isSecure) {
+        auto secure = std::make_unique<QSslSocket>();
+        connect(secure.get(), &QSslSocket::encrypted, this, &HttpConnection::begin);
+        connect(secure.get(), &QSslSocket::sslErrors, this,
+            [this](const QList<QSslError>& errors) { m_sslErrors = errors; });
+        m_socket = std::move(secure);
+    } else {
+        m_socket = std::make_unique<QTcpSocket>();
+        connect(m_socket.get(), &QTcpSocket::connected, this, &HttpConnection::begin);
+    }
     if (isLoopback(m_endpoint.host))
         m_socket->setProxy(QNetworkProxy::NoProxy);
-    QSslSocket* socket = m_socket.get();
-    if (m_isSecure)
-        connect(socket, &QSslSocket::encrypted, this, &HttpConnection::begin);
-    else
-        connect(socket, &QSslSocket::connected, this, &HttpConnection::begin);
-    connect(socket, &QSslSocket::bytesWritten, this, &HttpConnection::write);
-    connect(socket, &QSslSocket::readyRead, this, &HttpConnection::read);
-    connect(socket, &QSslSocket::errorOccurred, this, &HttpConnection::connectionFailed);
-    connect(socket, &QSslSocket::sslErrors, this,
-        [this](const QList<QSslError>& errors) { m_sslErrors = errors; });
+    QTcpSocket* socket = m_socket.get();
+    connect(socket, &QTcpSocket::bytesWritten, this, &HttpConnection::write);
+    connect(socket, &QTcpSocket::readyRead, this, &HttpConnection::read);
+    connect(socket, &QTcpSocket::errorOccurred, this, &HttpConnection::connectionFailed);
 }
 
 void HttpConnection::begin()

@@ -6,7 +6,8 @@
 
 #include <QElapsedTimer>
 #include <QObject>
-#include <QSslSocket>
+#include <QSslError>
+#include <QTcpSocket>
 
 #include <condition_variable>
 #include <memory>
@@ -53,7 +54,7 @@ private:
 
     DriveEndpoint m_endpoint;
     bool m_isSecure;
-    std::unique_ptr<QSslSocket> m_socket;
+    std::unique_ptr<QTcpSocket> m_socket; ///< a QSslSocket for https only: http needs no OpenSSL
     QElapsedTimer m_idle; ///< since the last reply
     QList<QSslError> m_sslErrors;
 

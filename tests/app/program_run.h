@@ -79,4 +79,8 @@ private:
 } // namespace axiscomp::test
 
 /// Fails with everything the program said unless it ended with this code.
-#define VERIFY_CODE(run, expected) QVERIFY2((run).code == (expected), (run).text().constData())
+#define VERIFY_CODE(run, expected)                                                                 \
+    do {                                                                                           \
+        const auto& verifiedRun = (run);                                                           \
+        QVERIFY2(verifiedRun.code == (expected), verifiedRun.text().constData());                  \
+    } while (false)
