@@ -111,7 +111,7 @@ Result<DriveBackup> readBackupOf(
             return fail(axis.error());
         backup.axes.push_back(std::move(*axis));
     }
-    for (const TableSlot& slot : access.profile().slots) {
+    for (const TableSlot& slot : access.profile().tableSlots) {
         if (isUsedBy(backup, slot.name))
             continue;
         auto file = readSlotFile(access, slot);

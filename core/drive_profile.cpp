@@ -26,14 +26,14 @@ std::optional<std::string> argument(std::string_view name, const PathArguments& 
 
 const TableSlot* DriveProfile::slotNamed(std::string_view slotName) const
 {
-    const auto slot = std::ranges::find(slots, slotName, &TableSlot::name);
-    return slot == slots.end() ? nullptr : &*slot;
+    const auto slot = std::ranges::find(tableSlots, slotName, &TableSlot::name);
+    return slot == tableSlots.end() ? nullptr : &*slot;
 }
 
 const TableSlot* DriveProfile::slotOfFile(std::string_view file) const
 {
-    const auto slot = std::ranges::find(slots, file, &TableSlot::file);
-    return slot == slots.end() ? nullptr : &*slot;
+    const auto slot = std::ranges::find(tableSlots, file, &TableSlot::file);
+    return slot == tableSlots.end() ? nullptr : &*slot;
 }
 
 std::string expandPath(std::string_view pattern, const PathArguments& arguments)

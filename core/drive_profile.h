@@ -91,7 +91,7 @@ struct DriveProfile {
     RegisterEnums enums;
     std::vector<std::string> sourceShortlist; ///< DimSource candidates; with {axis} once per axis
     std::vector<std::string> sourceTypes; ///< types that a DimSource may have: Single, Double
-    std::vector<TableSlot> slots;
+    std::vector<TableSlot> tableSlots;
     TableLayout layout;
     WebPaths web;
     FlashWearLimits flashWear;

@@ -146,7 +146,7 @@ DriveProfile readProfile(const JsonNode& root)
     profile.sourceShortlist = readSourceShortlist(root["sourceShortlist"]);
     profile.sourceTypes = readSourceTypes(root["sourceTypes"]);
     profile.layout = readTableLayout(root["layout"]);
-    profile.slots = readSlots(root["slots"], profile);
+    profile.tableSlots = readSlots(root["slots"], profile);
     profile.web = readWebPaths(root["web"]);
     profile.flashWear = readFlashWear(root["flashWear"]);
     profile.writesAtOneInstant = root["writesAtOneInstant"].boolean();

@@ -37,7 +37,7 @@ QLabel* wrappedLabel(const char* name)
 const TableSlot* smallestSlot(const DriveProfile& profile, std::size_t bytes)
 {
     const TableSlot* smallest = nullptr;
-    for (const TableSlot& slot : profile.slots) {
+    for (const TableSlot& slot : profile.tableSlots) {
         if (slot.maximumSize >= bytes && (!smallest || slot.maximumSize < smallest->maximumSize))
             smallest = &slot;
     }

@@ -54,7 +54,7 @@ void WizardController::Private::snapshotSetup(WizardSnapshot& now) const
         if (sourceFields[static_cast<std::size_t>(n - 1)].isBeingChecked)
             now.isSourceBeingChecked = true;
     }
-    for (const TableSlot& slot : profile.slots)
+    for (const TableSlot& slot : profile.tableSlots)
         now.largestSlotBytes = std::max<std::size_t>(now.largestSlotBytes, slot.maximumSize);
     now.isPersistent = edited.persistency == Persistency::Persistent;
     now.isNewTable = edited.table.fileTable.has_value();

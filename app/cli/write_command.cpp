@@ -31,10 +31,10 @@ bool sameLetters(const std::string& a, const std::string& b)
 /// "small1" and "tables/small1.TAMtbl" are the slot Small1; the rest is judged by the compensator.
 std::string slotName(const DriveProfile& profile, const std::string& text)
 {
-    const auto slot = std::ranges::find_if(profile.slots, [&](const TableSlot& candidate) {
+    const auto slot = std::ranges::find_if(profile.tableSlots, [&](const TableSlot& candidate) {
         return sameLetters(candidate.name, text) || candidate.file == text;
     });
-    return slot == profile.slots.end() ? text : slot->name;
+    return slot == profile.tableSlots.end() ? text : slot->name;
 }
 
 /// Those that were given, from dimension 1 on. Errors: SourceMissing for a gap.

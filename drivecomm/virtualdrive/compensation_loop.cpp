@@ -22,10 +22,10 @@ std::optional<std::size_t> VirtualDrive::Private::slotOf(const Axis& axis) const
     if (axis.table == nullptr)
         return {};
     const auto& name = std::get<std::string>(axis.table->value);
-    const auto slot = std::ranges::find(profile.slots, name, &TableSlot::name);
-    if (slot == profile.slots.end())
+    const auto slot = std::ranges::find(profile.tableSlots, name, &TableSlot::name);
+    if (slot == profile.tableSlots.end())
         return {};
-    return static_cast<std::size_t>(slot - profile.slots.begin());
+    return static_cast<std::size_t>(slot - profile.tableSlots.begin());
 }
 
 CompensationState::Fault VirtualDrive::Private::check(const Axis& axis, bool needsHoming) const

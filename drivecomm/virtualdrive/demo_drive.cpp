@@ -56,7 +56,7 @@ Result<void> loadDemoState(VirtualDrive& drive)
 {
     const DriveProfile& profile = drive.profile();
     const RegisterPaths& paths = profile.registers;
-    const TableSlot& slot = profile.slots.front();
+    const TableSlot& slot = profile.tableSlots.front();
     const Result<Bytes> file = encodeTamTable(demoTable(), true, profile.layout);
     if (!file)
         return fail(file.error());

@@ -114,7 +114,7 @@ void VirtualDrive::Private::defineRegisters()
     for (std::size_t i = 0; i < axes.size(); ++i)
         defineAxis(static_cast<int>(i));
     defineApplication();
-    for (std::size_t i = 0; i < profile.slots.size(); ++i)
+    for (std::size_t i = 0; i < profile.tableSlots.size(); ++i)
         defineSlot(static_cast<int>(i));
 }
 
@@ -190,7 +190,7 @@ void VirtualDrive::Private::defineCompensation(int index)
     const auto self = static_cast<std::size_t>(index);
     const PathArguments here{.axis = index};
     std::vector<std::string> tables{enums.tableDisabled};
-    for (const TableSlot& slot : profile.slots)
+    for (const TableSlot& slot : profile.tableSlots)
         tables.push_back(slot.name);
     axes[self].table = defineEnum(
         paths.table, here, "SourceTable", tables, RegisterRole::CompensationValue, index);
@@ -247,7 +247,7 @@ void VirtualDrive::Private::defineSlot(int index)
 {
     const RegisterPaths& paths = profile.registers;
     const auto self = static_cast<std::size_t>(index);
-    const std::string& name = profile.slots[self].name;
+    const std::string& name = profile.tableSlots[self].name;
     define(paths.tablePersistent, {.slot = name},
         {.path = {},
             .type = "Boolean",

@@ -28,12 +28,12 @@ Result<void> VirtualDrive::Private::restore(const SavedDrive& saved)
             + std::to_string(saved.serialNumber) + ", not of "
             + std::to_string(options.serialNumber));
     for (const auto& [name, slot] : saved.slots) {
-        const auto found = std::ranges::find(profile.slots, name, &TableSlot::name);
-        if (found == profile.slots.end())
+        const auto found = std::ranges::find(profile.tableSlots, name, &TableSlot::name);
+        if (found == profile.tableSlots.end())
             return unusable("the profile " + profile.name + " has no slot " + name);
         if (slot.table && slot.table->size() > found->maximumSize)
             return unusable("the table in " + name + " is larger than the slot");
-        memory.restore(static_cast<std::size_t>(found - profile.slots.begin()),
+        memory.restore(static_cast<std::size_t>(found - profile.tableSlots.begin()),
             slot.table ? possiblyDamagedTable(*slot.table, profile.layout) : nullptr,
             slot.eraseCount);
     }
@@ -65,7 +65,7 @@ SavedDrive VirtualDrive::Private::snapshot(
         result.operationAges.push_back(now - operation);
     for (std::size_t i = 0; i < trial.slotCount(); ++i) {
         const SlotMemory& slot = trial.slot(i);
-        SavedDrive::Slot& saved = result.slots[profile.slots[i].name];
+        SavedDrive::Slot& saved = result.slots[profile.tableSlots[i].name];
         saved.eraseCount = slot.eraseCount;
         if (slot.flash)
             saved.table = {slot.flash, &slot.flash->bytes};

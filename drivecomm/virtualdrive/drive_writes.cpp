@@ -124,7 +124,7 @@ Result<void> VirtualDrive::Private::guard(const Register& target, const Register
         if (value == RegisterValue(profile.enums.tableCommandDelete))
             if (const auto user = userOf(index))
                 return compensationIsOn(
-                    axisName(*user), "the table in " + profile.slots[index].name);
+                    axisName(*user), "the table in " + profile.tableSlots[index].name);
         return {};
     default:
         return {};
@@ -233,10 +233,10 @@ void VirtualDrive::Private::spoil(std::vector<Change>& changes) const
 
 Result<void> VirtualDrive::Private::upload(const std::string& path, ByteView bytes)
 {
-    const auto slot = std::ranges::find(profile.slots, path, &TableSlot::file);
-    if (slot == profile.slots.end())
+    const auto slot = std::ranges::find(profile.tableSlots, path, &TableSlot::file);
+    if (slot == profile.tableSlots.end())
         return fail(ErrorCode::UnknownFile, {{"path", path}});
-    const auto index = static_cast<std::size_t>(slot - profile.slots.begin());
+    const auto index = static_cast<std::size_t>(slot - profile.tableSlots.begin());
     if (bytes.size() > slot->maximumSize)
         return fail(ErrorCode::TooLargeForSlot,
             {{"reason",

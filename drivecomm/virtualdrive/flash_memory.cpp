@@ -45,7 +45,7 @@ std::shared_ptr<const StoredTable> possiblyDamagedTable(Bytes bytes, const Table
 
 FlashMemory::FlashMemory(const DriveProfile& profile)
     : m_profile(&profile)
-    , m_slots(profile.slots.size())
+    , m_slots(profile.tableSlots.size())
 {
 }
 
@@ -66,7 +66,7 @@ Result<void> FlashMemory::setPersistent(std::size_t index, bool persistent)
     if (!slot.ram)
         return fail(ErrorCode::DriveRejected,
             {{"reason",
-                "there is no table in " + m_profile->slots[index].name
+                "there is no table in " + m_profile->tableSlots[index].name
                     + " that could be persistent"}});
     Bytes bytes = slot.ram->bytes;
     axiscomp::setPersistent(bytes, persistent, m_profile->layout);
@@ -81,7 +81,7 @@ Result<void> FlashMemory::commit(std::size_t index, DriveTime now)
     if (!slot.ram)
         return fail(ErrorCode::DriveRejected,
             {{"reason",
-                "there is no table in " + m_profile->slots[index].name
+                "there is no table in " + m_profile->tableSlots[index].name
                     + " that could be committed"}});
     if (!slot.persistent)
         return slot.flash ? useFlash(slot, now).map([&] { slot.flash.reset(); }) : Result<void>{};

@@ -129,7 +129,7 @@ std::vector<DriveFile> VirtualDrive::listFiles()
     const std::scoped_lock lock(d->mutex);
     std::vector<DriveFile> result;
     for (std::size_t i = 0; i < d->memory.slotCount(); ++i) {
-        const TableSlot& slot = d->profile.slots[i];
+        const TableSlot& slot = d->profile.tableSlots[i];
         const auto& ram = d->memory.slot(i).ram;
         result.push_back(
             {slot.file, static_cast<std::uint32_t>(ram ? ram->bytes.size() : 0), slot.maximumSize});
@@ -140,10 +140,11 @@ std::vector<DriveFile> VirtualDrive::listFiles()
 Result<Bytes> VirtualDrive::download(const std::string& path)
 {
     const std::scoped_lock lock(d->mutex);
-    const auto slot = std::ranges::find(d->profile.slots, path, &TableSlot::file);
-    if (slot == d->profile.slots.end())
+    const auto slot = std::ranges::find(d->profile.tableSlots, path, &TableSlot::file);
+    if (slot == d->profile.tableSlots.end())
         return fail(ErrorCode::UnknownFile, {{"path", path}});
-    const auto& ram = d->memory.slot(static_cast<std::size_t>(slot - d->profile.slots.begin())).ram;
+    const auto& ram =
+        d->memory.slot(static_cast<std::size_t>(slot - d->profile.tableSlots.begin())).ram;
     return ram ? ram->bytes : Bytes{};
 }
 

@@ -68,7 +68,7 @@ struct WebFront::Private {
         , service(drive, profile)
         , transferPath(profile.web.transfer)
     {
-        for (const TableSlot& slot : profile.slots)
+        for (const TableSlot& slot : profile.tableSlots)
             largestForm = std::max<std::uint64_t>(largestForm, slot.maximumSize + formOverhead);
     }
     ~Private();

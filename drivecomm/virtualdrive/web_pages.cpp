@@ -82,7 +82,7 @@ std::string startPage(const PageFrame& frame, const DriveProfile& profile, const
             + ": table, sources, activation, output\n";
     }
     html += "</ul>\n<h2>Tables</h2>\n<ul>\n";
-    for (const TableSlot& slot : profile.slots)
+    for (const TableSlot& slot : profile.tableSlots)
         html += "<li>" + link(treeLink(profile, slotFolder(profile, slot.name)), slot.name)
             + ": make persistent, commit, delete\n";
     html += "</ul>\n<h2>Drive</h2>\n<ul>\n";

@@ -44,9 +44,9 @@ private Q_SLOTS:
     void slotsAreFoundByNameAndByFile()
     {
         DriveProfile profile;
-        profile.slots = {{"Small1", "tables/small1.TAMtbl", 100}, {"Large1", "tables/l", 200}};
-        QCOMPARE(profile.slotNamed("Large1"), &profile.slots[1]);
-        QCOMPARE(profile.slotOfFile("tables/small1.TAMtbl"), &profile.slots[0]);
+        profile.tableSlots = {{"Small1", "tables/small1.TAMtbl", 100}, {"Large1", "tables/l", 200}};
+        QCOMPARE(profile.slotNamed("Large1"), &profile.tableSlots[1]);
+        QCOMPARE(profile.slotOfFile("tables/small1.TAMtbl"), &profile.tableSlots[0]);
         QVERIFY(profile.slotNamed("large1") == nullptr);
         QVERIFY(profile.slotNamed("") == nullptr);
         QVERIFY(profile.slotOfFile("Small1") == nullptr);

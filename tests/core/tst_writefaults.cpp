@@ -84,7 +84,7 @@ struct Case : DriveFixture {
     {
         const auto file =
             encodeTamTable(exampleTable(1, 9), false, drivecomm::genericProfile().layout);
-        for (const TableSlot& slot : drivecomm::genericProfile().slots) {
+        for (const TableSlot& slot : drivecomm::genericProfile().tableSlots) {
             if (slot.name != "Small1")
                 QVERIFY(drive.upload(slot.file, *file).has_value());
         }

@@ -309,8 +309,8 @@ void LinkContract::listsEverySlot()
     VERIFY_RESULT(drive().upload("tables/large2.TAMtbl", tableFile(1000)));
     const auto files = link().listFiles({});
     VERIFY_RESULT(files);
-    QCOMPARE(files->size(), genericProfile().slots.size());
-    for (const TableSlot& slot : genericProfile().slots) {
+    QCOMPARE(files->size(), genericProfile().tableSlots.size());
+    for (const TableSlot& slot : genericProfile().tableSlots) {
         const DriveFile expected{slot.file, slot.name == "Large2" ? 4128U : 0U, slot.maximumSize};
         QCOMPARE(std::ranges::count(*files, expected), 1);
     }
@@ -318,7 +318,7 @@ void LinkContract::listsEverySlot()
 
 void LinkContract::bringsATableToEverySlotAndBack()
 {
-    for (const TableSlot& slot : genericProfile().slots) {
+    for (const TableSlot& slot : genericProfile().tableSlots) {
         const Bytes file = tableFile((slot.maximumSize - 128) / 4, false, 0.01F);
         QCOMPARE(file.size(), std::size_t{slot.maximumSize});
         VERIFY_RESULT(link().upload(slot.file, file, {}));

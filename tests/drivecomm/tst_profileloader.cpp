@@ -37,7 +37,7 @@ private Q_SLOTS:
 
     void theBuiltInProfileHasTheTenSlots()
     {
-        const auto& slots = genericProfile().slots;
+        const auto& slots = genericProfile().tableSlots;
         QCOMPARE(slots.size(), std::size_t{10});
         for (std::size_t i = 0; i < slots.size(); ++i) {
             const bool isLarge = i >= 8;

@@ -522,7 +522,7 @@ void TestVirtualDrive::takesAFileWholeOrNotAtAll()
     for (const auto& [key, value] : uploaded.error().context)
         QVERIFY2(!value.empty() || path.isEmpty(), key.c_str());
     QVERIFY(bench.file("Small1") == before);
-    QCOMPARE(bench.drive->listFiles().size(), bench.profile.slots.size());
+    QCOMPARE(bench.drive->listFiles().size(), bench.profile.tableSlots.size());
     QCOMPARE(bench.drive->listFiles().front().size, static_cast<std::uint32_t>(before.size()));
     QCOMPARE(bench.drive->listFiles().back().size, 0U);
 }

@@ -24,8 +24,8 @@ std::string withLayout(std::string_view layout)
 void expectUsable(const DriveProfile& profile)
 {
     FUZZ_EXPECT(checkLayout(profile.layout).has_value());
-    FUZZ_EXPECT(!profile.slots.empty() && !profile.sourceTypes.empty());
-    for (const TableSlot& slot : profile.slots) {
+    FUZZ_EXPECT(!profile.tableSlots.empty() && !profile.sourceTypes.empty());
+    for (const TableSlot& slot : profile.tableSlots) {
         FUZZ_EXPECT(profile.slotNamed(slot.name) == &slot);
         FUZZ_EXPECT(profile.slotOfFile(slot.file) == &slot);
     }
