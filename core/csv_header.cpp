@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/csv_header.h"
 
+#include "core/csv_fields.h"
+
 #include <algorithm>
 #include <set>
 
@@ -10,36 +12,6 @@ namespace {
 
 /// What a spreadsheet can have; keeps a line of separators from taking all memory.
 constexpr std::size_t maximumColumns = 16384;
-
-/// A ';' inside a quoted name separates nothing.
-char separatorOf(std::string_view line)
-{
-    bool atStart = true;
-    bool quoted = false;
-    for (const char c : line) {
-        if (c == ';' && !quoted)
-            return ';';
-        if (c == '"' && (quoted || atStart))
-            quoted = !quoted;
-        else if (!quoted && c != ' ' && c != '\t')
-            atStart = c == ',';
-    }
-    return ',';
-}
-
-std::string nameText(const Cell& cell, Encoding encoding)
-{
-    std::string text = toUtf8(cell.text, encoding);
-    // Nobody sees a byte-order mark that stands elsewhere than first, as in files put together.
-    constexpr std::string_view mark = "\xEF\xBB\xBF";
-    for (std::size_t at = 0; (at = text.find(mark, at)) != std::string::npos;)
-        text.erase(at, mark.size());
-    if (cell.quoting != Quoting::Quoted)
-        return text;
-    for (std::size_t at = 0; (at = text.find("\"\"", at)) != std::string::npos; ++at)
-        text.erase(at, 1);
-    return text;
-}
 
 ColumnName columnName(const std::string& text)
 {
@@ -111,7 +83,7 @@ std::string dimensionalityHint(int dimensions)
 std::optional<Header> readHeader(std::string_view line, std::size_t lineNumber, int dimensions,
     Encoding encoding, DiagnosticList& diagnostics)
 {
-    Header header{separatorOf(line), {}};
+    Header header{csvSeparator(line), {}};
     std::vector<Cell> cells;
     const std::size_t count = splitCells(line, header.separator, maximumColumns, cells);
     if (!checkQuotes(cells, lineNumber, encoding, diagnostics))
@@ -137,7 +109,7 @@ std::optional<Header> readHeader(std::string_view line, std::size_t lineNumber, 
         return std::nullopt;
     }
     for (const Cell& cell : cells)
-        header.columns.push_back(columnName(nameText(cell, encoding)));
+        header.columns.push_back(columnName(cellText(cell, encoding)));
     nameTables(header.columns, positions);
     return header;
 }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/csv_lines.h"
 
-#include "core/csv_text.h"
-
 #include <algorithm>
 #include <cstring>
 
@@ -105,6 +103,20 @@ std::size_t splitCells(
             cells.push_back(cell);
     }
     return count;
+}
+
+std::string cellText(const Cell& cell, Encoding encoding)
+{
+    std::string text = toUtf8(cell.text, encoding);
+    // Nobody sees a byte-order mark that stands elsewhere than first, as in files put together.
+    constexpr std::string_view mark = "\xEF\xBB\xBF";
+    for (std::size_t at = 0; (at = text.find(mark, at)) != std::string::npos;)
+        text.erase(at, mark.size());
+    if (cell.quoting != Quoting::Quoted)
+        return text;
+    for (std::size_t at = 0; (at = text.find("\"\"", at)) != std::string::npos; ++at)
+        text.erase(at, 1);
+    return text;
 }
 
 } // namespace axiscomp::csv

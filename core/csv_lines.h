@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/csv_text.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
@@ -61,5 +63,8 @@ struct Cell {
 /// Splits a line. Returns the number of its cells; the first `maximum` are put into cells.
 std::size_t splitCells(
     std::string_view line, char separator, std::size_t maximum, std::vector<Cell>& cells);
+
+/// A cell as it may be shown: UTF-8, doubled quotes made single, no byte-order mark.
+[[nodiscard]] std::string cellText(const Cell& cell, Encoding encoding);
 
 } // namespace axiscomp::csv

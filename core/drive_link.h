@@ -33,7 +33,7 @@ struct DriveFile {
 
 /// How long one exchange may take, and how it is watched and stopped.
 struct Exchange {
-    std::chrono::milliseconds timeout{5000}; ///< for the whole exchange, retries included
+    std::chrono::milliseconds timeout{5000}; ///< with retries, without a slow line's own time
     std::stop_token stop; ///< Cancelled as soon as it is set
     std::function<void(std::uint64_t done, std::uint64_t total)> progress; ///< bytes of a transfer
 };
@@ -50,7 +50,7 @@ public:
     DriveLink& operator=(const DriveLink&) = delete;
     virtual ~DriveLink() = default;
 
-    /// Up to this many registers are read or written at one instant.
+    /// Up to this many registers are read or written at one instant; over a serial line 16 and 8.
     static constexpr std::size_t maximumReads = 64;
     static constexpr std::size_t maximumWrites = 32;
 
@@ -59,7 +59,7 @@ public:
 
     [[nodiscard]] virtual Result<DriveIdentity> identify(const Exchange& exchange) = 0;
 
-    /// One reading per path, in their order. More than maximumReads are read in several requests.
+    /// One reading per path, in their order. More than that are read in several requests.
     /// Errors: UnknownRegister (path).
     [[nodiscard]] virtual Result<std::vector<RegisterReading>> readRegisters(
         std::span<const std::string> paths, const Exchange& exchange) = 0;

@@ -6,6 +6,13 @@
 
 namespace axiscomp {
 
+bool sameSpans(const Grid& a, const Grid& b)
+{
+    return std::ranges::equal(a.axes, b.axes, [](const GridAxis& x, const GridAxis& y) {
+        return x.start == y.start && x.distance == y.distance && x.size == y.size;
+    });
+}
+
 TableStatistics statistics(const CompensationTable& table)
 {
     if (table.values.empty())

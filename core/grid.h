@@ -39,6 +39,9 @@ struct Grid {
     friend bool operator==(const Grid&, const Grid&) = default;
 };
 
+/// The same sizes, starts and distances, whatever the names and units.
+[[nodiscard]] bool sameSpans(const Grid& a, const Grid& b);
+
 /// One compensation value x_ref - x_enc per grid point, added to the encoder position (AN140 3.1).
 struct CompensationTable {
     std::string name;

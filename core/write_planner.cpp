@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/write_planner.h"
 
+#include "core/position_unit.h"
 #include "core/tam_table.h"
 
 #include <algorithm>
@@ -13,6 +14,17 @@ namespace {
 std::string numberText(double value)
 {
     return toText(RegisterValue{value});
+}
+
+/// "1000", "25.4": never with an exponent.
+std::string factorText(double factor)
+{
+    char digits[32];
+    const bool isLarge = factor >= 1000.0;
+    const auto end = std::to_chars(digits, digits + sizeof digits, factor,
+        isLarge ? std::chars_format::fixed : std::chars_format::general, isLarge ? 0 : 4)
+                         .ptr;
+    return {digits, end};
 }
 
 std::string crcText(std::uint32_t crc)
@@ -40,13 +52,6 @@ std::string gridText(const Grid& grid)
 std::string tableText(const std::string& slot, const Grid& grid, std::uint32_t crc)
 {
     return slot + ": " + gridText(grid) + " (CRC " + crcText(crc) + ")";
-}
-
-bool sameSpans(const Grid& a, const Grid& b)
-{
-    return std::ranges::equal(a.axes, b.axes, [](const GridAxis& x, const GridAxis& y) {
-        return x.start == y.start && x.distance == y.distance && x.size == y.size;
-    });
 }
 
 const char* persistencyText(Persistency persistency)
@@ -122,6 +127,8 @@ Result<PreparedWrite> WritePlanner::prepare(int axis, const WriteRequest& reques
     listChanges();
     if (auto warned = warn(); !warned)
         return fail(warned.error());
+    if (request.table)
+        warnOfUnit(*request.table);
     return m_write;
 }
 
@@ -356,6 +363,26 @@ Result<void> WritePlanner::warn()
                 + " is volatile: after a reboot that axis has no table.");
     }
     return {};
+}
+
+/// Numbers are never converted: micrometres are a thousand times too large for an axis that counts
+/// in millimetres.
+void WritePlanner::warnOfUnit(const CompensationTable& table)
+{
+    const std::string& positionUnit = m_status.axis.unit;
+    if (table.unit.empty() || isSameUnit(table.unit, positionUnit))
+        return;
+    const std::string symbol = unitSymbol(positionUnit);
+    std::string warning = "The file says that the values are in " + table.unit + ", but "
+        + axisText(m_axis, m_status.axis.name) + " counts in "
+        + (symbol.empty() ? positionUnit : symbol)
+        + ": the numbers are written as they are, not converted";
+    if (const auto factor = unitFactor(positionUnit, table.unit)) {
+        const bool isTooLarge = *factor > 1.0;
+        warning += ", " + factorText(isTooLarge ? *factor : 1.0 / *factor)
+            + (isTooLarge ? " times too large" : " times too small");
+    }
+    m_write.plan.warnings.push_back(warning + ".");
 }
 
 } // namespace axiscomp

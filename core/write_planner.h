@@ -39,6 +39,7 @@ private:
     [[nodiscard]] Result<void> markOwnPrevious(std::vector<SlotFacts>& slots);
     void listChanges();
     [[nodiscard]] Result<void> warn();
+    void warnOfUnit(const CompensationTable& table);
 
     const DriveAccess& m_access;
     DriveStore& m_store;

@@ -5,22 +5,11 @@
 
 #include <QThread>
 
-#include <array>
-#include <charconv>
-
 namespace axiscomp::drivecomm {
 
 namespace {
 
 constexpr int repeats = 2;
-
-std::string inSeconds(std::chrono::milliseconds time)
-{
-    std::array<char, 32> text{};
-    const double seconds = static_cast<double>(time.count()) / 1000.0;
-    const auto end = std::to_chars(text.data(), text.data() + text.size(), seconds).ptr;
-    return {text.data(), end};
-}
 
 } // namespace
 
@@ -42,8 +31,7 @@ struct HttpClient::Private {
         const HttpRequest& request, const RunningExchange& running);
     [[nodiscard]] tl::unexpected<Error> late(const Exchange& exchange) const
     {
-        return fail(ErrorCode::Timeout,
-            {{"endpoint", displayText(endpoint)}, {"seconds", inSeconds(exchange.timeout)}});
+        return lateError(displayText(endpoint), exchange);
     }
 
     DriveEndpoint endpoint;

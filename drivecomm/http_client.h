@@ -4,9 +4,8 @@
 #include "core/drive_link.h"
 #include "drivecomm/drive_endpoint.h"
 #include "drivecomm/http_reply_parser.h"
+#include "drivecomm/running_exchange.h"
 
-#include <algorithm>
-#include <chrono>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -14,18 +13,6 @@
 #include <vector>
 
 namespace axiscomp::drivecomm {
-
-/// An Exchange with its clock started: several requests share one deadline.
-struct RunningExchange {
-    explicit RunningExchange(const Exchange& theExchange)
-        : exchange(theExchange)
-        , deadline(std::chrono::steady_clock::now()
-              + std::min<std::chrono::milliseconds>(theExchange.timeout, std::chrono::years(1)))
-    {
-    }
-    const Exchange& exchange;
-    std::chrono::steady_clock::time_point deadline;
-};
 
 struct HttpRequest {
     enum class Method { Get, Put, Post };

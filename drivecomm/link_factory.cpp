@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "drivecomm/link_factory.h"
 
+#include "drivecomm/serial_drive_link.h"
 #include "drivecomm/virtualdrive/virtual_drive.h"
 #include "drivecomm/web_drive_link.h"
 
@@ -66,19 +67,25 @@ Result<std::unique_ptr<DriveLink>> makeLink(
     case DriveEndpoint::Kind::Http:
     case DriveEndpoint::Kind::Https:
         return makeWebDriveLink(endpoint, profile);
-    case DriveEndpoint::Kind::Demo: {
-        auto demo = std::make_unique<DemoLink>(profile);
-        if (auto loaded = demo->loadState(); !loaded)
-            return fail(std::move(loaded.error()));
-        return demo;
-    }
     case DriveEndpoint::Kind::Serial:
+        return makeSerialDriveLink(endpoint, profile);
+    case DriveEndpoint::Kind::Demo:
         break;
     }
-    return fail(ErrorCode::InvalidEndpoint,
-        {{"endpoint", displayText(endpoint)},
-            {"reason",
-                "this version has no serial link yet; use the drive's web server, http://"}});
+    auto demo = std::make_unique<DemoLink>(profile);
+    if (auto loaded = demo->loadState(); !loaded)
+        return fail(std::move(loaded.error()));
+    return demo;
+}
+
+LinkFactory linkFactory(const DriveProfile& profile)
+{
+    return [&profile](const std::string& text) -> Result<std::unique_ptr<DriveLink>> {
+        const auto endpoint = parseEndpoint(text);
+        if (!endpoint)
+            return fail(endpoint.error());
+        return makeLink(*endpoint, profile);
+    };
 }
 
 } // namespace axiscomp::drivecomm

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/drive_link.h"
+#include "core/drive_finder.h"
 #include "core/drive_profile.h"
 #include "drivecomm/drive_endpoint.h"
 
@@ -10,10 +10,14 @@
 namespace axiscomp::drivecomm {
 
 /// A link of the kind that the endpoint names. It is used on the thread that made it, which needs
-/// no running event loop but a QCoreApplication must exist for http and https. demo: makes a
-/// virtual drive inside the process with an example state. Nothing is sent yet. profile must
-/// outlive the link. Errors: InvalidEndpoint for kinds that this build cannot do.
+/// no running event loop but a QCoreApplication must exist for http, https and serial. demo: makes
+/// a virtual drive inside the process with an example state. Nothing is sent yet. profile must
+/// outlive the link. Errors: those of the example state.
 [[nodiscard]] Result<std::unique_ptr<DriveLink>> makeLink(
     const DriveEndpoint& endpoint, const DriveProfile& profile);
+
+/// makeLink() from the text of an endpoint, which may be InvalidEndpoint. profile must outlive what
+/// is made.
+[[nodiscard]] LinkFactory linkFactory(const DriveProfile& profile);
 
 } // namespace axiscomp::drivecomm

@@ -40,13 +40,16 @@ fi
 lintian --fail-on error --tag-display-limit 0 --allow-root "${programs[@]}" "${development[@]}"
 
 depends=$(dpkg-deb --field "${programs[0]}" Depends)
-for library in libc6 libstdc++6 libqt6core6 libcpp-httplib0.11; do
+for library in libc6 libstdc++6 libqt6core6 libqt6widgets6 libqcustomplot2.1-qt6 libcpp-httplib0.11 \
+    qt6-translations-l10n; do
     [[ $depends == *"$library"* ]] || fail "the programs do not depend on $library, but on: $depends"
 done
 
 files=$(dpkg-deb --contents "${programs[0]}" | awk '{print $6}')
-for file in bin/axiscomp bin/axiscomp-virtualdrive share/man/man1/axiscomp.1.gz \
-    share/man/man1/axiscomp-virtualdrive.1.gz share/bash-completion/completions/axiscomp \
+for file in bin/axiscomp bin/axiscomp-virtualdrive bin/axis-compensation-wizard \
+    share/man/man1/axiscomp.1.gz share/man/man1/axiscomp-virtualdrive.1.gz \
+    share/man/man1/axis-compensation-wizard.1.gz share/bash-completion/completions/axiscomp \
+    share/applications/axis-compensation-wizard.desktop \
     share/axiscomp/profiles/generic.json share/axiscomp/examples/calibration-2d.csv \
     share/doc/axis-compensation-wizard/copyright share/doc/axis-compensation-wizard/changelog.gz; do
     grep -qx "./usr/$file" <<<"$files" || fail "the package has no /usr/$file"
@@ -58,7 +61,7 @@ fi
 unpacked=$(mktemp -d)
 trap 'rm -rf "$unpacked"' EXIT
 dpkg-deb --extract "${programs[0]}" "$unpacked"
-for program in axiscomp axiscomp-virtualdrive; do
+for program in axiscomp axiscomp-virtualdrive axis-compensation-wizard; do
     "$unpacked/usr/bin/$program" --version
 done
 sha256sum -- "${programs[@]}" "${development[@]}" | sed "s|$output/||"

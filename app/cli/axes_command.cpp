@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/command_line.h"
+#include "app/cli/drive_search.h"
 #include "app/cli/drive_session.h"
 #include "app/cli/json_output.h"
+#include "app/cli/remembered_drives.h"
 #include "app/cli/status_text.h"
 #include "app/common/arguments.h"
 #include "app/common/text_table.h"
-#include "drivecomm/drive_endpoint.h"
 
 #include <thread>
 
@@ -21,8 +22,7 @@ struct DriveAnswer {
 
 DriveAnswer ask(Environment& environment, const DriveOptions& options, const std::string& endpoint)
 {
-    const auto parsed = drivecomm::parseEndpoint(endpoint);
-    DriveAnswer answer{parsed ? drivecomm::displayText(*parsed) : "", {}, {}};
+    DriveAnswer answer{shownEndpoint(endpoint), {}, {}};
     auto session = DriveSession::open(environment, options, endpoint);
     if (!session) {
         answer.axes = fail(session.error());
@@ -87,19 +87,28 @@ Json axesJson(const std::vector<DriveAnswer>& answers)
     return {{"drives", std::move(drives)}};
 }
 
-Result<ExitCode> runAxes(Environment& environment, const DriveOptions& options)
+struct AxesOptions {
+    DriveOptions drives;
+    bool find = false;
+    bool anyBaudRate = false;
+};
+
+/// Asks the drives that the options name for their axes and prints them; silent: where a search
+/// found none.
+Result<ExitCode> listAxes(Environment& environment, const DriveOptions& options,
+    const std::vector<DriveAnswer>& silent = {})
 {
-    if (options.endpoints.empty())
-        return wrongUsage("the drive is missing: give --drive http://host, or set AXISCOMP_DRIVE",
-            options.command);
-    const QtRuntime runtime;
     const std::vector<DriveAnswer> answers = askAll(environment, options);
     environment.console().clearProgress();
     if (answers.size() == 1 && !answers.front().axes)
         return fail(answers.front().axes.error());
 
     environment.print(axesText(answers));
-    environment.document(axesJson(answers));
+    Json json = axesJson(answers);
+    Json places = axesJson(silent);
+    for (Json& place : places["drives"])
+        json["drives"].push_back(std::move(place));
+    environment.document(json);
     ExitCode code = ExitCode::Done;
     for (const DriveAnswer& answer : answers) {
         if (answer.axes)
@@ -112,15 +121,56 @@ Result<ExitCode> runAxes(Environment& environment, const DriveOptions& options)
     return environment.interrupt().stopped() ? ExitCode::Stopped : code;
 }
 
+/// Those given, or else those of the window.
+std::vector<std::string> namedDrives(const AxesOptions& options)
+{
+    return options.drives.endpoints.empty() ? rememberedDrives() : options.drives.endpoints;
+}
+
+Result<ExitCode> runAxes(Environment& environment, const AxesOptions& options)
+{
+    DriveOptions drives = options.drives;
+    drives.endpoints = namedDrives(options);
+    const QtRuntime runtime;
+    if (options.find) {
+        const auto sightings = lookForDrives(environment, drives,
+            options.anyBaudRate ? drivecomm::BaudRates::Usual : drivecomm::BaudRates::AsGiven);
+        if (!sightings)
+            return fail(sightings.error());
+        drives.endpoints.clear();
+        std::vector<DriveAnswer> silent;
+        for (const DriveSighting& sighting : *sightings) {
+            if (sighting.drive)
+                drives.endpoints.push_back(sighting.endpoint);
+            else
+                silent.push_back(
+                    {shownEndpoint(sighting.endpoint), {}, fail(sighting.drive.error())});
+        }
+        return listAxes(environment, drives, silent);
+    }
+    if (drives.endpoints.empty())
+        return wrongUsage("the drive is missing: give --drive http://host, set AXISCOMP_DRIVE, or "
+                          "look for drives with --find",
+            options.drives.command);
+    return listAxes(environment, drives);
+}
+
 } // namespace
 
 void addAxesCommand(CommandLine& line)
 {
-    auto options = std::make_shared<DriveOptions>();
-    options->command = commandName("axes");
+    auto options = std::make_shared<AxesOptions>();
+    options->drives.command = commandName("axes");
     CLI::App* command = line.add("axes", driveCommands, "List the axes of one or several drives",
         [options](Environment& environment) { return runAxes(environment, *options); });
-    addDriveOptions(*command, *options, DriveCount::Several);
+    addDriveOptions(*command, options->drives, DriveCount::Several);
+    CLI::Option* find = command->add_flag("--find", options->find,
+        "Look for drives at the serial ports of this computer too; without --drive also at the "
+        "connections of the window");
+    command
+        ->add_flag("--any-baud", options->anyBaudRate,
+            "Try the usual baud rates at every serial port, not only the given one")
+        ->needs(find);
 }
 
 } // namespace axiscomp::app

@@ -4,9 +4,9 @@
 #include "app/cli/command_line.h"
 #include "app/cli/json_output.h"
 #include "app/common/arguments.h"
+#include "app/common/guarded_program.h"
 
 #include <algorithm>
-#include <exception>
 #include <span>
 #include <string_view>
 
@@ -14,12 +14,12 @@ namespace axiscomp::app {
 
 namespace {
 
-void reportError(Console& console, const Error& error, bool json, const Json& diagnostics)
+ExitCode reportError(Console& console, const Error& error, bool json, const Json& diagnostics)
 {
     console.clearProgress();
     if (json)
         console.print(dump({{"error", toJson(error, diagnostics)}}));
-    console.note("error: " + std::string(errorName(error.code)) + ": " + sentence(error));
+    return noteError(console, error);
 }
 
 /// What parsing did not come far enough to see.
@@ -36,38 +36,27 @@ ExitCode runCommand(Console& console, const CommandLine& line)
     const Result<ExitCode> outcome = line.chosen()(environment);
     if (outcome)
         return *outcome;
-    reportError(console, outcome.error(), line.json(), environment.diagnostics());
-    return exitCode(outcome.error().code);
+    return reportError(console, outcome.error(), line.json(), environment.diagnostics());
 }
 
 ExitCode run(int argc, char** argv, Console& console)
 {
     CommandLine line;
     const Result<bool> proceed = parseArguments(line.parser(), argc, argv, console);
-    if (!proceed) {
-        reportError(console, proceed.error(), asksForJson(argc, argv), Json::array());
-        return exitCode(proceed.error().code);
-    }
+    if (!proceed)
+        return reportError(console, proceed.error(), asksForJson(argc, argv), Json::array());
     const ExitCode code = *proceed ? runCommand(console, line) : ExitCode::Done;
     const Result<void> flushed = console.flush();
     if (flushed || code != ExitCode::Done)
         return code;
-    reportError(console, flushed.error(), false, Json::array());
-    return exitCode(flushed.error().code);
+    return reportError(console, flushed.error(), false, Json::array());
 }
 
 } // namespace
 
 int runProgram(int argc, char** argv)
 {
-    Console console;
-    try {
-        return static_cast<int>(run(argc, argv, console));
-    } catch (const std::exception& exception) {
-        // Nothing is expected to throw but a computer without memory.
-        console.note("error: Internal: " + std::string(exception.what()));
-        return static_cast<int>(ExitCode::OtherFailure);
-    }
+    return runGuarded([&](Console& console) { return static_cast<int>(run(argc, argv, console)); });
 }
 
 } // namespace axiscomp::app

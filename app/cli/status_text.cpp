@@ -4,6 +4,7 @@
 #include "app/cli/json_output.h"
 #include "app/common/number_text.h"
 #include "app/common/text_table.h"
+#include "core/position_unit.h"
 
 #include <algorithm>
 #include <limits>

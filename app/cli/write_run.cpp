@@ -101,14 +101,10 @@ Result<ExitCode> runWrite(Environment& environment, DriveSession& session, int a
     const auto before = settledStatus(environment, session, axis);
     if (!before)
         return fail(before.error());
-    auto plan = session.compensator().plan(axis, request, session.operation());
+    const auto plan = session.compensator().plan(axis, request, session.operation());
     environment.console().clearProgress();
     if (!plan)
         return fail(plan.error());
-    const auto units =
-        request.table ? unitWarning(*request.table, before->status.axis) : std::nullopt;
-    if (units)
-        plan->warnings.push_back(*units);
     environment.print(planText(*plan, before->status.axis, request.table));
     for (const std::string& warning : plan->warnings)
         environment.warn(warning);

@@ -4,6 +4,7 @@
 #include "app/cli/status_text.h"
 #include "app/common/number_text.h"
 #include "app/common/text_table.h"
+#include "core/position_unit.h"
 
 #include <algorithm>
 #include <cmath>
@@ -86,16 +87,6 @@ std::string signSentence(const CompensationTable& table, std::string_view unit)
     return "where the sources read " + place + " the reference is "
         + withUnit(floatText(std::abs(value)), unit) + (value > 0 ? " above" : " below")
         + " the encoder: the drive will add " + added;
-}
-
-std::optional<std::string> unitWarning(const CompensationTable& table, const AxisInfo& axis)
-{
-    const std::string unit = unitSymbol(axis.unit);
-    if (table.unit.empty() || table.unit == unit || table.unit == axis.unit)
-        return std::nullopt;
-    return "The file says that the values are in " + table.unit + ", but " + axisWords(axis)
-        + " counts in " + (unit.empty() ? axis.unit : unit)
-        + ": the numbers are written as they are, not converted.";
 }
 
 std::string planText(

@@ -17,11 +17,6 @@ namespace axiscomp::app {
 /// reference says 40.0021: the drive will add +0.0021 mm".
 [[nodiscard]] std::string signSentence(const CompensationTable& table, std::string_view unit);
 
-/// When the file says that its values are in another unit than the axis: numbers are never
-/// converted.
-[[nodiscard]] std::optional<std::string> unitWarning(
-    const CompensationTable& table, const AxisInfo& axis);
-
 /// After a write: what was verified, where the old state is kept, what comes next.
 [[nodiscard]] std::string reportText(
     const WriteReport& report, const std::string& endpoint, bool isDemo);

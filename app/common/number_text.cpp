@@ -113,18 +113,6 @@ std::optional<double> numberFromText(std::string_view text)
     return value;
 }
 
-std::string unitSymbol(std::string_view positionUnit)
-{
-    struct Unit {
-        std::string_view name;
-        std::string_view symbol;
-    };
-    static constexpr std::array units{Unit{"None", ""}, Unit{"Meter", "m"},
-        Unit{"Millimeter", "mm"}, Unit{"Radian", "rad"}, Unit{"Degree", "deg"}};
-    const auto* const unit = std::ranges::find(units, positionUnit, &Unit::name);
-    return std::string(unit == units.end() ? positionUnit : unit->symbol);
-}
-
 std::string withUnit(const std::string& number, std::string_view unit)
 {
     return unit.empty() ? number : number + " " + std::string(unit);

@@ -41,9 +41,6 @@ namespace axiscomp::app {
 /// A finite decimal number and nothing else, independent of the locale.
 [[nodiscard]] std::optional<double> numberFromText(std::string_view text);
 
-/// The symbol of a drive's PositionUnit: "mm" for Millimeter; other names stay as they are.
-[[nodiscard]] std::string unitSymbol(std::string_view positionUnit);
-
 /// "12.5 mm"; the number alone without a unit.
 [[nodiscard]] std::string withUnit(const std::string& number, std::string_view unit);
 

@@ -76,6 +76,11 @@ Result<HostAndPort> parseHostAndPort(const std::string& text)
     return result;
 }
 
+std::string serialLinkOf(const std::string& link, std::size_t index)
+{
+    return index == 0 ? link : link + "-" + std::to_string(index + 1);
+}
+
 bool isLoopback(const std::string& host)
 {
     return host == "localhost" || host == "::1" || host.starts_with("127.");

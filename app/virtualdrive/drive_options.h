@@ -14,6 +14,7 @@ namespace axiscomp::app {
 struct VirtualDriveArguments {
     std::string http;
     std::string serial;
+    int baud = 0; ///< 0: not given
     std::string name;
     int axes = 0; ///< 0: not given
     std::string configuration;
@@ -35,6 +36,8 @@ struct HostAndPort {
 
 /// "127.0.0.1:8080", "[::1]:8080". Errors: InvalidArgument.
 [[nodiscard]] Result<HostAndPort> parseHostAndPort(const std::string& text);
+/// The link of drive `index`, from 0: "/tmp/drive", "/tmp/drive-2", ...
+[[nodiscard]] std::string serialLinkOf(const std::string& link, std::size_t index);
 [[nodiscard]] bool isLoopback(const std::string& host);
 
 /// One drive as the options say, or those of the configuration file. Errors: InvalidArgument,

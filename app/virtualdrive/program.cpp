@@ -2,15 +2,15 @@
 #include "app/virtualdrive/program.h"
 
 #include "app/common/arguments.h"
-#include "app/common/exit_codes.h"
+#include "app/common/guarded_program.h"
 #include "app/common/interrupt.h"
 #include "app/virtualdrive/drive_options.h"
 #include "core/local_file.h"
 #include "drivecomm/profile_loader.h"
 #include "drivecomm/virtualdrive/faults.h"
+#include "drivecomm/virtualdrive/serial_front.h"
 #include "drivecomm/virtualdrive/web_front.h"
 
-#include <exception>
 #include <memory>
 
 namespace axiscomp::app {
@@ -26,17 +26,25 @@ struct RunningDrive {
     std::string name;
     std::unique_ptr<drivecomm::VirtualDrive> drive;
     std::unique_ptr<drivecomm::FaultPlan> faults;
-    std::unique_ptr<drivecomm::WebFront> web;
+    std::unique_ptr<drivecomm::WebFront> web; ///< none when only the serial link is asked for
+    std::unique_ptr<drivecomm::SerialFront> serial;
 };
 
 void addOptions(CLI::App& app, VirtualDriveArguments& arguments)
 {
     app.add_option("--http", arguments.http,
-           "Serve the drive's web pages here; port 0 picks a free one (127.0.0.1:0 unless given). "
-           "Several drives take ports in a row")
+           "Serve the drive's web pages here; port 0 picks a free one (127.0.0.1:0 unless this or "
+           "--serial is given). Several drives take ports in a row")
         ->option_text("HOST:PORT");
-    app.add_option("--serial", arguments.serial, "Serve the serial link (not in this version)")
-        ->option_text("LINK");
+    CLI::Option* serial = app.add_option("--serial", arguments.serial,
+        "Serve the serial link on a pseudo-terminal, and make LINK a symbolic link to it. Several "
+        "drives take LINK, LINK-2, ...");
+    serial->option_text("LINK");
+    app.add_option("--baud", arguments.baud,
+           "Make the serial link as slow as a line of this speed (as fast as it can unless given)")
+        ->option_text("N")
+        ->check(CLI::Range(300, 20'000'000))
+        ->needs(serial);
     app.add_option("--name", arguments.name, "Name of the drive (Virtual-1 unless given)")
         ->option_text("NAME");
     app.add_option("--axes", arguments.axes, "Number of axes, 1 to 16 (2 unless given)")
@@ -77,8 +85,6 @@ void addOptions(CLI::App& app, VirtualDriveArguments& arguments)
 
 Result<void> checkArguments(const VirtualDriveArguments& arguments)
 {
-    if (!arguments.serial.empty())
-        return wrongUsage("--serial is not offered by this version; use --http", programName);
     if (arguments.name.size() > longestName)
         return wrongUsage(
             "a drive name has at most " + std::to_string(longestName) + " characters", programName);
@@ -132,6 +138,26 @@ std::function<std::chrono::nanoseconds()> simulatedClock(double speed)
     };
 }
 
+Result<void> serveDrive(RunningDrive& drive, std::size_t index,
+    const VirtualDriveArguments& arguments, const DriveProfile& profile,
+    const drivecomm::WebFrontOptions& webOptions)
+{
+    if (!arguments.http.empty() || arguments.serial.empty()) {
+        auto web = drivecomm::WebFront::start(*drive.drive, profile, *drive.faults, webOptions);
+        if (!web)
+            return fail(web.error());
+        drive.web = std::move(*web);
+    }
+    if (arguments.serial.empty())
+        return {};
+    auto serial = drivecomm::SerialFront::start(
+        *drive.drive, *drive.faults, {serialLinkOf(arguments.serial, index), arguments.baud});
+    if (!serial)
+        return fail(serial.error());
+    drive.serial = std::move(*serial);
+    return {};
+}
+
 Result<std::vector<RunningDrive>> startAll(
     const VirtualDriveArguments& arguments, const DriveProfile& profile)
 {
@@ -154,10 +180,8 @@ Result<std::vector<RunningDrive>> startAll(
             return fail(created.error());
         drive.drive = std::move(*created);
         drive.faults = std::make_unique<drivecomm::FaultPlan>(*faults);
-        auto front = drivecomm::WebFront::start(*drive.drive, profile, *drive.faults, *web);
-        if (!front)
-            return fail(front.error());
-        drive.web = std::move(*front);
+        if (auto served = serveDrive(drive, running.size(), arguments, profile, *web); !served)
+            return fail(served.error());
         if (web->port != 0)
             ++web->port;
         running.push_back(std::move(drive));
@@ -179,7 +203,9 @@ Result<void> serve(const VirtualDriveArguments& arguments, Console& console, Int
     if (!arguments.http.empty() && !isLoopback(parseHostAndPort(arguments.http)->host))
         console.note("warning: the virtual drive can be reached from other computers");
     for (const RunningDrive& drive : *running)
-        console.print("ready http=" + drive.web->url() + " drive=" + singleLine(drive.name) + "\n");
+        console.print("ready" + (drive.web ? " http=" + drive.web->url() : "")
+            + (drive.serial ? " serial=" + drive.serial->device() : "")
+            + " drive=" + singleLine(drive.name) + "\n");
     if (auto flushed = console.flush(); !flushed)
         return flushed;
     interrupt.wait();
@@ -195,7 +221,8 @@ int run(int argc, char** argv, Console& console)
     setHelpStyle(app);
     app.set_version_flag(
         "--version", std::string(programName) + " " AXISCOMP_VERSION, "Show the version");
-    app.footer("Prints a line `ready http=URL drive=NAME` for each drive, and runs until Ctrl-C.");
+    app.footer("Prints a line `ready http=URL serial=DEVICE drive=NAME` for each drive, and runs "
+               "until Ctrl-C.");
     addOptions(app, arguments);
     const auto proceed = parseArguments(app, argc, argv, console);
     if (proceed && !*proceed)
@@ -209,22 +236,14 @@ int run(int argc, char** argv, Console& console)
     }
     if (outcome)
         return static_cast<int>(ExitCode::Done);
-    const Error& error = outcome.error();
-    console.note("error: " + std::string(errorName(error.code)) + ": " + sentence(error));
-    return static_cast<int>(exitCode(error.code));
+    return static_cast<int>(noteError(console, outcome.error()));
 }
 
 } // namespace
 
 int runVirtualDrive(int argc, char** argv)
 {
-    Console console;
-    try {
-        return run(argc, argv, console);
-    } catch (const std::exception& exception) {
-        console.note("error: Internal: " + std::string(exception.what()));
-        return static_cast<int>(ExitCode::OtherFailure);
-    }
+    return runGuarded([&](Console& console) { return run(argc, argv, console); });
 }
 
 } // namespace axiscomp::app

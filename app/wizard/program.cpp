@@ -2,19 +2,18 @@
 #include "app/wizard/program.h"
 
 #include "app/common/arguments.h"
-#include "app/common/exit_codes.h"
+#include "app/common/guarded_program.h"
 #include "app/common/interrupt.h"
 #include "app/wizard/first_paint.h"
 #include "app/wizard/wizard_window.h"
 #include "core/drive_store.h"
+#include "drivecomm/drive_candidates.h"
 #include "drivecomm/link_factory.h"
 #include "drivecomm/profile_loader.h"
+#include "ui/wizard_resources.h"
 
 #include <QApplication>
-#include <QIcon>
 #include <QSettings>
-
-#include <exception>
 
 namespace axiscomp::app {
 
@@ -33,7 +32,7 @@ void addOptions(CLI::App& app, WizardArguments& arguments)
 {
     app.add_option("--drive", arguments.drives,
            "Use this drive in place of the remembered ones; may be given several times: "
-           "http://[user:password@]host[:port], https://..., demo:")
+           "http://[user:password@]host[:port], https://..., serial:/dev/ttyUSB0[?baud=N], demo:")
         ->option_text("ENDPOINT")
         ->envname("AXISCOMP_DRIVE")
         ->allow_extra_args(false);
@@ -74,22 +73,12 @@ ui::WizardOptions wizardOptions(const WizardArguments& arguments, const DrivePro
     options.storeRoot = DriveStore::defaultRoot();
     options.timeout =
         std::chrono::milliseconds(static_cast<std::int64_t>(arguments.timeoutSeconds * 1000.0));
-    options.linkFactory = [&profile](
-                              const std::string& text) -> Result<std::unique_ptr<DriveLink>> {
-        const auto endpoint = drivecomm::parseEndpoint(text);
-        if (!endpoint)
-            return fail(endpoint.error());
-        return drivecomm::makeLink(*endpoint, profile);
+    options.portCandidates = [](const std::vector<std::string>& otherThan, bool anyBaudRate) {
+        return drivecomm::candidatesAt(drivecomm::serialPorts(), otherThan,
+            anyBaudRate ? drivecomm::BaudRates::Usual : drivecomm::BaudRates::AsGiven);
     };
+    options.linkFactory = drivecomm::linkFactory(profile);
     return options;
-}
-
-QIcon programIcon()
-{
-    QIcon icon;
-    for (const int size : {16, 24, 32, 48, 64, 128, 256})
-        icon.addFile(QStringLiteral(":/axiscomp/icons/axis-compensation-wizard-%1.png").arg(size));
-    return icon;
 }
 
 Result<int> showWindow(
@@ -110,7 +99,7 @@ Result<int> showWindow(
     QApplication::setApplicationName(QString::fromLatin1(programName));
     QApplication::setApplicationVersion(QStringLiteral(AXISCOMP_VERSION));
     QApplication::setDesktopFileName(QString::fromLatin1(programName));
-    QApplication::setWindowIcon(programIcon());
+    QApplication::setWindowIcon(ui::wizardIcon());
     QSettings settings;
     WizardWindow window(wizardOptions(arguments, *profile), settings);
     if (!endpoints->isEmpty())
@@ -121,7 +110,7 @@ Result<int> showWindow(
     window.show();
     interrupt.setListener([&window](int) {
         QMetaObject::invokeMethod(
-            &window, [&window] { window.wizard().stopAndClose(); }, Qt::QueuedConnection);
+            &window, [&window] { window.wizard().closeNow(); }, Qt::QueuedConnection);
     });
     const int result = QApplication::exec();
     interrupt.setListener({});
@@ -147,22 +136,14 @@ int run(int argc, char** argv, Console& console)
         proceed ? showWindow(argc, argv, arguments, console, paint) : fail(proceed.error());
     if (outcome)
         return *outcome;
-    const Error& error = outcome.error();
-    console.note("error: " + std::string(errorName(error.code)) + ": " + sentence(error));
-    return static_cast<int>(exitCode(error.code));
+    return static_cast<int>(noteError(console, outcome.error()));
 }
 
 } // namespace
 
 int runWizard(int argc, char** argv)
 {
-    Console console;
-    try {
-        return run(argc, argv, console);
-    } catch (const std::exception& exception) {
-        console.note("error: Internal: " + std::string(exception.what()));
-        return static_cast<int>(ExitCode::OtherFailure);
-    }
+    return runGuarded([&](Console& console) { return run(argc, argv, console); });
 }
 
 } // namespace axiscomp::app

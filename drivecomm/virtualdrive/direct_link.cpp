@@ -120,7 +120,7 @@ private:
             return lost("the connection was cut");
         const FaultPlan::Decision decision = m_faults->next(isWrite);
         if (decision.rejectCode)
-            return rejection(*decision.rejectCode);
+            return fail(errorAskedFor(*decision.rejectCode));
         if (decision.storeWrong)
             m_drive.storeNextWrong();
         auto result = call();
@@ -134,15 +134,6 @@ private:
             return fail(ErrorCode::Protocol,
                 {{"endpoint", endpoint()}, {"expected", "a reply"}, {"quote", "flipped bytes"}});
         return result;
-    }
-
-    [[nodiscard]] static tl::unexpected<Error> rejection(const std::string& code)
-    {
-        const auto known = allErrorCodes();
-        const auto found = std::ranges::find(known, code, errorName);
-        const std::string asked = "a fault was asked for";
-        return fail(found == known.end() ? ErrorCode::DriveRejected : *found,
-            {{"reason", asked}, {"path", asked}, {"seconds", "60"}});
     }
 
     VirtualDrive& m_drive;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "drivecomm/virtualdrive/faults.h"
 
+#include "drivecomm/error_json.h"
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -78,6 +80,13 @@ Result<FaultSpec> parseFault(std::string_view text)
         return invalid('"' + std::string(argument) + "\" is not a whole number from 1 to "
             + std::to_string(known->most) + ", as " + std::string(known->name) + " needs");
     return FaultSpec{known->kind, number, {}};
+}
+
+Error errorAskedFor(const std::string& code)
+{
+    const std::string reason = "a fault was asked for";
+    return {driveErrorNamed(code).value_or(ErrorCode::DriveRejected),
+        {{"reason", reason}, {"path", reason}, {"seconds", "60"}}, {}};
 }
 
 FaultPlan::FaultPlan(std::vector<FaultSpec> faults) : m_faults(std::move(faults)) { }

@@ -34,6 +34,9 @@ struct FaultSpec {
 /// Errors: InvalidArgument with the known names.
 [[nodiscard]] Result<FaultSpec> parseFault(std::string_view text);
 
+/// What a drive answers for reject=CODE.
+[[nodiscard]] Error errorAskedFor(const std::string& code);
+
 /// What a front must do with one request. Thread-safe; shared by all fronts of a drive.
 class FaultPlan {
 public:

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "drivecomm/virtualdrive/web_front.h"
 
-#include "drivecomm/error_json.h"
 #include "drivecomm/virtualdrive/connection_relay.h"
 #include "drivecomm/virtualdrive/connection_threads.h"
 #include "drivecomm/virtualdrive/socket.h"
@@ -42,13 +41,6 @@ public:
         return port > 0 && ::listen(this->svr_sock_, backlog) == 0 ? port : 0;
     }
 };
-
-Error askedForError(const std::string& code)
-{
-    const std::string reason = "a fault was asked for";
-    return {driveErrorNamed(code).value_or(ErrorCode::DriveRejected),
-        {{"reason", reason}, {"path", reason}, {"seconds", "60"}}, {}};
-}
 
 void flipBytes(std::string& body)
 {
@@ -252,7 +244,7 @@ void WebFront::Private::respond(
     if (decision.storeWrong)
         drive.storeNextWrong();
     WebReply reply = decision.rejectCode
-        ? service.refusal(request, askedForError(*decision.rejectCode))
+        ? service.refusal(request, errorAskedFor(*decision.rejectCode))
         : service.answer(request);
     waitFor(decision.delay);
     if (decision.reboot) {

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Completion of axiscomp and axiscomp-virtualdrive for bash.
+# Completion of axiscomp, axiscomp-virtualdrive and axis-compensation-wizard for bash.
 
 # The options of each command. tests/app compares them with --help.
 _axiscomp_options()
@@ -12,7 +12,8 @@ _axiscomp_options()
         convert) echo "--help --json --dims --table --from --to --persistent --volatile --name --profile" ;;
         lookup) echo "--help --json --dims --table --points --outside --from --profile" ;;
         formats) echo "--help --json" ;;
-        axes | files) echo "--help --json $drive" ;;
+        axes) echo "--help --json --find --any-baud $drive" ;;
+        files) echo "--help --json $drive" ;;
         status | persist | unpersist | evaluate | activate | deactivate) echo "--help --json $drive --axis" ;;
         write) echo "--help --json $drive --axis --data --dims --table --from --source1 --source2 --source3 --persistent --volatile --slot --dry-run" ;;
         read) echo "--help --json $drive --axis --output --to" ;;
@@ -85,7 +86,7 @@ _axiscomp()
     fi
 }
 
-_axiscomp_virtualdrive_options="--help --version --http --serial --name --axes --config --state --fault --speed --unhomed --user --password-file --certificate --key --profile"
+_axiscomp_virtualdrive_options="--help --version --http --serial --baud --name --axes --config --state --fault --speed --unhomed --user --password-file --certificate --key --profile"
 
 _axiscomp_virtualdrive()
 {
@@ -103,10 +104,31 @@ _axiscomp_virtualdrive()
             COMPREPLY=($(compgen -W "drop-after= no-reply= garble= stores-wrong= slow= reboot-after= reject=" -- "$cur"))
             compopt -o nospace
             return ;;
-        --serial | --name | --axes | --speed | --user) return ;;
+        --serial | --baud | --name | --axes | --speed | --user) return ;;
     esac
     COMPREPLY=($(compgen -W "$_axiscomp_virtualdrive_options" -- "$cur"))
 }
 
+_axis_compensation_wizard_options="--help --version --drive --profile --data --timeout"
+
+_axis_compensation_wizard()
+{
+    local cur prev words cword
+    _init_completion -n : || return
+
+    case $prev in
+        --drive)
+            COMPREPLY=($(compgen -W "http:// https:// demo:" -- "$cur"))
+            [[ ${COMPREPLY-} == *// ]] && compopt -o nospace
+            __ltrim_colon_completions "$cur"
+            return ;;
+        --profile) _filedir json; return ;;
+        --data) _filedir '@(csv|CSV|TAMtbl)'; return ;;
+        --timeout) return ;;
+    esac
+    COMPREPLY=($(compgen -W "$_axis_compensation_wizard_options" -- "$cur"))
+}
+
 complete -F _axiscomp axiscomp
+complete -F _axis_compensation_wizard axis-compensation-wizard
 complete -F _axiscomp_virtualdrive axiscomp-virtualdrive

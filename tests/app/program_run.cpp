@@ -28,6 +28,7 @@ QByteArray ProgramRun::text() const
 Sandbox::Sandbox() : m_environment(QProcessEnvironment::systemEnvironment())
 {
     m_environment.insert(QStringLiteral("XDG_STATE_HOME"), path(QStringLiteral("state")));
+    m_environment.insert(QStringLiteral("XDG_CONFIG_HOME"), path(QStringLiteral("config")));
     m_environment.remove(QStringLiteral("AXISCOMP_DRIVE"));
 }
 
@@ -90,7 +91,8 @@ VirtualDriveProcess::VirtualDriveProcess(const Sandbox& sandbox, const QStringLi
     : m_process(sandbox.start(virtualDriveProgram(), arguments))
 {
     static const QRegularExpression ready(
-        QStringLiteral("^ready http=(\\S+) drive=(.*)$"), QRegularExpression::MultilineOption);
+        QStringLiteral("^ready(?: http=(\\S+))?(?: serial=(\\S+))? drive=(.*)$"),
+        QRegularExpression::MultilineOption);
     QByteArray said;
     // The lines of all drives come in one piece.
     while (!said.endsWith('\n') && m_process->waitForReadyRead(deadlineMs))
@@ -98,7 +100,8 @@ VirtualDriveProcess::VirtualDriveProcess(const Sandbox& sandbox, const QStringLi
     for (auto matches = ready.globalMatch(QString::fromUtf8(said)); matches.hasNext();) {
         const QRegularExpressionMatch match = matches.next();
         m_urls.append(match.captured(1));
-        m_names.append(match.captured(2));
+        m_devices.append(match.captured(2));
+        m_names.append(match.captured(3));
     }
 }
 

@@ -57,16 +57,19 @@ public:
     ~VirtualDriveProcess();
 
     /// Whether it said "ready", which it does within the deadline or never.
-    [[nodiscard]] bool isReady() const { return !m_urls.isEmpty(); }
+    [[nodiscard]] bool isReady() const { return !m_names.isEmpty(); }
     [[nodiscard]] QString url(int drive = 0) const { return m_urls.value(drive); }
     [[nodiscard]] QStringList urls() const { return m_urls; }
+    /// "/dev/pts/7", empty where a drive has no serial link
+    [[nodiscard]] QStringList devices() const { return m_devices; }
     [[nodiscard]] QStringList names() const { return m_names; }
     [[nodiscard]] QProcess& process() { return *m_process; }
     [[nodiscard]] QByteArray said();
 
 private:
     std::unique_ptr<QProcess> m_process;
-    QStringList m_urls;
+    QStringList m_urls; ///< empty where a drive has no web server
+    QStringList m_devices;
     QStringList m_names;
 };
 

@@ -3,6 +3,7 @@
 
 #include "tests/support/verify.h"
 
+#include <QFile>
 #include <QJsonArray>
 #include <QRegularExpression>
 #include <QTcpServer>
@@ -110,7 +111,10 @@ private Q_SLOTS:
     {
         QTest::addColumn<QStringList>("arguments");
         QTest::addColumn<QByteArray>("part");
-        QTest::newRow("serial") << QStringList{"--serial", "/tmp/link"} << QByteArray("--serial");
+        QTest::newRow("speed of no line")
+            << QStringList{"--baud", "9600"} << QByteArray("--serial");
+        QTest::newRow("no speed") << QStringList{"--serial", "link", "--baud", "0"}
+                                  << QByteArray("--baud");
         QTest::newRow("address") << QStringList{"--http", "8080"} << QByteArray("HOST:PORT");
         QTest::newRow("fault") << QStringList{"--fault", "explode=1"} << QByteArray("explode");
         QTest::newRow("axes") << QStringList{"--axes", "0"} << QByteArray("--axes");
@@ -225,6 +229,58 @@ private Q_SLOTS:
         }
         const ProgramRun named = runDrive(box, {"--config", file, "--name", "One"});
         VERIFY_CODE(named, 2);
+    }
+
+    void aSerialLinkIsServedAlone()
+    {
+        const Sandbox box;
+        const QString link = box.path("drive");
+        const VirtualDriveProcess drive(box, {"--serial", link, "--baud", "921600"});
+        QCOMPARE(drive.urls(), QStringList{QString()});
+        QCOMPARE(drive.devices(), QStringList{QFile::symLinkTarget(link)});
+        QCOMPARE(axesOf(box, "serial:" + link).size(), 2);
+        QCOMPARE(axesOf(box, "serial:" + drive.devices().at(0) + "?baud=921600").size(), 2);
+    }
+
+    void bothLinksLeadToTheSameDrive()
+    {
+        const Sandbox box;
+        box.file("t.csv", "X,T\n0,0\n50,0.001\n100,0.003\n");
+        const QString link = box.path("drive");
+        const VirtualDriveProcess drive(box, {"--serial", link, "--http", "127.0.0.1:0"});
+        const QString serial = "serial:" + link;
+        VERIFY_CODE(box.run({"write", "--drive", serial, "--axis", "0", "--data", "t.csv", "--dims",
+                        "1", "--source1", test::positionSource(0), "--persistent"}),
+            0);
+        VERIFY_CODE(box.run({"activate", "--drive", serial, "--axis", "0"}), 0);
+        for (const QString& url : {serial, drive.url()}) {
+            const QJsonObject status =
+                box.run({"status", "--drive", url, "--axis", "0", "--json"}).json();
+            QCOMPARE(status.value("state").toString(), "Active");
+        }
+        VERIFY_CODE(box.run({"deactivate", "--drive", serial, "--axis", "0"}), 0);
+    }
+
+    void severalDrivesTakeSeveralLinks()
+    {
+        const QString file =
+            QStringLiteral(AXISCOMP_SOURCE_FOLDER "/tests/data/tamcfg/two-drives.TAMcfg");
+        const Sandbox box;
+        const QString link = box.path("drive");
+        const VirtualDriveProcess drives(box, {"--config", file, "--serial", link});
+        QCOMPARE(drives.devices(),
+            (QStringList{QFile::symLinkTarget(link), QFile::symLinkTarget(link + "-2")}));
+        QVERIFY(!axesOf(box, "serial:" + link + "-2").isEmpty());
+    }
+
+    void aPortThatIsNotThereHasItsSentence()
+    {
+        const Sandbox box;
+        const ProgramRun run = box.run({"files", "--drive", "serial:/dev/no-such-port"});
+        VERIFY_CODE(run, 5);
+        QVERIFY2(run.err.startsWith("error: NotConnected: no connection to serial:/dev/no-such-port"
+                                    ": there is no such port"),
+            run.err.constData());
     }
 
     void twoDrivesTakePortsInARow()

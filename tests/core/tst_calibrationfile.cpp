@@ -30,7 +30,7 @@ CsvReading read(const std::filesystem::path& file, int dimensions = 1, CsvOption
 
 std::filesystem::path dataFile(const char* name)
 {
-    return std::filesystem::path(QFINDTESTDATA("../data/csv").toStdString()) / name;
+    return std::filesystem::path(AXISCOMP_SOURCE_DIR "/tests/data/csv") / name;
 }
 
 /// A locale with a decimal comma for the time of a test, made here when the system has none.

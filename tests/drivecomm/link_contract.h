@@ -25,6 +25,9 @@ struct AttachmentKind {
     const char* name;
     std::function<std::unique_ptr<LinkAttachment>(drivecomm::VirtualDrive&, drivecomm::FaultPlan&)>
         attach;
+    std::size_t writesAtOnce = DriveLink::maximumWrites;
+    /// It can ask again without the drive acting again: what has been garbled arrives all the same.
+    bool asksAgain = false;
 };
 
 /// What every DriveLink must do, whatever is between it and the drive. Each row runs over each
@@ -69,12 +72,17 @@ private Q_SLOTS:
     void reportsWhatTheDriveRefuses_data();
     void reportsWhatTheDriveRefuses();
     void reportsALostConnectionWhenTheDriveReboots();
-    void reportsAGarbledReply();
+    void neverTakesAGarbledReplyForAnAnswer();
+    void storesSomethingElseWhenAskedTo();
+    void keepsTheOldFileWhenAnUploadIsCut_data();
+    void keepsTheOldFileWhenAnUploadIsCut();
+    void neverTakesPartOfAFileForTheWhole();
     void worksAgainAfterAFault_data();
     void worksAgainAfterAFault();
 
 private:
     struct Scene;
+    [[nodiscard]] const AttachmentKind& kind() const;
     [[nodiscard]] DriveLink& link();
     [[nodiscard]] drivecomm::VirtualDrive& drive();
     void build(int axes);

@@ -37,7 +37,7 @@ private Q_SLOTS:
 private:
     static std::filesystem::path file(const char* name)
     {
-        return std::filesystem::path(QFINDTESTDATA("../data/tamcfg").toStdString()) / name;
+        return std::filesystem::path(AXISCOMP_SOURCE_DIR "/tests/data/tamcfg") / name;
     }
     static std::string withRegisters(const std::string& registers)
     {

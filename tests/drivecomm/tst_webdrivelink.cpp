@@ -57,7 +57,6 @@ private Q_SLOTS:
     void worksOnAnyThread();
     void servesSeveralLinksAtOnce();
     void makesLinksFromEndpoints();
-    void saysThatSerialIsNotThereYet();
 };
 
 void WebDriveLinkTest::reportsWhyThereIsNoConnection_data()
@@ -216,13 +215,6 @@ void WebDriveLinkTest::makesLinksFromEndpoints()
     VERIFY_RESULT(identity);
     QCOMPARE(identity->axes, 2);
     VERIFY_RESULT((*demo)->listFiles({}));
-}
-
-void WebDriveLinkTest::saysThatSerialIsNotThereYet()
-{
-    const auto link = makeLink(parseEndpoint("serial:/dev/ttyUSB0").value(), genericProfile());
-    VERIFY_ERROR(link, ErrorCode::InvalidEndpoint);
-    QCOMPARE(link.error().context.at("endpoint"), std::string("serial:/dev/ttyUSB0"));
 }
 
 QTEST_GUILESS_MAIN(WebDriveLinkTest)

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Installs the build PROJECT_BUILD into WORK, runs the installed programs, then configures, builds
-# and runs the project CONSUMER with nothing but what was installed.
+# and runs the project CONSUMER with nothing but what was installed; with the WINDOW also EMBEDDING,
+# which has the example EXAMPLE in it.
 function(run)
   execute_process(COMMAND ${ARGN} OUTPUT_VARIABLE output ERROR_VARIABLE output RESULT_VARIABLE status)
   if(NOT status EQUAL 0)
@@ -16,6 +17,19 @@ function(expect text pattern)
   endif()
 endfunction()
 
+function(expect_installed file)
+  if(NOT EXISTS ${prefix}/${file})
+    message(FATAL_ERROR "${file} is not installed")
+  endif()
+endfunction()
+
+function(build_project source folder)
+  run(${CMAKE_COMMAND} -S ${source} -B ${folder} -G Ninja -DCMAKE_BUILD_TYPE=Debug
+      -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_PREFIX_PATH=${prefix} ${ARGN})
+  expect("${output}" "Build files have been written")
+  run(${CMAKE_COMMAND} --build ${folder})
+endfunction()
+
 file(REMOVE_RECURSE ${WORK})
 set(prefix ${WORK}/prefix)
 run(${CMAKE_COMMAND} --install ${PROJECT_BUILD} --prefix ${prefix})
@@ -23,17 +37,24 @@ string(REPLACE "." "\\." version "${VERSION}")
 foreach(program axiscomp axiscomp-virtualdrive)
   run(${prefix}/bin/${program} --version)
   expect("${output}" "${version}")
-  foreach(file share/man/man1/${program}.1.gz share/bash-completion/completions/${program})
-    if(NOT EXISTS ${prefix}/${file})
-      message(FATAL_ERROR "${file} is not installed")
-    endif()
-  endforeach()
+  expect_installed(share/man/man1/${program}.1.gz)
+  expect_installed(share/bash-completion/completions/${program})
 endforeach()
+if(WINDOW)
+  run(${prefix}/bin/axis-compensation-wizard --version)
+  expect("${output}" "${version}")
+  expect_installed(share/man/man1/axis-compensation-wizard.1.gz)
+endif()
 
-run(${CMAKE_COMMAND} -S ${CONSUMER} -B ${WORK}/build -G Ninja -DCMAKE_BUILD_TYPE=Debug
-    -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_PREFIX_PATH=${prefix})
-expect("${output}" "Build files have been written")
-run(${CMAKE_COMMAND} --build ${WORK}/build)
+build_project(${CONSUMER} ${WORK}/build)
 run(${WORK}/build/consumer ${WORK}/state)
 expect("${output}" "halfway 0\\.5\n")
 expect("${output}" "axis 0 ")
+if(WINDOW)
+  build_project(${EMBEDDING} ${WORK}/embedding -DEXAMPLE=${EXAMPLE})
+  set(ENV{XDG_STATE_HOME} ${WORK}/state)
+  run(${WORK}/embedding/check ${WORK}/settings.ini)
+  expect("${output}" "axis .*demo")
+  expect("${output}" "icon 1\n")
+  expect("${output}" "German 1\n")
+endif()

@@ -66,7 +66,8 @@ struct DriveFixture {
         Bytes table;
         friend bool operator==(const State&, const State&) = default;
     };
-    [[nodiscard]] State state(int axis = 0)
+    [[nodiscard]] State state(int axis = 0) { return stateOf(drive, axis); }
+    [[nodiscard]] static State stateOf(drivecomm::VirtualDrive& drive, int axis)
     {
         const std::string base =
             "Axes[" + std::to_string(axis) + "]/Parameters/Compensations/Axis/";

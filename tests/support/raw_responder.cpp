@@ -181,6 +181,12 @@ int RawResponder::requests() const
     return d->requests;
 }
 
+void neverAnswer(RawConnection& connection)
+{
+    connection.readRequest();
+    connection.waitUntilGone();
+}
+
 std::string httpReply(
     std::string_view statusLine, std::string_view contentType, std::string_view body)
 {

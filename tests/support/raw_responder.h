@@ -43,6 +43,9 @@ private:
     std::unique_ptr<Private> d;
 };
 
+/// Takes requests and leaves them without an answer, for RawResponder.
+void neverAnswer(RawConnection& connection);
+
 /// A reply with Content-Length.
 [[nodiscard]] std::string httpReply(
     std::string_view statusLine, std::string_view contentType, std::string_view body);

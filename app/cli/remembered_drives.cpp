@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/remembered_drives.h"
+
+#include <QSettings>
+
+namespace axiscomp::app {
+
+std::vector<std::string> rememberedDrives()
+{
+    // As the window writes them (tests/app compares).
+    const QSettings settings(
+        QStringLiteral("axiscomp"), QStringLiteral("axis-compensation-wizard"));
+    std::vector<std::string> endpoints;
+    for (const QString& endpoint :
+        settings.value(QStringLiteral("compensationWizard/endpoints")).toStringList())
+        endpoints.push_back(endpoint.toStdString());
+    return endpoints;
+}
+
+} // namespace axiscomp::app

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace axiscomp {
+
+/// The symbol of a drive's PositionUnit: "mm" for Millimeter, nothing for None; other names stay as
+/// they are.
+[[nodiscard]] std::string unitSymbol(std::string_view positionUnit);
+
+/// How many `to` one `from` is: 0.001 for "um" and "mm". Units are symbols as files write them
+/// ("µm", "um", "deg", "°") or a drive's PositionUnit, in capital or small letters. Nothing when
+/// one of them is not known, or when one is a length and the other an angle.
+[[nodiscard]] std::optional<double> unitFactor(std::string_view from, std::string_view to);
+
+/// The same unit, perhaps spelled in another way; units that are not known are compared as texts.
+[[nodiscard]] bool isSameUnit(std::string_view a, std::string_view b);
+
+} // namespace axiscomp

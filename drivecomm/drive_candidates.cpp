@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "drivecomm/drive_candidates.h"
+
+#include "drivecomm/drive_endpoint.h"
+
+#include <QSerialPortInfo>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <set>
+
+namespace axiscomp::drivecomm {
+
+namespace {
+
+/// The likely ones first.
+constexpr std::array usualBaudRates{115200, 921600, 460800, 230400, 57600, 38400, 19200, 9600};
+
+/// For so long a serial link waits for an answer before it does more than ask once.
+constexpr std::chrono::milliseconds oneIdentify{500};
+
+std::vector<std::string> endpointsOf(DriveEndpoint endpoint, BaudRates rates)
+{
+    std::vector<std::string> endpoints{displayText(endpoint)};
+    if (rates == BaudRates::AsGiven)
+        return endpoints;
+    const int given = endpoint.baud;
+    for (const int baud : usualBaudRates) {
+        endpoint.baud = baud;
+        if (baud != given)
+            endpoints.push_back(displayText(endpoint));
+    }
+    return endpoints;
+}
+
+std::string realDevice(const std::string& device)
+{
+    std::error_code error;
+    const auto real = std::filesystem::canonical(device, error);
+    return error ? device : real.string();
+}
+
+} // namespace
+
+DriveCandidate candidateAt(const std::string& endpoint, BaudRates rates)
+{
+    const auto parsed = parseEndpoint(endpoint);
+    if (!parsed || parsed->kind != DriveEndpoint::Kind::Serial)
+        return {.endpoints = {endpoint}, .description = {}};
+    return {endpointsOf(*parsed, rates), {}, oneIdentify};
+}
+
+std::vector<SerialPort> serialPorts()
+{
+    std::vector<SerialPort> ports;
+    for (const QSerialPortInfo& info : QSerialPortInfo::availablePorts()) {
+        QStringList words{info.description(), info.manufacturer()};
+        if (!info.serialNumber().isEmpty())
+            words += QStringLiteral("serial number ") + info.serialNumber();
+        words.removeAll(QString());
+        ports.push_back(
+            {info.systemLocation().toStdString(), words.join(QStringLiteral(", ")).toStdString()});
+    }
+    std::ranges::sort(ports, {}, &SerialPort::device);
+    return ports;
+}
+
+std::vector<DriveCandidate> candidatesAt(
+    std::span<const SerialPort> ports, std::span<const std::string> otherThan, BaudRates rates)
+{
+    std::set<std::string> taken;
+    for (const std::string& endpoint : otherThan) {
+        const auto parsed = parseEndpoint(endpoint);
+        if (parsed && parsed->kind == DriveEndpoint::Kind::Serial)
+            taken.insert(realDevice(parsed->device));
+    }
+    std::vector<DriveCandidate> candidates;
+    for (const SerialPort& port : ports) {
+        if (!taken.insert(realDevice(port.device)).second)
+            continue;
+        DriveEndpoint endpoint;
+        endpoint.kind = DriveEndpoint::Kind::Serial;
+        endpoint.device = port.device;
+        candidates.push_back({endpointsOf(endpoint, rates), port.description, oneIdentify});
+    }
+    return candidates;
+}
+
+} // namespace axiscomp::drivecomm

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/drive_finder.h"
+
+#include <span>
+#include <string>
+#include <vector>
+
+/// Where findDrives() may look.
+namespace axiscomp::drivecomm {
+
+enum class BaudRates {
+    AsGiven, ///< the address's, or the default
+    Usual, ///< that one first, then the others that drives are usually set to
+};
+
+/// A remembered address; one that is not serial, or not valid, is tried as it is.
+[[nodiscard]] DriveCandidate candidateAt(
+    const std::string& endpoint, BaudRates rates = BaudRates::AsGiven);
+
+/// A serial port of this machine.
+struct SerialPort {
+    std::string device; ///< "/dev/ttyUSB0"
+    std::string description; ///< "FT232R USB UART, FTDI, serial number A50285BI"; may be empty
+
+    friend bool operator==(const SerialPort&, const SerialPort&) = default;
+};
+
+/// Those that Qt lists: USB adapters and built-in ports, but no ptys.
+[[nodiscard]] std::vector<SerialPort> serialPorts();
+
+/// The ports that no address in otherThan names, under whatever name it knows them (a link in
+/// /dev/serial/by-id): one port must not be opened twice.
+[[nodiscard]] std::vector<DriveCandidate> candidatesAt(std::span<const SerialPort> ports,
+    std::span<const std::string> otherThan, BaudRates rates = BaudRates::AsGiven);
+
+} // namespace axiscomp::drivecomm

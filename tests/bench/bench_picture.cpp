@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The window's picture and values of the largest tables, drawn offscreen at the size that they have
+// on the page. The time of copying as many pixels as the picture has is the measure for a machine.
+#include "ui/plot_canvas.h"
+#include "ui/values_model.h"
+
+#include <benchmark/benchmark.h>
+
+#include <QApplication>
+#include <QImage>
+
+#include <qcustomplot.h>
+
+#include <cmath>
+
+namespace {
+
+using namespace axiscomp;
+using namespace axiscomp::ui;
+
+constexpr QSize pageSize(780, 430);
+
+ShownTable::Table waves(const std::vector<std::uint32_t>& sizes, double phase = 0.0)
+{
+    CompensationTable table;
+    for (const std::uint32_t size : sizes)
+        table.grid.axes.push_back({{}, "mm", 0.0, 0.25, size});
+    table.values.resize(table.grid.pointCount());
+    for (std::size_t i = 0; i < table.values.size(); ++i)
+        table.values[i] =
+            static_cast<float>(0.003 * std::sin(0.0037 * static_cast<double>(i) + phase));
+    return std::make_shared<const CompensationTable>(std::move(table));
+}
+
+struct Picture {
+    Picture()
+    {
+        window.resize(pageSize);
+        canvas.plot().resize(pageSize);
+        window.show();
+    }
+    void draw() { canvas.plot().replot(QCustomPlot::rpImmediateRefresh); }
+
+    QWidget window;
+    PlotCanvas canvas{&window};
+};
+
+void copyPixels(benchmark::State& state)
+{
+    const QImage image(pageSize, QImage::Format_RGB32);
+    for (auto _ : state)
+        benchmark::DoNotOptimize(image.copy());
+}
+
+void redraw(benchmark::State& state, const std::vector<std::uint32_t>& sizes)
+{
+    Picture picture;
+    picture.canvas.show(waves(sizes), nullptr, 0.003);
+    picture.draw();
+    for (auto _ : state)
+        picture.draw();
+}
+
+/// Another table each time: from its values to the screen.
+void change(benchmark::State& state, const std::vector<std::uint32_t>& sizes)
+{
+    Picture picture;
+    const std::array<ShownTable::Table, 2> tables{waves(sizes), waves(sizes, 1.0)};
+    std::size_t turn = 0;
+    for (auto _ : state) {
+        picture.canvas.show(tables.at(++turn % 2), nullptr, 0.003);
+        picture.draw();
+    }
+}
+
+void map724Redraw(benchmark::State& state)
+{
+    redraw(state, {724, 724});
+}
+void map724Change(benchmark::State& state)
+{
+    change(state, {724, 724});
+}
+void curve100000Redraw(benchmark::State& state)
+{
+    redraw(state, {100'000});
+}
+void curve100000Change(benchmark::State& state)
+{
+    change(state, {100'000});
+}
+
+void map724Crosshair(benchmark::State& state)
+{
+    Picture picture;
+    picture.canvas.show(waves({724, 724}), nullptr, 0.003);
+    picture.draw();
+    std::size_t at = 0;
+    for (auto _ : state) {
+        ++at;
+        picture.canvas.setCrosshair(GridPoint{at % 724, at % 700});
+    }
+}
+
+/// What a view asks for to draw 24 rows of 8 cells, somewhere in 720 x 720.
+void valuesScreen(benchmark::State& state)
+{
+    ShownTable shown;
+    shown.setTables(waves({720, 720}), nullptr);
+    const ValuesModel model(shown);
+    int first = 0;
+    for (auto _ : state) {
+        first = (first + 97) % 690;
+        for (int row = first; row < first + 24; ++row) {
+            for (int column = first; column < first + 8; ++column) {
+                const QModelIndex cell = model.index(row, column);
+                for (const int role : {Qt::DisplayRole, Qt::TextAlignmentRole, Qt::FontRole,
+                         Qt::BackgroundRole, Qt::ForegroundRole, Qt::DecorationRole})
+                    benchmark::DoNotOptimize(cell.data(role));
+            }
+        }
+    }
+}
+
+BENCHMARK(copyPixels)->Unit(benchmark::kMicrosecond);
+BENCHMARK(map724Redraw)->Unit(benchmark::kMicrosecond);
+BENCHMARK(map724Change)->Unit(benchmark::kMicrosecond);
+BENCHMARK(map724Crosshair)->Unit(benchmark::kMicrosecond);
+BENCHMARK(curve100000Redraw)->Unit(benchmark::kMicrosecond);
+BENCHMARK(curve100000Change)->Unit(benchmark::kMicrosecond);
+BENCHMARK(valuesScreen)->Unit(benchmark::kMicrosecond);
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    qputenv("QT_QPA_PLATFORM", "offscreen");
+    const QApplication application(argc, argv);
+    benchmark::Initialize(&argc, argv);
+    benchmark::RunSpecifiedBenchmarks();
+    return 0;
+}

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "drivecomm/drive_candidates.h"
+#include "tests/support/verify.h"
+
+#include <QTemporaryDir>
+
+#include <filesystem>
+
+using namespace axiscomp;
+using namespace axiscomp::drivecomm;
+
+namespace {
+
+using Endpoints = std::vector<std::string>;
+
+} // namespace
+
+class TestDriveCandidates : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { test::failOnWarnings(); }
+
+    void anAddressIsTriedAsItIs_data();
+    void anAddressIsTriedAsItIs();
+    void theGivenBaudRateIsTriedFirst();
+    void aPortIsLookedAtWithItsHardware();
+    void aPortThatAnAddressNamesIsLeftOut();
+    void aPortIsTheSameUnderAnotherName();
+    void portsOfThisMachineHaveAbsolutePaths();
+};
+
+void TestDriveCandidates::anAddressIsTriedAsItIs_data()
+{
+    QTest::addColumn<QString>("endpoint");
+    QTest::newRow("web") << "http://192.168.1.20";
+    QTest::newRow("with a password") << "http://user:secret@drive";
+    QTest::newRow("demo") << "demo:";
+    QTest::newRow("not valid") << "nonsense";
+}
+
+void TestDriveCandidates::anAddressIsTriedAsItIs()
+{
+    QFETCH(const QString, endpoint);
+    const std::string text = endpoint.toStdString();
+    QVERIFY(candidateAt(text, BaudRates::Usual)
+        == (DriveCandidate{.endpoints = {text}, .description = {}}));
+}
+
+void TestDriveCandidates::theGivenBaudRateIsTriedFirst()
+{
+    const auto asGiven = candidateAt("serial:/dev/ttyS0?baud=57600");
+    QVERIFY(asGiven.endpoints == Endpoints{"serial:/dev/ttyS0?baud=57600"});
+    const auto any = candidateAt("serial:/dev/ttyS0?baud=57600", BaudRates::Usual);
+    QCOMPARE(any.endpoints.front(), std::string("serial:/dev/ttyS0?baud=57600"));
+    QCOMPARE(any.endpoints.at(1), std::string("serial:/dev/ttyS0"));
+    QCOMPARE(std::ranges::count(any.endpoints, any.endpoints.front()), 1);
+    QCOMPARE(any.endpoints.size(), std::size_t(8));
+    // A rate of one's own is one more.
+    QCOMPARE(candidateAt("serial:/dev/ttyS0?baud=250000", BaudRates::Usual).endpoints.size(),
+        std::size_t(9));
+}
+
+void TestDriveCandidates::aPortIsLookedAtWithItsHardware()
+{
+    const std::vector<SerialPort> ports{{"/dev/ttyUSB0", "FT232R USB UART, FTDI"}};
+    const auto candidates = candidatesAt(ports, {});
+    QCOMPARE(candidates.size(), std::size_t(1));
+    QVERIFY(candidates.front().endpoints == Endpoints{"serial:/dev/ttyUSB0"});
+    QCOMPARE(candidates.front().description, std::string("FT232R USB UART, FTDI"));
+    // In more time the link would send more than one `identify`.
+    QVERIFY(candidates.front().timeout <= std::chrono::milliseconds(500));
+    QCOMPARE(candidatesAt(ports, {}, BaudRates::Usual).front().endpoints.size(), std::size_t(8));
+}
+
+void TestDriveCandidates::aPortThatAnAddressNamesIsLeftOut()
+{
+    const std::vector<SerialPort> ports{{"/dev/none-0", ""}, {"/dev/none-1", ""}};
+    const Endpoints known{"http://192.168.1.20", "serial:/dev/none-1?baud=921600"};
+    const auto candidates = candidatesAt(ports, known);
+    QCOMPARE(candidates.size(), std::size_t(1));
+    QVERIFY(candidates.front().endpoints == Endpoints{"serial:/dev/none-0"});
+}
+
+void TestDriveCandidates::aPortIsTheSameUnderAnotherName()
+{
+    const QTemporaryDir folder;
+    const std::filesystem::path link =
+        std::filesystem::path(folder.path().toStdString()) / "usb-FTDI-if00";
+    std::filesystem::create_symlink("/dev/null", link);
+    const std::vector<SerialPort> ports{{"/dev/null", ""}};
+    QVERIFY(candidatesAt(ports, Endpoints{"serial:" + link.string()}).empty());
+}
+
+void TestDriveCandidates::portsOfThisMachineHaveAbsolutePaths()
+{
+    for (const SerialPort& port : serialPorts()) {
+        const auto candidates = candidatesAt(std::vector{port}, {});
+        QCOMPARE(candidates.size(), std::size_t(1));
+        QVERIFY2(candidates.front().endpoints.front().starts_with("serial:/"),
+            candidates.front().endpoints.front().c_str());
+    }
+}
+
+QTEST_GUILESS_MAIN(TestDriveCandidates)
+#include "tst_drivecandidates.moc"
