@@ -33,8 +33,15 @@ public:
             [](const AxisEntry& entry) { return QStringLiteral(" #%1").arg(entry.serialNumber); });
         extend(
             m_drives, [](const AxisEntry& entry) { return QStringLiteral(" ") + entry.endpoint; });
-        for (std::size_t i = 0; i < m_entries.size(); ++i)
-            m_entries[i].label = label(i) + suffix(m_entries[i]);
+        for (std::size_t i = 0; i < m_entries.size(); ++i) {
+            m_entries[i].place = label(i).mid(axisName(m_entries[i]).size());
+            m_entries[i].label = text(m_entries[i]);
+        }
+    }
+
+    [[nodiscard]] static QString text(const AxisEntry& entry)
+    {
+        return axisName(entry) + entry.place + suffix(entry);
     }
 
     [[nodiscard]] static QString problem(const AxisEntry& entry, bool isConnected)
@@ -104,6 +111,11 @@ std::vector<AxisEntry> axisEntries(std::span<const DriveAxes> drives)
     }
     Labels(entries).make();
     return entries;
+}
+
+QString axisLabel(const AxisEntry& entry)
+{
+    return Labels::text(entry);
 }
 
 } // namespace axiscomp::ui

@@ -22,4 +22,7 @@ struct DriveAxes {
 /// endpoint. An axis without a name is "Axis 3".
 [[nodiscard]] std::vector<AxisEntry> axisEntries(std::span<const DriveAxes> drives);
 
+/// The label of an entry, in the language of the moment.
+[[nodiscard]] QString axisLabel(const AxisEntry& entry);
+
 } // namespace axiscomp::ui

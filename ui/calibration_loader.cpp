@@ -42,6 +42,14 @@ void readTamTable(LoadedFile& file, const TableLayout& layout)
     file.data = std::make_shared<const CalibrationData>(std::move(data));
 }
 
+void survey(LoadedFile& file)
+{
+    if (!file.data)
+        return;
+    for (const CompensationTable& table : file.data->tables)
+        file.tables.push_back(surveyed({file.data, &table}));
+}
+
 /// False when it was cancelled.
 bool readCsv(LoadedFile& file, const std::stop_token& stop, ProgressRelay& relay)
 {
@@ -100,6 +108,7 @@ void CalibrationLoader::load(const QString& path, int dimensions)
             readTamTable(file, m_layout);
         else if (!readCsv(file, stop, m_relay))
             return;
+        survey(file);
         QMetaObject::invokeMethod(
             this, [this, number, file = std::move(file)] { finish(number, file); },
             Qt::QueuedConnection);

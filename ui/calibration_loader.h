@@ -4,6 +4,7 @@
 #include "core/calibration_csv.h"
 #include "core/table_layout.h"
 #include "ui/progress_relay.h"
+#include "ui/surveyed_table.h"
 
 #include <QDateTime>
 #include <QObject>
@@ -11,6 +12,7 @@
 
 #include <memory>
 #include <stop_token>
+#include <vector>
 
 namespace axiscomp::ui {
 
@@ -29,6 +31,7 @@ struct LoadedFile {
     int dimensions = 1; ///< that were asked for
     FileStamp stamp; ///< from before it was read
     std::shared_ptr<const CalibrationData> data; ///< only without an error
+    std::vector<SurveyedTable> tables; ///< those of data, kept alive with it
     std::vector<Diagnostic> problems; ///< warnings too
     std::size_t suppressedProblems = 0;
 };

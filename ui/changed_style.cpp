@@ -57,8 +57,7 @@ void ChangedStyle::drawComplexControl(ComplexControl control, const QStyleOption
     QPainter* painter, const QWidget* widget) const
 {
     QProxyStyle::drawComplexControl(control, option, painter, widget);
-    if ((control == CC_ComboBox || control == CC_SpinBox) && widget != nullptr
-        && isChanged(*widget))
+    if (control == CC_ComboBox && widget != nullptr && isChanged(*widget))
         drawFrame(*option, *painter);
 }
 

@@ -17,8 +17,8 @@ public:
 
     static constexpr int frameWidth = 2;
 
-    /// Marks an editor as one whose frame shows changes: combo boxes, line edits, spin boxes and
-    /// check boxes.
+    /// Marks an editor as one whose frame shows changes: combo boxes, line edits and check
+    /// boxes.
     static void setChanged(QWidget& editor, bool changed);
     [[nodiscard]] static bool isChanged(const QWidget& editor);
 

@@ -35,11 +35,12 @@ namespace {
 
 const QLatin1StringView demoEndpoint("demo:");
 
-/// The one file that is dragged; empty when it is none or several.
+/// The one file that is dragged; empty when it is none, several, or a folder.
 QString draggedFile(const QMimeData& data)
 {
     const QList<QUrl> urls = data.urls();
-    return urls.size() == 1 ? urls.front().toLocalFile() : QString();
+    const QString path = urls.size() == 1 ? urls.front().toLocalFile() : QString();
+    return QFileInfo(path).isFile() ? path : QString();
 }
 
 } // namespace
@@ -179,7 +180,7 @@ void CompensationWizard::Private::chooseDrive(const QString& endpoint)
 
 void CompensationWizard::Private::chooseAxis(int index)
 {
-    guard.loseChanges(CompensationWizard::tr("&Discard and Change Axis"),
+    guard.loseChanges(CompensationWizard::tr("Discard and Chan&ge Axis"),
         [this, index] { controller.selectAxis(index); });
 }
 
@@ -187,7 +188,9 @@ void CompensationWizard::Private::showConnections()
 {
     if (!connections) {
         connections = new ConnectionsDialog(controller,
-            {options.linkFactory, options.profile, options.storeRoot, options.timeout}, &q);
+            {options.linkFactory, options.portCandidates, options.profile, options.storeRoot,
+                options.timeout},
+            &q);
         connect(connections, &ConnectionsDialog::endpointsAccepted, &q,
             [this](const QStringList& endpoints) { takeEndpoints(endpoints); });
     }
@@ -198,7 +201,7 @@ void CompensationWizard::Private::takeEndpoints(const QStringList& endpoints)
 {
     if (endpoints == controller.endpoints())
         return;
-    guard.loseChanges(CompensationWizard::tr("&Discard and Change Connections"), [this, endpoints] {
+    guard.loseChanges(CompensationWizard::tr("Discard and Chan&ge Connections"), [this, endpoints] {
         settings.setEndpoints(endpoints);
         page->messages->remove(QStringLiteral("demoMessage"));
         controller.setEndpoints(endpoints);
@@ -265,9 +268,9 @@ bool CompensationWizard::mayClose()
     return d->guard.mayClose();
 }
 
-void CompensationWizard::stopAndClose()
+void CompensationWizard::closeNow()
 {
-    d->guard.stopAndClose();
+    d->guard.closeNow();
 }
 
 void CompensationWizard::setFilePicker(FilePicker picker)
@@ -278,6 +281,7 @@ void CompensationWizard::setFilePicker(FilePicker picker)
 void CompensationWizard::changeEvent(QEvent* event)
 {
     if (event->type() == QEvent::LanguageChange && d) {
+        d->controller.retranslate();
         d->menu->retranslate();
         d->page->retranslate();
         d->messages.retranslate();

@@ -29,8 +29,10 @@ public:
     void openData(const QString& path);
     /// Asks when a write is running or changes are unwritten; false: stay open.
     [[nodiscard]] bool mayClose();
-    /// Without questions: a running write is stopped and put back, then closeRequested follows.
-    void stopAndClose();
+    /// Without questions; closeRequested follows at once. A running write is stopped and put back
+    /// by the destructor, which takes as long as the drive needs for that, and one deadline when
+    /// the drive hangs.
+    void closeNow();
     /// Asks for files in place of the system's dialog.
     void setFilePicker(FilePicker picker);
 

@@ -4,6 +4,7 @@
 #include "ui/busy_mark.h"
 #include "ui/contrast.h"
 #include "ui/endpoint_text.h"
+#include "ui/find_drives_dialog.h"
 #include "ui/symbols.h"
 
 #include <QBoxLayout>
@@ -51,12 +52,14 @@ ConnectionsDialog::ConnectionsDialog(
     const WizardController& controller, ProbeOptions options, QWidget* parent)
     : QDialog(parent)
     , m_controller(controller)
-    , m_probe(std::move(options))
+    , m_options(std::move(options))
+    , m_probe(m_options)
     , m_introduction(new QLabel)
     , m_list(new QTreeWidget)
     , m_edit(pushButton("editConnection", Symbol::Edit))
     , m_remove(pushButton("removeConnection", Symbol::Remove))
     , m_test(pushButton("testConnection", Symbol::Connections))
+    , m_find(pushButton("findDrives", Symbol::Refresh))
     , m_demo(pushButton("addDemo", Symbol::Add))
     , m_addressLabel(new QLabel)
     , m_address(new QLineEdit)
@@ -89,8 +92,11 @@ void ConnectionsDialog::build()
     m_note->setMinimumHeight(2 * m_note->fontMetrics().lineSpacing());
     m_note->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     m_buttons->setObjectName(QStringLiteral("connectionButtons"));
+    m_buttons->button(QDialogButtonBox::Ok)->setObjectName(QStringLiteral("acceptConnections"));
+    m_buttons->button(QDialogButtonBox::Cancel)->setObjectName(QStringLiteral("rejectConnections"));
+    m_find->setVisible(static_cast<bool>(m_options.portCandidates));
     auto* side = new QVBoxLayout;
-    for (QPushButton* button : {m_edit, m_remove, m_test, m_demo})
+    for (QPushButton* button : {m_edit, m_remove, m_test, m_find, m_demo})
         side->addWidget(button);
     side->addStretch(1);
     auto* list = new QHBoxLayout;
@@ -127,6 +133,7 @@ void ConnectionsDialog::connectButtons()
     connect(m_list, &QTreeWidget::itemActivated, this, &ConnectionsDialog::startEditing);
     connect(m_remove, &QPushButton::clicked, this, &ConnectionsDialog::removeCurrent);
     connect(m_test, &QPushButton::clicked, this, &ConnectionsDialog::testCurrent);
+    connect(m_find, &QPushButton::clicked, this, &ConnectionsDialog::find);
     connect(m_demo, &QPushButton::clicked, this, [this] {
         addItem(QStringLiteral("demo:"));
         test(QStringLiteral("demo:"));
@@ -159,10 +166,11 @@ void ConnectionsDialog::changeEvent(QEvent* event)
 void ConnectionsDialog::retranslate()
 {
     setWindowTitle(tr("Connections"));
-    m_introduction->setText(
-        tr("Drives are reached by their web server, for example http://192.168.1.20. An address "
-           "may carry a user name and a password, http://user:password@host: they are used until "
-           "the program ends and never stored."));
+    m_introduction->setText(tr(
+        "Drives are reached by their web server, for example http://192.168.1.20, or by a serial "
+        "line, for example serial:/dev/ttyUSB0. A web address may carry a user name and a "
+        "password, http://user:password@host: they are used until the program ends and never "
+        "stored."));
     m_list->setHeaderLabels({tr("Address"), tr("Drive"), tr("State")});
     m_list->setAccessibleName(tr("Connections"));
     m_edit->setText(tr("&Edit"));
@@ -171,13 +179,17 @@ void ConnectionsDialog::retranslate()
     m_remove->setToolTip(tr("Remove the chosen connection"));
     m_test->setText(tr("&Test"));
     m_test->setToolTip(tr("Ask the drive at the chosen address who it is"));
-    m_demo->setText(tr("&Demo Drive"));
+    m_demo->setText(tr("De&mo Drive"));
+    m_find->setText(tr("&Find …"));
+    m_find->setToolTip(tr("Look for drives at the serial ports of this computer"));
     m_demo->setToolTip(tr("Add the built-in demo drive: everything can be tried with it"));
     m_addressLabel->setText(tr("&Address"));
     m_address->setPlaceholderText(QStringLiteral("http://192.168.1.20"));
     m_address->setAccessibleName(tr("Address"));
-    m_address->setAccessibleDescription(tr("The address of a drive's web server"));
+    m_address->setAccessibleDescription(
+        tr("The address of a drive's web server, or a serial port"));
     m_address->setToolTip(m_address->accessibleDescription());
+    m_buttons->button(QDialogButtonBox::Cancel)->setToolTip(tr("Change no connection (Esc)"));
     showKnownStates();
     updateButtons();
 }
@@ -245,6 +257,24 @@ void ConnectionsDialog::test(const QString& endpoint)
         if (QTreeWidgetItem* item = itemOf(endpoint))
             showState(*item, identity);
     });
+}
+
+void ConnectionsDialog::find()
+{
+    std::vector<std::string> known;
+    for (const QString& endpoint : endpoints())
+        known.push_back(endpoint.toStdString());
+    FindDrivesDialog::Options options{
+        m_options.linkFactory, m_options.portCandidates, std::move(known)};
+    auto* dialog = new FindDrivesDialog(std::move(options), this);
+    connect(dialog, &FindDrivesDialog::endpointsChosen, this, [this](const QStringList& found) {
+        for (const QString& endpoint : found) {
+            addItem(endpoint);
+            test(endpoint);
+        }
+        updateButtons();
+    });
+    dialog->open();
 }
 
 void ConnectionsDialog::startEditing(QTreeWidgetItem* item)
@@ -321,15 +351,15 @@ void ConnectionsDialog::updateButtons()
     for (QPushButton* button : {m_edit, m_remove, m_test})
         button->setEnabled(hasItem);
     m_demo->setEnabled(!itemOf(QStringLiteral("demo:")));
-    m_add->setText(m_edited.isEmpty() ? tr("Add") : tr("Change"));
+    m_add->setText(m_edited.isEmpty() ? tr("A&dd") : tr("Chan&ge"));
     m_add->setToolTip(tr("Checks the address and takes it into the list"));
     m_add->setEnabled(!m_address->text().trimmed().isEmpty() && !m_busy->isBusy());
     m_add->setDefault(m_add->isEnabled());
     QPushButton* accept = m_buttons->button(QDialogButtonBox::Ok);
     accept->setDefault(!m_add->isEnabled());
     accept->setEnabled(!m_controller.isWriting());
-    accept->setToolTip(
-        m_controller.isWriting() ? tr("Not while a drive is being written") : QString());
+    accept->setToolTip(m_controller.isWriting() ? tr("Not while a drive is being written")
+                                                : tr("Use the drives of the list"));
 }
 
 QTreeWidgetItem* ConnectionsDialog::itemOf(const QString& endpoint) const

@@ -41,6 +41,7 @@ private:
     void showKnownStates();
     void showState(QTreeWidgetItem& item, const Result<DriveIdentity>& identity);
     void testCurrent();
+    void find();
     void test(const QString& endpoint);
     void startEditing(QTreeWidgetItem* item);
     void checkAddress();
@@ -52,6 +53,7 @@ private:
     [[nodiscard]] QStringList endpoints() const;
 
     const WizardController& m_controller;
+    ProbeOptions m_options;
     EndpointProbe m_probe;
     QString m_edited; ///< the endpoint that is being changed; empty: a new one is added
     QLabel* m_introduction;
@@ -59,6 +61,7 @@ private:
     QPushButton* m_edit;
     QPushButton* m_remove;
     QPushButton* m_test;
+    QPushButton* m_find;
     QPushButton* m_demo;
     QLabel* m_addressLabel;
     QLineEdit* m_address;

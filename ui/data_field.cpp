@@ -58,11 +58,15 @@ DataField::DataField(QWidget* parent)
     layout->addWidget(m_open);
     layout->addWidget(m_cancel);
     layout->addWidget(m_more);
-    setFocusProxy(m_open);
     connect(m_open, &QPushButton::clicked, this, &DataField::openRequested);
     connect(m_cancel, &QPushButton::clicked, this, &DataField::cancelRequested);
     connect(m_menu, &QMenu::aboutToShow, this, &DataField::fillMenu);
     retranslate();
+}
+
+QWidget& DataField::nameField()
+{
+    return *m_name;
 }
 
 void DataField::showFile(const QString& path)
@@ -71,7 +75,7 @@ void DataField::showFile(const QString& path)
     m_stack->setCurrentWidget(m_name);
     m_name->setText(QFileInfo(path).fileName());
     m_name->setCursorPosition(0);
-    m_name->setToolTip(QDir::toNativeSeparators(path));
+    m_name->setToolTip(path.isEmpty() ? tr("No file is open") : QDir::toNativeSeparators(path));
     m_open->setVisible(true);
     m_cancel->setVisible(false);
 }
@@ -102,12 +106,13 @@ void DataField::setRecentFiles(const QStringList& paths)
 void DataField::retranslate()
 {
     m_name->setPlaceholderText(tr("no file"));
+    m_name->setToolTip(m_path.isEmpty() ? tr("No file is open") : m_name->toolTip());
     m_name->setAccessibleName(tr("Open file"));
     m_name->setAccessibleDescription(tr("The name of the open file of compensation data"));
     m_progress->setAccessibleName(tr("Reading the file"));
     m_open->setText(tr("&Open…"));
     m_open->setAccessibleDescription(tr("Opens a file of compensation data"));
-    m_cancel->setText(tr("Stop"));
+    m_cancel->setText(tr("St&op")); // where Open was
     m_cancel->setToolTip(tr("Stop reading the file"));
     m_more->setToolTip(tr("Recent files"));
     m_more->setAccessibleName(tr("Recent files"));

@@ -20,6 +20,8 @@ class DataField : public QWidget {
 public:
     explicit DataField(QWidget* parent = nullptr);
 
+    /// What the label of the field leads to.
+    [[nodiscard]] QWidget& nameField();
     /// Empty: no file is open.
     void showFile(const QString& path);
     void showReading(double fraction);

@@ -21,11 +21,10 @@ DataFileModel::DataFileModel(const TableLayout& layout, QObject* parent)
     connect(&m_watcher, &QFileSystemWatcher::directoryChanged, this, &DataFileModel::lookAtDisk);
 }
 
-std::shared_ptr<const CompensationTable> DataFileModel::table(int index) const
+SurveyedTable DataFileModel::table(int index) const
 {
-    if (!m_file.data || index < 0 || index >= static_cast<int>(m_file.data->tables.size()))
-        return nullptr;
-    return {m_file.data, &m_file.data->tables[static_cast<std::size_t>(index)]};
+    const bool isOne = index >= 0 && index < static_cast<int>(m_tables.size());
+    return isOne ? m_tables[static_cast<std::size_t>(index)] : SurveyedTable{};
 }
 
 void DataFileModel::open(const QString& path, int dimensions)
@@ -53,6 +52,7 @@ void DataFileModel::close()
 {
     m_loader.cancel();
     const auto before = std::exchange(m_file, {}).data;
+    m_tables.clear();
     watch();
     if (before)
         Q_EMIT dataReplaced(before, false);
@@ -78,8 +78,10 @@ void DataFileModel::take(const LoadedFile& loaded)
     m_file.problems = loaded.problems;
     m_file.suppressedProblems = loaded.suppressedProblems;
     const auto before = m_file.data;
-    if (loaded.data)
+    if (loaded.data) {
         m_file.data = loaded.data;
+        m_tables = loaded.tables;
+    }
     if (loaded.data || !before) {
         m_file.path = loaded.path;
         m_stamp = loaded.stamp;

@@ -20,7 +20,7 @@ public:
 
     [[nodiscard]] const DataFile& file() const { return m_file; }
     /// The table of that index, kept as long as it is used; null when there is none.
-    [[nodiscard]] std::shared_ptr<const CompensationTable> table(int index) const;
+    [[nodiscard]] SurveyedTable table(int index) const;
 
     void open(const QString& path, int dimensions);
     /// The open CSV file again, when its columns mean something else now; a TAM table knows its own
@@ -41,6 +41,7 @@ private:
     void lookAtDisk();
 
     DataFile m_file;
+    std::vector<SurveyedTable> m_tables; ///< of m_file.data
     FileStamp m_stamp;
     int m_dimensions = 1; ///< with which the data was read, or is being read
     CalibrationLoader m_loader;

@@ -25,6 +25,14 @@ DriveConnection::DriveConnection(const QString& endpoint, LinkFactory factory,
     connect(&m_retry, &QTimer::timeout, this, &DriveConnection::explore);
 }
 
+DriveState DriveConnection::state() const
+{
+    DriveState state = m_state;
+    if (m_problem)
+        state.problem = errorText(*m_problem);
+    return state;
+}
+
 DriveAxes DriveConnection::axes() const
 {
     DriveAxes axes;
@@ -70,17 +78,16 @@ void DriveConnection::take(const Result<DriveFindings>& findings)
     m_findings = *findings;
     m_state.name = QString::fromStdString(findings->drive.name);
     m_state.connection = Connection::Connected;
-    m_state.problem.clear();
+    m_problem.reset();
     Q_EMIT stateChanged();
     Q_EMIT found(wasAnother);
 }
 
 void DriveConnection::lose(const Error& error)
 {
-    const QString problem = errorText(error);
-    const bool isNews = m_state.connection != Connection::Lost || m_state.problem != problem;
+    const bool isNews = !m_problem || !saysTheSame(*m_problem, error);
     m_state.connection = Connection::Lost;
-    m_state.problem = problem;
+    m_problem = error;
     m_retry.start();
     if (!isNews)
         return;

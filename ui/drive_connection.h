@@ -24,7 +24,10 @@ public:
         std::chrono::milliseconds reconnectInterval, QObject* parent = nullptr);
 
     [[nodiscard]] const QString& endpointAsGiven() const { return m_endpoint; }
-    [[nodiscard]] const DriveState& state() const { return m_state; }
+    /// Without a password.
+    [[nodiscard]] const QString& endpoint() const { return m_state.endpoint; }
+    [[nodiscard]] const QString& name() const { return m_state.name; } ///< empty until identified
+    [[nodiscard]] DriveState state() const; ///< its problem in the language of the moment
     [[nodiscard]] bool isConnected() const
     {
         return m_state.connection == DriveState::Connection::Connected;
@@ -55,7 +58,8 @@ private:
     void take(const Result<DriveFindings>& findings);
 
     QString m_endpoint;
-    DriveState m_state;
+    DriveState m_state; ///< without its problem
+    std::optional<Error> m_problem; ///< while the drive is lost
     std::optional<DriveFindings> m_findings;
     QTimer m_retry;
     bool m_isExploring = false;

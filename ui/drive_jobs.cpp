@@ -4,6 +4,8 @@
 #include "ui/link_failure.h"
 #include "ui/previous_state.h"
 
+#include <algorithm>
+
 namespace axiscomp::ui {
 
 namespace {
@@ -134,13 +136,16 @@ OperationEnd<Restoration> restoreAxis(AxisCompensator& compensator, const DriveP
     return {std::move(outcome), readAxis(compensator, storeRoot, axis, quietly(options))};
 }
 
-Result<std::shared_ptr<const CompensationTable>> downloadTable(
-    AxisCompensator& compensator, int axis, const OperationOptions& options)
+Result<SurveyedTable> downloadTable(AxisCompensator& compensator, int axis,
+    const SurveyedTable& expected, const OperationOptions& options)
 {
     auto table = compensator.readTable(axis, options);
     if (!table)
         return fail(table.error());
-    return std::make_shared<const CompensationTable>(std::move(*table));
+    if (expected.table && sameSpans(expected.table->grid, table->grid)
+        && expected.table->values == table->values)
+        return expected;
+    return surveyed(std::make_shared<const CompensationTable>(std::move(*table)));
 }
 
 } // namespace axiscomp::ui

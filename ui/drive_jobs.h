@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/axis_compensator.h"
+#include "ui/surveyed_table.h"
 
 #include <filesystem>
 #include <memory>
@@ -71,7 +72,9 @@ struct Restoration {
     const DriveProfile& profile, const std::filesystem::path& storeRoot, int axis,
     const OperationOptions& options);
 
-[[nodiscard]] Result<std::shared_ptr<const CompensationTable>> downloadTable(
-    AxisCompensator& compensator, int axis, const OperationOptions& options);
+/// expected: given back in place of what was downloaded when its numbers are the same, because it
+/// has the names and units that the drive does not keep; may be null.
+[[nodiscard]] Result<SurveyedTable> downloadTable(AxisCompensator& compensator, int axis,
+    const SurveyedTable& expected, const OperationOptions& options);
 
 } // namespace axiscomp::ui

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/axis_compensator.h"
+#include "core/drive_finder.h"
 
 #include <QFuture>
 #include <QObject>
@@ -14,10 +15,6 @@
 #include <stop_token>
 
 namespace axiscomp::ui {
-
-/// Makes a link from what the user typed ("http://192.168.1.20", "demo:"); passed in by the
-/// program, so that ui and drivecomm do not see each other. Called on the session's thread.
-using LinkFactory = std::function<Result<std::unique_ptr<DriveLink>>(const std::string& endpoint)>;
 
 /// One drive and the one thread that talks to it. Link and compensator are made, used and destroyed
 /// on that thread; everything here is called on the window's thread and returns at once. Operations

@@ -3,26 +3,9 @@
 
 #include "ui/future_handler.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace axiscomp::ui {
-
-namespace {
-
-bool sameSpans(const Grid& a, const Grid& b)
-{
-    return std::ranges::equal(a.axes, b.axes, [](const GridAxis& x, const GridAxis& y) {
-        return x.start == y.start && x.distance == y.distance && x.size == y.size;
-    });
-}
-
-bool sameNumbers(const CompensationTable& a, const CompensationTable& b)
-{
-    return sameSpans(a.grid, b.grid) && a.values == b.values;
-}
-
-} // namespace
 
 DriveTable::DriveTable(QObject* parent) : QObject(parent) { }
 
@@ -56,27 +39,27 @@ void DriveTable::follow(DriveConnection& connection, const AxisStatus& status, b
         m_stop.request_stop();
         m_wanted = key;
         // What was written shows until it has come back from the drive.
-        set(m_expected && sameSpans(m_expected->grid, status.table->grid) ? m_expected : nullptr);
+        const bool fits = m_expected.table && sameSpans(m_expected.table->grid, status.table->grid);
+        set(fits ? m_expected : SurveyedTable{});
     }
     m_isUnderWay = true;
     m_isDownloaded = false;
     m_hasFailed = false;
     m_stop = std::stop_source();
-    const auto download = [axis = status.axis.index](
+    const auto download = [axis = status.axis.index, expected = m_expected](
                               AxisCompensator& compensator, const OperationOptions& options) {
         OperationOptions quiet = options;
         quiet.progress = {};
-        return downloadTable(compensator, axis, quiet);
+        return downloadTable(compensator, axis, expected, quiet);
     };
-    using Table = std::shared_ptr<const CompensationTable>;
-    whenDone(connection.session().run<Table>(download, m_stop.get_token()), this,
-        [this, key = *key, number = ++m_number](const Result<Table>& table) {
+    whenDone(connection.session().run<SurveyedTable>(download, m_stop.get_token()), this,
+        [this, key = *key, number = ++m_number](const Result<SurveyedTable>& table) {
             if (number == m_number)
                 take(key, table);
         });
 }
 
-void DriveTable::take(const Key& key, const Result<std::shared_ptr<const CompensationTable>>& table)
+void DriveTable::take(const Key& key, const Result<SurveyedTable>& table)
 {
     m_isUnderWay = false;
     if (m_wanted != key)
@@ -87,13 +70,13 @@ void DriveTable::take(const Key& key, const Result<std::shared_ptr<const Compens
         return;
     }
     m_isDownloaded = true;
-    const auto expected = std::exchange(m_expected, nullptr);
-    set(expected && sameNumbers(*expected, **table) ? expected : *table);
+    m_expected = {};
+    set(*table);
 }
 
-void DriveTable::expect(std::shared_ptr<const CompensationTable> written)
+void DriveTable::expect(const SurveyedTable& written)
 {
-    m_expected = std::move(written);
+    m_expected = written;
 }
 
 void DriveTable::clear()
@@ -103,9 +86,9 @@ void DriveTable::clear()
     m_isUnderWay = false;
     m_isDownloaded = false;
     m_hasFailed = false;
-    m_expected.reset();
+    m_expected = {};
     m_wanted.reset();
-    set(nullptr);
+    set({});
 }
 
 void DriveTable::interrupt()
@@ -117,11 +100,11 @@ void DriveTable::interrupt()
     m_isUnderWay = false;
 }
 
-void DriveTable::set(std::shared_ptr<const CompensationTable> table)
+void DriveTable::set(const SurveyedTable& table)
 {
-    if (table == m_table)
+    if (table.table == m_table.table)
         return;
-    m_table = std::move(table);
+    m_table = table;
     Q_EMIT changed();
 }
 

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "ui/drive_connection.h"
+#include "ui/surveyed_table.h"
 
 #include <QObject>
 
-#include <memory>
 #include <optional>
 #include <stop_token>
 
@@ -20,14 +20,14 @@ public:
     explicit DriveTable(QObject* parent = nullptr);
 
     /// Null: none, or not downloaded yet.
-    [[nodiscard]] std::shared_ptr<const CompensationTable> table() const { return m_table; }
+    [[nodiscard]] const SurveyedTable& table() const { return m_table; }
 
     /// Sees to it that table() is the one of the status. A download that failed is tried again only
     /// when mayRetry.
     void follow(DriveConnection& connection, const AxisStatus& status, bool mayRetry);
     /// The next table to appear is this one, if its numbers are the same: the file's table has the
     /// names and units that the drive does not keep.
-    void expect(std::shared_ptr<const CompensationTable> written);
+    void expect(const SurveyedTable& written);
     void clear();
     /// Lets an operation go first; follow() begins again.
     void interrupt();
@@ -48,12 +48,12 @@ private:
     };
     [[nodiscard]] static std::optional<Key> keyOf(
         const DriveConnection& connection, const AxisStatus& status);
-    void take(const Key& key, const Result<std::shared_ptr<const CompensationTable>>& table);
-    void set(std::shared_ptr<const CompensationTable> table);
+    void take(const Key& key, const Result<SurveyedTable>& table);
+    void set(const SurveyedTable& table);
 
     std::optional<Key> m_wanted; ///< what table() is, or will be
-    std::shared_ptr<const CompensationTable> m_table;
-    std::shared_ptr<const CompensationTable> m_expected;
+    SurveyedTable m_table;
+    SurveyedTable m_expected;
     bool m_isUnderWay = false;
     bool m_isDownloaded = false; ///< table() came from the drive
     bool m_hasFailed = false;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/drive_session.h"
+#include "ui/wizard_types.h"
 
 #include <QObject>
 
@@ -10,6 +10,7 @@ namespace axiscomp::ui {
 /// How links are made, and for how long they are waited for.
 struct ProbeOptions {
     LinkFactory linkFactory;
+    PortCandidates portCandidates; ///< empty: drives are not looked for
     const DriveProfile* profile = nullptr;
     std::filesystem::path storeRoot;
     std::chrono::milliseconds timeout{5000};

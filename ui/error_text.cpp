@@ -43,6 +43,11 @@ QString errorText(const Error& error)
     return asSentence(QString::fromStdString(fillTemplate(sentence.toStdString(), context)));
 }
 
+bool saysTheSame(const Error& a, const Error& b)
+{
+    return a.code == b.code && a.context == b.context;
+}
+
 QString stepText(const QString& step)
 {
     const auto* const known =

@@ -10,6 +10,8 @@ namespace axiscomp::ui {
 
 /// The translated sentence of an error (context "Error" in the translations).
 [[nodiscard]] QString errorText(const Error& error);
+/// Of the same sentence: they may differ in what only the log shows.
+[[nodiscard]] bool saysTheSame(const Error& a, const Error& b);
 /// The translated sentence of a file's problem.
 [[nodiscard]] QString problemText(const Diagnostic& diagnostic);
 /// "verifying the table", for the ids that core reports as Progress::step.

@@ -112,6 +112,11 @@ QWidget& FieldRow::editor()
     return *m_editor;
 }
 
+void FieldRow::setBuddy(QWidget& part)
+{
+    m_label->setBuddy(&part);
+}
+
 const FieldTexts& FieldRow::texts() const
 {
     return m_texts;

@@ -35,6 +35,8 @@ public:
     void addTo(QGridLayout& grid, int firstRow);
 
     [[nodiscard]] QWidget& editor();
+    /// Where the label's key leads, for an editor of several parts.
+    void setBuddy(QWidget& part);
     [[nodiscard]] const FieldTexts& texts() const;
     void setTexts(const FieldTexts& texts);
     /// Whether there is a button for putting the drive's value back.

@@ -36,8 +36,7 @@ FileActions::FileActions(WizardController& controller, WizardSettings& settings,
     field.setRecentFiles(settings.recentFiles());
     connect(&field, &DataField::openRequested, this, &FileActions::askAndOpen);
     connect(&field, &DataField::fileChosen, this, &FileActions::open);
-    connect(&field, &DataField::readAgainRequested, this,
-        [this] { m_controller.openData(m_controller.dataFile().path); });
+    connect(&field, &DataField::readAgainRequested, this, [this] { m_controller.readDataAgain(); });
     connect(&field, &DataField::closeRequested, &controller, &WizardController::closeData);
     connect(&field, &DataField::cancelRequested, &controller, &WizardController::cancelReading);
 }

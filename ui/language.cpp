@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/language.h"
 
+#include "ui/wizard_resources.h"
+
 #include <QCoreApplication>
 #include <QDir>
 #include <QLibraryInfo>
@@ -22,12 +24,17 @@ Language::Language(const QString& language, QObject* parent) : QObject(parent)
 
 Language::~Language()
 {
-    QCoreApplication::removeTranslator(&m_texts);
-    QCoreApplication::removeTranslator(&m_qtTexts);
+    // The program around the page goes on in its own language.
+    QLocale::setDefault(m_systemDefault);
+    for (const auto* translator : {&m_texts, &m_qtTexts}) {
+        if (*translator)
+            QCoreApplication::removeTranslator(translator->get());
+    }
 }
 
 QStringList Language::available()
 {
+    useWizardResources();
     QStringList languages{QStringLiteral("en")};
     const QStringList files =
         QDir(folderOfTexts)
@@ -50,14 +57,16 @@ QString Language::nativeName(const QString& language)
 
 void Language::select(const QString& language)
 {
+    useWizardResources();
     m_selected = language;
     const QLocale locale = language.isEmpty() ? m_systemDefault : QLocale(language);
     // Numbers follow the language; without a choice they follow the system.
     QLocale::setDefault(locale);
-    install(m_qtTexts, locale, QStringLiteral("qtbase"),
+    replace(m_qtTexts, locale, QStringLiteral("qtbase"),
         QLibraryInfo::path(QLibraryInfo::TranslationsPath));
-    install(m_texts, locale, baseName, folderOfTexts);
-    // Also when nothing was installed: the numbers may look different.
+    replace(m_texts, locale, baseName, folderOfTexts);
+    // Also when nothing was installed: the numbers may look different. Qt brings the widgets one
+    // event for all of these, when the program is idle.
     QEvent change(QEvent::LanguageChange);
     QCoreApplication::sendEvent(QCoreApplication::instance(), &change);
 }
@@ -67,17 +76,19 @@ const QString& Language::selected() const
     return m_selected;
 }
 
-void Language::install(
-    QTranslator& translator, const QLocale& locale, const QString& name, const QString& folder)
+/// A translator is never loaded again while it is installed: other threads may be using it.
+void Language::replace(std::unique_ptr<QTranslator>& translator, const QLocale& locale,
+    const QString& name, const QString& folder)
 {
-    QCoreApplication::removeTranslator(&translator);
+    auto next = std::make_unique<QTranslator>();
     const bool isEnglish = locale.language() == QLocale::English;
-    if (isEnglish || !translator.load(locale, name, QStringLiteral("_"), folder)) {
-        // An empty translator forgets what it had loaded before.
-        static_cast<void>(translator.load(QString()));
-        return;
-    }
-    QCoreApplication::installTranslator(&translator);
+    if (isEnglish || !next->load(locale, name, QStringLiteral("_"), folder))
+        next.reset();
+    if (next)
+        QCoreApplication::installTranslator(next.get());
+    if (translator)
+        QCoreApplication::removeTranslator(translator.get());
+    translator = std::move(next);
 }
 
 } // namespace axiscomp::ui

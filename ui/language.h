@@ -5,6 +5,8 @@
 #include <QObject>
 #include <QTranslator>
 
+#include <memory>
+
 namespace axiscomp::ui {
 
 /// The language of the page's texts and numbers, changed while the program runs. Translations are
@@ -29,13 +31,13 @@ public:
     [[nodiscard]] const QString& selected() const;
 
 private:
-    void install(
-        QTranslator& translator, const QLocale& locale, const QString& name, const QString& folder);
+    static void replace(std::unique_ptr<QTranslator>& translator, const QLocale& locale,
+        const QString& name, const QString& folder);
 
     QString m_selected;
     QLocale m_systemDefault;
-    QTranslator m_texts;
-    QTranslator m_qtTexts;
+    std::unique_ptr<QTranslator> m_texts;
+    std::unique_ptr<QTranslator> m_qtTexts;
 };
 
 } // namespace axiscomp::ui

@@ -26,7 +26,9 @@ LeaveGuard::LeaveGuard(WizardController& controller, MessageStack& messages, QOb
     , m_controller(controller)
     , m_messages(messages)
 {
-    connect(&controller, &WizardController::busyChanged, this, &LeaveGuard::follow);
+    // Queued: the outcome of what has ended is told right after that it has ended.
+    connect(&controller, &WizardController::busyChanged, this, &LeaveGuard::follow,
+        Qt::QueuedConnection);
     connect(&controller.setup(), &SetupModel::fieldChanged, this, [this] {
         if (!m_controller.setup().isChanged() && !m_controller.isWriting())
             m_messages.remove(questionId());
@@ -50,16 +52,16 @@ bool LeaveGuard::mayClose()
         return false;
     }
     if (m_controller.setup().isChanged()) {
-        askAboutChanges(tr("Close &Without Writing"), [this] { agree(); });
+        askAboutChanges(tr("Close Without Writin&g"), [this] { agree(); });
         return false;
     }
     return true;
 }
 
-void LeaveGuard::stopAndClose()
+void LeaveGuard::closeNow()
 {
-    m_controller.cancel();
-    closeWhen(Closing::WhenIdle);
+    m_messages.remove(questionId());
+    agree();
 }
 
 void LeaveGuard::closeWhen(Closing when)
@@ -75,8 +77,12 @@ void LeaveGuard::askWhileWriting()
     question.tone = Tone::Warning;
     question.text = tr("The drive is being written. Stopping puts the old state back first.");
     question.buttons = {
-        {QStringLiteral("stopAndCloseButton"), tr("&Stop and Close"), [this] { stopAndClose(); }},
-        {QStringLiteral("closeWhenDoneButton"), tr("Close W&hen Done"),
+        {QStringLiteral("stopAndCloseButton"), tr("&Stop and Close"),
+            [this] {
+                m_controller.cancel();
+                closeWhen(Closing::WhenIdle);
+            }},
+        {QStringLiteral("closeWhenDoneButton"), tr("Close When Don&e"),
             [this] { closeWhen(Closing::WhenWritten); }},
         {QStringLiteral("stayButton"), tr("Sta&y"), [this] { m_closing = Closing::No; }},
     };

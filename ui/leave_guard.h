@@ -23,8 +23,8 @@ public:
     void loseChanges(const QString& actionText, std::function<void()> action);
     /// False: the user is asked, closeAgreed may follow.
     [[nodiscard]] bool mayClose();
-    /// Without questions: a running write is stopped and put back, then closeAgreed follows.
-    void stopAndClose();
+    /// Without questions; closeAgreed follows at once, also while a write is running.
+    void closeNow();
 
 Q_SIGNALS:
     void closeAgreed();

@@ -46,7 +46,7 @@ QDateTime dateTime(WallTime time)
 QString lineText(const LogLine& line)
 {
     QString text = dateTime(line.time).toUTC().toString(Qt::ISODateWithMs) + u' '
-        + kindName(line.kind) + QStringLiteral(": ") + line.text;
+        + kindName(line.kind) + QStringLiteral(": ") + line.text();
     if (!line.detail.isEmpty())
         text += QStringLiteral(" [") + line.detail + u']';
     return text + u'\n';
@@ -61,11 +61,6 @@ QVariant decoration(LogLine::Kind kind)
     if (kind == LogLine::Kind::Warning)
         return symbolPixmap(Symbol::Warning, frameColor(Tone::Warning, palette), size, 2.0);
     return symbolPixmap(Symbol::Information, mutedTextColor(palette), size, 2.0);
-}
-
-bool same(const LogLine& a, const LogLine& b)
-{
-    return a.time == b.time && a.text == b.text && a.detail == b.detail && a.kind == b.kind;
 }
 
 QToolButton* toolButton(const char* name, Symbol symbol)
@@ -111,7 +106,7 @@ QVariant LogModel::data(const QModelIndex& index, int role) const
     case Time:
         return QLocale().toString(dateTime(line.time).time(), QStringLiteral("HH:mm:ss.zzz"));
     case Text:
-        return line.text;
+        return line.text();
     default:
         return line.detail;
     }
@@ -153,6 +148,8 @@ QString LogModel::text(const QModelIndexList& rows) const
 
 void LogModel::retranslate()
 {
+    if (!m_lines.empty())
+        Q_EMIT dataChanged(index(0, Text), index(rowCount() - 1, Text));
     Q_EMIT headerDataChanged(Qt::Horizontal, 0, ColumnCount - 1);
 }
 
@@ -160,10 +157,9 @@ void LogModel::follow()
 {
     const std::vector<LogLine>& log = m_controller.log();
     // The controller keeps the newest lines only: what it dropped goes here too.
-    const auto firstKept = m_lines.empty() || log.empty()
+    const auto firstKept = log.empty()
         ? m_lines.end()
-        : std::ranges::find_if(
-            m_lines, [&](const LogLine& line) { return same(line, log.front()); });
+        : std::ranges::find(m_lines, log.front().number, &LogLine::number);
     const auto dropped = static_cast<int>(firstKept - m_lines.begin());
     if (dropped > 0) {
         beginRemoveRows({}, 0, dropped - 1);

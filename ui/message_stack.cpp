@@ -85,6 +85,7 @@ private:
     {
         auto* button = new QPushButton(description.text, this);
         button->setObjectName(description.objectName);
+        button->setAccessibleDescription(m_text->text());
         button->setAutoDefault(true);
         layout.addWidget(button);
         connect(button, &QPushButton::clicked, &stack,

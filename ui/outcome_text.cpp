@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/outcome_text.h"
 
-#include "core/activation.h"
 #include "ui/error_text.h"
 #include "ui/value_text.h"
 
@@ -176,11 +175,6 @@ Outcome settledOutcome(const SettledWrite& settled)
     const bool isDone = settled.outcome == Unfinished::Old || settled.outcome == Unfinished::New;
     return {Outcomes::unfinished(settled), !isDone,
         QStringLiteral("backup: ") + QString::fromStdString(settled.entry.backup.string())};
-}
-
-QString compensationProblem(const AxisStatus& status)
-{
-    return errorText(compensationError(status));
 }
 
 Outcome errorOutcome(const Error& error)

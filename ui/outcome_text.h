@@ -18,8 +18,6 @@ struct Outcome {
 [[nodiscard]] Outcome activationOutcome(Switch wanted, const Result<Activation>& activation);
 [[nodiscard]] Outcome restorationOutcome(const Result<Restoration>& restoration);
 [[nodiscard]] Outcome settledOutcome(const SettledWrite& settled);
-/// The drive's own error of the compensation, and what to do about it.
-[[nodiscard]] QString compensationProblem(const AxisStatus& status);
 /// Of an operation that changes nothing.
 [[nodiscard]] Outcome errorOutcome(const Error& error);
 

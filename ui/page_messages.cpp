@@ -49,7 +49,7 @@ void PageMessages::offerDemo()
     message.id = demoId;
     message.text = tr("No drive is set up yet, so this is the built-in demo drive: everything can "
                       "be tried, nothing is real.");
-    message.buttons = {{QStringLiteral("setUpDrivesButton"), tr("Set &Up Drives…"),
+    message.buttons = {{QStringLiteral("setUpDrivesButton"), tr("Wor&k with Real Drives…"),
         [this] { Q_EMIT connectionsRequested(); }}};
     m_messages.show(message);
 }
@@ -113,7 +113,7 @@ void PageMessages::showFileChange()
     message.id = fileId;
     message.text = tr("%1 has changed on disk.").arg(QFileInfo(file.path).fileName());
     message.buttons = {{QStringLiteral("readAgainButton"), tr("Read A&gain"),
-        [this] { m_controller.openData(m_controller.dataFile().path); }}};
+        [this] { m_controller.readDataAgain(); }}};
     if (m_messages.text(message.id) != message.text)
         m_messages.show(message);
 }

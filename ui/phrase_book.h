@@ -12,6 +12,13 @@ namespace axiscomp::ui {
 /// translations (context "Error") have them. tests/ui compares them with core's.
 [[nodiscard]] std::span<const char* const> knownPhrases();
 
+// Its parts, a file of phrases each.
+[[nodiscard]] std::span<const char* const> errorPhrases();
+[[nodiscard]] std::span<const char* const> planPhrases();
+[[nodiscard]] std::span<const char* const> filePhrases();
+[[nodiscard]] std::span<const char* const> calibrationPhrases();
+[[nodiscard]] std::span<const char* const> linkPhrases();
+
 /// An English text that was made from one of the phrases, in the language of the window; what its
 /// placeholders hold is translated in the same way. A text that is not known stays as it is.
 [[nodiscard]] QString translatedPhrase(const std::string& english);

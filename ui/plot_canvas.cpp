@@ -3,6 +3,7 @@
 
 #include "ui/contrast.h"
 #include "ui/plot_values.h"
+#include "ui/table_map_data.h"
 
 #include <qcustomplot.h>
 
@@ -99,11 +100,11 @@ struct PlotCanvas::Private {
     bool isDrawn = false; ///< a layer alone can be drawn only after the whole was
 
     [[nodiscard]] bool isMap() const { return table && table->grid.dimensions() == 2; }
-    [[nodiscard]] double xOf(const PlotPoint& point) const
+    [[nodiscard]] double xOf(const GridPoint& point) const
     {
         return table->grid.axes[0].position(point.i);
     }
-    [[nodiscard]] double yOf(const PlotPoint& point) const
+    [[nodiscard]] double yOf(const GridPoint& point) const
     {
         return isMap() ? table->grid.axes[1].position(point.j)
                        : static_cast<double>(table->values[point.i]);
@@ -125,6 +126,7 @@ PlotCanvas::PlotCanvas(QWidget* parent) : QObject(parent), d(std::make_unique<Pr
     d->marker->removeFromLegend();
     d->marker->setLineStyle(QCPGraph::lsNone);
     d->map = new QCPColorMap(plot.xAxis, plot.yAxis);
+    d->map->removeFromLegend();
     d->map->setInterpolate(false);
     d->map->setTightBoundary(false);
     d->scale = new QCPColorScale(&plot);
@@ -144,6 +146,7 @@ PlotCanvas::PlotCanvas(QWidget* parent) : QObject(parent), d(std::make_unique<Pr
         d->cursorLabels[which] = label;
     }
     plot.legend->setVisible(false);
+    plot.legend->setFillOrder(QCPLegend::foColumnsFirst);
     connect(&plot, &QCustomPlot::afterReplot, this, [this] { d->isDrawn = true; });
     setPalette(parent->palette());
 }
@@ -155,14 +158,10 @@ QCustomPlot& PlotCanvas::plot()
     return *d->plot;
 }
 
-const CompensationTable* PlotCanvas::table() const
-{
-    return d->table.get();
-}
-
 void PlotCanvas::show(std::shared_ptr<const CompensationTable> table,
     std::shared_ptr<const CompensationTable> second, double scale)
 {
+    const bool isSameGrid = table && d->table && table->grid.axes == d->table->grid.axes;
     d->table = std::move(table);
     d->second = std::move(second);
     d->range = scale;
@@ -184,7 +183,11 @@ void PlotCanvas::show(std::shared_ptr<const CompensationTable> table,
         showMap();
     else if (d->table)
         showCurve();
-    resetZoom();
+    if (!isSameGrid)
+        return resetZoom();
+    if (!d->isMap())
+        fitValues();
+    replot();
 }
 
 void PlotCanvas::showCurve()
@@ -203,24 +206,21 @@ void PlotCanvas::showCurve()
     fill(*d->curve, *d->table);
     if (d->second)
         fill(*d->secondCurve, *d->second);
-    // Points are drawn while they can be told apart.
-    const bool isSparse = d->table->values.size() <= 200;
+    // Points are drawn while they can be told apart. Where several share a pixel, a wide or dashed
+    // line is several hundred times slower to paint than a thin one.
+    const std::size_t count = d->table->values.size();
+    const bool isSparse = count <= 200;
+    const bool isDense = count > 2000 || (d->second && d->second->values.size() > 2000);
+    d->curve->setPen(QPen(d->curve->pen().color(), isDense ? 1.0 : 2.0));
+    d->secondCurve->setPen(QPen(d->secondCurve->pen().color(), isDense ? 1.0 : 1.5,
+        isDense ? Qt::SolidLine : Qt::DashLine));
     d->curve->setScatterStyle(isSparse ? QCPScatterStyle(QCPScatterStyle::ssDisc, 5)
                                        : QCPScatterStyle(QCPScatterStyle::ssNone));
 }
 
 void PlotCanvas::showMap()
 {
-    const GridAxis& x = d->table->grid.axes[0];
-    const GridAxis& y = d->table->grid.axes[1];
-    QCPColorMapData& data = *d->map->data();
-    data.setSize(static_cast<int>(x.size), static_cast<int>(y.size));
-    data.setRange(QCPRange(x.start, x.last()), QCPRange(y.start, y.last()));
-    std::size_t at = 0;
-    for (int j = 0; j < static_cast<int>(y.size); ++j) {
-        for (int i = 0; i < static_cast<int>(x.size); ++i)
-            data.setCell(i, j, static_cast<double>(d->table->values[at++]));
-    }
+    d->map->setData(new TableMapData(*d->table, d->range)); // the map takes it over
     d->map->setDataRange(QCPRange(-d->range, d->range));
 }
 
@@ -249,8 +249,13 @@ void PlotCanvas::setPalette(const QPalette& palette)
         stylePen(axis, text, grid);
     d->map->setGradient(divergingGradient(dark));
     const QColor curve = dark ? QColor(110, 185, 255) : QColor(5, 80, 160);
-    d->curve->setPen(QPen(curve, 2));
-    d->secondCurve->setPen(QPen(grid, 1.5, Qt::DashLine));
+    const auto recolor = [](QCPGraph& graph, const QColor& color) {
+        QPen pen = graph.pen();
+        pen.setColor(color);
+        graph.setPen(pen);
+    };
+    recolor(*d->curve, curve);
+    recolor(*d->secondCurve, grid);
     plot.legend->setBrush(base);
     plot.legend->setTextColor(text);
     plot.legend->setBorderPen(QPen(grid));
@@ -274,7 +279,7 @@ void PlotCanvas::setMarker(const std::optional<std::array<double, 2>>& position,
     paintOverlay();
 }
 
-void PlotCanvas::setCrosshair(const std::optional<PlotPoint>& point)
+void PlotCanvas::setCrosshair(const std::optional<GridPoint>& point)
 {
     if (point && d->table)
         d->crosshair->show(d->xOf(*point), d->yOf(*point));
@@ -283,7 +288,7 @@ void PlotCanvas::setCrosshair(const std::optional<PlotPoint>& point)
     paintOverlay();
 }
 
-void PlotCanvas::setCursor(int which, const std::optional<PlotPoint>& point)
+void PlotCanvas::setCursor(int which, const std::optional<GridPoint>& point)
 {
     const auto index = static_cast<std::size_t>(which);
     QCPItemText* label = d->cursorLabels[index];
@@ -297,38 +302,65 @@ void PlotCanvas::setCursor(int which, const std::optional<PlotPoint>& point)
     paintOverlay();
 }
 
-std::optional<PlotPoint> PlotCanvas::pointAt(const QPointF& pixel) const
+std::optional<GridPoint> PlotCanvas::pointAt(const QPointF& pixel) const
 {
     if (!d->table || !d->plot->axisRect()->rect().contains(pixel.toPoint()))
         return std::nullopt;
-    PlotPoint point;
+    GridPoint point;
     point.i = nearestIndex(d->table->grid.axes[0], d->plot->xAxis->pixelToCoord(pixel.x()));
     if (d->isMap())
         point.j = nearestIndex(d->table->grid.axes[1], d->plot->yAxis->pixelToCoord(pixel.y()));
     return point;
 }
 
-double PlotCanvas::valueAt(const PlotPoint& point) const
-{
-    return static_cast<double>(
-        d->table->values[point.i + point.j * std::size_t{d->table->grid.axes[0].size}]);
-}
-
 void PlotCanvas::resetZoom()
 {
     if (d->isMap()) {
-        d->map->rescaleAxes();
+        // The outer cells whole: their points are in the middle of them.
+        const auto& axes = d->table->grid.axes;
+        for (const auto& [drawn, axis] :
+            {std::pair(d->plot->xAxis, &axes[0]), std::pair(d->plot->yAxis, &axes[1])})
+            drawn->setRange(
+                axis->start - axis->distance / 2.0, axis->last() + axis->distance / 2.0);
     } else if (d->table) {
         d->plot->xAxis->setRange(d->table->grid.axes[0].start, d->table->grid.axes[0].last());
-        d->curve->rescaleValueAxis();
-        if (d->second)
-            d->secondCurve->rescaleValueAxis(true);
-        if (d->plot->yAxis->range().size() < d->range * 1e-6)
-            d->plot->yAxis->setRange(-d->range, d->range);
         d->plot->xAxis->scaleRange(1.04, d->plot->xAxis->range().center());
-        d->plot->yAxis->scaleRange(1.1, d->plot->yAxis->range().center());
+        fitValues();
     }
     replot();
+}
+
+void PlotCanvas::fitValues()
+{
+    if (!d->table)
+        return;
+    d->curve->rescaleValueAxis();
+    if (d->second)
+        d->secondCurve->rescaleValueAxis(true);
+    if (d->plot->yAxis->range().size() < d->range * 1e-6)
+        d->plot->yAxis->setRange(-d->range, d->range);
+    d->plot->yAxis->scaleRange(1.1, d->plot->yAxis->range().center());
+    // Room for the legend above the curves.
+    if (d->second)
+        d->plot->yAxis->setRangeUpper(
+            d->plot->yAxis->range().upper + 0.15 * d->plot->yAxis->range().size());
+}
+
+void PlotCanvas::reveal(const GridPoint& point)
+{
+    if (!d->table)
+        return;
+    const std::array<std::pair<QCPAxis*, double>, 2> places{
+        {{d->plot->xAxis, d->xOf(point)}, {d->plot->yAxis, d->yOf(point)}}};
+    bool hasMoved = false;
+    for (const auto& [axis, place] : places) {
+        if (axis->range().contains(place))
+            continue;
+        axis->moveRange(place - axis->range().center());
+        hasMoved = true;
+    }
+    if (hasMoved)
+        replot();
 }
 
 void PlotCanvas::zoom(double factor)

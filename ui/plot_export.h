@@ -3,15 +3,19 @@
 
 #include "core/grid.h"
 
+#include <QFuture>
 #include <QString>
 
-class QCustomPlot;
+#include <memory>
 
 namespace axiscomp::ui {
 
-/// Saves the picture (png, pdf) or the values shown (csv, a calibration file). The file is whole or
-/// the old one stays. Empty: done; otherwise a translated sentence.
-[[nodiscard]] QString exportPlot(
-    QCustomPlot& plot, const CompensationTable& shown, const QString& path);
+class PlotCanvas;
+
+/// Saves the picture (png, pdf; on white, as it goes into a report) or the values shown (csv, a
+/// calibration file). The file is whole or the old one stays. The picture is drawn at once, coded
+/// and written on another thread. Empty: done; otherwise a translated sentence.
+[[nodiscard]] QFuture<QString> exportPlot(
+    PlotCanvas& canvas, std::shared_ptr<const CompensationTable> shown, const QString& path);
 
 } // namespace axiscomp::ui

@@ -22,8 +22,8 @@ std::optional<CompensationTable> tableDifference(
     for (float& value : difference.values) {
         for (std::size_t n = 0; n < dimensions; ++n)
             position[n] = selected.grid.axes[n].position(index[n]);
-        value -=
-            static_cast<float>(lookup.at(std::span<const double>(position.data(), dimensions)));
+        const double before = lookup.at(std::span<const double>(position.data(), dimensions));
+        value = static_cast<float>(static_cast<double>(value) - before);
         for (std::size_t n = 0; n < dimensions && ++index[n] == selected.grid.axes[n].size; ++n)
             index[n] = 0;
     }
@@ -58,14 +58,6 @@ std::size_t nearestIndex(const GridAxis& axis, double position)
 {
     const double index = std::round((position - axis.start) / axis.distance);
     return static_cast<std::size_t>(std::clamp(index, 0.0, static_cast<double>(axis.size - 1)));
-}
-
-double largestMagnitude(const CompensationTable& table)
-{
-    float largest = 0.0F;
-    for (const float value : table.values)
-        largest = std::max(largest, std::abs(value));
-    return largest > 0.0F ? static_cast<double>(largest) : 1e-9;
 }
 
 } // namespace axiscomp::ui

@@ -19,7 +19,4 @@ namespace axiscomp::ui {
 /// The index of the grid point nearest to a position, held at the ends.
 [[nodiscard]] std::size_t nearestIndex(const GridAxis& axis, double position);
 
-/// The largest |value|, at least the smallest positive number a scale can be made of.
-[[nodiscard]] double largestMagnitude(const CompensationTable& table);
-
 } // namespace axiscomp::ui

@@ -3,20 +3,26 @@
 
 #include "core/drive_profile.h"
 #include "ui/contrast.h"
+#include "ui/file_lines_view.h"
 #include "ui/problem_list.h"
+#include "ui/shown_table.h"
 #include "ui/symbols.h"
 #include "ui/table_plot.h"
 #include "ui/value_text.h"
+#include "ui/values_view.h"
 #include "ui/wizard_controller.h"
 #include "ui/write_preview.h"
 
 #include <QBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QShortcut>
 #include <QStackedWidget>
+#include <QTabBar>
 #include <QTabWidget>
 
 #include <algorithm>
+#include <array>
 
 namespace axiscomp::ui {
 
@@ -57,7 +63,11 @@ PreviewPanel::PreviewPanel(
     , m_example(new QPushButton)
     , m_stack(new QStackedWidget)
     , m_tabs(new QTabWidget)
-    , m_plot(new TablePlot)
+    , m_shown(new ShownTable(this))
+    , m_plot(new TablePlot(*m_shown))
+    , m_valuesStack(new QStackedWidget)
+    , m_values(new ValuesView(*m_shown))
+    , m_lines(new FileLinesView)
     , m_problems(new ProblemList(this))
     , m_writePreview(new WritePreview(controller))
     , m_facts(wrappedLabel("tableFacts"))
@@ -67,7 +77,9 @@ PreviewPanel::PreviewPanel(
 {
     setObjectName(QStringLiteral("previewPanel"));
     build();
+    addTabShortcuts();
     connectController();
+    connectProblems();
     retranslate();
     showTables();
     showProblems();
@@ -78,7 +90,11 @@ void PreviewPanel::build()
     m_plot->setObjectName(QStringLiteral("tablePlot"));
     m_tabs->setObjectName(QStringLiteral("previewTabs"));
     m_tabs->setDocumentMode(true);
+    m_valuesStack->setObjectName(QStringLiteral("valuesStack"));
+    m_valuesStack->addWidget(m_values);
+    m_valuesStack->addWidget(m_lines);
     m_tabs->addTab(m_plot, QString());
+    m_tabs->addTab(m_valuesStack, QString());
     m_problems->hide();
     m_stack->addWidget(m_tabs);
     m_stack->addWidget(m_writePreview);
@@ -121,8 +137,35 @@ QWidget* PreviewPanel::buildExplanation()
     return block;
 }
 
+void PreviewPanel::addTabShortcuts()
+{
+    for (int index = 0; index < 3; ++index) {
+        auto* shortcut = new QShortcut(QKeySequence(Qt::CTRL | (Qt::Key_1 + index)), this);
+        connect(shortcut, &QShortcut::activated, this, [this, index] {
+            if (index >= m_tabs->count() || isWritePreviewShown())
+                return;
+            m_tabs->setCurrentIndex(index);
+            m_tabs->tabBar()->setFocus(Qt::ShortcutFocusReason);
+        });
+    }
+}
+
+void PreviewPanel::connectProblems()
+{
+    connect(m_problems, &ProblemList::opened, this,
+        [this](const QString& path, const ProblemPlace& place) {
+            m_lines->showProblem(path, place);
+            m_valuesStack->setCurrentWidget(m_lines);
+            m_tabs->setCurrentWidget(m_valuesStack);
+        });
+    connect(m_lines, &FileLinesView::stepRequested, m_problems, &ProblemList::step);
+    connect(m_lines, &FileLinesView::closeRequested, this,
+        [this] { m_valuesStack->setCurrentWidget(m_values); });
+}
+
 void PreviewPanel::connectController()
 {
+    connect(m_shown, &ShownTable::changed, this, &PreviewPanel::showFacts);
     connect(m_example, &QPushButton::clicked, this,
         [this] { Q_EMIT saveExampleRequested(m_controller.setup().edited().dimensionality); });
     connect(
@@ -164,7 +207,15 @@ void PreviewPanel::retranslate()
            "makes the drive add them. Orange fields differ from the drive; nothing reaches the "
            "drive before Write."));
     m_example->setText(tr("Save Exa&mple…"));
-    m_tabs->setTabText(m_tabs->indexOf(m_plot), tr("Picture"));
+    const std::array<std::pair<QWidget*, QString>, 2> pages{
+        {{m_plot, tr("Picture")}, {m_valuesStack, tr("Values")}}};
+    for (const auto& [page, title] : pages) {
+        const int index = m_tabs->indexOf(page);
+        m_tabs->setTabText(index, title);
+        m_tabs->setTabToolTip(index, tr("%1 (Ctrl+%2)").arg(title).arg(index + 1));
+    }
+    m_values->retranslate();
+    m_lines->retranslate();
     m_problems->retranslate();
     m_writePreview->retranslate();
     showExample();
@@ -184,7 +235,7 @@ void PreviewPanel::showExample()
 
 void PreviewPanel::showTables()
 {
-    m_plot->setTables(m_controller.selectedTable(), m_controller.driveTable());
+    m_shown->setTables(m_controller.selectedTable(), m_controller.driveTable());
     showMarker();
     showFacts();
 }
@@ -208,7 +259,7 @@ void PreviewPanel::showMarker()
 void PreviewPanel::showFacts()
 {
     const bool hasTable = m_controller.selectedTable() != nullptr;
-    m_facts->setText(hasTable ? m_plot->description() : QString());
+    m_facts->setText(hasTable ? m_shown->description() : QString());
     m_size->setText(hasTable ? sizeText() : QString());
     const QString warnings = warningText();
     QPalette warningPalette = palette();
@@ -259,7 +310,8 @@ void PreviewPanel::showProblems()
     const bool hasErrors = std::ranges::any_of(file.problems,
         [](const Diagnostic& problem) { return problem.severity == Severity::Error; });
     const int index = m_tabs->indexOf(m_problems);
-    m_problems->setProblems(file.problemsPath, file.problems, file.suppressedProblems);
+    if (m_problems->setProblems(file.problemsPath, file.problems, file.suppressedProblems))
+        m_valuesStack->setCurrentWidget(m_values);
     if (file.problems.empty()) {
         if (index >= 0)
             m_tabs->removeTab(index);

@@ -14,13 +14,16 @@ struct DriveProfile;
 
 namespace axiscomp::ui {
 
+class FileLinesView;
 class ProblemList;
+class ShownTable;
 class TablePlot;
+class ValuesView;
 class WizardController;
 class WritePreview;
 
-/// The right side of the page: what the page does, the picture of the table with its numbers, and,
-/// before a write, the list of what will be written.
+/// The right side of the page: what the page does, the table as picture and as values, the problems
+/// of the file, and, before a write, the list of what will be written.
 class PreviewPanel : public QWidget {
     Q_OBJECT
 
@@ -40,7 +43,9 @@ Q_SIGNALS:
 private:
     void build();
     [[nodiscard]] QWidget* buildExplanation();
+    void addTabShortcuts();
     void connectController();
+    void connectProblems();
     void showTables();
     void showFacts();
     void showMarker();
@@ -57,7 +62,11 @@ private:
     QPushButton* m_example;
     QStackedWidget* m_stack;
     QTabWidget* m_tabs;
+    ShownTable* m_shown;
     TablePlot* m_plot;
+    QStackedWidget* m_valuesStack; ///< the table's values, or the file's lines
+    ValuesView* m_values;
+    FileLinesView* m_lines;
     ProblemList* m_problems;
     WritePreview* m_writePreview;
     QLabel* m_facts;

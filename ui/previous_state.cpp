@@ -2,6 +2,7 @@
 #include "ui/previous_state.h"
 
 #include "core/tam_table.h"
+#include "ui/drive_jobs.h"
 
 #include <algorithm>
 
@@ -33,13 +34,6 @@ bool sameSources(const DriveProfile& profile, const AxisBackup& backup, const Ax
     return true;
 }
 
-bool sameGrid(const Grid& a, const Grid& b)
-{
-    return std::ranges::equal(a.axes, b.axes, [](const GridAxis& x, const GridAxis& y) {
-        return x.start == y.start && x.distance == y.distance && x.size == y.size;
-    });
-}
-
 /// The slot may be another one: an axis uses two in turn.
 bool sameTable(const DriveProfile& profile, const AxisBackup::File& file, const AxisStatus& status)
 {
@@ -50,7 +44,7 @@ bool sameTable(const DriveProfile& profile, const AxisBackup::File& file, const 
         return false;
     const std::size_t elements = decoded->table.values.size() * sizeof(float);
     return crc32(ByteView(file.bytes).last(elements)) == status.table->crc
-        && sameGrid(decoded->table.grid, status.table->grid);
+        && sameSpans(decoded->table.grid, status.table->grid);
 }
 
 /// Only what the axis used: what else lay in the slots that the write touched stays as it is now.

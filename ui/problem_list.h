@@ -2,48 +2,46 @@
 #pragma once
 
 #include "core/diagnostic.h"
-#include "ui/file_excerpt.h"
+#include "ui/file_lines_model.h"
 
 #include <QWidget>
 
 #include <vector>
 
 class QLabel;
-class QPlainTextEdit;
 class QTreeWidget;
 
 namespace axiscomp::ui {
 
-/// What is wrong with a file, or odd about it: line, column, sentence; and the file's own line for
-/// the problem that is chosen.
+/// What is wrong with a file, or odd about it: line, column, sentence. A click or Enter opens the
+/// file there.
 class ProblemList : public QWidget {
     Q_OBJECT
 
 public:
     explicit ProblemList(QWidget* parent = nullptr);
 
-    /// suppressed: how many more errors there are than the list has.
-    void setProblems(
+    /// suppressed: how many more errors there are than the list has. Whether these are new ones.
+    bool setProblems(
         const QString& path, const std::vector<Diagnostic>& problems, std::size_t suppressed);
     void retranslate();
 
+    /// Opens the next (1) or the previous (-1) problem, round the ends.
+    void step(int step);
+
 Q_SIGNALS:
-    /// Chosen by click or key: the file's line and column, 0 for the whole file or line.
-    void problemChosen(std::size_t line, std::size_t column);
+    void opened(const QString& path, const axiscomp::ui::ProblemPlace& place);
 
 private:
     void build();
     void fill();
-    void choose();
-    void showExcerpt(const FileExcerpt& excerpt, std::size_t line);
+    void open();
 
     QLabel* m_title;
     QTreeWidget* m_list;
-    QPlainTextEdit* m_excerpt;
     QString m_path;
     std::vector<Diagnostic> m_problems;
     std::size_t m_suppressed = 0;
-    int m_request = 0; ///< the newest question for an excerpt
 };
 
 } // namespace axiscomp::ui

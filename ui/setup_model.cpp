@@ -109,11 +109,12 @@ void SetupModel::setBaseline(const CompensationSetup& setup)
     });
 }
 
-void SetupModel::reset(const CompensationSetup& setup)
+void SetupModel::reset(const CompensationSetup& setup, TableChoice table)
 {
     apply([&] {
         m_baseline = setup;
         m_edited = asEdited(setup);
+        m_edited.table = table;
     });
 }
 

@@ -45,8 +45,8 @@ public:
     /// What the drive now has. Fields that are not changed follow it; changed ones keep the user's
     /// value.
     void setBaseline(const CompensationSetup& setup);
-    /// Another axis: the edited value becomes the drive's.
-    void reset(const CompensationSetup& setup);
+    /// Another axis: the edited value becomes the drive's, but for the table.
+    void reset(const CompensationSetup& setup, TableChoice table = {});
     void clear();
 
     void setDimensionality(int dimensionality);

@@ -53,6 +53,7 @@ SetupPanel::SetupPanel(
         m_sourceRows[n] = new FieldRow(m_sources[n], &style, this);
     }
     m_dataRow = new FieldRow(m_data, &style, this);
+    m_dataRow->setBuddy(m_data->nameField());
     m_tableRow = new FieldRow(m_table, &style, this);
     m_persistency->setObjectName(QStringLiteral("persistencyField"));
     m_persistency->setMinimumHeight(m_table->sizeHint().height());

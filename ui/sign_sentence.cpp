@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/sign_sentence.h"
 
+#include "core/position_unit.h"
 #include "ui/value_text.h"
 
 #include <QCoreApplication>
@@ -50,30 +51,16 @@ QString withUnit(const QString& number, const QString& unit)
     return unit.isEmpty() ? number : number + u' ' + unit;
 }
 
-/// "um" and "µm" are the same.
-QString comparable(const QString& unit)
-{
-    QString text = unit.trimmed().toLower();
-    text.replace(QChar(0x00b5), u'u');
-    text.replace(QChar(0x03bc), u'u');
-    if (text == QStringLiteral("deg"))
-        text = QStringLiteral("°");
-    return text;
-}
-
 class Sentence {
     Q_DECLARE_TR_FUNCTIONS(axiscomp::ui::SignSentence)
 
 public:
-    Sentence(const CompensationTable& table, const AxisInfo& axis,
+    Sentence(const CompensationTable& table, std::size_t element, const AxisInfo& axis,
         const std::array<DimSource, 3>& sources)
         : m_table(table)
         , m_unit(unitSymbol(axis.unit))
+        , m_value(static_cast<double>(table.values[element]))
     {
-        const auto largest =
-            std::ranges::max_element(table.values, {}, [](float value) { return std::abs(value); });
-        m_value = static_cast<double>(*largest);
-        auto element = static_cast<std::size_t>(largest - table.values.begin());
         for (const GridAxis& gridAxis : table.grid.axes) {
             m_position.push_back(gridAxis.position(element % gridAxis.size));
             element /= gridAxis.size;
@@ -150,7 +137,7 @@ private:
     [[nodiscard]] QString unitNote() const
     {
         const QString unit = QString::fromStdString(m_table.unit);
-        if (unit.isEmpty() || m_unit.isEmpty() || comparable(unit) == comparable(m_unit))
+        if (unit.isEmpty() || m_unit.isEmpty() || isSameUnit(m_table.unit, m_unit.toStdString()))
             return {};
         return tr(" (the file says %1, but the drive takes the values as %2)").arg(unit, m_unit);
     }
@@ -165,11 +152,11 @@ private:
 } // namespace
 
 QString signSentenceFor(
-    const CompensationTable& table, const AxisInfo& axis, const std::array<DimSource, 3>& sources)
+    const SurveyedTable& table, const AxisInfo& axis, const std::array<DimSource, 3>& sources)
 {
-    if (table.values.empty())
+    if (!table.table || table.table->values.empty())
         return {};
-    return Sentence(table, axis, sources).text();
+    return Sentence(*table.table, table.largestElement, axis, sources).text();
 }
 
 } // namespace axiscomp::ui

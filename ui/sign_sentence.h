@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/axis_compensator.h"
+#include "ui/surveyed_table.h"
 
 #include <QString>
 
@@ -13,6 +14,6 @@ namespace axiscomp::ui {
 /// what the drive adds is in the axis's own unit, whatever the file calls it, and a difference
 /// between the two is said. sources tell which dimension is the axis's own position.
 [[nodiscard]] QString signSentenceFor(
-    const CompensationTable& table, const AxisInfo& axis, const std::array<DimSource, 3>& sources);
+    const SurveyedTable& table, const AxisInfo& axis, const std::array<DimSource, 3>& sources);
 
 } // namespace axiscomp::ui

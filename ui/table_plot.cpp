@@ -1,34 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/content_box.h"
+#include "ui/future_handler.h"
+#include "ui/plot_export.h"
+#include "ui/slice_row.h"
 #include "ui/table_plot_p.h"
 
-#include "ui/plot_export.h"
-#include "ui/plot_values.h"
-#include "ui/value_text.h"
-
+#include <QApplication>
 #include <QBoxLayout>
-#include <QComboBox>
 #include <QEvent>
 #include <QFileDialog>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QMouseEvent>
-#include <QSlider>
 #include <QToolButton>
 
 #include <qcustomplot.h>
 
-#include <QStandardItemModel>
-
-#include <algorithm>
-
 namespace axiscomp::ui {
 
-TablePlot::TablePlot(QWidget* parent) : QWidget(parent), d(std::make_unique<Private>())
+TablePlot::TablePlot(ShownTable& shown, QWidget* parent)
+    : QWidget(parent)
+    , d(std::make_unique<Private>(shown))
 {
     build();
     connectTools();
-    retranslate();
-    showTables();
+    showTable();
 }
 
 TablePlot::~TablePlot() = default;
@@ -43,11 +39,8 @@ void TablePlot::build()
         button->setFocusPolicy(Qt::StrongFocus);
         return button;
     };
-    d->contentBox = new QComboBox(this);
+    d->contentBox = new ContentBox(d->shown, this);
     d->contentBox->setObjectName(QStringLiteral("plotContent"));
-    for (const PlotContent content :
-        {PlotContent::Selected, PlotContent::Drive, PlotContent::Difference})
-        d->contentBox->addItem(QString(), static_cast<int>(content));
     d->cursorsButton = tool("plotCursors");
     d->cursorsButton->setCheckable(true);
     d->resetButton = tool("plotResetZoom");
@@ -64,22 +57,7 @@ void TablePlot::build()
     plot.setFocusPolicy(Qt::StrongFocus);
     plot.setMouseTracking(true);
     plot.installEventFilter(this);
-
-    d->sliceRow = new QWidget(this);
-    d->sliceLabel = new QLabel(d->sliceRow);
-    d->sliceBox = new QComboBox(d->sliceRow);
-    d->sliceBox->setObjectName(QStringLiteral("sliceDimension"));
-    d->sliceSlider = new QSlider(Qt::Horizontal, d->sliceRow);
-    d->sliceSlider->setObjectName(QStringLiteral("sliceIndex"));
-    d->sliceValue = new QLabel(d->sliceRow);
-    d->sliceLabel->setBuddy(d->sliceBox);
-    auto* slice = new QHBoxLayout(d->sliceRow);
-    slice->setContentsMargins(0, 0, 0, 0);
-    slice->addWidget(d->sliceLabel);
-    slice->addWidget(d->sliceBox);
-    slice->addWidget(d->sliceSlider, 1);
-    slice->addWidget(d->sliceValue);
-
+    d->slice = new SliceRow(d->shown, this);
     d->readout = new QLabel(this);
     d->readout->setObjectName(QStringLiteral("plotReadout"));
     d->readout->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -89,128 +67,25 @@ void TablePlot::build()
     layout->setSpacing(4);
     layout->addLayout(tools);
     layout->addWidget(&plot, 1);
-    layout->addWidget(d->sliceRow);
+    layout->addWidget(d->slice);
     layout->addWidget(d->readout);
 }
 
 void TablePlot::connectTools()
 {
-    connect(d->contentBox, &QComboBox::activated, this, [this](int index) {
-        setContent(static_cast<PlotContent>(d->contentBox->itemData(index).toInt()));
-    });
     connect(d->cursorsButton, &QToolButton::toggled, this, &TablePlot::setCursorsShown);
     connect(d->resetButton, &QToolButton::clicked, this, [this] { d->canvas->resetZoom(); });
     connect(d->exportButton, &QToolButton::clicked, this, &TablePlot::askForExport);
-    connect(d->sliceBox, &QComboBox::activated, this,
-        [this](int index) { setSlice(index + 1, d->sliceSlider->value()); });
-    connect(d->sliceSlider, &QSlider::valueChanged, this, &TablePlot::showSlice);
+    connect(&d->shown, &ShownTable::changed, this, &TablePlot::showTable);
+    connect(&d->shown, &ShownTable::currentChanged, this, &TablePlot::currentChanged);
 }
 
-void TablePlot::setTables(std::shared_ptr<const CompensationTable> selected,
-    std::shared_ptr<const CompensationTable> onDrive)
+void TablePlot::showTable()
 {
-    if (selected == d->selected && onDrive == d->onDrive)
-        return;
-    d->selected = std::move(selected);
-    d->onDrive = std::move(onDrive);
-    if (!canShow(d->content))
-        d->content = PlotContent::Selected;
-    showTables();
-}
-
-bool TablePlot::canShow(PlotContent content) const
-{
-    switch (content) {
-    case PlotContent::Selected:
-        return true;
-    case PlotContent::Drive:
-        return d->onDrive != nullptr;
-    case PlotContent::Difference:
-        return d->selected && d->onDrive && d->selected != d->onDrive
-            && d->selected->grid.dimensions() == d->onDrive->grid.dimensions();
-    }
-    return false;
-}
-
-void TablePlot::setContent(PlotContent content)
-{
-    if (!canShow(content) || content == d->content)
-        return;
-    d->content = content;
-    showTables();
-}
-
-PlotContent TablePlot::content() const
-{
-    return d->content;
-}
-
-void TablePlot::showTables()
-{
-    d->shown = d->content == PlotContent::Drive ? d->onDrive : d->selected;
-    if (d->content == PlotContent::Difference)
-        d->shown =
-            std::make_shared<const CompensationTable>(*tableDifference(*d->selected, *d->onDrive));
-    for (int i = 0; i < d->contentBox->count(); ++i) {
-        auto* model = qobject_cast<QStandardItemModel*>(d->contentBox->model());
-        const auto content = static_cast<PlotContent>(d->contentBox->itemData(i).toInt());
-        model->item(i)->setEnabled(canShow(content));
-    }
-    d->contentBox->setCurrentIndex(d->contentBox->findData(static_cast<int>(d->content)));
-    d->cursors = {};
-    d->hovered.reset();
-    d->cut = std::min<std::size_t>(d->cut, 2);
-    d->sliceRow->setVisible(d->isCut());
-    if (d->isCut())
-        setSlice(
-            static_cast<int>(d->cut) + 1, static_cast<int>(d->shown->grid.axes[d->cut].size / 2));
-    else
-        showSlice();
-}
-
-void TablePlot::setSlice(int dimension, int index)
-{
-    if (!d->isCut())
-        return;
-    d->cut = static_cast<std::size_t>(std::clamp(dimension, 1, 3) - 1);
-    const QSignalBlocker blockBox(d->sliceBox);
-    const QSignalBlocker blockSlider(d->sliceSlider);
-    d->sliceBox->clear();
-    for (std::size_t n = 0; n < 3; ++n)
-        d->sliceBox->addItem(dimensionName(d->shown->grid, n));
-    d->sliceBox->setCurrentIndex(static_cast<int>(d->cut));
-    d->sliceSlider->setMaximum(static_cast<int>(d->shown->grid.axes[d->cut].size) - 1);
-    d->sliceSlider->setValue(index);
-    showSlice();
-}
-
-int TablePlot::sliceDimension() const
-{
-    return static_cast<int>(d->cut) + 1;
-}
-
-int TablePlot::sliceIndex() const
-{
-    return d->sliceSlider->value();
-}
-
-void TablePlot::showSlice()
-{
-    d->drawn = d->shown;
-    if (d->isCut()) {
-        const auto index = static_cast<std::size_t>(d->sliceSlider->value());
-        const GridAxis& axis = d->shown->grid.axes[d->cut];
-        d->drawn = std::make_shared<const CompensationTable>(tableSlice(*d->shown, d->cut, index));
-        d->sliceValue->setText(
-            numberText(axis.position(index)) + u' ' + QString::fromStdString(axis.unit));
-    }
-    const bool comparesCurves = d->content == PlotContent::Selected && d->onDrive
-        && d->onDrive != d->selected && d->selected && d->selected->grid.dimensions() == 1
-        && d->onDrive->grid.dimensions() == 1;
-    d->canvas->show(d->drawn, comparesCurves ? d->onDrive : nullptr,
-        d->shown ? largestMagnitude(*d->shown) : 1.0);
+    d->canvas->show(d->shown.drawn(), d->shown.second(), d->shown.scale());
     for (QToolButton* button : {d->cursorsButton, d->resetButton, d->exportButton})
-        button->setEnabled(d->drawn != nullptr);
+        button->setEnabled(d->shown.drawn() != nullptr);
+    d->hovered.reset();
     retranslate();
     setCursorsShown(d->hasCursors);
     showMarker();
@@ -224,20 +99,18 @@ void TablePlot::setMarker(const std::optional<Marker>& marker)
 
 void TablePlot::showMarker()
 {
-    if (!d->marker || !d->drawn) {
+    if (!d->marker || !d->shown.drawn()) {
         d->canvas->setMarker(std::nullopt, 0.0);
         return;
     }
-    const std::array<double, 2> position{d->marker->positions[d->dimensionOf(0)],
-        d->isMap() ? d->marker->positions[d->dimensionOf(1)] : 0.0};
+    const std::array<double, 2> position{d->marker->positions[d->shown.dimensionOf(0)],
+        d->isMap() ? d->marker->positions[d->shown.dimensionOf(1)] : 0.0};
     d->canvas->setMarker(position, d->marker->output);
 }
 
-QString TablePlot::exportTo(const QString& path) const
+QFuture<QString> TablePlot::exportTo(const QString& path) const
 {
-    if (!d->drawn)
-        return tr("There is no table to save.");
-    return exportPlot(d->canvas->plot(), *d->drawn, path);
+    return exportPlot(*d->canvas, d->shown.drawn(), path);
 }
 
 void TablePlot::askForExport()
@@ -251,8 +124,9 @@ void TablePlot::askForExport()
         dialog->setDefaultSuffix(filter.section(u'.', -1).chopped(1));
     });
     connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
-        const QString problem = exportTo(path);
-        d->readout->setText(problem.isEmpty() ? tr("Saved as %1").arg(path) : problem);
+        whenDone(exportTo(path), this, [this, path](const QString& problem) {
+            d->readout->setText(problem.isEmpty() ? tr("Saved as %1").arg(path) : problem);
+        });
     });
     dialog->open();
 }
@@ -272,28 +146,42 @@ void TablePlot::changeEvent(QEvent* event)
 
 bool TablePlot::eventFilter(QObject* watched, QEvent* event)
 {
-    if (event->type() == QEvent::KeyPress) {
+    switch (event->type()) {
+    case QEvent::KeyPress: {
         const auto* key = static_cast<QKeyEvent*>(event);
         if (handleKey(key->key(), key->modifiers()))
             return true;
-    } else if (event->type() == QEvent::MouseMove || event->type() == QEvent::MouseButtonPress) {
-        const auto* mouse = static_cast<QMouseEvent*>(event);
-        const bool isPress = event->type() == QEvent::MouseButtonPress;
-        // Shift draws the rectangle that is zoomed into; without it the picture is dragged.
-        d->canvas->plot().setSelectionRectMode(
-            mouse->modifiers() & Qt::ShiftModifier ? QCP::srmZoom : QCP::srmNone);
-        if (isPress && d->hasCursors && mouse->button() == Qt::LeftButton
-            && mouse->modifiers() == Qt::NoModifier)
-            placeCursor(mouse->position());
-        d->hovered = d->canvas->pointAt(mouse->position());
-        d->canvas->setCrosshair(d->hasCursors ? std::nullopt : d->hovered);
-        showReadout();
-    } else if (event->type() == QEvent::Leave) {
+        break;
+    }
+    case QEvent::MouseMove:
+    case QEvent::MouseButtonPress:
+    case QEvent::MouseButtonRelease:
+        handleMouse(static_cast<const QMouseEvent&>(*event));
+        break;
+    case QEvent::Leave:
         d->hovered.reset();
-        d->canvas->setCrosshair(std::nullopt);
-        showReadout();
+        showCurrent();
+        break;
+    default:
+        break;
     }
     return QWidget::eventFilter(watched, event);
+}
+
+void TablePlot::handleMouse(const QMouseEvent& mouse)
+{
+    // Shift draws the rectangle that is zoomed into; without it the picture is dragged.
+    const bool hasShift = mouse.modifiers() & Qt::ShiftModifier;
+    d->canvas->plot().setSelectionRectMode(hasShift ? QCP::srmZoom : QCP::srmNone);
+    if (mouse.type() == QEvent::MouseButtonPress)
+        d->pressed = mouse.position();
+    const bool isStill =
+        (mouse.position() - d->pressed).manhattanLength() < QApplication::startDragDistance();
+    d->hovered = d->canvas->pointAt(mouse.position());
+    if (mouse.type() == QEvent::MouseButtonRelease && mouse.button() == Qt::LeftButton && !hasShift
+        && isStill && d->hovered)
+        d->shown.setCurrent(d->hovered);
+    showCurrent();
 }
 
 } // namespace axiscomp::ui

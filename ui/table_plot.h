@@ -1,39 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/grid.h"
-
+#include <QFuture>
 #include <QWidget>
 
 #include <array>
 #include <memory>
 #include <optional>
 
+class QMouseEvent;
+
 namespace axiscomp::ui {
 
-/// Which values the plot shows.
-enum class PlotContent {
-    Selected, ///< the selected table, the drive's as a muted second curve (1D)
-    Drive, ///< the table now on the drive
-    Difference, ///< selected - drive, on the selected table's points
-};
+class ShownTable;
 
 /// The picture of a compensation table: a curve in 1D, a colour map in 2D (diverging scale,
-/// symmetric about zero), slices with a slider in 3D. Zoom by wheel and rubber band, pan by drag,
-/// two cursors with their differences, export. Everything by keyboard too.
+/// symmetric about zero), slices with a slider in 3D. Zoom by wheel and rectangle, pan by drag, a
+/// cross-hair with values, two cursors with their differences, export. Everything by keyboard too.
 class TablePlot : public QWidget {
     Q_OBJECT
 
 public:
-    explicit TablePlot(QWidget* parent = nullptr);
+    /// shown must outlive the plot.
+    explicit TablePlot(ShownTable& shown, QWidget* parent = nullptr);
     ~TablePlot() override;
-
-    /// Null: none. The tables are kept as long as they are shown.
-    void setTables(std::shared_ptr<const CompensationTable> selected,
-        std::shared_ptr<const CompensationTable> onDrive);
-    void setContent(PlotContent content);
-    [[nodiscard]] PlotContent content() const;
-    [[nodiscard]] bool canShow(PlotContent content) const;
 
     /// Where the axis is now, in the table's positions, and the drive's output there; none hides
     /// it.
@@ -43,18 +33,9 @@ public:
     };
     void setMarker(const std::optional<Marker>& marker);
 
-    /// 3D: which dimension is cut (1, 2, 3) and at which index.
-    void setSlice(int dimension, int index);
-    [[nodiscard]] int sliceDimension() const;
-    [[nodiscard]] int sliceIndex() const;
-
     /// format by the file's ending: png, pdf, csv (the values shown). An empty text is success,
-    /// otherwise a translated sentence.
-    [[nodiscard]] QString exportTo(const QString& path) const;
-
-    /// "5 x 4 points, X 0 .. 40 step 10, ...; min, max, rms": for the text beside the plot and for
-    /// screen readers.
-    [[nodiscard]] QString description() const;
+    /// otherwise a translated sentence. The file is written on another thread.
+    [[nodiscard]] QFuture<QString> exportTo(const QString& path) const;
 
 protected:
     void changeEvent(QEvent* event) override; ///< palette and language
@@ -64,17 +45,15 @@ private:
     void build();
     void connectTools();
     void retranslate();
-    void showTables();
-    void showSlice();
+    void showTable();
     void showMarker();
+    void showCurrent();
+    void currentChanged();
     void showReadout();
     void moveCursor(int stepI, int stepJ);
-    void placeCursor(const QPointF& pixel);
     void setCursorsShown(bool isShown);
-    void toggleCursor();
+    void handleMouse(const QMouseEvent& mouse);
     [[nodiscard]] bool handleKey(int key, Qt::KeyboardModifiers modifiers);
-    [[nodiscard]] QString pointText(
-        const CompensationTable& table, std::size_t i, std::size_t j) const;
     void askForExport();
 
     struct Private;

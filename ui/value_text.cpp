@@ -6,7 +6,9 @@
 #include <QCoreApplication>
 #include <QLocale>
 
+#include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 
 namespace axiscomp::ui {
@@ -64,6 +66,53 @@ QString signedNumberText(double value)
 QString countText(std::size_t count)
 {
     return QLocale().toString(static_cast<qulonglong>(count));
+}
+
+QString valueText(float value)
+{
+    QString text = QString::fromLatin1(plainValue(value));
+    text.replace(u'.', QLocale().decimalPoint());
+    return withSign(static_cast<double>(value), text);
+}
+
+QString positionText(const GridAxis& axis, std::size_t index)
+{
+    return QString::fromLatin1(plainPosition(axis, index)).replace(u'.', QLocale().decimalPoint());
+}
+
+QString unitSuffix(const std::string& unit)
+{
+    return unit.empty() ? QString() : u' ' + QString::fromStdString(unit);
+}
+
+QString withUnit(const QString& name, const std::string& unit)
+{
+    return unit.empty() ? name : name + QStringLiteral(" [") + QString::fromStdString(unit) + u']';
+}
+
+QByteArray plainValue(float value)
+{
+    // Without an exponent where that stays readable, so that a column of numbers can be compared.
+    const float size = std::abs(value);
+    const bool isPlain = value == 0.0F || (size >= 1e-9F && size < 1e9F);
+    std::array<char, 32> text{};
+    const auto end =
+        std::to_chars(text.data(), text.data() + text.size(), value == 0.0F ? 0.0F : value,
+            isPlain ? std::chars_format::fixed : std::chars_format::scientific);
+    return {text.data(), end.ptr - text.data()};
+}
+
+QByteArray plainPosition(const GridAxis& axis, std::size_t index)
+{
+    constexpr double fewest = 7.0;
+    constexpr double most = 15.0;
+    const double largest = std::max(std::abs(axis.start), std::abs(axis.last()));
+    const double digits = std::ceil(std::log10(largest / axis.distance)) + 4.0;
+    const double position = axis.position(index);
+    // 10 - 100 * 0.1 is a little beside zero.
+    const bool isZero = std::abs(position) < axis.distance * 1e-9;
+    return QByteArray::number(
+        isZero ? 0.0 : position, 'g', static_cast<int>(std::clamp(digits, fewest, most)));
 }
 
 QString durationText(int seconds)

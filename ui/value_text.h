@@ -4,6 +4,7 @@
 #include "core/compensation_setup.h"
 #include "core/grid.h"
 
+#include <QByteArray>
 #include <QString>
 
 #include <span>
@@ -20,6 +21,18 @@ struct AxisEntry;
 /// "+0.0021", "0", "-0.0021"
 [[nodiscard]] QString signedNumberText(double value);
 [[nodiscard]] QString countText(std::size_t count);
+/// A table's value with every digit that its float32 has, and its sign: "+0.0021".
+[[nodiscard]] QString valueText(float value);
+/// A grid point's position with as many digits as tell it from its neighbours.
+[[nodiscard]] QString positionText(const GridAxis& axis, std::size_t index);
+/// " mm"; nothing without a unit.
+[[nodiscard]] QString unitSuffix(const std::string& unit);
+/// "X [mm]"; the name alone without a unit.
+[[nodiscard]] QString withUnit(const QString& name, const std::string& unit);
+
+/// The same two for other programs: decimal point, no sign for positive numbers.
+[[nodiscard]] QByteArray plainValue(float value);
+[[nodiscard]] QByteArray plainPosition(const GridAxis& axis, std::size_t index);
 /// "3:12"
 [[nodiscard]] QString durationText(int seconds);
 

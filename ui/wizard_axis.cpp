@@ -46,7 +46,7 @@ void WizardController::Private::readAxisNow()
 
 void WizardController::Private::takeReading(const AxisReading& now)
 {
-    readProblem.clear();
+    readProblem.reset();
     hasBackup = now.hasBackup;
     takeFlash(now);
     noteUnfinished(now);
@@ -72,9 +72,7 @@ void WizardController::Private::takeStatus(const AxisStatus& now, bool isComplet
         unfinished.reset();
     if (isFirst) {
         // A table that was chosen while the drive was not there yet stays chosen.
-        const TableChoice chosen = setup.edited().table;
-        setup.reset(now.setup);
-        setup.setTable(chosen);
+        setup.reset(now.setup, setup.edited().table);
     } else if (!(setup.baseline() == now.setup)) {
         setup.setBaseline(now.setup);
     }
@@ -92,23 +90,27 @@ void WizardController::Private::takeStatus(const AxisStatus& now, bool isComplet
 /// What the drive did without being asked by this window.
 void WizardController::Private::noteChanges(const AxisStatus& before, const AxisStatus& now)
 {
+    const auto text = [](const std::string& name) { return QString::fromStdString(name); };
     if (before.axis.state != now.axis.state)
-        log(LogLine::Kind::Information,
-            tr("Compensation: %1.").arg(QString::fromStdString(now.axis.state)),
-            QString::fromStdString(before.axis.state + " -> " + now.axis.state));
+        log(
+            LogLine::Kind::Information,
+            [state = text(now.axis.state)] { return tr("Compensation: %1.").arg(state); },
+            text(before.axis.state + " -> " + now.axis.state));
     if (before.axis.homing != now.axis.homing)
-        log(LogLine::Kind::Information,
-            tr("Homing: %1.").arg(QString::fromStdString(now.axis.homing)),
-            QString::fromStdString(before.axis.homing + " -> " + now.axis.homing));
+        log(
+            LogLine::Kind::Information,
+            [homing = text(now.axis.homing)] { return tr("Homing: %1.").arg(homing); },
+            text(before.axis.homing + " -> " + now.axis.homing));
     if (before.error != now.error && now.error != profile.enums.errorNone)
-        log(LogLine::Kind::Error,
-            tr("The compensation is in error: %1.").arg(QString::fromStdString(now.error)));
+        log(LogLine::Kind::Error, [error = text(now.error)] {
+            return tr("The compensation is in error: %1.").arg(error);
+        });
     if (before.driveError != now.driveError && now.driveError != profile.enums.driveErrorNone)
         log(LogLine::Kind::Error,
-            tr("The drive is in error: %1.").arg(QString::fromStdString(now.driveError)));
+            [error = text(now.driveError)] { return tr("The drive is in error: %1.").arg(error); });
     if (!task && !(before.setup == now.setup))
         log(LogLine::Kind::Warning,
-            tr("Somebody else changed the settings of the axis on the drive."));
+            [] { return tr("Somebody else changed the settings of the axis on the drive."); });
 }
 
 void WizardController::Private::noteUnfinished(const AxisReading& now)
@@ -121,7 +123,7 @@ void WizardController::Private::noteUnfinished(const AxisReading& now)
     const bool isNews = unfinished != now.settled->outcome;
     unfinished = now.settled->outcome;
     if (isNews)
-        show(settledOutcome(*now.settled));
+        show([settled = *now.settled] { return settledOutcome(settled); });
 }
 
 void WizardController::Private::axisFailed(const Error& error)
@@ -135,10 +137,9 @@ void WizardController::Private::axisFailed(const Error& error)
         hasCompensation = false;
     else
         readAgain.start();
-    const Outcome problem = errorOutcome(error);
-    if (problem.text != readProblem) {
-        readProblem = problem.text;
-        log(LogLine::Kind::Error, problem.text, problem.detail);
+    if (!readProblem || !saysTheSame(*readProblem, error)) {
+        readProblem = error;
+        logError(error);
     }
     update();
 }
@@ -152,11 +153,10 @@ void WizardController::Private::liveFailed(const Error& error)
             drive->lose(error);
         return;
     }
-    const Outcome problem = errorOutcome(error);
-    if (problem.text == liveProblem)
+    if (liveProblem && saysTheSame(*liveProblem, error))
         return;
-    liveProblem = problem.text;
-    log(LogLine::Kind::Error, problem.text, problem.detail);
+    liveProblem = error;
+    logError(error);
 }
 
 void WizardController::Private::takeFlash(const AxisReading& now)

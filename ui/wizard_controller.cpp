@@ -15,7 +15,7 @@ WizardController::Private::Private(WizardController& controller, WizardOptions w
 {
     connect(&setup, &SetupModel::fieldChanged, &q, [this](Field field) { fieldChanged(field); });
     connect(&live, &LiveMonitor::read, &q, [this](const AxisStatus& now) {
-        liveProblem.clear();
+        liveProblem.reset();
         takeStatus(now, false);
     });
     connect(&live, &LiveMonitor::failed, &q, [this](const Error& error) { liveFailed(error); });
@@ -98,7 +98,7 @@ void WizardController::selectAxis(int index)
         return;
     if (d->task) {
         // What runs belongs to the axis that is shown; the field goes back to it.
-        d->show({tr("Another axis can be chosen when this has ended."), true, {}});
+        d->refuse([] { return tr("Another axis can be chosen when this has ended."); });
         Q_EMIT currentAxisChanged();
         return;
     }
@@ -141,7 +141,8 @@ void WizardController::chooseSource(int dimension, const QString& text)
 
 QString WizardController::sourceProblem(int dimension) const
 {
-    return d->sourceField(dimension).problem;
+    const Wording& problem = d->sourceField(dimension).problem;
+    return problem ? problem() : QString();
 }
 
 bool WizardController::isSourceBeingChecked(int dimension) const
@@ -151,8 +152,16 @@ bool WizardController::isSourceBeingChecked(int dimension) const
 
 void WizardController::openData(const QString& path)
 {
-    if (d->mayStart(Action::OpenData))
-        d->file.open(path, d->setup.edited().dimensionality);
+    if (!d->mayStart(Action::OpenData))
+        return;
+    d->isOpening = true;
+    d->file.open(path, d->setup.edited().dimensionality);
+}
+
+void WizardController::readDataAgain()
+{
+    if (!d->file.file().path.isEmpty() && d->mayStart(Action::OpenData))
+        d->file.open(d->file.file().path, d->setup.edited().dimensionality);
 }
 
 void WizardController::closeData()
@@ -172,12 +181,12 @@ const DataFile& WizardController::dataFile() const
 
 std::shared_ptr<const CompensationTable> WizardController::selectedTable() const
 {
-    return d->selectedTable();
+    return d->selectedTable().table;
 }
 
 std::shared_ptr<const CompensationTable> WizardController::driveTable() const
 {
-    return d->driveTable.table();
+    return d->driveTable.table().table;
 }
 
 std::size_t WizardController::selectedTableBytes() const
@@ -237,7 +246,7 @@ const BusyState& WizardController::busy() const
 
 bool WizardController::isWriting() const
 {
-    return d->task == Task::Write || d->task == Task::Restore;
+    return d->task && isWrite(*d->task);
 }
 
 const std::optional<WritePlan>& WizardController::plan() const
@@ -278,6 +287,11 @@ int WizardController::flashOperationsLeft() const
 void WizardController::refreshLive()
 {
     d->live.readNow();
+}
+
+void WizardController::retranslate()
+{
+    d->retranslate();
 }
 
 } // namespace axiscomp::ui

@@ -47,7 +47,10 @@ public:
     [[nodiscard]] bool isSourceBeingChecked(int dimension) const;
 
     // Compensation data
+    /// The file's first table is chosen, unless another one of the same file is.
     void openData(const QString& path);
+    /// The open file, which may have changed; what was chosen stays chosen.
+    void readDataAgain();
     void closeData();
     void cancelReading();
     [[nodiscard]] const DataFile& dataFile() const;
@@ -89,6 +92,11 @@ public:
 
     /// Reads the live values once.
     void refreshLive();
+
+    /// Makes every text anew, in the language that the program has now, and announces those that
+    /// are shown; the page calls it when the language has changed. outcomeChanged() is not among
+    /// the signals: an outcome that the user has put away stays away.
+    void retranslate();
 
 Q_SIGNALS:
     void drivesChanged();

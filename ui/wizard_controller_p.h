@@ -11,6 +11,7 @@
 #include "ui/wizard_controller.h"
 #include "ui/wizard_log.h"
 #include "ui/wizard_rules.h"
+#include "ui/wording.h"
 
 #include <QCoreApplication>
 #include <QPointer>
@@ -21,11 +22,6 @@
 #include <stop_token>
 
 namespace axiscomp::ui {
-
-/// What a busy controller is doing.
-enum class Task { Plan, Write, Activate, Evaluate, Deactivate, Restore };
-
-[[nodiscard]] QString taskText(Task task);
 
 struct WizardController::Private {
     Q_DECLARE_TR_FUNCTIONS(axiscomp::ui::WizardController)
@@ -40,6 +36,7 @@ public:
     void removeConnection(DriveConnection* connection);
     void listDrives();
     void listAxes();
+    void nameAxes();
     void select(const AxisEntry& entry);
     void leaveAxis();
     [[nodiscard]] DriveConnection* connectionOf(const QString& endpoint) const;
@@ -61,20 +58,20 @@ public:
 
     // Sources (wizard_sources.cpp)
     struct SourceField {
-        QString problem;
+        Wording problem; ///< none: nothing is wrong with it
         bool isBeingChecked = false;
         int check = 0; ///< the newest check counts
     };
     [[nodiscard]] SourceField& sourceField(int dimension);
     void chooseSource(int dimension, const QString& text);
     void acceptSource(int dimension, const DimSource& source);
-    void refuseSource(int dimension, const QString& problem);
+    void refuseSource(int dimension, const Wording& problem);
     void forgetSourceProblems();
 
     // The file and the tables (wizard_tables.cpp)
     void fileReplaced(const std::shared_ptr<const CalibrationData>& before, bool isSameFile);
     void fileFailed(const LoadedFile& file);
-    [[nodiscard]] std::shared_ptr<const CompensationTable> selectedTable() const;
+    [[nodiscard]] SurveyedTable selectedTable() const;
     [[nodiscard]] std::size_t selectedTableBytes() const;
     void noteSelectedTable();
     void fieldChanged(Field field);
@@ -86,6 +83,7 @@ public:
     void startTask(Task task);
     void endTask();
     void showProgress(DriveConnection* of, const QString& step, double fraction);
+    [[nodiscard]] QString busyText() const;
     [[nodiscard]] bool mayStart(Action action);
     void planWrite();
     void write();
@@ -101,8 +99,12 @@ public:
     void snapshotDrive(WizardSnapshot& now) const;
     void snapshotSetup(WizardSnapshot& now) const;
     void update(); ///< actions and hint
-    void show(const Outcome& outcome);
-    void log(LogLine::Kind kind, const QString& text, const QString& detail = {});
+    void show(const std::function<Outcome()>& makeOutcome);
+    void refuse(const Wording& reason);
+    void dismissOutcome();
+    void log(LogLine::Kind kind, const Wording& wording, const QString& detail = {});
+    void logError(const Error& error);
+    void retranslate();
 
     WizardController& q;
     WizardOptions options;
@@ -124,10 +126,10 @@ public:
     std::optional<AxisCompensator::UnfinishedOutcome> unfinished;
     bool hasBackup = false;
     bool hasCompensation = true;
-    QString readProblem;
+    std::optional<Error> readProblem;
     int reading = 0; ///< the newest reading of the axis counts
     bool isLeaving = false; ///< the fields are emptied: that is not a choice
-    QString liveProblem; ///< as last logged
+    std::optional<Error> liveProblem; ///< as last logged
     FlashWearGuard flash;
     std::map<std::int32_t, WallTime> flashRefusals; ///< by serial number, until when
     std::array<SourceField, 3> sourceFields;
@@ -135,18 +137,21 @@ public:
     LiveMonitor live;
     DriveTable driveTable;
     DataFileModel file;
+    bool isOpening = false; ///< somebody wants a table of the file that is being read
     std::shared_ptr<const CompensationTable> shownTable;
 
     BusyState busy;
     std::optional<Task> task;
+    QString taskStep; ///< of core, as last reported; empty: none yet
     QPointer<DriveConnection> taskConnection;
     std::stop_source taskStop;
     std::optional<WritePlan> plan;
     EditedSetup plannedSetup; ///< that the plan is of
     WriteRequest request; ///< the same as a request, without its table
-    std::shared_ptr<const CompensationTable> requestTable;
+    SurveyedTable requestTable;
     std::optional<Proof> proof;
     Outcome outcome;
+    std::function<Outcome()> makeOutcome; ///< none: there is no outcome
 
     WizardDecision decision;
     WizardLog logLines;

@@ -74,7 +74,7 @@ void WizardController::Private::removeConnection(DriveConnection* removed)
         taskStop.request_stop();
         endTask();
     }
-    if (current && current->endpoint == removed->state().endpoint)
+    if (current && current->endpoint == removed->endpoint())
         leaveAxis();
     removed->retire();
 }
@@ -89,8 +89,8 @@ void WizardController::Private::leaveAxis()
     unfinished.reset();
     hasBackup = false;
     hasCompensation = true;
-    readProblem.clear();
-    liveProblem.clear();
+    readProblem.reset();
+    liveProblem.reset();
     plan.reset();
     proof.reset();
     readAgain.stop();
@@ -114,13 +114,18 @@ void WizardController::Private::listDrives()
     update();
 }
 
-/// The entries may have moved: the current axis is found again by its drive and index.
-void WizardController::Private::listAxes()
+void WizardController::Private::nameAxes()
 {
     std::vector<DriveAxes> found;
     for (const DriveConnection* connection : connections)
         found.push_back(connection->axes());
     axes = axisEntries(found);
+}
+
+/// The entries may have moved: the current axis is found again by its drive and index.
+void WizardController::Private::listAxes()
+{
+    nameAxes();
     const auto position = std::ranges::find_if(axes, [this](const AxisEntry& entry) {
         return current == AxisKey{entry.endpoint, entry.axis.index};
     });
@@ -143,7 +148,11 @@ void WizardController::Private::listAxes()
 
 void WizardController::Private::select(const AxisEntry& entry)
 {
-    leaveAxis();
+    // Before the first axis a file can be open, and one of its tables chosen.
+    if (current)
+        leaveAxis();
+    else
+        forgetSourceProblems();
     const AxisKey key{entry.endpoint, entry.axis.index};
     current = key;
     const auto position = std::ranges::find_if(axes, [&key](const AxisEntry& other) {
@@ -151,7 +160,7 @@ void WizardController::Private::select(const AxisEntry& entry)
     });
     currentIndex = static_cast<int>(position - axes.begin());
     hasCompensation = !position->axis.state.empty();
-    show({});
+    dismissOutcome();
     live.watch(connection(), key.axis);
     Q_EMIT q.currentAxisChanged();
     Q_EMIT q.statusChanged();
@@ -163,7 +172,7 @@ void WizardController::Private::select(const AxisEntry& entry)
 DriveConnection* WizardController::Private::connectionOf(const QString& endpoint) const
 {
     const auto found = std::ranges::find(
-        connections, endpoint, [](const DriveConnection* c) { return c->state().endpoint; });
+        connections, endpoint, [](const DriveConnection* c) { return c->endpoint(); });
     return found == connections.end() ? nullptr : *found;
 }
 
@@ -174,8 +183,10 @@ DriveConnection* WizardController::Private::connection() const
 
 void WizardController::Private::driveFound(DriveConnection* found, bool wasAnother)
 {
+    const QString name = found->name();
+    const QString endpoint = found->endpoint();
     log(LogLine::Kind::Information,
-        tr("Connected to %1 (%2).").arg(found->state().name, found->state().endpoint));
+        [name, endpoint] { return tr("Connected to %1 (%2).").arg(name, endpoint); });
     if (found != connection())
         return;
     if (wasAnother) {
@@ -188,9 +199,10 @@ void WizardController::Private::driveFound(DriveConnection* found, bool wasAnoth
             return;
         hasCompensation = !axes[static_cast<std::size_t>(currentIndex)].axis.state.empty();
         live.watch(found, key.axis);
-        show({tr("Another drive answers at %1 now: %2. Unwritten changes were dropped.")
-                  .arg(found->state().endpoint, found->state().name),
-            true, {}});
+        refuse([name, endpoint] {
+            return tr("Another drive answers at %1 now: %2. Unwritten changes were dropped.")
+                .arg(endpoint, name);
+        });
         Q_EMIT q.statusChanged();
     }
     readAxisNow();
@@ -198,9 +210,9 @@ void WizardController::Private::driveFound(DriveConnection* found, bool wasAnoth
 
 void WizardController::Private::driveLost(DriveConnection* lost, const Error& error)
 {
-    const Outcome problem = errorOutcome(error);
-    log(LogLine::Kind::Error, problem.text,
-        lost->state().endpoint + QStringLiteral(": ") + problem.detail);
+    log(
+        LogLine::Kind::Error, [error] { return errorText(error); },
+        lost->endpoint() + QStringLiteral(": ") + errorOutcome(error).detail);
     update();
 }
 

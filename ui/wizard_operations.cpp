@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/axis_list.h"
 #include "ui/link_failure.h"
 #include "ui/wizard_controller_p.h"
 
@@ -34,25 +35,6 @@ WriteRequest withTable(WriteRequest request, const std::shared_ptr<const Compens
 
 } // namespace
 
-QString taskText(Task task)
-{
-    switch (task) {
-    case Task::Plan:
-        return WizardController::tr("planning");
-    case Task::Write:
-        return WizardController::tr("writing");
-    case Task::Activate:
-        return WizardController::tr("activating");
-    case Task::Evaluate:
-        return WizardController::tr("evaluating");
-    case Task::Deactivate:
-        return WizardController::tr("deactivating");
-    case Task::Restore:
-        break;
-    }
-    return WizardController::tr("restoring");
-}
-
 template <typename T>
 void WizardController::Private::begin(
     Task started, DriveSession::Operation<T> operation, std::function<void(const Result<T>&)> end)
@@ -79,11 +61,13 @@ void WizardController::Private::startTask(Task started)
     ++reading;
     live.pause();
     driveTable.interrupt();
-    busy = {true, taskText(started), 0.0, true};
+    taskStep.clear();
+    busy = {true, busyText(), 0.0, true};
     log(LogLine::Kind::Information,
-        tr("Begin: %1 %2.")
-            .arg(taskText(started), axes.at(static_cast<std::size_t>(currentIndex)).label));
-    show({});
+        [started, entry = axes.at(static_cast<std::size_t>(currentIndex))] {
+            return tr("Begin: %1 %2.").arg(taskText(started), axisLabel(entry));
+        });
+    dismissOutcome();
     Q_EMIT q.busyChanged();
 }
 
@@ -102,19 +86,28 @@ void WizardController::Private::showProgress(
 {
     if (!task || taskConnection != of)
         return;
-    busy.step = tr("%1: %2").arg(taskText(*task), stepText(step));
+    taskStep = step;
+    busy.step = busyText();
     busy.fraction = fraction;
     Q_EMIT q.busyChanged();
+}
+
+QString WizardController::Private::busyText() const
+{
+    if (!taskStep.isEmpty())
+        return tr("%1: %2").arg(taskText(*task), stepText(taskStep));
+    const bool isStopping = busy.isBusy && !busy.canCancel;
+    return isStopping ? tr("%1: stopping").arg(taskText(*task)) : taskText(*task);
 }
 
 /// Who asks for what cannot be done now is told why.
 bool WizardController::Private::mayStart(Action action)
 {
     update();
-    const ActionState& state = decision[action];
-    if (!state.isEnabled)
-        show({state.reason, true, {}});
-    return state.isEnabled;
+    const bool may = decision[action].isEnabled;
+    if (!may)
+        refuse([now = snapshot(), action] { return decide(now)[action].reason; });
+    return may;
 }
 
 void WizardController::Private::planWrite()
@@ -125,7 +118,7 @@ void WizardController::Private::planWrite()
     const EditedSetup& edited = setup.edited();
     plannedSetup = edited;
     request = requestFor(edited, setup.baseline());
-    requestTable = edited.table.fileTable ? file.table(*edited.table.fileTable) : nullptr;
+    requestTable = edited.table.fileTable ? file.table(*edited.table.fileTable) : SurveyedTable{};
     if (!setup.isChanged()) {
         // Only an earlier write is finished: its parameters are saved.
         request.sources.clear();
@@ -133,7 +126,7 @@ void WizardController::Private::planWrite()
     }
     begin<WritePlan>(
         Task::Plan,
-        [axis = current->axis, asked = request, table = requestTable](
+        [axis = current->axis, asked = request, table = requestTable.table](
             AxisCompensator& compensator, const OperationOptions& operation) {
             return compensator.plan(axis, withTable(asked, table), operation);
         },
@@ -144,7 +137,7 @@ void WizardController::Private::planned(const Result<WritePlan>& result)
 {
     if (!result) {
         noteFlashRefusal(result.error());
-        show(errorOutcome(result.error()));
+        show([error = result.error()] { return errorOutcome(error); });
         if (isLinkFailure(result.error().code))
             axisFailed(result.error());
         else
@@ -152,15 +145,11 @@ void WizardController::Private::planned(const Result<WritePlan>& result)
         return;
     }
     if (!(setup.edited() == plannedSetup)) {
-        show({tr("The fields were changed while the write was planned: write again."), true, {}});
+        refuse(
+            [] { return tr("The fields were changed while the write was planned: write again."); });
         return;
     }
     plan = *result;
-    for (std::string& warning : plan->warnings)
-        warning = phraseText(warning).toStdString();
-    if (unfinished == AxisCompensator::UnfinishedOutcome::NewUnsaved && plan->changes.empty())
-        plan->changes.push_back(
-            {"Parameters", tr("perhaps not saved").toStdString(), tr("saved").toStdString()});
     Q_EMIT q.planReady();
 }
 
@@ -169,13 +158,15 @@ void WizardController::Private::write()
     if (!mayStart(Action::Write))
         return;
     if (!plan) {
-        show({tr("The drive or the fields have changed since the write was planned: write again."),
-            true, {}});
+        refuse([] {
+            return tr(
+                "The drive or the fields have changed since the write was planned: write again.");
+        });
         return;
     }
     begin<OperationEnd<WriteReport>>(
         Task::Write,
-        [axis = current->axis, asked = request, table = requestTable,
+        [axis = current->axis, asked = request, table = requestTable.table,
             store = connection()->session().storeRoot()](AxisCompensator& compensator,
             const OperationOptions& operation) -> Result<OperationEnd<WriteReport>> {
             return writeAxis(compensator, store, axis, withTable(asked, table), operation);
@@ -187,7 +178,7 @@ void WizardController::Private::written(const Result<OperationEnd<WriteReport>>&
 {
     plan.reset();
     if (!end) {
-        show(writeOutcome(fail(end.error())));
+        show([error = end.error()] { return writeOutcome(fail(error)); });
         axisFailed(end.error());
         return;
     }
@@ -202,8 +193,8 @@ void WizardController::Private::written(const Result<OperationEnd<WriteReport>>&
         setup.setTable({}); // the drive has it now
     else
         noteFlashRefusal(end->outcome.error());
-    requestTable.reset();
-    show(writeOutcome(end->outcome));
+    requestTable = {};
+    show([result = end->outcome] { return writeOutcome(result); });
 }
 
 /// Whatever happened: what the drive says afterwards is what is shown.
@@ -228,7 +219,7 @@ void WizardController::Private::switchTo(Task wantedTask, Action action, Switch 
         },
         [this, wanted](const Result<OperationEnd<Activation>>& end) {
             if (!end) {
-                show(errorOutcome(end.error()));
+                show([error = end.error()] { return errorOutcome(error); });
                 axisFailed(end.error());
                 return;
             }
@@ -236,7 +227,7 @@ void WizardController::Private::switchTo(Task wantedTask, Action action, Switch 
             if (end->outcome && end->outcome->proof && *end->outcome->proof)
                 proof = **end->outcome->proof;
             takeEnd(*end);
-            show(activationOutcome(wanted, end->outcome));
+            show([wanted, result = end->outcome] { return activationOutcome(wanted, result); });
         });
 }
 
@@ -253,7 +244,7 @@ void WizardController::Private::restorePrevious()
         },
         [this](const Result<OperationEnd<Restoration>>& end) {
             if (!end) {
-                show(restorationOutcome(fail(end.error())));
+                show([error = end.error()] { return restorationOutcome(fail(error)); });
                 axisFailed(end.error());
                 return;
             }
@@ -262,7 +253,7 @@ void WizardController::Private::restorePrevious()
             else
                 noteFlashRefusal(end->outcome.error());
             takeEnd(*end);
-            show(restorationOutcome(end->outcome));
+            show([result = end->outcome] { return restorationOutcome(result); });
         });
 }
 
@@ -274,8 +265,9 @@ void WizardController::Private::cancel()
     }
     taskStop.request_stop();
     busy.canCancel = false;
-    busy.step = tr("%1: stopping").arg(taskText(*task));
-    log(LogLine::Kind::Information, tr("Stopped by the user."));
+    taskStep.clear();
+    busy.step = busyText();
+    log(LogLine::Kind::Information, [] { return tr("Stopped by the user."); });
     Q_EMIT q.busyChanged();
     update();
 }

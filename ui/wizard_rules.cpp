@@ -6,6 +6,7 @@
 
 #include <QCoreApplication>
 
+#include <initializer_list>
 #include <optional>
 
 namespace axiscomp::ui {
@@ -14,9 +15,11 @@ namespace {
 
 using Unfinished = WizardSnapshot::Unfinished;
 
-/// Nothing: it can be done.
+/// A sentence; nothing: it can be done.
 using Obstacle = std::optional<QString>;
 
+/// Each check knows one obstacle. What stands against an action is a list of checks, the most
+/// important first: the first that finds something is the reason.
 class Rules {
     Q_DECLARE_TR_FUNCTIONS(axiscomp::ui::WizardRules)
 
@@ -27,36 +30,98 @@ public:
     [[nodiscard]] QString hint() const;
 
 private:
+    using Check = Obstacle (Rules::*)() const;
+    [[nodiscard]] Obstacle first(std::initializer_list<Check> checks) const;
     [[nodiscard]] Obstacle obstacle(Action action) const;
     [[nodiscard]] QString consequence(Action action) const;
-
-    [[nodiscard]] Obstacle noAxis() const;
-    [[nodiscard]] Obstacle busy() const;
-    [[nodiscard]] Obstacle unknown() const;
-    [[nodiscard]] Obstacle active() const;
-    [[nodiscard]] Obstacle unfit() const;
-    [[nodiscard]] Obstacle noFlash() const;
-
-    [[nodiscard]] Obstacle againstWrite() const;
-    [[nodiscard]] Obstacle againstActivate() const;
-    [[nodiscard]] Obstacle againstEvaluate() const;
-    [[nodiscard]] Obstacle againstSwitchOn() const;
-    [[nodiscard]] Obstacle againstDeactivate() const;
-    [[nodiscard]] Obstacle againstRevert() const;
-    [[nodiscard]] Obstacle againstRestore() const;
-    [[nodiscard]] Obstacle againstCancel() const;
     [[nodiscard]] QString writeConsequence() const;
+
+    // The way to the axis
+    [[nodiscard]] Obstacle noDrive() const;
+    [[nodiscard]] Obstacle noChoice() const;
+    [[nodiscard]] Obstacle unreachable() const;
+    [[nodiscard]] Obstacle unknown() const;
+    // What runs
+    [[nodiscard]] Obstacle busy() const;
+    [[nodiscard]] Obstacle reading() const;
+    [[nodiscard]] Obstacle nothingToStop() const;
+    // What the drive says
+    [[nodiscard]] Obstacle active() const;
+    [[nodiscard]] Obstacle activeAlready() const;
+    [[nodiscard]] Obstacle evaluatingAlready() const;
+    [[nodiscard]] Obstacle offAlready() const;
+    [[nodiscard]] Obstacle noDriveTable() const;
+    [[nodiscard]] Obstacle mixture() const;
+    [[nodiscard]] Obstacle notHomed() const;
+    [[nodiscard]] Obstacle noBackup() const;
+    [[nodiscard]] Obstacle noFlash() const;
+    // What the user has chosen
+    [[nodiscard]] Obstacle unchanged() const;
+    [[nodiscard]] Obstacle nothingToWrite() const;
+    [[nodiscard]] Obstacle unwritten() const;
+    [[nodiscard]] Obstacle unfit() const;
 
     const WizardSnapshot& m_now;
 };
 
-Obstacle Rules::noAxis() const
+Obstacle Rules::first(std::initializer_list<Check> checks) const
+{
+    for (const Check check : checks) {
+        if (Obstacle found = (this->*check)())
+            return found;
+    }
+    return {};
+}
+
+Obstacle Rules::obstacle(Action action) const
+{
+    using R = Rules;
+    switch (action) {
+    case Action::Write:
+        return first({&R::noChoice, &R::unreachable, &R::busy, &R::unknown, &R::active,
+            &R::nothingToWrite, &R::reading, &R::unfit, &R::noFlash});
+    case Action::Activate:
+        return first({&R::noChoice, &R::unreachable, &R::busy, &R::unknown, &R::activeAlready,
+            &R::unwritten, &R::noDriveTable, &R::unfit, &R::mixture, &R::notHomed});
+    case Action::Evaluate:
+        return first({&R::noChoice, &R::unreachable, &R::busy, &R::unknown, &R::active,
+            &R::evaluatingAlready, &R::unwritten, &R::noDriveTable, &R::unfit, &R::mixture});
+    case Action::Deactivate:
+        return first({&R::noChoice, &R::unreachable, &R::busy, &R::offAlready});
+    case Action::Revert:
+        return first({&R::noChoice, &R::busy, &R::unchanged});
+    case Action::RestorePrevious:
+        return first(
+            {&R::noChoice, &R::unreachable, &R::busy, &R::unknown, &R::active, &R::noBackup});
+    case Action::Refresh:
+        return first({&R::noDrive, &R::busy});
+    case Action::OpenData:
+        return first({&R::busy});
+    case Action::Cancel:
+        break;
+    }
+    return first({&R::nothingToStop});
+}
+
+Obstacle Rules::noDrive() const
 {
     if (!m_now.hasDrives)
         return tr("No drive is connected: add a connection first.");
+    return {};
+}
+
+Obstacle Rules::noChoice() const
+{
+    if (Obstacle found = noDrive())
+        return found;
     if (!m_now.hasAxis)
         return m_now.isConnecting ? tr("The drives are being asked for their axes.")
                                   : tr("Choose an axis first.");
+    return {};
+}
+
+Obstacle Rules::unreachable() const
+{
     if (!m_now.isConnected)
         return tr("The drive is not connected.");
     if (!m_now.hasCompensation)
@@ -64,25 +129,120 @@ Obstacle Rules::noAxis() const
     return {};
 }
 
-Obstacle Rules::busy() const
-{
-    if (m_now.isBusy)
-        return m_now.operation.isEmpty() ? tr("Please wait for what is running.")
-                                         : tr("Please wait: %1.").arg(m_now.operation);
-    return {};
-}
-
 Obstacle Rules::unknown() const
 {
     if (m_now.isKnown)
         return {};
-    return m_now.readProblem.isEmpty() ? tr("The axis is being read.") : m_now.readProblem;
+    return m_now.readProblem ? errorText(*m_now.readProblem) : tr("The axis is being read.");
+}
+
+Obstacle Rules::busy() const
+{
+    if (m_now.task)
+        return tr("Please wait: %1.").arg(taskText(*m_now.task));
+    return {};
+}
+
+Obstacle Rules::reading() const
+{
+    if (m_now.isReadingFile)
+        return tr("The file is being read.");
+    return {};
+}
+
+Obstacle Rules::nothingToStop() const
+{
+    if (m_now.isReadingFile)
+        return {};
+    if (!m_now.task)
+        return tr("Nothing is running.");
+    if (!m_now.canCancel)
+        return tr("It is being stopped already.");
+    return {};
 }
 
 Obstacle Rules::active() const
 {
     if (m_now.isActive)
         return tr("The compensation is active: deactivate it first.");
+    return {};
+}
+
+Obstacle Rules::activeAlready() const
+{
+    if (m_now.isActive)
+        return tr("The compensation is active already.");
+    return {};
+}
+
+Obstacle Rules::evaluatingAlready() const
+{
+    if (m_now.isEvaluating)
+        return tr("The compensation is being evaluated already.");
+    return {};
+}
+
+Obstacle Rules::offAlready() const
+{
+    if (!m_now.isActive && !m_now.isEvaluating && !m_now.problem)
+        return tr("The compensation is not active.");
+    return {};
+}
+
+Obstacle Rules::noDriveTable() const
+{
+    if (!m_now.hasDriveTable)
+        return tr("The axis has no table on the drive: write one first.");
+    return {};
+}
+
+Obstacle Rules::mixture() const
+{
+    if (m_now.unfinished == Unfinished::Mixture)
+        return tr("An earlier write left the axis in neither the old nor the new state: write "
+                  "again, or restore the previous state.");
+    return {};
+}
+
+Obstacle Rules::notHomed() const
+{
+    if (!m_now.isHomed)
+        return tr("The axis must be homed first.");
+    return {};
+}
+
+Obstacle Rules::noBackup() const
+{
+    if (!m_now.hasBackup)
+        return tr("There is no backup of this axis yet: one is made before every write.");
+    return {};
+}
+
+Obstacle Rules::noFlash() const
+{
+    if (m_now.flashOperationsNeeded <= m_now.flashOperationsLeft)
+        return {};
+    return m_now.isPersistent
+        ? tr("Flash wear: wait %1, or write volatile.").arg(durationText(m_now.flashWaitSeconds))
+        : tr("Flash wear: wait %1.").arg(durationText(m_now.flashWaitSeconds));
+}
+
+Obstacle Rules::unchanged() const
+{
+    if (!m_now.isChanged)
+        return tr("Nothing has changed.");
+    return {};
+}
+
+Obstacle Rules::nothingToWrite() const
+{
+    return m_now.unfinished == Unfinished::Unsaved ? Obstacle() : unchanged();
+}
+
+Obstacle Rules::unwritten() const
+{
+    if (m_now.isChanged)
+        return tr("Parameters must be written.");
     return {};
 }
 
@@ -108,154 +268,6 @@ Obstacle Rules::unfit() const
             .arg(m_now.tableBytes)
             .arg(m_now.largestSlotBytes);
     return {};
-}
-
-Obstacle Rules::noFlash() const
-{
-    if (m_now.flashOperationsNeeded <= m_now.flashOperationsLeft)
-        return {};
-    return m_now.isPersistent
-        ? tr("Flash wear: wait %1, or write volatile.").arg(durationText(m_now.flashWaitSeconds))
-        : tr("Flash wear: wait %1.").arg(durationText(m_now.flashWaitSeconds));
-}
-
-Obstacle Rules::againstWrite() const
-{
-    if (Obstacle found = noAxis())
-        return found;
-    if (Obstacle found = busy())
-        return found;
-    if (Obstacle found = unknown())
-        return found;
-    if (Obstacle found = active())
-        return found;
-    if (!m_now.isChanged && m_now.unfinished != Unfinished::Unsaved)
-        return tr("Nothing has changed.");
-    if (m_now.isReadingFile)
-        return tr("The file is being read.");
-    if (Obstacle found = unfit())
-        return found;
-    return noFlash();
-}
-
-/// What Activate and Evaluate have in common.
-Obstacle Rules::againstSwitchOn() const
-{
-    if (m_now.isChanged)
-        return tr("Parameters must be written.");
-    if (!m_now.hasDriveTable)
-        return tr("The axis has no table on the drive: write one first.");
-    if (Obstacle found = unfit())
-        return found;
-    if (m_now.unfinished == Unfinished::Mixture)
-        return tr("An earlier write left the axis in neither the old nor the new state: write "
-                  "again, or restore the previous state.");
-    return {};
-}
-
-Obstacle Rules::againstActivate() const
-{
-    if (Obstacle found = noAxis())
-        return found;
-    if (Obstacle found = busy())
-        return found;
-    if (Obstacle found = unknown())
-        return found;
-    if (m_now.isActive)
-        return tr("The compensation is active already.");
-    if (Obstacle found = againstSwitchOn())
-        return found;
-    if (!m_now.isHomed)
-        return tr("The axis must be homed first.");
-    return {};
-}
-
-Obstacle Rules::againstEvaluate() const
-{
-    if (Obstacle found = noAxis())
-        return found;
-    if (Obstacle found = busy())
-        return found;
-    if (Obstacle found = unknown())
-        return found;
-    if (Obstacle found = active())
-        return found;
-    if (m_now.isEvaluating)
-        return tr("The compensation is being evaluated already.");
-    return againstSwitchOn();
-}
-
-Obstacle Rules::againstDeactivate() const
-{
-    if (Obstacle found = noAxis())
-        return found;
-    if (Obstacle found = busy())
-        return found;
-    if (!m_now.isActive && !m_now.isEvaluating && m_now.problem.isEmpty())
-        return tr("The compensation is not active.");
-    return {};
-}
-
-Obstacle Rules::againstRevert() const
-{
-    if (!m_now.hasAxis)
-        return noAxis().value_or(tr("Choose an axis first."));
-    if (Obstacle found = busy())
-        return found;
-    if (!m_now.isChanged)
-        return tr("Nothing has changed.");
-    return {};
-}
-
-Obstacle Rules::againstRestore() const
-{
-    if (Obstacle found = noAxis())
-        return found;
-    if (Obstacle found = busy())
-        return found;
-    if (Obstacle found = unknown())
-        return found;
-    if (Obstacle found = active())
-        return found;
-    if (!m_now.hasBackup)
-        return tr("There is no backup of this axis yet: one is made before every write.");
-    return {};
-}
-
-Obstacle Rules::againstCancel() const
-{
-    if (m_now.isReadingFile)
-        return {};
-    if (!m_now.isBusy)
-        return tr("Nothing is running.");
-    if (!m_now.canCancel)
-        return tr("It is being stopped already.");
-    return {};
-}
-
-Obstacle Rules::obstacle(Action action) const
-{
-    switch (action) {
-    case Action::Write:
-        return againstWrite();
-    case Action::Activate:
-        return againstActivate();
-    case Action::Evaluate:
-        return againstEvaluate();
-    case Action::Deactivate:
-        return againstDeactivate();
-    case Action::Revert:
-        return againstRevert();
-    case Action::RestorePrevious:
-        return againstRestore();
-    case Action::Refresh:
-        return m_now.hasDrives ? busy() : noAxis();
-    case Action::OpenData:
-        return busy();
-    case Action::Cancel:
-        break;
-    }
-    return againstCancel();
 }
 
 QString Rules::writeConsequence() const
@@ -297,10 +309,10 @@ QString Rules::consequence(Action action) const
     case Action::Cancel:
         break;
     }
-    if (m_now.isReadingFile && !m_now.isBusy)
+    if (m_now.isReadingFile && !m_now.task)
         return tr("Stops reading the file.");
-    return m_now.isWriting ? tr("Stops the write and puts the old state back.")
-                           : tr("Stops what is running.");
+    return m_now.task && isWrite(*m_now.task) ? tr("Stops the write and puts the old state back.")
+                                              : tr("Stops what is running.");
 }
 
 ActionState Rules::state(Action action) const
@@ -312,32 +324,27 @@ ActionState Rules::state(Action action) const
 
 QString Rules::hint() const
 {
-    if (m_now.isBusy)
-        return m_now.operation.isEmpty() ? tr("Please wait for what is running.")
-                                         : asSentence(tr("%1 ...").arg(m_now.operation));
-    if (Obstacle found = noAxis())
+    if (m_now.task)
+        return asSentence(tr("%1 ...").arg(taskText(*m_now.task)));
+    using R = Rules;
+    if (Obstacle found =
+            first({&R::noChoice, &R::unreachable, &R::unknown, &R::reading, &R::mixture}))
         return *found;
-    if (Obstacle found = unknown())
-        return *found;
-    if (m_now.isReadingFile)
-        return tr("The file is being read.");
-    if (m_now.unfinished == Unfinished::Mixture)
-        return tr("An earlier write left the axis in neither the old nor the new state: write "
-                  "again, or restore the previous state.");
-    if (m_now.isChanged)
-        return againstWrite().value_or(tr("Parameters must be written."));
+    if (Obstacle found = unwritten())
+        return obstacle(Action::Write).value_or(*found);
     if (m_now.unfinished == Unfinished::Unsaved)
-        return againstWrite().value_or(tr(
-            "An earlier write did not end: the parameters may not be saved. Write to finish it."));
-    if (!m_now.problem.isEmpty())
-        return m_now.problem;
+        return obstacle(Action::Write)
+            .value_or(tr("An earlier write did not end: the parameters may not be saved. Write to "
+                         "finish it."));
+    if (m_now.problem)
+        return errorText(*m_now.problem);
     if (m_now.isActive)
         return tr("The compensation is active.");
-    if (!m_now.hasDriveTable)
-        return unfit().value_or(tr("The axis has no table on the drive: write one first."));
+    if (Obstacle found = noDriveTable())
+        return unfit().value_or(*found);
     if (m_now.isEvaluating)
         return tr("The compensation is being evaluated: the drive adds nothing.");
-    return againstActivate().value_or(consequence(Action::Activate));
+    return obstacle(Action::Activate).value_or(consequence(Action::Activate));
 }
 
 } // namespace

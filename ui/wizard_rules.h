@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/wizard_task.h"
 #include "ui/wizard_types.h"
 
 #include <array>
 #include <cstddef>
+#include <optional>
 
 namespace axiscomp::ui {
 
@@ -17,12 +19,12 @@ struct WizardSnapshot {
     bool isConnected = false; ///< its drive answers
     bool hasCompensation = true; ///< the drive has compensation registers for it
     bool isKnown = false; ///< it has been read
-    QString readProblem; ///< why it cannot be read, a sentence; empty: nothing is known against it
+    std::optional<Error> readProblem; ///< why it cannot be read
 
     // What the drive says
     bool isActive = false; ///< Active or Ramping
     bool isEvaluating = false;
-    QString problem; ///< the compensation's own error as a sentence; empty: none
+    std::optional<Error> problem; ///< the compensation's own
     bool isHomed = false;
     bool hasDriveTable = false;
     bool hasBackup = false;
@@ -47,10 +49,8 @@ struct WizardSnapshot {
 
     // What runs
     bool isReadingFile = false;
-    bool isBusy = false;
-    bool isWriting = false;
+    std::optional<Task> task;
     bool canCancel = false;
-    QString operation; ///< what runs, in words: "writing"
 };
 
 struct WizardDecision {

@@ -29,15 +29,18 @@ void WizardController::Private::chooseSource(int dimension, const QString& text)
     SourceField& field = sourceField(dimension);
     ++field.check;
     field.isBeingChecked = false;
-    field.problem.clear();
+    field.problem = nullptr;
     const QString wanted = text.trimmed();
     DriveConnection* drive = connection();
+    const auto notConnected = [] {
+        return tr("The drive is not connected: the source cannot be checked.");
+    };
     if (wanted.isEmpty()) {
         acceptSource(dimension, {});
         return;
     }
     if (!drive || !drive->findings()) {
-        refuseSource(dimension, tr("The drive is not connected: the source cannot be checked."));
+        refuseSource(dimension, notConnected);
         return;
     }
     const DriveFindings& findings = *drive->findings();
@@ -48,7 +51,7 @@ void WizardController::Private::chooseSource(int dimension, const QString& text)
         return;
     }
     if (!drive->isConnected()) {
-        refuseSource(dimension, tr("The drive is not connected: the source cannot be checked."));
+        refuseSource(dimension, notConnected);
         return;
     }
     field.isBeingChecked = true;
@@ -66,7 +69,7 @@ void WizardController::Private::chooseSource(int dimension, const QString& text)
             if (source)
                 acceptSource(dimension, *source);
             else
-                refuseSource(dimension, errorText(source.error()));
+                refuseSource(dimension, [error = source.error()] { return errorText(error); });
         });
     Q_EMIT q.sourceChecked(dimension);
     update();
@@ -79,22 +82,22 @@ void WizardController::Private::acceptSource(int dimension, const DimSource& sou
         if (other == dimension || !(edited.sources[static_cast<std::size_t>(other - 1)] == source))
             continue;
         const auto [first, second] = std::minmax(dimension, other);
-        refuseSource(dimension,
-            errorText({ErrorCode::SourceRepeated,
-                {{"source", source.path}, {"first", std::to_string(first)},
-                    {"second", std::to_string(second)}},
-                {}}));
+        const Error error{ErrorCode::SourceRepeated,
+            {{"source", source.path}, {"first", std::to_string(first)},
+                {"second", std::to_string(second)}},
+            {}};
+        refuseSource(dimension, [error] { return errorText(error); });
         return;
     }
     SourceField& field = sourceField(dimension);
     field.isBeingChecked = false;
-    field.problem.clear();
+    field.problem = nullptr;
     setup.setSource(dimension, source);
     Q_EMIT q.sourceChecked(dimension);
     update();
 }
 
-void WizardController::Private::refuseSource(int dimension, const QString& problem)
+void WizardController::Private::refuseSource(int dimension, const Wording& problem)
 {
     SourceField& field = sourceField(dimension);
     field.isBeingChecked = false;
@@ -108,10 +111,10 @@ void WizardController::Private::forgetSourceProblems()
 {
     for (int dimension = 1; dimension <= 3; ++dimension) {
         SourceField& field = sourceField(dimension);
-        const bool isNews = field.isBeingChecked || !field.problem.isEmpty();
+        const bool isNews = field.isBeingChecked || field.problem;
         ++field.check;
         field.isBeingChecked = false;
-        field.problem.clear();
+        field.problem = nullptr;
         if (isNews)
             Q_EMIT q.sourceChecked(dimension);
     }

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/activation.h"
 #include "ui/wizard_controller_p.h"
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace axiscomp::ui {
 
@@ -36,7 +38,7 @@ void WizardController::Private::snapshotDrive(WizardSnapshot& now) const
     now.isHomed = status->axis.homing == names.homingDone;
     now.hasDriveTable = status->table.has_value();
     if (state == names.stateError)
-        now.problem = compensationProblem(*status);
+        now.problem = compensationError(*status);
 }
 
 void WizardController::Private::snapshotSetup(WizardSnapshot& now) const
@@ -58,7 +60,7 @@ void WizardController::Private::snapshotSetup(WizardSnapshot& now) const
         now.largestSlotBytes = std::max<std::size_t>(now.largestSlotBytes, slot.maximumSize);
     now.isPersistent = edited.persistency == Persistency::Persistent;
     now.isNewTable = edited.table.fileTable.has_value();
-    if (const auto table = now.isNewTable ? selectedTable() : nullptr) {
+    if (const auto table = now.isNewTable ? selectedTable().table : nullptr) {
         now.hasTable = true;
         now.tableDimensions = table->grid.dimensions();
         now.tableBytes = selectedTableBytes();
@@ -77,11 +79,8 @@ WizardSnapshot WizardController::Private::snapshot() const
     snapshotDrive(now);
     snapshotSetup(now);
     now.isReadingFile = file.file().isReading;
-    now.isBusy = busy.isBusy;
-    now.isWriting = task == Task::Write || task == Task::Restore;
+    now.task = task;
     now.canCancel = busy.canCancel;
-    if (task)
-        now.operation = taskText(*task);
     return now;
 }
 
@@ -99,21 +98,61 @@ void WizardController::Private::update()
     Q_EMIT q.actionsChanged();
 }
 
-void WizardController::Private::show(const Outcome& shown)
+void WizardController::Private::show(const std::function<Outcome()>& made)
 {
-    if (!shown.text.isEmpty())
-        log(shown.isError ? LogLine::Kind::Error : LogLine::Kind::Information, shown.text,
-            shown.detail);
+    const Outcome shown = made();
+    log(
+        shown.isError ? LogLine::Kind::Error : LogLine::Kind::Information,
+        [made] { return made().text; }, shown.detail);
+    makeOutcome = made;
     if (shown.text == outcome.text && shown.isError == outcome.isError)
         return;
     outcome = shown;
     Q_EMIT q.outcomeChanged();
 }
 
-void WizardController::Private::log(LogLine::Kind kind, const QString& text, const QString& detail)
+void WizardController::Private::refuse(const Wording& reason)
 {
-    logLines.add(kind, text, detail);
+    show([reason] { return Outcome{reason(), true, {}}; });
+}
+
+void WizardController::Private::dismissOutcome()
+{
+    if (!std::exchange(makeOutcome, nullptr))
+        return;
+    outcome = {};
+    Q_EMIT q.outcomeChanged();
+}
+
+void WizardController::Private::log(
+    LogLine::Kind kind, const Wording& wording, const QString& detail)
+{
+    logLines.add(kind, wording, detail);
     Q_EMIT q.logged();
+}
+
+void WizardController::Private::logError(const Error& error)
+{
+    log(
+        LogLine::Kind::Error, [error] { return errorText(error); }, errorOutcome(error).detail);
+}
+
+void WizardController::Private::retranslate()
+{
+    if (makeOutcome)
+        outcome = makeOutcome();
+    listDrives();
+    nameAxes();
+    Q_EMIT q.axesChanged();
+    for (int dimension = 1; dimension <= 3; ++dimension) {
+        if (sourceField(dimension).problem)
+            Q_EMIT q.sourceChecked(dimension);
+    }
+    if (task) {
+        busy.step = busyText();
+        Q_EMIT q.busyChanged();
+    }
+    update();
 }
 
 } // namespace axiscomp::ui

@@ -4,6 +4,7 @@
 #include "ui/wizard_controller_p.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace axiscomp::ui {
 
@@ -26,32 +27,38 @@ void WizardController::Private::fileReplaced(
 {
     const auto& now = file.file().data;
     const std::optional<int> chosen = setup.edited().table.fileTable;
+    const bool isOpened = std::exchange(isOpening, false);
     if (!now)
         setup.setTable({});
-    else if (!isSameFile || !before)
+    else if (!isSameFile || !before || (isOpened && !chosen))
         setup.setTable({0});
     else if (chosen && *chosen < static_cast<int>(before->tables.size()))
         setup.setTable({placeOf(*before, *chosen, *now)});
     if (now)
         log(LogLine::Kind::Information,
-            tr("%1 has been read: %2 points, tables: %3.")
-                .arg(file.file().path)
-                .arg(now->grid.pointCount())
-                .arg(now->tables.size()));
+            [path = file.file().path, points = now->grid.pointCount(),
+                tables = now->tables.size()] {
+                return tr("%1 has been read: %2 points, tables: %3.")
+                    .arg(path)
+                    .arg(points)
+                    .arg(tables);
+            });
     noteSelectedTable();
 }
 
 void WizardController::Private::fileFailed(const LoadedFile& failed)
 {
+    isOpening = false;
     const auto problems =
         std::ranges::count(failed.problems, Severity::Error, &Diagnostic::severity);
     log(LogLine::Kind::Error,
-        tr("%1 cannot be used: %2 problems.")
-            .arg(failed.path)
-            .arg(static_cast<qulonglong>(problems) + failed.suppressedProblems));
+        [path = failed.path,
+            count = static_cast<qulonglong>(problems) + failed.suppressedProblems] {
+            return tr("%1 cannot be used: %2 problems.").arg(path).arg(count);
+        });
 }
 
-std::shared_ptr<const CompensationTable> WizardController::Private::selectedTable() const
+SurveyedTable WizardController::Private::selectedTable() const
 {
     const std::optional<int> chosen = setup.edited().table.fileTable;
     return chosen ? file.table(*chosen) : driveTable.table();
@@ -59,13 +66,13 @@ std::shared_ptr<const CompensationTable> WizardController::Private::selectedTabl
 
 std::size_t WizardController::Private::selectedTableBytes() const
 {
-    const auto table = selectedTable();
+    const auto table = selectedTable().table;
     return table ? tamTableSize(table->grid, profile.layout) : 0;
 }
 
 void WizardController::Private::noteSelectedTable()
 {
-    auto now = selectedTable();
+    auto now = selectedTable().table;
     if (now == shownTable)
         return;
     shownTable = std::move(now);
@@ -85,9 +92,8 @@ void WizardController::Private::fieldChanged(Field field)
 
 QString WizardController::signSentence() const
 {
-    const auto table = d->selectedTable();
     const AxisInfo axis = d->status ? d->status->axis : AxisInfo{};
-    return table ? signSentenceFor(*table, axis, d->setup.edited().sources) : QString();
+    return signSentenceFor(d->selectedTable(), axis, d->setup.edited().sources);
 }
 
 } // namespace axiscomp::ui

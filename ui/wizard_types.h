@@ -4,6 +4,7 @@
 #include "core/axis_compensator.h"
 #include "core/calibration_csv.h"
 #include "ui/drive_session.h"
+#include "ui/wording.h"
 
 #include <QString>
 
@@ -46,6 +47,7 @@ struct AxisEntry {
     bool isDemo = false;
     bool isUsable = false; ///< false: no compensation registers, or the drive does not answer
     QString label; ///< unique among the entries, "X · Triamec-616 (demo)"
+    QString place; ///< what stands in the label between name and remark: " · Triamec-616"
     QString problem; ///< a translated sentence: why it is not usable; empty when it is
 };
 
@@ -81,14 +83,21 @@ struct BusyState {
 };
 
 struct LogLine {
+    int number = 0; ///< of all lines that there have been, from 1
     WallTime time;
     enum class Kind { Information, Warning, Error } kind = Kind::Information;
-    QString text;
-    QString detail;
+    Wording text;
+    QString detail; ///< for experts, in English
 };
+
+/// The serial ports of this computer that none of the addresses names; at several baud rates when
+/// asked for. Called on any thread.
+using PortCandidates = std::function<std::vector<DriveCandidate>(
+    const std::vector<std::string>& otherThan, bool anyBaudRate)>;
 
 struct WizardOptions {
     LinkFactory linkFactory;
+    PortCandidates portCandidates; ///< empty: drives are not looked for
     const DriveProfile* profile = nullptr; ///< must outlive the controller
     std::filesystem::path storeRoot;
     std::chrono::milliseconds timeout{5000};

@@ -2,6 +2,8 @@
 #include "ui/write_preview.h"
 
 #include "ui/background.h"
+#include "ui/error_text.h"
+#include "ui/future_handler.h"
 #include "ui/symbols.h"
 #include "ui/value_text.h"
 
@@ -111,7 +113,7 @@ void WritePreview::retranslate()
                                "settings are kept in a backup file first."));
     m_rows->setHorizontalHeaderLabels({tr("Field"), tr("On the drive"), tr("New")});
     m_rows->setAccessibleName(tr("What will be written"));
-    m_skip->setText(tr("Do not &show this again for volatile writes"));
+    m_skip->setText(tr("Do not show this again &for volatile writes"));
     m_skip->setToolTip(
         tr("Persistent writes always show this list; the menu brings it back for volatile ones"));
     m_write->setText(tr("&Write"));
@@ -175,6 +177,8 @@ void WritePreview::fillRows(const WritePlan& plan)
         addRow(tr("Persistency"),
             before.slot.empty() ? tr("no table") : persistencyText(before.persistency),
             persistencyText(after.persistency));
+    if (m_rows->rowCount() == 0) // an earlier write is finished
+        addRow(tr("Parameters"), tr("perhaps not saved"), tr("saved"));
 }
 
 void WritePreview::addRow(const QString& field, const QString& before, const QString& after)
@@ -196,11 +200,20 @@ void WritePreview::askForLargestChange()
     const auto oldTable = m_controller.driveTable();
     if (!newTable)
         return;
-    inBackground<LargestChange>([newTable, oldTable] {
-        return largestChange(*newTable, oldTable.get());
-    }).then(this, [this, request = m_request](const LargestChange& change) {
-        if (request == m_request)
-            showLargestChange(change);
+    if (m_change && newTable == m_newTable && oldTable == m_oldTable) {
+        showLargestChange(*m_change);
+        return;
+    }
+    m_newTable = newTable;
+    m_oldTable = oldTable;
+    m_change.reset();
+    const auto change = inBackground<LargestChange>(
+        [newTable, oldTable] { return largestChange(*newTable, oldTable.get()); });
+    whenDone(change, this, [this, request = m_request](const LargestChange& largest) {
+        if (request != m_request)
+            return;
+        m_change = largest;
+        showLargestChange(largest);
     });
 }
 
@@ -235,20 +248,12 @@ QString WritePreview::costText(const WritePlan& plan) const
 QStringList WritePreview::remarks(const WritePlan& plan) const
 {
     QStringList list;
-    const QString slot = QString::fromStdString(plan.after.slot);
-    if (plan.slotReason == SlotReason::OverwriteOwn)
-        list += tr("No other slot is free: the table in %1 is overwritten. A copy is kept in the "
-                   "backup.")
-                    .arg(slot);
     if (plan.slotReason == SlotReason::OwnPrevious)
         list += tr("%1 held an earlier table of this axis; the present one stays whole until the "
                    "new one has taken over.")
-                    .arg(slot);
-    if (plan.slotReason != SlotReason::KeepTable && !plan.before.slot.empty()
-        && plan.before.persistency == Persistency::Persistent
-        && plan.after.persistency == Persistency::Volatile)
-        list += tr("The new table is volatile: after a reboot the axis has the old, persistent one "
-                   "again.");
+                    .arg(QString::fromStdString(plan.after.slot));
+    for (const std::string& warning : plan.warnings)
+        list += phraseText(warning);
     return list;
 }
 

@@ -6,6 +6,9 @@
 
 #include <QWidget>
 
+#include <memory>
+#include <optional>
+
 class QCheckBox;
 class QLabel;
 class QPushButton;
@@ -53,6 +56,9 @@ private:
     QPushButton* m_write;
     QPushButton* m_back;
     int m_request = 0; ///< the newest question for the largest change
+    std::shared_ptr<const CompensationTable> m_newTable; ///< that it is about
+    std::shared_ptr<const CompensationTable> m_oldTable;
+    std::optional<LargestChange> m_change; ///< between these two
 };
 
 } // namespace axiscomp::ui

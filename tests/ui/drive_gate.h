@@ -8,6 +8,7 @@
 #include <condition_variable>
 #include <functional>
 #include <mutex>
+#include <utility>
 
 namespace axiscomp::test {
 
@@ -33,6 +34,13 @@ public:
         const std::lock_guard lock(m_mutex);
         m_turn = m_exchanges + number;
         m_modeAfterTurn = mode;
+    }
+    /// Something happens just before the number-th exchange from now, on the session's thread.
+    void callAt(int number, std::function<void()> action)
+    {
+        const std::lock_guard lock(m_mutex);
+        m_callTurn = m_exchanges + number;
+        m_action = std::move(action);
     }
     [[nodiscard]] int exchanges() const
     {
@@ -65,6 +73,8 @@ public:
         });
         std::unique_lock lock(m_mutex);
         ++m_exchanges;
+        if (m_action && m_exchanges >= m_callTurn)
+            std::exchange(m_action, nullptr)();
         if (m_turn > 0 && m_exchanges >= m_turn) {
             m_mode = m_modeAfterTurn;
             m_turn = 0;
@@ -94,6 +104,8 @@ private:
     Mode m_mode = Mode::Open;
     Mode m_modeAfterTurn = Mode::Open;
     int m_turn = 0;
+    std::function<void()> m_action;
+    int m_callTurn = 0;
     int m_exchanges = 0;
     int m_waiting = 0;
     int m_timeouts = 0;

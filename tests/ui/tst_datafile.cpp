@@ -7,6 +7,8 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include <filesystem>
+
 using namespace axiscomp;
 using namespace axiscomp::ui;
 using test::ControllerBench;
@@ -16,6 +18,9 @@ namespace {
 const QByteArray oneDimension =
     "X [mm],first [mm],second [mm]\n0,0.001,0.004\n1,0.002,0.005\n2,0.0,0.004\n";
 
+/// How programs save a file.
+enum class Saving { InPlace, DeleteAndRename, Rename };
+
 QByteArray tamTable(int dimensions)
 {
     const CompensationTable table = test::exampleTable(dimensions);
@@ -24,6 +29,8 @@ QByteArray tamTable(int dimensions)
 }
 
 } // namespace
+
+Q_DECLARE_METATYPE(Saving)
 
 class TestDataFile : public QObject {
     Q_OBJECT
@@ -173,13 +180,14 @@ private Q_SLOTS:
 
     void aFileThatChangesOnTheDiskIsNoticed_data()
     {
-        QTest::addColumn<bool>("isReplaced");
-        QTest::newRow("written to") << false;
-        QTest::newRow("replaced by another") << true;
+        QTest::addColumn<Saving>("saving");
+        QTest::newRow("written to") << Saving::InPlace;
+        QTest::newRow("deleted and replaced by another") << Saving::DeleteAndRename;
+        QTest::newRow("replaced in one step") << Saving::Rename;
     }
     void aFileThatChangesOnTheDiskIsNoticed()
     {
-        QFETCH(bool, isReplaced);
+        QFETCH(Saving, saving);
         ControllerBench bench;
         const QString path = bench.file(QStringLiteral("a.csv"), oneDimension);
         bench->openData(path);
@@ -187,13 +195,14 @@ private Q_SLOTS:
         QVERIFY(!bench->dataFile().hasChangedOnDisk);
         const QByteArray changed = oneDimension + "3,0.003,0.004\n";
         for (int round = 0; round < 2; ++round) {
-            if (isReplaced) {
-                const QString other =
-                    bench.file(QStringLiteral("b.csv"), changed + QByteArray(round, '\n'));
-                QVERIFY(QFile::remove(path));
-                QVERIFY(QFile::rename(other, path));
+            const QByteArray content = changed + QByteArray(round, '\n');
+            if (saving == Saving::InPlace) {
+                (void)bench.file(QStringLiteral("a.csv"), content);
             } else {
-                (void)bench.file(QStringLiteral("a.csv"), changed + QByteArray(round, '\n'));
+                const QString other = bench.file(QStringLiteral("b.csv"), content);
+                if (saving == Saving::DeleteAndRename)
+                    QVERIFY(QFile::remove(path));
+                std::filesystem::rename(other.toStdString(), path.toStdString());
             }
             QTRY_VERIFY(bench->dataFile().hasChangedOnDisk);
             QCOMPARE(bench->dataFile().data->grid.pointCount(), std::size_t(round ? 4 : 3));
@@ -202,6 +211,72 @@ private Q_SLOTS:
             QVERIFY(!bench->dataFile().hasChangedOnDisk);
             QCOMPARE(bench->dataFile().data->grid.pointCount(), std::size_t{4});
         }
+    }
+
+    void aDeletedFileKeepsItsDataAndIsOfferedWhenItIsBack()
+    {
+        ControllerBench bench;
+        const QString path = bench.file(QStringLiteral("a.csv"), oneDimension);
+        bench->openData(path);
+        QVERIFY(bench.fileRead());
+        QVERIFY(QFile::remove(path));
+        (void)bench.file(QStringLiteral("other.csv"), oneDimension); // something else happens there
+        QVERIFY(!bench->dataFile().hasChangedOnDisk);
+        QCOMPARE(bench->selectedTable()->name, "first");
+        (void)bench.file(QStringLiteral("a.csv"), oneDimension + "3,0.003,0.004\n");
+        QTRY_VERIFY(bench->dataFile().hasChangedOnDisk);
+        bench->openData(path);
+        QVERIFY(bench.fileRead());
+        QCOMPARE(bench->dataFile().data->grid.pointCount(), std::size_t{4});
+    }
+
+    void aFileThatIsReadHalfWrittenIsOfferedAgainWhenItIsWhole()
+    {
+        ControllerBench bench;
+        const QString path = bench.file(QStringLiteral("a.csv"), oneDimension);
+        bench->openData(path);
+        QVERIFY(bench.fileRead());
+        const QByteArray whole = oneDimension + "3,0.003,0.004\n";
+        (void)bench.file(QStringLiteral("a.csv"), whole.chopped(10)); // within the last line
+        QTRY_VERIFY(bench->dataFile().hasChangedOnDisk);
+        bench->openData(path);
+        QVERIFY(bench.fileRead());
+        QVERIFY(!bench->dataFile().problems.empty());
+        QVERIFY(!bench->dataFile().hasChangedOnDisk);
+        QCOMPARE(bench->dataFile().data->grid.pointCount(), std::size_t{3}); // as it was before
+        (void)bench.file(QStringLiteral("a.csv"), whole);
+        QTRY_VERIFY(bench->dataFile().hasChangedOnDisk);
+        bench->openData(path);
+        QVERIFY(bench.fileRead());
+        QVERIFY(bench->dataFile().problems.empty());
+        QCOMPARE(bench->dataFile().data->grid.pointCount(), std::size_t{4});
+    }
+
+    void aFileThatGrowsWhileItIsReadIsOfferedAgain()
+    {
+        ControllerBench bench;
+        QByteArray large = "X,table\n";
+        for (int i = 0; i < 300'000; ++i)
+            large += QByteArray::number(i) + ",0." + QByteArray::number(i % 7) + '\n';
+        const QString path = bench.file(QStringLiteral("large.csv"), large);
+        bool hasGrown = false;
+        QObject context;
+        QObject::connect(&bench.controller(), &WizardController::dataFileChanged, &context, [&] {
+            if (hasGrown || bench->dataFile().progress <= 0.0)
+                return;
+            hasGrown = bench->dataFile().isReading;
+            QFile file(path);
+            QVERIFY(file.open(QIODevice::Append));
+            QVERIFY(file.write("300000,0.1\n") > 0);
+        });
+        bench->openData(path);
+        QVERIFY(bench.fileRead());
+        QVERIFY(hasGrown);
+        QTRY_VERIFY(bench->dataFile().hasChangedOnDisk);
+        bench->openData(path);
+        QVERIFY(bench.fileRead());
+        QVERIFY(!bench->dataFile().hasChangedOnDisk);
+        QCOMPARE(bench->dataFile().data->grid.pointCount(), std::size_t{300'001});
     }
 
     void readAgainTheTableThatWasChosenStaysChosenByItsName()
@@ -214,7 +289,7 @@ private Q_SLOTS:
         bench->setup().setTable({1});
         (void)bench.file(QStringLiteral("a.csv"),
             "X [mm],new [mm],first [mm],second [mm]\n0,7,1,2\n1,7,3,4\n2,8,1,2\n");
-        bench->openData(path);
+        bench->readDataAgain();
         QVERIFY(bench.fileRead());
         QCOMPARE(bench->selectedTable()->name, "second");
         QCOMPARE(bench->setup().edited().table.fileTable, std::optional(2));
@@ -233,9 +308,23 @@ private Q_SLOTS:
         bench->openData(path);
         QVERIFY(bench.fileRead());
         bench->setup().setTable({});
-        bench->openData(path);
+        bench->readDataAgain();
         QVERIFY(bench.fileRead());
         QVERIFY(!bench->setup().edited().table.fileTable);
+    }
+
+    void openedAgainAfterARevertItsTableIsChosen()
+    {
+        ControllerBench bench;
+        QVERIFY(bench.connect());
+        const QString path = bench.file(QStringLiteral("a.csv"), oneDimension);
+        bench->openData(path);
+        QVERIFY(bench.fileRead());
+        bench->setup().revert();
+        QVERIFY(!bench->setup().edited().table.fileTable);
+        bench->openData(path);
+        QVERIFY(bench.fileRead());
+        QCOMPARE(bench->setup().edited().table.fileTable, std::optional(0));
     }
 
     void theNextFileCancelsTheOneThatIsBeingRead()

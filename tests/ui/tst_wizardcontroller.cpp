@@ -69,10 +69,7 @@ private Q_SLOTS:
     {
         ControllerBench bench;
         bench.options.liveInterval = std::chrono::milliseconds(10);
-        bench.options.linkFactory = [](const std::string& endpoint) {
-            return drivecomm::makeLink(
-                *drivecomm::parseEndpoint(endpoint), drivecomm::genericProfile());
-        };
+        bench.options.linkFactory = drivecomm::linkFactory(drivecomm::genericProfile());
         bench->setEndpoints({QStringLiteral("demo:")});
         QTRY_VERIFY(bench->status().has_value());
         QVERIFY(bench->drives().front().isDemo);
@@ -356,7 +353,7 @@ private Q_SLOTS:
         for (int i = 0; i < 1'200; ++i)
             bench->planWrite(); // refused with its reason
         QCOMPARE(bench->log().size(), std::size_t{1000});
-        QCOMPARE(bench->log().back().text, QStringLiteral("Nothing has changed."));
+        QCOMPARE(bench->log().back().text(), QStringLiteral("Nothing has changed."));
         QCOMPARE(bench->outcome(), QStringLiteral("Nothing has changed."));
     }
 };

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/verify.h"
+#include "ui/error_text.h"
 #include "ui/wizard_rules.h"
 
 #include <QTest>
@@ -45,6 +46,11 @@ WizardSnapshot changed()
     return now;
 }
 
+const Error damagedTable{ErrorCode::CompensationError,
+    {{"axis", "0"}, {"error", "TableBad"}, {"hint", "write it again"}}, {}};
+const Error damagedJournal{ErrorCode::FileNotReadable,
+    {{"file", "journal.json"}, {"reason", "the disk reports an error"}}, {}};
+
 /// spec/wizard.md once more, as plain conditions.
 bool mayWrite(const WizardSnapshot& s)
 {
@@ -53,7 +59,7 @@ bool mayWrite(const WizardSnapshot& s)
     const bool fits = s.hasTable && s.tableDimensions == s.dimensionality && s.missingSource == 0
         && s.repeatedSource == 0 && !s.isSourceBeingChecked
         && (!s.isNewTable || s.tableBytes <= s.largestSlotBytes);
-    return hasAxis && s.isKnown && !s.isBusy && !s.isActive && isReason && !s.isReadingFile && fits
+    return hasAxis && s.isKnown && !s.task && !s.isActive && isReason && !s.isReadingFile && fits
         && s.flashOperationsNeeded <= s.flashOperationsLeft;
 }
 
@@ -63,7 +69,7 @@ bool mayActivate(const WizardSnapshot& s)
     const bool fits = s.hasTable && s.hasDriveTable && s.tableDimensions == s.dimensionality
         && s.missingSource == 0 && s.repeatedSource == 0 && !s.isSourceBeingChecked
         && (!s.isNewTable || s.tableBytes <= s.largestSlotBytes);
-    return hasAxis && s.isKnown && !s.isBusy && !s.isActive && !s.isChanged && fits && s.isHomed
+    return hasAxis && s.isKnown && !s.task && !s.isActive && !s.isChanged && fits && s.isHomed
         && s.unfinished != Unfinished::Mixture;
 }
 
@@ -141,7 +147,7 @@ private:
     static void mutate(WizardSnapshot& now, std::mt19937& random);
     static void checkPairs(const WizardSnapshot& now, const WizardDecision& decision)
     {
-        if (now.isBusy) {
+        if (now.task) {
             for (const Action action : allActions)
                 QVERIFY(action == Action::Cancel || !decision[action].isEnabled);
         }
@@ -154,9 +160,9 @@ private:
             QVERIFY(!decision[Action::Deactivate].isEnabled);
         // Who can deactivate has something to deactivate.
         if (decision[Action::Deactivate].isEnabled)
-            QVERIFY(now.isActive || now.isEvaluating || !now.problem.isEmpty());
+            QVERIFY(now.isActive || now.isEvaluating || now.problem);
         QCOMPARE(
-            decision[Action::Cancel].isEnabled, now.isReadingFile || (now.isBusy && now.canCancel));
+            decision[Action::Cancel].isEnabled, now.isReadingFile || (now.task && now.canCancel));
         if (decision[Action::Write].isEnabled && now.isChanged
             && now.unfinished != Unfinished::Mixture)
             QCOMPARE(decision.hint, QStringLiteral("Parameters must be written."));
@@ -205,10 +211,8 @@ void TestWizardRules::reasons_data()
             s.flashOperationsLeft = 0;
             s.flashWaitSeconds = 5;
         });
-    row("write: busy", changed(), Action::Write, "Please wait: activating.", [](S& s) {
-        s.isBusy = true;
-        s.operation = QStringLiteral("activating");
-    });
+    row("write: busy", changed(), Action::Write, "Please wait: activating.",
+        [](S& s) { s.task = Task::Activate; });
     row("write: no axis", changed(), Action::Write, "Choose an axis first.",
         [](S& s) { s.hasAxis = false; });
     row("write: no drive", changed(), Action::Write,
@@ -250,13 +254,14 @@ void TestWizardRules::reasons_data()
         "The compensation is active: deactivate it first.", [](S& s) { s.isActive = true; });
     row("cancel: nothing", ready(), Action::Cancel, "Nothing is running.", [](S&) {});
     row("cancel: twice", ready(), Action::Cancel, "It is being stopped already.",
-        [](S& s) { s.isBusy = true; });
+        [](S& s) { s.task = Task::Write; });
     row("not read yet", changed(), Action::Write, "The axis is being read.",
         [](S& s) { s.isKnown = false; });
-    row("cannot be read", changed(), Action::Activate, "The journal is damaged.", [](S& s) {
-        s.isKnown = false;
-        s.readProblem = QStringLiteral("The journal is damaged.");
-    });
+    row("cannot be read", changed(), Action::Activate, qUtf8Printable(errorText(damagedJournal)),
+        [](S& s) {
+            s.isKnown = false;
+            s.readProblem = damagedJournal;
+        });
 }
 
 void TestWizardRules::consequences_data()
@@ -281,10 +286,15 @@ void TestWizardRules::consequences_data()
     now.unfinished = Unfinished::Unsaved;
     row("finish a write", Action::Write,
         "Finishes an earlier write: saves the parameters of the drive.");
-    now.isBusy = now.canCancel = now.isWriting = true;
+    now.canCancel = true;
+    now.task = Task::Plan;
+    row("cancel planning", Action::Cancel, "Stops what is running.");
+    now.task = Task::Restore;
+    row("cancel restoring", Action::Cancel, "Stops the write and puts the old state back.");
+    now.task = Task::Write;
     row("cancel writing", Action::Cancel, "Stops the write and puts the old state back.");
     now = ready();
-    now.problem = QStringLiteral("The compensation is in error.");
+    now.problem = damagedTable;
     row("deactivate an error", Action::Deactivate,
         "Switches the compensation off; table and settings stay on the drive.");
     // What has been changed can be put back without the drive.
@@ -316,12 +326,9 @@ void TestWizardRules::hints_data()
         [](S&) {});
     row("no table at all", ready(), "No table is chosen: open compensation data.",
         [](S& s) { s.hasDriveTable = s.hasTable = false; });
-    row("error", ready(), "The table is bad.",
-        [](S& s) { s.problem = QStringLiteral("The table is bad."); });
-    row("busy", changed(), "Writing ...", [](S& s) {
-        s.isBusy = true;
-        s.operation = QStringLiteral("writing");
-    });
+    row("error", ready(), qUtf8Printable(errorText(damagedTable)),
+        [](S& s) { s.problem = damagedTable; });
+    row("busy", changed(), "Writing ...", [](S& s) { s.task = Task::Write; });
     row("connecting", ready(), "The drives are being asked for their axes.", [](S& s) {
         s.hasAxis = false;
         s.isConnecting = true;
@@ -348,7 +355,7 @@ void TestWizardRules::mutate(WizardSnapshot& now, std::mt19937& random)
         [&] { now.isKnown = mostly(); },
         [&] { now.isActive = rarely(); },
         [&] { now.isEvaluating = rarely(); },
-        [&] { now.problem = rarely() ? QStringLiteral("An error.") : QString(); },
+        [&] { now.problem = rarely() ? std::optional(damagedTable) : std::nullopt; },
         [&] { now.isHomed = mostly(); },
         [&] { now.hasDriveTable = mostly(); },
         [&] { now.hasBackup = mostly(); },
@@ -371,10 +378,8 @@ void TestWizardRules::mutate(WizardSnapshot& now, std::mt19937& random)
         },
         [&] { now.isReadingFile = rarely(); },
         [&] {
-            now.isBusy = rarely();
-            now.canCancel = now.isBusy && mostly();
-            now.isWriting = now.isBusy && below(2) == 0;
-            now.operation = now.isBusy ? QStringLiteral("writing") : QString();
+            now.task = rarely() ? std::optional(static_cast<Task>(below(6))) : std::nullopt;
+            now.canCancel = now.task && mostly();
         },
     };
     changes[static_cast<std::size_t>(below(static_cast<int>(changes.size())))]();

@@ -1,34 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/drive_fixture.h"
 #include "tests/support/verify.h"
+#include "tests/ui/brackets.h"
 #include "ui/axis_list.h"
 #include "ui/endpoint_text.h"
 #include "ui/error_text.h"
 #include "ui/phrase_book.h"
 #include "ui/sign_sentence.h"
 
-#include <QCoreApplication>
 #include <QTest>
-#include <QTranslator>
 
 using namespace axiscomp;
 using namespace axiscomp::ui;
+using test::Brackets;
 
 namespace {
 
-/// Puts what is translated in brackets, so that what is not shows.
-class Brackets final : public QTranslator {
-public:
-    Brackets() { QCoreApplication::installTranslator(this); }
-    ~Brackets() override { QCoreApplication::removeTranslator(this); }
-    [[nodiscard]] QString translate(const char*, const char* text, const char*, int) const override
-    {
-        return QStringLiteral("<") + QString::fromUtf8(text) + u'>';
-    }
-    [[nodiscard]] bool isEmpty() const override { return false; }
-};
+SurveyedTable kept(CompensationTable table)
+{
+    return surveyed(std::make_shared<const CompensationTable>(std::move(table)));
+}
 
-CompensationTable table1D(std::vector<float> values, const char* unit = "mm")
+SurveyedTable table1D(std::vector<float> values, const char* unit = "mm")
 {
     CompensationTable table;
     table.unit = unit;
@@ -38,7 +31,7 @@ CompensationTable table1D(std::vector<float> values, const char* unit = "mm")
         .distance = 10.0,
         .size = static_cast<std::uint32_t>(values.size())}};
     table.values = std::move(values);
-    return table;
+    return kept(std::move(table));
 }
 
 AxisInfo axisX(const char* unit = "Millimeter")
@@ -128,15 +121,25 @@ private Q_SLOTS:
         named.slot = "Small5";
         const auto intoSlot = fixture.compensator.plan(0, named);
         VERIFY_RESULT(intoSlot);
+        WriteRequest wrongUnit = test::exampleRequest(2);
+        wrongUnit.table->unit = "um";
+        const auto tooLarge = fixture.compensator.plan(0, wrongUnit);
+        VERIFY_RESULT(tooLarge);
+        wrongUnit.table->unit = "m";
+        const auto tooSmall = fixture.compensator.plan(0, wrongUnit);
+        VERIFY_RESULT(tooSmall);
+        wrongUnit.table->unit = "ticks";
+        const auto unknown = fixture.compensator.plan(0, wrongUnit);
+        VERIFY_RESULT(unknown);
         const Brackets translation;
         int warnings = 0;
-        for (const auto* plan : {&toVolatile, &saved, &intoSlot}) {
+        for (const auto* plan : {&toVolatile, &saved, &intoSlot, &tooLarge, &tooSmall, &unknown}) {
             for (const std::string& warning : (*plan)->warnings) {
                 QVERIFY2(phraseText(warning).startsWith(u'<'), warning.c_str());
                 ++warnings;
             }
         }
-        QVERIFY(warnings >= 3);
+        QVERIFY(warnings >= 9);
     }
 
     void everyProblemOfAFileHasItsSentence()
@@ -210,13 +213,13 @@ private Q_SLOTS:
         table.values = {0.0F, 0.0F, 0.0F, 0.0021F};
         const DimSource x{1, test::masterX};
         const DimSource y{2, test::masterY};
-        QCOMPARE(signSentenceFor(table, axisX(), {x, y, {}}),
+        QCOMPARE(signSentenceFor(kept(table), axisX(), {x, y, {}}),
             QStringLiteral("at Y 30 mm, where the encoder reads 10.0000 mm the reference says "
                            "10.0021 mm: the drive will add +0.0021 mm"));
         // Over other axes only: what the encoder of this one reads is not in the table.
         AxisInfo z = axisX();
         z.index = 2;
-        QCOMPARE(signSentenceFor(table, z, {x, y, {}}),
+        QCOMPARE(signSentenceFor(kept(table), z, {x, y, {}}),
             QStringLiteral("at X 10 mm, Y 30 mm the reference says 0.0021 mm more than the "
                            "encoder: the drive will add +0.0021 mm"));
     }
@@ -234,6 +237,30 @@ private Q_SLOTS:
                 QStringLiteral("X [0] · A #2 http://2"), QStringLiteral("X [1] · A"),
                 QStringLiteral("Axis 2 · A"), QStringLiteral("X [0] · A #2 http://3"),
                 QStringLiteral("Z · http://4")}));
+    }
+
+    void anAxisThatCannotBeUsedSaysWhy()
+    {
+        std::vector<DriveAxes> drives{drive("http://1", "A", 1, {"X", ""}),
+            drive("http://2", "B", 2, {"X"}), drive("demo:", "C", 3, {"X"})};
+        drives[0].axes[1].state.clear(); // has no compensation registers
+        drives[1].isConnected = false;
+        drives[2].isDemo = true;
+        const std::vector<AxisEntry> entries = axisEntries(drives);
+        QStringList labels;
+        QStringList problems;
+        for (const AxisEntry& entry : entries) {
+            labels.append(entry.label);
+            problems.append(entry.problem);
+            QCOMPARE(entry.isUsable, entry.problem.isEmpty());
+            QCOMPARE(axisLabel(entry), entry.label);
+        }
+        QCOMPARE(labels,
+            (QStringList{QStringLiteral("X · A"), QStringLiteral("Axis 1 · A (no compensation)"),
+                QStringLiteral("X · B"), QStringLiteral("X · C (demo)")}));
+        QCOMPARE(problems,
+            (QStringList{QString(), QStringLiteral("This axis has no compensation registers."),
+                QStringLiteral("The drive B is not connected."), QString()}));
     }
 
     void endpointsAreShownWithoutTheirPasswords_data()

@@ -2,7 +2,8 @@
 // Renders every state of the page into PNG files, for a person to look at:
 // wizard-pictures FOLDER [STATE...]. QT_SCALE_FACTOR makes them larger, AXISCOMP_LONG_TEXTS makes
 // every text longer than any language needs.
-#include "tests/ui/wizard_stage.h"
+#include "tests/ui/window_test.h"
+#include "tests/ui/wizard_scene.h"
 #include "ui/language.h"
 
 #include <QApplication>
@@ -13,26 +14,21 @@
 #include <QLineEdit>
 #include <QLocale>
 #include <QPushButton>
-#include <QSettings>
 #include <QStyleFactory>
+#include <QTabWidget>
+#include <QTableView>
 #include <QTextStream>
 #include <QTranslator>
 #include <QTreeWidget>
 
 using namespace axiscomp;
 using namespace axiscomp::ui;
+using axiscomp::test::darkPalette;
+using axiscomp::test::Scene;
+using axiscomp::test::wait;
 using axiscomp::test::WizardStage;
 
 namespace {
-
-constexpr QSize pageSize(1280, 720);
-constexpr int patienceMs = 20'000;
-
-void wait(const std::function<bool()>& condition, const char* what)
-{
-    if (!QTest::qWaitFor(condition, patienceMs))
-        qFatal("waited in vain for %s", what);
-}
 
 class LongTexts final : public QTranslator {
 public:
@@ -45,95 +41,6 @@ public:
         return isOwn ? source + u' ' + source.left(1 + source.size() / 3).remove(u'&').remove(u'%')
                      : QString();
     }
-};
-
-/// A page on a stage, brought into a state by what a user would do.
-class Scene {
-public:
-    explicit Scene(bool isHomed = true)
-        : m_stage(isHomed)
-        , m_settings(m_stage.path(QStringLiteral("settings.ini")), QSettings::IniFormat)
-        , m_wizard(std::make_unique<CompensationWizard>(m_stage.options(), &m_settings))
-    {
-        m_wizard->resize(pageSize);
-    }
-
-    WizardStage& stage() { return m_stage; }
-    CompensationWizard& page() { return *m_wizard; }
-    WizardController& controller() { return m_wizard->controller(); }
-
-    void showDrive(bool isDemo = false)
-    {
-        if (!isDemo)
-            controller().setEndpoints({WizardStage::endpoint()});
-        m_wizard->show();
-        wait([this] { return controller().status().has_value(); }, "the drive's state");
-    }
-    void click(const char* name)
-    {
-        auto* button = m_wizard->findChild<QAbstractButton*>(QLatin1StringView(name));
-        if (!QTest::qWaitFor(
-                [&] { return button && button->isEnabled() && button->isVisible(); }, patienceMs))
-            qFatal("%s cannot be clicked: %s; %s", name, qPrintable(controller().hint()),
-                qPrintable(controller().outcome()));
-        button->click();
-    }
-    void chooseSources(int count)
-    {
-        const std::array<std::string, 3> paths{WizardStage::masterPosition(0),
-            WizardStage::masterPosition(1), "Axes[0]/Signals/General/MotorTemperature"};
-        for (int n = 0; n < count; ++n) {
-            controller().chooseSource(
-                n + 1, QString::fromStdString(paths.at(static_cast<std::size_t>(n))));
-            wait(
-                [&] {
-                    return controller()
-                        .setup()
-                        .edited()
-                        .sources.at(static_cast<std::size_t>(n))
-                        .isSet();
-                },
-                "a source");
-        }
-    }
-    void openData(const QString& path)
-    {
-        m_wizard->openData(path);
-        wait(
-            [&] {
-                const DataFile& file = controller().dataFile();
-                return !file.isReading && (file.data || !file.problems.empty());
-            },
-            "the file");
-    }
-    /// AN140 figure 2: everything chosen, nothing written.
-    void choose2D(Persistency persistency = Persistency::Persistent)
-    {
-        showDrive();
-        controller().setup().setDimensionality(2);
-        chooseSources(2);
-        openData(m_stage.superData());
-        controller().setup().setTable({0});
-        controller().setup().setPersistency(persistency);
-        wait([this] { return controller().action(Action::Write).isEnabled; }, "Write");
-    }
-    void write()
-    {
-        click("writeButton");
-        click("confirmWriteButton");
-        wait([this] { return !controller().busy().isBusy && !controller().setup().isChanged(); },
-            "the end of the write");
-    }
-    void settle()
-    {
-        wait([this] { return !controller().busy().isBusy; }, "the end");
-        QTest::qWait(150);
-    }
-
-private:
-    WizardStage m_stage;
-    QSettings m_settings;
-    std::unique_ptr<CompensationWizard> m_wizard;
 };
 
 void firstStart(Scene& scene)
@@ -198,6 +105,76 @@ void badFile(Scene& scene)
     scene.settle();
 }
 
+void badFileLines(Scene& scene)
+{
+    badFile(scene);
+    auto* problems = scene.page().findChild<QTreeWidget*>(QStringLiteral("problems"));
+    problems->setCurrentItem(problems->topLevelItem(0));
+    Q_EMIT problems->itemActivated(problems->topLevelItem(0), 0);
+    scene.settle();
+}
+
+void table3D(Scene& scene)
+{
+    scene.showDrive();
+    scene.controller().setup().setDimensionality(3);
+    scene.chooseSources(3);
+    const std::string example = exampleCalibrationCsv(3);
+    scene.openData(scene.stage().file(
+        QStringLiteral("volume.csv"), QByteArray(example.data(), qsizetype(example.size()))));
+    scene.controller().setup().setTable({0});
+    scene.settle();
+}
+
+void showValues(Scene& scene, int row, int column)
+{
+    scene.page().findChild<QTabWidget*>(QStringLiteral("previewTabs"))->setCurrentIndex(1);
+    auto* values = scene.page().findChild<QTableView*>(QStringLiteral("values"));
+    values->setCurrentIndex(values->model()->index(row, column));
+    scene.settle();
+}
+
+void values2D(Scene& scene)
+{
+    scene.choose2D();
+    showValues(scene, 5, 2);
+}
+
+void values3D(Scene& scene)
+{
+    table3D(scene);
+    showValues(scene, 1, 1);
+}
+
+/// Table 1 is on the drive, table 2 is chosen.
+void difference(Scene& scene)
+{
+    scene.choose2D();
+    scene.write();
+    scene.controller().setup().setTable({1});
+    Q_EMIT scene.page().findChild<QComboBox*>(QStringLiteral("plotContent"))->activated(2);
+    scene.page().findChild<QAbstractButton*>(QStringLiteral("plotCursors"))->setChecked(true);
+    scene.settle();
+}
+
+void curve1D(Scene& scene)
+{
+    scene.showDrive();
+    scene.chooseSources(1);
+    const std::string example = exampleCalibrationCsv(1);
+    scene.openData(scene.stage().file(
+        QStringLiteral("line.csv"), QByteArray(example.data(), qsizetype(example.size()))));
+    scene.write();
+    scene.controller().setup().setTable({1});
+    scene.settle();
+}
+
+void curve1DValues(Scene& scene)
+{
+    curve1D(scene);
+    showValues(scene, 4, 1);
+}
+
 void driveRefuses(Scene& scene)
 {
     scene.choose2D();
@@ -225,18 +202,6 @@ void notHomed(Scene& scene)
 {
     scene.choose2D(Persistency::Volatile);
     scene.write();
-    scene.settle();
-}
-
-void table3D(Scene& scene)
-{
-    scene.showDrive();
-    scene.controller().setup().setDimensionality(3);
-    scene.chooseSources(3);
-    const std::string example = exampleCalibrationCsv(3);
-    scene.openData(scene.stage().file(
-        QStringLiteral("volume.csv"), QByteArray(example.data(), qsizetype(example.size()))));
-    scene.controller().setup().setTable({0});
     scene.settle();
 }
 
@@ -277,6 +242,16 @@ void connections(Scene& scene)
     QTest::qWait(200);
 }
 
+void findDrives(Scene& scene)
+{
+    unwritten2D(scene);
+    scene.click("connectionsButton");
+    scene.page().findChild<QAbstractButton*>(QStringLiteral("findDrives"))->click();
+    auto* again = scene.page().findChild<QAbstractButton*>(QStringLiteral("searchAgain"));
+    wait([&] { return again->isEnabled(); }, "the end of the search");
+    QTest::qWait(200);
+}
+
 struct State {
     const char* name;
     std::function<void(Scene&)> make;
@@ -293,6 +268,12 @@ const std::vector<State>& states()
         {"closing-while-writing", closingWhileWriting},
         {"active", active},
         {"bad-file", badFile},
+        {"bad-file-lines", badFileLines},
+        {"values-2d", values2D},
+        {"values-3d", values3D},
+        {"difference", difference},
+        {"curve-1d", curve1D},
+        {"curve-1d-values", curve1DValues},
         {"drive-refuses", driveRefuses},
         {"flash-wear", flashWear},
         {"not-homed", notHomed, false},
@@ -300,36 +281,9 @@ const std::vector<State>& states()
         {"connection-lost", connectionLost},
         {"other-axis", otherAxis},
         {"connections", connections},
+        {"find-drives", findDrives},
     };
     return all;
-}
-
-QPalette darkPalette()
-{
-    QPalette palette;
-    const QColor window(0x2b, 0x2d, 0x30);
-    const QColor base(0x1f, 0x20, 0x23);
-    const QColor text(0xe6, 0xe6, 0xe6);
-    for (const auto role : {QPalette::Window, QPalette::Button})
-        palette.setColor(role, window);
-    for (const auto role : {QPalette::Base, QPalette::ToolTipBase})
-        palette.setColor(role, base);
-    palette.setColor(QPalette::AlternateBase, QColor(0x26, 0x28, 0x2b));
-    for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText,
-             QPalette::ToolTipText, QPalette::BrightText})
-        palette.setColor(role, text);
-    for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
-        palette.setColor(QPalette::Disabled, role, QColor(0x80, 0x82, 0x86));
-    palette.setColor(QPalette::PlaceholderText, QColor(0x96, 0x98, 0x9c));
-    palette.setColor(QPalette::Highlight, QColor(0x3d, 0x7e, 0xd9));
-    palette.setColor(QPalette::HighlightedText, Qt::white);
-    palette.setColor(QPalette::Link, QColor(0x7a, 0xb0, 0xff));
-    palette.setColor(QPalette::Light, QColor(0x45, 0x48, 0x4d));
-    palette.setColor(QPalette::Midlight, QColor(0x3a, 0x3d, 0x41));
-    palette.setColor(QPalette::Mid, QColor(0x22, 0x24, 0x27));
-    palette.setColor(QPalette::Dark, QColor(0x18, 0x19, 0x1b));
-    palette.setColor(QPalette::Shadow, QColor(0x0c, 0x0c, 0x0d));
-    return palette;
 }
 
 void render(const State& state, const QString& file)
@@ -337,10 +291,11 @@ void render(const State& state, const QString& file)
     Scene scene(state.isHomed);
     state.make(scene);
     scene.page().setFocus();
-    auto* dialog = scene.page().findChild<QDialog*>();
     QWidget* shown = &scene.page();
-    if (dialog && dialog->isVisible())
-        shown = dialog;
+    for (QDialog* dialog : scene.page().findChildren<QDialog*>()) {
+        if (dialog->isVisible())
+            shown = dialog; // the inner one comes last
+    }
     if (!shown->grab().save(file))
         qFatal("cannot write %s", qPrintable(file));
     QTextStream(stdout) << file << Qt::endl;

@@ -24,6 +24,8 @@ public:
     }
 
     static constexpr const char* address = "http://192.168.1.20";
+    /// Leads to the same drive.
+    static constexpr const char* usbPort = "serial:/dev/ttyUSB0";
     [[nodiscard]] static QString endpoint() { return QString::fromLatin1(address); }
 
     [[nodiscard]] ui::WizardOptions options()
@@ -35,6 +37,12 @@ public:
         options.liveInterval = std::chrono::milliseconds(50);
         options.reconnectInterval = std::chrono::milliseconds(50);
         options.linkFactory = [this](const std::string& text) { return link(text); };
+        options.portCandidates = [](const std::vector<std::string>&, bool) {
+            return std::vector<DriveCandidate>{
+                {.endpoints = {usbPort},
+                    .description = "FT232R USB UART, FTDI, serial number A50285BI"},
+                {.endpoints = {"serial:/dev/no-such-port"}, .description = ""}};
+        };
         return options;
     }
     [[nodiscard]] drivecomm::VirtualDrive& drive() { return m_drive; }
@@ -81,12 +89,9 @@ private:
     }
     [[nodiscard]] Result<std::unique_ptr<DriveLink>> link(const std::string& text)
     {
-        if (text == address)
+        if (text == address || text == usbPort)
             return std::make_unique<GatedLink>(m_drive, m_gate);
-        const auto parsed = drivecomm::parseEndpoint(text);
-        if (!parsed)
-            return fail(parsed.error());
-        return drivecomm::makeLink(*parsed, drivecomm::genericProfile());
+        return drivecomm::linkFactory(drivecomm::genericProfile())(text);
     }
 
     QTemporaryDir m_folder;

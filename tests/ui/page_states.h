@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tests/ui/page_bench.h"
+
+#include <QTabWidget>
+
+#include <functional>
+#include <vector>
+
+namespace axiscomp::test {
+
+/// A state of the page that looks different from the others, and how a person gets there.
+struct PageState {
+    const char* name;
+    std::function<bool(PageBench&)> reach;
+};
+
+namespace page_states {
+
+using drivecomm::FaultSpec;
+
+inline bool firstStart(PageBench& bench)
+{
+    return bench.user.isThere()
+        && PageUser::waitFor([&] { return bench.controller().status().has_value(); });
+}
+
+inline bool unwritten(PageBench& bench)
+{
+    return bench.open() && bench.choose2D();
+}
+
+inline bool preview(PageBench& bench)
+{
+    return unwritten(bench) && bench.user.click("writeButton")
+        && PageUser::waitFor([&] { return bench.user.sees("confirmWriteButton"); });
+}
+
+inline bool written(PageBench& bench)
+{
+    return unwritten(bench) && bench.write();
+}
+
+inline bool active(PageBench& bench)
+{
+    return written(bench) && bench.user.click("activateButton") && bench.idle();
+}
+
+inline bool threeDimensions(PageBench& bench)
+{
+    const std::string example = exampleCalibrationCsv(3);
+    bench.picked = bench.file(QStringLiteral("volume.csv"), QByteArray::fromStdString(example));
+    return bench.open() && bench.user.choose("dimensionalityField", QStringLiteral("3D"))
+        && bench.user.click("openButton")
+        && PageUser::waitFor([&] { return bench.user.sees("sliceIndex"); });
+}
+
+inline bool openBadFile(PageBench& bench)
+{
+    bench.picked = bench.file(QStringLiteral("bad.csv"),
+        "X [mm],Y [mm],table 1\n0,0,0.001\n10,0,0.0O2\n20,0,0.001\n0,10,nan\n10,10\n");
+    return bench.user.click("openButton")
+        && PageUser::waitFor([&] { return bench.user.sees("problems"); });
+}
+
+inline bool badFile(PageBench& bench)
+{
+    return unwritten(bench) && openBadFile(bench);
+}
+
+inline bool fileChanged(PageBench& bench)
+{
+    if (!unwritten(bench))
+        return false;
+    bench.picked = bench.file(QStringLiteral("super-1.csv"), "X,Y,first\n0,0,0\n");
+    return PageUser::waitFor([&] { return bench.user.sees("readAgainButton"); });
+}
+
+inline bool connectionLost(PageBench& bench)
+{
+    if (!unwritten(bench))
+        return false;
+    bench.served.stop();
+    return PageUser::waitFor([&] { return bench.user.sees("connectionMessage"); });
+}
+
+inline bool leaveQuestion(PageBench& bench)
+{
+    return unwritten(bench) && bench.user.choose("axisField", QStringLiteral("Y · "))
+        && PageUser::waitFor([&] { return bench.user.sees("loseChangesButton"); });
+}
+
+inline bool closeQuestion(PageBench& bench)
+{
+    return unwritten(bench) && !bench.window.close()
+        && PageUser::waitFor([&] { return bench.user.sees("loseChangesButton"); });
+}
+
+/// Slow enough to be looked at: until the faults are cleared.
+inline bool writing(PageBench& bench)
+{
+    if (!preview(bench))
+        return false;
+    bench.served.faults.add({FaultSpec::Kind::Slow, 250, {}});
+    return bench.user.click("confirmWriteButton")
+        && PageUser::waitFor([&] { return bench.controller().isWriting(); });
+}
+
+inline bool closingWhileWriting(PageBench& bench)
+{
+    return writing(bench) && !bench.window.close()
+        && PageUser::waitFor([&] { return bench.user.sees("closeWhenDoneButton"); });
+}
+
+inline bool logShown(PageBench& bench)
+{
+    return unwritten(bench) && bench.user.click("logButton")
+        && PageUser::waitFor([&] { return bench.user.sees("logLines"); });
+}
+
+inline bool connections(PageBench& bench)
+{
+    return bench.open() && bench.user.click("connectionsButton")
+        && PageUser::waitFor([&] { return bench.user.sees("connectionsDialog"); });
+}
+
+} // namespace page_states
+
+inline const std::vector<PageState>& allPageStates()
+{
+    using namespace page_states;
+    static const std::vector<PageState> all{
+        {"first start", firstStart},
+        {"unwritten", unwritten},
+        {"preview", preview},
+        {"written", written},
+        {"active", active},
+        {"three dimensions", threeDimensions},
+        {"bad file", badFile},
+        {"file changed", fileChanged},
+        {"connection lost", connectionLost},
+        {"leave question", leaveQuestion},
+        {"close question", closeQuestion},
+        {"writing", writing},
+        {"closing while writing", closingWhileWriting},
+        {"log shown", logShown},
+        {"connections", connections},
+    };
+    return all;
+}
+
+/// The window that has the keyboard in a state: the page's, or its dialog.
+inline QWidget& shownWindow(PageBench& bench)
+{
+    auto* dialog = bench.user.find("connectionsDialog");
+    return dialog && dialog->isVisible() ? *dialog : bench.window;
+}
+
+} // namespace axiscomp::test

@@ -1,0 +1,3341 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de" sourcelanguage="en">
+<context>
+    <name>Error</name>
+    <message>
+        <source>{size} bytes</source>
+        <translation>{size} Byte</translation>
+    </message>
+    <message>
+        <source>at most {size} bytes</source>
+        <translation>höchstens {size} Byte</translation>
+    </message>
+    <message>
+        <source>{count} columns</source>
+        <translation>{count} Spalten</translation>
+    </message>
+    <message>
+        <source>1 column</source>
+        <translation>1 Spalte</translation>
+    </message>
+    <message>
+        <source>at most {count} columns</source>
+        <translation>höchstens {count} Spalten</translation>
+    </message>
+    <message>
+        <source>a line with the names of the columns, not only comments</source>
+        <translation>eine Zeile mit den Namen der Spalten, nicht nur Kommentare</translation>
+    </message>
+    <message>
+        <source>no data lines after the header</source>
+        <translation>keine Datenzeilen nach der Kopfzeile</translation>
+    </message>
+    <message>
+        <source>at least 2 positions in each dimension, one line per grid point</source>
+        <translation>mindestens 2 Positionen je Dimension, eine Zeile je Stützstelle</translation>
+    </message>
+    <message>
+        <source>the names of the columns, not numbers</source>
+        <translation>die Namen der Spalten, keine Zahlen</translation>
+    </message>
+    <message>
+        <source>at least {count} for dimensionality {dimensions}, {positions} of positions and 1 of values</source>
+        <translation>mindestens {count} bei Dimensionalität {dimensions}, davon {positions} mit Positionen und 1 mit Werten</translation>
+    </message>
+    <message>
+        <source>{expected} (or is the dimensionality {dimensions}?)</source>
+        <translation>{expected} (oder ist die Dimensionalität {dimensions}?)</translation>
+    </message>
+    <message>
+        <source>{expected}; separate the columns with , or ;</source>
+        <translation>{expected}; die Spalten mit , oder ; trennen</translation>
+    </message>
+    <message>
+        <source>{expected}; if the commas are decimal commas, separate the columns with ; in every line</source>
+        <translation>{expected}; wenn die Kommas Dezimalkommas sind, die Spalten in jeder Zeile mit ; trennen</translation>
+    </message>
+    <message>
+        <source>{expected}; the header separates its columns with {separator}, so every line must</source>
+        <translation>{expected}; die Kopfzeile trennt die Spalten mit {separator}, also muss es jede Zeile tun</translation>
+    </message>
+    <message>
+        <source>{expected}; decimal commas need the separator ; in every line</source>
+        <translation>{expected}; Dezimalkommas erfordern das Trennzeichen ; in jeder Zeile</translation>
+    </message>
+    <message>
+        <source>{count} as in the header (line {line})</source>
+        <translation>{count} wie in der Kopfzeile (Zeile {line})</translation>
+    </message>
+    <message>
+        <source>a closing &quot; in the same line</source>
+        <translation>ein schließendes &quot; in derselben Zeile</translation>
+    </message>
+    <message>
+        <source>a separator after the closing &quot;</source>
+        <translation>ein Trennzeichen nach dem schließenden &quot;</translation>
+    </message>
+    <message>
+        <source>a separator or the end of the line after the closing &quot;</source>
+        <translation>ein Trennzeichen oder das Zeilenende nach dem schließenden &quot;</translation>
+    </message>
+    <message>
+        <source>a number such as {example}</source>
+        <translation>eine Zahl wie {example}</translation>
+    </message>
+    <message>
+        <source>a finite number such as {example}</source>
+        <translation>eine endliche Zahl wie {example}</translation>
+    </message>
+    <message>
+        <source>0 or a number that is not as close to it</source>
+        <translation>0 oder eine Zahl, die nicht so nahe bei 0 liegt</translation>
+    </message>
+    <message>
+        <source>a value that fits float32 (below 3.4e38)</source>
+        <translation>ein Wert, der in float32 passt (unter 3.4e38)</translation>
+    </message>
+    <message>
+        <source>a decimal comma as in line {line}</source>
+        <translation>ein Dezimalkomma wie in Zeile {line}</translation>
+    </message>
+    <message>
+        <source>a decimal point as in line {line}</source>
+        <translation>ein Dezimalpunkt wie in Zeile {line}</translation>
+    </message>
+    <message>
+        <source>no sign between the thousands</source>
+        <translation>kein Tausendertrennzeichen</translation>
+    </message>
+    <message>
+        <source>more than {rows} data lines of {columns} columns</source>
+        <translation>mehr als {rows} Datenzeilen mit {columns} Spalten</translation>
+    </message>
+    <message>
+        <source>at most {cells} cells (lines x columns)</source>
+        <translation>höchstens {cells} Zellen (Zeilen x Spalten)</translation>
+    </message>
+    <message>
+        <source>positions with a finite range</source>
+        <translation>Positionen mit endlichem Bereich</translation>
+    </message>
+    <message>
+        <source>positions whose distance a double can hold</source>
+        <translation>Positionen, deren Abstand sich als Double darstellen lässt</translation>
+    </message>
+    <message>
+        <source>{position} (steps of {distance})</source>
+        <translation>{position} (Schrittweite {distance})</translation>
+    </message>
+    <message>
+        <source>{position} next to {before}</source>
+        <translation>{position} neben {before}</translation>
+    </message>
+    <message>
+        <source>{position} on an even line in steps of {distance}</source>
+        <translation>{position} bei gleichmäßiger Schrittweite {distance}</translation>
+    </message>
+    <message>
+        <source>only {position}</source>
+        <translation>nur {position}</translation>
+    </message>
+    <message>
+        <source>at least 2 different positions</source>
+        <translation>mindestens 2 verschiedene Positionen</translation>
+    </message>
+    <message>
+        <source>{point} in line {first} and again in line {second}</source>
+        <translation>{point} in Zeile {first} und nochmals in Zeile {second}</translation>
+    </message>
+    <message>
+        <source>every position once</source>
+        <translation>jede Position einmal</translation>
+    </message>
+    <message>
+        <source>no line for {points} (missing: {missing} of {all} points)</source>
+        <translation>keine Zeile für {points} (es fehlen {missing} von {all} Stützstellen)</translation>
+    </message>
+    <message>
+        <source>every combination of the positions</source>
+        <translation>jede Kombination der Positionen</translation>
+    </message>
+    <message>
+        <source>{value} at every point of {table}</source>
+        <translation>{value} an jeder Stützstelle von {table}</translation>
+    </message>
+    <message>
+        <source>values that differ</source>
+        <translation>unterschiedliche Werte</translation>
+    </message>
+    <message>
+        <source>a change of {change}</source>
+        <translation>eine Änderung um {change}</translation>
+    </message>
+    <message>
+        <source>at most a millionth of the largest value, {value}</source>
+        <translation>höchstens ein Millionstel des größten Werts {value}</translation>
+    </message>
+    <message>
+        <source>a step from {from} to {to} over {distance} in dimension {dimension}</source>
+        <translation>ein Sprung von {from} auf {to} über {distance} in Dimension {dimension}</translation>
+    </message>
+    <message>
+        <source>at most 0.01 per unit of position</source>
+        <translation>höchstens 0.01 je Positionseinheit</translation>
+    </message>
+    <message>
+        <source>UTF-16 text</source>
+        <translation>Text in UTF-16</translation>
+    </message>
+    <message>
+        <source>a spreadsheet workbook or ZIP archive</source>
+        <translation>eine Tabellenkalkulationsmappe oder ein ZIP-Archiv</translation>
+    </message>
+    <message>
+        <source>an old Excel workbook</source>
+        <translation>eine alte Excel-Mappe</translation>
+    </message>
+    <message>
+        <source>a PDF document</source>
+        <translation>ein PDF-Dokument</translation>
+    </message>
+    <message>
+        <source>a compressed file (gzip)</source>
+        <translation>eine komprimierte Datei (gzip)</translation>
+    </message>
+    <message>
+        <source>a picture</source>
+        <translation>ein Bild</translation>
+    </message>
+    <message>
+        <source>a TAM table</source>
+        <translation>eine TAM-Tabelle</translation>
+    </message>
+    <message>
+        <source>a binary file</source>
+        <translation>eine Binärdatei</translation>
+    </message>
+    <message>
+        <source>a NUL byte</source>
+        <translation>ein NUL-Byte</translation>
+    </message>
+    <message>
+        <source>a text file</source>
+        <translation>eine Textdatei</translation>
+    </message>
+    <message>
+        <source>the byte 0x{byte} ({character})</source>
+        <translation>das Byte 0x{byte} ({character})</translation>
+    </message>
+    <message>
+        <source>file length</source>
+        <translation>Dateilänge</translation>
+    </message>
+    <message>
+        <source>element {number}</source>
+        <translation>Element {number}</translation>
+    </message>
+    <message>
+        <source>{size} for the header and 4 for each of the {count} elements</source>
+        <translation>{size} für den Kopf und je 4 für {count} Elemente</translation>
+    </message>
+    <message>
+        <source>at least the {size} bytes of the header</source>
+        <translation>mindestens die {size} Byte des Kopfs</translation>
+    </message>
+    <message>
+        <source>0 or 1</source>
+        <translation>0 oder 1</translation>
+    </message>
+    <message>
+        <source>1, 2 or 3</source>
+        <translation>1, 2 oder 3</translation>
+    </message>
+    <message>
+        <source>2 or more</source>
+        <translation>2 oder mehr</translation>
+    </message>
+    <message>
+        <source>1, because this dimension is not used</source>
+        <translation>1, weil diese Dimension nicht verwendet wird</translation>
+    </message>
+    <message>
+        <source>{count}, the product of the sizes</source>
+        <translation>{count}, das Produkt der Größen</translation>
+    </message>
+    <message>
+        <source>a finite number</source>
+        <translation>eine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>a finite number above 0</source>
+        <translation>eine endliche Zahl über 0</translation>
+    </message>
+    <message>
+        <source>one that leads to a finite last position</source>
+        <translation>ein Wert, der zu einer endlichen letzten Position führt</translation>
+    </message>
+    <message>
+        <source>one that tells positions such as {position} apart</source>
+        <translation>ein Wert, der Positionen wie {position} unterscheidbar lässt</translation>
+    </message>
+    <message>
+        <source>{crc}, the CRC of the header before it</source>
+        <translation>{crc}, die CRC des Kopfs davor</translation>
+    </message>
+    <message>
+        <source>{crc}, the CRC of the elements</source>
+        <translation>{crc}, die CRC der Elemente</translation>
+    </message>
+    <message>
+        <source>the size of dimension {dimension} is {value}, at least 2 is needed</source>
+        <translation>die Größe der Dimension {dimension} ist {value}, nötig ist mindestens 2</translation>
+    </message>
+    <message>
+        <source>the start value of dimension {dimension} is {value}, a finite number is needed</source>
+        <translation>der Anfangswert der Dimension {dimension} ist {value}, nötig ist eine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>the distance of dimension {dimension} is {value}, a finite number above 0 is needed</source>
+        <translation>die Schrittweite der Dimension {dimension} ist {value}, nötig ist eine endliche Zahl über 0</translation>
+    </message>
+    <message>
+        <source>the distance of dimension {dimension} is {value}, too little to tell positions such as {position} apart</source>
+        <translation>die Schrittweite der Dimension {dimension} ist {value}, zu klein, um Positionen wie {position} zu unterscheiden</translation>
+    </message>
+    <message>
+        <source>the last position of dimension {dimension} is too large to be a number</source>
+        <translation>die letzte Position der Dimension {dimension} ist zu groß für eine Zahl</translation>
+    </message>
+    <message>
+        <source>the table has {count} dimensions, 1 to 3 are possible</source>
+        <translation>die Tabelle hat {count} Dimensionen, möglich sind 1 bis 3</translation>
+    </message>
+    <message>
+        <source>the table has {count} values, which is not the product of its sizes</source>
+        <translation>die Tabelle hat {count} Werte, was nicht das Produkt ihrer Größen ist</translation>
+    </message>
+    <message>
+        <source>the table has more values than a file can count</source>
+        <translation>die Tabelle hat mehr Werte, als eine Datei zählen kann</translation>
+    </message>
+    <message>
+        <source>value {number} is {value}, a finite number is needed</source>
+        <translation>Wert {number} ist {value}, nötig ist eine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>the table cannot be kept in this drive&apos;s table file: {reason}</source>
+        <translation>die Tabelle lässt sich nicht in der Tabellendatei dieses Antriebs ablegen: {reason}</translation>
+    </message>
+    <message>
+        <source>{value} does not fit into the field {field}, which is of type {type}</source>
+        <translation>{value} passt nicht in das Feld {field} vom Typ {type}</translation>
+    </message>
+    <message>
+        <source>the grid of dimension {dimension}, start {start} and distance {distance}, cannot be held by fields of the types {first} and {second}</source>
+        <translation>das Raster der Dimension {dimension} mit Anfang {start} und Schrittweite {distance} lässt sich nicht in Feldern der Typen {first} und {second} darstellen</translation>
+    </message>
+    <message>
+        <source>{reason}</source>
+        <translation>{reason}</translation>
+    </message>
+    <message>
+        <source>stopped by the user</source>
+        <translation>vom Benutzer abgebrochen</translation>
+    </message>
+    <message>
+        <source>{file} cannot be read: {reason}</source>
+        <translation>{file} kann nicht gelesen werden: {reason}</translation>
+    </message>
+    <message>
+        <source>{file} cannot be written: {reason}</source>
+        <translation>{file} kann nicht geschrieben werden: {reason}</translation>
+    </message>
+    <message>
+        <source>{file} has {size} bytes, more than the {limit} that such a file can have</source>
+        <translation>{file} hat {size} Byte; höchstens {limit} sind für eine solche Datei möglich</translation>
+    </message>
+    <message>
+        <source>{file} is not a valid calibration file: {count} problem(s)</source>
+        <translation>{file} ist keine gültige Kalibrierdatei, Anzahl der Fehler: {count}</translation>
+    </message>
+    <message>
+        <source>this is not a valid TAM table: {field} at offset {offset} is {found}, expected {expected}</source>
+        <translation>keine gültige TAM-Tabelle: {field} bei Byte {offset} ist {found}, erwartet: {expected}</translation>
+    </message>
+    <message>
+        <source>the drive profile {file} is wrong at {path}: {reason}</source>
+        <translation>Fehler im Antriebsprofil {file} bei {path}: {reason}</translation>
+    </message>
+    <message>
+        <source>the TAM configuration {file} is wrong in line {line}: {reason}</source>
+        <translation>Fehler in der TAM-Konfiguration {file}, Zeile {line}: {reason}</translation>
+    </message>
+    <message>
+        <source>{file} is not a valid backup: {reason}</source>
+        <translation>{file} ist keine gültige Sicherung: {reason}</translation>
+    </message>
+    <message>
+        <source>the format of {file} is not known; name one of: {known}</source>
+        <translation>das Format von {file} ist unbekannt; eines davon angeben: {known}</translation>
+    </message>
+    <message>
+        <source>there is no table {table} in the file; it has: {known}</source>
+        <translation>die Datei enthält keine Tabelle {table}, sondern: {known}</translation>
+    </message>
+    <message>
+        <source>{endpoint} is not the address of a drive: {reason}</source>
+        <translation>{endpoint} ist keine Adresse eines Antriebs: {reason}</translation>
+    </message>
+    <message>
+        <source>no connection to {endpoint}: {reason}</source>
+        <translation>keine Verbindung zu {endpoint}: {reason}</translation>
+    </message>
+    <message>
+        <source>the connection to {endpoint} was lost: {reason}</source>
+        <translation>die Verbindung zu {endpoint} ist abgebrochen: {reason}</translation>
+    </message>
+    <message>
+        <source>{endpoint} did not answer within {seconds} s</source>
+        <translation>{endpoint} hat nicht innerhalb von {seconds} s geantwortet</translation>
+    </message>
+    <message>
+        <source>{endpoint} did not answer as a drive does: expected {expected}, got {quote}</source>
+        <translation>{endpoint} antwortet nicht wie ein Antrieb: erwartet {expected}, erhalten {quote}</translation>
+    </message>
+    <message>
+        <source>{endpoint} asks for a user name and a password; give them as http://user:password@host</source>
+        <translation>{endpoint} verlangt Benutzername und Passwort; anzugeben als http://benutzer:passwort@host</translation>
+    </message>
+    <message>
+        <source>the certificate of {endpoint} cannot be trusted: {reason}</source>
+        <translation>das Zertifikat von {endpoint} ist nicht vertrauenswürdig: {reason}</translation>
+    </message>
+    <message>
+        <source>the drive refused: {reason}</source>
+        <translation>der Antrieb hat abgelehnt: {reason}</translation>
+    </message>
+    <message>
+        <source>the drive has no register {path}</source>
+        <translation>der Antrieb hat kein Register {path}</translation>
+    </message>
+    <message>
+        <source>the drive has no file {path}</source>
+        <translation>der Antrieb hat keine Datei {path}</translation>
+    </message>
+    <message>
+        <source>the drive does not allow this now: {reason}</source>
+        <translation>der Antrieb lässt das jetzt nicht zu: {reason}</translation>
+    </message>
+    <message>
+        <source>the table does not fit: {reason}</source>
+        <translation>die Tabelle passt nicht: {reason}</translation>
+    </message>
+    <message>
+        <source>the drive refused the table: {reason}</source>
+        <translation>der Antrieb hat die Tabelle abgelehnt: {reason}</translation>
+    </message>
+    <message>
+        <source>too many flash operations in a short time; wait {seconds} s, or write volatile</source>
+        <translation>zu viele Flash-Vorgänge in kurzer Zeit; {seconds} s warten oder flüchtig schreiben</translation>
+    </message>
+    <message>
+        <source>the compensation of axis {axis} is in error {error}: {hint}</source>
+        <translation>die Kompensation der Achse {axis} meldet den Fehler {error}: {hint}</translation>
+    </message>
+    <message>
+        <source>the drive has no axis {axis}; it has: {known}</source>
+        <translation>der Antrieb hat keine Achse {axis}; vorhanden: {known}</translation>
+    </message>
+    <message>
+        <source>several axes are named {axis}: give the index, one of {matches}</source>
+        <translation>mehrere Achsen heißen {axis}: den Index angeben, einen von {matches}</translation>
+    </message>
+    <message>
+        <source>axis {axis} of this drive has no compensation registers</source>
+        <translation>Achse {axis} dieses Antriebs hat keine Kompensationsregister</translation>
+    </message>
+    <message>
+        <source>the source of dimension {dimension} is missing</source>
+        <translation>die Quelle der Dimension {dimension} fehlt</translation>
+    </message>
+    <message>
+        <source>there is a source for dimension {dimension}, but only {dimensions} dimension(s)</source>
+        <translation>für Dimension {dimension} ist eine Quelle angegeben, die Anzahl der Dimensionen ist aber {dimensions}</translation>
+    </message>
+    <message>
+        <source>the drive has no register {source}{nearest}</source>
+        <translation>der Antrieb hat kein Register {source}{nearest}</translation>
+    </message>
+    <message>
+        <source>{source} is of type {type}; a dimension source must be one of {allowed}</source>
+        <translation>{source} hat den Typ {type}; eine Dimensionsquelle braucht einen dieser Typen: {allowed}</translation>
+    </message>
+    <message>
+        <source>{source} is a register of the drive {other}; a source must be on the drive itself, {drive}</source>
+        <translation>{source} ist ein Register des Antriebs {other}; eine Quelle muss auf dem Antrieb selbst liegen, {drive}</translation>
+    </message>
+    <message>
+        <source>{source} is the source of both dimension {first} and dimension {second}</source>
+        <translation>{source} ist Quelle sowohl der Dimension {first} als auch der Dimension {second}</translation>
+    </message>
+    <message>
+        <source>the table has {table} dimension(s), but {chosen} are chosen</source>
+        <translation>die Dimensionszahl der Tabelle ist {table}, gewählt ist {chosen}</translation>
+    </message>
+    <message>
+        <source>the table needs {size} bytes, but the largest slot that may be taken, {slot}, holds {largest}</source>
+        <translation>die Tabelle braucht {size} Byte, der größte verfügbare Tabellenplatz {slot} fasst nur {largest}</translation>
+    </message>
+    <message>
+        <source>the drive has no slot {slot}; it has: {known}</source>
+        <translation>der Antrieb hat keinen Tabellenplatz {slot}; vorhanden: {known}</translation>
+    </message>
+    <message>
+        <source>slot {slot} is in use by {user}</source>
+        <translation>Tabellenplatz {slot} ist belegt durch {user}</translation>
+    </message>
+    <message>
+        <source>no slot is free for a table of {size} bytes: {slots}; name one to overwrite it</source>
+        <translation>kein Tabellenplatz ist frei für eine Tabelle mit {size} Byte: {slots}; zum Überschreiben einen angeben</translation>
+    </message>
+    <message>
+        <source>axis {axis} has no table on the drive; write one first</source>
+        <translation>Achse {axis} hat keine Tabelle auf dem Antrieb; zuerst eine schreiben</translation>
+    </message>
+    <message>
+        <source>axis {axis} already has all of this; there is nothing to write</source>
+        <translation>Achse {axis} hat das alles schon; es gibt nichts zu schreiben</translation>
+    </message>
+    <message>
+        <source>the compensation of axis {axis} is active; deactivate it first</source>
+        <translation>die Kompensation der Achse {axis} ist aktiv; zuerst deaktivieren</translation>
+    </message>
+    <message>
+        <source>axis {axis} must be homed first</source>
+        <translation>Achse {axis} muss zuerst referenziert werden</translation>
+    </message>
+    <message>
+        <source>this is another drive: expected serial number {expected}, found {found}</source>
+        <translation>das ist ein anderer Antrieb: erwartet Seriennummer {expected}, gefunden {found}</translation>
+    </message>
+    <message>
+        <source>somebody else changed {what} from {before} to {now}; nothing was written, look again</source>
+        <translation>inzwischen geändert: {what}, vorher {before}, jetzt {now}; es wurde nichts geschrieben, bitte neu prüfen</translation>
+    </message>
+    <message>
+        <source>{what} read back as {found}, but {expected} was written</source>
+        <translation>{what}: zurückgelesen {found}, geschrieben {expected}</translation>
+    </message>
+    <message>
+        <source>the drive does not add what it should: {what} at {position} is {found}, expected {expected}</source>
+        <translation>der Antrieb addiert nicht, was er soll: {what} bei {position} ist {found}, erwartet {expected}</translation>
+    </message>
+    <message>
+        <source>{reason}. The drive holds the complete old or the complete new state; ask for the status when it answers again. The old state is kept in {backup}</source>
+        <translation>{reason}. Der Antrieb hat vollständig den alten oder vollständig den neuen Stand; den Status abfragen, sobald er wieder antwortet. Der alte Stand ist gesichert in {backup}</translation>
+    </message>
+    <message>
+        <source>{reason}; putting the old state back failed too ({rollback}). Do not activate the axis; restore it from {backup}</source>
+        <translation>{reason}; auch das Zurückstellen des alten Stands ist fehlgeschlagen ({rollback}). Die Achse nicht aktivieren, sondern wiederherstellen aus {backup}</translation>
+    </message>
+    <message>
+        <source>it does not exist</source>
+        <translation>nicht vorhanden</translation>
+    </message>
+    <message>
+        <source>no permission</source>
+        <translation>keine Berechtigung</translation>
+    </message>
+    <message>
+        <source>the disk is full</source>
+        <translation>der Datenträger ist voll</translation>
+    </message>
+    <message>
+        <source>the disk quota is used up</source>
+        <translation>das Speicherkontingent ist erschöpft</translation>
+    </message>
+    <message>
+        <source>the file system is read-only</source>
+        <translation>das Dateisystem ist schreibgeschützt</translation>
+    </message>
+    <message>
+        <source>it is a folder</source>
+        <translation>das ist ein Ordner</translation>
+    </message>
+    <message>
+        <source>a part of the path is not a folder</source>
+        <translation>ein Teil des Pfads ist kein Ordner</translation>
+    </message>
+    <message>
+        <source>the name is too long</source>
+        <translation>der Name ist zu lang</translation>
+    </message>
+    <message>
+        <source>its symbolic links lead in a circle</source>
+        <translation>die symbolischen Links führen im Kreis</translation>
+    </message>
+    <message>
+        <source>it would be larger than a file may be here</source>
+        <translation>die Datei würde größer, als hier erlaubt ist</translation>
+    </message>
+    <message>
+        <source>the disk reports an error</source>
+        <translation>der Datenträger meldet einen Fehler</translation>
+    </message>
+    <message>
+        <source>there is not enough memory</source>
+        <translation>der Arbeitsspeicher reicht nicht</translation>
+    </message>
+    <message>
+        <source>the folder {folder} does not exist</source>
+        <translation>der Ordner {folder} ist nicht vorhanden</translation>
+    </message>
+    <message>
+        <source>more than {size}</source>
+        <translation>mehr als {size}</translation>
+    </message>
+    <message>
+        <source>another program is using it; try again when that one has finished</source>
+        <translation>ein anderes Programm verwendet sie gerade; danach erneut versuchen</translation>
+    </message>
+    <message>
+        <source>it cannot be locked: {reason}</source>
+        <translation>Sperren nicht möglich: {reason}</translation>
+    </message>
+    <message>
+        <source>it does not read back as it was written</source>
+        <translation>zurückgelesen wurde etwas anderes als geschrieben</translation>
+    </message>
+    <message>
+        <source>it is damaged and cannot be moved aside ({reason}); delete it</source>
+        <translation>sie ist beschädigt und lässt sich nicht beiseitelegen ({reason}); bitte löschen</translation>
+    </message>
+    <message>
+        <source>it was kept about a write that did not end, but is damaged ({reason}). Look at what the drive holds, then delete the file</source>
+        <translation>sie gehört zu einem nicht beendeten Schreibvorgang, ist aber beschädigt ({reason}). Den Stand des Antriebs prüfen, dann die Datei löschen</translation>
+    </message>
+    <message>
+        <source>it is about axis {axis} of drive {drive}</source>
+        <translation>sie gehört zu Achse {axis} des Antriebs {drive}</translation>
+    </message>
+    <message>
+        <source>this is not JSON</source>
+        <translation>kein gültiges JSON</translation>
+    </message>
+    <message>
+        <source>the document</source>
+        <translation>das Dokument</translation>
+    </message>
+    <message>
+        <source>line {line}, column {column}</source>
+        <translation>Zeile {line}, Spalte {column}</translation>
+    </message>
+    <message>
+        <source>{place}: {problem}</source>
+        <translation>{place}: {problem}</translation>
+    </message>
+    <message>
+        <source>the member &quot;{name}&quot; is there twice in one object</source>
+        <translation>der Eintrag &quot;{name}&quot; kommt in einem Objekt zweimal vor</translation>
+    </message>
+    <message>
+        <source>the member &quot;{name}&quot; is not known</source>
+        <translation>der Eintrag &quot;{name}&quot; ist unbekannt</translation>
+    </message>
+    <message>
+        <source>it has more than {count} values</source>
+        <translation>mehr als {count} Werte</translation>
+    </message>
+    <message>
+        <source>it is nested deeper than {count} levels</source>
+        <translation>tiefer als {count} Ebenen verschachtelt</translation>
+    </message>
+    <message>
+        <source>it has {size} bytes, more than the {limit} that such a file can have</source>
+        <translation>{size} Byte; höchstens {limit} sind für eine solche Datei möglich</translation>
+    </message>
+    <message>
+        <source>an object is expected, not {found}</source>
+        <translation>erwartet wird ein Objekt, gefunden: {found}</translation>
+    </message>
+    <message>
+        <source>a list is expected, not {found}</source>
+        <translation>erwartet wird eine Liste, gefunden: {found}</translation>
+    </message>
+    <message>
+        <source>a text is expected, not {found}</source>
+        <translation>erwartet wird ein Text, gefunden: {found}</translation>
+    </message>
+    <message>
+        <source>true or false is expected, not {found}</source>
+        <translation>erwartet wird true oder false, gefunden: {found}</translation>
+    </message>
+    <message>
+        <source>a number is expected, not {found}</source>
+        <translation>erwartet wird eine Zahl, gefunden: {found}</translation>
+    </message>
+    <message>
+        <source>a whole number from {least} to {most} is expected, not {found}</source>
+        <translation>erwartet wird eine ganze Zahl von {least} bis {most}, gefunden: {found}</translation>
+    </message>
+    <message>
+        <source>a list</source>
+        <translation>eine Liste</translation>
+    </message>
+    <message>
+        <source>an object</source>
+        <translation>ein Objekt</translation>
+    </message>
+    <message>
+        <source>this is missing</source>
+        <translation>das fehlt</translation>
+    </message>
+    <message>
+        <source>this is empty</source>
+        <translation>das ist leer</translation>
+    </message>
+    <message>
+        <source>this is there twice</source>
+        <translation>das kommt zweimal vor</translation>
+    </message>
+    <message>
+        <source>this is not base64</source>
+        <translation>das ist kein Base64</translation>
+    </message>
+    <message>
+        <source>this is too large for a Single</source>
+        <translation>das ist zu groß für Single</translation>
+    </message>
+    <message>
+        <source>a number is expected, or NaN, Infinity, -Infinity as a text</source>
+        <translation>erwartet wird eine Zahl, oder NaN, Infinity, -Infinity als Text</translation>
+    </message>
+    <message>
+        <source>the bytes have the CRC-32 {crc}, so they are damaged</source>
+        <translation>die Bytes haben die CRC-32 {crc}, sind also beschädigt</translation>
+    </message>
+    <message>
+        <source>this file is there twice</source>
+        <translation>diese Datei kommt zweimal vor</translation>
+    </message>
+    <message>
+        <source>this axis of the drive is there twice</source>
+        <translation>diese Achse des Antriebs kommt zweimal vor</translation>
+    </message>
+    <message>
+        <source>&quot;{format}&quot; is expected</source>
+        <translation>erwartet wird &quot;{format}&quot;</translation>
+    </message>
+    <message>
+        <source>only version {version} can be read; a newer version of this program may have written it</source>
+        <translation>lesbar ist nur Version {version}; vielleicht stammt die Datei von einer neueren Programmversion</translation>
+    </message>
+    <message>
+        <source>one of Boolean, Int32, UInt32, Single, Double, Enum is expected</source>
+        <translation>erwartet wird Boolean, Int32, UInt32, Single, Double oder Enum</translation>
+    </message>
+    <message>
+        <source>a time such as 2026-11-21T08:02:23Z is expected</source>
+        <translation>erwartet wird eine Zeit wie 2026-11-21T08:02:23Z</translation>
+    </message>
+    <message>
+        <source>a CRC-32 of eight hexadecimal digits such as 1c291ca3 is expected</source>
+        <translation>erwartet wird eine CRC-32 aus acht Hexadezimalziffern wie 1c291ca3</translation>
+    </message>
+    <message>
+        <source>it was closed before the reply was complete</source>
+        <translation>sie wurde geschlossen, bevor die Antwort vollständig war</translation>
+    </message>
+    <message>
+        <source>nothing listens there; is the drive switched on, and is the address right?</source>
+        <translation>dort antwortet nichts; ist der Antrieb eingeschaltet und stimmt die Adresse?</translation>
+    </message>
+    <message>
+        <source>the network does not know the name {name}</source>
+        <translation>der Name {name} ist im Netzwerk unbekannt</translation>
+    </message>
+    <message>
+        <source>there is no https; try http://, or another port</source>
+        <translation>kein https vorhanden; http:// oder einen anderen Port versuchen</translation>
+    </message>
+    <message>
+        <source>write http://host[:port], https://host[:port], serial:/dev/ttyUSB0 or demo:</source>
+        <translation>möglich sind http://host[:port], https://host[:port], serial:/dev/ttyUSB0 oder demo:</translation>
+    </message>
+    <message>
+        <source>the host is missing; write http://192.168.1.20 or http://host:8080</source>
+        <translation>der Host fehlt; anzugeben als http://192.168.1.20 oder http://host:8080</translation>
+    </message>
+    <message>
+        <source>only host and port belong here, no path</source>
+        <translation>hierher gehören nur Host und Port, kein Pfad</translation>
+    </message>
+    <message>
+        <source>port 0 cannot be reached</source>
+        <translation>Port 0 ist nicht erreichbar</translation>
+    </message>
+    <message>
+        <source>the device must be an absolute path such as serial:/dev/ttyUSB0</source>
+        <translation>das Gerät muss ein absoluter Pfad sein wie serial:/dev/ttyUSB0</translation>
+    </message>
+    <message>
+        <source>the only option is baud, as in serial:/dev/ttyUSB0?baud=115200</source>
+        <translation>die einzige Option ist baud wie in serial:/dev/ttyUSB0?baud=115200</translation>
+    </message>
+    <message>
+        <source>you have no permission to use the port, and no group has it; ask the administrator</source>
+        <translation>keine Berechtigung für den Anschluss, und keine Gruppe hat sie; den Administrator fragen</translation>
+    </message>
+    <message>
+        <source>you have no permission to use the port; join the group {group} (sudo usermod -aG {name} $USER) and log in again</source>
+        <translation>keine Berechtigung für den Anschluss; der Gruppe {group} beitreten (sudo usermod -aG {name} $USER) und neu anmelden</translation>
+    </message>
+    <message>
+        <source>you have no permission to look into its folder</source>
+        <translation>keine Berechtigung für den Ordner</translation>
+    </message>
+    <message>
+        <source>there is no such port; is the cable or the adapter plugged in?</source>
+        <translation>einen solchen Anschluss gibt es nicht; ist das Kabel oder der Adapter eingesteckt?</translation>
+    </message>
+    <message>
+        <source>the port cannot be used</source>
+        <translation>der Anschluss kann nicht verwendet werden</translation>
+    </message>
+    <message>
+        <source>the serial port is gone; was the cable or the adapter unplugged?</source>
+        <translation>der serielle Anschluss ist weg; wurde das Kabel oder der Adapter ausgesteckt?</translation>
+    </message>
+    <message>
+        <source>another program is using the port; close it there</source>
+        <translation>ein anderes Programm verwendet den Anschluss; dort schließen</translation>
+    </message>
+    <message>
+        <source>this is no serial port ({reason})</source>
+        <translation>das ist kein serieller Anschluss ({reason})</translation>
+    </message>
+    <message>
+        <source>the port cannot do {speed} baud</source>
+        <translation>der Anschluss kann {speed} Baud nicht</translation>
+    </message>
+    <message>
+        <source>the reply of a drive at {speed} baud</source>
+        <translation>die Antwort eines Antriebs mit {speed} Baud</translation>
+    </message>
+    <message>
+        <source>name, serial number, axes and profile</source>
+        <translation>Name, Seriennummer, Achsen und Profil</translation>
+    </message>
+    <message>
+        <source>the number of lines that follow</source>
+        <translation>die Anzahl der Zeilen, die folgen</translation>
+    </message>
+    <message>
+        <source>the line garbles too much; check the cable, or try a lower baud rate</source>
+        <translation>die Leitung verfälscht zu viel; das Kabel prüfen oder eine niedrigere Baudrate versuchen</translation>
+    </message>
+    <message>
+        <source>no answer to {request}</source>
+        <translation>keine Antwort auf {request}</translation>
+    </message>
+    <message>
+        <source>the drive began anew</source>
+        <translation>der Antrieb hat von vorn begonnen</translation>
+    </message>
+    <message>
+        <source>a size of at most {most} and a CRC</source>
+        <translation>eine Größe von höchstens {most} und eine CRC</translation>
+    </message>
+    <message>
+        <source>the CRC-32 is wrong;</source>
+        <translation>die CRC-32 ist falsch;</translation>
+    </message>
+    <message>
+        <source>{count} register(s)</source>
+        <translation>{count} Register</translation>
+    </message>
+    <message>
+        <source>{count} address(es)</source>
+        <translation>{count} Adresse(n)</translation>
+    </message>
+    <message>
+        <source>a type and a value</source>
+        <translation>ein Typ und ein Wert</translation>
+    </message>
+    <message>
+        <source>an address</source>
+        <translation>eine Adresse</translation>
+    </message>
+    <message>
+        <source>how many registers there are</source>
+        <translation>die Anzahl der Register</translation>
+    </message>
+    <message>
+        <source>path, address, type and value</source>
+        <translation>Pfad, Adresse, Typ und Wert</translation>
+    </message>
+    <message>
+        <source>the rest of the registers</source>
+        <translation>die übrigen Register</translation>
+    </message>
+    <message>
+        <source>the serial link writes 1 to {most} registers at one instant, not {count}</source>
+        <translation>die serielle Verbindung schreibt 1 bis {most} Register zugleich, nicht {count}</translation>
+    </message>
+    <message>
+        <source>path, size and maximum size</source>
+        <translation>Pfad, Größe und größte Größe</translation>
+    </message>
+    <message>
+        <source>it was cancelled</source>
+        <translation>sie wurde abgebrochen</translation>
+    </message>
+    <message>
+        <source>one block did not arrive in {count} attempts</source>
+        <translation>ein Block kam in {count} Versuchen nicht an</translation>
+    </message>
+    <message>
+        <source>the receiver did not begin</source>
+        <translation>der Empfänger hat nicht begonnen</translation>
+    </message>
+    <message>
+        <source>the receiver does not answer</source>
+        <translation>der Empfänger antwortet nicht</translation>
+    </message>
+    <message>
+        <source>the header of the file makes no sense</source>
+        <translation>der Kopf der Datei ergibt keinen Sinn</translation>
+    </message>
+    <message>
+        <source>more than one file was sent</source>
+        <translation>mehr als eine Datei wurde gesendet</translation>
+    </message>
+    <message>
+        <source>no file was sent</source>
+        <translation>keine Datei wurde gesendet</translation>
+    </message>
+    <message>
+        <source>the file is too large</source>
+        <translation>die Datei ist zu groß</translation>
+    </message>
+    <message>
+        <source>the blocks are out of order</source>
+        <translation>die Reihenfolge der Blöcke stimmt nicht</translation>
+    </message>
+    <message>
+        <source>the sender did not begin</source>
+        <translation>der Sender hat nicht begonnen</translation>
+    </message>
+    <message>
+        <source>the sender does not send any more</source>
+        <translation>der Sender sendet nicht mehr</translation>
+    </message>
+    <message>
+        <source>no reason given</source>
+        <translation>kein Grund angegeben</translation>
+    </message>
+    <message>
+        <source>a redirect to {address}</source>
+        <translation>eine Weiterleitung nach {address}</translation>
+    </message>
+    <message>
+        <source>a redirect to {address}; give its address with https://</source>
+        <translation>eine Weiterleitung nach {address}; die Adresse mit https:// angeben</translation>
+    </message>
+    <message>
+        <source>the answer itself</source>
+        <translation>die Antwort selbst</translation>
+    </message>
+    <message>
+        <source>success or a refusal</source>
+        <translation>Erfolg oder eine Ablehnung</translation>
+    </message>
+    <message>
+        <source>HTTP status {status}</source>
+        <translation>HTTP-Status {status}</translation>
+    </message>
+    <message>
+        <source>HTTP status {status}, {text}</source>
+        <translation>HTTP-Status {status}, {text}</translation>
+    </message>
+    <message>
+        <source>HTTP status {status} and {text}</source>
+        <translation>HTTP-Status {status} und {text}</translation>
+    </message>
+    <message>
+        <source>an HTTP reply</source>
+        <translation>eine HTTP-Antwort</translation>
+    </message>
+    <message>
+        <source>the status line of an HTTP reply</source>
+        <translation>die Statuszeile einer HTTP-Antwort</translation>
+    </message>
+    <message>
+        <source>a header field of an HTTP reply</source>
+        <translation>ein Kopffeld einer HTTP-Antwort</translation>
+    </message>
+    <message>
+        <source>a head of at most 64 KiB</source>
+        <translation>ein Kopf mit höchstens 64 KiB</translation>
+    </message>
+    <message>
+        <source>one Content-Length</source>
+        <translation>ein Content-Length</translation>
+    </message>
+    <message>
+        <source>no Transfer-Encoding but chunked</source>
+        <translation>als Transfer-Encoding nur chunked</translation>
+    </message>
+    <message>
+        <source>the size of a chunk</source>
+        <translation>die Größe eines Blocks</translation>
+    </message>
+    <message>
+        <source>the end of a chunk</source>
+        <translation>das Ende eines Blocks</translation>
+    </message>
+    <message>
+        <source>at most {count} files</source>
+        <translation>höchstens {count} Dateien</translation>
+    </message>
+    <message>
+        <source>file paths without blanks</source>
+        <translation>Dateipfade ohne Leerzeichen</translation>
+    </message>
+    <message>
+        <source>an actual size of {path} up to its maximum size</source>
+        <translation>eine Größe von {path} bis zur Höchstgröße</translation>
+    </message>
+    <message>
+        <source>the file {path} once</source>
+        <translation>die Datei {path} einmal</translation>
+    </message>
+    <message>
+        <source>a file, its size and its maximum size in each row</source>
+        <translation>eine Datei, ihre Größe und ihre Höchstgröße in jeder Zeile</translation>
+    </message>
+    <message>
+        <source>sizes in bytes</source>
+        <translation>Größen in Byte</translation>
+    </message>
+    <message>
+        <source>a JSON array of files</source>
+        <translation>ein JSON-Array von Dateien</translation>
+    </message>
+    <message>
+        <source>a file with path, size and maximumSize</source>
+        <translation>eine Datei mit path, size und maximumSize</translation>
+    </message>
+    <message>
+        <source>at least one file in the table</source>
+        <translation>mindestens eine Datei in der Tabelle</translation>
+    </message>
+    <message>
+        <source>a Directory page with a table of File, actual size and maximum size</source>
+        <translation>eine Directory-Seite mit einer Tabelle aus File, actual size und maximum size</translation>
+    </message>
+    <message>
+        <source>a JSON array of registers</source>
+        <translation>ein JSON-Array von Registern</translation>
+    </message>
+    <message>
+        <source>a JSON array of {count} register(s)</source>
+        <translation>ein JSON-Array mit der Registerzahl {count}</translation>
+    </message>
+    <message>
+        <source>a JSON array of {count} register(s), in the order asked for</source>
+        <translation>ein JSON-Array mit der Registerzahl {count} in der angefragten Reihenfolge</translation>
+    </message>
+    <message>
+        <source>a register with path, address, type and a value of that type</source>
+        <translation>ein Register mit path, address, type und einem Wert dieses Typs</translation>
+    </message>
+    <message>
+        <source>registers below {path}</source>
+        <translation>Register unterhalb von {path}</translation>
+    </message>
+    <message>
+        <source>{path}, or one of {count} others asked for with it</source>
+        <translation>{path} oder eines von {count} weiteren, die zugleich angefragt wurden</translation>
+    </message>
+    <message>
+        <source>at most 1024 axes</source>
+        <translation>höchstens 1024 Achsen</translation>
+    </message>
+    <message>
+        <source>more</source>
+        <translation>mehr</translation>
+    </message>
+    <message>
+        <source>status 204 without a body</source>
+        <translation>Status 204 ohne Inhalt</translation>
+    </message>
+    <message>
+        <source>a file with its Content-Length</source>
+        <translation>eine Datei mit Content-Length</translation>
+    </message>
+    <message>
+        <source>the bytes of {path}</source>
+        <translation>die Bytes von {path}</translation>
+    </message>
+    <message>
+        <source>a reply</source>
+        <translation>eine Antwort</translation>
+    </message>
+    <message>
+        <source>flipped bytes</source>
+        <translation>verfälschte Bytes</translation>
+    </message>
+    <message>
+        <source>the connection was cut</source>
+        <translation>die Verbindung wurde getrennt</translation>
+    </message>
+    <message>
+        <source>the drive rebooted</source>
+        <translation>der Antrieb ist neu gestartet</translation>
+    </message>
+    <message>
+        <source>a request reads at most {most} registers, not {count}</source>
+        <translation>eine Anfrage liest höchstens {most} Register, nicht {count}</translation>
+    </message>
+    <message>
+        <source>a request writes 1 to {most} registers, not {count}</source>
+        <translation>eine Anfrage schreibt 1 bis {most} Register, nicht {count}</translation>
+    </message>
+    <message>
+        <source>{path} is written twice in one request</source>
+        <translation>{path} wird in einer Anfrage zweimal geschrieben</translation>
+    </message>
+    <message>
+        <source>{path} is read-only</source>
+        <translation>{path} ist nur lesbar</translation>
+    </message>
+    <message>
+        <source>{path} is of type {type}, and cannot be {value}</source>
+        <translation>{path} hat den Typ {type} und kann nicht {value} sein</translation>
+    </message>
+    <message>
+        <source>{path} is of type {type}, one of {names}, and cannot be {value}</source>
+        <translation>{path} hat den Typ {type}, also einen der Werte {names}, und kann nicht {value} sein</translation>
+    </message>
+    <message>
+        <source>the compensation of {axis} is on, so {what} must stay; deactivate it</source>
+        <translation>die Kompensation ist eingeschaltet ({axis}), daher unveränderlich: {what}; zuerst deaktivieren</translation>
+    </message>
+    <message>
+        <source>its homing</source>
+        <translation>die Referenzierung</translation>
+    </message>
+    <message>
+        <source>the table in {slot}</source>
+        <translation>die Tabelle in {slot}</translation>
+    </message>
+    <message>
+        <source>there is no table in {slot} that could be persistent</source>
+        <translation>in {slot} ist keine Tabelle, die dauerhaft werden könnte</translation>
+    </message>
+    <message>
+        <source>there is no table in {slot} that could be committed</source>
+        <translation>in {slot} ist keine Tabelle, die sich im Flash ablegen ließe</translation>
+    </message>
+    <message>
+        <source>{path} can have {most} bytes, not {size}</source>
+        <translation>{path} fasst {most} Byte, nicht {size}</translation>
+    </message>
+    <message>
+        <source>the drive&apos;s flash failed: {reason}</source>
+        <translation>der Flash-Speicher des Antriebs hat versagt: {reason}</translation>
+    </message>
+    <message>
+        <source>the axis must be homed first</source>
+        <translation>die Achse muss zuerst referenziert werden</translation>
+    </message>
+    <message>
+        <source>the axis has no table; write one first</source>
+        <translation>die Achse hat keine Tabelle; zuerst eine schreiben</translation>
+    </message>
+    <message>
+        <source>the number of sources must equal the table&apos;s dimensions</source>
+        <translation>es muss so viele Quellen geben, wie die Tabelle Dimensionen hat</translation>
+    </message>
+    <message>
+        <source>a source is not a Single or Double register of this drive</source>
+        <translation>eine Quelle ist kein Single- oder Double-Register dieses Antriebs</translation>
+    </message>
+    <message>
+        <source>the drive cannot use the table; write it again</source>
+        <translation>der Antrieb kann die Tabelle nicht verwenden; neu schreiben</translation>
+    </message>
+    <message>
+        <source>see the drive&apos;s manual</source>
+        <translation>siehe Handbuch des Antriebs</translation>
+    </message>
+    <message>
+        <source>it did not become {state} in time</source>
+        <translation>der Zustand {state} wurde nicht rechtzeitig erreicht</translation>
+    </message>
+    <message>
+        <source>only an active or an evaluating compensation can be proved</source>
+        <translation>nur eine aktive oder auswertende Kompensation lässt sich nachweisen</translation>
+    </message>
+    <message>
+        <source>No other slot is free: the table in {slot} is overwritten. A copy is kept in the backup.</source>
+        <translation>Kein anderer Tabellenplatz ist frei: die Tabelle in {slot} wird überschrieben. Die Sicherung enthält eine Kopie.</translation>
+    </message>
+    <message>
+        <source>What {slot} holds now is overwritten. A copy is kept in the backup.</source>
+        <translation>Der jetzige Inhalt von {slot} wird überschrieben. Die Sicherung enthält eine Kopie.</translation>
+    </message>
+    <message>
+        <source>The new table is volatile: after a reboot the axis has the old, persistent one again.</source>
+        <translation>Die neue Tabelle ist flüchtig: nach einem Neustart hat die Achse wieder die alte, dauerhafte.</translation>
+    </message>
+    <message>
+        <source>The parameters of all axes are saved, but the table of {axis} in {slot} is volatile: after a reboot that axis has no table.</source>
+        <translation>Gespeichert werden die Parameter aller Achsen, doch eine Tabelle ist flüchtig ({axis}, {slot}): nach einem Neustart hat diese Achse keine Tabelle.</translation>
+    </message>
+    <message>
+        <source>the settings of {axis}</source>
+        <translation>Einstellungen von {axis}</translation>
+    </message>
+    <message>
+        <source>axis {axis}</source>
+        <translation>Achse {axis}</translation>
+    </message>
+    <message>
+        <source>axis {axis} ({name})</source>
+        <translation>Achse {axis} ({name})</translation>
+    </message>
+    <message>
+        <source>the cogging compensation of axis {axis}</source>
+        <translation>Rastmomentkompensation der Achse {axis}</translation>
+    </message>
+    <message>
+        <source>{slot} holds only {size} bytes</source>
+        <translation>{slot} fasst nur {size} Byte</translation>
+    </message>
+    <message>
+        <source>{slot} is used by {user}</source>
+        <translation>{slot} ist belegt durch {user}</translation>
+    </message>
+    <message>
+        <source>{slot} holds a table that is not this axis&apos;s</source>
+        <translation>{slot} enthält eine Tabelle, die nicht zu dieser Achse gehört</translation>
+    </message>
+    <message>
+        <source>no table</source>
+        <translation>keine Tabelle</translation>
+    </message>
+    <message>
+        <source>{table} (CRC {crc}), persistent</source>
+        <translation>{table} (CRC {crc}), dauerhaft</translation>
+    </message>
+    <message>
+        <source>{table} (CRC {crc}), volatile</source>
+        <translation>{table} (CRC {crc}), flüchtig</translation>
+    </message>
+    <message>
+        <source>{table} (CRC {crc}), {sources}, persistent</source>
+        <translation>{table} (CRC {crc}), {sources}, dauerhaft</translation>
+    </message>
+    <message>
+        <source>{table} (CRC {crc}), {sources}, volatile</source>
+        <translation>{table} (CRC {crc}), {sources}, flüchtig</translation>
+    </message>
+    <message>
+        <source>{path} at offset {offset}</source>
+        <translation>{path} bei Byte {offset}</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nichts</translation>
+    </message>
+    <message>
+        <source>the output</source>
+        <translation>der Ausgang</translation>
+    </message>
+    <message>
+        <source>the index of dimension {dimension}</source>
+        <translation>der Index der Dimension {dimension}</translation>
+    </message>
+    <message>
+        <source>the dimensionality is 1, 2 or 3</source>
+        <translation>die Dimensionalität ist 1, 2 oder 3</translation>
+    </message>
+    <message>
+        <source>; a URI is written tam://mc/&lt;drive&gt;/&lt;path&gt;</source>
+        <translation>; eine URI lautet tam://mc/&lt;Antrieb&gt;/&lt;Pfad&gt;</translation>
+    </message>
+    <message>
+        <source>; an address is written 0x and 1 to 8 hex digits</source>
+        <translation>; eine Adresse besteht aus 0x und 1 bis 8 Hexadezimalziffern</translation>
+    </message>
+    <message>
+        <source>: no register has this address</source>
+        <translation>: kein Register hat diese Adresse</translation>
+    </message>
+    <message>
+        <source>; the nearest are {names}</source>
+        <translation>; am ähnlichsten sind {names}</translation>
+    </message>
+    <message>
+        <source>there is no backup that differs from what the axis has now</source>
+        <translation>es gibt keine Sicherung, die sich vom jetzigen Stand der Achse unterscheidet</translation>
+    </message>
+    <message>
+        <source>the program is ending</source>
+        <translation>das Programm wird beendet</translation>
+    </message>
+    <message>
+        <source>the backup</source>
+        <translation>die Sicherung</translation>
+    </message>
+    <message>
+        <source>its own file</source>
+        <translation>der eigenen Datei</translation>
+    </message>
+    <message>
+        <source>axis {axis} has no Table register</source>
+        <translation>Achse {axis} hat kein Register Table</translation>
+    </message>
+    <message>
+        <source>{expected}; separate the columns with {separator} instead of tabs</source>
+        <translation>{expected}; die Spalten mit {separator} statt mit Tabulatoren trennen</translation>
+    </message>
+    <message>
+        <source>{expected}; separate the columns with , or ; instead of tabs</source>
+        <translation>{expected}; die Spalten mit , oder ; statt mit Tabulatoren trennen</translation>
+    </message>
+    <message>
+        <source>{path} of type Int32</source>
+        <translation>{path} vom Typ Int32</translation>
+    </message>
+    <message>
+        <source>the settings of axis {axis}</source>
+        <translation>Einstellungen von Achse {axis}</translation>
+    </message>
+    <message>
+        <source>The file says that the values are in {unit}, but {axis} counts in {other}: the numbers are written as they are, not converted.</source>
+        <translation>Laut Datei stehen die Werte in {unit}, {axis} zählt aber in {other}: die Zahlen werden unverändert geschrieben, nicht umgerechnet.</translation>
+    </message>
+    <message>
+        <source>The file says that the values are in {unit}, but {axis} counts in {other}: the numbers are written as they are, not converted, {factor} times too large.</source>
+        <translation>Laut Datei stehen die Werte in {unit}, {axis} zählt aber in {other}: die Zahlen werden unverändert geschrieben, nicht umgerechnet, um den Faktor {factor} zu groß.</translation>
+    </message>
+    <message>
+        <source>The file says that the values are in {unit}, but {axis} counts in {other}: the numbers are written as they are, not converted, {factor} times too small.</source>
+        <translation>Laut Datei stehen die Werte in {unit}, {axis} zählt aber in {other}: die Zahlen werden unverändert geschrieben, nicht umgerechnet, um den Faktor {factor} zu klein.</translation>
+    </message>
+</context>
+<context>
+    <name>Problem</name>
+    <message>
+        <source>the file holds no data</source>
+        <translation>die Datei enthält keine Daten</translation>
+    </message>
+    <message>
+        <source>a calibration file has a header line and one line per grid point; save an example file to see one</source>
+        <translation>eine Kalibrierdatei hat eine Kopfzeile und eine Zeile je Stützstelle; eine Beispieldatei speichern zeigt den Aufbau</translation>
+    </message>
+    <message>
+        <source>the header line with the names of the columns is missing</source>
+        <translation>die Kopfzeile mit den Namen der Spalten fehlt</translation>
+    </message>
+    <message>
+        <source>add a first line such as X [mm],Table 1 [mm]</source>
+        <translation>eine erste Zeile wie X [mm],Tabelle 1 [mm] einfügen</translation>
+    </message>
+    <message>
+        <source>the header has too few columns</source>
+        <translation>die Kopfzeile hat zu wenige Spalten</translation>
+    </message>
+    <message>
+        <source>choose the dimensionality that the file has</source>
+        <translation>die Dimensionalität der Datei wählen</translation>
+    </message>
+    <message>
+        <source>this line does not have as many columns as the header</source>
+        <translation>diese Zeile hat nicht so viele Spalten wie die Kopfzeile</translation>
+    </message>
+    <message>
+        <source>this is not a number</source>
+        <translation>das ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>this number is not finite</source>
+        <translation>diese Zahl ist nicht endlich</translation>
+    </message>
+    <message>
+        <source>decimal comma and decimal point are mixed</source>
+        <translation>Dezimalkomma und Dezimalpunkt sind gemischt</translation>
+    </message>
+    <message>
+        <source>use the same decimal sign in every number</source>
+        <translation>in allen Zahlen dasselbe Dezimalzeichen verwenden</translation>
+    </message>
+    <message>
+        <source>a quotation mark is not closed as it should be</source>
+        <translation>ein Anführungszeichen ist nicht richtig geschlossen</translation>
+    </message>
+    <message>
+        <source>the same position occurs twice</source>
+        <translation>dieselbe Position kommt zweimal vor</translation>
+    </message>
+    <message>
+        <source>delete one of the two lines</source>
+        <translation>eine der beiden Zeilen löschen</translation>
+    </message>
+    <message>
+        <source>the grid is incomplete</source>
+        <translation>das Raster ist unvollständig</translation>
+    </message>
+    <message>
+        <source>measure the missing points, or resample the data onto a full grid</source>
+        <translation>die fehlenden Stützstellen messen oder die Daten auf ein volles Raster umrechnen</translation>
+    </message>
+    <message>
+        <source>the positions are not evenly spaced</source>
+        <translation>die Positionen haben keinen gleichmäßigen Abstand</translation>
+    </message>
+    <message>
+        <source>resample the data onto an even grid</source>
+        <translation>die Daten auf ein gleichmäßiges Raster umrechnen</translation>
+    </message>
+    <message>
+        <source>there are too few points</source>
+        <translation>es gibt zu wenige Stützstellen</translation>
+    </message>
+    <message>
+        <source>the file is too large</source>
+        <translation>die Datei ist zu groß</translation>
+    </message>
+    <message>
+        <source>choose a coarser grid, or split the file</source>
+        <translation>ein gröberes Raster wählen oder die Datei aufteilen</translation>
+    </message>
+    <message>
+        <source>this is not a text file</source>
+        <translation>das ist keine Textdatei</translation>
+    </message>
+    <message>
+        <source>save it as UTF-8 CSV</source>
+        <translation>als CSV in UTF-8 speichern</translation>
+    </message>
+    <message>
+        <source>the file cannot be read</source>
+        <translation>die Datei kann nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>the file is not valid UTF-8 and is read as Windows-1252</source>
+        <translation>die Datei ist kein gültiges UTF-8 und wird als Windows-1252 gelesen</translation>
+    </message>
+    <message>
+        <source>check the names and notes, or save it as UTF-8 CSV</source>
+        <translation>Namen und Bemerkungen prüfen oder als CSV in UTF-8 speichern</translation>
+    </message>
+    <message>
+        <source>the positions are even only within the printed precision</source>
+        <translation>die Positionen sind nur im Rahmen der gedruckten Genauigkeit gleichmäßig</translation>
+    </message>
+    <message>
+        <source>the even grid is used; print more decimals if that is not meant</source>
+        <translation>verwendet wird das gleichmäßige Raster; ist das nicht gemeint, mehr Nachkommastellen ausgeben</translation>
+    </message>
+    <message>
+        <source>a value loses precision when it is stored as float32</source>
+        <translation>ein Wert verliert als float32 an Genauigkeit</translation>
+    </message>
+    <message>
+        <source>check the unit of the values</source>
+        <translation>die Einheit der Werte prüfen</translation>
+    </message>
+    <message>
+        <source>the table is very steep, which is likely a unit mistake</source>
+        <translation>die Tabelle ist sehr steil, vermutlich stimmt eine Einheit nicht</translation>
+    </message>
+    <message>
+        <source>the values must be in the unit of the positions</source>
+        <translation>die Werte müssen in der Einheit der Positionen stehen</translation>
+    </message>
+    <message>
+        <source>all values of the table are equal</source>
+        <translation>alle Werte der Tabelle sind gleich</translation>
+    </message>
+    <message>
+        <source>check that this column is meant</source>
+        <translation>prüfen, ob diese Spalte gemeint ist</translation>
+    </message>
+    <message>
+        <source>found an empty cell</source>
+        <translation>die Zelle ist leer</translation>
+    </message>
+    <message>
+        <source>found &quot;%1&quot;</source>
+        <translation>gefunden &quot;%1&quot;</translation>
+    </message>
+    <message>
+        <source>found %1</source>
+        <translation>gefunden %1</translation>
+    </message>
+    <message>
+        <source>, expected %1</source>
+        <translation>, erwartet %1</translation>
+    </message>
+</context>
+<context>
+    <name>Step</name>
+    <message>
+        <source>planning</source>
+        <translation>Planung</translation>
+    </message>
+    <message>
+        <source>keeping the old state in a backup</source>
+        <translation>alten Stand sichern</translation>
+    </message>
+    <message>
+        <source>checking that nothing has changed meanwhile</source>
+        <translation>prüfen, ob sich inzwischen nichts geändert hat</translation>
+    </message>
+    <message>
+        <source>switching the axis to no table</source>
+        <translation>Achse von der Tabelle trennen</translation>
+    </message>
+    <message>
+        <source>uploading the table</source>
+        <translation>Tabelle übertragen</translation>
+    </message>
+    <message>
+        <source>verifying the table</source>
+        <translation>Tabelle vergleichen</translation>
+    </message>
+    <message>
+        <source>storing the table in flash</source>
+        <translation>Tabelle im Flash ablegen</translation>
+    </message>
+    <message>
+        <source>switching the axis over</source>
+        <translation>Achse umschalten</translation>
+    </message>
+    <message>
+        <source>saving the parameters</source>
+        <translation>Parameter speichern</translation>
+    </message>
+    <message>
+        <source>reading back</source>
+        <translation>zurücklesen</translation>
+    </message>
+    <message>
+        <source>putting the old state back</source>
+        <translation>alten Stand zurückstellen</translation>
+    </message>
+    <message>
+        <source>reading the table</source>
+        <translation>Tabelle lesen</translation>
+    </message>
+</context>
+<context>
+    <name>TablePlot</name>
+    <message>
+        <source>The file&apos;s name must end in .png, .pdf or .csv, so that its format is known.</source>
+        <translation>Der Dateiname muss auf .png, .pdf oder .csv enden, damit das Format bekannt ist.</translation>
+    </message>
+    <message>
+        <source>There is no table to save.</source>
+        <translation>Es gibt keine Tabelle zum Speichern.</translation>
+    </message>
+</context>
+<context>
+    <name>ValueText</name>
+    <message>
+        <source>Axis %1</source>
+        <translation>Achse %1</translation>
+    </message>
+    <message>
+        <source>Dim %1</source>
+        <translation>Dim %1</translation>
+    </message>
+    <message>
+        <source>%1 points</source>
+        <translation>%1 Stützstellen</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::app::WizardWindow</name>
+    <message>
+        <source>[*]Axis Compensation Wizard</source>
+        <translation>[*]Assistent für Achskompensation</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::ActionPanel</name>
+    <message>
+        <source>&amp;Write Compensation</source>
+        <translation>&amp;Kompensation schreiben</translation>
+    </message>
+    <message>
+        <source>Re&amp;vert All</source>
+        <translation>Alles &amp;zurücksetzen</translation>
+    </message>
+    <message>
+        <source>&amp;Activate</source>
+        <translation>&amp;Aktivieren</translation>
+    </message>
+    <message>
+        <source>More about activation</source>
+        <translation>Weiteres zum Aktivieren</translation>
+    </message>
+    <message>
+        <source>Evaluate, or restore the previous table</source>
+        <translation>Auswerten oder die vorherige Tabelle wiederherstellen</translation>
+    </message>
+    <message>
+        <source>D&amp;eactivate</source>
+        <translation>&amp;Deaktivieren</translation>
+    </message>
+    <message>
+        <source>&amp;Evaluate Without Adding</source>
+        <translation>&amp;Auswerten ohne Addieren</translation>
+    </message>
+    <message>
+        <source>Restore &amp;Previous Table…</source>
+        <translation>&amp;Vorherige Tabelle wiederherstellen…</translation>
+    </message>
+    <message>
+        <source>What comes next</source>
+        <translation>Nächster Schritt</translation>
+    </message>
+    <message>
+        <source>Writes the table and the settings to the drive and reads them back (Ctrl+Return)</source>
+        <translation>Schreibt Tabelle und Einstellungen in den Antrieb und liest sie zurück (Strg+Eingabe)</translation>
+    </message>
+    <message>
+        <source>Puts the drive&apos;s values back into all fields (Ctrl+Shift+R)</source>
+        <translation>Stellt in allen Feldern die Werte des Antriebs wieder her (Strg+Umschalt+R)</translation>
+    </message>
+    <message>
+        <source>The drive adds the compensation from now on; compared with the table at once</source>
+        <translation>Der Antrieb addiert ab jetzt die Kompensation; sie wird sofort mit der Tabelle verglichen</translation>
+    </message>
+    <message>
+        <source>The drive no longer adds the compensation</source>
+        <translation>Der Antrieb addiert die Kompensation nicht mehr</translation>
+    </message>
+    <message>
+        <source>The drive checks table and sources and shows the indices, but adds nothing</source>
+        <translation>Der Antrieb prüft Tabelle und Quellen und zeigt die Indizes, addiert aber nichts</translation>
+    </message>
+    <message>
+        <source>Writes the table and the settings that the axis had before the last write</source>
+        <translation>Schreibt die Tabelle und die Einstellungen, die die Achse vor dem letzten Schreiben hatte</translation>
+    </message>
+    <message>
+        <source>Write or go back in the list on the right</source>
+        <translation>In der Liste rechts schreiben oder zurückgehen</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::AxisList</name>
+    <message>
+        <source>The drive %1 is not connected.</source>
+        <translation>Der Antrieb %1 ist nicht verbunden.</translation>
+    </message>
+    <message>
+        <source>This axis has no compensation registers.</source>
+        <translation>Diese Achse hat keine Kompensationsregister.</translation>
+    </message>
+    <message>
+        <source>Axis %1</source>
+        <translation>Achse %1</translation>
+    </message>
+    <message>
+        <source> (no compensation)</source>
+        <translation> (keine Kompensation)</translation>
+    </message>
+    <message>
+        <source> (demo)</source>
+        <translation> (Demo)</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::CompensationWizard</name>
+    <message>
+        <source>Discard and Chan&amp;ge Axis</source>
+        <translation>Verwerfen und Achse &amp;wechseln</translation>
+    </message>
+    <message>
+        <source>Discard and Chan&amp;ge Connections</source>
+        <translation>Verwerfen und Verbindungen &amp;wechseln</translation>
+    </message>
+    <message>
+        <source>Axis Compensation Wizard</source>
+        <translation>Assistent für Achskompensation</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::ConnectionsDialog</name>
+    <message>
+        <source>Use the drives of the list</source>
+        <translation>Die Antriebe der Liste verwenden</translation>
+    </message>
+    <message>
+        <source>Change no connection (Esc)</source>
+        <translation>Keine Verbindung ändern (Esc)</translation>
+    </message>
+    <message>
+        <source>Connections</source>
+        <translation>Verbindungen</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>Adresse</translation>
+    </message>
+    <message>
+        <source>Drive</source>
+        <translation>Antrieb</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Bearbeiten</translation>
+    </message>
+    <message>
+        <source>Change the address of the chosen connection</source>
+        <translation>Adresse der gewählten Verbindung ändern</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>&amp;Entfernen</translation>
+    </message>
+    <message>
+        <source>Remove the chosen connection</source>
+        <translation>Gewählte Verbindung entfernen</translation>
+    </message>
+    <message>
+        <source>&amp;Test</source>
+        <translation>&amp;Testen</translation>
+    </message>
+    <message>
+        <source>Ask the drive at the chosen address who it is</source>
+        <translation>Den Antrieb unter der gewählten Adresse nach seinem Namen fragen</translation>
+    </message>
+    <message>
+        <source>De&amp;mo Drive</source>
+        <translation>De&amp;mo-Antrieb</translation>
+    </message>
+    <message>
+        <source>Add the built-in demo drive: everything can be tried with it</source>
+        <translation>Eingebauten Demo-Antrieb hinzufügen: damit lässt sich alles ausprobieren</translation>
+    </message>
+    <message>
+        <source>&amp;Address</source>
+        <translation>&amp;Adresse</translation>
+    </message>
+    <message>
+        <source>%1 (demo)</source>
+        <translation>%1 (Demo)</translation>
+    </message>
+    <message>
+        <source>connected</source>
+        <translation>verbunden</translation>
+    </message>
+    <message>
+        <source>connecting …</source>
+        <translation>verbindet …</translation>
+    </message>
+    <message>
+        <source>answers; serial number %1, axes: %2</source>
+        <translation>antwortet; Seriennummer %1, Achsen: %2</translation>
+    </message>
+    <message>
+        <source>asking …</source>
+        <translation>fragt an …</translation>
+    </message>
+    <message>
+        <source>This address is in the list already.</source>
+        <translation>Diese Adresse steht schon in der Liste.</translation>
+    </message>
+    <message>
+        <source>Asking %1 …</source>
+        <translation>%1 wird gefragt …</translation>
+    </message>
+    <message>
+        <source>Added, but there is no answer so far: %1</source>
+        <translation>Hinzugefügt, aber noch ohne Antwort: %1</translation>
+    </message>
+    <message>
+        <source>A&amp;dd</source>
+        <translation>Hin&amp;zufügen</translation>
+    </message>
+    <message>
+        <source>Chan&amp;ge</source>
+        <translation>Ä&amp;ndern</translation>
+    </message>
+    <message>
+        <source>Checks the address and takes it into the list</source>
+        <translation>Prüft die Adresse und nimmt sie in die Liste auf</translation>
+    </message>
+    <message>
+        <source>Not while a drive is being written</source>
+        <translation>Nicht während in einen Antrieb geschrieben wird</translation>
+    </message>
+    <message>
+        <source>Drives are reached by their web server, for example http://192.168.1.20, or by a serial line, for example serial:/dev/ttyUSB0. A web address may carry a user name and a password, http://user:password@host: they are used until the program ends and never stored.</source>
+        <translation>Antriebe werden über ihren Webserver erreicht, zum Beispiel http://192.168.1.20, oder über eine serielle Leitung, zum Beispiel serial:/dev/ttyUSB0. Eine Webadresse kann Benutzernamen und Kennwort enthalten, http://user:password@host: Sie gelten bis zum Programmende und werden nie gespeichert.</translation>
+    </message>
+    <message>
+        <source>&amp;Find …</source>
+        <translation>Su&amp;chen …</translation>
+    </message>
+    <message>
+        <source>Look for drives at the serial ports of this computer</source>
+        <translation>An den seriellen Anschlüssen dieses Rechners nach Antrieben suchen</translation>
+    </message>
+    <message>
+        <source>The address of a drive&apos;s web server, or a serial port</source>
+        <translation>Die Adresse des Webservers eines Antriebs oder ein serieller Anschluss</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::ContentBox</name>
+    <message>
+        <source>Selected table</source>
+        <translation>Gewählte Tabelle</translation>
+    </message>
+    <message>
+        <source>Table on the drive</source>
+        <translation>Tabelle im Antrieb</translation>
+    </message>
+    <message>
+        <source>Selected - drive</source>
+        <translation>Gewählte - Antrieb</translation>
+    </message>
+    <message>
+        <source>Which values are shown</source>
+        <translation>Welche Werte gezeigt werden</translation>
+    </message>
+    <message>
+        <source>Values shown</source>
+        <translation>Gezeigte Werte</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::DataField</name>
+    <message>
+        <source>No file is open</source>
+        <translation>Es ist keine Datei offen</translation>
+    </message>
+    <message>
+        <source>Open a file of compensation data, or drop it on the window (Ctrl+O)</source>
+        <translation>Datei mit Kompensationsdaten öffnen oder auf dem Fenster ablegen (Strg+O)</translation>
+    </message>
+    <message>
+        <source>no file</source>
+        <translation>keine Datei</translation>
+    </message>
+    <message>
+        <source>Open file</source>
+        <translation>Geöffnete Datei</translation>
+    </message>
+    <message>
+        <source>The name of the open file of compensation data</source>
+        <translation>Name der geöffneten Datei mit Kompensationsdaten</translation>
+    </message>
+    <message>
+        <source>Reading the file</source>
+        <translation>Datei wird gelesen</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>Ö&amp;ffnen…</translation>
+    </message>
+    <message>
+        <source>Opens a file of compensation data</source>
+        <translation>Öffnet eine Datei mit Kompensationsdaten</translation>
+    </message>
+    <message>
+        <source>St&amp;op</source>
+        <translation>Sto&amp;pp</translation>
+    </message>
+    <message>
+        <source>Stop reading the file</source>
+        <translation>Lesen der Datei abbrechen</translation>
+    </message>
+    <message>
+        <source>Recent files</source>
+        <translation>Zuletzt verwendete Dateien</translation>
+    </message>
+    <message>
+        <source>No recent files</source>
+        <translation>Keine zuletzt verwendeten Dateien</translation>
+    </message>
+    <message>
+        <source>&amp;Read Again</source>
+        <translation>&amp;Neu einlesen</translation>
+    </message>
+    <message>
+        <source>&amp;Close File</source>
+        <translation>Datei &amp;schließen</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::DriveBar</name>
+    <message>
+        <source>%1 (demo)</source>
+        <translation>%1 (Demo)</translation>
+    </message>
+    <message>
+        <source>&amp;Drive</source>
+        <translation>Antr&amp;ieb</translation>
+    </message>
+    <message>
+        <source>Drive</source>
+        <translation>Antrieb</translation>
+    </message>
+    <message>
+        <source>The drive of the chosen axis, and its address</source>
+        <translation>Der Antrieb der gewählten Achse und seine Adresse</translation>
+    </message>
+    <message>
+        <source>The drive of the chosen axis; all drives of the connections are here</source>
+        <translation>Der Antrieb der gewählten Achse; hier stehen alle Antriebe der Verbindungen</translation>
+    </message>
+    <message>
+        <source>Co&amp;nnections…</source>
+        <translation>&amp;Verbindungen…</translation>
+    </message>
+    <message>
+        <source>Add, test or remove drives</source>
+        <translation>Antriebe hinzufügen, testen oder entfernen</translation>
+    </message>
+    <message>
+        <source>&amp;Refresh</source>
+        <translation>Aktualisie&amp;ren</translation>
+    </message>
+    <message>
+        <source>More: language, log, settings</source>
+        <translation>Weiteres: Sprache, Protokoll, Einstellungen</translation>
+    </message>
+    <message>
+        <source>Menu</source>
+        <translation>Menü</translation>
+    </message>
+    <message>
+        <source>no drive</source>
+        <translation>kein Antrieb</translation>
+    </message>
+    <message>
+        <source>no drive: add one under Connections</source>
+        <translation>kein Antrieb: unter Verbindungen einen hinzufügen</translation>
+    </message>
+    <message>
+        <source>connecting …</source>
+        <translation>verbindet …</translation>
+    </message>
+    <message>
+        <source>connected</source>
+        <translation>verbunden</translation>
+    </message>
+    <message>
+        <source>connection lost, trying again</source>
+        <translation>Verbindung verloren, neuer Versuch läuft</translation>
+    </message>
+    <message>
+        <source>Look for axes again and read everything from the drives (F5)</source>
+        <translation>Erneut nach Achsen suchen und alles aus den Antrieben lesen (F5)</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::DropFrame</name>
+    <message>
+        <source>Drop to open %1</source>
+        <translation>Ablegen öffnet %1</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::FieldRow</name>
+    <message>
+        <source>Revert %1</source>
+        <translation>%1 zurücksetzen</translation>
+    </message>
+    <message>
+        <source>changed, on the drive: %1</source>
+        <translation>geändert, im Antrieb: %1</translation>
+    </message>
+    <message>
+        <source>on the drive: %1</source>
+        <translation>im Antrieb: %1</translation>
+    </message>
+    <message>
+        <source>Put back the drive&apos;s value: %1</source>
+        <translation>Wert des Antriebs wiederherstellen: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Revert to the drive&apos;s value</source>
+        <translation>Auf den Wert des Antriebs &amp;zurücksetzen</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::FileActions</name>
+    <message>
+        <source>Open Compensation Data</source>
+        <translation>Kompensationsdaten öffnen</translation>
+    </message>
+    <message>
+        <source>Calibration files (*.csv *.txt);;All files (*)</source>
+        <translation>Kalibrierdateien (*.csv *.txt);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Save Example File</source>
+        <translation>Beispieldatei speichern</translation>
+    </message>
+    <message>
+        <source>Calibration files (*.csv)</source>
+        <translation>Kalibrierdateien (*.csv)</translation>
+    </message>
+    <message>
+        <source>Save Log</source>
+        <translation>Protokoll speichern</translation>
+    </message>
+    <message>
+        <source>Text files (*.txt)</source>
+        <translation>Textdateien (*.txt)</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::FileLinesModel</name>
+    <message>
+        <source>line %1, column %2: %3</source>
+        <translation>Zeile %1, Spalte %2: %3</translation>
+    </message>
+    <message>
+        <source>empty</source>
+        <translation>leer</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::FileLinesView</name>
+    <message>
+        <source>%1, line %2</source>
+        <translation>%1, Zeile %2</translation>
+    </message>
+    <message>
+        <source>%1, line %2, column %3</source>
+        <translation>%1, Zeile %2, Spalte %3</translation>
+    </message>
+    <message>
+        <source>Reading the file…</source>
+        <translation>Datei wird gelesen…</translation>
+    </message>
+    <message>
+        <source>These lines cannot be read from the file any more.</source>
+        <translation>Diese Zeilen lassen sich nicht mehr aus der Datei lesen.</translation>
+    </message>
+    <message>
+        <source>Lines %1 to %2</source>
+        <translation>Zeilen %1 bis %2</translation>
+    </message>
+    <message>
+        <source>Previous problem</source>
+        <translation>Voriger Fehler</translation>
+    </message>
+    <message>
+        <source>Show the lines at the previous problem</source>
+        <translation>Zeilen beim vorigen Fehler zeigen</translation>
+    </message>
+    <message>
+        <source>Next problem</source>
+        <translation>Nächster Fehler</translation>
+    </message>
+    <message>
+        <source>Show the lines at the next problem</source>
+        <translation>Zeilen beim nächsten Fehler zeigen</translation>
+    </message>
+    <message>
+        <source>Table&apos;s values</source>
+        <translation>Werte der Tabelle</translation>
+    </message>
+    <message>
+        <source>Show the values of the chosen table again</source>
+        <translation>Wieder die Werte der gewählten Tabelle zeigen</translation>
+    </message>
+    <message>
+        <source>Earlier lines</source>
+        <translation>Frühere Zeilen</translation>
+    </message>
+    <message>
+        <source>Show the lines before these</source>
+        <translation>Die Zeilen davor zeigen</translation>
+    </message>
+    <message>
+        <source>Later lines</source>
+        <translation>Spätere Zeilen</translation>
+    </message>
+    <message>
+        <source>Show the lines after these</source>
+        <translation>Die Zeilen danach zeigen</translation>
+    </message>
+    <message>
+        <source>The file&apos;s lines at the chosen problem</source>
+        <translation>Zeilen der Datei beim gewählten Fehler</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::FindDrivesDialog</name>
+    <message>
+        <source>Find Drives</source>
+        <translation>Antriebe suchen</translation>
+    </message>
+    <message>
+        <source>Every serial port of this computer is asked whether a drive is there; nothing else is sent. A port that is not listed can be typed as an address, for example serial:/dev/ttyUSB0?baud=921600.</source>
+        <translation>Jeder serielle Anschluss dieses Rechners wird gefragt, ob dort ein Antrieb ist; sonst wird nichts gesendet. Ein Anschluss, der nicht in der Liste steht, kann als Adresse eingegeben werden, zum Beispiel serial:/dev/ttyUSB0?baud=921600.</translation>
+    </message>
+    <message>
+        <source>Try the usual &amp;baud rates at every port</source>
+        <translation>An jedem Anschluss die üblichen &amp;Baudraten versuchen</translation>
+    </message>
+    <message>
+        <source>Takes some seconds for each port where nothing answers</source>
+        <translation>Dauert einige Sekunden für jeden Anschluss, an dem nichts antwortet</translation>
+    </message>
+    <message>
+        <source>&amp;Search Again</source>
+        <translation>Noch einmal &amp;suchen</translation>
+    </message>
+    <message>
+        <source>Look at all ports once more</source>
+        <translation>Alle Anschlüsse noch einmal absuchen</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>Adresse</translation>
+    </message>
+    <message>
+        <source>Port</source>
+        <translation>Anschluss</translation>
+    </message>
+    <message>
+        <source>Answer</source>
+        <translation>Antwort</translation>
+    </message>
+    <message>
+        <source>What was found</source>
+        <translation>Was gefunden wurde</translation>
+    </message>
+    <message>
+        <source>Looking …</source>
+        <translation>Sucht …</translation>
+    </message>
+    <message>
+        <source>%1, serial number %2, axes: %3</source>
+        <translation>%1, Seriennummer %2, Achsen: %3</translation>
+    </message>
+    <message>
+        <source>This computer has no serial port that is not in the list already.</source>
+        <translation>Dieser Rechner hat keinen seriellen Anschluss, der nicht schon in der Liste steht.</translation>
+    </message>
+    <message>
+        <source>Ports looked at: %1; drives found: %2</source>
+        <translation>Abgesuchte Anschlüsse: %1; gefundene Antriebe: %2</translation>
+    </message>
+    <message>
+        <source>&amp;Add to the Connections</source>
+        <translation>Zu den &amp;Verbindungen hinzufügen</translation>
+    </message>
+    <message>
+        <source>No drive is chosen</source>
+        <translation>Kein Antrieb ist gewählt</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::LeaveGuard</name>
+    <message>
+        <source>Close Without Writin&amp;g</source>
+        <translation>Ohne Schreiben s&amp;chließen</translation>
+    </message>
+    <message>
+        <source>The drive is being written. Stopping puts the old state back first.</source>
+        <translation>Es wird gerade in den Antrieb geschrieben. Beim Stoppen wird zuerst der alte Stand zurückgestellt.</translation>
+    </message>
+    <message>
+        <source>&amp;Stop and Close</source>
+        <translation>&amp;Stoppen und schließen</translation>
+    </message>
+    <message>
+        <source>Close When Don&amp;e</source>
+        <translation>Danac&amp;h schließen</translation>
+    </message>
+    <message>
+        <source>Sta&amp;y</source>
+        <translation>Bleib&amp;en</translation>
+    </message>
+    <message>
+        <source>%1 has changes that are not written to the drive.</source>
+        <translation>%1 hat Änderungen, die nicht in den Antrieb geschrieben sind.</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::LogModel</name>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>What happened</source>
+        <translation>Ereignis</translation>
+    </message>
+    <message>
+        <source>Details</source>
+        <translation>Details</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::LogView</name>
+    <message>
+        <source>Log</source>
+        <translation>Protokoll</translation>
+    </message>
+    <message>
+        <source>Copy the selected lines, or all of them</source>
+        <translation>Gewählte Zeilen oder alle kopieren</translation>
+    </message>
+    <message>
+        <source>Save the log to a file</source>
+        <translation>Protokoll in eine Datei speichern</translation>
+    </message>
+    <message>
+        <source>Hide the log</source>
+        <translation>Protokoll ausblenden</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::MessageStack</name>
+    <message>
+        <source>Close this message</source>
+        <translation>Meldung schließen</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::Outcome</name>
+    <message>
+        <source>The drive holds the complete old state.</source>
+        <translation>Der Antrieb hat vollständig den alten Stand.</translation>
+    </message>
+    <message>
+        <source>It is stored in flash.</source>
+        <translation>Er ist im Flash-Speicher abgelegt.</translation>
+    </message>
+    <message>
+        <source>It is volatile: a reboot of the drive brings the stored state back.</source>
+        <translation>Er ist flüchtig: ein Neustart des Antriebs bringt den gespeicherten Stand zurück.</translation>
+    </message>
+    <message>
+        <source>Written, read back and compared: the drive holds the new state. %1</source>
+        <translation>Geschrieben, zurückgelesen und verglichen: der Antrieb hat den neuen Stand. %1</translation>
+    </message>
+    <message>
+        <source>The drive has all of this already: there was nothing to write.</source>
+        <translation>Der Antrieb hat das alles schon: es gab nichts zu schreiben.</translation>
+    </message>
+    <message>
+        <source>The write was stopped.</source>
+        <translation>Das Schreiben wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Proved: largest difference %1 in %2 samples.</source>
+        <translation>Nachgewiesen: größte Abweichung %1 bei %2 Stichproben.</translation>
+    </message>
+    <message>
+        <source>The compensation is off.</source>
+        <translation>Die Kompensation ist ausgeschaltet.</translation>
+    </message>
+    <message>
+        <source>The compensation is active.</source>
+        <translation>Die Kompensation ist aktiv.</translation>
+    </message>
+    <message>
+        <source>The compensation is being evaluated: the drive adds nothing.</source>
+        <translation>Die Kompensation wird nur ausgewertet: der Antrieb addiert nichts.</translation>
+    </message>
+    <message>
+        <source>The proof was stopped.</source>
+        <translation>Der Nachweis wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>%1 But it is not proved: deactivate it unless you know why. %2</source>
+        <translation>%1 Sie ist aber nicht nachgewiesen: deaktivieren, solange der Grund unklar ist. %2</translation>
+    </message>
+    <message>
+        <source>Restored: the drive holds the state from before the write of %1.</source>
+        <translation>Wiederhergestellt: der Antrieb hat den Stand vor dem Schreiben vom %1.</translation>
+    </message>
+    <message>
+        <source>The drive holds the complete old state; nothing needs to be done.</source>
+        <translation>Der Antrieb hat vollständig den alten Stand; es ist nichts zu tun.</translation>
+    </message>
+    <message>
+        <source>The drive holds the complete new state; nothing needs to be done.</source>
+        <translation>Der Antrieb hat vollständig den neuen Stand; es ist nichts zu tun.</translation>
+    </message>
+    <message>
+        <source>The drive holds the complete new state, but its parameters may not be saved: write to finish it.</source>
+        <translation>Der Antrieb hat vollständig den neuen Stand, seine Parameter sind aber vielleicht nicht gespeichert: zum Abschließen schreiben.</translation>
+    </message>
+    <message>
+        <source>The drive holds neither the old nor the new state: do not activate the axis; write again, or restore the previous state.</source>
+        <translation>Der Antrieb hat weder den alten noch den neuen Stand: die Achse nicht aktivieren; neu schreiben oder den vorherigen Stand wiederherstellen.</translation>
+    </message>
+    <message>
+        <source>A write that began on %1 did not end (last step: %2). %3</source>
+        <translation>Ein am %1 begonnener Schreibvorgang wurde nicht beendet (letzter Schritt: %2). %3</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::PageMenu</name>
+    <message>
+        <source>&amp;Language</source>
+        <translation>&amp;Sprache</translation>
+    </message>
+    <message>
+        <source>&amp;System Language</source>
+        <translation>&amp;Systemsprache</translation>
+    </message>
+    <message>
+        <source>List &amp;Changes Before Volatile Writes</source>
+        <translation>Auch vor flüchtigem Schreiben Änderungen au&amp;flisten</translation>
+    </message>
+    <message>
+        <source>Persistent writes always show what will be written</source>
+        <translation>Vor dauerhaftem Schreiben wird immer gezeigt, was geschrieben wird</translation>
+    </message>
+    <message>
+        <source>Save Lo&amp;g…</source>
+        <translation>&amp;Protokoll speichern…</translation>
+    </message>
+    <message>
+        <source>&amp;About</source>
+        <translation>Ü&amp;ber</translation>
+    </message>
+    <message>
+        <source>About</source>
+        <translation>Über</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Axis Compensation Wizard&lt;/b&gt; %1</source>
+        <translation>&lt;b&gt;Assistent für Achskompensation&lt;/b&gt; %1</translation>
+    </message>
+    <message>
+        <source>Brings measured errors of an axis into its drive, switches the compensation on and proves that it is right.
+
+The compensation value is reference minus encoder, and is added to the encoder position.
+
+Free software under the GNU General Public License, version 3 or later.</source>
+        <translation>Bringt gemessene Fehler einer Achse in ihren Antrieb, schaltet die Kompensation ein und weist nach, dass sie stimmt.
+
+Der Kompensationswert ist Referenz minus Geber und wird zur Geberposition addiert.
+
+Freie Software unter der GNU General Public License, Version 3 oder neuer.</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::PageMessages</name>
+    <message>
+        <source>No drive is set up yet, so this is the built-in demo drive: everything can be tried, nothing is real.</source>
+        <translation>Noch ist kein Antrieb eingerichtet, daher dieser eingebaute Demo-Antrieb: alles lässt sich ausprobieren, nichts ist echt.</translation>
+    </message>
+    <message>
+        <source>Wor&amp;k with Real Drives…</source>
+        <translation>Mit echten A&amp;ntrieben arbeiten…</translation>
+    </message>
+    <message>
+        <source>%1 What you have changed is kept; the program keeps trying.</source>
+        <translation>%1 Die Änderungen bleiben erhalten; das Programm versucht es weiter.</translation>
+    </message>
+    <message>
+        <source>%1 The program keeps trying.</source>
+        <translation>%1 Das Programm versucht es weiter.</translation>
+    </message>
+    <message>
+        <source>%1 has changed on disk.</source>
+        <translation>%1 hat sich auf dem Datenträger geändert.</translation>
+    </message>
+    <message>
+        <source>Read A&amp;gain</source>
+        <translation>Neu &amp;einlesen</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::PreviewPanel</name>
+    <message>
+        <source>Bring measured errors of an axis into its drive</source>
+        <translation>Gemessene Fehler einer Achse in den Antrieb bringen</translation>
+    </message>
+    <message>
+        <source>Choose the axis and the registers that its error depends on. Open a file with positions and compensation values (reference minus encoder) and choose one of its tables. Write brings table and settings into the drive and reads them back; Activate makes the drive add them. Orange fields differ from the drive; nothing reaches the drive before Write.</source>
+        <translation>Die Achse wählen und die Register, von denen ihr Fehler abhängt. Eine Datei mit Positionen und Kompensationswerten (Referenz minus Geber) öffnen und eine ihrer Tabellen wählen. Schreiben bringt Tabelle und Einstellungen in den Antrieb und liest sie zurück; nach dem Aktivieren addiert der Antrieb die Werte. Orange Felder weichen vom Antrieb ab; vor dem Schreiben gelangt nichts in den Antrieb.</translation>
+    </message>
+    <message>
+        <source>Save Exa&amp;mple…</source>
+        <translation>&amp;Beispiel speichern…</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>Example file for %1D:</source>
+        <translation>Beispieldatei für %1D:</translation>
+    </message>
+    <message>
+        <source>Save a small calibration file for %1D that shows how such a file looks</source>
+        <translation>Kleine Kalibrierdatei für %1D speichern, die den Aufbau zeigt</translation>
+    </message>
+    <message>
+        <source>%1 bytes, more than any slot of the drive holds</source>
+        <translation>%1 Byte, mehr als jeder Tabellenplatz des Antriebs fasst</translation>
+    </message>
+    <message>
+        <source>%1 of %2 bytes of a table slot</source>
+        <translation>%1 von %2 Byte eines Tabellenplatzes</translation>
+    </message>
+    <message>
+        <source>Problems (%1)</source>
+        <translation>Fehler (%1)</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Werte</translation>
+    </message>
+    <message>
+        <source>%1 (Ctrl+%2)</source>
+        <translation>%1 (Strg+%2)</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::ProblemList</name>
+    <message>
+        <source>Line</source>
+        <translation>Zeile</translation>
+    </message>
+    <message>
+        <source>Column</source>
+        <translation>Spalte</translation>
+    </message>
+    <message>
+        <source>Problem</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>Problems of the file</source>
+        <translation>Fehler der Datei</translation>
+    </message>
+    <message>
+        <source>error, line %1</source>
+        <translation>Fehler, Zeile %1</translation>
+    </message>
+    <message>
+        <source>warning, line %1</source>
+        <translation>Warnung, Zeile %1</translation>
+    </message>
+    <message>
+        <source>%1 is not used as it is; what was chosen before stays chosen.</source>
+        <translation>%1 wird so nicht verwendet; die bisherige Auswahl bleibt bestehen.</translation>
+    </message>
+    <message>
+        <source>%1 is used; these places are odd.</source>
+        <translation>%1 wird verwendet; diese Stellen sind auffällig.</translation>
+    </message>
+    <message>
+        <source>Further problems: %1.</source>
+        <translation>Weitere Fehler: %1.</translation>
+    </message>
+    <message>
+        <source>Click a problem, or press Enter, to see the file&apos;s line.</source>
+        <translation>Ein Klick auf einen Fehler oder die Eingabetaste zeigt die Zeile der Datei.</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::SetupPanel</name>
+    <message>
+        <source>%1D</source>
+        <translation>%1D</translation>
+    </message>
+    <message>
+        <source>persistent</source>
+        <translation>dauerhaft</translation>
+    </message>
+    <message>
+        <source>volatile</source>
+        <translation>flüchtig</translation>
+    </message>
+    <message>
+        <source>A&amp;xis</source>
+        <translation>Ac&amp;hse</translation>
+    </message>
+    <message>
+        <source>The axis to compensate; all axes of all drives are here</source>
+        <translation>Die zu kompensierende Achse; hier stehen alle Achsen aller Antriebe</translation>
+    </message>
+    <message>
+        <source>The axis whose compensation is set up</source>
+        <translation>Die Achse, deren Kompensation eingerichtet wird</translation>
+    </message>
+    <message>
+        <source>Dimen&amp;sionality</source>
+        <translation>Dimensi&amp;onalität</translation>
+    </message>
+    <message>
+        <source>On how many positions the compensation depends: 1D on one, 2D on two, 3D on three</source>
+        <translation>Von wie vielen Positionen die Kompensation abhängt: 1D von einer, 2D von zwei, 3D von drei</translation>
+    </message>
+    <message>
+        <source>On how many positions the compensation depends</source>
+        <translation>Von wie vielen Positionen die Kompensation abhängt</translation>
+    </message>
+    <message>
+        <source>Dim&amp;1 Source</source>
+        <translation>Dim&amp;1-Quelle</translation>
+    </message>
+    <message>
+        <source>Dim&amp;2 Source</source>
+        <translation>Dim&amp;2-Quelle</translation>
+    </message>
+    <message>
+        <source>Dim&amp;3 Source</source>
+        <translation>Dim&amp;3-Quelle</translation>
+    </message>
+    <message>
+        <source>The register whose value looks the table up in dimension %1: choose one, or type a path, a tam:// URI or a hexadecimal address and press Enter</source>
+        <translation>Das Register, mit dessen Wert die Tabelle in Dimension %1 abgefragt wird: eines wählen oder Pfad, tam://-URI oder hexadezimale Adresse eingeben und Eingabe drücken</translation>
+    </message>
+    <message>
+        <source>The register whose value looks the table up in dimension %1</source>
+        <translation>Das Register, mit dessen Wert die Tabelle in Dimension %1 abgefragt wird</translation>
+    </message>
+    <message>
+        <source>Compensat&amp;ion data</source>
+        <translation>Ko&amp;mpensationsdaten</translation>
+    </message>
+    <message>
+        <source>A file with measured positions and compensation values; only needed for a new table</source>
+        <translation>Eine Datei mit gemessenen Positionen und Kompensationswerten; nur für eine neue Tabelle nötig</translation>
+    </message>
+    <message>
+        <source>A file with compensation values; only needed for a new table</source>
+        <translation>Eine Datei mit Kompensationswerten; nur für eine neue Tabelle nötig</translation>
+    </message>
+    <message>
+        <source>&amp;Table</source>
+        <translation>&amp;Tabelle</translation>
+    </message>
+    <message>
+        <source>The table that the axis shall have: the one on the drive, or one of the file&apos;s</source>
+        <translation>Die Tabelle, die die Achse haben soll: die im Antrieb oder eine der Datei</translation>
+    </message>
+    <message>
+        <source>The table that the axis shall have</source>
+        <translation>Die Tabelle, die die Achse haben soll</translation>
+    </message>
+    <message>
+        <source>Persistency</source>
+        <translation>Speicherung</translation>
+    </message>
+    <message>
+        <source>Persistent: stored in the drive&apos;s flash, still there after a reboot. Volatile: gone after a reboot. Can be changed for the table on the drive, too</source>
+        <translation>Dauerhaft: im Flash-Speicher des Antriebs, nach einem Neustart noch da. Flüchtig: nach einem Neustart weg. Lässt sich auch für die Tabelle im Antrieb ändern</translation>
+    </message>
+    <message>
+        <source>Whether the table is still there after a reboot</source>
+        <translation>Ob die Tabelle nach einem Neustart noch da ist</translation>
+    </message>
+    <message>
+        <source>Make &amp;persistent</source>
+        <translation>Dauerhaft &amp;speichern</translation>
+    </message>
+    <message>
+        <source>no axis</source>
+        <translation>keine Achse</translation>
+    </message>
+    <message>
+        <source>homed</source>
+        <translation>referenziert</translation>
+    </message>
+    <message>
+        <source>not homed</source>
+        <translation>nicht referenziert</translation>
+    </message>
+    <message>
+        <source>serial number %1</source>
+        <translation>Seriennummer %1</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <comment>homed, serial number</comment>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>%1, positions in %2, %3</source>
+        <translation>%1, Positionen in %2, %3</translation>
+    </message>
+    <message>
+        <source>choose a register, or type one</source>
+        <translation>Register wählen oder eingeben</translation>
+    </message>
+    <message>
+        <source>now %1</source>
+        <comment>value</comment>
+        <translation>jetzt %1</translation>
+    </message>
+    <message>
+        <source>one source, one column of positions</source>
+        <translation>eine Quelle, eine Spalte mit Positionen</translation>
+    </message>
+    <message>
+        <source>two sources, two columns of positions</source>
+        <translation>zwei Quellen, zwei Spalten mit Positionen</translation>
+    </message>
+    <message>
+        <source>three sources, three columns of positions</source>
+        <translation>drei Quellen, drei Spalten mit Positionen</translation>
+    </message>
+    <message>
+        <source>On the drive: %1</source>
+        <translation>Im Antrieb: %1</translation>
+    </message>
+    <message>
+        <source>none on the drive</source>
+        <translation>keine im Antrieb</translation>
+    </message>
+    <message>
+        <source>Parsed: %1</source>
+        <translation>Aus Datei: %1</translation>
+    </message>
+    <message>
+        <source>from %1</source>
+        <translation>aus %1</translation>
+    </message>
+    <message>
+        <source>open a file to get a table</source>
+        <translation>für eine Tabelle eine Datei öffnen</translation>
+    </message>
+    <message>
+        <source>problems: %1; nothing of this file is used</source>
+        <translation>Fehler: %1; von dieser Datei wird nichts verwendet</translation>
+    </message>
+    <message>
+        <source>CSV; only needed for a new table</source>
+        <translation>CSV; nur für eine neue Tabelle nötig</translation>
+    </message>
+    <message>
+        <source>reading %1</source>
+        <translation>%1 wird gelesen</translation>
+    </message>
+    <message>
+        <source>tables: %1, points: %2</source>
+        <translation>Tabellen: %1, Stützstellen: %2</translation>
+    </message>
+    <message>
+        <source>in flash</source>
+        <translation>im Flash-Speicher</translation>
+    </message>
+    <message>
+        <source>gone after a reboot</source>
+        <translation>nach einem Neustart weg</translation>
+    </message>
+    <message>
+        <source>; operations left for now: %1 of %2</source>
+        <comment>of the flash</comment>
+        <translation>; jetzt noch möglich: %1 von %2 Vorgängen</translation>
+    </message>
+    <message>
+        <source>not set</source>
+        <comment>source</comment>
+        <translation>nicht gesetzt</translation>
+    </message>
+    <message>
+        <source>unknown register %1</source>
+        <translation>unbekanntes Register %1</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <comment>table</comment>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>%1, %2 points</source>
+        <translation>%1, %2 Stützstellen</translation>
+    </message>
+    <message>
+        <source>%1, empty</source>
+        <comment>table slot</comment>
+        <translation>%1, leer</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::ShownTable</name>
+    <message>
+        <source>No table</source>
+        <translation>Keine Tabelle</translation>
+    </message>
+    <message>
+        <source>%1, step %2 · min %3, max %4, rms %5</source>
+        <translation>%1, Schritt %2 · min. %3, max. %4, RMS %5</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::SignSentence</name>
+    <message>
+        <source>all values are 0: the drive will add nothing</source>
+        <translation>alle Werte sind 0: der Antrieb addiert nichts</translation>
+    </message>
+    <message>
+        <source>where the encoder reads %1 the reference says %2: the drive will add %3</source>
+        <translation>wo der Geber %1 anzeigt, misst die Referenz %2: der Antrieb addiert %3</translation>
+    </message>
+    <message>
+        <source>at %1, %2</source>
+        <translation>bei %1, %2</translation>
+    </message>
+    <message>
+        <source>at %1 the reference says %2 more than the encoder: the drive will add %3</source>
+        <translation>bei %1 misst die Referenz %2 mehr als der Geber: der Antrieb addiert %3</translation>
+    </message>
+    <message>
+        <source>at %1 the reference says %2 less than the encoder: the drive will add %3</source>
+        <translation>bei %1 misst die Referenz %2 weniger als der Geber: der Antrieb addiert %3</translation>
+    </message>
+    <message>
+        <source> (the file says %1, but the drive takes the values as %2)</source>
+        <translation> (die Datei nennt %1, der Antrieb nimmt die Werte aber als %2)</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::SliceRow</name>
+    <message>
+        <source>Cut at</source>
+        <translation>Schnitt bei</translation>
+    </message>
+    <message>
+        <source>Which slice of the three dimensions is shown</source>
+        <translation>Welcher Schnitt der drei Dimensionen gezeigt wird</translation>
+    </message>
+    <message>
+        <source>Slice</source>
+        <translation>Schnitt</translation>
+    </message>
+    <message>
+        <source>The dimension that is cut; the other two are shown</source>
+        <translation>Die Dimension, die geschnitten wird; die anderen beiden sind zu sehen</translation>
+    </message>
+    <message>
+        <source>Dimension that is cut</source>
+        <translation>Geschnittene Dimension</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::StatusStrip</name>
+    <message>
+        <source>compensation off</source>
+        <translation>Kompensation aus</translation>
+    </message>
+    <message>
+        <source>compensation evaluating</source>
+        <translation>Kompensation wertet aus</translation>
+    </message>
+    <message>
+        <source>compensation ramping</source>
+        <translation>Kompensation wird überblendet</translation>
+    </message>
+    <message>
+        <source>compensation active</source>
+        <translation>Kompensation aktiv</translation>
+    </message>
+    <message>
+        <source>compensation error</source>
+        <translation>Kompensationsfehler</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>Abbre&amp;chen</translation>
+    </message>
+    <message>
+        <source>Stops what runs; a write is put back first (Esc)</source>
+        <translation>Bricht den Vorgang ab; ein Schreiben wird zuerst zurückgestellt (Esc)</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>&amp;Log</source>
+        <translation>Protoko&amp;ll</translation>
+    </message>
+    <message>
+        <source>Show what has happened so far, in detail (Ctrl+L)</source>
+        <translation>Zeigt im Einzelnen, was bisher geschehen ist (Strg+L)</translation>
+    </message>
+    <message>
+        <source>What the drive&apos;s compensation of this axis does now</source>
+        <translation>Was die Kompensation dieser Achse im Antrieb gerade tut</translation>
+    </message>
+    <message>
+        <source>The drive&apos;s own values: what it adds to the encoder position, and where it is in the table</source>
+        <translation>Die Werte des Antriebs selbst: was er zur Geberposition addiert und wo er in der Tabelle steht</translation>
+    </message>
+    <message>
+        <source>output &lt;b&gt;%1&lt;/b&gt; &amp;nbsp; index &lt;b&gt;%2&lt;/b&gt;</source>
+        <translation>Ausgang &lt;b&gt;%1&lt;/b&gt; &amp;nbsp; Index &lt;b&gt;%2&lt;/b&gt;</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::TablePlot</name>
+    <message>
+        <source>Save the picture or its values</source>
+        <translation>Bild oder Werte speichern</translation>
+    </message>
+    <message>
+        <source>Picture (*.png)</source>
+        <translation>Bild (*.png)</translation>
+    </message>
+    <message>
+        <source>Document (*.pdf)</source>
+        <translation>Dokument (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Values (*.csv)</source>
+        <translation>Werte (*.csv)</translation>
+    </message>
+    <message>
+        <source>Saved as %1</source>
+        <translation>Gespeichert als %1</translation>
+    </message>
+    <message>
+        <source>C&amp;ursors</source>
+        <translation>C&amp;ursor</translation>
+    </message>
+    <message>
+        <source>Two cursors and their difference. Arrow keys move the cursor, Space changes between A and B, a click sets it.</source>
+        <translation>Zwei Cursor und ihre Differenz. Pfeiltasten bewegen den Cursor, die Leertaste wechselt zwischen A und B, ein Klick setzt ihn.</translation>
+    </message>
+    <message>
+        <source>Show the whole table again (Home). The wheel and + and - zoom, Shift and drag zooms into a rectangle, dragging moves.</source>
+        <translation>Wieder die ganze Tabelle zeigen (Pos1). Mausrad, + und - zoomen, Ziehen mit Umschalt zoomt in ein Rechteck, Ziehen verschiebt.</translation>
+    </message>
+    <message>
+        <source>Save as PNG or PDF, or the values shown as CSV</source>
+        <translation>Als PNG oder PDF speichern oder die gezeigten Werte als CSV</translation>
+    </message>
+    <message>
+        <source>selected</source>
+        <translation>gewählt</translation>
+    </message>
+    <message>
+        <source>on the drive</source>
+        <translation>im Antrieb</translation>
+    </message>
+    <message>
+        <source>Picture of the table</source>
+        <translation>Bild der Tabelle</translation>
+    </message>
+    <message>
+        <source>difference</source>
+        <translation>Differenz</translation>
+    </message>
+    <message>
+        <source>compensation</source>
+        <translation>Kompensation</translation>
+    </message>
+    <message>
+        <source>W&amp;hole view</source>
+        <translation>&amp;Ganze Ansicht</translation>
+    </message>
+    <message>
+        <source>Save picture…</source>
+        <translation>Bild speichern…</translation>
+    </message>
+    <message>
+        <source>A: %1     B: %2
+B - A: %3</source>
+        <translation>A: %1     B: %2
+B - A: %3</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::ValuesModel</name>
+    <message>
+        <source>Index %1</source>
+        <translation>Index %1</translation>
+    </message>
+    <message>
+        <source>difference</source>
+        <translation>Differenz</translation>
+    </message>
+    <message>
+        <source>compensation</source>
+        <translation>Kompensation</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::ValuesView</name>
+    <message>
+        <source>Values of the table</source>
+        <translation>Werte der Tabelle</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Copy With Positions</source>
+        <translation>Mit Positionen kopieren</translation>
+    </message>
+    <message>
+        <source>Select All</source>
+        <translation>Alles auswählen</translation>
+    </message>
+    <message>
+        <source>Copy the selected values, or all of them, with their positions for a spreadsheet. Ctrl+C copies the selected values alone.</source>
+        <translation>Gewählte Werte oder alle mit ihren Positionen für eine Tabellenkalkulation kopieren. Strg+C kopiert die gewählten Werte allein.</translation>
+    </message>
+    <message>
+        <source>Copy values</source>
+        <translation>Werte kopieren</translation>
+    </message>
+    <message>
+        <source>%1 across, %2 down, %3</source>
+        <translation>%1 nach rechts, %2 nach unten, %3</translation>
+    </message>
+    <message>
+        <source>Copied cells: %1</source>
+        <translation>Kopierte Zellen: %1</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::WizardController</name>
+    <message>
+        <source>Compensation: %1.</source>
+        <translation>Kompensation: %1.</translation>
+    </message>
+    <message>
+        <source>Homing: %1.</source>
+        <translation>Referenzierung: %1.</translation>
+    </message>
+    <message>
+        <source>The compensation is in error: %1.</source>
+        <translation>Die Kompensation meldet einen Fehler: %1.</translation>
+    </message>
+    <message>
+        <source>The drive is in error: %1.</source>
+        <translation>Der Antrieb meldet einen Fehler: %1.</translation>
+    </message>
+    <message>
+        <source>Somebody else changed the settings of the axis on the drive.</source>
+        <translation>Die Einstellungen der Achse wurden im Antrieb von anderer Seite geändert.</translation>
+    </message>
+    <message>
+        <source>Another axis can be chosen when this has ended.</source>
+        <translation>Erst nach dem Ende dieses Vorgangs lässt sich eine andere Achse wählen.</translation>
+    </message>
+    <message>
+        <source>Connected to %1 (%2).</source>
+        <translation>Verbunden mit %1 (%2).</translation>
+    </message>
+    <message>
+        <source>Another drive answers at %1 now: %2. Unwritten changes were dropped.</source>
+        <translation>Unter %1 antwortet jetzt ein anderer Antrieb: %2. Nicht geschriebene Änderungen wurden verworfen.</translation>
+    </message>
+    <message>
+        <source>planning</source>
+        <translation>Planung</translation>
+    </message>
+    <message>
+        <source>writing</source>
+        <translation>Schreiben</translation>
+    </message>
+    <message>
+        <source>activating</source>
+        <translation>Aktivieren</translation>
+    </message>
+    <message>
+        <source>evaluating</source>
+        <translation>Auswerten</translation>
+    </message>
+    <message>
+        <source>deactivating</source>
+        <translation>Deaktivieren</translation>
+    </message>
+    <message>
+        <source>restoring</source>
+        <translation>Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Begin: %1 %2.</source>
+        <translation>Beginn: %1 %2.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>The fields were changed while the write was planned: write again.</source>
+        <translation>Während der Planung wurden Felder geändert: neu schreiben.</translation>
+    </message>
+    <message>
+        <source>The drive or the fields have changed since the write was planned: write again.</source>
+        <translation>Antrieb oder Felder haben sich seit der Planung geändert: neu schreiben.</translation>
+    </message>
+    <message>
+        <source>%1: stopping</source>
+        <translation>%1: wird gestoppt</translation>
+    </message>
+    <message>
+        <source>Stopped by the user.</source>
+        <translation>Vom Benutzer abgebrochen.</translation>
+    </message>
+    <message>
+        <source>The drive is not connected: the source cannot be checked.</source>
+        <translation>Der Antrieb ist nicht verbunden: die Quelle lässt sich nicht prüfen.</translation>
+    </message>
+    <message>
+        <source>%1 has been read: %2 points, tables: %3.</source>
+        <translation>%1 wurde gelesen: %2 Stützstellen, Tabellen: %3.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be used: %2 problems.</source>
+        <translation>%1 ist nicht verwendbar, Anzahl der Fehler: %2.</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::WizardRules</name>
+    <message>
+        <source>No drive is connected: add a connection first.</source>
+        <translation>Kein Antrieb ist verbunden: zuerst eine Verbindung hinzufügen.</translation>
+    </message>
+    <message>
+        <source>The drives are being asked for their axes.</source>
+        <translation>Die Antriebe werden nach ihren Achsen gefragt.</translation>
+    </message>
+    <message>
+        <source>Choose an axis first.</source>
+        <translation>Zuerst eine Achse wählen.</translation>
+    </message>
+    <message>
+        <source>The drive is not connected.</source>
+        <translation>Der Antrieb ist nicht verbunden.</translation>
+    </message>
+    <message>
+        <source>This axis has no compensation registers.</source>
+        <translation>Diese Achse hat keine Kompensationsregister.</translation>
+    </message>
+    <message>
+        <source>Please wait: %1.</source>
+        <translation>Bitte warten: %1.</translation>
+    </message>
+    <message>
+        <source>The axis is being read.</source>
+        <translation>Die Achse wird gelesen.</translation>
+    </message>
+    <message>
+        <source>The compensation is active: deactivate it first.</source>
+        <translation>Die Kompensation ist aktiv: zuerst deaktivieren.</translation>
+    </message>
+    <message>
+        <source>No table is chosen: open compensation data.</source>
+        <translation>Keine Tabelle gewählt: Kompensationsdaten öffnen.</translation>
+    </message>
+    <message>
+        <source>The table has 1 dimension, but %1D is chosen.</source>
+        <translation>Die Tabelle hat 1 Dimension, gewählt ist aber %1D.</translation>
+    </message>
+    <message>
+        <source>The table has %1 dimensions, but %2D is chosen.</source>
+        <translation>Die Tabelle hat %1 Dimensionen, gewählt ist aber %2D.</translation>
+    </message>
+    <message>
+        <source>A source is being checked.</source>
+        <translation>Eine Quelle wird geprüft.</translation>
+    </message>
+    <message>
+        <source>Dim%1 Source is missing.</source>
+        <translation>Die Dim%1-Quelle fehlt.</translation>
+    </message>
+    <message>
+        <source>Dim%1 Source is the same as another source.</source>
+        <translation>Die Dim%1-Quelle ist dieselbe wie eine andere.</translation>
+    </message>
+    <message>
+        <source>The table needs %1 bytes, but the largest slot has %2.</source>
+        <translation>Die Tabelle braucht %1 Byte, der größte Tabellenplatz hat %2.</translation>
+    </message>
+    <message>
+        <source>Flash wear: wait %1, or write volatile.</source>
+        <translation>Flash-Abnutzung: %1 warten oder flüchtig schreiben.</translation>
+    </message>
+    <message>
+        <source>Flash wear: wait %1.</source>
+        <translation>Flash-Abnutzung: %1 warten.</translation>
+    </message>
+    <message>
+        <source>Nothing has changed.</source>
+        <translation>Nichts ist geändert.</translation>
+    </message>
+    <message>
+        <source>The file is being read.</source>
+        <translation>Die Datei wird gelesen.</translation>
+    </message>
+    <message>
+        <source>Parameters must be written.</source>
+        <translation>Zuerst müssen die Parameter geschrieben werden.</translation>
+    </message>
+    <message>
+        <source>The axis has no table on the drive: write one first.</source>
+        <translation>Die Achse hat keine Tabelle im Antrieb: zuerst eine schreiben.</translation>
+    </message>
+    <message>
+        <source>An earlier write left the axis in neither the old nor the new state: write again, or restore the previous state.</source>
+        <translation>Ein früheres Schreiben hat die Achse weder im alten noch im neuen Stand hinterlassen: neu schreiben oder den vorherigen Stand wiederherstellen.</translation>
+    </message>
+    <message>
+        <source>The compensation is active already.</source>
+        <translation>Die Kompensation ist schon aktiv.</translation>
+    </message>
+    <message>
+        <source>The axis must be homed first.</source>
+        <translation>Die Achse muss zuerst referenziert werden.</translation>
+    </message>
+    <message>
+        <source>The compensation is being evaluated already.</source>
+        <translation>Die Kompensation wird schon ausgewertet.</translation>
+    </message>
+    <message>
+        <source>The compensation is not active.</source>
+        <translation>Die Kompensation ist nicht aktiv.</translation>
+    </message>
+    <message>
+        <source>There is no backup of this axis yet: one is made before every write.</source>
+        <translation>Von dieser Achse gibt es noch keine Sicherung: vor jedem Schreiben wird eine angelegt.</translation>
+    </message>
+    <message>
+        <source>Nothing is running.</source>
+        <translation>Es läuft nichts.</translation>
+    </message>
+    <message>
+        <source>It is being stopped already.</source>
+        <translation>Es wird schon gestoppt.</translation>
+    </message>
+    <message>
+        <source>Finishes an earlier write: saves the parameters of the drive.</source>
+        <translation>Schließt ein früheres Schreiben ab: speichert die Parameter des Antriebs.</translation>
+    </message>
+    <message>
+        <source>Writes to the drive and stores in flash: %1 of %2 flash operations that are possible now.</source>
+        <translation>Schreibt in den Antrieb und in seinen Flash-Speicher: %1 von %2 jetzt möglichen Flash-Vorgängen.</translation>
+    </message>
+    <message>
+        <source>Writes to the drive and stores in flash.</source>
+        <translation>Schreibt in den Antrieb und in seinen Flash-Speicher.</translation>
+    </message>
+    <message>
+        <source>Writes to the drive and saves its parameters; the table in flash stays.</source>
+        <translation>Schreibt in den Antrieb und speichert seine Parameter; die Tabelle im Flash-Speicher bleibt.</translation>
+    </message>
+    <message>
+        <source>Writes to the drive; a reboot of the drive brings the stored state back.</source>
+        <translation>Schreibt in den Antrieb; ein Neustart des Antriebs bringt den gespeicherten Stand zurück.</translation>
+    </message>
+    <message>
+        <source>Adds the table&apos;s values to the encoder position, then proves that the drive adds what the table says.</source>
+        <translation>Addiert die Werte der Tabelle zur Geberposition und weist dann nach, dass der Antrieb addiert, was die Tabelle sagt.</translation>
+    </message>
+    <message>
+        <source>Lets the drive check table and sources and look up, without adding anything.</source>
+        <translation>Lässt den Antrieb Tabelle und Quellen prüfen und nachschlagen, ohne etwas zu addieren.</translation>
+    </message>
+    <message>
+        <source>Switches the compensation off; table and settings stay on the drive.</source>
+        <translation>Schaltet die Kompensation aus; Tabelle und Einstellungen bleiben im Antrieb.</translation>
+    </message>
+    <message>
+        <source>Puts the drive&apos;s values back into the fields.</source>
+        <translation>Stellt in den Feldern die Werte des Antriebs wieder her.</translation>
+    </message>
+    <message>
+        <source>Writes the table and the sources that the axis had before.</source>
+        <translation>Schreibt die Tabelle und die Quellen, die die Achse vorher hatte.</translation>
+    </message>
+    <message>
+        <source>Looks for drives and axes again and reads the axis.</source>
+        <translation>Sucht erneut nach Antrieben und Achsen und liest die Achse.</translation>
+    </message>
+    <message>
+        <source>Opens a file of compensation data, .csv or .TAMtbl.</source>
+        <translation>Öffnet eine Datei mit Kompensationsdaten, .csv oder .TAMtbl.</translation>
+    </message>
+    <message>
+        <source>Stops reading the file.</source>
+        <translation>Bricht das Lesen der Datei ab.</translation>
+    </message>
+    <message>
+        <source>Stops the write and puts the old state back.</source>
+        <translation>Bricht das Schreiben ab und stellt den alten Stand zurück.</translation>
+    </message>
+    <message>
+        <source>Stops what is running.</source>
+        <translation>Bricht den laufenden Vorgang ab.</translation>
+    </message>
+    <message>
+        <source>%1 ...</source>
+        <translation>%1 ...</translation>
+    </message>
+    <message>
+        <source>An earlier write did not end: the parameters may not be saved. Write to finish it.</source>
+        <translation>Ein früheres Schreiben wurde nicht beendet: die Parameter sind vielleicht nicht gespeichert. Zum Abschließen schreiben.</translation>
+    </message>
+    <message>
+        <source>The compensation is active.</source>
+        <translation>Die Kompensation ist aktiv.</translation>
+    </message>
+    <message>
+        <source>The compensation is being evaluated: the drive adds nothing.</source>
+        <translation>Die Kompensation wird nur ausgewertet: der Antrieb addiert nichts.</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::WritePreview</name>
+    <message>
+        <source>persistent</source>
+        <translation>dauerhaft</translation>
+    </message>
+    <message>
+        <source>volatile</source>
+        <translation>flüchtig</translation>
+    </message>
+    <message>
+        <source>Nothing has been changed on the drive so far. The old table and settings are kept in a backup file first.</source>
+        <translation>Im Antrieb ist bisher nichts geändert. Die alte Tabelle und die Einstellungen werden zuerst in einer Datei gesichert.</translation>
+    </message>
+    <message>
+        <source>Field</source>
+        <translation>Feld</translation>
+    </message>
+    <message>
+        <source>On the drive</source>
+        <translation>Im Antrieb</translation>
+    </message>
+    <message>
+        <source>New</source>
+        <translation>Neu</translation>
+    </message>
+    <message>
+        <source>What will be written</source>
+        <translation>Was geschrieben wird</translation>
+    </message>
+    <message>
+        <source>Do not show this again &amp;for volatile writes</source>
+        <translation>Vor flüchtigem Schreiben nicht m&amp;ehr zeigen</translation>
+    </message>
+    <message>
+        <source>Persistent writes always show this list; the menu brings it back for volatile ones</source>
+        <translation>Vor dauerhaftem Schreiben erscheint diese Liste immer; vor flüchtigem bringt sie das Menü zurück</translation>
+    </message>
+    <message>
+        <source>&amp;Write</source>
+        <translation>&amp;Jetzt schreiben</translation>
+    </message>
+    <message>
+        <source>Write this to the drive now</source>
+        <translation>Das jetzt in den Antrieb schreiben</translation>
+    </message>
+    <message>
+        <source>&amp;Back</source>
+        <translation>Zurü&amp;ck</translation>
+    </message>
+    <message>
+        <source>Change nothing and go back (Esc)</source>
+        <translation>Nichts ändern und zurückgehen (Esc)</translation>
+    </message>
+    <message>
+        <source>What will be written to %1</source>
+        <comment>axis and drive</comment>
+        <translation>Was in %1 geschrieben wird</translation>
+    </message>
+    <message>
+        <source>Table</source>
+        <translation>Tabelle</translation>
+    </message>
+    <message>
+        <source>Largest change</source>
+        <translation>Größte Änderung</translation>
+    </message>
+    <message>
+        <source>being computed …</source>
+        <translation>wird berechnet …</translation>
+    </message>
+    <message>
+        <source>Dimensionality</source>
+        <translation>Dimensionalität</translation>
+    </message>
+    <message>
+        <source>%1D</source>
+        <translation>%1D</translation>
+    </message>
+    <message>
+        <source>Dim%1 Source</source>
+        <translation>Dim%1-Quelle</translation>
+    </message>
+    <message>
+        <source>Persistency</source>
+        <translation>Speicherung</translation>
+    </message>
+    <message>
+        <source>no table</source>
+        <translation>keine Tabelle</translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <comment>value at position</comment>
+        <translation>%1 bei %2</translation>
+    </message>
+    <message>
+        <source>Costs no flash operation. Volatile: gone after a reboot.</source>
+        <translation>Kostet keinen Flash-Vorgang. Flüchtig: nach einem Neustart weg.</translation>
+    </message>
+    <message>
+        <source>Costs no flash operation: the flash already holds it.</source>
+        <translation>Kostet keinen Flash-Vorgang: der Flash-Speicher enthält es schon.</translation>
+    </message>
+    <message>
+        <source>Flash operations: costs %1, left for now afterwards: %2.</source>
+        <translation>Flash-Vorgänge: kostet %1, danach vorerst noch möglich: %2.</translation>
+    </message>
+    <message>
+        <source>%1 held an earlier table of this axis; the present one stays whole until the new one has taken over.</source>
+        <translation>%1 enthielt eine frühere Tabelle dieser Achse; die jetzige bleibt ganz, bis die neue übernommen hat.</translation>
+    </message>
+    <message>
+        <source>not set</source>
+        <comment>source</comment>
+        <translation>nicht gesetzt</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <comment>table</comment>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>perhaps not saved</source>
+        <translation>vielleicht nicht gespeichert</translation>
+    </message>
+    <message>
+        <source>saved</source>
+        <translation>gespeichert</translation>
+    </message>
+</context>
+</TS>

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/wizard_task.h"
+
+#include "ui/wizard_controller.h"
+
+namespace axiscomp::ui {
+
+QString taskText(Task task)
+{
+    switch (task) {
+    case Task::Plan:
+        return WizardController::tr("planning");
+    case Task::Write:
+        return WizardController::tr("writing");
+    case Task::Activate:
+        return WizardController::tr("activating");
+    case Task::Evaluate:
+        return WizardController::tr("evaluating");
+    case Task::Deactivate:
+        return WizardController::tr("deactivating");
+    case Task::Restore:
+        break;
+    }
+    return WizardController::tr("restoring");
+}
+
+} // namespace axiscomp::ui
