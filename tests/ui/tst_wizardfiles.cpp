@@ -156,8 +156,8 @@ private Q_SLOTS:
         // A good file takes the list away.
         bench.picked = bench.superData(2);
         QVERIFY(user.click("openButton"));
+        QTRY_VERIFY(user.note("dataField").startsWith(QStringLiteral("tables: ")));
         QTRY_VERIFY(!user.sees("problems"));
-        QVERIFY(user.note("dataField").startsWith(QStringLiteral("tables: ")));
     }
 
     void theFirstFileMayBeTheBadOne()

@@ -9,6 +9,7 @@
 #include <QTimer>
 
 #include <cmath>
+#include <functional>
 
 using namespace axiscomp;
 using namespace axiscomp::ui;
@@ -18,8 +19,13 @@ using test::Heartbeat;
 
 namespace {
 
-/// One frame. Time in which the machine let other programs run does not count.
-constexpr std::chrono::milliseconds longestGap{16};
+/// One frame: what the window's thread may compute between two turns of its event loop.
+constexpr std::chrono::milliseconds longestWork{16};
+/// It must not wait for anything either. A drive, a file or a worker that it waited for would hold
+/// it for longer than this (DriveGate's timeouts are 300 ms and more); a machine with other work
+/// can hold it for more than a frame through no fault of the program, at the heap's lock for
+/// example.
+constexpr std::chrono::milliseconds longestGap{100};
 
 /// As QTRY_VERIFY, but the event loop turns all the time: that one sleeps in between.
 template <typename Condition> bool waitFor(const Condition& condition)
@@ -53,14 +59,24 @@ QByteArray largeCalibration()
     return text;
 }
 
-/// After some more beats: whether the longest gap is no longer than it may be.
-bool isSmooth(const char* what, const Heartbeat& heart)
+/// Whether the thread computed and waited no longer than it may while this was done. Tried up to
+/// three times: a block of our own comes back each time, one of the machine's does not.
+bool staysSmooth(const char* what, const std::function<void(Heartbeat&)>& scenario)
 {
-    const int beats = heart.beats();
-    const bool isAlive = waitFor([&] { return heart.beats() > beats + 20; });
-    qInfo("%s: longest gap %.1f ms of %d beats", what,
-        static_cast<double>(heart.longest().count()) / 1000.0, heart.beats());
-    return isAlive && heart.longest() < longestGap;
+    for (int attempt = 1; attempt <= 3; ++attempt) {
+        Heartbeat heart;
+        scenario(heart);
+        const int beats = heart.beats();
+        const bool isAlive = waitFor([&] { return heart.beats() > beats + 20; });
+        qInfo("%s: worked %.1f ms, stopped %.1f ms at the longest in %d beats", what,
+            static_cast<double>(heart.longestBusy().count()) / 1000.0,
+            static_cast<double>(heart.longest().count()) / 1000.0, heart.beats());
+        if (QTest::currentTestFailed() || !isAlive)
+            return false;
+        if (heart.longestBusy() < longestWork && heart.longest() < longestGap)
+            return true;
+    }
+    return false;
 }
 
 /// A controller that reads live values, with the large file open and chosen for axis X.
@@ -84,26 +100,27 @@ private Q_SLOTS:
 
     void readingAFileOf20MegabytesNeverStopsTheWindow()
     {
-        ControllerBench bench;
-        bench.options.liveInterval = std::chrono::milliseconds(100);
-        QVERIFY(bench.connect());
-        bench.chooseMasterSources();
-        const QByteArray text = largeCalibration();
-        QVERIFY(text.size() > 20'000'000);
-        const QString path = bench.file(QStringLiteral("large.csv"), text);
-        std::vector<double> progress;
-        connect(&bench.controller(), &WizardController::dataFileChanged, this,
-            [&] { progress.push_back(bench->dataFile().progress); });
-        Heartbeat heart;
-        bench->openData(path);
-        QVERIFY(bench->dataFile().isReading);
-        QVERIFY(waitFor([&] { return !bench->dataFile().isReading; }));
-        QVERIFY(bench->dataFile().data);
-        QCOMPARE(bench->dataFile().data->grid.pointCount(), std::size_t{720 * 720});
-        QVERIFY(!bench->signSentence().isEmpty());
-        QVERIFY(isSmooth("reading 20 MB", heart));
-        // Often enough to be followed.
-        QVERIFY(std::ranges::any_of(progress, [](double p) { return p > 0.0 && p < 1.0; }));
+        QVERIFY(staysSmooth("reading 20 MB", [&](Heartbeat& heart) {
+            ControllerBench bench;
+            bench.options.liveInterval = std::chrono::milliseconds(100);
+            QVERIFY(bench.connect());
+            bench.chooseMasterSources();
+            const QByteArray text = largeCalibration();
+            QVERIFY(text.size() > 20'000'000);
+            const QString path = bench.file(QStringLiteral("large.csv"), text);
+            std::vector<double> progress;
+            connect(&bench.controller(), &WizardController::dataFileChanged, this,
+                [&] { progress.push_back(bench->dataFile().progress); });
+            heart.restart();
+            bench->openData(path);
+            QVERIFY(bench->dataFile().isReading);
+            QVERIFY(waitFor([&] { return !bench->dataFile().isReading; }));
+            QVERIFY(bench->dataFile().data);
+            QCOMPARE(bench->dataFile().data->grid.pointCount(), std::size_t{720 * 720});
+            QVERIFY(!bench->signSentence().isEmpty());
+            // Often enough to be followed.
+            QVERIFY(std::ranges::any_of(progress, [](double p) { return p > 0.0 && p < 1.0; }));
+        }));
     }
 
     void readingCanBeCancelled()
@@ -126,110 +143,116 @@ private Q_SLOTS:
 
     void aDriveThatNeverAnswersNeverStopsTheWindow()
     {
-        ControllerBench bench;
-        bench.options.timeout = std::chrono::milliseconds(300);
-        bench.options.liveInterval = std::chrono::milliseconds(5);
-        QVERIFY(bench.connect());
-        QVERIFY(bench.prepare2D());
-        Heartbeat heart;
-        bench.drive().gate.set(DriveGate::Mode::Deaf);
-        const auto is = [&](DriveState::Connection connection) {
-            return
-                [&bench, connection] { return bench->drives().front().connection == connection; };
-        };
-        const auto idle = [&] { return !bench->busy().isBusy; };
-        QVERIFY(waitFor(is(DriveState::Connection::Lost)));
-        // It goes on trying.
-        QVERIFY(waitFor([&] { return bench.drive().gate.timeouts() >= 3; }));
-        bench.drive().gate.set(DriveGate::Mode::Open);
-        QVERIFY(waitFor(is(DriveState::Connection::Connected)));
-        QVERIFY(waitFor([&] { return bench->action(Action::Write).isEnabled; }));
-        bench->planWrite();
-        QVERIFY(waitFor(idle));
-        bench.drive().gate.setAt(12, DriveGate::Mode::Deaf);
-        bench->write();
-        QVERIFY(waitFor(idle));
-        QVERIFY(bench->isOutcomeAnError());
-        bench->refresh();
-        bench->setEndpoints({}); // its session ends by itself, some time
-        bench.drive().gate.set(DriveGate::Mode::Open);
-        QVERIFY(isSmooth("a drive that never answers", heart));
+        QVERIFY(staysSmooth("a drive that never answers", [&](Heartbeat& heart) {
+            ControllerBench bench;
+            bench.options.timeout = std::chrono::milliseconds(300);
+            bench.options.liveInterval = std::chrono::milliseconds(5);
+            QVERIFY(bench.connect());
+            QVERIFY(bench.prepare2D());
+            heart.restart();
+            bench.drive().gate.set(DriveGate::Mode::Deaf);
+            const auto is = [&](DriveState::Connection connection) {
+                return [&bench, connection] {
+                    return bench->drives().front().connection == connection;
+                };
+            };
+            const auto idle = [&] { return !bench->busy().isBusy; };
+            QVERIFY(waitFor(is(DriveState::Connection::Lost)));
+            // It goes on trying.
+            QVERIFY(waitFor([&] { return bench.drive().gate.timeouts() >= 3; }));
+            bench.drive().gate.set(DriveGate::Mode::Open);
+            QVERIFY(waitFor(is(DriveState::Connection::Connected)));
+            QVERIFY(waitFor([&] { return bench->action(Action::Write).isEnabled; }));
+            bench->planWrite();
+            QVERIFY(waitFor(idle));
+            bench.drive().gate.setAt(12, DriveGate::Mode::Deaf);
+            bench->write();
+            QVERIFY(waitFor(idle));
+            QVERIFY(bench->isOutcomeAnError());
+            bench->refresh();
+            bench->setEndpoints({}); // its session ends by itself, some time
+            bench.drive().gate.set(DriveGate::Mode::Open);
+        }));
     }
 
     void writingTheLargestTableNeverStopsTheWindow()
     {
-        ControllerBench bench;
-        QVERIFY(openLargeFile(bench));
-        const auto isIdle = [&] { return !bench->busy().isBusy; };
-        const auto table = bench->selectedTable();
-        Heartbeat heart;
-        bench->planWrite();
-        QVERIFY(waitFor(isIdle));
-        QVERIFY(bench->plan().has_value());
-        bench->write();
-        QVERIFY(waitFor(isIdle));
-        QVERIFY2(!bench->isOutcomeAnError(), qPrintable(bench->outcome()));
-        QVERIFY(waitFor([&] { return bench->driveTable() == table; }));
-        bench->activate();
-        QVERIFY(waitFor(isIdle));
-        QVERIFY(bench->proof().has_value());
-        bench->deactivate();
-        QVERIFY(waitFor(isIdle));
-        QVERIFY(isSmooth("writing and activating 518 400 values", heart));
+        QVERIFY(staysSmooth("writing and activating 518 400 values", [&](Heartbeat& heart) {
+            ControllerBench bench;
+            QVERIFY(openLargeFile(bench));
+            const auto isIdle = [&] { return !bench->busy().isBusy; };
+            const auto table = bench->selectedTable();
+            heart.restart();
+            bench->planWrite();
+            QVERIFY(waitFor(isIdle));
+            QVERIFY(bench->plan().has_value());
+            bench->write();
+            QVERIFY(waitFor(isIdle));
+            QVERIFY2(!bench->isOutcomeAnError(), qPrintable(bench->outcome()));
+            QVERIFY(waitFor([&] { return bench->driveTable() == table; }));
+            bench->activate();
+            QVERIFY(waitFor(isIdle));
+            QVERIFY(bench->proof().has_value());
+            bench->deactivate();
+            QVERIFY(waitFor(isIdle));
+        }));
     }
 
     void choosingAmongLargeTablesNeverStopsTheWindow()
     {
-        ControllerBench bench;
-        QVERIFY(openLargeFile(bench));
-        Heartbeat heart;
-        QStringList sentences;
-        for (int round = 0; round < 40; ++round) {
-            bench->setup().setTable({round % 2});
-            sentences.append(bench->signSentence());
-            QCOMPARE(bench->selectedTableBytes(), std::size_t{128 + 720 * 720 * 4});
-            const int beats = heart.beats();
-            QVERIFY(waitFor([&] { return heart.beats() > beats; }));
-        }
-        QCOMPARE(sentences.removeDuplicates(), 38);
-        bench->closeData(); // and the large tables with it
-        QVERIFY(isSmooth("choosing tables of 518 400 values", heart));
+        QVERIFY(staysSmooth("choosing tables of 518 400 values", [&](Heartbeat& heart) {
+            ControllerBench bench;
+            QVERIFY(openLargeFile(bench));
+            heart.restart();
+            QStringList sentences;
+            for (int round = 0; round < 40; ++round) {
+                bench->setup().setTable({round % 2});
+                sentences.append(bench->signSentence());
+                QCOMPARE(bench->selectedTableBytes(), std::size_t{128 + 720 * 720 * 4});
+                const int beats = heart.beats();
+                QVERIFY(waitFor([&] { return heart.beats() > beats; }));
+            }
+            QCOMPARE(sentences.removeDuplicates(), 38);
+            bench->closeData(); // and the large tables with it
+        }));
     }
 
     void choosingAxesNeverStopsTheWindow()
     {
-        ControllerBench bench;
-        QVERIFY(openLargeFile(bench));
-        QVERIFY(bench.planAndWrite());
-        Heartbeat heart;
-        for (int round = 1; round <= 6; ++round) {
-            bench->selectAxis(round % 2);
-            QVERIFY(waitFor([&] { return bench->status().has_value(); }));
-            const bool hasTable = round % 2 == 0;
-            QVERIFY(waitFor([&] { return (bench->driveTable() != nullptr) == hasTable; }));
-        }
-        QVERIFY(isSmooth("choosing axes", heart));
+        QVERIFY(staysSmooth("choosing axes", [&](Heartbeat& heart) {
+            ControllerBench bench;
+            QVERIFY(openLargeFile(bench));
+            QVERIFY(bench.planAndWrite());
+            heart.restart();
+            for (int round = 1; round <= 6; ++round) {
+                bench->selectAxis(round % 2);
+                QVERIFY(waitFor([&] { return bench->status().has_value(); }));
+                const bool hasTable = round % 2 == 0;
+                QVERIFY(waitFor([&] { return (bench->driveTable() != nullptr) == hasTable; }));
+            }
+        }));
     }
 
     void anotherLanguageNeverStopsTheWindow()
     {
-        ControllerBench bench;
-        QVERIFY(openLargeFile(bench));
-        QVERIFY(bench.planAndWrite());
-        for (int line = 0; line < 1'000; ++line)
-            bench->planWrite(); // refused: the log is full of sentences
-        bench->chooseSource(1, QStringLiteral("Axes[0]/Nothing"));
-        QVERIFY(waitFor([&] { return !bench->isSourceBeingChecked(1); }));
-        QCOMPARE(bench->log().size(), std::size_t{1000});
-        Heartbeat heart;
-        for (int round = 0; round < 5; ++round) {
-            const test::Brackets language;
+        QVERIFY(staysSmooth("another language", [&](Heartbeat& heart) {
+            ControllerBench bench;
+            QVERIFY(openLargeFile(bench));
+            QVERIFY(bench.planAndWrite());
+            for (int line = 0; line < 1'000; ++line)
+                bench->planWrite(); // refused: the log is full of sentences
+            bench->chooseSource(1, QStringLiteral("Axes[0]/Nothing"));
+            QVERIFY(waitFor([&] { return !bench->isSourceBeingChecked(1); }));
+            QCOMPARE(bench->log().size(), std::size_t{1000});
+            heart.restart();
+            for (int round = 0; round < 5; ++round) {
+                const test::Brackets language;
+                bench->retranslate();
+                const int beats = heart.beats();
+                QVERIFY(waitFor([&] { return heart.beats() > beats; }));
+            }
             bench->retranslate();
-            const int beats = heart.beats();
-            QVERIFY(waitFor([&] { return heart.beats() > beats; }));
-        }
-        bench->retranslate();
-        QVERIFY(isSmooth("another language", heart));
+        }));
     }
 
     void theEndTakesNoLongerWithManyDrivesThatHang()
