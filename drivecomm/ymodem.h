@@ -94,6 +94,7 @@ private:
     void sendLast();
     void sendNextBlock(Clock::time_point now);
     [[nodiscard]] Bytes headerContent() const;
+    [[nodiscard]] Clock::time_point answerBy(Clock::time_point now) const;
 
     std::string m_name;
     ByteView m_bytes;

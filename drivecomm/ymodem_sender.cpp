@@ -12,7 +12,8 @@ namespace {
 /// After a block that had to be repeated this often, the next ones are short.
 constexpr int repeatsThatShorten = 2;
 constexpr int shortBlocksThen = 24;
-/// The file has arrived by then: the receiver may have gone without the last answer.
+/// The file has arrived by then: the receiver may have gone, and its last answer with it (rb
+/// empties its output when it ends).
 constexpr int repeatsAtTheEnd = 2;
 
 } // namespace
@@ -101,7 +102,7 @@ void Sender::begin(Step step, Clock::time_point now)
     m_step = step;
     m_repeats = 0;
     m_isUnclear = false;
-    m_wakeAt = now + m_patience.answer;
+    m_wakeAt = answerBy(now);
     switch (step) {
     case Step::Start:
     case Step::DataStart:
@@ -158,6 +159,12 @@ void Sender::sendLast()
     m_hasSent = true;
 }
 
+/// When to ask again for the answer to the block that is sent now.
+Clock::time_point Sender::answerBy(Clock::time_point now) const
+{
+    return now + (m_step == Step::LastHeader ? m_patience.between : m_patience.answer);
+}
+
 Bytes Sender::headerContent() const
 {
     const std::string text =
@@ -173,7 +180,7 @@ void Sender::repeat(Clock::time_point now)
     if (++m_repeats > m_patience.repeats)
         return giveUp("one block did not arrive in " + std::to_string(m_repeats) + " attempts");
     m_isUnclear = false;
-    m_wakeAt = now + m_patience.answer;
+    m_wakeAt = answerBy(now);
     sendLast();
 }
 

@@ -23,11 +23,16 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t chunk = 512; ///< what is on the line at one time
 constexpr std::size_t mostWaiting = 256 * 1024; ///< of what nobody reads, before requests wait
+/// The least between a question and its answer where the line itself takes no time. No real line is
+/// quicker, and lrzsz empties its input after each answer that it gives: what comes at once is
+/// lost.
+constexpr std::chrono::microseconds turnaround{500};
 
 /// Bytes on their way through one direction.
 struct Lane {
-    explicit Lane(int baud) : pace(baud) { }
+    explicit Lane(int baud) : pace(baud), leastPause(baud == 0 ? turnaround : turnaround.zero()) { }
     LinePace pace;
+    std::chrono::microseconds leastPause;
     std::string bytes;
     Clock::time_point arrival;
     bool wasBusy = false; ///< no pause since the bytes before
@@ -36,6 +41,8 @@ struct Lane {
     {
         bytes = std::move(what);
         arrival = pace.arrivalOf(bytes.size(), wasBusy, now);
+        if (!wasBusy)
+            arrival = std::max(arrival, now + leastPause);
         wasBusy = true;
     }
 };

@@ -9,6 +9,8 @@
 #include <QProcess>
 #include <QTemporaryDir>
 
+#include <thread>
+
 using namespace axiscomp;
 using namespace axiscomp::drivecomm;
 using namespace axiscomp::test;
@@ -99,12 +101,15 @@ void store(const QString& path, const Bytes& bytes)
     file.write(reinterpret_cast<const char*>(bytes.data()), static_cast<qint64>(bytes.size()));
 }
 
-/// Runs one side of a transfer on this side of a pseudo-terminal.
+/// Runs one side of a transfer on this side of a pseudo-terminal, no quicker than a real line is:
+/// rb empties its input after each of its answers, and what came at once would be lost.
 template <typename Machine> void runOn(const Socket& master, Machine& machine)
 {
     using Clock = ymodem::Clock;
     while (true) {
         Bytes output = machine.output();
+        if (!output.empty())
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
         while (!output.empty()) {
             pollfd polled{master.get(), POLLOUT, 0};
             ::poll(&polled, 1, patienceMs);
