@@ -21,7 +21,9 @@ using LinkFactory = std::function<Result<std::unique_ptr<DriveLink>>(const std::
 struct DriveCandidate {
     /// Tried one after the other until one answers: the same port at several speeds. Not empty.
     std::vector<std::string> endpoints;
-    std::string description; ///< of the port's hardware, "FT232R USB UART, FTDI"; may be empty
+    /// Of the port's hardware with its serial number: "FT232R USB UART, FTDI, A50285BI". May be
+    /// empty.
+    std::string description;
     std::chrono::milliseconds timeout{1000}; ///< for each endpoint
 
     friend bool operator==(const DriveCandidate&, const DriveCandidate&) = default;

@@ -55,9 +55,7 @@ std::vector<SerialPort> serialPorts()
 {
     std::vector<SerialPort> ports;
     for (const QSerialPortInfo& info : QSerialPortInfo::availablePorts()) {
-        QStringList words{info.description(), info.manufacturer()};
-        if (!info.serialNumber().isEmpty())
-            words += QStringLiteral("serial number ") + info.serialNumber();
+        QStringList words{info.description(), info.manufacturer(), info.serialNumber()};
         words.removeAll(QString());
         ports.push_back(
             {info.systemLocation().toStdString(), words.join(QStringLiteral(", ")).toStdString()});

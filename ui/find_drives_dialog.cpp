@@ -79,7 +79,7 @@ void FindDrivesDialog::build()
     layout->addWidget(m_list, 1);
     layout->addWidget(m_note);
     layout->addWidget(m_buttons);
-    resize(760, 380);
+    resize(900, 380);
 }
 
 void FindDrivesDialog::changeEvent(QEvent* event)

@@ -39,8 +39,7 @@ public:
         options.linkFactory = [this](const std::string& text) { return link(text); };
         options.portCandidates = [](const std::vector<std::string>&, bool) {
             return std::vector<DriveCandidate>{
-                {.endpoints = {usbPort},
-                    .description = "FT232R USB UART, FTDI, serial number A50285BI"},
+                {.endpoints = {usbPort}, .description = "FT232R USB UART, FTDI, A50285BI"},
                 {.endpoints = {"serial:/dev/no-such-port"}, .description = ""}};
         };
         return options;
