@@ -81,11 +81,6 @@ std::string serialLinkOf(const std::string& link, std::size_t index)
     return index == 0 ? link : link + "-" + std::to_string(index + 1);
 }
 
-bool isLoopback(const std::string& host)
-{
-    return host == "localhost" || host == "::1" || host.starts_with("127.");
-}
-
 Result<std::vector<VirtualDriveOptions>> drivesOf(const VirtualDriveArguments& arguments)
 {
     std::vector<VirtualDriveOptions> drives(1);

@@ -38,7 +38,6 @@ struct HostAndPort {
 [[nodiscard]] Result<HostAndPort> parseHostAndPort(const std::string& text);
 /// The link of drive `index`, from 0: "/tmp/drive", "/tmp/drive-2", ...
 [[nodiscard]] std::string serialLinkOf(const std::string& link, std::size_t index);
-[[nodiscard]] bool isLoopback(const std::string& host);
 
 /// One drive as the options say, or those of the configuration file. Errors: InvalidArgument,
 /// FileNotReadable, InvalidConfiguration.

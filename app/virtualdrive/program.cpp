@@ -11,6 +11,7 @@
 #include "drivecomm/virtualdrive/serial_front.h"
 #include "drivecomm/virtualdrive/web_front.h"
 
+#include <algorithm>
 #include <memory>
 
 namespace axiscomp::app {
@@ -200,8 +201,11 @@ Result<void> serve(const VirtualDriveArguments& arguments, Console& console, Int
     const auto running = startAll(arguments, *profile);
     if (!running)
         return fail(running.error());
-    if (!arguments.http.empty() && !isLoopback(parseHostAndPort(arguments.http)->host))
-        console.note("warning: the virtual drive can be reached from other computers");
+    const bool isReachable = std::ranges::any_of(*running,
+        [](const RunningDrive& each) { return each.web && !each.web->isOnLoopbackOnly(); });
+    if (isReachable)
+        console.note("warning: the virtual drive can be reached from other computers; write --http "
+                     "127.0.0.1:PORT to keep it to this one");
     for (const RunningDrive& drive : *running)
         console.print("ready" + (drive.web ? " http=" + drive.web->url() : "")
             + (drive.serial ? " serial=" + drive.serial->device() : "")

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "drivecomm/virtualdrive/connection_relay.h"
 
+#include "drivecomm/virtualdrive/relayed_connection.h"
 #include "drivecomm/virtualdrive/socket.h"
 
 #include <poll.h>
@@ -16,7 +17,9 @@
 #include <map>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace axiscomp::drivecomm {
@@ -25,68 +28,27 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 using Fate = ConnectionRelay::Fate;
+using Connection = RelayedConnection;
 
-constexpr std::size_t bufferSize = 64 * 1024;
-constexpr std::size_t mostConnections = 128;
+constexpr std::size_t mostConnections = ConnectionRelay::mostConnections;
+/// After file descriptors ran out, so long no more connections than there were.
+constexpr std::chrono::seconds shortage{1};
 /// For a client to read the end of a reply before bytes of its own, unread, reset the connection.
 constexpr std::chrono::seconds farewell{2};
 /// httplib takes a client that has said all it wants to say for one that is gone, and does not
 /// answer it: it learns of that only when nothing was said on either side for this time.
 constexpr std::chrono::milliseconds silence{250};
 
-/// Bytes on their way from one socket to the other.
-struct Lane {
-    std::vector<char> bytes;
-    std::size_t begin = 0;
-    bool sourceEnded = false;
-    bool endPassedOn = false;
-    bool discards = false;
-
-    [[nodiscard]] bool isEmpty() const { return begin == bytes.size(); }
-    [[nodiscard]] bool wantsToRead() const { return !sourceEnded && isEmpty(); }
-};
-
-struct Connection {
-    Socket client;
-    Socket server;
-    std::uint16_t serverSidePort = 0;
-    Lane request;
-    Lane reply;
-    std::optional<Fate> fate;
-    Clock::time_point lastPassed = Clock::now();
-    std::optional<Clock::time_point> endRequestAt;
-    std::optional<Clock::time_point> closeAt;
-    bool isDead = false;
-};
-
-/// A socket of which nothing is wanted is left out: its hang-up would wake poll again and again.
-pollfd watch(const Socket& socket, const Lane& readFrom, const Lane& writtenTo)
-{
-    const int events = (readFrom.wantsToRead() ? POLLIN : 0) | (writtenTo.isEmpty() ? 0 : POLLOUT);
-    return {events == 0 ? -1 : socket.get(), static_cast<short>(events), 0};
-}
-
-/// False when the connection is broken.
-bool readInto(Lane& lane, const Socket& source)
-{
-    lane.bytes.resize(bufferSize);
-    lane.begin = 0;
-    const ssize_t count = ::recv(source.get(), lane.bytes.data(), lane.bytes.size(), 0);
-    const int error = errno;
-    lane.bytes.resize(count > 0 && !lane.discards ? static_cast<std::size_t>(count) : 0);
-    if (count == 0)
-        lane.sourceEnded = true;
-    return count >= 0 || error == EAGAIN || error == EINTR;
-}
-
 } // namespace
 
 struct ConnectionRelay::Private {
-    Private(Socket theListener, std::uint16_t theServerPort, FaultPlan& theFaults)
+    Private(Socket theListener, std::uint16_t theServerPort, FaultPlan& theFaults,
+        std::chrono::milliseconds thePatience)
         : listener(std::move(theListener))
         , wake(::eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC))
         , serverPort(theServerPort)
         , faults(theFaults)
+        , patience(thePatience)
         , thread([this] { run(); })
     {
     }
@@ -106,18 +68,31 @@ struct ConnectionRelay::Private {
     void run();
     void handle(Connection& connection, short clientEvents, short serverEvents);
     void applyFates();
+    [[nodiscard]] std::optional<Clock::time_point> roomAt() const;
+    [[nodiscard]] std::list<Connection>::const_iterator longestWaiting() const;
+    bool makeRoom();
     void accept();
-    void pass(Connection& connection, Lane& lane, const Socket& target);
-    static void passEnd(Connection& connection, Lane& lane, const Socket& target);
-    [[nodiscard]] int timeUntilNextAction() const;
+    void noteShortage(int error);
+    [[nodiscard]] std::size_t mostNow() const
+    {
+        return Clock::now() < shortageEnds ? capacity : mostConnections;
+    }
+    void pass(Connection& connection, RelayLane& lane, const Socket& target);
+    void passReply(Connection& connection);
+    static void passEnd(Connection& connection, RelayLane& lane, const Socket& target);
+    [[nodiscard]] int timeUntilNextAction(std::optional<Clock::time_point> next) const;
 
     Socket listener;
     Socket wake;
     std::uint16_t serverPort;
     FaultPlan& faults;
+    std::chrono::milliseconds patience;
+    std::size_t capacity = mostConnections;
+    Clock::time_point shortageEnds{};
     std::list<Connection> connections;
     std::mutex mutex;
     std::map<std::uint16_t, Fate> decided;
+    std::set<std::uint16_t> kept; ///< until their replies
     std::atomic<bool> stopping = false;
     std::thread thread;
 };
@@ -128,13 +103,15 @@ void ConnectionRelay::Private::run()
     while (!stopping) {
         polled.clear();
         polled.push_back({wake.get(), POLLIN, 0});
-        const bool hasRoom = connections.size() < mostConnections;
+        const auto room = roomAt();
+        const bool hasRoom = room && *room <= Clock::now();
         polled.push_back({hasRoom ? listener.get() : -1, POLLIN, 0});
         for (const Connection& each : connections) {
             polled.push_back(watch(each.client, each.request, each.reply));
             polled.push_back(watch(each.server, each.reply, each.request));
         }
-        if (::poll(polled.data(), polled.size(), timeUntilNextAction()) < 0)
+        if (::poll(polled.data(), polled.size(), timeUntilNextAction(hasRoom ? std::nullopt : room))
+            < 0)
             continue;
         std::uint64_t rings = 0;
         [[maybe_unused]] const ssize_t read = ::read(wake.get(), &rings, sizeof rings);
@@ -151,26 +128,82 @@ void ConnectionRelay::Private::run()
     connections.clear();
 }
 
+/// When another client can be taken; nullopt: not before a reply has been sent.
+std::optional<Clock::time_point> ConnectionRelay::Private::roomAt() const
+{
+    if (connections.size() < mostNow())
+        return Clock::now();
+    if (connections.empty())
+        return shortageEnds;
+    const auto next = longestWaiting();
+    return next == connections.end() ? std::nullopt : std::optional(next->replaceableAt());
+}
+
+std::list<Connection>::const_iterator ConnectionRelay::Private::longestWaiting() const
+{
+    auto found = connections.end();
+    for (auto each = connections.begin(); each != connections.end(); ++each)
+        if (!each->answersRequest
+            && (found == connections.end() || each->waitsSince < found->waitsSince))
+            found = each;
+    return found;
+}
+
+/// Ends the connection that has waited longest, if one has waited long enough.
+bool ConnectionRelay::Private::makeRoom()
+{
+    const auto next = longestWaiting();
+    if (next == connections.end() || next->replaceableAt() > Clock::now())
+        return false;
+    connections.erase(next);
+    return true;
+}
+
+/// With fewer connections there are descriptors for the next client.
+void ConnectionRelay::Private::noteShortage(int error)
+{
+    if (error != EMFILE && error != ENFILE && error != ENOBUFS && error != ENOMEM)
+        return;
+    capacity = connections.size();
+    shortageEnds = Clock::now() + shortage;
+}
+
 void ConnectionRelay::Private::accept()
 {
+    if (connections.size() >= mostNow() && !makeRoom())
+        return;
     Connection connection;
     connection.client = acceptFrom(listener);
-    if (!connection.client.isOpen())
+    if (!connection.client.isOpen()) {
+        noteShortage(errno);
         return;
+    }
     connection.server = connectToLoopback(serverPort);
-    if (!connection.server.isOpen())
-        return;
+    if (!connection.server.isOpen()) {
+        noteShortage(errno);
+        if (!makeRoom())
+            return;
+        connection.server = connectToLoopback(serverPort);
+        if (!connection.server.isOpen())
+            return;
+    }
     connection.serverSidePort = localPort(connection.server);
     connections.push_back(std::move(connection));
 }
 
-int ConnectionRelay::Private::timeUntilNextAction() const
+/// next: what there is to do beside the connections.
+int ConnectionRelay::Private::timeUntilNextAction(std::optional<Clock::time_point> next) const
 {
-    std::optional<Clock::time_point> next;
-    for (const Connection& each : connections)
-        for (const auto& time : {each.closeAt, each.endRequestAt})
-            if (time && (!next || *time < *next))
-                next = time;
+    const auto orEarlier = [&next](const std::optional<Clock::time_point>& time) {
+        if (time && (!next || *time < *next))
+            next = time;
+    };
+    for (const Connection& each : connections) {
+        orEarlier(each.closeAt);
+        orEarlier(each.endRequestAt);
+        if (each.replyWaitsSince)
+            orEarlier(*each.replyWaitsSince + patience);
+    }
     if (!next)
         return -1;
     const auto wait = std::chrono::ceil<std::chrono::milliseconds>(*next - Clock::now());
@@ -181,18 +214,21 @@ int ConnectionRelay::Private::timeUntilNextAction() const
 void ConnectionRelay::Private::applyFates()
 {
     const std::scoped_lock lock(mutex);
-    if (decided.empty())
+    if (decided.empty() && kept.empty())
         return;
     for (Connection& each : connections) {
+        each.answersRequest = each.answersRequest || kept.contains(each.serverSidePort);
         const auto place = decided.find(each.serverSidePort);
         if (place == decided.end())
             continue;
         each.fate = place->second;
         each.isDead = each.fate == Fate::Cut;
+        each.answersRequest = each.answersRequest && each.fate != Fate::Silent;
         each.request.discards = each.reply.discards = each.fate == Fate::Silent;
     }
     // What is left is about connections that have ended; their ports will be used again.
     decided.clear();
+    kept.clear();
 }
 
 void ConnectionRelay::Private::handle(Connection& c, short clientEvents, short serverEvents)
@@ -200,10 +236,13 @@ void ConnectionRelay::Private::handle(Connection& c, short clientEvents, short s
     constexpr short readable = POLLIN | POLLHUP | POLLERR;
     if (c.isDead)
         return;
-    if ((clientEvents & readable) != 0 && c.request.wantsToRead()
-        && !readInto(c.request, c.client)) {
-        c.isDead = true;
-        return;
+    if ((clientEvents & readable) != 0 && c.request.wantsToRead()) {
+        if (std::exchange(c.hasReplied, false))
+            c.waitsSince = Clock::now();
+        if (!readInto(c.request, c.client)) {
+            c.isDead = true;
+            return;
+        }
     }
     if ((serverEvents & readable) != 0 && c.reply.wantsToRead()) {
         applyFates();
@@ -213,6 +252,9 @@ void ConnectionRelay::Private::handle(Connection& c, short clientEvents, short s
             c.reply.sourceEnded = true;
             return;
         }
+        c.answersRequest = false;
+        c.hasReplied = true;
+        c.waitsSince = Clock::now();
         if (c.fate == Fate::GarbledHead && !c.reply.isEmpty()) {
             for (std::size_t i = 0; i < std::min<std::size_t>(c.reply.bytes.size(), 8); i += 3)
                 c.reply.bytes[i] = static_cast<char>(c.reply.bytes[i] ^ 0x15);
@@ -221,7 +263,7 @@ void ConnectionRelay::Private::handle(Connection& c, short clientEvents, short s
     }
     pass(c, c.request, c.server);
     if (!c.isDead)
-        pass(c, c.reply, c.client);
+        passReply(c);
     if (c.isDead)
         return;
     const bool clientIsGone = c.request.sourceEnded && c.request.isEmpty();
@@ -237,7 +279,7 @@ void ConnectionRelay::Private::handle(Connection& c, short clientEvents, short s
     }
 }
 
-void ConnectionRelay::Private::pass(Connection& c, Lane& lane, const Socket& target)
+void ConnectionRelay::Private::pass(Connection& c, RelayLane& lane, const Socket& target)
 {
     while (!lane.isEmpty()) {
         std::size_t size = lane.bytes.size() - lane.begin;
@@ -269,7 +311,19 @@ void ConnectionRelay::Private::pass(Connection& c, Lane& lane, const Socket& tar
         passEnd(c, lane, target);
 }
 
-void ConnectionRelay::Private::passEnd(Connection& c, Lane& lane, const Socket& target)
+/// Also a client that takes a byte now and then must come to an end.
+void ConnectionRelay::Private::passReply(Connection& c)
+{
+    pass(c, c.reply, c.client);
+    if (c.reply.isEmpty())
+        c.replyWaitsSince.reset();
+    else if (!c.replyWaitsSince)
+        c.replyWaitsSince = Clock::now();
+    else if (Clock::now() >= *c.replyWaitsSince + patience)
+        c.isDead = true;
+}
+
+void ConnectionRelay::Private::passEnd(Connection& c, RelayLane& lane, const Socket& target)
 {
     if (&lane == &c.request && !c.reply.sourceEnded && Clock::now() < c.lastPassed + silence) {
         c.endRequestAt = c.lastPassed + silence;
@@ -284,19 +338,34 @@ ConnectionRelay::ConnectionRelay(std::unique_ptr<Private> theD) : d(std::move(th
 
 ConnectionRelay::~ConnectionRelay() = default;
 
-Result<std::unique_ptr<ConnectionRelay>> ConnectionRelay::start(
-    const std::string& host, std::uint16_t port, std::uint16_t serverPort, FaultPlan& faults)
+Result<std::unique_ptr<ConnectionRelay>> ConnectionRelay::start(const std::string& host,
+    std::uint16_t port, std::uint16_t serverPort, FaultPlan& faults,
+    std::chrono::milliseconds patience)
 {
     auto listener = listenOn(host, port);
     if (!listener)
         return fail(listener.error());
-    return std::unique_ptr<ConnectionRelay>(
-        new ConnectionRelay(std::make_unique<Private>(std::move(*listener), serverPort, faults)));
+    return std::unique_ptr<ConnectionRelay>(new ConnectionRelay(
+        std::make_unique<Private>(std::move(*listener), serverPort, faults, patience)));
 }
 
 std::uint16_t ConnectionRelay::port() const
 {
     return localPort(d->listener);
+}
+
+bool ConnectionRelay::isOnLoopback() const
+{
+    return drivecomm::isOnLoopback(d->listener);
+}
+
+void ConnectionRelay::keepUntilReply(std::uint16_t serverSidePort)
+{
+    {
+        const std::scoped_lock lock(d->mutex);
+        d->kept.insert(serverSidePort);
+    }
+    d->ring();
 }
 
 void ConnectionRelay::decide(std::uint16_t serverSidePort, Fate fate)

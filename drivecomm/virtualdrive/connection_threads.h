@@ -7,6 +7,7 @@
 #include <deque>
 #include <functional>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -24,7 +25,7 @@ public:
         const std::scoped_lock lock(m_mutex);
         m_tasks.push_back(std::move(task));
         if (m_idle < m_tasks.size() && m_threads.size() < m_most)
-            m_threads.emplace_back([this] { work(); });
+            addThread();
         m_changed.notify_one();
     }
 
@@ -40,6 +41,15 @@ public:
     }
 
 private:
+    /// Without one the task waits for a thread that there is already, or for better times.
+    void addThread()
+    {
+        try {
+            m_threads.emplace_back([this] { work(); });
+        } catch (const std::system_error&) {
+        }
+    }
+
     void work()
     {
         std::unique_lock lock(m_mutex);

@@ -16,7 +16,7 @@ namespace axiscomp::drivecomm {
 
 namespace {
 
-constexpr int backlog = 128;
+constexpr int backlog = SOMAXCONN; // a burst of clients, not a second for each that is dropped
 
 void setOption(const Socket& socket, int level, int option)
 {
@@ -34,6 +34,15 @@ std::string reasonOf(int error, std::uint16_t port)
     if (error == EADDRNOTAVAIL)
         return "this computer does not have that address";
     return std::strerror(error); // NOLINT(concurrency-mt-unsafe): glibc's is thread-safe
+}
+
+sockaddr_storage localAddress(const Socket& socket)
+{
+    sockaddr_storage address{};
+    socklen_t size = sizeof address;
+    if (::getsockname(socket.get(), reinterpret_cast<sockaddr*>(&address), &size) != 0)
+        return {};
+    return address;
 }
 
 } // namespace
@@ -106,13 +115,19 @@ Socket connectToLoopback(std::uint16_t port)
 
 std::uint16_t localPort(const Socket& socket)
 {
-    sockaddr_storage address{};
-    socklen_t size = sizeof address;
-    if (::getsockname(socket.get(), reinterpret_cast<sockaddr*>(&address), &size) != 0)
-        return 0;
+    const sockaddr_storage address = localAddress(socket);
     return ntohs(address.ss_family == AF_INET6
             ? reinterpret_cast<const sockaddr_in6&>(address).sin6_port
             : reinterpret_cast<const sockaddr_in&>(address).sin_port);
+}
+
+bool isOnLoopback(const Socket& socket)
+{
+    const sockaddr_storage address = localAddress(socket);
+    if (address.ss_family == AF_INET6)
+        return IN6_IS_ADDR_LOOPBACK(&reinterpret_cast<const sockaddr_in6&>(address).sin6_addr) != 0;
+    const in_addr_t host = ntohl(reinterpret_cast<const sockaddr_in&>(address).sin_addr.s_addr);
+    return host >> IN_CLASSA_NSHIFT == IN_LOOPBACKNET;
 }
 
 } // namespace axiscomp::drivecomm

@@ -37,6 +37,8 @@ private:
 /// The connection may still be on its way; writing waits for it.
 [[nodiscard]] Socket connectToLoopback(std::uint16_t port);
 [[nodiscard]] std::uint16_t localPort(const Socket& socket);
+/// Whether it listens to this computer only.
+[[nodiscard]] bool isOnLoopback(const Socket& socket);
 
 /// "127.0.0.1:80", "[::1]:80"
 [[nodiscard]] std::string hostAndPort(const std::string& host, std::uint16_t port);

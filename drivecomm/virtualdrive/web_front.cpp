@@ -3,12 +3,11 @@
 
 #include "drivecomm/virtualdrive/connection_relay.h"
 #include "drivecomm/virtualdrive/connection_threads.h"
+#include "drivecomm/virtualdrive/guarded_server.h"
 #include "drivecomm/virtualdrive/socket.h"
 #include "drivecomm/virtualdrive/web_access.h"
 #include "drivecomm/virtualdrive/web_body.h"
 #include "drivecomm/virtualdrive/web_service.h"
-
-#include <sys/socket.h>
 
 #include <algorithm>
 #include <atomic>
@@ -22,25 +21,18 @@ namespace {
 
 using Fate = ConnectionRelay::Fate;
 
-constexpr std::size_t mostThreads = 128;
-constexpr std::size_t mostRequestsOfConnection = 1'000'000;
-constexpr time_t keepAliveSeconds = 30;
-constexpr time_t slowClientSeconds = 10;
+constexpr std::chrono::seconds keepAlive{30};
 constexpr std::uint64_t formOverhead = 64 * 1024;
 constexpr std::uint64_t mostJson = 256 * 1024;
 
-/// A server whose queue of clients that wait to be accepted is long enough for a burst.
-template <typename Server> class PatientServer final : public Server {
-public:
-    using Server::Server;
-    int bindToLoopback()
-    {
-        this->set_tcp_nodelay(true); // accepted sockets have it from the listening one
-        const int port = this->bind_to_any_port("127.0.0.1");
-        constexpr int backlog = 128;
-        return port > 0 && ::listen(this->svr_sock_, backlog) == 0 ? port : 0;
-    }
-};
+httplib::Headers defaultHeaders()
+{
+    return {{"Cache-Control", "no-cache"}, {"X-Content-Type-Options", "nosniff"},
+        {"Referrer-Policy", "same-origin"},
+        {"Content-Security-Policy",
+            "default-src 'none'; style-src 'unsafe-inline'; form-action 'self'; base-uri 'none'; "
+            "frame-ancestors 'none'"}};
+}
 
 void flipBytes(std::string& body)
 {
@@ -76,6 +68,7 @@ struct WebFront::Private {
             {{"endpoint", address(options.port)}, {"reason", std::move(reason)}});
     }
 
+    [[nodiscard]] ServerGuard guard() const;
     [[nodiscard]] Result<int> bind();
     [[nodiscard]] Result<void> start();
     void configure();
@@ -118,19 +111,33 @@ WebFront::Private::~Private()
     thread.join();
 }
 
+ServerGuard WebFront::Private::guard() const
+{
+    // Nothing is known of what the client would rather read.
+    const auto refusal = [this](const HeadFault& fault) {
+        const WebReply reply = service.refusal({}, rejected(fault.reason), fault.status);
+        std::string text = "HTTP/1.1 " + std::to_string(reply.status) + " Refused\r\n";
+        for (const auto& [name, value] : defaultHeaders())
+            text += name + ": " + value + "\r\n";
+        return text + "Connection: close\r\nContent-Type: " + reply.contentType
+            + "\r\nContent-Length: " + std::to_string(reply.body.size()) + "\r\n\r\n" + reply.body;
+    };
+    return {options.patience, keepAlive, refusal};
+}
+
 Result<int> WebFront::Private::bind()
 {
     int port = 0;
     if (isSecure()) {
-        auto secure = std::make_unique<PatientServer<httplib::SSLServer>>(
-            options.certificateFile.c_str(), options.privateKeyFile.c_str());
+        auto secure = std::make_unique<GuardedServer<httplib::SSLServer>>(
+            guard(), options.certificateFile.c_str(), options.privateKeyFile.c_str());
         if (!secure->is_valid())
             return refused("the certificate " + options.certificateFile + " and the key "
                 + options.privateKeyFile + " cannot be used; both must be PEM files that fit");
         port = secure->bindToLoopback();
         server = std::move(secure);
     } else {
-        auto plain = std::make_unique<PatientServer<httplib::Server>>();
+        auto plain = std::make_unique<GuardedServer<httplib::Server>>(guard());
         port = plain->bindToLoopback();
         server = std::move(plain);
     }
@@ -147,8 +154,8 @@ Result<void> WebFront::Private::start()
     if (!serverPort)
         return fail(serverPort.error());
     configure();
-    auto started = ConnectionRelay::start(
-        options.host, options.port, static_cast<std::uint16_t>(*serverPort), faults);
+    auto started = ConnectionRelay::start(options.host, options.port,
+        static_cast<std::uint16_t>(*serverPort), faults, options.patience);
     if (!started) {
         Error error = started.error();
         error.context["endpoint"] = address(options.port);
@@ -164,16 +171,8 @@ Result<void> WebFront::Private::start()
 
 void WebFront::Private::configure()
 {
-    server->new_task_queue = [] { return new ConnectionThreads(mostThreads); };
-    server->set_keep_alive_max_count(mostRequestsOfConnection);
-    server->set_keep_alive_timeout(keepAliveSeconds);
-    server->set_read_timeout(slowClientSeconds);
-    server->set_write_timeout(slowClientSeconds);
-    server->set_default_headers({{"Cache-Control", "no-cache"},
-        {"X-Content-Type-Options", "nosniff"}, {"Referrer-Policy", "same-origin"},
-        {"Content-Security-Policy",
-            "default-src 'none'; style-src 'unsafe-inline'; form-action 'self'; base-uri 'none'; "
-            "frame-ancestors 'none'"}});
+    server->new_task_queue = [] { return new ConnectionThreads(ConnectionRelay::mostConnections); };
+    server->set_default_headers(defaultHeaders());
     const auto plain = [this](const httplib::Request& from, httplib::Response& to) {
         serve(from, to, nullptr);
     };
@@ -229,6 +228,7 @@ void WebFront::Private::serve(const httplib::Request& from, httplib::Response& t
 void WebFront::Private::respond(
     const httplib::Request& from, httplib::Response& to, const WebRequest& request)
 {
+    relay->keepUntilReply(static_cast<std::uint16_t>(from.remote_port));
     if (const auto denial = access.denial(request)) {
         put(service.refusal(request, denial->error, denial->status), to);
         if (denial->status == 401)
@@ -291,6 +291,11 @@ Result<std::unique_ptr<WebFront>> WebFront::start(VirtualDrive& drive, const Dri
 std::uint16_t WebFront::port() const
 {
     return d->relay->port();
+}
+
+bool WebFront::isOnLoopbackOnly() const
+{
+    return d->relay->isOnLoopback();
 }
 
 std::string WebFront::url() const

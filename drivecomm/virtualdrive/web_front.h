@@ -4,6 +4,7 @@
 #include "drivecomm/virtualdrive/faults.h"
 #include "drivecomm/virtualdrive/virtual_drive.h"
 
+#include <chrono>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -17,6 +18,8 @@ struct WebFrontOptions {
     std::string password;
     std::string certificateFile; ///< PEM; both set: https
     std::string privateKeyFile;
+    /// What a client may take for a request, or for its reply, beyond 8 KiB/s.
+    std::chrono::milliseconds patience{10'000};
 };
 
 /// The virtual drive's web server: the pages, files and registers of spec/drive.md. Serves from its
@@ -30,6 +33,8 @@ public:
     ~WebFront();
 
     [[nodiscard]] std::uint16_t port() const;
+    /// Whether no other computer reaches it.
+    [[nodiscard]] bool isOnLoopbackOnly() const;
     /// "http://127.0.0.1:8080"
     [[nodiscard]] std::string url() const;
 

@@ -83,7 +83,9 @@ std::string pageBefore(const WebRequest& request)
     const std::size_t place = request.referer.find(origin);
     if (request.host.empty() || (place != 4 && place != 5)) // http, https
         return "/";
-    return request.referer.substr(place + origin.size() - 1);
+    // "//name" would lead to another site.
+    const std::size_t path = request.referer.find_first_not_of('/', place + origin.size());
+    return "/" + (path == std::string::npos ? "" : request.referer.substr(path));
 }
 
 WebReply htmlReply(std::string page, int status)

@@ -7,10 +7,13 @@
 #include <QJsonArray>
 #include <QRegularExpression>
 #include <QTcpServer>
+#include <QTcpSocket>
 #include <QTest>
 #include <QUrl>
 
 #include <csignal>
+
+#include <sys/resource.h>
 
 using namespace axiscomp;
 using test::ProgramRun;
@@ -104,7 +107,40 @@ private Q_SLOTS:
         VirtualDriveProcess drive(box, {"--http", "0.0.0.0:0"});
         QVERIFY(drive.isReady());
         QTRY_VERIFY(drive.process().bytesAvailable() == 0);
-        QCOMPARE(drive.said(), "warning: the virtual drive can be reached from other computers\n");
+        QCOMPARE(drive.said(),
+            "warning: the virtual drive can be reached from other computers; write --http "
+            "127.0.0.1:PORT to keep it to this one\n");
+    }
+
+    void itAnswersWithoutFreeDescriptors()
+    {
+        const Sandbox box;
+        VirtualDriveProcess drive(box);
+        const QUrl url(drive.url());
+        const auto port = static_cast<quint16>(url.port());
+        const struct rlimit few {
+            40, 40
+        };
+        const auto pid = static_cast<pid_t>(drive.process().processId());
+        QCOMPARE(::prlimit(pid, RLIMIT_NOFILE, &few, nullptr), 0);
+        constexpr int patienceMs = 30'000;
+        std::vector<std::unique_ptr<QTcpSocket>> crowd;
+        for (int i = 0; i < 100; ++i) {
+            crowd.push_back(std::make_unique<QTcpSocket>());
+            crowd.back()->connectToHost(url.host(), port);
+            QVERIFY(crowd.back()->waitForConnected(patienceMs));
+            crowd.back()->write("GET / HTTP/1.1\r\n"); // and never the rest
+            crowd.back()->flush();
+            if (i % 20 != 0)
+                continue;
+            QTcpSocket client;
+            client.connectToHost(url.host(), port);
+            client.write("GET /directory HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n");
+            QVERIFY2(client.waitForReadyRead(patienceMs), qPrintable(client.errorString()));
+            QVERIFY(client.readAll().startsWith("HTTP/1.1 200 "));
+        }
+        crowd.clear();
+        QCOMPARE(axesOf(box, drive.url()).size(), 2);
     }
 
     void wrongUsageIsExplained_data()
