@@ -89,10 +89,16 @@ Error errorAskedFor(const std::string& code)
         {{"reason", reason}, {"path", reason}, {"seconds", "60"}}, {}};
 }
 
-FaultPlan::FaultPlan(std::vector<FaultSpec> faults) : m_faults(std::move(faults)) { }
+FaultPlan::FaultPlan(std::vector<FaultSpec> faults, Observer observer)
+    : m_observer(std::move(observer))
+    , m_faults(std::move(faults))
+{
+}
 
 FaultPlan::Decision FaultPlan::next(bool isWrite)
 {
+    if (m_observer)
+        m_observer(isWrite);
     const std::scoped_lock lock(m_mutex);
     ++m_requests;
     if (isWrite)

@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -40,7 +41,10 @@ struct FaultSpec {
 /// What a front must do with one request. Thread-safe; shared by all fronts of a drive.
 class FaultPlan {
 public:
-    explicit FaultPlan(std::vector<FaultSpec> faults = {});
+    /// Told of every request before it is carried out, on the thread that serves it; may change
+    /// the plan.
+    using Observer = std::function<void(bool isWrite)>;
+    explicit FaultPlan(std::vector<FaultSpec> faults = {}, Observer observer = {});
 
     struct Decision {
         bool noReply = false;
@@ -63,6 +67,7 @@ public:
     void clear();
 
 private:
+    const Observer m_observer;
     mutable std::mutex m_mutex;
     std::vector<FaultSpec> m_faults;
     std::uint64_t m_requests = 0;

@@ -1,34 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "drivecomm/virtualdrive/faults.h"
-#include "drivecomm/virtualdrive/virtual_drive.h"
+#include "tests/support/link_attachment.h"
 
 #include <QObject>
 
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace axiscomp::test {
-
-/// One way to reach a virtual drive, with whatever serves it.
-class LinkAttachment {
-public:
-    virtual ~LinkAttachment() = default;
-    [[nodiscard]] virtual DriveLink& link() = 0;
-};
-
-struct AttachmentKind {
-    const char* name;
-    std::function<std::unique_ptr<LinkAttachment>(drivecomm::VirtualDrive&, drivecomm::FaultPlan&)>
-        attach;
-    std::size_t writesAtOnce = DriveLink::maximumWrites;
-    /// It can ask again without the drive acting again: what has been garbled arrives all the same.
-    bool asksAgain = false;
-};
 
 /// What every DriveLink must do, whatever is between it and the drive. Each row runs over each
 /// attachment.

@@ -5,6 +5,7 @@
 #include "core/tam_table.h"
 #include "drivecomm/profile_loader.h"
 #include "tests/support/faulty_link.h"
+#include "tests/support/link_attachment.h"
 
 #include <QDir>
 #include <QFileInfo>
@@ -32,12 +33,14 @@ inline CompensationTable exampleTable(int dimensions, int seed = 1, std::uint32_
 }
 
 /// A virtual drive of two homed axes whose time passes only when it is asked something, one
-/// millisecond each time, with a compensator and a store of its own.
+/// millisecond each time, with a compensator and a store of its own. It misbehaves by its faults,
+/// as a drive, or by its link, exchange by exchange.
 struct DriveFixture {
-    DriveFixture()
+    explicit DriveFixture(const AttachmentKind& kind = inProcess())
         : drive(drivecomm::genericProfile(), options(time))
-        , link(drive)
-        , store(std::filesystem::path(folder.path().toStdString()) / "store")
+        , attachment(kind.attach(drive, faults))
+        , link(drive, attachment->link())
+        , store(std::filesystem::path(folder.path().toStdString()) / "axiscomp")
         , compensator(link, drivecomm::genericProfile(), store, [this] { return wallTime(); })
     {
     }
@@ -60,10 +63,12 @@ struct DriveFixture {
     }
     void pass(std::chrono::milliseconds duration) { time += duration.count(); }
 
-    /// What the drive holds for an axis: registers, and the bytes of the table that they name.
+    /// What the drive holds for an axis: Table and sources, and the bytes and the persistency of
+    /// the table that they name.
     struct State {
         std::vector<std::string> registers;
         Bytes table;
+        std::string persistent;
         friend bool operator==(const State&, const State&) = default;
     };
     [[nodiscard]] State state(int axis = 0) { return stateOf(drive, axis); }
@@ -76,8 +81,12 @@ struct DriveFixture {
             {base + "Table", base + "Dim1Source", base + "Dim2Source", base + "Dim3Source"});
         for (const RegisterReading& reading : *readings)
             state.registers.push_back(toText(reading.value));
-        if (const TableSlot* slot = drivecomm::genericProfile().slotNamed(state.registers[0]))
+        if (const TableSlot* slot = drivecomm::genericProfile().slotNamed(state.registers[0])) {
             state.table = drive.download(slot->file).value_or(Bytes{});
+            const auto persistent =
+                drive.readRegisters({"Application/Tables/" + slot->name + "/Header/Persistent"});
+            state.persistent = toText(persistent->front().value);
+        }
         return state;
     }
     [[nodiscard]] std::string text(const std::string& path)
@@ -100,7 +109,14 @@ struct DriveFixture {
             + QStringLiteral("/axiscomp-test-XXXXXX");
     }
     QTemporaryDir folder{folderTemplate()};
+    /// Told of every request to the drive; set and cleared while there is none.
+    drivecomm::FaultPlan::Observer requested;
+    drivecomm::FaultPlan faults{{}, [this](bool isWrite) {
+                                    if (requested)
+                                        requested(isWrite);
+                                }};
     drivecomm::VirtualDrive drive;
+    std::unique_ptr<LinkAttachment> attachment;
     FaultyLink link;
     DriveStore store;
     AxisCompensator compensator;

@@ -5,6 +5,8 @@
 
 #include <functional>
 #include <optional>
+#include <string_view>
+#include <utility>
 
 namespace axiscomp::test {
 
@@ -19,16 +21,22 @@ enum class LinkFault {
     Reboot, ///< the drive restarts instead of answering
     StoresWrong, ///< the drive says yes and keeps something else
     UserStops, ///< the user's stop comes with this exchange
+    Late, ///< no answer in time; carried out all the same, after the next exchange
 };
 
-/// A link to a virtual drive that fails at one chosen exchange.
+/// A link to a virtual drive, by way of another one, that fails at one chosen exchange.
 class FaultyLink final : public DriveLink {
 public:
     explicit FaultyLink(drivecomm::VirtualDrive& drive)
         : m_drive(drive)
-        , m_inner(drivecomm::makeDirectLink(drive))
+        , m_owned(drivecomm::makeDirectLink(drive))
+        , m_inner(*m_owned)
     {
     }
+    /// inner leads to the drive, and outlives this.
+    FaultyLink(drivecomm::VirtualDrive& drive, DriveLink& inner)
+        : m_drive(drive)
+        , m_inner(inner) { }
 
     /// number counts from 1.
     void failAt(int number, LinkFault fault)
@@ -40,47 +48,61 @@ public:
     {
         m_failAt.reset();
         m_isGone = false;
+        carryOutLate();
     }
     [[nodiscard]] int exchanges() const { return m_exchanges; }
     std::function<void()> stopUser;
+    /// Told of every exchange before it begins: "identify", "read", "write", "list", "download",
+    /// "upload".
+    std::function<void(std::string_view what)> beginning;
 
     [[nodiscard]] std::string endpoint() const override { return "test:"; }
     [[nodiscard]] Result<DriveIdentity> identify(const Exchange& exchange) override
     {
-        return pass<DriveIdentity>([&] { return m_inner->identify(exchange); });
+        return pass<DriveIdentity>(
+            "identify", exchange, [this](const Exchange& e) { return m_inner.identify(e); });
     }
     [[nodiscard]] Result<std::vector<RegisterReading>> readRegisters(
         std::span<const std::string> paths, const Exchange& exchange) override
     {
-        return pass<std::vector<RegisterReading>>(
-            [&] { return m_inner->readRegisters(paths, exchange); });
+        return pass<std::vector<RegisterReading>>("read", exchange,
+            [this, own = std::vector(paths.begin(), paths.end())](
+                const Exchange& e) { return m_inner.readRegisters(own, e); });
     }
     [[nodiscard]] Result<std::vector<RegisterReading>> readTree(
         const std::string& prefix, const Exchange& exchange) override
     {
-        return pass<std::vector<RegisterReading>>(
-            [&] { return m_inner->readTree(prefix, exchange); });
+        return pass<std::vector<RegisterReading>>("read", exchange,
+            [this, prefix](const Exchange& e) { return m_inner.readTree(prefix, e); });
     }
     [[nodiscard]] Result<void> writeRegisters(
         std::span<const RegisterWrite> writes, const Exchange& exchange) override
     {
-        return pass<void>([&] { return m_inner->writeRegisters(writes, exchange); });
+        return pass<void>("write", exchange,
+            [this, own = std::vector(writes.begin(), writes.end())](
+                const Exchange& e) { return m_inner.writeRegisters(own, e); });
     }
     [[nodiscard]] Result<std::vector<DriveFile>> listFiles(const Exchange& exchange) override
     {
-        return pass<std::vector<DriveFile>>([&] { return m_inner->listFiles(exchange); });
+        return pass<std::vector<DriveFile>>(
+            "list", exchange, [this](const Exchange& e) { return m_inner.listFiles(e); });
     }
     [[nodiscard]] Result<Bytes> download(const std::string& path, const Exchange& exchange) override
     {
-        return pass<Bytes>([&] { return m_inner->download(path, exchange); });
+        return pass<Bytes>("download", exchange,
+            [this, path](const Exchange& e) { return m_inner.download(path, e); });
     }
     [[nodiscard]] Result<void> upload(
         const std::string& path, ByteView bytes, const Exchange& exchange) override
     {
-        return pass<void>([&] { return m_inner->upload(path, bytes, exchange); });
+        return pass<void>("upload", exchange,
+            [this, path, own = Bytes(bytes.begin(), bytes.end())](
+                const Exchange& e) { return m_inner.upload(path, own, e); });
     }
 
 private:
+    template <typename T> using Call = std::function<Result<T>(const Exchange&)>;
+
     static tl::unexpected<Error> lost()
     {
         return fail(ErrorCode::ConnectionLost, {{"endpoint", "test:"}, {"reason", "cut"}});
@@ -89,22 +111,37 @@ private:
     {
         return fail(ErrorCode::NotConnected, {{"endpoint", "test:"}, {"reason", "no drive"}});
     }
+    static tl::unexpected<Error> late()
+    {
+        return fail(ErrorCode::Timeout, {{"endpoint", "test:"}, {"seconds", "0"}});
+    }
 
-    template <typename T> Result<T> pass(const std::function<Result<T>()>& call)
+    /// call owns what it needs: it may have to outlive the exchange.
+    template <typename T>
+    Result<T> pass(std::string_view what, const Exchange& exchange, const Call<T>& call)
     {
         ++m_exchanges;
-        if (m_isGone)
-            return gone();
-        if (m_failAt != m_exchanges)
-            return call();
+        if (beginning)
+            beginning(what);
+        const bool isLateDue = static_cast<bool>(m_late);
+        auto result = m_isGone        ? Result<T>(gone())
+            : m_failAt == m_exchanges ? failing<T>(exchange, call)
+                                      : call(exchange);
+        if (isLateDue)
+            carryOutLate();
+        return result;
+    }
+
+    template <typename T> Result<T> failing(const Exchange& exchange, const Call<T>& call)
+    {
         switch (m_fault) {
         case LinkFault::RequestLost:
             return lost();
         case LinkFault::ReplyLost:
-            (void)call();
-            return fail(ErrorCode::Timeout, {{"endpoint", "test:"}, {"seconds", "0"}});
+            (void)call(exchange);
+            return late();
         case LinkFault::ReplyGarbled:
-            (void)call();
+            (void)call(exchange);
             return fail(ErrorCode::Protocol,
                 {{"endpoint", "test:"}, {"expected", "an answer"}, {"quote", "%$!"}});
         case LinkFault::Refused:
@@ -113,7 +150,7 @@ private:
             m_isGone = true;
             return gone();
         case LinkFault::DriveGoneAfter:
-            (void)call();
+            (void)call(exchange);
             m_isGone = true;
             return lost();
         case LinkFault::Reboot:
@@ -121,18 +158,29 @@ private:
             return lost();
         case LinkFault::StoresWrong:
             m_drive.storeNextWrong();
-            return call();
+            return call(exchange);
         case LinkFault::UserStops:
             stopUser();
-            return call();
+            return call(exchange);
+        case LinkFault::Late:
+            m_late = [call] { (void)call(Exchange{}); };
+            return late();
         }
-        return call();
+        return call(exchange);
+    }
+
+    void carryOutLate()
+    {
+        if (const auto call = std::exchange(m_late, {}))
+            call();
     }
 
     drivecomm::VirtualDrive& m_drive;
-    std::unique_ptr<DriveLink> m_inner;
+    std::unique_ptr<DriveLink> m_owned;
+    DriveLink& m_inner;
     std::optional<int> m_failAt;
     LinkFault m_fault = LinkFault::RequestLost;
+    std::function<void()> m_late;
     int m_exchanges = 0;
     bool m_isGone = false;
 };

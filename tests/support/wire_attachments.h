@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "drivecomm/profile_loader.h"
+#include "drivecomm/serial_drive_link.h"
+#include "drivecomm/virtualdrive/serial_front.h"
+#include "drivecomm/virtualdrive/web_front.h"
+#include "drivecomm/web_drive_link.h"
+#include "tests/support/link_attachment.h"
+
+#include <QTemporaryDir>
+
+namespace axiscomp::test {
+
+/// Over the drive's web server, on loopback.
+class Web final : public LinkAttachment {
+public:
+    Web(drivecomm::VirtualDrive& drive, drivecomm::FaultPlan& faults)
+        : m_front(drivecomm::WebFront::start(drive, drivecomm::genericProfile(), faults).value())
+    {
+    }
+    std::string url() const override { return m_front->url(); }
+    DriveLink& link() override
+    {
+        if (!m_link)
+            m_link = drivecomm::makeWebDriveLink(
+                drivecomm::parseEndpoint(url()).value(), drivecomm::genericProfile());
+        return *m_link;
+    }
+
+private:
+    std::unique_ptr<drivecomm::WebFront> m_front;
+    std::unique_ptr<DriveLink> m_link;
+};
+
+/// Over the drive's serial link, on a pseudo-terminal.
+class Serial final : public LinkAttachment {
+public:
+    Serial(drivecomm::VirtualDrive& drive, drivecomm::FaultPlan& faults)
+        : m_faults(faults)
+        , m_front(drivecomm::SerialFront::start(drive, faults, {linkIn(m_folder), 0}).value())
+    {
+    }
+    std::string url() const override { return m_front->url(); }
+    DriveLink& link() override
+    {
+        if (!m_link) {
+            m_link = drivecomm::makeSerialDriveLink(
+                drivecomm::parseEndpoint(url()).value(), drivecomm::genericProfile());
+            // The first request of a connection finds the drive, and is not one of those that tests
+            // count.
+            (void)m_link->identify({});
+            m_faults.clear();
+        }
+        return *m_link;
+    }
+
+private:
+    /// A port that was cut comes back under the same link.
+    static std::string linkIn(const QTemporaryDir& folder)
+    {
+        return folder.filePath(QStringLiteral("drive")).toStdString();
+    }
+
+    drivecomm::FaultPlan& m_faults;
+    QTemporaryDir m_folder;
+    std::unique_ptr<drivecomm::SerialFront> m_front;
+    std::unique_ptr<DriveLink> m_link;
+};
+
+inline AttachmentKind web()
+{
+    return attachmentKind<Web>("web");
+}
+
+inline AttachmentKind serial()
+{
+    AttachmentKind kind = attachmentKind<Serial>("serial");
+    kind.writesAtOnce = 8;
+    kind.asksAgain = true;
+    return kind;
+}
+
+} // namespace axiscomp::test
