@@ -146,15 +146,24 @@ Result<void> WriteProcedure::change()
     return saveParameters(m_access);
 }
 
-/// An axis whose table is being replaced in place must not be able to start with half of it.
+/// An axis whose table is being replaced in place must not be able to start with half of it; nor
+/// after a reboot, with the new table from flash and the old sources.
 Result<void> WriteProcedure::switchOff()
 {
     if (auto noted = note("switch off", 0.12); !noted)
         return noted;
     m_registersTouched = true;
-    return writeSurely(m_access,
-        {{m_access.axisPath(m_access.registers().table, m_write.plan.axis),
-            m_access.enums().tableDisabled}});
+    const std::vector<RegisterWrite> off{
+        {m_access.axisPath(m_access.registers().table, m_write.plan.axis),
+            m_access.enums().tableDisabled}};
+    if (auto written = writeSurely(m_access, off); !written)
+        return written;
+    if (auto same = compareRegisters(m_access, off); !same)
+        return same;
+    if (!wantsPersistent())
+        return {};
+    m_savedTouched = true;
+    return saveParameters(m_access);
 }
 
 /// Uploads and reads back, byte by byte; the two halves share the progress.

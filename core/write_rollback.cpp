@@ -46,10 +46,13 @@ Error WriteProcedure::putBack(const Error& reason)
 Result<void> WriteProcedure::undo(const DriveAccess& access)
 {
     if (overwritesOwn() && m_slotTouched) {
-        // While its file is put back the axis must not be able to start.
+        // While its file is put back the axis must not be able to start, not even after a reboot.
         const std::string table = access.axisPath(access.registers().table, m_write.plan.axis);
         if (auto off = writeSurely(access, {{table, access.enums().tableDisabled}}); !off)
             return off;
+        if (m_savedTouched)
+            if (auto saved = saveParameters(access); !saved)
+                return saved;
     }
     if (auto restored = undoTable(access); !restored)
         return restored;

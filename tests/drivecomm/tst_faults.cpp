@@ -29,6 +29,7 @@ private Q_SLOTS:
     void dropIsSpentByItsBytes();
     void clearStartsAgain();
     void countsOverAllThreads();
+    void tellsItsObserver();
     void directLinkFails_data();
     void directLinkFails();
     void directLinkCutsOnce();
@@ -194,6 +195,21 @@ void TestFaults::countsOverAllThreads()
     }
     QCOMPARE(std::accumulate(hits.begin(), hits.end(), 0), 1);
     QVERIFY(!plan.bytesUntilDrop());
+}
+
+void TestFaults::tellsItsObserver()
+{
+    std::vector<bool> seen;
+    FaultPlan* changed = nullptr;
+    FaultPlan plan({}, [&](bool isWrite) {
+        seen.push_back(isWrite);
+        if (isWrite)
+            changed->add({FaultSpec::Kind::NoReply, 2, {}});
+    });
+    changed = &plan;
+    QVERIFY(!plan.next(false).noReply);
+    QVERIFY(plan.next(true).noReply); // what the observer adds counts for this request already
+    QVERIFY((seen == std::vector<bool>{false, true}));
 }
 
 void TestFaults::directLinkFails_data()

@@ -31,6 +31,8 @@ struct AttachmentKind {
     std::size_t writesAtOnce = DriveLink::maximumWrites;
     /// It can ask again without the drive acting again: what has been garbled arrives all the same.
     bool asksAgain = false;
+    /// A request of one client is carried out before the next one of any other.
+    bool servesInOrder = true;
 };
 
 template <typename Attachment> AttachmentKind attachmentKind(const char* name)

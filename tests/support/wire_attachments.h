@@ -4,11 +4,14 @@
 #include "drivecomm/profile_loader.h"
 #include "drivecomm/serial_drive_link.h"
 #include "drivecomm/virtualdrive/serial_front.h"
+#include "drivecomm/virtualdrive/socket.h"
 #include "drivecomm/virtualdrive/web_front.h"
 #include "drivecomm/web_drive_link.h"
 #include "tests/support/link_attachment.h"
 
 #include <QTemporaryDir>
+
+#include <fcntl.h>
 
 namespace axiscomp::test {
 
@@ -39,6 +42,7 @@ public:
     Serial(drivecomm::VirtualDrive& drive, drivecomm::FaultPlan& faults)
         : m_faults(faults)
         , m_front(drivecomm::SerialFront::start(drive, faults, {linkIn(m_folder), 0}).value())
+        , m_port(::open(m_front->device().c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC))
     {
     }
     std::string url() const override { return m_front->url(); }
@@ -65,12 +69,17 @@ private:
     drivecomm::FaultPlan& m_faults;
     QTemporaryDir m_folder;
     std::unique_ptr<drivecomm::SerialFront> m_front;
+    /// Held, so that a port that was cut off is nobody else's until the link has let it go: the
+    /// lock of a port goes by its name.
+    drivecomm::Socket m_port;
     std::unique_ptr<DriveLink> m_link;
 };
 
 inline AttachmentKind web()
 {
-    return attachmentKind<Web>("web");
+    AttachmentKind kind = attachmentKind<Web>("web");
+    kind.servesInOrder = false;
+    return kind;
 }
 
 inline AttachmentKind serial()
