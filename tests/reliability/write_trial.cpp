@@ -35,6 +35,18 @@ Result<void> fillOtherSlots(drivecomm::VirtualDrive& drive)
     return {};
 }
 
+/// A table with its sources and persistency, in whichever slot.
+bool sameButSlot(DriveFixture::State a, const DriveFixture::State& b)
+{
+    const auto isOff = [](const DriveFixture::State& state) {
+        return state.registers[0] == "Disabled";
+    };
+    if (isOff(a) != isOff(b))
+        return false;
+    a.registers[0] = b.registers[0];
+    return a == b;
+}
+
 std::string saidBy(const Result<WriteReport>& report)
 {
     return report ? "success" : describe(report.error());
@@ -117,10 +129,7 @@ bool WriteTrial::isSwitchedOff(const State& state) const
 
 bool WriteTrial::holdsWanted(const HeldStates& states)
 {
-    State now = state();
-    const bool hasTable = now.registers[0] != "Disabled";
-    now.registers[0] = states.wanted.registers[0];
-    return hasTable && now == states.wanted;
+    return sameButSlot(state(), states.wanted);
 }
 
 std::string WriteTrial::stateText(const State& state, const HeldStates& states) const
@@ -231,7 +240,8 @@ std::string WriteTrial::judgeReboot(
     const bool isOldWithoutTable = m_scenario.before == Persistency::Volatile
         && now.registers == states.old.registers && now.table.empty();
     const bool isOld = now == states.oldRebooted || isOldWithoutTable;
-    const bool isNew = now == states.wantedRebooted;
+    const bool isNew =
+        now == states.wantedRebooted || (traits.reboots && sameButSlot(now, states.wantedRebooted));
     const bool isUnsaved = traits.losesCommands && (isOld || isSwitchedOff(now));
     bool isRight = report ? isNew || isUnsaved : isOld;
     if (!report
