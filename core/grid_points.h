@@ -3,18 +3,22 @@
 
 #include "core/grid.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 namespace axiscomp {
 
-/// False where the distance is below the resolution of the positions, so that neighbours are one
-/// place, or below that of numbers at all.
+/// False where the distance is below some thirty times the resolution of the positions: neighbours
+/// would be one place, or at uneven places, and a lookup could not tell which of them is meant. Or
+/// below the resolution of numbers at all.
 [[nodiscard]] inline bool pointsAreDistinct(const GridAxis& axis)
 {
-    return std::isnormal(axis.distance) && axis.position(1) > axis.start
-        && axis.last() > axis.position(axis.size - 2);
+    const double largest = std::max(std::abs(axis.start), std::abs(axis.last()));
+    return std::isnormal(axis.distance)
+        && axis.distance > 32.0 * std::numeric_limits<double>::epsilon() * largest;
 }
 
 /// Calls visit(index in the file, index in CompensationTable::values) for every element of a file

@@ -131,6 +131,7 @@ void TestTamTableFaults::aWrongFieldIsNamed_data()
     row("endless distance", 64, infinity, "distance[1]", "inf", "a finite number above 0");
     row("last position is none", 56, 1e308, "distance[0]", "1e+308", "one that leads to a finite");
     row("points in one place", 64, 1e-15, "distance[1]", "1e-15", "one that tells positions such");
+    row("points hardly apart", 64, 1e-13, "distance[1]", "1e-13", "one that tells positions such");
     row("denormal distance", 56, 5e-324, "distance[0]", "5e-324", "one that tells positions such");
     row("element count", 80, std::uint32_t{11}, "elementCount", "11", "12, the product");
     row("element count of 2^32 - 1", 80, std::uint32_t{0xFFFFFFFF}, "elementCount", "4294967295",
@@ -152,7 +153,7 @@ void TestTamTableFaults::aWrongFieldIsNamed()
     CompensationTable table = exampleTable(2);
     table.grid.axes[0].size = 3;
     table.grid.axes[0].start = 1.2e308; // "last position is none" needs little more
-    table.grid.axes[0].distance = 1e293;
+    table.grid.axes[0].distance = 1e300;
     Bytes file = encoded(table);
     QVERIFY(!file.empty());
     std::memcpy(file.data() + offset, &value, static_cast<std::size_t>(bytes));
