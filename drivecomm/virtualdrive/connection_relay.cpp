@@ -52,11 +52,15 @@ struct ConnectionRelay::Private {
         , thread([this] { run(); })
     {
     }
-    ~Private()
+    ~Private() { stop(); }
+
+    void stop()
     {
         stopping = true;
         ring();
-        thread.join();
+        if (thread.joinable())
+            thread.join();
+        connections.clear();
     }
 
     void ring() const
@@ -366,6 +370,11 @@ void ConnectionRelay::keepUntilReply(std::uint16_t serverSidePort)
         d->kept.insert(serverSidePort);
     }
     d->ring();
+}
+
+void ConnectionRelay::stop()
+{
+    d->stop();
 }
 
 void ConnectionRelay::decide(std::uint16_t serverSidePort, Fate fate)

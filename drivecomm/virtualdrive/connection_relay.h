@@ -32,6 +32,9 @@ public:
     [[nodiscard]] std::uint16_t port() const;
     [[nodiscard]] bool isOnLoopback() const;
 
+    /// Ends all connections and takes no more. What the server still decides has no effect.
+    void stop();
+
     enum class Fate {
         Silent, ///< nothing more reaches the client, until it gives up
         Cut, ///< closed at once

@@ -102,9 +102,11 @@ WebFront::Private::~Private()
         stopping = true;
     }
     stopped.notify_all();
-    relay.reset(); // Ends all connections: no thread of the server waits for a client any more.
     if (!thread.joinable())
         return;
+    // No thread of the server waits for a client any more; but one may be about to decide over its
+    // connection, so that the relay itself has to stay.
+    relay->stop();
     while (!server->is_running() && !ended) // stop() is lost on a server that is still starting
         std::this_thread::yield();
     server->stop();

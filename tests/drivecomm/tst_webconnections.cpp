@@ -23,6 +23,7 @@ private Q_SLOTS:
     void cutsOnlyOnce();
     void aHangingClientKeepsNobodyWaiting();
     void stopsWhateverItsClientsDo();
+    void stopsWhileItDecidesOverAReply();
     void garblesOneReply();
     void refusesAnAddressInUse();
     void refusesACertificateThatIsNone();
@@ -132,6 +133,24 @@ void WebConnectionsTest::stopsWhateverItsClientsDo()
     for (RawClient* client : {&hanging, &slow, &idle, &halfway}) {
         client->receiveAll();
         QCOMPARE(client->socket.state(), QAbstractSocket::UnconnectedState);
+    }
+}
+
+/// The end wakes the thread that serves the request, which then decides that there is no reply.
+void WebConnectionsTest::stopsWhileItDecidesOverAReply()
+{
+    for (int i = 0; i < 10; ++i) {
+        Site site;
+        site.fault("slow=600000");
+        site.fault("no-reply=1");
+        RawClient client(site.front->port());
+        client.send("PUT /registers/" + variable0
+            + " HTTP/1.1\r\nHost: 127.0.0.1\r\nContent-Type: application/json\r\n"
+              "Content-Length: 11\r\n\r\n{\"value\":1}");
+        QTRY_COMPARE_WITH_TIMEOUT(site.value(variable0), RegisterValue(1.0F), patienceMs);
+        site.front.reset();
+        client.receiveAll();
+        QCOMPARE(client.socket.state(), QAbstractSocket::UnconnectedState);
     }
 }
 
