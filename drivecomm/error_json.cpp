@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "drivecomm/error_json.h"
 
+#include "core/utf8.h"
 #include "drivecomm/json_text.h"
 
 #include <nlohmann/json.hpp>
@@ -29,6 +30,7 @@ constexpr std::array rows{
     Row{ErrorCode::FlashWear, 503},
 };
 
+constexpr std::size_t longestText = 1000; ///< bytes of what a drive may say in one place
 constexpr std::string_view unnamed = "no reason given";
 
 std::optional<int> wholeSeconds(std::string_view text)
@@ -43,7 +45,9 @@ std::optional<int> wholeSeconds(std::string_view text)
 std::string textOf(const nlohmann::json& object, const char* key)
 {
     const auto place = object.find(key);
-    return place != object.end() && place->is_string() ? place->get<std::string>() : std::string();
+    if (place == object.end() || !place->is_string())
+        return {};
+    return std::string(cutAtCharacter(place->get_ref<const std::string&>(), longestText));
 }
 
 } // namespace

@@ -12,11 +12,20 @@ namespace axiscomp::ui {
 namespace {
 
 constexpr qsizetype longestRecentList = 8;
+constexpr qsizetype mostEndpoints = 64;
+constexpr qsizetype longestEntry = 4096; // a path
 const QLatin1StringView endpointsKey("endpoints");
 const QLatin1StringView recentKey("recentFiles");
 const QLatin1StringView languageKey("language");
 const QLatin1StringView skipPreviewKey("skipPreviewForVolatile");
 const QLatin1StringView splitterKey("splitter/");
+
+/// A list that anybody may have edited.
+QStringList limited(QStringList list, qsizetype most)
+{
+    list.removeIf([](const QString& entry) { return entry.size() > longestEntry; });
+    return list.mid(0, most);
+}
 
 } // namespace
 
@@ -34,7 +43,9 @@ QString WizardSettings::key(QLatin1StringView name) const
 
 QStringList WizardSettings::endpoints() const
 {
-    return m_settings ? m_settings->value(key(endpointsKey)).toStringList() : QStringList();
+    if (!m_settings)
+        return {};
+    return limited(m_settings->value(key(endpointsKey)).toStringList(), mostEndpoints);
 }
 
 void WizardSettings::setEndpoints(const QStringList& endpoints)
@@ -49,7 +60,9 @@ void WizardSettings::setEndpoints(const QStringList& endpoints)
 
 QStringList WizardSettings::recentFiles() const
 {
-    return m_settings ? m_settings->value(key(recentKey)).toStringList() : QStringList();
+    if (!m_settings)
+        return {};
+    return limited(m_settings->value(key(recentKey)).toStringList(), longestRecentList);
 }
 
 void WizardSettings::addRecentFile(const QString& path)

@@ -12,7 +12,6 @@ namespace axiscomp::app {
 namespace {
 
 /// All slots of a drive as base64, and some.
-constexpr std::uint64_t maximumBackup = 256 * 1024 * 1024;
 
 struct BackupOptions {
     DriveOptions drive;
@@ -53,7 +52,7 @@ Result<ExitCode> runBackup(Environment& environment, const BackupOptions& option
 
 Result<ExitCode> runRestore(Environment& environment, const BackupOptions& options)
 {
-    const auto bytes = loadFile(options.file, maximumBackup);
+    const auto bytes = loadFile(options.file, maximumBackupSize);
     if (!bytes)
         return fail(bytes.error());
     const auto backup = readBackup(asText(*bytes), options.file);

@@ -105,8 +105,10 @@ private:
                 return answered;
             if (!*more || m_environment.console().readerGone())
                 return {};
-            if (text.size() > longestLine)
+            if (text.size() > longestLine) {
+                ++m_line;
                 return wrong(1, "a line with a position", "more than 65536 characters");
+            }
         }
     }
 

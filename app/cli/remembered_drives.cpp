@@ -5,6 +5,13 @@
 
 namespace axiscomp::app {
 
+namespace {
+
+constexpr std::size_t mostEndpoints = 64;
+constexpr qsizetype longestEndpoint = 4096;
+
+} // namespace
+
 std::vector<std::string> rememberedDrives()
 {
     // As the window writes them (tests/app compares).
@@ -13,7 +20,8 @@ std::vector<std::string> rememberedDrives()
     std::vector<std::string> endpoints;
     for (const QString& endpoint :
         settings.value(QStringLiteral("compensationWizard/endpoints")).toStringList())
-        endpoints.push_back(endpoint.toStdString());
+        if (endpoint.size() <= longestEndpoint && endpoints.size() < mostEndpoints)
+            endpoints.push_back(endpoint.toStdString());
     return endpoints;
 }
 

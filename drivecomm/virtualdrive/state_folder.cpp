@@ -2,6 +2,7 @@
 #include "drivecomm/virtualdrive/state_folder.h"
 
 #include "core/local_file.h"
+#include "drivecomm/json_text.h"
 
 #include <algorithm>
 #include <cctype>
@@ -195,7 +196,7 @@ Result<std::optional<SavedDrive>> StateFolder::load()
     const Result<Bytes> bytes = loadFile(mainFile(), maximumJson);
     if (!bytes)
         return fail(bytes.error());
-    const json document = json::parse(asText(*bytes), nullptr, false);
+    const json document = parseJson(asText(*bytes));
     if (!document.is_object())
         return unreadable(mainFile(), "it is not the JSON of a virtual drive's state");
 

@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/local_file.h"
+#include "tests/support/kill_points.h"
 #include "tests/support/verify.h"
 
 #include <QTemporaryDir>
 
 #include <atomic>
-#include <csignal>
 #include <fstream>
 #include <thread>
 
 #include <fcntl.h>
-#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -41,29 +40,6 @@ std::size_t entries(const fs::path& folder)
     return static_cast<std::size_t>(
         std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
 }
-
-/// No file may grow beyond this while it lives, as on a full disk.
-class FileSizeLimit {
-public:
-    explicit FileSizeLimit(rlim_t bytes) : m_oldHandler(std::signal(SIGXFSZ, SIG_IGN))
-    {
-        ::getrlimit(RLIMIT_FSIZE, &m_old);
-        const struct rlimit limit {
-            bytes, m_old.rlim_max
-        };
-        ::setrlimit(RLIMIT_FSIZE, &limit);
-    }
-    ~FileSizeLimit()
-    {
-        ::setrlimit(RLIMIT_FSIZE, &m_old);
-        std::signal(SIGXFSZ, m_oldHandler);
-    }
-    Q_DISABLE_COPY_MOVE(FileSizeLimit)
-
-private:
-    void (*m_oldHandler)(int);
-    struct rlimit m_old { };
-};
 
 /// The rights of a user who owns nothing, also when the test runs as root.
 class NoPrivileges {
@@ -233,7 +209,7 @@ void TestLocalFile::fullDiskLeavesTheOldFileWhole()
     put(m_path / "file", "old");
     const Bytes bytes(100'000, std::byte{1});
     {
-        const FileSizeLimit limit{50'000};
+        const test::FileSizeLimit limit{50'000};
         const auto saved = saveFile(m_path / "file", bytes);
         VERIFY_ERROR(saved, ErrorCode::FileNotWritable);
         QCOMPARE(saved.error().context.at("file"), (m_path / "file").string());

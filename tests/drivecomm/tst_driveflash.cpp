@@ -34,6 +34,8 @@ private Q_SLOTS:
     void damagedTableIsABadTable();
     void refusesABrokenStateFolder_data();
     void refusesABrokenStateFolder();
+    void refusesAStateThatIsTooLarge_data();
+    void refusesAStateThatIsTooLarge();
     void refusesAFolderThatIsInUse();
     void refusesToStoreWhenTheFolderCannotBeWritten();
 
@@ -377,6 +379,7 @@ void TestDriveFlash::refusesABrokenStateFolder_data()
     QTest::newRow("a list") << "^[\\s\\S]*$"
                             << "[]"
                             << "not the JSON";
+    QTest::newRow("nested deeply") << "^[\\s\\S]*$" << QString(100'000, u'[') << "not the JSON";
     QTest::newRow("format") << "\"format\": 1"
                             << "\"format\": 2"
                             << "format must be";
@@ -441,6 +444,27 @@ void TestDriveFlash::refusesABrokenStateFolder()
     VERIFY_RESULT(saveFile(file, *good));
     bench.start();
     QVERIFY(!bench.file("Small1").empty());
+}
+
+void TestDriveFlash::refusesAStateThatIsTooLarge_data()
+{
+    QTest::addColumn<QString>("name");
+    QTest::newRow("state") << "drive.json";
+    QTest::newRow("table") << "flash/Small1-1.TAMtbl";
+}
+
+void TestDriveFlash::refusesAStateThatIsTooLarge()
+{
+    QFETCH(QString, name);
+    QTemporaryDir folder;
+    DriveBench bench;
+    bench.options.stateFolder = path(folder);
+    bench.start();
+    VERIFY_RESULT(bench.upload("Small1", evenTable(1), true));
+    bench.drive.reset();
+    std::filesystem::resize_file(path(folder) / name.toStdString(), (std::uintmax_t{64} << 20) + 1);
+    const auto created = VirtualDrive::create(bench.profile, bench.options);
+    VERIFY_ERROR(created, ErrorCode::FileTooLarge);
 }
 
 void TestDriveFlash::refusesAFolderThatIsInUse()
