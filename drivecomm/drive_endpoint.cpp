@@ -10,7 +10,9 @@ namespace {
 
 tl::unexpected<Error> invalid(const QUrl& url, std::string reason)
 {
-    const QString shown = url.toDisplayString(QUrl::RemoveUserInfo | QUrl::StripTrailingSlash);
+    // A password with a slash looks like a port and a path; what follows the last @ is none.
+    const QString shown = url.toDisplayString(QUrl::RemoveUserInfo | QUrl::StripTrailingSlash)
+                              .section(u'@', url.scheme() == u"serial" ? 0 : -1);
     return fail(ErrorCode::InvalidEndpoint,
         {{"endpoint", shown.toStdString()}, {"reason", std::move(reason)}});
 }

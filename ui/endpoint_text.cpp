@@ -9,11 +9,10 @@ QString shownEndpoint(const QString& endpoint)
     const QString separator = QStringLiteral("://");
     const qsizetype scheme = text.indexOf(separator);
     const qsizetype begin = scheme < 0 ? 0 : scheme + separator.size();
-    qsizetype end = text.indexOf(u'/', begin);
-    if (end < 0)
-        end = text.size();
-    // A password may hold an @ of its own: the last one ends it.
-    const qsizetype at = text.lastIndexOf(u'@', end - 1);
+    // A password may hold anything, also an @ or a / of its own: the last @ ends it. Without a
+    // scheme it may also be the path of a port.
+    const qsizetype at =
+        scheme < 0 ? text.left(text.indexOf(u'/')).lastIndexOf(u'@') : text.lastIndexOf(u'@');
     if (at < begin)
         return text;
     return text.left(begin) + text.mid(at + 1);

@@ -62,10 +62,10 @@ Json toJson(const CompensationTable& table)
 
 Json toJson(const Error& error, const Json& diagnostics)
 {
-    Json json = {{"code", errorName(error.code)}, {"message", singleLine(sentence(error))},
-        {"context", Json::object()}};
+    Json json = {{"code", errorName(error.code)},
+        {"message", withoutPasswords(singleLine(sentence(error)))}, {"context", Json::object()}};
     for (const auto& [key, value] : error.context)
-        json["context"][key] = value;
+        json["context"][key] = withoutPasswords(value);
     json["diagnostics"] = diagnostics;
     return json;
 }

@@ -121,6 +121,18 @@ std::string readableArgument(std::string argument)
     return argument;
 }
 
+/// Every user of the computer can read the arguments of a running program.
+void hidePassword(std::string_view argument, char* place)
+{
+    const std::size_t scheme = argument.find("://");
+    const std::size_t at = argument.rfind('@');
+    if (scheme == std::string_view::npos || at == std::string_view::npos)
+        return;
+    const std::size_t colon = argument.find(':', scheme + 3);
+    if (colon < at)
+        std::fill(place + colon + 1, place + at, '*');
+}
+
 } // namespace
 
 void setHelpStyle(CLI::App& app)
@@ -134,6 +146,8 @@ Result<bool> parseArguments(CLI::App& app, int argc, char** argv, Console& conso
     std::vector<std::string> reversed;
     for (int i = argc - 1; i > 0; --i)
         reversed.push_back(readableArgument(argv[i]));
+    for (int i = 1; i < argc; ++i)
+        hidePassword(argv[i], argv[i]);
     try {
         app.parse(reversed);
     } catch (const CLI::CallForHelp&) {

@@ -12,7 +12,8 @@ namespace axiscomp::app {
 void setHelpStyle(CLI::App& app);
 
 /// Reads the command line into the options of app. True: go on. False: --help or --version was
-/// asked for and printed. Errors: InvalidArgument with a hint to the right --help.
+/// asked for and printed. Passwords in argv are overwritten. Errors: InvalidArgument with a hint to
+/// the right --help.
 [[nodiscard]] Result<bool> parseArguments(CLI::App& app, int argc, char** argv, Console& console);
 
 /// InvalidArgument whose sentence ends in the same hint, for what only shows after parsing.

@@ -66,6 +66,21 @@ std::string singleLine(std::string_view text)
     return result;
 }
 
+std::string withoutPasswords(std::string_view text)
+{
+    constexpr std::string_view scheme = "://";
+    std::string result(text);
+    for (std::size_t place = result.find(scheme); place != std::string::npos;
+         place = result.find(scheme, place + 1)) {
+        const std::size_t begin = place + scheme.size();
+        const std::size_t end = result.find_first_of(" \t\r\n\"'", begin);
+        const std::size_t at = result.substr(0, end).rfind('@');
+        if (at != std::string::npos && at >= begin)
+            result.erase(begin, at + 1 - begin);
+    }
+    return result;
+}
+
 Console::Console()
     : m_outputIsTerminal(::isatty(STDOUT_FILENO) == 1)
     , m_showsProgress(::isatty(STDERR_FILENO) == 1)
@@ -96,7 +111,7 @@ void Console::note(std::string_view line)
     const std::lock_guard lock(m_mutex);
     hideProgress();
     send();
-    std::string text = singleLine(line);
+    std::string text = withoutPasswords(singleLine(line));
     text.push_back('\n');
     // Nobody can be told that standard error does not work.
     static_cast<void>(writeAll(STDERR_FILENO, text));

@@ -14,6 +14,8 @@ namespace axiscomp::app {
 /// Text on one line that cannot command the terminal: what comes from files and drives may hold
 /// line ends and escape sequences.
 [[nodiscard]] std::string singleLine(std::string_view text);
+/// Addresses in it lose user name and password: a mistyped command line is quoted in errors.
+[[nodiscard]] std::string withoutPasswords(std::string_view text);
 
 /// The two output streams of a program. Results go to standard output, errors and notes to standard
 /// error, progress to standard error when a person looks at it. May be used from several threads.

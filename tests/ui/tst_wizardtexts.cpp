@@ -275,7 +275,9 @@ private Q_SLOTS:
         row("https://user:se@cr@et@host", "https://host");
         row(" demo: ", "demo:");
         row("user:secret@host", "host");
-        row("http://host/a@b", "http://host/a@b");
+        row("http://user:12/34@host", "http://host");
+        row("http://user:12#34@host", "http://host");
+        row("serial:/dev/a@b", "serial:/dev/a@b");
         row("serial:/dev/ttyUSB0", "serial:/dev/ttyUSB0");
     }
     void endpointsAreShownWithoutTheirPasswords()
