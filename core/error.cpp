@@ -47,7 +47,9 @@ constexpr std::array rows{
     Row{ErrorCode::Unauthorized, "Unauthorized",
         "{endpoint} asks for a user name and a password; give them as http://user:password@host"},
     Row{ErrorCode::CertificateRejected, "CertificateRejected",
-        "the certificate of {endpoint} cannot be trusted: {reason}"},
+        "the certificate of {endpoint} cannot be trusted: {reason}. Its SHA-256 fingerprint is "
+        "{fingerprint}; trust it under Connections, or with --trust-certificate, if the drive has "
+        "the same"},
     Row{ErrorCode::DriveRejected, "DriveRejected", "the drive refused: {reason}"},
     Row{ErrorCode::UnknownRegister, "UnknownRegister", "the drive has no register {path}"},
     Row{ErrorCode::UnknownFile, "UnknownFile", "the drive has no file {path}"},

@@ -33,7 +33,7 @@ enum class ErrorCode {
     Timeout, ///< endpoint, seconds
     Protocol, ///< endpoint, expected, quote (the beginning of what came)
     Unauthorized, ///< endpoint
-    CertificateRejected, ///< endpoint, reason
+    CertificateRejected, ///< endpoint, reason, fingerprint (SHA-256)
     // What the drive says
     DriveRejected, ///< reason (malformed request, unsupported, internal)
     UnknownRegister, ///< path, nearest (may be empty)

@@ -14,13 +14,17 @@ constexpr int repeats = 2;
 } // namespace
 
 struct HttpClient::Private {
-    explicit Private(DriveEndpoint theEndpoint) : endpoint(std::move(theEndpoint)) { }
+    Private(DriveEndpoint theEndpoint, CertificateCheck theCheck)
+        : endpoint(std::move(theEndpoint))
+        , certificateCheck(std::move(theCheck))
+    {
+    }
 
     void startThread()
     {
         if (connection)
             return;
-        connection = new HttpConnection(endpoint);
+        connection = new HttpConnection(endpoint, certificateCheck);
         connection->moveToThread(&thread);
         QObject::connect(&thread, &QThread::finished, connection, &QObject::deleteLater);
         thread.setObjectName(QStringLiteral("drive http"));
@@ -35,11 +39,13 @@ struct HttpClient::Private {
     }
 
     DriveEndpoint endpoint;
+    CertificateCheck certificateCheck;
     QThread thread;
     HttpConnection* connection = nullptr; ///< lives on thread, deleted when it ends
 };
 
-HttpClient::HttpClient(DriveEndpoint endpoint) : d(std::make_unique<Private>(std::move(endpoint)))
+HttpClient::HttpClient(DriveEndpoint endpoint, CertificateCheck certificateCheck)
+    : d(std::make_unique<Private>(std::move(endpoint), std::move(certificateCheck)))
 {
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/drive_link.h"
+#include "drivecomm/certificate_check.h"
 #include "drivecomm/drive_endpoint.h"
 #include "drivecomm/http_reply_parser.h"
 #include "drivecomm/running_exchange.h"
@@ -31,7 +32,7 @@ struct HttpRequest {
 /// repeated after ConnectionLost, twice at most and within the deadline; PUT and POST never are.
 class HttpClient {
 public:
-    explicit HttpClient(DriveEndpoint endpoint);
+    explicit HttpClient(DriveEndpoint endpoint, CertificateCheck certificateCheck = {});
     ~HttpClient();
     HttpClient(const HttpClient&) = delete;
     HttpClient& operator=(const HttpClient&) = delete;

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "drivecomm/http_connection.h"
 
+#include "core/utf8.h"
 #include "drivecomm/json_text.h"
 
+#include <QCryptographicHash>
+#include <QDateTime>
 #include <QHostAddress>
 #include <QNetworkProxy>
+#include <QSslCertificate>
 #include <QSslSocket>
 
 #include <algorithm>
@@ -37,6 +41,20 @@ std::string_view verb(HttpRequest::Method method)
     return "GET";
 }
 
+std::string fingerprintOf(const QSslCertificate& certificate)
+{
+    const QByteArray hex = certificate.digest(QCryptographicHash::Sha256).toHex();
+    return sha256Fingerprint({hex.constData(), static_cast<std::size_t>(hex.size())}).value_or("");
+}
+
+/// What a stranger wrote into a certificate.
+std::string nameOf(const QString& text)
+{
+    constexpr std::size_t longest = 200;
+    const std::string name = cleanText(text.toStdString());
+    return name.empty() ? "?" : std::string(cutAtCharacter(name, longest));
+}
+
 std::uint64_t bodySize(const HttpRequest& request)
 {
     std::uint64_t size = 0;
@@ -47,8 +65,9 @@ std::uint64_t bodySize(const HttpRequest& request)
 
 } // namespace
 
-HttpConnection::HttpConnection(DriveEndpoint endpoint)
+HttpConnection::HttpConnection(DriveEndpoint endpoint, CertificateCheck certificateCheck)
     : m_endpoint(std::move(endpoint))
+    , m_certificateCheck(std::move(certificateCheck))
     , m_isSecure(m_endpoint.kind == DriveEndpoint::Kind::Https)
 {
 }
@@ -113,11 +132,13 @@ void HttpConnection::makeSocket()
     }
     m_isReady = false;
     m_sslErrors.clear();
+    m_trust = CertificateTrust::Unknown;
     if (m_isSecure) {
         auto secure = std::make_unique<QSslSocket>();
-        connect(secure.get(), &QSslSocket::encrypted, this, &HttpConnection::begin);
-        connect(secure.get(), &QSslSocket::sslErrors, this,
-            [this](const QList<QSslError>& errors) { m_sslErrors = errors; });
+        QSslSocket* socket = secure.get();
+        connect(socket, &QSslSocket::encrypted, this, &HttpConnection::beginSecure);
+        connect(socket, &QSslSocket::sslErrors, this,
+            [this, socket](const QList<QSslError>& errors) { judge(*socket, errors); });
         m_socket = std::move(secure);
     } else {
         m_socket = std::make_unique<QTcpSocket>();
@@ -129,6 +150,30 @@ void HttpConnection::makeSocket()
     connect(socket, &QTcpSocket::bytesWritten, this, &HttpConnection::write);
     connect(socket, &QTcpSocket::readyRead, this, &HttpConnection::read);
     connect(socket, &QTcpSocket::errorOccurred, this, &HttpConnection::connectionFailed);
+}
+
+/// errors: what there is to say against the certificate; nothing may have been said yet.
+void HttpConnection::judge(QSslSocket& socket, const QList<QSslError>& errors)
+{
+    if (m_certificateCheck)
+        m_trust =
+            m_certificateCheck(displayText(m_endpoint), fingerprintOf(socket.peerCertificate()));
+    if (m_trust == CertificateTrust::Trusted)
+        socket.ignoreSslErrors(errors);
+    else
+        m_sslErrors = errors;
+}
+
+/// Also a certificate that an authority vouches for is not the one that a person has trusted here.
+void HttpConnection::beginSecure()
+{
+    auto& socket = static_cast<QSslSocket&>(*m_socket);
+    if (m_trust == CertificateTrust::Unknown)
+        judge(socket, {});
+    if (m_trust != CertificateTrust::Changed)
+        return begin();
+    if (m_pending)
+        finish(certificateRejected());
 }
 
 void HttpConnection::begin()
@@ -244,6 +289,32 @@ tl::unexpected<Error> HttpConnection::failed(ErrorCode code, std::string reason)
         m_socket->errorString().toStdString());
 }
 
+/// With all that a person needs to decide about the certificate.
+tl::unexpected<Error> HttpConnection::certificateRejected() const
+{
+    const QSslCertificate certificate = static_cast<const QSslSocket&>(*m_socket).peerCertificate();
+    QStringList reasons;
+    for (const QSslError& each : m_sslErrors)
+        reasons += each.errorString();
+    reasons.removeDuplicates();
+    if (m_trust == CertificateTrust::Changed)
+        reasons = {QStringLiteral("it has CHANGED and is not the one that was trusted")};
+    const auto day = [](const QDateTime& time) {
+        return time.toUTC().date().toString(Qt::ISODate).toStdString();
+    };
+    Error error{ErrorCode::CertificateRejected,
+        {{"endpoint", displayText(m_endpoint)},
+            {"reason", reasons.join(QStringLiteral("; ")).toStdString()},
+            {"fingerprint", fingerprintOf(certificate)},
+            {"subject", nameOf(certificate.subjectDisplayName())},
+            {"issuer", nameOf(certificate.issuerDisplayName())},
+            {"validFrom", day(certificate.effectiveDate())},
+            {"validUntil", day(certificate.expiryDate())},
+            {"hasChanged", m_trust == CertificateTrust::Changed ? "yes" : "no"}},
+        m_socket->errorString().toStdString()};
+    return fail(std::move(error));
+}
+
 Result<HttpReply> HttpConnection::failure(QAbstractSocket::SocketError error) const
 {
     if (m_isReady) {
@@ -252,14 +323,8 @@ Result<HttpReply> HttpConnection::failure(QAbstractSocket::SocketError error) co
             wasClosed ? "it was closed before the reply was complete"
                       : m_socket->errorString().toStdString());
     }
-    if (!m_sslErrors.isEmpty()) {
-        QStringList reasons;
-        for (const QSslError& each : m_sslErrors)
-            reasons += each.errorString();
-        reasons.removeDuplicates();
-        return failed(
-            ErrorCode::CertificateRejected, reasons.join(QStringLiteral("; ")).toStdString());
-    }
+    if (!m_sslErrors.isEmpty())
+        return certificateRejected();
     switch (error) {
     case QAbstractSocket::ConnectionRefusedError:
         return failed(ErrorCode::NotConnected,

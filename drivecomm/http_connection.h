@@ -14,6 +14,8 @@
 #include <mutex>
 #include <optional>
 
+class QSslSocket;
+
 namespace axiscomp::drivecomm {
 
 /// One request on its way, shared by the thread that waits for it and the thread of the network.
@@ -32,7 +34,7 @@ struct PendingHttp {
 /// the reply, a PUT too, and cannot say what came when it was not HTTP (docs/protocol.md).
 class HttpConnection final : public QObject {
 public:
-    explicit HttpConnection(DriveEndpoint endpoint);
+    HttpConnection(DriveEndpoint endpoint, CertificateCheck certificateCheck);
 
     void start(const std::shared_ptr<PendingHttp>& pending);
     /// Gives pending an outcome at once, if it has none.
@@ -42,7 +44,9 @@ private:
     [[nodiscard]] bool canBeUsedAgain(const HttpRequest& request) const;
     void connectSocket();
     void makeSocket();
+    void judge(QSslSocket& socket, const QList<QSslError>& errors);
     void begin();
+    void beginSecure();
     void write();
     void read();
     void connectionFailed(QAbstractSocket::SocketError error);
@@ -51,12 +55,15 @@ private:
     [[nodiscard]] std::string head(const HttpRequest& request) const;
     [[nodiscard]] Result<HttpReply> failure(QAbstractSocket::SocketError error) const;
     [[nodiscard]] tl::unexpected<Error> failed(ErrorCode code, std::string reason) const;
+    [[nodiscard]] tl::unexpected<Error> certificateRejected() const;
 
     DriveEndpoint m_endpoint;
+    CertificateCheck m_certificateCheck;
     bool m_isSecure;
     std::unique_ptr<QTcpSocket> m_socket; ///< a QSslSocket for https only: http needs no OpenSSL
     QElapsedTimer m_idle; ///< since the last reply
-    QList<QSslError> m_sslErrors;
+    QList<QSslError> m_sslErrors; ///< that nobody has decided to accept
+    CertificateTrust m_trust = CertificateTrust::Unknown;
 
     // Of the request on its way:
     std::shared_ptr<PendingHttp> m_pending;

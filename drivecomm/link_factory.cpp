@@ -60,13 +60,13 @@ private:
 
 } // namespace
 
-Result<std::unique_ptr<DriveLink>> makeLink(
-    const DriveEndpoint& endpoint, const DriveProfile& profile)
+Result<std::unique_ptr<DriveLink>> makeLink(const DriveEndpoint& endpoint,
+    const DriveProfile& profile, const CertificateCheck& certificateCheck)
 {
     switch (endpoint.kind) {
     case DriveEndpoint::Kind::Http:
     case DriveEndpoint::Kind::Https:
-        return makeWebDriveLink(endpoint, profile);
+        return makeWebDriveLink(endpoint, profile, certificateCheck);
     case DriveEndpoint::Kind::Serial:
         return makeSerialDriveLink(endpoint, profile);
     case DriveEndpoint::Kind::Demo:
@@ -78,13 +78,14 @@ Result<std::unique_ptr<DriveLink>> makeLink(
     return demo;
 }
 
-LinkFactory linkFactory(const DriveProfile& profile)
+LinkFactory linkFactory(const DriveProfile& profile, CertificateCheck certificateCheck)
 {
-    return [&profile](const std::string& text) -> Result<std::unique_ptr<DriveLink>> {
+    return [&profile, certificateCheck = std::move(certificateCheck)](
+               const std::string& text) -> Result<std::unique_ptr<DriveLink>> {
         const auto endpoint = parseEndpoint(text);
         if (!endpoint)
             return fail(endpoint.error());
-        return makeLink(*endpoint, profile);
+        return makeLink(*endpoint, profile, certificateCheck);
     };
 }
 

@@ -3,6 +3,7 @@
 
 #include "core/drive_finder.h"
 #include "core/drive_profile.h"
+#include "drivecomm/certificate_check.h"
 #include "drivecomm/drive_endpoint.h"
 
 #include <memory>
@@ -13,11 +14,12 @@ namespace axiscomp::drivecomm {
 /// no running event loop but a QCoreApplication must exist for http, https and serial. demo: makes
 /// a virtual drive inside the process with an example state. Nothing is sent yet. profile must
 /// outlive the link. Errors: those of the example state.
-[[nodiscard]] Result<std::unique_ptr<DriveLink>> makeLink(
-    const DriveEndpoint& endpoint, const DriveProfile& profile);
+[[nodiscard]] Result<std::unique_ptr<DriveLink>> makeLink(const DriveEndpoint& endpoint,
+    const DriveProfile& profile, const CertificateCheck& certificateCheck = {});
 
 /// makeLink() from the text of an endpoint, which may be InvalidEndpoint. profile must outlive what
 /// is made.
-[[nodiscard]] LinkFactory linkFactory(const DriveProfile& profile);
+[[nodiscard]] LinkFactory linkFactory(
+    const DriveProfile& profile, CertificateCheck certificateCheck = {});
 
 } // namespace axiscomp::drivecomm

@@ -35,10 +35,11 @@ std::string nameOf(std::span<const std::string> paths)
 
 class WebDriveLink final : public DriveLink {
 public:
-    WebDriveLink(const DriveEndpoint& endpoint, const DriveProfile& profile)
+    WebDriveLink(const DriveEndpoint& endpoint, const DriveProfile& profile,
+        CertificateCheck certificateCheck)
         : m_endpoint(displayText(endpoint))
         , m_profile(profile)
-        , m_http(endpoint)
+        , m_http(endpoint, std::move(certificateCheck))
     {
     }
 
@@ -328,9 +329,9 @@ Result<void> WebDriveLink::upload(const std::string& path, ByteView bytes, const
 } // namespace
 
 std::unique_ptr<DriveLink> makeWebDriveLink(
-    const DriveEndpoint& endpoint, const DriveProfile& profile)
+    const DriveEndpoint& endpoint, const DriveProfile& profile, CertificateCheck certificateCheck)
 {
-    return std::make_unique<WebDriveLink>(endpoint, profile);
+    return std::make_unique<WebDriveLink>(endpoint, profile, std::move(certificateCheck));
 }
 
 } // namespace axiscomp::drivecomm

@@ -408,10 +408,6 @@
         <translation>{endpoint} verlangt Benutzername und Passwort; anzugeben als http://benutzer:passwort@host</translation>
     </message>
     <message>
-        <source>the certificate of {endpoint} cannot be trusted: {reason}</source>
-        <translation>das Zertifikat von {endpoint} ist nicht vertrauenswürdig: {reason}</translation>
-    </message>
-    <message>
         <source>the drive refused: {reason}</source>
         <translation>der Antrieb hat abgelehnt: {reason}</translation>
     </message>
@@ -1327,6 +1323,18 @@
         <source>The file says that the values are in {unit}, but {axis} counts in {other}: the numbers are written as they are, not converted, {factor} times too small.</source>
         <translation>Laut Datei stehen die Werte in {unit}, {axis} zählt aber in {other}: die Zahlen werden unverändert geschrieben, nicht umgerechnet, um den Faktor {factor} zu klein.</translation>
     </message>
+    <message>
+        <source>the certificate of {endpoint} cannot be trusted: {reason}. Its SHA-256 fingerprint is {fingerprint}; trust it under Connections, or with --trust-certificate, if the drive has the same</source>
+        <translation>dem Zertifikat von {endpoint} kann nicht vertraut werden: {reason}. Sein SHA-256-Fingerabdruck ist {fingerprint}; vertrauen Sie ihm unter Verbindungen oder mit --trust-certificate, wenn der Antrieb denselben hat</translation>
+    </message>
+    <message>
+        <source>it has CHANGED and is not the one that was trusted</source>
+        <translation>es hat sich GEÄNDERT und ist nicht das, dem vertraut wurde</translation>
+    </message>
+    <message>
+        <source>{text} is not the SHA-256 of a certificate</source>
+        <translation>{text} ist nicht der SHA-256 eines Zertifikats</translation>
+    </message>
 </context>
 <context>
     <name>Problem</name>
@@ -1658,6 +1666,84 @@
     </message>
 </context>
 <context>
+    <name>axiscomp::ui::CertificateButton</name>
+    <message>
+        <source>Forget Cert&amp;ificate</source>
+        <translation>Zerti&amp;fikat vergessen</translation>
+    </message>
+    <message>
+        <source>Cert&amp;ificate …</source>
+        <translation>Zerti&amp;fikat …</translation>
+    </message>
+    <message>
+        <source>Trust the certificate of the chosen drive no longer</source>
+        <translation>Dem Zertifikat des gewählten Antriebs nicht länger vertrauen</translation>
+    </message>
+    <message>
+        <source>Look at the certificate of the chosen drive and decide about it</source>
+        <translation>Das Zertifikat des gewählten Antriebs ansehen und darüber entscheiden</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::CertificateDialog</name>
+    <message>
+        <source>Certificate of a Drive</source>
+        <translation>Zertifikat eines Antriebs</translation>
+    </message>
+    <message>
+        <source>The certificate of this drive has CHANGED: it is not the one that was trusted. Either the drive got a new one, or something else answers in its place.</source>
+        <translation>Das Zertifikat dieses Antriebs hat sich GEÄNDERT: Es ist nicht das, dem vertraut wurde. Entweder hat der Antrieb ein neues bekommen, oder etwas anderes antwortet an seiner Stelle.</translation>
+    </message>
+    <message>
+        <source>Nobody known to this computer vouches for the certificate of this drive, so it is not certain that it is the drive that answers.</source>
+        <translation>Niemand, den dieser Rechner kennt, bürgt für das Zertifikat dieses Antriebs. Es ist deshalb nicht sicher, dass der Antrieb antwortet.</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>Adresse</translation>
+    </message>
+    <message>
+        <source>Issued to</source>
+        <translation>Ausgestellt für</translation>
+    </message>
+    <message>
+        <source>Issued by</source>
+        <translation>Ausgestellt von</translation>
+    </message>
+    <message>
+        <source>Valid</source>
+        <translation>Gültig</translation>
+    </message>
+    <message>
+        <source>SHA-256 fingerprint</source>
+        <translation>SHA-256-Fingerabdruck</translation>
+    </message>
+    <message>
+        <source>from %1 until %2</source>
+        <translation>von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>Trust it only when the fingerprint is the one that the drive itself, or its administrator, shows. Then this very certificate is accepted for this address, and any other one is refused.</source>
+        <translation>Vertrauen Sie ihm nur, wenn der Fingerabdruck der ist, den der Antrieb selbst oder sein Verwalter zeigt. Dann wird genau dieses Zertifikat für diese Adresse angenommen und jedes andere abgelehnt.</translation>
+    </message>
+    <message>
+        <source>Do &amp;Not Trust</source>
+        <translation>&amp;Nicht vertrauen</translation>
+    </message>
+    <message>
+        <source>Stay disconnected (Esc)</source>
+        <translation>Getrennt bleiben (Esc)</translation>
+    </message>
+    <message>
+        <source>&amp;Trust This Certificate</source>
+        <translation>Diesem Zertifikat &amp;vertrauen</translation>
+    </message>
+    <message>
+        <source>Accept this certificate for this address from now on</source>
+        <translation>Dieses Zertifikat ab jetzt für diese Adresse annehmen</translation>
+    </message>
+</context>
+<context>
     <name>axiscomp::ui::CompensationWizard</name>
     <message>
         <source>Discard and Chan&amp;ge Axis</source>
@@ -1797,6 +1883,10 @@
     <message>
         <source>The address of a drive&apos;s web server, or a serial port</source>
         <translation>Die Adresse des Webservers eines Antriebs oder ein serieller Anschluss</translation>
+    </message>
+    <message>
+        <source>The certificate of %1 is not trusted any longer.</source>
+        <translation>Dem Zertifikat von %1 wird nicht länger vertraut.</translation>
     </message>
 </context>
 <context>
@@ -2365,6 +2455,10 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
     <message>
         <source>Read A&amp;gain</source>
         <translation>Neu &amp;einlesen</translation>
+    </message>
+    <message>
+        <source>Look at t&amp;he Certificate…</source>
+        <translation>Z&amp;um Zertifikat…</translation>
     </message>
 </context>
 <context>

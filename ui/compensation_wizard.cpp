@@ -2,6 +2,7 @@
 #include "ui/compensation_wizard.h"
 
 #include "ui/action_panel.h"
+#include "ui/certificate_dialog.h"
 #include "ui/changed_style.h"
 #include "ui/connections_dialog.h"
 #include "ui/drive_bar.h"
@@ -55,6 +56,7 @@ struct CompensationWizard::Private {
     void chooseDrive(const QString& endpoint);
     void chooseAxis(int index);
     void showConnections();
+    void askAboutCertificate(const RejectedCertificate& certificate);
     void takeEndpoints(const QStringList& endpoints);
     void chooseLanguage(const QString& chosen);
     void skipPreview(bool isSkipped);
@@ -104,6 +106,8 @@ void CompensationWizard::Private::connectParts()
         [this](const QString& endpoint) { chooseDrive(endpoint); });
     connect(page->driveBar, &DriveBar::connectionsRequested, &q, [this] { showConnections(); });
     connect(&messages, &PageMessages::connectionsRequested, &q, [this] { showConnections(); });
+    connect(&messages, &PageMessages::certificateRequested, &q,
+        [this](const RejectedCertificate& certificate) { askAboutCertificate(certificate); });
     connect(page->setup, &SetupPanel::axisChosen, &q, [this](int index) { chooseAxis(index); });
     connect(page->actions, &ActionPanel::writeRequested, &writeFlow, &WriteFlow::proceed);
     connect(&writeFlow, &WriteFlow::previewingChanged, page->actions, &ActionPanel::setPreviewing);
@@ -193,8 +197,18 @@ void CompensationWizard::Private::showConnections()
             &q);
         connect(connections, &ConnectionsDialog::endpointsAccepted, &q,
             [this](const QStringList& endpoints) { takeEndpoints(endpoints); });
+        connect(connections, &ConnectionsDialog::certificateTrusted, &controller,
+            &WizardController::refresh);
     }
     connections->open();
+}
+
+void CompensationWizard::Private::askAboutCertificate(const RejectedCertificate& certificate)
+{
+    auto* dialog = new CertificateDialog(certificate, options.storeRoot, &q);
+    connect(dialog, &CertificateDialog::trusted, &controller, &WizardController::refresh);
+    connect(dialog, &QDialog::rejected, &messages, &PageMessages::showConnection);
+    dialog->open();
 }
 
 void CompensationWizard::Private::takeEndpoints(const QStringList& endpoints)

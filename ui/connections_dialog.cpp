@@ -2,6 +2,7 @@
 #include "ui/connections_dialog.h"
 
 #include "ui/busy_mark.h"
+#include "ui/certificate_button.h"
 #include "ui/contrast.h"
 #include "ui/endpoint_text.h"
 #include "ui/find_drives_dialog.h"
@@ -59,6 +60,7 @@ ConnectionsDialog::ConnectionsDialog(
     , m_edit(pushButton("editConnection", Symbol::Edit))
     , m_remove(pushButton("removeConnection", Symbol::Remove))
     , m_test(pushButton("testConnection", Symbol::Connections))
+    , m_certificate(new CertificateButton(m_options.storeRoot))
     , m_find(pushButton("findDrives", Symbol::Refresh))
     , m_demo(pushButton("addDemo", Symbol::Add))
     , m_addressLabel(new QLabel)
@@ -96,7 +98,8 @@ void ConnectionsDialog::build()
     m_buttons->button(QDialogButtonBox::Cancel)->setObjectName(QStringLiteral("rejectConnections"));
     m_find->setVisible(static_cast<bool>(m_options.portCandidates));
     auto* side = new QVBoxLayout;
-    for (QPushButton* button : {m_edit, m_remove, m_test, m_find, m_demo})
+    for (QPushButton* button : std::initializer_list<QPushButton*>{
+             m_edit, m_remove, m_test, m_certificate, m_find, m_demo})
         side->addWidget(button);
     side->addStretch(1);
     auto* list = new QHBoxLayout;
@@ -133,6 +136,15 @@ void ConnectionsDialog::connectButtons()
     connect(m_list, &QTreeWidget::itemActivated, this, &ConnectionsDialog::startEditing);
     connect(m_remove, &QPushButton::clicked, this, &ConnectionsDialog::removeCurrent);
     connect(m_test, &QPushButton::clicked, this, &ConnectionsDialog::testCurrent);
+    connect(m_certificate, &CertificateButton::trusted, this, [this] {
+        Q_EMIT certificateTrusted();
+        testCurrent();
+    });
+    connect(m_certificate, &CertificateButton::forgotten, this, [this](const QString& endpoint) {
+        showNote(tr("The certificate of %1 is not trusted any longer.").arg(endpoint), false);
+    });
+    connect(m_certificate, &CertificateButton::failed, this,
+        [this](const QString& sentence) { showNote(sentence, true); });
     connect(m_find, &QPushButton::clicked, this, &ConnectionsDialog::find);
     connect(m_demo, &QPushButton::clicked, this, [this] {
         addItem(QStringLiteral("demo:"));
@@ -180,6 +192,7 @@ void ConnectionsDialog::retranslate()
     m_test->setText(tr("&Test"));
     m_test->setToolTip(tr("Ask the drive at the chosen address who it is"));
     m_demo->setText(tr("De&mo Drive"));
+    m_certificate->retranslate();
     m_find->setText(tr("&Find …"));
     m_find->setToolTip(tr("Look for drives at the serial ports of this computer"));
     m_demo->setToolTip(tr("Add the built-in demo drive: everything can be tried with it"));
@@ -214,6 +227,8 @@ void ConnectionsDialog::showKnownStates()
             if (drive.endpoint != shownEndpoint(endpointOf(item)))
                 continue;
             item.setText(Drive, drive.isDemo ? tr("%1 (demo)").arg(drive.name) : drive.name);
+            if (drive.certificate)
+                m_certificate->addRejected(*drive.certificate);
             const bool isConnected = drive.connection == DriveState::Connection::Connected;
             const bool isLost = drive.connection == DriveState::Connection::Lost;
             item.setText(State,
@@ -228,6 +243,10 @@ void ConnectionsDialog::showKnownStates()
 void ConnectionsDialog::showState(QTreeWidgetItem& item, const Result<DriveIdentity>& identity)
 {
     const Tone tone = identity ? Tone::Success : Tone::Error;
+    if (identity)
+        m_certificate->removeRejected(endpointOf(item));
+    else if (const auto rejected = rejectedCertificate(identity.error()))
+        m_certificate->addRejected(*rejected);
     item.setIcon(State,
         symbolPixmap(identity ? Symbol::Success : Symbol::Error, frameColor(tone, palette()),
             symbolSize, devicePixelRatioF()));
@@ -350,6 +369,8 @@ void ConnectionsDialog::updateButtons()
     const bool hasItem = m_list->currentItem() != nullptr;
     for (QPushButton* button : {m_edit, m_remove, m_test})
         button->setEnabled(hasItem);
+    const QTreeWidgetItem* item = m_list->currentItem();
+    m_certificate->choose(item ? endpointOf(*item) : QString());
     m_demo->setEnabled(!itemOf(QStringLiteral("demo:")));
     m_add->setText(m_edited.isEmpty() ? tr("A&dd") : tr("Chan&ge"));
     m_add->setToolTip(tr("Checks the address and takes it into the list"));

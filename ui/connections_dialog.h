@@ -16,6 +16,7 @@ class QTreeWidgetItem;
 namespace axiscomp::ui {
 
 class BusyMark;
+class CertificateButton;
 
 /// Which drives the program talks to: add, change, remove, test. Passwords that are part of an
 /// address are used as long as the program runs and shown nowhere.
@@ -28,6 +29,7 @@ public:
 
 Q_SIGNALS:
     void endpointsAccepted(const QStringList& endpoints);
+    void certificateTrusted();
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -61,6 +63,7 @@ private:
     QPushButton* m_edit;
     QPushButton* m_remove;
     QPushButton* m_test;
+    CertificateButton* m_certificate;
     QPushButton* m_find;
     QPushButton* m_demo;
     QLabel* m_addressLabel;

@@ -28,8 +28,10 @@ DriveConnection::DriveConnection(const QString& endpoint, LinkFactory factory,
 DriveState DriveConnection::state() const
 {
     DriveState state = m_state;
-    if (m_problem)
+    if (m_problem) {
         state.problem = errorText(*m_problem);
+        state.certificate = rejectedCertificate(*m_problem);
+    }
     return state;
 }
 

@@ -34,7 +34,10 @@ constexpr const char* phrases[] = {
     QT_TRANSLATE_NOOP("Error",
         "{endpoint} asks for a user name and a password; give them as "
         "http://user:password@host"),
-    QT_TRANSLATE_NOOP("Error", "the certificate of {endpoint} cannot be trusted: {reason}"),
+    QT_TRANSLATE_NOOP("Error",
+        "the certificate of {endpoint} cannot be trusted: {reason}. Its SHA-256 fingerprint is "
+        "{fingerprint}; trust it under Connections, or with --trust-certificate, if the drive has "
+        "the same"),
     QT_TRANSLATE_NOOP("Error", "the drive refused: {reason}"),
     QT_TRANSLATE_NOOP("Error", "the drive has no register {path}"),
     QT_TRANSLATE_NOOP("Error", "the drive has no file {path}"),

@@ -9,6 +9,7 @@ namespace {
 
 // Core: files, folders and documents on this computer.
 constexpr const char* phrases[] = {
+    QT_TRANSLATE_NOOP("Error", "{text} is not the SHA-256 of a certificate"),
     QT_TRANSLATE_NOOP("Error", "it does not exist"),
     QT_TRANSLATE_NOOP("Error", "no permission"),
     QT_TRANSLATE_NOOP("Error", "the disk is full"),

@@ -13,6 +13,7 @@ constexpr const char* phrases[] = {
     QT_TRANSLATE_NOOP(
         "Error", "nothing listens there; is the drive switched on, and is the address right?"),
     QT_TRANSLATE_NOOP("Error", "the network does not know the name {name}"),
+    QT_TRANSLATE_NOOP("Error", "it has CHANGED and is not the one that was trusted"),
     QT_TRANSLATE_NOOP("Error", "there is no https; try http://, or another port"),
     QT_TRANSLATE_NOOP(
         "Error", "write http://host[:port], https://host[:port], serial:/dev/ttyUSB0 or demo:"),

@@ -86,6 +86,11 @@ void PageMessages::showConnection()
     message.text = m_controller.setup().isChanged()
         ? tr("%1 What you have changed is kept; the program keeps trying.").arg(drive->problem)
         : tr("%1 The program keeps trying.").arg(drive->problem);
+    if (drive->certificate)
+        message.buttons = {{QStringLiteral("lookAtCertificateButton"),
+            tr("Look at t&he Certificate…"), [this, certificate = *drive->certificate] {
+                Q_EMIT certificateRequested(certificate);
+            }}};
     if (m_messages.text(message.id) != message.text)
         m_messages.show(message);
 }

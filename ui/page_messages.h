@@ -7,6 +7,7 @@ namespace axiscomp::ui {
 
 class MessageStack;
 class WizardController;
+struct RejectedCertificate;
 
 /// What the page tells on its own: how an operation ended, that the open file has changed, that the
 /// drive is the demo.
@@ -20,14 +21,16 @@ public:
     void offerDemo();
     void showFailure(const QString& sentence);
     void retranslate();
+    /// The drive of the page cannot be reached: also after this was put away.
+    void showConnection();
 
 Q_SIGNALS:
     void connectionsRequested();
+    void certificateRequested(const axiscomp::ui::RejectedCertificate& certificate);
 
 private:
     void showOutcome();
     void showFileChange();
-    void showConnection();
 
     WizardController& m_controller;
     MessageStack& m_messages;

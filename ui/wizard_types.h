@@ -4,6 +4,7 @@
 #include "core/axis_compensator.h"
 #include "core/calibration_csv.h"
 #include "ui/drive_session.h"
+#include "ui/rejected_certificate.h"
 #include "ui/wording.h"
 
 #include <QString>
@@ -11,6 +12,7 @@
 #include <array>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <vector>
 
 /// The plain values that the wizard's page shows.
@@ -57,6 +59,7 @@ struct DriveState {
     QString name; ///< empty until identified
     Connection connection = Connection::Connecting;
     QString problem; ///< translated, when Lost
+    std::optional<RejectedCertificate> certificate; ///< when Lost because of it
     bool isDemo = false;
     friend bool operator==(const DriveState&, const DriveState&) = default;
 };

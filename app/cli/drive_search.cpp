@@ -48,7 +48,7 @@ Result<std::vector<DriveSighting>> lookForDrives(
     const std::vector<DriveCandidate> places = candidates(options, rates);
     DriveSearch search;
     search.stop = environment.stopToken();
-    search.linkFactory = drivecomm::linkFactory(*profile);
+    search.linkFactory = drivecomm::linkFactory(*profile, certificateCheck(options));
     std::vector<DriveSighting> sightings = findDrives(places, search);
     TextTable table({"address", "port", "answer"});
     for (const DriveSighting& sighting : sightings)

@@ -33,10 +33,35 @@ void addDriveOptions(CLI::App& command, DriveOptions& options, DriveCount count)
     drive->option_text("ENDPOINT")->envname("AXISCOMP_DRIVE")->allow_extra_args(false);
     addProfileOption(command, options.profile);
     command
+        .add_option("--trust-certificate", options.trustedFingerprint,
+            "Trust the https certificate with this fingerprint, now and later; any other one is "
+            "refused then")
+        ->option_text("SHA256")
+        ->check(CLI::Validator(
+            [](const std::string& text) {
+                return sha256Fingerprint(text) ? std::string()
+                                               : text + " is not 64 hexadecimal digits";
+            },
+            ""));
+    command
         .add_option("--timeout", options.timeoutSeconds,
             "How long one exchange with the drive may take (5 unless given)")
         ->option_text("SECONDS")
         ->check(CLI::Range(shortestTimeoutSeconds, longestTimeoutSeconds));
+}
+
+drivecomm::CertificateCheck certificateCheck(const DriveOptions& options)
+{
+    return [certificates = std::make_shared<TrustedCertificates>(DriveStore::defaultRoot()),
+               trusted = sha256Fingerprint(options.trustedFingerprint)](
+               const std::string& endpoint, const std::string& fingerprint) {
+        const CertificateTrust known = certificates->check(endpoint, fingerprint);
+        if (known == CertificateTrust::Trusted || trusted != fingerprint)
+            return known;
+        // Where it cannot be kept, the next run asks again.
+        static_cast<void>(certificates->trust(endpoint, fingerprint));
+        return CertificateTrust::Trusted;
+    };
 }
 
 void addAxisOption(CLI::App& command, DriveOptions& options)
@@ -81,7 +106,7 @@ Result<std::unique_ptr<DriveSession>> DriveSession::open(
     }
     std::unique_ptr<DriveSession> session(
         new DriveSession(environment, options, std::move(*profile), std::move(demoState)));
-    auto link = drivecomm::makeLink(*parsed, session->m_profile);
+    auto link = drivecomm::makeLink(*parsed, session->m_profile, certificateCheck(options));
     if (!link)
         return fail(link.error());
     session->m_link = std::move(*link);

@@ -4,6 +4,7 @@
 #include "app/cli/environment.h"
 #include "app/cli/temporary_folder.h"
 #include "core/axis_compensator.h"
+#include "drivecomm/certificate_check.h"
 
 #include <CLI/App.hpp>
 #include <QCoreApplication>
@@ -21,8 +22,12 @@ struct DriveOptions {
     std::vector<std::string> endpoints;
     std::string axis; ///< index or name; empty: the only one
     std::string profile; ///< path; empty: the built-in one
+    std::string trustedFingerprint; ///< as given; empty: none
     double timeoutSeconds = 5.0;
 };
+
+/// What is remembered of certificates by this program and the window, and what the options add.
+[[nodiscard]] drivecomm::CertificateCheck certificateCheck(const DriveOptions& options);
 
 enum class DriveCount { One, Several };
 void addDriveOptions(CLI::App& command, DriveOptions& options, DriveCount count = DriveCount::One);

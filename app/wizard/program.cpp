@@ -77,7 +77,11 @@ ui::WizardOptions wizardOptions(const WizardArguments& arguments, const DrivePro
         return drivecomm::candidatesAt(drivecomm::serialPorts(), otherThan,
             anyBaudRate ? drivecomm::BaudRates::Usual : drivecomm::BaudRates::AsGiven);
     };
-    options.linkFactory = drivecomm::linkFactory(profile);
+    const auto certificates = std::make_shared<TrustedCertificates>(options.storeRoot);
+    options.linkFactory = drivecomm::linkFactory(
+        profile, [certificates](const std::string& endpoint, const std::string& fingerprint) {
+            return certificates->check(endpoint, fingerprint);
+        });
     return options;
 }
 

@@ -4,7 +4,7 @@
 # The options of each command. tests/app compares them with --help.
 _axiscomp_options()
 {
-    local drive="--drive --profile --timeout"
+    local drive="--drive --profile --trust-certificate --timeout"
     case $1 in
         "") echo "--help --version" ;;
         example) echo "--help --json --dims --tables --output" ;;
@@ -70,7 +70,7 @@ _axiscomp()
         --profile) _filedir json; return ;;
         --data) _filedir '@(csv|CSV|TAMtbl)'; return ;;
         -o | --output | --points) _filedir; return ;;
-        --axis | --table | --tables | --timeout | --name | --rate | --count | --source[123]) return ;;
+        --axis | --table | --tables | --timeout | --trust-certificate | --name | --rate | --count | --source[123]) return ;;
     esac
 
     if [[ -z $command ]]; then

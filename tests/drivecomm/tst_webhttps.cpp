@@ -3,6 +3,9 @@
 #include "tests/drivecomm/web_link_bench.h"
 #include "tests/support/test_certificate.h"
 
+#include <QDateTime>
+#include <QFile>
+#include <QSslCertificate>
 #include <QSslConfiguration>
 #include <QTest>
 
@@ -35,6 +38,12 @@ struct SecureDrive {
     std::unique_ptr<WebFront> front;
 };
 
+/// A link with what somebody has decided about certificates.
+std::unique_ptr<DriveLink> linkWith(const std::string& url, CertificateCheck check)
+{
+    return makeWebDriveLink(parseEndpoint(url).value(), genericProfile(), std::move(check));
+}
+
 /// As an administrator would have installed it.
 class Trusted {
 public:
@@ -61,6 +70,11 @@ private Q_SLOTS:
     void talksToADriveWhoseCertificateIsTrusted();
     void rejectsACertificateThatNobodyVouchesFor();
     void rejectsTheCertificateOfAnotherHost();
+    void tellsWhatThereIsToDecide();
+    void takesTheCertificateThatWasTrusted_data();
+    void takesTheCertificateThatWasTrusted();
+    void refusesACertificateThatHasChanged_data();
+    void refusesACertificateThatHasChanged();
     void saysThatThereIsNoHttps();
     void doesNotTalkHttpToAnHttpsServer();
     void survivesFaults_data();
@@ -100,6 +114,77 @@ void WebHttpsTest::rejectsTheCertificateOfAnotherHost()
     const auto identity = linkTo(secure.front->url())->identify({});
     VERIFY_ERROR(identity, ErrorCode::CertificateRejected);
     QVERIFY(identity.error().context.at("reason").find("host name") != std::string::npos);
+}
+
+void WebHttpsTest::tellsWhatThereIsToDecide()
+{
+    const SecureDrive secure(QStringLiteral("IP:127.0.0.1"));
+    std::string asked;
+    const auto link = linkWith(
+        secure.front->url(), [&asked](const std::string& endpoint, const std::string& fingerprint) {
+            asked = endpoint + " " + fingerprint;
+            return CertificateTrust::Unknown;
+        });
+    const auto identity = link->identify({});
+    VERIFY_ERROR(identity, ErrorCode::CertificateRejected);
+    const ErrorContext& context = identity.error().context;
+    QCOMPARE(asked, secure.front->url() + " " + context.at("fingerprint"));
+    QFile file(secure.certificate.certificateFile());
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    const QByteArray digest = QSslCertificate(&file).digest(QCryptographicHash::Sha256).toHex();
+    QCOMPARE(sha256Fingerprint(digest.toStdString()), std::optional(context.at("fingerprint")));
+    QCOMPARE(context.at("subject"), std::string("axiscomp test"));
+    QCOMPARE(context.at("issuer"), std::string("axiscomp test"));
+    QCOMPARE(context.at("hasChanged"), std::string("no"));
+    const QDate today = QDateTime::currentDateTimeUtc().date();
+    const auto dayOf = [&](const char* key) {
+        return QDate::fromString(QString::fromStdString(context.at(key)), Qt::ISODate);
+    };
+    QVERIFY(dayOf("validFrom").isValid() && dayOf("validFrom") <= today);
+    QVERIFY(dayOf("validUntil") > today);
+    const std::string said = sentence(identity.error());
+    QVERIFY2(said.find(context.at("fingerprint")) != std::string::npos, said.c_str());
+    QVERIFY2(said.find("--trust-certificate") != std::string::npos, said.c_str());
+}
+
+void WebHttpsTest::takesTheCertificateThatWasTrusted_data()
+{
+    QTest::addColumn<QString>("name");
+    QTest::newRow("its own name") << "IP:127.0.0.1";
+    QTest::newRow("the name of another host") << "DNS:other.example";
+}
+
+void WebHttpsTest::takesTheCertificateThatWasTrusted()
+{
+    QFETCH(QString, name);
+    const SecureDrive secure(name);
+    const auto link = linkWith(secure.front->url(),
+        [](const std::string&, const std::string&) { return CertificateTrust::Trusted; });
+    VERIFY_RESULT(link->identify({}));
+    VERIFY_RESULT(link->writeRegisters(oneWrite, {}));
+}
+
+void WebHttpsTest::refusesACertificateThatHasChanged_data()
+{
+    QTest::addColumn<bool>("isVouchedFor");
+    QTest::newRow("nobody vouches for it") << false;
+    QTest::newRow("an authority vouches for it") << true;
+}
+
+void WebHttpsTest::refusesACertificateThatHasChanged()
+{
+    QFETCH(bool, isVouchedFor);
+    const SecureDrive secure(QStringLiteral("IP:127.0.0.1"));
+    std::optional<Trusted> trusted;
+    if (isVouchedFor)
+        trusted.emplace(secure.certificate);
+    const auto link = linkWith(secure.front->url(),
+        [](const std::string&, const std::string&) { return CertificateTrust::Changed; });
+    const auto written = link->writeRegisters(oneWrite, {});
+    VERIFY_ERROR(written, ErrorCode::CertificateRejected);
+    QCOMPARE(written.error().context.at("hasChanged"), std::string("yes"));
+    QVERIFY(written.error().context.at("reason").find("CHANGED") != std::string::npos);
+    QVERIFY(!written.error().context.at("fingerprint").empty());
 }
 
 void WebHttpsTest::saysThatThereIsNoHttps()
