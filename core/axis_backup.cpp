@@ -4,6 +4,7 @@
 #include "core/backup_json.h"
 #include "core/base64.h"
 
+#include <array>
 #include <limits>
 #include <set>
 #include <utility>
@@ -13,6 +14,8 @@ namespace axiscomp {
 namespace {
 
 constexpr std::string_view format = "axiscomp-backup";
+constexpr std::array<std::string_view, 4> members{"format", "version", "axes", "otherFiles"};
+constexpr std::array<std::string_view, 1> extras{"drive"};
 constexpr JsonLimits limits{.size = maximumBackupSize, .depth = 8, .values = 100'000};
 
 OrderedJson toJson(const DriveIdentity& drive)
@@ -87,7 +90,9 @@ DriveBackup backupFromJson(const JsonNode& root)
 {
     DriveBackup backup;
     expectFormat(root, format);
-    root.expectMembers({"format", "version", "axes", "otherFiles"});
+    root.expectMembers(members, extras);
+    if (root.has("drive"))
+        backup.drive = driveFromJson(root["drive"]);
     std::set<std::pair<std::int32_t, int>> axes;
     for (const JsonNode& item : root["axes"].items()) {
         backup.axes.push_back(axisFromJson(item));
@@ -108,6 +113,8 @@ std::string writeBackup(const DriveBackup& backup)
     for (const AxisBackup& axis : backup.axes)
         document["axes"].push_back(toJson(axis));
     document["otherFiles"] = toJson(backup.otherFiles);
+    if (backup.drive)
+        document["drive"] = toJson(*backup.drive);
     return jsonText(document);
 }
 

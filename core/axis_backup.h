@@ -8,6 +8,7 @@
 #include "core/wall_time.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -39,6 +40,8 @@ struct AxisBackup {
 struct DriveBackup {
     std::vector<AxisBackup> axes;
     std::vector<AxisBackup::File> otherFiles{};
+    /// Of a backup without axes, which name their drive themselves.
+    std::optional<DriveIdentity> drive{};
 
     friend bool operator==(const DriveBackup&, const DriveBackup&) = default;
 };

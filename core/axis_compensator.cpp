@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/axis_compensator.h"
+#include "core/axis_compensator_p.h"
 
 #include "core/activation.h"
 #include "core/axis_reader.h"
@@ -14,38 +14,6 @@
 #include <charconv>
 
 namespace axiscomp {
-
-struct AxisCompensator::Private {
-    DriveLink& link;
-    const DriveProfile& profile;
-    DriveStore& store;
-    std::function<WallTime()> clock;
-    SourceDirectory sources;
-
-    [[nodiscard]] DriveAccess access(const OperationOptions& options) const
-    {
-        return DriveAccess(link, profile, options);
-    }
-
-    [[nodiscard]] Result<DriveIdentity> identify(const DriveAccess& access)
-    {
-        auto drive = link.identify(access.exchange());
-        if (drive)
-            sources.useDrive(*drive);
-        return drive;
-    }
-
-    /// Errors: AxisNotFound.
-    [[nodiscard]] Result<DriveIdentity> identify(const DriveAccess& access, int axis)
-    {
-        auto drive = identify(access);
-        if (drive && (axis < 0 || axis >= drive->axes))
-            return fail(ErrorCode::AxisNotFound,
-                {{"axis", std::to_string(axis)},
-                    {"known", "0 to " + std::to_string(drive->axes - 1)}});
-        return drive;
-    }
-};
 
 AxisCompensator::AxisCompensator(DriveLink& link, const DriveProfile& profile, DriveStore& store,
     std::function<WallTime()> clock)
@@ -157,19 +125,26 @@ Result<WriteReport> AxisCompensator::write(
     auto lock = d->store.lockWrites(drive->serialNumber);
     if (!lock)
         return fail(lock.error());
-    auto prepared =
-        WritePlanner(access, d->store, d->sources, *drive, d->clock()).prepare(axis, request);
+    return d->write(access, *drive, axis, request);
+}
+
+Result<WriteReport> AxisCompensator::Private::write(
+    const DriveAccess& access, const DriveIdentity& drive, int axis, const WriteRequest& request)
+{
+    auto prepared = WritePlanner(access, store, sources, drive, clock()).prepare(axis, request);
     if (!prepared)
         return fail(prepared.error());
     // A persistent table whose parameters may not have been saved yet still has to be.
     const bool onlySaves =
         !request.table && request.sources.empty() && request.persistency == Persistency::Persistent;
-    auto unfinished = d->store.journal(drive->serialNumber, axis);
+    auto unfinished = store.journal(drive.serialNumber, axis);
     if (!unfinished)
         return fail(unfinished.error());
     if (prepared->plan.changes.empty() && !onlySaves && !*unfinished)
         return fail(ErrorCode::NothingToWrite, {{"axis", std::to_string(axis)}});
-    return WriteProcedure(access, d->store, d->sources, d->clock, std::move(*prepared)).run();
+    return WriteProcedure(
+        access, store, sources, clock, std::move(*prepared), std::move(*unfinished))
+        .run();
 }
 
 Result<WriteReport> AxisCompensator::setPersistency(
@@ -239,112 +214,6 @@ Result<CompensationTable> AxisCompensator::readTable(int axis, const OperationOp
     if (!decoded)
         return fail(decoded.error());
     return std::move(decoded->table);
-}
-
-Result<std::vector<DriveFile>> AxisCompensator::files(const OperationOptions& options)
-{
-    return d->link.listFiles(d->access(options).exchange());
-}
-
-Result<Bytes> AxisCompensator::download(const std::string& path, const OperationOptions& options)
-{
-    const DriveAccess access = d->access(options);
-    Exchange exchange = access.exchange();
-    exchange.progress = [&](std::uint64_t done, std::uint64_t total) {
-        if (total > 0)
-            access.report("download", static_cast<double>(done) / static_cast<double>(total));
-    };
-    return d->link.download(path, exchange);
-}
-
-Result<void> AxisCompensator::upload(
-    const std::string& path, ByteView bytes, const OperationOptions& options)
-{
-    const DriveAccess access = d->access(options);
-    auto old = d->link.download(path, access.exchange());
-    const bool wasEmpty = !old && old.error().code == ErrorCode::UnknownFile;
-    if (!old && !wasEmpty)
-        return fail(old.error());
-    auto uploaded = uploadSurely(access, path, bytes,
-        [&](std::string_view step, double fraction) { access.report(step, fraction); });
-    const bool refused = !uploaded && !isUncertain(uploaded.error().code)
-        && uploaded.error().code != ErrorCode::VerifyMismatch;
-    if (uploaded || refused)
-        return uploaded;
-
-    const DriveAccess rest = access.withoutStop();
-    const TableSlot* slot = d->profile.slotOfFile(path);
-    Result<void> restored;
-    if (!wasEmpty && !old->empty())
-        restored = uploadSurely(rest, path, *old);
-    else if (slot)
-        restored = deleteTable(rest, slot->name);
-    if (restored)
-        return uploaded;
-    return fail(ErrorCode::RollbackFailed,
-        {{"reason", sentence(uploaded.error())}, {"rollback", sentence(restored.error())},
-            {"backup", "its own file"}});
-}
-
-Result<DriveBackup> AxisCompensator::backup(const OperationOptions& options)
-{
-    const DriveAccess access = d->access(options);
-    auto drive = d->identify(access);
-    if (!drive)
-        return fail(drive.error());
-    return readBackupOf(access, *drive, d->clock());
-}
-
-Result<std::vector<WriteReport>> AxisCompensator::restore(
-    const DriveBackup& backup, bool force, const OperationOptions& options)
-{
-    const DriveAccess access = d->access(options);
-    auto drive = d->identify(access);
-    if (!drive)
-        return fail(drive.error());
-    if (auto allowed = checkRestorable(access, backup, *drive, force); !allowed)
-        return fail(allowed.error());
-    std::vector<WriteReport> reports;
-    for (const AxisBackup& axis : backup.axes) {
-        auto request = restoreRequest(access, axis);
-        if (!request)
-            return fail(request.error());
-        if (!*request) {
-            if (auto disabled = restoreDisabled(access, axis); !disabled)
-                return fail(disabled.error());
-            continue;
-        }
-        auto report = write(axis.axis, **request, options);
-        if (!report && report.error().code == ErrorCode::NothingToWrite)
-            continue;
-        if (!report)
-            return fail(report.error());
-        reports.push_back(std::move(*report));
-    }
-    for (const AxisBackup::File& file : backup.otherFiles) {
-        if (auto restored = restoreFile(access, file, drive->axes); !restored)
-            return fail(restored.error());
-    }
-    return reports;
-}
-
-Result<AxisCompensator::UnfinishedOutcome> AxisCompensator::settleUnfinished(
-    const JournalEntry& entry, const OperationOptions& options)
-{
-    const DriveAccess access = d->access(options);
-    auto drive = d->identify(access, entry.axis);
-    if (!drive)
-        return fail(drive.error());
-    if (drive->serialNumber != entry.serialNumber)
-        return fail(ErrorCode::OtherDrive,
-            {{"expected", std::to_string(entry.serialNumber)},
-                {"found", std::to_string(drive->serialNumber)}});
-    auto outcome = unfinishedOutcome(access, *drive, entry, d->sources);
-    if (outcome && (*outcome == UnfinishedOutcome::Old || *outcome == UnfinishedOutcome::New)) {
-        if (auto closed = d->store.closeJournal(entry.serialNumber, entry.axis); !closed)
-            return fail(closed.error());
-    }
-    return outcome;
 }
 
 } // namespace axiscomp

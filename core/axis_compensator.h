@@ -70,6 +70,7 @@ struct WriteRequest {
     std::optional<CompensationTable> table; ///< none: keep the table that the axis uses
     std::optional<Persistency> persistency; ///< none: keep (a new table is volatile)
     std::optional<std::string> slot; ///< none: chosen
+    bool withoutTable = false; ///< the axis shall use none: sources, which may be gaps (""), remain
     std::optional<CompensationSetup> expected; ///< when set: refuse if the drive no longer has this
 };
 
@@ -172,14 +173,16 @@ public:
     [[nodiscard]] Result<std::vector<DriveFile>> files(const OperationOptions& options = {});
     [[nodiscard]] Result<Bytes> download(
         const std::string& path, const OperationOptions& options = {});
-    /// The plain file transfer of AN140 5.2: uploads, reads back, compares every byte; puts the old
-    /// file back when that fails.
-    [[nodiscard]] Result<void> upload(
+    /// The plain file transfer of AN140 5.2: keeps a backup of the old file, uploads, reads back,
+    /// compares every byte; puts the old file back when that fails. Gives the backup; an empty path
+    /// when the drive held exactly this file already. Errors: UnknownFile when the profile has no
+    /// slot there, ChangedMeanwhile, FlashWear, VerifyMismatch, RollbackFailed.
+    [[nodiscard]] Result<std::filesystem::path> upload(
         const std::string& path, ByteView bytes, const OperationOptions& options = {});
 
     [[nodiscard]] Result<DriveBackup> backup(const OperationOptions& options = {});
-    /// A normal verified write per axis, then the tables that no axis uses. Errors: OtherDrive
-    /// unless force; those of write; SlotInUse.
+    /// A normal verified write per axis, then the tables that no axis uses, as upload does it.
+    /// Errors: OtherDrive unless force; those of write and upload; SlotInUse.
     [[nodiscard]] Result<std::vector<WriteReport>> restore(
         const DriveBackup& backup, bool force, const OperationOptions& options = {});
 

@@ -9,6 +9,7 @@ namespace axiscomp {
 namespace {
 
 constexpr int sourceCount = 3;
+constexpr int mostAttempts = 4; ///< to read an axis that somebody changes at the same time
 
 std::string axisNameFrom(const DriveAccess& access, const Readings& readings, int axis)
 {
@@ -80,6 +81,7 @@ int dimensionalityOf(const CompensationSetup& setup, const std::optional<TableHe
 struct Wiring {
     std::string slot;
     std::array<DimSource, sourceCount> sources;
+    friend bool operator==(const Wiring&, const Wiring&) = default;
 };
 
 Result<Wiring> wiringFrom(
@@ -97,6 +99,20 @@ Result<Wiring> wiringFrom(
         wiring.sources[static_cast<std::size_t>(n)] = *source;
     }
     return wiring;
+}
+
+Result<Readings> readWired(
+    const DriveAccess& access, int axis, const Wiring& wiring, const std::vector<std::string>& more)
+{
+    std::vector<std::string> paths = statusPaths(access, axis);
+    if (access.profile().slotNamed(wiring.slot))
+        append(paths, headerPaths(access, wiring.slot));
+    for (const DimSource& source : wiring.sources) {
+        if (!source.path.empty())
+            paths.push_back(source.path);
+    }
+    append(paths, more);
+    return access.readAvailable(std::move(paths));
 }
 
 AxisStatus statusFrom(
@@ -152,6 +168,15 @@ Result<std::vector<AxisInfo>> readAxes(const DriveAccess& access, const DriveIde
 Result<AxisStatus> readStatus(
     const DriveAccess& access, const DriveIdentity& drive, int axis, SourceDirectory& sources)
 {
+    auto reading = readStatusWith(access, drive, axis, sources, {});
+    if (!reading)
+        return fail(reading.error());
+    return std::move(reading->status);
+}
+
+Result<StatusReading> readStatusWith(const DriveAccess& access, const DriveIdentity& drive,
+    int axis, SourceDirectory& sources, const std::vector<std::string>& more)
+{
     auto first = access.readAvailable(statusPaths(access, axis));
     if (!first)
         return fail(first.error());
@@ -161,22 +186,26 @@ Result<AxisStatus> readStatus(
     auto wiring = wiringFrom(access, *first, axis, sources);
     if (!wiring)
         return fail(wiring.error());
-
-    // Once more with the table's header and the sources' values, so that all belongs to one
-    // instant.
-    std::vector<std::string> paths = statusPaths(access, axis);
-    if (access.profile().slotNamed(wiring->slot))
-        append(paths, headerPaths(access, wiring->slot));
-    for (const DimSource& source : wiring->sources) {
-        if (!source.path.empty() && std::ranges::find(paths, source.path) == paths.end())
-            paths.push_back(source.path);
+    Wiring known = *wiring;
+    for (int attempt = 0; attempt < mostAttempts; ++attempt) {
+        // Once more with the table's header and the sources' values, so that all belongs to one
+        // instant; and again when the axis was changed before that instant.
+        auto readings = readWired(access, axis, known, more);
+        if (!readings)
+            return fail(readings.error());
+        wiring = wiringFrom(access, *readings, axis, sources);
+        if (!wiring)
+            return fail(wiring.error());
+        if (*wiring == known) {
+            AxisStatus status = statusFrom(access, *readings, axis, known);
+            status.drive = drive;
+            return StatusReading{std::move(status), std::move(*readings)};
+        }
+        std::swap(known, *wiring);
     }
-    auto readings = access.readAvailable(paths);
-    if (!readings)
-        return fail(readings.error());
-    AxisStatus status = statusFrom(access, *readings, axis, *wiring);
-    status.drive = drive;
-    return status;
+    return fail(ErrorCode::ChangedMeanwhile,
+        {{"what", "the settings of axis " + std::to_string(axis)}, {"before", wiring->slot},
+            {"now", known.slot}});
 }
 
 Result<std::vector<RegisterWrite>> readAxisRegisters(const DriveAccess& access, int axis)

@@ -9,9 +9,20 @@ namespace axiscomp {
 [[nodiscard]] Result<std::vector<AxisInfo>> readAxes(
     const DriveAccess& access, const DriveIdentity& drive);
 
-/// unfinishedWrite is left empty.
+/// unfinishedWrite is left empty. Errors: NoCompensation; ChangedMeanwhile when somebody else keeps
+/// changing the axis while it is read.
 [[nodiscard]] Result<AxisStatus> readStatus(
     const DriveAccess& access, const DriveIdentity& drive, int axis, SourceDirectory& sources);
+
+/// The same, with more registers that are read at the same instant; those that the drive does not
+/// have are left out.
+struct StatusReading {
+    AxisStatus status;
+    Readings readings;
+};
+[[nodiscard]] Result<StatusReading> readStatusWith(const DriveAccess& access,
+    const DriveIdentity& drive, int axis, SourceDirectory& sources,
+    const std::vector<std::string>& more);
 
 /// Table and DimSources of an axis as they are now: what a write switches and a roll-back puts
 /// back.

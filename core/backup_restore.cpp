@@ -11,6 +11,8 @@ namespace axiscomp {
 
 namespace {
 
+constexpr int mostDimensions = 3;
+
 std::string hexAddress(std::uint32_t address)
 {
     char digits[8];
@@ -22,6 +24,16 @@ const RegisterWrite* registerAt(const AxisBackup& backup, const std::string& pat
 {
     const auto found = std::ranges::find(backup.registers, path, &RegisterWrite::path);
     return found == backup.registers.end() ? nullptr : &*found;
+}
+
+/// 0: none is set
+std::uint32_t sourceAddress(
+    const DriveAccess& access, const std::vector<RegisterWrite>& registers, int axis, int n)
+{
+    const auto source = std::ranges::find(
+        registers, access.axisPath(access.registers().source, axis, n), &RegisterWrite::path);
+    const double address = source == registers.end() ? 0.0 : toDouble(source->value);
+    return address >= 1.0 && address <= 4294967295.0 ? static_cast<std::uint32_t>(address) : 0;
 }
 
 /// The table file that the axis used when the backup was made.
@@ -111,6 +123,8 @@ Result<DriveBackup> readBackupOf(
             return fail(axis.error());
         backup.axes.push_back(std::move(*axis));
     }
+    if (backup.axes.empty())
+        backup.drive = drive;
     for (const TableSlot& slot : access.profile().tableSlots) {
         if (isUsedBy(backup, slot.name))
             continue;
@@ -123,36 +137,22 @@ Result<DriveBackup> readBackupOf(
     return backup;
 }
 
-Result<void> restoreFile(const DriveAccess& access, const AxisBackup::File& file, int axes)
-{
-    const TableSlot* slot = access.profile().slotNamed(file.slot);
-    if (!slot || slot->file != file.path)
-        return fail(ErrorCode::UnknownFile, {{"path", file.path}});
-    auto now = readSlotFile(access, *slot);
-    if (!now)
-        return fail(now.error());
-    if (now->bytes == file.bytes)
-        return {};
-    for (int axis = 0; axis < axes; ++axis) {
-        const std::string table = access.axisPath(access.registers().table, axis);
-        auto readings = access.readAvailable({table});
-        if (!readings)
-            return fail(readings.error());
-        if (textAt(*readings, table) == file.slot)
-            return fail(ErrorCode::SlotInUse,
-                {{"slot", file.slot}, {"user", "axis " + std::to_string(axis)}});
-    }
-    return uploadSurely(access, file.path, file.bytes);
-}
-
 Result<void> checkRestorable(
     const DriveAccess& access, const DriveBackup& backup, const DriveIdentity& drive, bool force)
 {
+    const auto isOther = [&](const DriveIdentity& kept) {
+        return kept.serialNumber != drive.serialNumber && !force;
+    };
+    const auto other = [&](const DriveIdentity& kept) {
+        return fail(ErrorCode::OtherDrive,
+            {{"expected", std::to_string(kept.serialNumber)},
+                {"found", std::to_string(drive.serialNumber)}});
+    };
+    if (backup.drive && isOther(*backup.drive))
+        return other(*backup.drive);
     for (const AxisBackup& axis : backup.axes) {
-        if (axis.drive.serialNumber != drive.serialNumber && !force)
-            return fail(ErrorCode::OtherDrive,
-                {{"expected", std::to_string(axis.drive.serialNumber)},
-                    {"found", std::to_string(drive.serialNumber)}});
+        if (isOther(axis.drive))
+            return other(axis.drive);
         if (axis.axis < 0 || axis.axis >= drive.axes)
             return fail(ErrorCode::AxisNotFound,
                 {{"axis", std::to_string(axis.axis)},
@@ -165,41 +165,29 @@ Result<void> checkRestorable(
     return {};
 }
 
-Result<std::optional<WriteRequest>> restoreRequest(
-    const DriveAccess& access, const AxisBackup& backup)
+Result<WriteRequest> restoreRequest(const DriveAccess& access, const AxisBackup& backup)
 {
-    const AxisBackup::File* file = usedFile(access, backup);
-    if (!file)
-        return std::nullopt;
-    auto decoded = decodeTamTable(file->bytes, access.profile().layout);
-    if (!decoded)
-        return fail(decoded.error());
     WriteRequest request;
-    request.dimensionality = decoded->table.grid.dimensions();
-    request.table = std::move(decoded->table);
-    request.persistency = file->persistent ? Persistency::Persistent : Persistency::Volatile;
+    const AxisBackup::File* file = usedFile(access, backup);
+    if (file) {
+        auto decoded = decodeTamTable(file->bytes, access.profile().layout);
+        if (!decoded)
+            return fail(decoded.error());
+        request.dimensionality = decoded->table.grid.dimensions();
+        request.table = std::move(decoded->table);
+        request.persistency = file->persistent ? Persistency::Persistent : Persistency::Volatile;
+    } else {
+        // The slot that the axis named held nothing, and may hold somebody else's table by now.
+        request.withoutTable = true;
+        request.dimensionality = mostDimensions;
+    }
     for (int n = 1; n <= request.dimensionality; ++n) {
-        const RegisterWrite* source =
-            registerAt(backup, access.axisPath(access.registers().source, backup.axis, n));
-        const double address = source ? toDouble(source->value) : 0.0;
-        if (!(address >= 1.0 && address <= 4294967295.0))
+        const std::uint32_t address = sourceAddress(access, backup.registers, backup.axis, n);
+        if (address == 0 && file)
             return fail(ErrorCode::SourceMissing, {{"dimension", std::to_string(n)}});
-        request.sources.push_back(hexAddress(static_cast<std::uint32_t>(address)));
+        request.sources.push_back(address == 0 ? "" : hexAddress(address));
     }
     return request;
-}
-
-Result<void> restoreDisabled(const DriveAccess& access, const AxisBackup& backup)
-{
-    std::vector<RegisterWrite> values = backup.registers;
-    for (RegisterWrite& value : values) {
-        // The slot that the axis named held nothing, and may hold somebody else's table by now.
-        if (value.path == access.axisPath(access.registers().table, backup.axis))
-            value.value = access.enums().tableDisabled;
-    }
-    if (auto written = writeSurely(access, values); !written)
-        return written;
-    return compareRegisters(access, values);
 }
 
 Result<AxisCompensator::UnfinishedOutcome> unfinishedOutcome(const DriveAccess& access,

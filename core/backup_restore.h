@@ -17,16 +17,9 @@ namespace axiscomp {
 [[nodiscard]] Result<void> checkRestorable(
     const DriveAccess& access, const DriveBackup& backup, const DriveIdentity& drive, bool force);
 
-/// The write that brings an axis back to its backup; none when the axis had no table.
-[[nodiscard]] Result<std::optional<WriteRequest>> restoreRequest(
+/// The write that brings an axis back to its backup.
+[[nodiscard]] Result<WriteRequest> restoreRequest(
     const DriveAccess& access, const AxisBackup& backup);
-/// For an axis that had no table: registers only.
-[[nodiscard]] Result<void> restoreDisabled(const DriveAccess& access, const AxisBackup& backup);
-
-/// Puts a table that no axis uses back where it was, unless it is there. Errors: SlotInUse when an
-/// axis has taken its slot meanwhile.
-[[nodiscard]] Result<void> restoreFile(
-    const DriveAccess& access, const AxisBackup::File& file, int axes);
 
 /// Which state an axis has after a write that did not end.
 [[nodiscard]] Result<AxisCompensator::UnfinishedOutcome> unfinishedOutcome(

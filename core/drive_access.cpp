@@ -6,6 +6,7 @@
 #include <condition_variable>
 #include <limits>
 #include <mutex>
+#include <set>
 
 namespace axiscomp {
 
@@ -81,6 +82,8 @@ Result<Readings> DriveAccess::read(const std::vector<std::string>& paths) const
 
 Result<Readings> DriveAccess::readAvailable(std::vector<std::string> paths) const
 {
+    std::set<std::string> seen;
+    std::erase_if(paths, [&](const std::string& path) { return !seen.insert(path).second; });
     while (!paths.empty()) {
         auto readings = read(paths);
         if (readings || readings.error().code != ErrorCode::UnknownRegister)

@@ -45,6 +45,7 @@ public:
 
     [[nodiscard]] Result<Readings> read(const std::vector<std::string>& paths) const;
     /// Registers that the drive does not have are left out.
+    /// One that is named twice is read once.
     [[nodiscard]] Result<Readings> readAvailable(std::vector<std::string> paths) const;
     [[nodiscard]] Result<void> write(const std::vector<RegisterWrite>& writes) const;
 

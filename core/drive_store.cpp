@@ -36,6 +36,27 @@ Result<void> checkBackup(const std::filesystem::path& file, const std::string& t
     return {};
 }
 
+Result<std::filesystem::path> keepBackup(
+    const StoreFolder& folder, const DriveBackup& backup, WallTime time, std::optional<int> axis)
+{
+    auto lock = folder.lock();
+    if (!lock)
+        return fail(lock.error());
+    if (auto made = makePrivateFolder(folder.backups()); !made)
+        return fail(made.error());
+
+    const std::filesystem::path file = newBackupFile(folder, time, axis);
+    const std::string text = writeBackup(backup);
+    if (auto saved = saveFile(file, asBytes(text)); !saved)
+        return fail(saved.error());
+    if (auto same = checkBackup(file, text); !same) {
+        (void)removeFile(file);
+        return fail(same.error());
+    }
+    pruneBackups(folder, axis, file);
+    return file;
+}
+
 } // namespace
 
 DriveStore::DriveStore(std::filesystem::path root, std::chrono::milliseconds lockWait)
@@ -68,30 +89,49 @@ std::filesystem::path DriveStore::defaultRoot()
 Result<std::filesystem::path> DriveStore::saveBackup(const AxisBackup& backup)
 {
     const StoreFolder folder{m_root, backup.drive.serialNumber, m_lockWait};
-    auto lock = folder.lock();
-    if (!lock)
-        return fail(lock.error());
-    if (auto made = makePrivateFolder(folder.backups()); !made)
-        return fail(made.error());
-
-    const std::filesystem::path file = newBackupFile(folder, backup.time, backup.axis);
     DriveBackup ofAxis;
     ofAxis.axes = {backup};
-    const std::string text = writeBackup(ofAxis);
-    if (auto saved = saveFile(file, asBytes(text)); !saved)
-        return fail(saved.error());
+    return keepBackup(folder, ofAxis, backup.time, backup.axis);
+}
 
-    if (auto same = checkBackup(file, text); !same) {
-        (void)removeFile(file);
-        return fail(same.error());
-    }
-    pruneBackups(folder, backup.axis, file);
-    return file;
+Result<std::filesystem::path> DriveStore::saveBackup(
+    const DriveIdentity& drive, WallTime time, const AxisBackup::File& file)
+{
+    const StoreFolder folder{m_root, drive.serialNumber, m_lockWait};
+    DriveBackup ofFile;
+    ofFile.drive = drive;
+    ofFile.otherFiles = {file};
+    return keepBackup(folder, ofFile, time, std::nullopt);
 }
 
 std::vector<std::filesystem::path> DriveStore::backups(std::int32_t serialNumber, int axis) const
 {
     return backupFiles(StoreFolder{m_root, serialNumber, m_lockWait}, axis);
+}
+
+Result<JournalEntry::KeptTable> DriveStore::keepTable(
+    std::int32_t serialNumber, int axis, ByteView bytes)
+{
+    const StoreFolder folder{m_root, serialNumber, m_lockWait};
+    auto lock = folder.lock();
+    if (!lock)
+        return fail(lock.error());
+    JournalEntry::KeptTable table{{}, bytes.size(), crc32(bytes)};
+    // Named after its content, so that the table of an entry that is still there stays.
+    table.file = folder.keptTable(axis, table.crc);
+    if (auto saved = saveFile(table.file, bytes); !saved)
+        return fail(saved.error());
+    return table;
+}
+
+Result<Bytes> DriveStore::keptTable(const JournalEntry::KeptTable& table) const
+{
+    auto bytes = loadFile(table.file, maximumKeptTableSize);
+    if (bytes && (bytes->size() != table.size || crc32(*bytes) != table.crc))
+        return fail(ErrorCode::FileNotReadable,
+            {{"file", table.file.string()},
+                {"reason", "it is not the table that was kept there: its size or CRC differs"}});
+    return bytes;
 }
 
 Result<void> DriveStore::openJournal(const JournalEntry& entry)
@@ -111,7 +151,11 @@ Result<void> DriveStore::closeJournal(std::int32_t serialNumber, int axis)
     auto lock = folder.lock();
     if (!lock)
         return fail(lock.error());
-    return removeFile(folder.journal(axis));
+    if (auto removed = removeFile(folder.journal(axis)); !removed)
+        return removed;
+    for (const std::filesystem::path& table : folder.keptTables(axis))
+        (void)removeFile(table);
+    return {};
 }
 
 Result<std::optional<JournalEntry>> DriveStore::journal(std::int32_t serialNumber, int axis)
@@ -147,10 +191,9 @@ Result<DriveStore::FlashHistory> DriveStore::flashHistory(std::int32_t serialNum
     return folder.look<FlashHistory>(folder.flashHistory(), readFlashHistory);
 }
 
-Result<void> DriveStore::recordFlash(std::int32_t serialNumber, WallTime now, int operations)
+template <typename Change>
+Result<void> DriveStore::changeFlashHistory(std::int32_t serialNumber, const Change& change)
 {
-    if (operations <= 0)
-        return {};
     const StoreFolder folder{m_root, serialNumber, m_lockWait};
     auto lock = folder.lock();
     if (!lock)
@@ -158,14 +201,40 @@ Result<void> DriveStore::recordFlash(std::int32_t serialNumber, WallTime now, in
     auto history = folder.take<FlashHistory>(folder.flashHistory(), readFlashHistory);
     if (!history)
         return fail(history.error());
-
-    const auto count = static_cast<std::size_t>(operations);
-    std::vector<WallTime>& recent = history->recent;
-    recent.insert(recent.end(), std::min(count, keptFlashOperations), now);
-    if (recent.size() > keptFlashOperations)
-        recent.erase(recent.begin(), recent.end() - keptFlashOperations);
-    history->total += count;
+    change(*history);
     return saveFile(folder.flashHistory(), asBytes(writeFlashHistory(*history)));
+}
+
+Result<void> DriveStore::recordFlash(std::int32_t serialNumber, WallTime now, int operations)
+{
+    if (operations <= 0)
+        return {};
+    return changeFlashHistory(serialNumber, [&](FlashHistory& history) {
+        const auto count = static_cast<std::size_t>(operations);
+        std::vector<WallTime>& recent = history.recent;
+        recent.insert(recent.end(), std::min(count, keptFlashOperations), now);
+        if (recent.size() > keptFlashOperations)
+            recent.erase(recent.begin(), recent.end() - keptFlashOperations);
+        history.total += count;
+    });
+}
+
+Result<void> DriveStore::recordFlashRefusal(
+    std::int32_t serialNumber, WallTime now, std::chrono::seconds wait)
+{
+    if (wait <= std::chrono::seconds{0})
+        return {};
+    return changeFlashHistory(serialNumber, [&](FlashHistory& history) {
+        history.refusal = FlashHistory::Refusal{now, wait};
+    });
+}
+
+FlashWearGuard wearGuard(const FlashWearLimits& limits, const DriveStore::FlashHistory& history)
+{
+    FlashWearGuard guard(limits, history.recent);
+    if (history.refusal)
+        guard.recordRefusal(history.refusal->time, history.refusal->wait);
+    return guard;
 }
 
 Result<std::vector<DriveStore::OwnTable>> DriveStore::ownTables(std::int32_t serialNumber, int axis)

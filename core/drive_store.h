@@ -3,6 +3,7 @@
 
 #include "core/axis_backup.h"
 #include "core/file_lock.h"
+#include "core/flash_wear.h"
 #include "core/local_file.h"
 #include "core/register_value.h"
 #include "core/result.h"
@@ -28,6 +29,15 @@ struct JournalEntry {
     std::string newSlot;
     std::uint32_t newCrc = 0; ///< of the new table's elements
     bool persistent = false;
+    /// The new table's file, kept beside the journal: with it the write can be finished.
+    struct KeptTable {
+        std::filesystem::path file;
+        std::uint64_t size = 0; ///< bytes
+        std::uint32_t crc = 0; ///< CRC-32 of all bytes
+        friend bool operator==(const KeptTable&, const KeptTable&) = default;
+    };
+    std::optional<KeptTable>
+        newTable{}; ///< none: the write keeps the table, or did not keep a file
 
     friend bool operator==(const JournalEntry&, const JournalEntry&) = default;
 };
@@ -50,12 +60,21 @@ public:
     /// One dated file per call, parsed back before it counts. The newest 50 of the axis are kept,
     /// and always this one and the one that the axis's journal names.
     [[nodiscard]] Result<std::filesystem::path> saveBackup(const AxisBackup& backup);
+    /// The same for a file that no axis uses: a DriveBackup with that file alone.
+    [[nodiscard]] Result<std::filesystem::path> saveBackup(
+        const DriveIdentity& drive, WallTime time, const AxisBackup::File& file);
     /// The files that saveBackup left for the axis, newest first; empty when there are none.
     [[nodiscard]] std::vector<std::filesystem::path> backups(
         std::int32_t serialNumber, int axis) const;
 
+    /// Keeps a table file for the axis's journal, until that is closed.
+    [[nodiscard]] Result<JournalEntry::KeptTable> keepTable(
+        std::int32_t serialNumber, int axis, ByteView bytes);
+    /// Errors: FileNotReadable, also when it is not what was kept.
+    [[nodiscard]] Result<Bytes> keptTable(const JournalEntry::KeptTable& table) const;
     /// Replaces the axis's entry.
     [[nodiscard]] Result<void> openJournal(const JournalEntry& entry);
+    /// Removes the tables that were kept for it too.
     [[nodiscard]] Result<void> closeJournal(std::int32_t serialNumber, int axis);
     /// A broken journal is FileNotReadable with what to do about it: what it knew about a write
     /// that did not end must not be lost unnoticed.
@@ -66,11 +85,21 @@ public:
     struct FlashHistory {
         std::vector<WallTime> recent;
         std::uint64_t total = 0;
+        /// The last time that the drive itself reported wear.
+        struct Refusal {
+            WallTime time{};
+            std::chrono::seconds wait{0};
+            friend bool operator==(const Refusal&, const Refusal&) = default;
+        };
+        std::optional<Refusal> refusal{};
         friend bool operator==(const FlashHistory&, const FlashHistory&) = default;
     };
     /// A broken file is moved aside to *.broken and counts as empty.
     [[nodiscard]] Result<FlashHistory> flashHistory(std::int32_t serialNumber);
     [[nodiscard]] Result<void> recordFlash(std::int32_t serialNumber, WallTime now, int operations);
+    /// So that neither another program nor the next start runs into it again.
+    [[nodiscard]] Result<void> recordFlashRefusal(
+        std::int32_t serialNumber, WallTime now, std::chrono::seconds wait);
 
     /// The slot and element CRC of tables that this program wrote for an axis, newest first: such a
     /// slot may be taken again when its content is still the same (DESIGN, "Slots are taken in
@@ -91,8 +120,15 @@ public:
     [[nodiscard]] Result<FileLock> lockWrites(std::int32_t serialNumber);
 
 private:
+    template <typename Change>
+    [[nodiscard]] Result<void> changeFlashHistory(std::int32_t serialNumber, const Change& change);
+
     std::filesystem::path m_root;
     std::chrono::milliseconds m_lockWait;
 };
+
+/// What the history says about now.
+[[nodiscard]] FlashWearGuard wearGuard(
+    const FlashWearLimits& limits, const DriveStore::FlashHistory& history);
 
 } // namespace axiscomp

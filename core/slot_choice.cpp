@@ -29,7 +29,8 @@ Result<SlotChoice> namedSlot(
         return tooLarge(tableBytes, found->slot);
     if (!found->otherUser.empty())
         return fail(ErrorCode::SlotInUse, {{"slot", name}, {"user", found->otherUser}});
-    return SlotChoice{found->slot, found->isCurrent ? SlotReason::OverwriteOwn : SlotReason::Named};
+    return SlotChoice{
+        found->slot, found->isCurrent ? SlotReason::OverwriteOwn : SlotReason::Named, found->state};
 }
 
 std::string whyNot(const SlotFacts& facts, std::size_t tableBytes)
@@ -66,12 +67,12 @@ Result<SlotChoice> chooseSlot(std::size_t tableBytes, const std::optional<std::s
     };
     if (const SlotFacts* own = smallest(
             [](const SlotFacts& facts) { return facts.isOwnPrevious && !facts.isCurrent; }))
-        return SlotChoice{own->slot, SlotReason::OwnPrevious};
+        return SlotChoice{own->slot, SlotReason::OwnPrevious, own->state};
     if (const SlotFacts* empty =
             smallest([](const SlotFacts& facts) { return facts.size == 0 && !facts.isCurrent; }))
-        return SlotChoice{empty->slot, SlotReason::Empty};
+        return SlotChoice{empty->slot, SlotReason::Empty, empty->state};
     if (const SlotFacts* current = smallest([](const SlotFacts& facts) { return facts.isCurrent; }))
-        return SlotChoice{current->slot, SlotReason::OverwriteOwn};
+        return SlotChoice{current->slot, SlotReason::OverwriteOwn, current->state};
 
     std::string reasons;
     for (const SlotFacts& facts : slots)

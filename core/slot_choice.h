@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/axis_compensator.h"
+#include "core/slot_state.h"
 
 namespace axiscomp {
 
@@ -12,11 +12,13 @@ struct SlotFacts {
     bool isCurrent = false; ///< the axis uses it now
     bool isOwnPrevious = false; ///< holds the axis's own previous table
     std::string otherUser; ///< "axis 1", "the cogging compensation of axis 0"; empty: none
+    SlotState state{}; ///< read after size
 };
 
 struct SlotChoice {
     TableSlot slot;
     SlotReason reason = SlotReason::Empty;
+    SlotState state{}; ///< of the chosen one
 };
 
 /// DESIGN.md, "Slots are taken in turn": the axis's own previous slot, else the smallest empty one

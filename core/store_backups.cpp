@@ -14,17 +14,17 @@ namespace {
 
 constexpr std::size_t keptBackups = 50;
 
-std::string axisSuffix(int axis)
+std::string suffixOf(std::optional<int> axis)
 {
-    return "-axis" + std::to_string(axis);
+    return axis ? "-axis" + std::to_string(*axis) : "-file";
 }
 
 /// Colons are not welcome on every file system.
-std::string backupName(WallTime time, int axis, int number)
+std::string backupName(WallTime time, std::optional<int> axis, int number)
 {
     std::string stamp = utcText(time);
     std::ranges::replace(stamp, ':', '-');
-    return stamp + axisSuffix(axis) + (number > 1 ? "-" + std::to_string(number) : "") + ".json";
+    return stamp + suffixOf(axis) + (number > 1 ? "-" + std::to_string(number) : "") + ".json";
 }
 
 struct BackupFile {
@@ -34,10 +34,10 @@ struct BackupFile {
 };
 
 /// The file as one of saveBackup's for the axis, if it is one.
-std::optional<BackupFile> asBackupFile(const std::filesystem::path& path, int axis)
+std::optional<BackupFile> asBackupFile(const std::filesystem::path& path, std::optional<int> axis)
 {
     const std::string name = path.filename().string();
-    const std::size_t end = name.find(axisSuffix(axis));
+    const std::size_t end = name.find(suffixOf(axis));
     if (end == std::string::npos || end < 19)
         return std::nullopt;
     std::string stamp = name.substr(0, end);
@@ -47,25 +47,16 @@ std::optional<BackupFile> asBackupFile(const std::filesystem::path& path, int ax
         return std::nullopt;
 
     BackupFile file{*time, 1, path};
-    const std::size_t number = end + axisSuffix(axis).size();
+    const std::size_t number = end + suffixOf(axis).size();
     if (name.substr(number).starts_with("-"))
         std::from_chars(name.data() + number + 1, name.data() + name.size(), file.number);
     return name == backupName(file.time, axis, file.number) ? std::optional(file) : std::nullopt;
 }
 
-std::vector<std::filesystem::path> filesIn(const std::filesystem::path& folder)
-{
-    std::vector<std::filesystem::path> files;
-    std::error_code error;
-    for (std::filesystem::directory_iterator i{folder, error}, end; i != end && !error;
-         i.increment(error))
-        files.push_back(i->path());
-    return files;
-}
-
 } // namespace
 
-std::filesystem::path newBackupFile(const StoreFolder& folder, WallTime time, int axis)
+std::filesystem::path newBackupFile(
+    const StoreFolder& folder, WallTime time, std::optional<int> axis)
 {
     std::filesystem::path file;
     for (int number = 1; file.empty() || !isMissing(file); ++number)
@@ -73,7 +64,7 @@ std::filesystem::path newBackupFile(const StoreFolder& folder, WallTime time, in
     return file;
 }
 
-std::vector<std::filesystem::path> backupFiles(const StoreFolder& folder, int axis)
+std::vector<std::filesystem::path> backupFiles(const StoreFolder& folder, std::optional<int> axis)
 {
     std::vector<BackupFile> backups;
     for (const std::filesystem::path& file : filesIn(folder.backups()))
@@ -87,7 +78,8 @@ std::vector<std::filesystem::path> backupFiles(const StoreFolder& folder, int ax
     return files;
 }
 
-void pruneBackups(const StoreFolder& folder, int axis, const std::filesystem::path& justMade)
+void pruneBackups(
+    const StoreFolder& folder, std::optional<int> axis, const std::filesystem::path& justMade)
 {
     std::error_code ignored;
     for (const std::filesystem::path& place : {folder.path(), folder.backups()})
@@ -96,7 +88,8 @@ void pruneBackups(const StoreFolder& folder, int axis, const std::filesystem::pa
                 std::filesystem::remove(file, ignored);
 
     std::filesystem::path inJournal;
-    if (const std::filesystem::path journal = folder.journal(axis); !isMissing(journal)) {
+    if (const std::filesystem::path journal = axis ? folder.journal(*axis) : inJournal;
+        axis && !isMissing(journal)) {
         const auto bytes = loadFile(journal, maximumDocumentSize);
         const auto entry = readJournal(bytes ? asText(*bytes) : std::string_view(), folder.path());
         if (!entry)

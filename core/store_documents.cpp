@@ -3,6 +3,8 @@
 
 #include "core/backup_json.h"
 
+#include <array>
+#include <chrono>
 #include <utility>
 
 namespace axiscomp {
@@ -21,6 +23,22 @@ template <typename T> DocumentResult<T> resultOf(const StrictJson& document, T v
     return value;
 }
 
+constexpr std::array<std::string_view, 11> journalMembers{"format", "version", "serialNumber",
+    "axis", "time", "step", "backup", "newRegisters", "newSlot", "newCrc", "persistent"};
+constexpr std::array<std::string_view, 1> journalExtras{"newTable"};
+constexpr std::array<std::string_view, 4> flashMembers{"format", "version", "total", "recent"};
+constexpr std::array<std::string_view, 1> flashExtras{"refusal"};
+
+JournalEntry::KeptTable keptTableFromJson(const JsonNode& node, const std::filesystem::path& folder)
+{
+    node.expectMembers({"file", "size", "crc32"});
+    const std::filesystem::path name = node["file"].text();
+    if (name.empty() || name != name.filename() || name == "." || name == "..")
+        node["file"].refuse("the name of a file beside the journal is expected");
+    return {folder / name, static_cast<std::uint64_t>(node["size"].integer<std::int64_t>(0)),
+        crcFromJson(node["crc32"])};
+}
+
 } // namespace
 
 std::string writeJournal(const JournalEntry& entry, const std::filesystem::path& folder)
@@ -37,6 +55,9 @@ std::string writeJournal(const JournalEntry& entry, const std::filesystem::path&
     document["newSlot"] = entry.newSlot;
     document["newCrc"] = crcText(entry.newCrc);
     document["persistent"] = entry.persistent;
+    if (entry.newTable)
+        document["newTable"] = {{"file", entry.newTable->file.filename().string()},
+            {"size", entry.newTable->size}, {"crc32", crcText(entry.newTable->crc)}};
     return jsonText(document);
 }
 
@@ -45,12 +66,14 @@ DocumentResult<JournalEntry> readJournal(std::string_view text, const std::files
     StrictJson document{text, limits};
     const JsonNode root = document.root();
     expectFormat(root, journalFormat);
-    root.expectMembers({"format", "version", "serialNumber", "axis", "time", "step", "backup",
-        "newRegisters", "newSlot", "newCrc", "persistent"});
+    // Journals of older versions kept no table.
+    root.expectMembers(journalMembers, journalExtras);
     JournalEntry entry{root["serialNumber"].integer<std::int32_t>(), root["axis"].integer<int>(0),
         timeFromJson(root["time"]), root["step"].text(), root["backup"].text(),
         registersFromJson(root["newRegisters"]), root["newSlot"].text(),
         crcFromJson(root["newCrc"]), root["persistent"].boolean()};
+    if (root.has("newTable"))
+        entry.newTable = keptTableFromJson(root["newTable"], folder);
     if (!entry.backup.empty()) // folder / an absolute path is that path
         entry.backup = folder / entry.backup;
     return resultOf(document, std::move(entry));
@@ -63,6 +86,9 @@ std::string writeFlashHistory(const DriveStore::FlashHistory& history)
     document["recent"] = OrderedJson::array();
     for (const WallTime time : history.recent)
         document["recent"].push_back(utcText(time));
+    if (history.refusal)
+        document["refusal"] = {{"time", utcText(history.refusal->time)},
+            {"waitSeconds", history.refusal->wait.count()}};
     return jsonText(document);
 }
 
@@ -71,11 +97,17 @@ DocumentResult<DriveStore::FlashHistory> readFlashHistory(std::string_view text)
     StrictJson document{text, limits};
     const JsonNode root = document.root();
     expectFormat(root, flashFormat);
-    root.expectMembers({"format", "version", "total", "recent"});
+    root.expectMembers(flashMembers, flashExtras);
     DriveStore::FlashHistory history;
     history.total = static_cast<std::uint64_t>(root["total"].integer<std::int64_t>(0));
     for (const JsonNode& item : root["recent"].items())
         history.recent.push_back(timeFromJson(item));
+    if (root.has("refusal")) {
+        const JsonNode refusal = root["refusal"];
+        refusal.expectMembers({"time", "waitSeconds"});
+        history.refusal = {timeFromJson(refusal["time"]),
+            std::chrono::seconds(refusal["waitSeconds"].integer<std::int32_t>(0))};
+    }
     return resultOf(document, std::move(history));
 }
 

@@ -18,6 +18,9 @@ template <typename T> using DocumentResult = tl::expected<T, DocumentFault>;
 /// Bytes that such a file may have.
 inline constexpr std::uint64_t maximumDocumentSize = 1024 * 1024;
 
+/// Bytes that a kept table may have: several times what the largest slot of a drive holds.
+inline constexpr std::uint64_t maximumKeptTableSize = 16 * 1024 * 1024;
+
 /// A backup inside the folder is named relative to it, so that the store can be moved.
 [[nodiscard]] std::string writeJournal(
     const JournalEntry& entry, const std::filesystem::path& folder);

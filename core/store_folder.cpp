@@ -1,12 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/store_folder.h"
 
+#include "core/backup_json.h"
+
 #include <cerrno>
 #include <system_error>
 
 #include <sys/stat.h>
 
 namespace axiscomp {
+
+namespace {
+
+constexpr const char* keptTableEnding = ".TAMtbl";
+
+} // namespace
 
 Result<void> makePrivateFolder(const std::filesystem::path& folder)
 {
@@ -28,6 +36,16 @@ bool isMissing(const std::filesystem::path& file)
         == std::filesystem::file_type::not_found;
 }
 
+std::vector<std::filesystem::path> filesIn(const std::filesystem::path& folder)
+{
+    std::vector<std::filesystem::path> files;
+    std::error_code error;
+    for (std::filesystem::directory_iterator i{folder, error}, end; i != end && !error;
+         i.increment(error))
+        files.push_back(i->path());
+    return files;
+}
+
 StoreFolder::StoreFolder(const std::filesystem::path& root, std::int32_t serialNumber,
     std::chrono::milliseconds lockWait)
     : m_path(root / std::to_string(serialNumber))
@@ -38,6 +56,22 @@ StoreFolder::StoreFolder(const std::filesystem::path& root, std::int32_t serialN
 std::filesystem::path StoreFolder::journal(int axis) const
 {
     return m_path / ("journal-axis" + std::to_string(axis) + ".json");
+}
+
+std::filesystem::path StoreFolder::keptTable(int axis, std::uint32_t crc) const
+{
+    return m_path / ("journal-axis" + std::to_string(axis) + "-" + crcText(crc) + keptTableEnding);
+}
+
+std::vector<std::filesystem::path> StoreFolder::keptTables(int axis) const
+{
+    const std::string beginning = "journal-axis" + std::to_string(axis) + "-";
+    std::vector<std::filesystem::path> tables = filesIn(m_path);
+    std::erase_if(tables, [&](const std::filesystem::path& file) {
+        const std::string name = file.filename().string();
+        return !name.starts_with(beginning) || !name.ends_with(keptTableEnding);
+    });
+    return tables;
 }
 
 Result<FileLock> StoreFolder::lock(const char* name) const

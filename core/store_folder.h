@@ -11,6 +11,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace axiscomp {
 
@@ -21,6 +22,9 @@ namespace axiscomp {
 /// Whether there is nothing of that name, not even a link to nothing.
 [[nodiscard]] bool isMissing(const std::filesystem::path& file);
 
+/// Empty when there is no such folder.
+[[nodiscard]] std::vector<std::filesystem::path> filesIn(const std::filesystem::path& folder);
+
 /// The folder of one drive in the DriveStore.
 class StoreFolder {
 public:
@@ -30,6 +34,9 @@ public:
     [[nodiscard]] const std::filesystem::path& path() const { return m_path; }
     [[nodiscard]] std::filesystem::path backups() const { return m_path / "backups"; }
     [[nodiscard]] std::filesystem::path journal(int axis) const;
+    /// The table file of a write, kept for its journal; crc is that of the file.
+    [[nodiscard]] std::filesystem::path keptTable(int axis, std::uint32_t crc) const;
+    [[nodiscard]] std::vector<std::filesystem::path> keptTables(int axis) const;
     [[nodiscard]] std::filesystem::path flashHistory() const { return m_path / "flash.json"; }
     [[nodiscard]] std::filesystem::path tables() const { return m_path / "tables.json"; }
 

@@ -118,12 +118,13 @@ Result<PreparedWrite> WritePlanner::prepare(int axis, const WriteRequest& reques
     plan.before = m_status.setup;
     plan.after = m_status.setup;
     plan.after.dimensionality = request.dimensionality;
-    if (auto decided = decideSources(request); !decided)
+    auto decided = decideSources(request);
+    if (decided)
+        decided = request.withoutTable ? decideNoTable() : decideTable(request);
+    if (!decided)
         return fail(decided.error());
-    if (auto decided = decideTable(request); !decided)
-        return fail(decided.error());
-    if (auto decided = decideFlash(); !decided)
-        return fail(decided.error());
+    if (auto possible = decideFlash(); !possible)
+        return fail(possible.error());
     listChanges();
     if (auto warned = warn(); !warned)
         return fail(warned.error());
@@ -145,6 +146,8 @@ Result<void> WritePlanner::decideSources(const WriteRequest& request)
                 {{"dimension", std::to_string(dimensions + 1)},
                     {"dimensions", std::to_string(dimensions)}});
         for (std::size_t n = 0; n < request.sources.size(); ++n) {
+            if (request.withoutTable && request.sources[n].empty())
+                continue;
             auto source = m_sources.resolve(m_access, request.sources[n]);
             if (!source)
                 return fail(source.error());
@@ -152,7 +155,7 @@ Result<void> WritePlanner::decideSources(const WriteRequest& request)
         }
     }
     for (std::size_t n = 0; n < sources.size(); ++n) {
-        if (n < dimensions && !sources[n].isSet())
+        if (n < dimensions && !sources[n].isSet() && !request.withoutTable)
             return fail(ErrorCode::SourceMissing, {{"dimension", std::to_string(n + 1)}});
         if (n >= dimensions && sources[n].isSet())
             return fail(ErrorCode::SourceSurplus,
@@ -165,6 +168,28 @@ Result<void> WritePlanner::decideSources(const WriteRequest& request)
                     {"second", std::to_string(n + 1)}});
     }
     return {};
+}
+
+Result<void> WritePlanner::decideNoTable()
+{
+    WritePlan& plan = m_write.plan;
+    plan.slotReason = SlotReason::KeepTable;
+    plan.after.slot.clear();
+    plan.after.tableCrc = 0;
+    plan.after.persistency = Persistency::Volatile;
+    // As an axis without a table shows it.
+    const auto set = std::ranges::count_if(plan.after.sources, &DimSource::isSet);
+    plan.after.dimensionality = std::max(1, static_cast<int>(set));
+    if (!plan.before.slot.empty())
+        plan.changes.push_back({"Table", currentTable(), "none"});
+    return {};
+}
+
+std::string WritePlanner::currentTable() const
+{
+    return m_status.table
+        ? tableText(m_status.setup.slot, m_status.table->grid, m_status.table->crc)
+        : "none";
 }
 
 Result<void> WritePlanner::decideTable(const WriteRequest& request)
@@ -213,13 +238,27 @@ Result<void> WritePlanner::decideNewTable(const WriteRequest& request, Bytes fil
     if (!choice)
         return fail(choice.error());
     m_write.slot = choice->slot;
+    m_write.slotBefore = choice->state;
     m_write.file = std::move(file);
     m_write.plan.slotReason = choice->reason;
     m_write.plan.after.slot = choice->slot.name;
-    m_write.plan.changes.push_back({"Table",
-        m_status.table ? tableText(m_status.setup.slot, m_status.table->grid, m_status.table->crc)
-                       : "none",
+    m_write.plan.changes.push_back({"Table", currentTable(),
         tableText(choice->slot.name, request.table->grid, m_write.elementCrc)});
+    return noteStored(request.table->grid);
+}
+
+/// Whether flash holds this table in the chosen slot already: storing it again costs nothing.
+Result<void> WritePlanner::noteStored(const Grid& grid)
+{
+    const SlotState& there = m_write.slotBefore;
+    if (!there.persistent || there.elements != grid.pointCount() || there.crc != m_write.elementCrc)
+        return {};
+    auto readings = m_access.readAvailable(headerPaths(m_access, m_write.slot.name));
+    if (!readings)
+        return fail(readings.error());
+    const auto header = headerFrom(m_access, *readings, m_write.slot.name);
+    m_isStored = header && header->persistent && header->crc == m_write.elementCrc
+        && sameSpans(header->grid, grid);
     return {};
 }
 
@@ -242,53 +281,34 @@ Result<std::vector<SlotFacts>> WritePlanner::slotFacts()
         facts.isCurrent = slot->name == m_status.setup.slot;
         slots.push_back(facts);
     }
-    if (auto marked = markUsers(slots); !marked)
-        return fail(marked.error());
-    if (auto marked = markOwnPrevious(slots); !marked)
-        return fail(marked.error());
+    if (auto looked = lookInto(slots); !looked)
+        return fail(looked.error());
     return slots;
 }
 
-Result<void> WritePlanner::markUsers(std::vector<SlotFacts>& slots)
-{
-    std::vector<std::string> paths;
-    for (int axis = 0; axis < m_drive.axes; ++axis) {
-        paths.push_back(m_access.axisPath(m_access.registers().coggingTable, axis));
-        if (axis != m_axis)
-            paths.push_back(m_access.axisPath(m_access.registers().table, axis));
-    }
-    auto readings = m_access.readAvailable(paths);
-    if (!readings)
-        return fail(readings.error());
-    for (SlotFacts& facts : slots) {
-        for (int axis = 0; axis < m_drive.axes; ++axis) {
-            const std::string& name = facts.slot.name;
-            const RegisterPaths& registers = m_access.registers();
-            if (textAt(*readings, m_access.axisPath(registers.coggingTable, axis)) == name)
-                facts.otherUser = "the cogging compensation of axis " + std::to_string(axis);
-            else if (textAt(*readings, m_access.axisPath(registers.table, axis)) == name)
-                facts.otherUser = "axis " + std::to_string(axis);
-        }
-    }
-    return {};
-}
-
-Result<void> WritePlanner::markOwnPrevious(std::vector<SlotFacts>& slots)
+/// Contents and users of all slots, at one instant where the profile allows.
+Result<void> WritePlanner::lookInto(std::vector<SlotFacts>& slots)
 {
     auto own = m_store.ownTables(m_drive.serialNumber, m_axis);
     if (!own)
         return fail(own.error());
     std::vector<std::string> paths;
-    for (const SlotFacts& facts : slots)
-        paths.push_back(m_access.slotPath(m_access.registers().tableCrc, facts.slot.name));
-    auto readings = m_access.readAvailable(paths);
+    for (const SlotFacts& facts : slots) {
+        const auto more = slotStatePaths(m_access, m_drive, m_axis, facts.slot.name);
+        paths.insert(paths.end(), more.begin(), more.end());
+    }
+    auto readings = m_access.readAvailable(std::move(paths));
     if (!readings)
         return fail(readings.error());
-    for (std::size_t i = 0; i < slots.size(); ++i) {
-        const std::uint32_t crc = unsignedAt(*readings, paths[i]);
-        slots[i].isOwnPrevious =
-            slots[i].size > 0 && std::ranges::any_of(*own, [&](const DriveStore::OwnTable& table) {
-                return table.slot == slots[i].slot.name && table.crc == crc;
+    for (SlotFacts& facts : slots) {
+        facts.state = slotState(m_access, m_drive, m_axis, facts.slot.name, *readings);
+        facts.otherUser = facts.state.otherUser;
+        // Filled since the directory was read.
+        if (facts.size == 0 && !facts.state.isEmpty())
+            facts.size = facts.slot.maximumSize;
+        facts.isOwnPrevious =
+            facts.size > 0 && std::ranges::any_of(*own, [&](const DriveStore::OwnTable& table) {
+                return table.slot == facts.slot.name && table.crc == facts.state.crc;
             });
     }
     return {};
@@ -300,11 +320,12 @@ Result<void> WritePlanner::decideFlash()
     if (!history)
         return fail(history.error());
     WritePlan& plan = m_write.plan;
-    const FlashWearGuard guard(m_access.profile().flashWear, history->recent);
-    plan.flashBudget = guard.budget(m_now);
+    plan.flashBudget = wearGuard(m_access.profile().flashWear, *history).budget(m_now);
+    if (plan.after.slot.empty())
+        return {};
     const bool persistent = plan.after.persistency == Persistency::Persistent;
     const bool changes = plan.slotReason != SlotReason::KeepTable
-        ? persistent
+        ? persistent && !m_isStored
         : plan.after.persistency != plan.before.persistency;
     plan.flashOperations = changes ? 1 : 0;
     if (plan.flashOperations > plan.flashBudget.left)
@@ -326,6 +347,8 @@ void WritePlanner::listChanges()
             plan.changes.push_back({"Dim" + std::to_string(n + 1) + "Source",
                 sourceText(m_drive.name, before), sourceText(m_drive.name, after)});
     }
+    if (plan.after.slot.empty())
+        return;
     if (plan.before.persistency != plan.after.persistency || !m_status.table)
         plan.changes.push_back(
             {"Persistency", m_status.table ? persistencyText(plan.before.persistency) : "none",

@@ -3,6 +3,7 @@
 
 #include "core/axis_reader.h"
 #include "core/slot_choice.h"
+#include "core/slot_state.h"
 
 namespace axiscomp {
 
@@ -11,6 +12,7 @@ struct PreparedWrite {
     WritePlan plan;
     Bytes file; ///< the new table file, volatile; empty: the table stays
     TableSlot slot; ///< where it goes
+    SlotState slotBefore; ///< what that slot held when it was chosen
     std::uint32_t elementCrc = 0; ///< of the table that the axis has afterwards
 };
 
@@ -33,10 +35,12 @@ private:
     [[nodiscard]] Result<void> decideSources(const WriteRequest& request);
     [[nodiscard]] Result<void> decideTable(const WriteRequest& request);
     [[nodiscard]] Result<void> decideNewTable(const WriteRequest& request, Bytes file);
+    [[nodiscard]] Result<void> noteStored(const Grid& grid);
+    [[nodiscard]] Result<void> decideNoTable();
+    [[nodiscard]] std::string currentTable() const;
     [[nodiscard]] Result<void> decideFlash();
     [[nodiscard]] Result<std::vector<SlotFacts>> slotFacts();
-    [[nodiscard]] Result<void> markUsers(std::vector<SlotFacts>& slots);
-    [[nodiscard]] Result<void> markOwnPrevious(std::vector<SlotFacts>& slots);
+    [[nodiscard]] Result<void> lookInto(std::vector<SlotFacts>& slots);
     void listChanges();
     [[nodiscard]] Result<void> warn();
     void warnOfUnit(const CompensationTable& table);
@@ -49,6 +53,7 @@ private:
     int m_axis = 0;
     AxisStatus m_status;
     PreparedWrite m_write;
+    bool m_isStored = false; ///< the new table is in the flash of its slot already
 };
 
 /// For errors: "Small1 (CRC 00c0ffee), Axes[0]/..., volatile"

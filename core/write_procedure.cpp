@@ -2,6 +2,7 @@
 #include "core/write_procedure.h"
 
 #include "core/backup_restore.h"
+#include "core/tam_table.h"
 #include "core/verified_write.h"
 
 #include <algorithm>
@@ -9,12 +10,15 @@
 namespace axiscomp {
 
 WriteProcedure::WriteProcedure(const DriveAccess& access, DriveStore& store,
-    SourceDirectory& sources, std::function<WallTime()> clock, PreparedWrite prepared)
+    SourceDirectory& sources, std::function<WallTime()> clock, PreparedWrite prepared,
+    std::optional<JournalEntry> earlier)
     : m_access(access)
     , m_store(store)
     , m_sources(sources)
     , m_clock(std::move(clock))
     , m_write(std::move(prepared))
+    , m_earlier(std::move(earlier))
+    , m_flash(store, m_write.plan.drive.serialNumber, m_clock)
 {
 }
 
@@ -31,6 +35,22 @@ bool WriteProcedure::wantsPersistent() const
 bool WriteProcedure::changesPersistency() const
 {
     return m_write.plan.flashOperations > 0;
+}
+
+std::vector<std::string> WriteProcedure::touchedSlots() const
+{
+    std::vector<std::string> slots;
+    for (const std::string& slot : {m_write.plan.before.slot, m_write.plan.after.slot}) {
+        if (!slot.empty() && std::ranges::find(slots, slot) == slots.end())
+            slots.push_back(slot);
+    }
+    return slots;
+}
+
+Result<WriteReport> WriteProcedure::finishEarlier()
+{
+    m_finishesEarlier = m_earlier.has_value();
+    return run();
 }
 
 Result<WriteReport> WriteProcedure::run()
@@ -80,7 +100,7 @@ Result<void> WriteProcedure::keepOldState()
     m_journal.serialNumber = plan.drive.serialNumber;
     m_journal.axis = plan.axis;
     m_journal.time = m_backup.time;
-    m_journal.backup = m_backupFile;
+    m_journal.backup = m_finishesEarlier ? m_earlier->backup : m_backupFile;
     m_journal.newRegisters = axisRegisters(m_access, plan.axis, plan.after);
     m_journal.newSlot = plan.after.slot;
     m_journal.newCrc = m_write.elementCrc;
@@ -95,7 +115,20 @@ Result<void> WriteProcedure::note(const std::string& step, double progress)
         return stopped;
     m_access.report(step, progress);
     m_journal.step = step;
+    if (isNewTable() && !m_journal.newTable) {
+        auto kept = m_store.keepTable(m_journal.serialNumber, m_journal.axis, m_write.file);
+        if (!kept)
+            return fail(kept.error());
+        m_journal.newTable = std::move(*kept);
+    }
     return m_store.openJournal(m_journal);
+}
+
+/// The drive has the state from before this write: what was unfinished then is so again.
+Result<void> WriteProcedure::closeJournal()
+{
+    return m_earlier ? m_store.openJournal(*m_earlier)
+                     : m_store.closeJournal(m_backup.drive.serialNumber, m_backup.axis);
 }
 
 /// The last look before the first change: the drive must still be the one that was planned for.
@@ -109,16 +142,71 @@ Result<void> WriteProcedure::checkUnchanged()
         return fail(ErrorCode::OtherDrive,
             {{"expected", std::to_string(plan.drive.serialNumber)},
                 {"found", std::to_string(drive->serialNumber)}});
-    auto now = readStatus(m_access, plan.drive, plan.axis, m_sources);
-    if (!now)
-        return fail(now.error());
-    if (now->axis.state == m_access.enums().stateActive
-        || now->axis.state == m_access.enums().stateRamping)
+    // All of it at one instant, where the profile allows, and nothing is asked after it: who
+    // changes something between this reading and the first change cannot be noticed any more.
+    std::vector<std::string> more;
+    for (const std::string& slot : touchedSlots()) {
+        for (std::string& path : slotStatePaths(m_access, plan.drive, plan.axis, slot))
+            more.push_back(std::move(path));
+        more.push_back(m_access.slotPath(m_access.registers().tableEraseCount, slot));
+    }
+    auto reading = readStatusWith(m_access, plan.drive, plan.axis, m_sources, more);
+    if (!reading)
+        return fail(reading.error());
+    const AxisStatus& now = reading->status;
+    if (now.axis.state == m_access.enums().stateActive
+        || now.axis.state == m_access.enums().stateRamping)
         return fail(ErrorCode::CompensationActive, {{"axis", std::to_string(plan.axis)}});
-    if (!(now->setup == plan.before))
+    if (!(now.setup == plan.before))
         return fail(ErrorCode::ChangedMeanwhile,
             {{"what", "the settings of axis " + std::to_string(plan.axis)},
-                {"before", setupText(plan.before)}, {"now", setupText(now->setup)}});
+                {"before", setupText(plan.before)}, {"now", setupText(now.setup)}});
+    for (const std::string& slot : touchedSlots()) {
+        const std::string path = m_access.slotPath(m_access.registers().tableEraseCount, slot);
+        if (reading->readings.contains(path))
+            m_eraseCounts[slot] = unsignedAt(reading->readings, path);
+    }
+    if (auto same = checkSlot(reading->readings); !same)
+        return same;
+    return checkBackup(reading->readings);
+}
+
+/// The slot that is about to be overwritten must be as it was when it was chosen.
+Result<void> WriteProcedure::checkSlot(const Readings& now) const
+{
+    if (!isNewTable())
+        return {};
+    const WritePlan& plan = m_write.plan;
+    const std::string& slot = m_write.slot.name;
+    const SlotState state = slotState(m_access, plan.drive, plan.axis, slot, now);
+    if (state == m_write.slotBefore)
+        return {};
+    return fail(ErrorCode::ChangedMeanwhile,
+        {{"what", "slot " + slot}, {"before", slotStateText(m_write.slotBefore)},
+            {"now", slotStateText(state)}});
+}
+
+/// What was kept is what is there: somebody may have changed it and changed it back.
+Result<void> WriteProcedure::checkBackup(const Readings& now) const
+{
+    for (const RegisterWrite& kept : m_backup.registers) {
+        if (textAt(now, kept.path) != toText(kept.value))
+            return fail(ErrorCode::ChangedMeanwhile,
+                {{"what", kept.path}, {"before", toText(kept.value)},
+                    {"now", textAt(now, kept.path)}});
+    }
+    for (const AxisBackup::File& kept : m_backup.files) {
+        const SlotState state =
+            slotState(m_access, m_write.plan.drive, m_write.plan.axis, kept.slot, now);
+        const std::size_t elementBytes = state.elements * sizeof(float);
+        const bool isSame = kept.bytes.size() >= elementBytes
+            && (state.isEmpty() || crc32(ByteView(kept.bytes).last(elementBytes)) == state.crc);
+        if (!isSame)
+            return fail(ErrorCode::ChangedMeanwhile,
+                {{"what", "the table in " + kept.slot},
+                    {"before", std::to_string(kept.bytes.size()) + " bytes"},
+                    {"now", slotStateText(state)}});
+    }
     return {};
 }
 
@@ -176,6 +264,10 @@ Result<void> WriteProcedure::uploadTable()
             {m_write.slot.name, m_write.elementCrc});
         !recorded)
         return recorded;
+    const AxisBackup::File* there = backupOf(m_write.slot.name);
+    if (there && sameTable(there->bytes, m_write.file, m_access.profile().layout)
+        && (wantsPersistent() || !there->persistent))
+        return {};
     m_slotTouched = true;
     return uploadSurely(
         m_access, m_write.slot.file, m_write.file, [this](std::string_view step, double fraction) {
@@ -198,30 +290,43 @@ Result<void> WriteProcedure::commitTable()
     return commitWith(persistencyWrites());
 }
 
-/// Writes values and the commit of the slot in one request, and makes sure that flash was reached:
-/// a commit that did nothing is repeated, which costs nothing when flash already holds the table.
+/// Writes values and the commit of the slot in one request, and keeps account of it.
 Result<void> WriteProcedure::commitWith(const std::vector<RegisterWrite>& values)
 {
+    m_flashTouched = true;
+    auto reached = reachFlash(values);
+    if (!reached) {
+        m_flash.noteRefusal(reached.error());
+        if (!isUncertain(reached.error().code) && reached.error().code != ErrorCode::VerifyMismatch)
+            return reached;
+    }
+    auto after = readEraseCounts(m_access, touchedSlots());
+    // What cannot be asked has been spent, as far as anybody knows.
+    m_flash.record(
+        m_eraseCounts, after.value_or(EraseCounts{}), after ? m_write.plan.flashOperations : 1);
+    if (reached && !after)
+        return fail(after.error());
+    if (after)
+        m_eraseCounts = std::move(*after);
+    return reached;
+}
+
+/// A commit that did nothing is repeated, which costs nothing when flash already holds the table.
+Result<void> WriteProcedure::reachFlash(const std::vector<RegisterWrite>& values)
+{
     const std::string& slot = m_write.plan.after.slot;
-    const std::string countPath = m_access.slotPath(m_access.registers().tableEraseCount, slot);
     const std::vector<RegisterWrite> commit{
         {m_access.slotPath(m_access.registers().tableCommand, slot),
             m_access.enums().tableCommandCommit}};
-    auto before = m_access.readAvailable({countPath});
-    if (!before)
-        return fail(before.error());
-    m_flashTouched = true;
-    auto committed = writeSurely(m_access, values, commit);
-    if (committed || isUncertain(committed.error().code))
-        (void)m_store.recordFlash(m_write.plan.drive.serialNumber, m_clock(), 1);
-    if (!committed)
+    if (auto committed = writeSurely(m_access, values, commit); !committed)
         return committed;
     if (auto same = compareRegisters(m_access, values); !same)
         return same;
-    auto after = m_access.readAvailable({countPath});
+    auto after = readEraseCounts(m_access, {slot});
     if (!after)
         return fail(after.error());
-    if (before->empty() || numberAt(*before, countPath) != numberAt(*after, countPath))
+    const auto before = m_eraseCounts.find(slot);
+    if (before == m_eraseCounts.end() || (*after)[slot] != before->second)
         return {};
     return writeSurely(m_access, {}, commit);
 }
@@ -271,7 +376,7 @@ Result<WriteReport> WriteProcedure::finish(AxisStatus now)
 {
     const WritePlan& plan = m_write.plan;
     // The next write may take the slot of the old table.
-    if (isNewTable() && !plan.before.slot.empty() && plan.before.slot != plan.after.slot)
+    if (!plan.before.slot.empty() && plan.before.slot != plan.after.slot)
         (void)m_store.recordOwnTable(
             plan.drive.serialNumber, plan.axis, {plan.before.slot, plan.before.tableCrc});
     if (auto closed = m_store.closeJournal(plan.drive.serialNumber, plan.axis); !closed)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/flash_account.h"
 #include "core/write_planner.h"
 
 namespace axiscomp {
@@ -9,20 +10,28 @@ namespace axiscomp {
 /// user stops (DESIGN.md, "The safe order of a write"; DECISIONS.md, 3). Used once.
 class WriteProcedure {
 public:
+    /// earlier: the axis's journal, when a write before did not end. This one takes its place, and
+    /// gives it back when it has to be undone.
     WriteProcedure(const DriveAccess& access, DriveStore& store, SourceDirectory& sources,
-        std::function<WallTime()> clock, PreparedWrite prepared);
+        std::function<WallTime()> clock, PreparedWrite prepared,
+        std::optional<JournalEntry> earlier = {});
 
     [[nodiscard]] Result<WriteReport> run();
+    /// The same, as the end of the earlier write: undoing still leads to the state before that.
+    [[nodiscard]] Result<WriteReport> finishEarlier();
 
 private:
     // In the order in which they run.
     [[nodiscard]] Result<void> keepOldState();
     [[nodiscard]] Result<void> checkUnchanged();
+    [[nodiscard]] Result<void> checkSlot(const Readings& now) const;
+    [[nodiscard]] Result<void> checkBackup(const Readings& now) const;
     [[nodiscard]] Result<void> change();
     [[nodiscard]] Result<void> switchOff();
     [[nodiscard]] Result<void> uploadTable();
     [[nodiscard]] Result<void> commitTable();
     [[nodiscard]] Result<void> commitWith(const std::vector<RegisterWrite>& values);
+    [[nodiscard]] Result<void> reachFlash(const std::vector<RegisterWrite>& values);
     [[nodiscard]] Result<void> switchOver();
     [[nodiscard]] Result<AxisStatus> confirm();
     [[nodiscard]] Result<WriteReport> finish(AxisStatus now);
@@ -30,12 +39,15 @@ private:
     // Putting back, in reverse order.
     [[nodiscard]] Error putBack(const Error& reason);
     [[nodiscard]] Result<void> undo(const DriveAccess& access);
+    void accountForUndo(const DriveAccess& access, const Result<void>& undone);
     [[nodiscard]] Result<void> undoTable(const DriveAccess& access);
     [[nodiscard]] Result<void> undoRegisters(const DriveAccess& access);
     [[nodiscard]] Result<void> undoOtherSlot(const DriveAccess& access);
     [[nodiscard]] bool hasOldState(const DriveAccess& access);
 
     [[nodiscard]] Result<void> note(const std::string& step, double progress);
+    [[nodiscard]] Result<void> closeJournal();
+    [[nodiscard]] std::vector<std::string> touchedSlots() const;
     [[nodiscard]] bool isNewTable() const { return !m_write.file.empty(); }
     [[nodiscard]] bool overwritesOwn() const;
     [[nodiscard]] bool wantsPersistent() const;
@@ -53,6 +65,10 @@ private:
     AxisBackup m_backup;
     std::filesystem::path m_backupFile;
     JournalEntry m_journal;
+    std::optional<JournalEntry> m_earlier;
+    bool m_finishesEarlier = false;
+    FlashAccount m_flash;
+    EraseCounts m_eraseCounts; ///< of the touched slots, before the first change
 
     // What may have been changed on the drive so far, and so has to be put back.
     bool m_slotTouched = false;

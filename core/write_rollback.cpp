@@ -28,6 +28,7 @@ Error WriteProcedure::putBack(const Error& reason)
     const DriveAccess access = m_access.withoutStop();
     access.report("putting back", 0.95);
     auto undone = undo(access);
+    accountForUndo(access, undone);
     if (!undone && isUnreachable(undone.error().code)) {
         // As long as the axis was not touched it has its old state, whatever the other slot holds.
         if (!m_registersTouched)
@@ -37,8 +38,19 @@ Error WriteProcedure::putBack(const Error& reason)
     }
     if (!undone && !hasOldState(access))
         return outcome(ErrorCode::RollbackFailed, reason, sentence(undone.error()));
-    (void)m_store.closeJournal(m_backup.drive.serialNumber, m_backup.axis);
+    (void)closeJournal();
     return reason;
+}
+
+void WriteProcedure::accountForUndo(const DriveAccess& access, const Result<void>& undone)
+{
+    if (!undone)
+        m_flash.noteRefusal(undone.error());
+    const bool mayAsk = undone || !isUnreachable(undone.error().code);
+    if (!mayAsk || (!m_slotTouched && !m_flashTouched))
+        return;
+    if (auto after = readEraseCounts(access, touchedSlots()))
+        m_flash.record(m_eraseCounts, *after, 0);
 }
 
 /// Brings the drive back to the backup, whatever it holds now: it may have restarted in between and

@@ -56,9 +56,15 @@ Result<ExitCode> runUpload(Environment& environment, const TransferOptions& opti
             if (!uploaded)
                 return fail(uploaded.error());
             environment.document({{"input", options.file}, {"path", options.path},
-                {"bytes", bytes->size()}, {"verified", true}});
-            environment.print("Uploaded " + options.file + " to " + options.path + ": "
-                + plural(bytes->size(), "byte", "bytes") + ", every one read back and compared.\n");
+                {"bytes", bytes->size()}, {"verified", true}, {"backup", uploaded->string()}});
+            if (uploaded->empty())
+                environment.print(
+                    options.path + " holds exactly this already: nothing was sent.\n");
+            else
+                environment.print("Uploaded " + options.file + " to " + options.path + ": "
+                    + plural(bytes->size(), "byte", "bytes")
+                    + ", every one read back and compared.\nBackup of the old file: "
+                    + uploaded->string() + "\n");
             return ExitCode::Done;
         });
 }

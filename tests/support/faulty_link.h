@@ -51,6 +51,15 @@ public:
         carryOutLate();
     }
     [[nodiscard]] int exchanges() const { return m_exchanges; }
+    /// Lets somebody else act, once; number counts from 1.
+    void actBefore(int number, std::function<void()> act)
+    {
+        m_actBefore = m_exchanges + number;
+        m_act = std::move(act);
+    }
+    /// The number of the first exchange that could change the drive; 0: there was none.
+    [[nodiscard]] int firstChange() const { return m_firstChange; }
+    void forgetChange() { m_firstChange = 0; }
     std::function<void()> stopUser;
     /// Told of every exchange before it begins: "identify", "read", "write", "list", "download",
     /// "upload".
@@ -123,6 +132,10 @@ private:
         ++m_exchanges;
         if (beginning)
             beginning(what);
+        if (m_firstChange == 0 && (what == "write" || what == "upload"))
+            m_firstChange = m_exchanges;
+        if (m_actBefore == m_exchanges)
+            m_act();
         const bool isLateDue = static_cast<bool>(m_late);
         auto result = m_isGone        ? Result<T>(gone())
             : m_failAt == m_exchanges ? failing<T>(exchange, call)
@@ -182,6 +195,9 @@ private:
     LinkFault m_fault = LinkFault::RequestLost;
     std::function<void()> m_late;
     int m_exchanges = 0;
+    int m_firstChange = 0;
+    std::optional<int> m_actBefore;
+    std::function<void()> m_act;
     bool m_isGone = false;
 };
 

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/axis_compensator.h"
+#include "core/drive_access.h"
+#include "core/source_directory.h"
+
+namespace axiscomp {
+
+struct AxisCompensator::Private {
+    DriveLink& link;
+    const DriveProfile& profile;
+    DriveStore& store;
+    std::function<WallTime()> clock;
+    SourceDirectory sources;
+
+    [[nodiscard]] DriveAccess access(const OperationOptions& options) const
+    {
+        return DriveAccess(link, profile, options);
+    }
+
+    [[nodiscard]] Result<DriveIdentity> identify(const DriveAccess& access)
+    {
+        auto drive = link.identify(access.exchange());
+        if (drive)
+            sources.useDrive(*drive);
+        return drive;
+    }
+
+    /// Errors: AxisNotFound.
+    [[nodiscard]] Result<DriveIdentity> identify(const DriveAccess& access, int axis)
+    {
+        auto drive = identify(access);
+        if (drive && (axis < 0 || axis >= drive->axes))
+            return fail(ErrorCode::AxisNotFound,
+                {{"axis", std::to_string(axis)},
+                    {"known", "0 to " + std::to_string(drive->axes - 1)}});
+        return drive;
+    }
+
+    // With the write lock held.
+    [[nodiscard]] Result<WriteReport> write(const DriveAccess& access, const DriveIdentity& drive,
+        int axis, const WriteRequest& request);
+    [[nodiscard]] Result<void> restoreFile(
+        const DriveAccess& access, const DriveIdentity& drive, const AxisBackup::File& file);
+};
+
+} // namespace axiscomp

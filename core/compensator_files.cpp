@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Whole files of the drive, and backups of all of it.
+#include "core/axis_compensator_p.h"
+#include "core/backup_restore.h"
+#include "core/file_replacement.h"
+
+namespace axiscomp {
+
+Result<std::vector<DriveFile>> AxisCompensator::files(const OperationOptions& options)
+{
+    return d->link.listFiles(d->access(options).exchange());
+}
+
+Result<Bytes> AxisCompensator::download(const std::string& path, const OperationOptions& options)
+{
+    const DriveAccess access = d->access(options);
+    Exchange exchange = access.exchange();
+    exchange.progress = [&](std::uint64_t done, std::uint64_t total) {
+        if (total > 0)
+            access.report("download", static_cast<double>(done) / static_cast<double>(total));
+    };
+    return d->link.download(path, exchange);
+}
+
+Result<std::filesystem::path> AxisCompensator::upload(
+    const std::string& path, ByteView bytes, const OperationOptions& options)
+{
+    const DriveAccess access = d->access(options);
+    auto drive = d->identify(access);
+    if (!drive)
+        return fail(drive.error());
+    auto lock = d->store.lockWrites(drive->serialNumber);
+    if (!lock)
+        return fail(lock.error());
+    const TableSlot* slot = d->profile.slotOfFile(path);
+    if (!slot)
+        return fail(ErrorCode::UnknownFile, {{"path", path}});
+    return FileReplacement(access, d->store, *drive, d->clock, *slot)
+        .run(bytes, FileReplacement::Users::Allowed);
+}
+
+Result<DriveBackup> AxisCompensator::backup(const OperationOptions& options)
+{
+    const DriveAccess access = d->access(options);
+    auto drive = d->identify(access);
+    if (!drive)
+        return fail(drive.error());
+    return readBackupOf(access, *drive, d->clock());
+}
+
+Result<std::vector<WriteReport>> AxisCompensator::restore(
+    const DriveBackup& backup, bool force, const OperationOptions& options)
+{
+    const DriveAccess access = d->access(options);
+    auto drive = d->identify(access);
+    if (!drive)
+        return fail(drive.error());
+    if (auto allowed = checkRestorable(access, backup, *drive, force); !allowed)
+        return fail(allowed.error());
+    auto lock = d->store.lockWrites(drive->serialNumber);
+    if (!lock)
+        return fail(lock.error());
+    std::vector<WriteReport> reports;
+    for (const AxisBackup& axis : backup.axes) {
+        auto request = restoreRequest(access, axis);
+        if (!request)
+            return fail(request.error());
+        auto report = d->write(access, *drive, axis.axis, *request);
+        if (!report && report.error().code == ErrorCode::NothingToWrite)
+            continue;
+        if (!report)
+            return fail(report.error());
+        reports.push_back(std::move(*report));
+    }
+    for (const AxisBackup::File& file : backup.otherFiles) {
+        if (auto restored = d->restoreFile(access, *drive, file); !restored)
+            return fail(restored.error());
+    }
+    return reports;
+}
+
+Result<void> AxisCompensator::Private::restoreFile(
+    const DriveAccess& access, const DriveIdentity& drive, const AxisBackup::File& file)
+{
+    const TableSlot* slot = profile.slotNamed(file.slot);
+    if (!slot || slot->file != file.path)
+        return fail(ErrorCode::UnknownFile, {{"path", file.path}});
+    auto replaced = FileReplacement(access, store, drive, clock, *slot)
+                        .run(file.bytes, FileReplacement::Users::Refused);
+    if (!replaced)
+        return fail(replaced.error());
+    return {};
+}
+
+} // namespace axiscomp

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/flash_account.h"
+
+#include <algorithm>
+#include <charconv>
+#include <limits>
+
+namespace axiscomp {
+
+Result<EraseCounts> readEraseCounts(
+    const DriveAccess& access, const std::vector<std::string>& slots)
+{
+    std::vector<std::string> paths;
+    for (const std::string& slot : slots)
+        paths.push_back(access.slotPath(access.registers().tableEraseCount, slot));
+    auto readings = access.readAvailable(paths);
+    if (!readings)
+        return fail(readings.error());
+    EraseCounts counts;
+    for (std::size_t n = 0; n < slots.size(); ++n) {
+        if (readings->contains(paths[n]))
+            counts[slots[n]] = unsignedAt(*readings, paths[n]);
+    }
+    return counts;
+}
+
+void FlashAccount::record(const EraseCounts& before, const EraseCounts& after, int assumed)
+{
+    std::int64_t operations = before.empty() ? assumed : 0;
+    for (const auto& [slot, count] : before) {
+        const auto now = after.find(slot);
+        if (now == after.end())
+            operations += assumed;
+        else if (now->second > count)
+            operations += now->second - count;
+    }
+    record(static_cast<int>(std::min<std::int64_t>(operations, std::numeric_limits<int>::max())));
+}
+
+void FlashAccount::record(int operations)
+{
+    // A write that has reached flash is not undone because of a full disk here.
+    (void)m_store.recordFlash(m_serialNumber, m_clock(), operations);
+}
+
+void FlashAccount::noteRefusal(const Error& error)
+{
+    const auto text = error.context.find("seconds");
+    if (error.code != ErrorCode::FlashWear || text == error.context.end())
+        return;
+    int seconds = 0;
+    const char* const end = text->second.data() + text->second.size();
+    const auto parsed = std::from_chars(text->second.data(), end, seconds);
+    if (parsed.ec == std::errc{} && parsed.ptr == end && seconds > 0)
+        (void)m_store.recordFlashRefusal(m_serialNumber, m_clock(), std::chrono::seconds(seconds));
+}
+
+} // namespace axiscomp

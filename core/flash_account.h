@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/drive_access.h"
+
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace axiscomp {
+
+/// Flash cycles by slot: the drive's EraseCount registers, as far as it has them.
+using EraseCounts = std::map<std::string, std::uint32_t, std::less<>>;
+[[nodiscard]] Result<EraseCounts> readEraseCounts(
+    const DriveAccess& access, const std::vector<std::string>& slots);
+
+/// Keeps the store's account of one drive's flash operations while an operation runs: counts as the
+/// drive counts where it tells, and remembers when the drive refuses.
+class FlashAccount {
+public:
+    FlashAccount(DriveStore& store, std::int32_t serialNumber, std::function<WallTime()> clock)
+        : m_store(store)
+        , m_serialNumber(serialNumber)
+        , m_clock(std::move(clock))
+    {
+    }
+
+    /// What the counts say has happened between two readings; `assumed` where a slot has no count.
+    void record(const EraseCounts& before, const EraseCounts& after, int assumed);
+    void record(int operations);
+    /// The drive itself reported wear; any other error is left aside.
+    void noteRefusal(const Error& error);
+
+private:
+    DriveStore& m_store;
+    std::int32_t m_serialNumber;
+    std::function<WallTime()> m_clock;
+};
+
+} // namespace axiscomp
