@@ -186,15 +186,35 @@ public:
     [[nodiscard]] Result<std::vector<WriteReport>> restore(
         const DriveBackup& backup, bool force, const OperationOptions& options = {});
 
-    /// Whether the drive holds the state before or after an unfinished write, and forgets that
-    /// write when it is one of the two completely.
+    /// Which state the drive holds after an unfinished write; forgets that write when it is the new
+    /// one completely. Errors: OtherDrive, FileNotReadable, InvalidBackup.
     enum class UnfinishedOutcome {
-        Old,
+        Old, ///< complete, whatever lies in the slot that the write had chosen
         New,
-        NewUnsaved, ///< new, but the parameters may not be saved: setPersistency finishes it
+        NewUnsaved, ///< new, but the parameters may not be saved
         Neither,
     };
     [[nodiscard]] Result<UnfinishedOutcome> settleUnfinished(
+        const JournalEntry& entry, const OperationOptions& options = {});
+
+    /// What can be done about an unfinished write; changes nothing.
+    struct Recovery {
+        std::optional<Error> finishObstacle; ///< none: finishUnfinished is possible now
+        std::optional<Error> undoObstacle; ///< none: undoUnfinished is possible now
+        int flashOperations = 0; ///< that finishing costs
+    };
+    [[nodiscard]] Result<Recovery> recovery(
+        const JournalEntry& entry, const OperationOptions& options = {});
+    /// A normal write that brings about the complete new state, from whatever the interruption
+    /// left. After an error the write is still unfinished, and can still be undone. Errors: those
+    /// of write, OtherDrive, NothingUnfinished, TableNotKept, ChangedMeanwhile when the journal is
+    /// not this entry any more.
+    [[nodiscard]] Result<WriteReport> finishUnfinished(
+        const JournalEntry& entry, const OperationOptions& options = {});
+    /// Brings back the complete state before the unfinished write, verified, with a backup of what
+    /// there is now. Errors: as finishUnfinished; SlotInUse when something has come to use the old
+    /// table's slot.
+    [[nodiscard]] Result<WriteReport> undoUnfinished(
         const JournalEntry& entry, const OperationOptions& options = {});
 
 private:

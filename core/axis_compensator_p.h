@@ -7,6 +7,9 @@
 
 namespace axiscomp {
 
+struct PreparedWrite;
+class UnfinishedWrite;
+
 struct AxisCompensator::Private {
     DriveLink& link;
     const DriveProfile& profile;
@@ -41,6 +44,8 @@ struct AxisCompensator::Private {
     // With the write lock held.
     [[nodiscard]] Result<WriteReport> write(const DriveAccess& access, const DriveIdentity& drive,
         int axis, const WriteRequest& request);
+    [[nodiscard]] Result<PreparedWrite> prepareFinish(
+        const DriveAccess& access, const DriveIdentity& drive, const UnfinishedWrite& unfinished);
     [[nodiscard]] Result<void> restoreFile(
         const DriveAccess& access, const DriveIdentity& drive, const AxisBackup::File& file);
 };

@@ -174,6 +174,18 @@ Result<AxisStatus> readStatus(
     return std::move(reading->status);
 }
 
+bool isOn(const DriveAccess& access, const AxisStatus& status)
+{
+    return status.axis.state == access.enums().stateActive
+        || status.axis.state == access.enums().stateRamping;
+}
+
+Error compensationActive(const AxisStatus& status)
+{
+    return {ErrorCode::CompensationActive,
+        {{"axis", std::to_string(status.axis.index)}, {"name", status.axis.name}}, {}};
+}
+
 Result<StatusReading> readStatusWith(const DriveAccess& access, const DriveIdentity& drive,
     int axis, SourceDirectory& sources, const std::vector<std::string>& more)
 {

@@ -14,6 +14,10 @@ namespace axiscomp {
 [[nodiscard]] Result<AxisStatus> readStatus(
     const DriveAccess& access, const DriveIdentity& drive, int axis, SourceDirectory& sources);
 
+/// Active, or on the way: nothing of the axis may be changed.
+[[nodiscard]] bool isOn(const DriveAccess& access, const AxisStatus& status);
+[[nodiscard]] Error compensationActive(const AxisStatus& status);
+
 /// The same, with more registers that are read at the same instant; those that the drive does not
 /// have are left out.
 struct StatusReading {

@@ -181,13 +181,23 @@ Result<WriteRequest> restoreRequest(const DriveAccess& access, const AxisBackup&
         request.withoutTable = true;
         request.dimensionality = mostDimensions;
     }
-    for (int n = 1; n <= request.dimensionality; ++n) {
-        const std::uint32_t address = sourceAddress(access, backup.registers, backup.axis, n);
-        if (address == 0 && file)
-            return fail(ErrorCode::SourceMissing, {{"dimension", std::to_string(n)}});
-        request.sources.push_back(address == 0 ? "" : hexAddress(address));
-    }
+    request.sources = sourceTexts(access, backup.registers, backup.axis, request.dimensionality);
+    const auto missing = std::ranges::find(request.sources, std::string());
+    if (file && missing != request.sources.end())
+        return fail(ErrorCode::SourceMissing,
+            {{"dimension", std::to_string(missing - request.sources.begin() + 1)}});
     return request;
+}
+
+std::vector<std::string> sourceTexts(
+    const DriveAccess& access, const std::vector<RegisterWrite>& registers, int axis, int count)
+{
+    std::vector<std::string> texts;
+    for (int n = 1; n <= count; ++n) {
+        const std::uint32_t address = sourceAddress(access, registers, axis, n);
+        texts.push_back(address == 0 ? "" : hexAddress(address));
+    }
+    return texts;
 }
 
 Result<AxisCompensator::UnfinishedOutcome> unfinishedOutcome(const DriveAccess& access,

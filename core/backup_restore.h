@@ -21,6 +21,11 @@ namespace axiscomp {
 [[nodiscard]] Result<WriteRequest> restoreRequest(
     const DriveAccess& access, const AxisBackup& backup);
 
+/// The sources of dimensions 1 .. count in a list of registers, as hex addresses; "" where none is
+/// set.
+[[nodiscard]] std::vector<std::string> sourceTexts(
+    const DriveAccess& access, const std::vector<RegisterWrite>& registers, int axis, int count);
+
 /// Which state an axis has after a write that did not end.
 [[nodiscard]] Result<AxisCompensator::UnfinishedOutcome> unfinishedOutcome(
     const DriveAccess& access, const DriveIdentity& drive, const JournalEntry& entry,

@@ -89,6 +89,11 @@ constexpr std::array rows{
     Row{ErrorCode::NoTable, "NoTable", "axis {axis} has no table on the drive; write one first"},
     Row{ErrorCode::NothingToWrite, "NothingToWrite",
         "axis {axis} already has all of this; there is nothing to write"},
+    Row{ErrorCode::NothingUnfinished, "NothingUnfinished",
+        "no write to axis {axis} is unfinished; there is nothing to finish or to undo"},
+    Row{ErrorCode::TableNotKept, "TableNotKept",
+        "the new table of the unfinished write to axis {axis} was not kept on this computer: write "
+        "it again, or undo the write"},
     Row{ErrorCode::CompensationActive, "CompensationActive",
         "the compensation of axis {axis} is active; deactivate it first"},
     Row{ErrorCode::NotHomed, "NotHomed", "axis {axis} must be homed first"},

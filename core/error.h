@@ -60,6 +60,8 @@ enum class ErrorCode {
     NoFreeSlot, ///< size, slots (each with why not)
     NoTable, ///< axis
     NothingToWrite, ///< axis
+    NothingUnfinished, ///< axis
+    TableNotKept, ///< axis
     CompensationActive, ///< axis
     NotHomed, ///< axis
     OtherDrive, ///< expected, found

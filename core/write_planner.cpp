@@ -102,10 +102,8 @@ Result<PreparedWrite> WritePlanner::prepare(int axis, const WriteRequest& reques
     if (!status)
         return fail(status.error());
     m_status = *status;
-    if (m_status.axis.state == m_access.enums().stateActive
-        || m_status.axis.state == m_access.enums().stateRamping)
-        return fail(ErrorCode::CompensationActive,
-            {{"axis", std::to_string(axis)}, {"name", m_status.axis.name}});
+    if (isOn(m_access, m_status))
+        return fail(compensationActive(m_status));
     if (request.expected && !(*request.expected == m_status.setup))
         return fail(ErrorCode::ChangedMeanwhile,
             {{"what", "the settings of " + axisText(axis, m_status.axis.name)},

@@ -3,6 +3,7 @@
 
 #include "core/backup_restore.h"
 #include "core/tam_table.h"
+#include "core/unfinished_write.h"
 #include "core/verified_write.h"
 
 #include <algorithm>
@@ -105,6 +106,11 @@ Result<void> WriteProcedure::keepOldState()
     m_journal.newSlot = plan.after.slot;
     m_journal.newCrc = m_write.elementCrc;
     m_journal.persistent = wantsPersistent();
+    if (m_finishesEarlier) { // what that one has done already has to be undone too
+        m_journal.time = m_earlier->time;
+        m_journal.step = m_earlier->step;
+        m_journal.newTable = m_earlier->newTable;
+    }
     return {};
 }
 
@@ -114,7 +120,8 @@ Result<void> WriteProcedure::note(const std::string& step, double progress)
     if (auto stopped = m_access.checkStop(); !stopped)
         return stopped;
     m_access.report(step, progress);
-    m_journal.step = step;
+    if (!m_finishesEarlier || stepRank(step) > stepRank(m_journal.step))
+        m_journal.step = step;
     if (isNewTable() && !m_journal.newTable) {
         auto kept = m_store.keepTable(m_journal.serialNumber, m_journal.axis, m_write.file);
         if (!kept)
@@ -144,31 +151,42 @@ Result<void> WriteProcedure::checkUnchanged()
                 {"found", std::to_string(drive->serialNumber)}});
     // All of it at one instant, where the profile allows, and nothing is asked after it: who
     // changes something between this reading and the first change cannot be noticed any more.
-    std::vector<std::string> more;
-    for (const std::string& slot : touchedSlots()) {
-        for (std::string& path : slotStatePaths(m_access, plan.drive, plan.axis, slot))
-            more.push_back(std::move(path));
-        more.push_back(m_access.slotPath(m_access.registers().tableEraseCount, slot));
-    }
-    auto reading = readStatusWith(m_access, plan.drive, plan.axis, m_sources, more);
+    auto reading = readStatusWith(m_access, plan.drive, plan.axis, m_sources, lastLookPaths());
     if (!reading)
         return fail(reading.error());
     const AxisStatus& now = reading->status;
-    if (now.axis.state == m_access.enums().stateActive
-        || now.axis.state == m_access.enums().stateRamping)
-        return fail(ErrorCode::CompensationActive, {{"axis", std::to_string(plan.axis)}});
+    if (isOn(m_access, now))
+        return fail(compensationActive(now));
     if (!(now.setup == plan.before))
         return fail(ErrorCode::ChangedMeanwhile,
             {{"what", "the settings of axis " + std::to_string(plan.axis)},
                 {"before", setupText(plan.before)}, {"now", setupText(now.setup)}});
-    for (const std::string& slot : touchedSlots()) {
-        const std::string path = m_access.slotPath(m_access.registers().tableEraseCount, slot);
-        if (reading->readings.contains(path))
-            m_eraseCounts[slot] = unsignedAt(reading->readings, path);
-    }
+    noteEraseCounts(reading->readings);
     if (auto same = checkSlot(reading->readings); !same)
         return same;
     return checkBackup(reading->readings);
+}
+
+/// The touched slots, their users and their flash cycles.
+std::vector<std::string> WriteProcedure::lastLookPaths() const
+{
+    std::vector<std::string> paths;
+    for (const std::string& slot : touchedSlots()) {
+        for (std::string& path :
+            slotStatePaths(m_access, m_write.plan.drive, m_write.plan.axis, slot))
+            paths.push_back(std::move(path));
+        paths.push_back(m_access.slotPath(m_access.registers().tableEraseCount, slot));
+    }
+    return paths;
+}
+
+void WriteProcedure::noteEraseCounts(const Readings& now)
+{
+    for (const std::string& slot : touchedSlots()) {
+        const std::string path = m_access.slotPath(m_access.registers().tableEraseCount, slot);
+        if (now.contains(path))
+            m_eraseCounts[slot] = unsignedAt(now, path);
+    }
 }
 
 /// The slot that is about to be overwritten must be as it was when it was chosen.

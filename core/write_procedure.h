@@ -6,6 +6,8 @@
 
 namespace axiscomp {
 
+class UnfinishedWrite;
+
 /// Carries a prepared write out in the safe order and puts everything back when a step fails or the
 /// user stops (DESIGN.md, "The safe order of a write"; DECISIONS.md, 3). Used once.
 class WriteProcedure {
@@ -19,11 +21,15 @@ public:
     [[nodiscard]] Result<WriteReport> run();
     /// The same, as the end of the earlier write: undoing still leads to the state before that.
     [[nodiscard]] Result<WriteReport> finishEarlier();
+    /// Only the way back of the earlier write, whose decisions the prepared write has.
+    [[nodiscard]] Result<WriteReport> undoEarlier(const UnfinishedWrite& unfinished);
 
 private:
     // In the order in which they run.
     [[nodiscard]] Result<void> keepOldState();
     [[nodiscard]] Result<void> checkUnchanged();
+    [[nodiscard]] std::vector<std::string> lastLookPaths() const;
+    void noteEraseCounts(const Readings& now);
     [[nodiscard]] Result<void> checkSlot(const Readings& now) const;
     [[nodiscard]] Result<void> checkBackup(const Readings& now) const;
     [[nodiscard]] Result<void> change();
@@ -44,6 +50,8 @@ private:
     [[nodiscard]] Result<void> undoRegisters(const DriveAccess& access);
     [[nodiscard]] Result<void> undoOtherSlot(const DriveAccess& access);
     [[nodiscard]] bool hasOldState(const DriveAccess& access);
+    [[nodiscard]] Result<AxisStatus> lookBeforeUndo(const UnfinishedWrite& unfinished);
+    [[nodiscard]] Result<AxisBackup> keepPresent(const std::vector<std::string>& slots);
 
     [[nodiscard]] Result<void> note(const std::string& step, double progress);
     [[nodiscard]] Result<void> closeJournal();

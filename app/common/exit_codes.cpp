@@ -10,8 +10,10 @@ ExitCode exitCode(ErrorCode code)
     case ErrorCode::Cancelled:
         return ExitCode::Stopped;
     case ErrorCode::NothingToWrite:
+    case ErrorCode::NothingUnfinished:
         return ExitCode::Done;
     case ErrorCode::FileNotWritable:
+    case ErrorCode::TableNotKept:
         return ExitCode::OtherFailure;
 
     case ErrorCode::InvalidArgument:

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/backup_restore.h"
+#include "core/unfinished_write.h"
+#include "core/verified_write.h"
+#include "core/write_procedure.h"
+
+#include <algorithm>
+
+namespace axiscomp {
+
+namespace {
+
+Bytes bytesOf(const AxisBackup& backup, const std::string& slot)
+{
+    const auto file = std::ranges::find(backup.files, slot, &AxisBackup::File::slot);
+    return file == backup.files.end() ? Bytes{} : file->bytes;
+}
+
+} // namespace
+
+Result<WriteReport> WriteProcedure::undoEarlier(const UnfinishedWrite& unfinished)
+{
+    m_backup = unfinished.before();
+    const int step = stepRank(unfinished.entry().step);
+    m_slotTouched = isNewTable() && step >= stepRank("upload");
+    m_flashTouched = changesPersistency() && step >= stepRank(isNewTable() ? "commit" : "switch");
+    m_savedTouched = step >= stepRank("save");
+    auto status = lookBeforeUndo(unfinished);
+    if (!status)
+        return fail(status.error());
+
+    // Half of the way back is no better than half of the way there: it cannot be stopped.
+    const DriveAccess access = m_access.withoutStop();
+    access.report("putting back", 0.3);
+    auto undone = undo(access);
+    accountForUndo(access, undone);
+    if (!undone && !hasOldState(access))
+        return fail(undone.error());
+    WritePlan& plan = m_write.plan;
+    plan.before = status->setup;
+    auto now = readStatus(access, plan.drive, plan.axis, m_sources);
+    if (!now)
+        return fail(now.error());
+    plan.after = now->setup;
+    if (auto same = compareRegisters(access, m_backup.registers); !same)
+        return fail(same.error());
+    if (auto closed = m_store.closeJournal(plan.drive.serialNumber, plan.axis); !closed)
+        return fail(closed.error());
+    access.report("done", 1.0);
+    return WriteReport{plan, std::move(*now), m_backupFile};
+}
+
+/// Keeps what there is now, and looks who uses the slots: what somebody else has put there
+/// meanwhile stays.
+Result<AxisStatus> WriteProcedure::lookBeforeUndo(const UnfinishedWrite& unfinished)
+{
+    const WritePlan& plan = m_write.plan;
+    const std::vector<std::string> slots = touchedSlots();
+    auto present = keepPresent(slots);
+    if (!present)
+        return fail(present.error());
+    auto reading = readStatusWith(m_access, plan.drive, plan.axis, m_sources, lastLookPaths());
+    if (!reading)
+        return fail(reading.error());
+    if (isOn(m_access, reading->status))
+        return fail(compensationActive(reading->status));
+    noteEraseCounts(reading->readings);
+    for (const std::string& slot : slots) {
+        const SlotState state = slotState(m_access, plan.drive, plan.axis, slot, reading->readings);
+        const bool isOld = slot == plan.before.slot;
+        if (isOld && !state.otherUser.empty())
+            return fail(ErrorCode::SlotInUse, {{"slot", slot}, {"user", state.otherUser}});
+        const bool isTheirs = !state.otherUser.empty() || !unfinished.isKnown(state, slot);
+        if (!isOld && (isTheirs || bytesOf(*present, slot) == bytesOf(m_backup, slot)))
+            m_slotTouched = false;
+    }
+    return std::move(reading->status);
+}
+
+Result<AxisBackup> WriteProcedure::keepPresent(const std::vector<std::string>& slots)
+{
+    m_access.report("backup", 0.05);
+    AxisBackup present{m_write.plan.drive, m_write.plan.axis, {}, m_clock(), {}, {}};
+    auto registers = readAxisRegisters(m_access, present.axis);
+    if (!registers)
+        return fail(registers.error());
+    present.registers = std::move(*registers);
+    for (const std::string& name : slots) {
+        const TableSlot* slot = m_access.profile().slotNamed(name);
+        if (!slot)
+            continue;
+        auto file = readSlotFile(m_access, *slot);
+        if (!file)
+            return fail(file.error());
+        present.files.push_back(std::move(*file));
+    }
+    auto saved = m_store.saveBackup(present);
+    if (!saved)
+        return fail(saved.error());
+    m_backupFile = std::move(*saved);
+    return present;
+}
+
+} // namespace axiscomp
