@@ -102,6 +102,16 @@ struct WriteReport {
     std::filesystem::path backup;
 };
 
+/// What a drive's flash has gone through, and what it may still do now. Wear is per slot.
+struct FlashUse {
+    FlashBudget budget;
+    std::uint64_t operationsRecorded = 0; ///< by this computer, all slots together
+    std::string mostUsedSlot; ///< empty: the drive does not count
+    std::uint32_t mostCycles = 0; ///< of that slot, whoever spent them
+    std::uint64_t allCycles = 0; ///< of all slots that are counted
+    std::uint32_t ratedCycles = 0; ///< usual life of one slot, 0: not known
+};
+
 /// The drive's own numbers against core's lookup at the same sources.
 struct Proof {
     struct Sample {
@@ -179,6 +189,9 @@ public:
     /// slot there, ChangedMeanwhile, FlashWear, VerifyMismatch, RollbackFailed.
     [[nodiscard]] Result<std::filesystem::path> upload(
         const std::string& path, ByteView bytes, const OperationOptions& options = {});
+
+    /// EraseCount of all slots, and what this computer has recorded.
+    [[nodiscard]] Result<FlashUse> flashUse(const OperationOptions& options = {});
 
     [[nodiscard]] Result<DriveBackup> backup(const OperationOptions& options = {});
     /// A normal verified write per axis, then the tables that no axis uses, as upload does it.

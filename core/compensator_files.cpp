@@ -40,6 +40,15 @@ Result<std::filesystem::path> AxisCompensator::upload(
         .run(bytes, FileReplacement::Users::Allowed);
 }
 
+Result<FlashUse> AxisCompensator::flashUse(const OperationOptions& options)
+{
+    const DriveAccess access = d->access(options);
+    auto drive = d->identify(access);
+    if (!drive)
+        return fail(drive.error());
+    return readFlashUse(access, d->store, *drive, d->clock());
+}
+
 Result<DriveBackup> AxisCompensator::backup(const OperationOptions& options)
 {
     const DriveAccess access = d->access(options);

@@ -24,6 +24,36 @@ Result<EraseCounts> readEraseCounts(
     return counts;
 }
 
+Result<FlashUse> readFlashUse(
+    const DriveAccess& access, DriveStore& store, const DriveIdentity& drive, WallTime now)
+{
+    auto history = store.flashHistory(drive.serialNumber);
+    if (!history)
+        return fail(history.error());
+    std::vector<std::string> slots;
+    for (const TableSlot& slot : access.profile().tableSlots)
+        slots.push_back(slot.name);
+    auto counts = readEraseCounts(access, slots);
+    if (!counts)
+        return fail(counts.error());
+    const FlashWearLimits& limits = access.profile().flashWear;
+    FlashUse use;
+    use.budget = wearGuard(limits, *history).budget(now);
+    use.operationsRecorded = history->total;
+    use.ratedCycles = limits.ratedCycles;
+    for (const std::string& slot : slots) { // the first of several with the same count
+        const auto count = counts->find(slot);
+        if (count == counts->end())
+            continue;
+        use.allCycles += count->second;
+        if (use.mostUsedSlot.empty() || count->second > use.mostCycles) {
+            use.mostUsedSlot = slot;
+            use.mostCycles = count->second;
+        }
+    }
+    return use;
+}
+
 void FlashAccount::record(const EraseCounts& before, const EraseCounts& after, int assumed)
 {
     std::int64_t operations = before.empty() ? assumed : 0;

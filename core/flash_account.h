@@ -15,6 +15,9 @@ using EraseCounts = std::map<std::string, std::uint32_t, std::less<>>;
 [[nodiscard]] Result<EraseCounts> readEraseCounts(
     const DriveAccess& access, const std::vector<std::string>& slots);
 
+[[nodiscard]] Result<FlashUse> readFlashUse(
+    const DriveAccess& access, DriveStore& store, const DriveIdentity& drive, WallTime now);
+
 /// Keeps the store's account of one drive's flash operations while an operation runs: counts as the
 /// drive counts where it tells, and remembers when the drive refuses.
 class FlashAccount {

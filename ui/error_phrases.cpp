@@ -74,6 +74,11 @@ constexpr const char* phrases[] = {
         "overwrite it"),
     QT_TRANSLATE_NOOP("Error", "axis {axis} has no table on the drive; write one first"),
     QT_TRANSLATE_NOOP("Error", "axis {axis} already has all of this; there is nothing to write"),
+    QT_TRANSLATE_NOOP(
+        "Error", "no write to axis {axis} is unfinished; there is nothing to finish or to undo"),
+    QT_TRANSLATE_NOOP("Error",
+        "the new table of the unfinished write to axis {axis} was not kept on this computer: write "
+        "it again, or undo the write"),
     QT_TRANSLATE_NOOP("Error", "the compensation of axis {axis} is active; deactivate it first"),
     QT_TRANSLATE_NOOP("Error", "axis {axis} must be homed first"),
     QT_TRANSLATE_NOOP(

@@ -27,6 +27,7 @@ CommandLine::CommandLine()
     addTransferCommands(*this);
     addMonitorCommand(*this);
     addBackupCommands(*this);
+    addRecoverCommand(*this);
     // Last, as commands take over what is there when they are added.
     m_parser.footer(
         "ENDPOINT is http://host[:port], https://host[:port] or demo: (a virtual drive inside the\n"

@@ -49,5 +49,6 @@ void addReadCommand(CommandLine& line);
 void addTransferCommands(CommandLine& line);
 void addMonitorCommand(CommandLine& line);
 void addBackupCommands(CommandLine& line);
+void addRecoverCommand(CommandLine& line);
 
 } // namespace axiscomp::app

@@ -159,15 +159,6 @@ Result<int> DriveSession::axis()
         m_options.command);
 }
 
-Result<DriveSession::FlashUse> DriveSession::flashUse(std::int32_t serialNumber)
-{
-    auto history = m_store.flashHistory(serialNumber);
-    if (!history)
-        return fail(history.error());
-    const FlashWearGuard guard(m_profile.flashWear, std::move(history->recent));
-    return FlashUse{guard.budget(std::chrono::system_clock::now()), history->total};
-}
-
 Result<SettledStatus> settledStatus(Environment& environment, DriveSession& session, int axis)
 {
     auto status = session.compensator().status(axis, session.operation());
@@ -206,18 +197,24 @@ std::string outcomeSentence(const JournalEntry& entry, AxisCompensator::Unfinish
         + utcText(entry.time) + " did not end (last step: " + stepWords(entry.step) + "). ";
     switch (outcome) {
     case AxisCompensator::UnfinishedOutcome::Old:
-        return head + "The drive holds the complete old state; nothing needs to be done";
+        return head
+            + "The drive holds the complete old state: `axiscomp recover --finish` brings the new "
+              "one about, `axiscomp recover --undo` puts an end to it";
     case AxisCompensator::UnfinishedOutcome::New:
         return head + "The drive holds the complete new state; nothing needs to be done";
     case AxisCompensator::UnfinishedOutcome::NewUnsaved:
         return head
-            + "The drive holds the complete new state, but its parameters may not be saved: run "
-              "axiscomp persist to finish it";
+            + "The drive holds the complete new state, but its parameters may not be saved: "
+              "`axiscomp recover --finish` saves them, `axiscomp recover --undo` brings the old "
+              "state back";
     case AxisCompensator::UnfinishedOutcome::Neither:
         break;
     }
-    return head + "The drive holds neither the old nor the new state: do not activate the axis; "
-        + "write again, or restore it from " + entry.backup.string();
+    return head
+        + "The drive holds neither the old nor the new state: do not activate the axis; finish the "
+          "write with `axiscomp recover --finish`, or undo it with `axiscomp recover --undo`. The "
+          "old state is kept in "
+        + entry.backup.string();
 }
 
 Result<ExitCode> withDrive(

@@ -70,13 +70,6 @@ public:
     /// several; AxisNotFound, AxisAmbiguous.
     [[nodiscard]] Result<int> axis();
 
-    /// Flash operations of a drive, as far as this computer knows.
-    struct FlashUse {
-        FlashBudget budget;
-        std::uint64_t total = 0;
-    };
-    [[nodiscard]] Result<FlashUse> flashUse(std::int32_t serialNumber);
-
 private:
     DriveSession(Environment& environment, DriveOptions options, DriveProfile profile,
         std::optional<TemporaryFolder> demoState);
@@ -91,7 +84,7 @@ private:
 };
 
 /// The state of an axis; says on standard error what became of an earlier write that did not end,
-/// and forgets it where the drive holds one of its two states completely.
+/// and forgets it where the drive holds its new state completely.
 struct SettledStatus {
     AxisStatus status;
     std::optional<AxisCompensator::UnfinishedOutcome> unfinished;
@@ -101,7 +94,7 @@ struct SettledStatus {
 
 /// "Old", "New", "NewUnsaved", "Neither"
 [[nodiscard]] std::string_view outcomeName(AxisCompensator::UnfinishedOutcome outcome);
-/// One sentence for people about it.
+/// Sentences for people about it, and about what can be done.
 [[nodiscard]] std::string outcomeSentence(
     const JournalEntry& entry, AxisCompensator::UnfinishedOutcome outcome);
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/json_output.h"
 
+#include "app/cli/drive_session.h"
 #include "app/common/number_text.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace axiscomp::app {
 
@@ -91,6 +93,24 @@ Json toJson(const AxisStatus& status)
         {"activation", status.activation}, {"state", status.axis.state}, {"error", status.error},
         {"output", status.output}, {"indices", numbers(status.indices, dimensions)},
         {"homing", status.axis.homing}};
+}
+
+Json toJson(const FlashUse& use)
+{
+    const bool isCounted = !use.mostUsedSlot.empty();
+    const bool isLimited = use.budget.left != std::numeric_limits<int>::max();
+    return {{"operationsLeft", isLimited ? Json(use.budget.left) : Json(nullptr)},
+        {"waitSeconds", use.budget.wait.count()}, {"byThisComputer", use.operationsRecorded},
+        {"mostUsedSlot", textOrNull(use.mostUsedSlot)},
+        {"cycles", isCounted ? Json(use.mostCycles) : Json(nullptr)},
+        {"allCycles", isCounted ? Json(use.allCycles) : Json(nullptr)},
+        {"ratedCycles", use.ratedCycles > 0 ? Json(use.ratedCycles) : Json(nullptr)}};
+}
+
+Json unfinishedToJson(const JournalEntry& entry, AxisCompensator::UnfinishedOutcome outcome)
+{
+    return {{"began", utcText(entry.time)}, {"step", entry.step},
+        {"driveHolds", outcomeName(outcome)}, {"backup", entry.backup.string()}};
 }
 
 Json toJson(const WritePlan& plan)

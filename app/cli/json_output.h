@@ -23,6 +23,9 @@ namespace axiscomp::app {
 /// {"index", "name", "unit", "homing", "state"}
 [[nodiscard]] Json toJson(const AxisInfo& axis);
 [[nodiscard]] Json toJson(const AxisStatus& status);
+[[nodiscard]] Json toJson(const FlashUse& use);
+[[nodiscard]] Json unfinishedToJson(
+    const JournalEntry& entry, AxisCompensator::UnfinishedOutcome outcome);
 [[nodiscard]] Json toJson(const WritePlan& plan);
 [[nodiscard]] Json toJson(const WriteReport& report);
 [[nodiscard]] Json toJson(const Proof& proof, int dimensions);

@@ -14,21 +14,18 @@ Result<ExitCode> runStatus(Environment& environment, DriveSession& session, int 
     const auto settled = settledStatus(environment, session, axis);
     if (!settled)
         return fail(settled.error());
-    const auto flash = session.flashUse(settled->status.drive.serialNumber);
+    const auto flash = session.compensator().flashUse(session.operation());
     if (!flash)
         return fail(flash.error());
 
     Json json = toJson(settled->status);
-    if (settled->unfinished) {
-        const JournalEntry& entry = *settled->status.unfinishedWrite;
-        json["unfinishedWrite"] = {{"began", utcText(entry.time)}, {"step", entry.step},
-            {"driveHolds", outcomeName(*settled->unfinished)}, {"backup", entry.backup.string()}};
-    }
+    json["flash"] = toJson(*flash);
+    if (settled->unfinished)
+        json["unfinishedWrite"] =
+            unfinishedToJson(*settled->status.unfinishedWrite, *settled->unfinished);
     environment.document(json);
     environment.print(statusText(settled->status, session.profile()));
-    environment.print("\nFlash: " + budgetWords(flash->budget) + "; "
-        + plural(flash->total, "operation", "operations")
-        + " by this computer so far (others are not counted)\n");
+    environment.print("\n" + flashText(*flash));
     return ExitCode::Done;
 }
 

@@ -104,6 +104,23 @@ std::string budgetWords(const FlashBudget& budget)
         + " possible now";
 }
 
+std::string flashText(const FlashUse& use)
+{
+    std::string text = "Flash: " + budgetWords(use.budget) + "; ";
+    const std::string usual =
+        use.ratedCycles > 0 ? " of the usual " + countText(use.ratedCycles) + " cycles" : "";
+    if (use.mostUsedSlot.empty())
+        return text + plural(use.operationsRecorded, "operation", "operations")
+            + " by this computer so far (others are not counted)"
+            + (usual.empty()
+                    ? ""
+                    : "; a slot has the usual life of " + countText(use.ratedCycles) + " cycles")
+            + "\n";
+    return text + use.mostUsedSlot + " is the most used slot: " + countText(use.mostCycles)
+        + (usual.empty() ? " cycles" : usual) + " (all slots together " + countText(use.allCycles)
+        + ", by this computer " + countText(use.operationsRecorded) + ")\n";
+}
+
 std::string proofText(const Proof& proof, const AxisStatus& status)
 {
     const std::string unit = unitSymbol(status.axis.unit);

@@ -15,6 +15,8 @@ namespace axiscomp::app {
 [[nodiscard]] std::string statusText(const AxisStatus& status, const DriveProfile& profile);
 /// "7 operations possible now"
 [[nodiscard]] std::string budgetWords(const FlashBudget& budget);
+/// What the flash of the drive has gone through, one line.
+[[nodiscard]] std::string flashText(const FlashUse& use);
 /// The figures of a proof, one line per sample.
 [[nodiscard]] std::string proofText(const Proof& proof, const AxisStatus& status);
 

@@ -22,10 +22,11 @@ _axiscomp_options()
         monitor) echo "--help --json $drive --axis --rate --count" ;;
         backup) echo "--help --json $drive --output" ;;
         restore) echo "--help --json $drive --force" ;;
+        recover) echo "--help --json $drive --axis --finish --undo" ;;
     esac
 }
 
-_axiscomp_commands="example inspect convert lookup formats axes status write persist unpersist evaluate activate deactivate read files upload download monitor backup restore"
+_axiscomp_commands="example inspect convert lookup formats axes status write persist unpersist evaluate activate deactivate read files upload download monitor backup restore recover"
 
 _axiscomp_slots="small1 small2 small3 small4 small5 small6 small7 small8 large1 large2"
 

@@ -57,6 +57,8 @@ const std::map<ErrorCode, int> expectedCodes{
     {ErrorCode::NoFreeSlot, 4},
     {ErrorCode::NoTable, 4},
     {ErrorCode::NothingToWrite, 0},
+    {ErrorCode::NothingUnfinished, 0},
+    {ErrorCode::TableNotKept, 1},
     {ErrorCode::CompensationActive, 4},
     {ErrorCode::NotHomed, 4},
     {ErrorCode::OtherDrive, 4},

@@ -170,6 +170,51 @@ private Q_SLOTS:
         checkNextRun(bench, url);
     }
 
+    void killedWriteIsFinishedOrUndone_data()
+    {
+        QTest::addColumn<int>("steps");
+        QTest::addColumn<QString>("option");
+        for (const int steps : {3, 4, 5, 6}) {
+            for (const char* option : {"--finish", "--undo"})
+                QTest::addRow("after step %d, %s", steps, option) << steps << option;
+        }
+    }
+    void killedWriteIsFinishedOrUndone()
+    {
+        QFETCH(const int, steps);
+        QFETCH(const QString, option);
+        Bench bench;
+        QString url;
+        {
+            const VirtualDriveProcess quick(bench.box, driveOptions({}, nullptr));
+            url = quick.url();
+            QVERIFY(bench.prepare(url));
+        }
+        const VirtualDriveProcess slow(bench.box, driveOptions(url, "slow=15"));
+        QVERIFY(slow.isReady());
+        const auto process = bench.startWrite(url, steps);
+        process->kill();
+        QVERIFY(process->waitForFinished(deadlineMs));
+        const QStringList recover{QStringLiteral("recover"), QStringLiteral("--drive"), url,
+            QStringLiteral("--axis"), QStringLiteral("0"), QStringLiteral("--json")};
+        const ProgramRun said = bench.box.run(recover);
+        VERIFY_CODE(said, 0);
+        if (said.json().value("unfinishedWrite").isNull()
+            || said.json().value("unfinishedWrite").toObject().value("driveHolds") == "New")
+            return; // it had ended before the program was killed
+        QVERIFY2(said.json().value("finishObstacle").isNull(), said.text().constData());
+        QVERIFY2(said.json().value("undoObstacle").isNull(), said.text().constData());
+        const ProgramRun done = bench.box.run(recover + QStringList{option});
+        VERIFY_CODE(done, 0);
+        const ProgramRun status = bench.status(url);
+        QVERIFY2(status.err.isEmpty(), status.err.constData());
+        const AxisState wanted = option == QStringLiteral("--finish") ? bench.after : bench.before;
+        QVERIFY2(stateOf(status.json()) == wanted, status.text().constData());
+        const ProgramRun again = bench.box.run(recover + QStringList{option});
+        VERIFY_CODE(again, 0);
+        QVERIFY2(again.json().value("unfinishedWrite").isNull(), again.text().constData());
+    }
+
     void killedDriveIsExplainedByTheNextRun_data() { addSteps(); }
     void killedDriveIsExplainedByTheNextRun()
     {
@@ -198,7 +243,7 @@ private Q_SLOTS:
     }
 
 private:
-    /// `status` says which of the two states the drive holds, once, and a new write succeeds.
+    /// `status` says which of the two states the drive holds, and a new write succeeds.
     void checkNextRun(const Bench& bench, const QString& url)
     {
         const ProgramRun status = bench.status(url);
