@@ -74,7 +74,7 @@ Result<AxisReading> readAxis(AxisCompensator& compensator, const std::filesystem
     DriveStore store(storeRoot);
     const std::int32_t serialNumber = reading.status.drive.serialNumber;
     if (auto history = store.flashHistory(serialNumber))
-        reading.flashOperations = std::move(history->recent);
+        reading.flashHistory = std::move(*history);
     reading.hasBackup = !store.backups(serialNumber, axis).empty();
     return reading;
 }

@@ -31,7 +31,7 @@ struct SettledWrite {
 /// One axis, with what this computer knows about it.
 struct AxisReading {
     AxisStatus status;
-    std::vector<WallTime> flashOperations; ///< for a FlashWearGuard
+    DriveStore::FlashHistory flashHistory; ///< with what the drive has refused, to any program
     bool hasBackup = false;
     std::optional<SettledWrite> settled;
 };

@@ -159,28 +159,10 @@ void WizardController::Private::liveFailed(const Error& error)
     logError(error);
 }
 
+/// A refusal by the drive is in the store too, whichever program it was that ran into it.
 void WizardController::Private::takeFlash(const AxisReading& now)
 {
-    flash = FlashWearGuard(profile.flashWear, now.flashOperations);
-    const auto refusal = flashRefusals.find(now.status.drive.serialNumber);
-    const WallTime time = std::chrono::system_clock::now();
-    if (refusal != flashRefusals.end() && refusal->second > time)
-        flash.recordRefusal(time, std::chrono::ceil<std::chrono::seconds>(refusal->second - time));
-}
-
-/// The drive has counted more flash operations than this computer knows of.
-void WizardController::Private::noteFlashRefusal(const Error& error)
-{
-    const auto seconds = error.context.find("seconds");
-    if (error.code != ErrorCode::FlashWear || seconds == error.context.end() || !status)
-        return;
-    bool isNumber = false;
-    const int wait = QString::fromStdString(seconds->second).toInt(&isNumber);
-    if (!isNumber || wait <= 0)
-        return;
-    const WallTime time = std::chrono::system_clock::now();
-    flashRefusals[status->drive.serialNumber] = time + std::chrono::seconds(wait);
-    flash.recordRefusal(time, std::chrono::seconds(wait));
+    flash = wearGuard(profile.flashWear, now.flashHistory);
 }
 
 FlashBudget WizardController::Private::flashBudget() const

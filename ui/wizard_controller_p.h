@@ -18,7 +18,6 @@
 #include <QTimer>
 
 #include <functional>
-#include <map>
 #include <stop_token>
 
 namespace axiscomp::ui {
@@ -54,7 +53,6 @@ public:
     void liveFailed(const Error& error);
     [[nodiscard]] FlashBudget flashBudget() const;
     void takeFlash(const AxisReading& reading);
-    void noteFlashRefusal(const Error& error);
 
     // Sources (wizard_sources.cpp)
     struct SourceField {
@@ -131,7 +129,6 @@ public:
     bool isLeaving = false; ///< the fields are emptied: that is not a choice
     std::optional<Error> liveProblem; ///< as last logged
     FlashWearGuard flash;
-    std::map<std::int32_t, WallTime> flashRefusals; ///< by serial number, until when
     std::array<SourceField, 3> sourceFields;
 
     LiveMonitor live;

@@ -136,7 +136,6 @@ void WizardController::Private::planWrite()
 void WizardController::Private::planned(const Result<WritePlan>& result)
 {
     if (!result) {
-        noteFlashRefusal(result.error());
         show([error = result.error()] { return errorOutcome(error); });
         if (isLinkFailure(result.error().code))
             axisFailed(result.error());
@@ -191,8 +190,6 @@ void WizardController::Private::written(const Result<OperationEnd<WriteReport>>&
     takeEnd(*end);
     if (end->outcome)
         setup.setTable({}); // the drive has it now
-    else
-        noteFlashRefusal(end->outcome.error());
     requestTable = {};
     show([result = end->outcome] { return writeOutcome(result); });
 }
@@ -250,8 +247,6 @@ void WizardController::Private::restorePrevious()
             }
             if (end->outcome)
                 setup.revert(); // going back means the changes too
-            else
-                noteFlashRefusal(end->outcome.error());
             takeEnd(*end);
             show([result = end->outcome] { return restorationOutcome(result); });
         });

@@ -17,8 +17,8 @@ using test::VirtualDriveProcess;
 
 namespace {
 
-const QStringList statusKeys{"activation", "axis", "dimensions", "drive", "error", "homing",
-    "indices", "output", "persistent", "slot", "sources", "state", "table"};
+const QStringList statusKeys{"activation", "axis", "dimensions", "drive", "error", "flash",
+    "homing", "indices", "output", "persistent", "slot", "sources", "state", "table"};
 
 const QByteArray line1D = "X [mm],Error [mm]\n0,0\n50,0.002\n100,-0.003\n";
 

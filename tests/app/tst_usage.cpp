@@ -16,7 +16,7 @@ namespace {
 
 const QStringList commands{"example", "inspect", "convert", "lookup", "formats", "axes", "status",
     "write", "persist", "unpersist", "evaluate", "activate", "deactivate", "read", "files",
-    "upload", "download", "monitor", "backup", "restore"};
+    "upload", "download", "monitor", "backup", "restore", "recover"};
 
 QString sourceFile(const QString& name)
 {
