@@ -1288,10 +1288,6 @@
         <translation>die Sicherung</translation>
     </message>
     <message>
-        <source>its own file</source>
-        <translation>der eigenen Datei</translation>
-    </message>
-    <message>
         <source>axis {axis} has no Table register</source>
         <translation>Achse {axis} hat kein Register Table</translation>
     </message>
@@ -1334,6 +1330,52 @@
     <message>
         <source>{text} is not the SHA-256 of a certificate</source>
         <translation>{text} ist nicht der SHA-256 eines Zertifikats</translation>
+        <source>no write to axis {axis} is unfinished; there is nothing to finish or to undo</source>
+        <translation>kein Schreibvorgang für Achse {axis} ist unvollendet; es gibt nichts abzuschließen oder rückgängig zu machen</translation>
+    </message>
+    <message>
+        <source>the new table of the unfinished write to axis {axis} was not kept on this computer: write it again, or undo the write</source>
+        <translation>die neue Tabelle des unvollendeten Schreibvorgangs für Achse {axis} wurde auf diesem Rechner nicht aufbewahrt: neu schreiben oder den Vorgang rückgängig machen</translation>
+    </message>
+    <message>
+        <source>slot {slot}</source>
+        <translation>Platz {slot}</translation>
+    </message>
+    <message>
+        <source>empty</source>
+        <translation>leer</translation>
+    </message>
+    <message>
+        <source>{count} values (CRC {crc}), persistent</source>
+        <translation>{count} Werte (CRC {crc}), dauerhaft</translation>
+    </message>
+    <message>
+        <source>{count} values (CRC {crc}), volatile</source>
+        <translation>{count} Werte (CRC {crc}), flüchtig</translation>
+    </message>
+    <message>
+        <source>empty, used by {user}</source>
+        <translation>leer, benutzt von {user}</translation>
+    </message>
+    <message>
+        <source>{count} values (CRC {crc}), persistent, used by {user}</source>
+        <translation>{count} Werte (CRC {crc}), dauerhaft, benutzt von {user}</translation>
+    </message>
+    <message>
+        <source>{count} values (CRC {crc}), volatile, used by {user}</source>
+        <translation>{count} Werte (CRC {crc}), flüchtig, benutzt von {user}</translation>
+    </message>
+    <message>
+        <source>the unfinished write to axis {axis}</source>
+        <translation>den unvollendeten Schreibvorgang für Achse {axis}</translation>
+    </message>
+    <message>
+        <source>it is not of axis {axis} of this drive</source>
+        <translation>sie ist nicht von Achse {axis} dieses Antriebs</translation>
+    </message>
+    <message>
+        <source>it is not the table that was kept there: its size or CRC differs</source>
+        <translation>es ist nicht die Tabelle, die dort aufbewahrt wurde: Größe oder CRC weicht ab</translation>
     </message>
 </context>
 <context>
