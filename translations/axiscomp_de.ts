@@ -2405,24 +2405,32 @@
         <translation>Wiederhergestellt: der Antrieb hat den Stand vor dem Schreiben vom %1.</translation>
     </message>
     <message>
-        <source>The drive holds the complete old state; nothing needs to be done.</source>
-        <translation>Der Antrieb hat vollständig den alten Stand; es ist nichts zu tun.</translation>
-    </message>
-    <message>
         <source>The drive holds the complete new state; nothing needs to be done.</source>
         <translation>Der Antrieb hat vollständig den neuen Stand; es ist nichts zu tun.</translation>
     </message>
     <message>
-        <source>The drive holds the complete new state, but its parameters may not be saved: write to finish it.</source>
-        <translation>Der Antrieb hat vollständig den neuen Stand, seine Parameter sind aber vielleicht nicht gespeichert: zum Abschließen schreiben.</translation>
-    </message>
-    <message>
-        <source>The drive holds neither the old nor the new state: do not activate the axis; write again, or restore the previous state.</source>
-        <translation>Der Antrieb hat weder den alten noch den neuen Stand: die Achse nicht aktivieren; neu schreiben oder den vorherigen Stand wiederherstellen.</translation>
-    </message>
-    <message>
         <source>A write that began on %1 did not end (last step: %2). %3</source>
         <translation>Ein am %1 begonnener Schreibvorgang wurde nicht beendet (letzter Schritt: %2). %3</translation>
+    </message>
+    <message>
+        <source>%1 The write is still unfinished.</source>
+        <translation>%1 Der Schreibvorgang ist weiterhin unvollendet.</translation>
+    </message>
+    <message>
+        <source>Finished, read back and compared: the drive holds the complete new state.</source>
+        <translation>Abgeschlossen, zurückgelesen und verglichen: der Antrieb hat den vollständigen neuen Stand.</translation>
+    </message>
+    <message>
+        <source>Undone, read back and compared: the drive holds the complete old state.</source>
+        <translation>Rückgängig gemacht, zurückgelesen und verglichen: der Antrieb hat den vollständigen alten Stand.</translation>
+    </message>
+    <message>
+        <source>The drive holds the complete new state, but its parameters may not be saved.</source>
+        <translation>Der Antrieb hat den vollständigen neuen Stand, aber seine Parameter sind möglicherweise nicht gespeichert.</translation>
+    </message>
+    <message>
+        <source>The drive holds neither the old nor the new state: do not activate the axis before the write is finished or undone.</source>
+        <translation>Der Antrieb hat weder den alten noch den neuen Stand: die Achse erst aktivieren, wenn der Schreibvorgang abgeschlossen oder rückgängig gemacht ist.</translation>
     </message>
 </context>
 <context>
@@ -2501,6 +2509,16 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
     <message>
         <source>Look at t&amp;he Certificate…</source>
         <translation>Z&amp;um Zertifikat…</translation>
+        <source>&amp;Finish Write</source>
+        <translation>Schreiben a&amp;bschließen</translation>
+    </message>
+    <message>
+        <source>Undo W&amp;rite</source>
+        <translation>Schreiben zurück&amp;nehmen</translation>
+    </message>
+    <message>
+        <source>&amp;Keep for Later</source>
+        <translation>S&amp;päter</translation>
     </message>
 </context>
 <context>
@@ -2808,6 +2826,11 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
         <source>%1, empty</source>
         <comment>table slot</comment>
         <translation>%1, leer</translation>
+    </message>
+    <message>
+        <source>; used so far: %1 of the usual %2 cycles</source>
+        <comment>of the flash</comment>
+        <translation>; bisher verbraucht: %1 der üblichen %2 Zyklen</translation>
     </message>
 </context>
 <context>
@@ -3143,6 +3166,14 @@ B - A: %3</translation>
         <source>%1 cannot be used: %2 problems.</source>
         <translation>%1 ist nicht verwendbar, Anzahl der Fehler: %2.</translation>
     </message>
+    <message>
+        <source>finishing the write</source>
+        <translation>Schreiben wird abgeschlossen</translation>
+    </message>
+    <message>
+        <source>undoing the write</source>
+        <translation>Schreiben wird zurückgenommen</translation>
+    </message>
 </context>
 <context>
     <name>axiscomp::ui::WizardRules</name>
@@ -3337,6 +3368,18 @@ B - A: %3</translation>
     <message>
         <source>The compensation is being evaluated: the drive adds nothing.</source>
         <translation>Die Kompensation wird nur ausgewertet: der Antrieb addiert nichts.</translation>
+    </message>
+    <message>
+        <source>No write to this axis is unfinished.</source>
+        <translation>Für diese Achse ist kein Schreibvorgang unvollendet.</translation>
+    </message>
+    <message>
+        <source>Brings the drive to the complete new state of the write that did not end.</source>
+        <translation>Bringt den Antrieb auf den vollständigen neuen Stand des nicht beendeten Schreibvorgangs.</translation>
+    </message>
+    <message>
+        <source>Brings the drive back to the complete state before the write that did not end.</source>
+        <translation>Bringt den Antrieb auf den vollständigen Stand vor dem nicht beendeten Schreibvorgang zurück.</translation>
     </message>
 </context>
 <context>

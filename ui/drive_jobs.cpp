@@ -34,9 +34,16 @@ std::optional<SettledWrite> settle(AxisCompensator& compensator,
     const auto outcome = compensator.settleUnfinished(entry, options);
     if (!outcome)
         return std::nullopt;
-    if (*outcome == Outcome::Old || *outcome == Outcome::New)
+    SettledWrite settled{entry, *outcome, {}};
+    if (*outcome == Outcome::New) {
         status.unfinishedWrite.reset();
-    return SettledWrite{entry, *outcome};
+        return settled;
+    }
+    auto recovery = compensator.recovery(entry, options);
+    if (!recovery)
+        return std::nullopt;
+    settled.recovery = std::move(*recovery);
+    return settled;
 }
 
 } // namespace
@@ -75,6 +82,8 @@ Result<AxisReading> readAxis(AxisCompensator& compensator, const std::filesystem
     const std::int32_t serialNumber = reading.status.drive.serialNumber;
     if (auto history = store.flashHistory(serialNumber))
         reading.flashHistory = std::move(*history);
+    if (auto use = compensator.flashUse(options))
+        reading.flashUse = std::move(*use);
     reading.hasBackup = !store.backups(serialNumber, axis).empty();
     return reading;
 }
@@ -134,6 +143,15 @@ OperationEnd<Restoration> restoreAxis(AxisCompensator& compensator, const DriveP
     };
     auto outcome = restore();
     return {std::move(outcome), readAxis(compensator, storeRoot, axis, quietly(options))};
+}
+
+OperationEnd<WriteReport> recoverAxis(AxisCompensator& compensator,
+    const std::filesystem::path& storeRoot, const JournalEntry& entry, bool finishes,
+    const OperationOptions& options)
+{
+    auto report = finishes ? compensator.finishUnfinished(entry, options)
+                           : compensator.undoUnfinished(entry, options);
+    return {std::move(report), readAxis(compensator, storeRoot, entry.axis, quietly(options))};
 }
 
 Result<SurveyedTable> downloadTable(AxisCompensator& compensator, int axis,

@@ -26,12 +26,14 @@ struct DriveFindings {
 struct SettledWrite {
     JournalEntry entry;
     AxisCompensator::UnfinishedOutcome outcome = AxisCompensator::UnfinishedOutcome::Neither;
+    AxisCompensator::Recovery recovery; ///< what can be done about it
 };
 
 /// One axis, with what this computer knows about it.
 struct AxisReading {
     AxisStatus status;
     DriveStore::FlashHistory flashHistory; ///< with what the drive has refused, to any program
+    std::optional<FlashUse> flashUse;
     bool hasBackup = false;
     std::optional<SettledWrite> settled;
 };
@@ -70,6 +72,11 @@ struct Restoration {
 /// write. Errors: FileNotReadable when there is none, those of AxisCompensator::restore.
 [[nodiscard]] OperationEnd<Restoration> restoreAxis(AxisCompensator& compensator,
     const DriveProfile& profile, const std::filesystem::path& storeRoot, int axis,
+    const OperationOptions& options);
+
+/// Finishes or undoes a write that did not end. Errors: those of AxisCompensator.
+[[nodiscard]] OperationEnd<WriteReport> recoverAxis(AxisCompensator& compensator,
+    const std::filesystem::path& storeRoot, const JournalEntry& entry, bool finishes,
     const OperationOptions& options);
 
 /// expected: given back in place of what was downloaded when its numbers are the same, because it

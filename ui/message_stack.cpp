@@ -85,7 +85,10 @@ private:
     {
         auto* button = new QPushButton(description.text, this);
         button->setObjectName(description.objectName);
-        button->setAccessibleDescription(m_text->text());
+        button->setAccessibleDescription(
+            description.reason.isEmpty() ? m_text->text() : description.reason);
+        button->setToolTip(description.reason);
+        button->setEnabled(description.isEnabled);
         button->setAutoDefault(true);
         layout.addWidget(button);
         connect(button, &QPushButton::clicked, &stack,

@@ -22,6 +22,8 @@ struct Message {
         QString objectName;
         QString text;
         std::function<void()> run; ///< the message is gone by then
+        bool isEnabled = true;
+        QString reason{}; ///< what it does, or why it cannot be pressed
     };
     std::vector<Button> buttons;
     bool isClosable = true;

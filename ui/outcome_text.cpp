@@ -28,6 +28,7 @@ public:
     [[nodiscard]] static Outcome switched(Switch wanted, const Activation& activation);
     [[nodiscard]] static QString proved(const Proof& proof, const AxisInfo& axis);
     [[nodiscard]] static Outcome restored(const Restoration& restoration);
+    [[nodiscard]] static Outcome recovered(bool finishes, const Result<WriteReport>& report);
     [[nodiscard]] static QString settled(AxisCompensator::UnfinishedOutcome outcome);
     [[nodiscard]] static QString unfinished(const SettledWrite& settled);
 };
@@ -125,22 +126,32 @@ Outcome Outcomes::restored(const Restoration& restoration)
         false, QStringLiteral("backup: ") + QString::fromStdString(restoration.backup.string())};
 }
 
+Outcome Outcomes::recovered(bool finishes, const Result<WriteReport>& report)
+{
+    if (!report)
+        return {tr("%1 The write is still unfinished.").arg(errorText(report.error())), true,
+            errorDetail(report.error())};
+    return {finishes
+            ? tr("Finished, read back and compared: the drive holds the complete new state.")
+            : tr("Undone, read back and compared: the drive holds the complete old state."),
+        false, QStringLiteral("backup: ") + QString::fromStdString(report->backup.string())};
+}
+
 QString Outcomes::settled(AxisCompensator::UnfinishedOutcome outcome)
 {
     using Unfinished = AxisCompensator::UnfinishedOutcome;
     switch (outcome) {
     case Unfinished::Old:
-        return tr("The drive holds the complete old state; nothing needs to be done.");
+        return tr("The drive holds the complete old state.");
     case Unfinished::New:
         return tr("The drive holds the complete new state; nothing needs to be done.");
     case Unfinished::NewUnsaved:
-        return tr("The drive holds the complete new state, but its parameters may not be saved: "
-                  "write to finish it.");
+        return tr("The drive holds the complete new state, but its parameters may not be saved.");
     case Unfinished::Neither:
         break;
     }
-    return tr("The drive holds neither the old nor the new state: do not activate the axis; write "
-              "again, or restore the previous state.");
+    return tr("The drive holds neither the old nor the new state: do not activate the axis before "
+              "the write is finished or undone.");
 }
 
 QString Outcomes::unfinished(const SettledWrite& settledWrite)
@@ -169,10 +180,15 @@ Outcome restorationOutcome(const Result<Restoration>& restoration)
                        : Outcomes::notWritten(restoration.error());
 }
 
+Outcome recoveryOutcome(bool finishes, const Result<WriteReport>& report)
+{
+    return Outcomes::recovered(finishes, report);
+}
+
 Outcome settledOutcome(const SettledWrite& settled)
 {
     using Unfinished = AxisCompensator::UnfinishedOutcome;
-    const bool isDone = settled.outcome == Unfinished::Old || settled.outcome == Unfinished::New;
+    const bool isDone = settled.outcome == Unfinished::New;
     return {Outcomes::unfinished(settled), !isDone,
         QStringLiteral("backup: ") + QString::fromStdString(settled.entry.backup.string())};
 }

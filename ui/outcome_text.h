@@ -18,6 +18,8 @@ struct Outcome {
 [[nodiscard]] Outcome activationOutcome(Switch wanted, const Result<Activation>& activation);
 [[nodiscard]] Outcome restorationOutcome(const Result<Restoration>& restoration);
 [[nodiscard]] Outcome settledOutcome(const SettledWrite& settled);
+/// Of finishing or undoing a write that did not end.
+[[nodiscard]] Outcome recoveryOutcome(bool finishes, const Result<WriteReport>& report);
 /// Of an operation that changes nothing.
 [[nodiscard]] Outcome errorOutcome(const Error& error);
 

@@ -15,6 +15,7 @@ const QLatin1StringView fileId("fileChangedMessage");
 const QLatin1StringView demoId("demoMessage");
 const QLatin1StringView failureId("failureMessage");
 const QLatin1StringView connectionId("connectionMessage");
+const QLatin1StringView unfinishedId("unfinishedMessage");
 
 /// The drive that the page is about, when it cannot be reached.
 const DriveState* lostDrive(const WizardController& controller)
@@ -41,6 +42,9 @@ PageMessages::PageMessages(WizardController& controller, MessageStack& messages,
     connect(&controller, &WizardController::drivesChanged, this, &PageMessages::showConnection);
     connect(
         &controller, &WizardController::currentAxisChanged, this, &PageMessages::showConnection);
+    for (const auto changed : {&WizardController::statusChanged, &WizardController::actionsChanged,
+             &WizardController::busyChanged, &WizardController::currentAxisChanged})
+        connect(&controller, changed, this, &PageMessages::showUnfinishedWrite);
 }
 
 void PageMessages::offerDemo()
@@ -69,6 +73,8 @@ void PageMessages::retranslate()
         offerDemo();
     if (m_messages.contains(outcomeId))
         showOutcome();
+    m_offered.clear();
+    showUnfinishedWrite();
     showFileChange();
     showConnection();
 }
@@ -101,10 +107,50 @@ void PageMessages::showOutcome()
     message.id = outcomeId;
     message.tone = m_controller.isOutcomeAnError() ? Tone::Error : Tone::Success;
     message.text = m_controller.outcome();
-    if (message.text.isEmpty())
+    if (message.text.isEmpty() || message.text == m_controller.unfinishedWrite())
         m_messages.remove(message.id);
     else if (m_messages.text(message.id) != message.text)
         m_messages.show(message);
+}
+
+/// In the page, not in the way: everything else can be done before this is decided.
+void PageMessages::showUnfinishedWrite()
+{
+    const QString text = m_controller.unfinishedWrite();
+    const ActionState finish = m_controller.action(Action::FinishWrite);
+    const ActionState undo = m_controller.action(Action::UndoWrite);
+    if (text.isEmpty() || text == m_putAway || m_controller.busy().isBusy) {
+        m_messages.remove(unfinishedId);
+        m_offered.clear();
+        if (text.isEmpty())
+            m_putAway.clear();
+        return;
+    }
+    Message message;
+    message.id = unfinishedId;
+    message.tone = Tone::Warning;
+    message.text = text;
+    for (const ActionState& state : {finish, undo}) {
+        if (!state.isEnabled && !message.text.contains(state.reason))
+            message.text += u' ' + state.reason;
+    }
+    message.buttons = {{QStringLiteral("finishWriteButton"), tr("&Finish Write"),
+                           [this] { m_controller.finishWrite(); }, finish.isEnabled, finish.reason},
+        {QStringLiteral("undoWriteButton"), tr("Undo W&rite"), [this] { m_controller.undoWrite(); },
+            undo.isEnabled, undo.reason},
+        {QStringLiteral("laterButton"), tr("&Keep for Later"),
+            [this] { putUnfinishedWriteAway(); }}};
+    message.isClosable = false;
+    const QString offered = message.text + finish.reason + undo.reason;
+    if (m_offered == offered && m_messages.contains(unfinishedId))
+        return;
+    m_offered = offered;
+    m_messages.show(message);
+}
+
+void PageMessages::putUnfinishedWriteAway()
+{
+    m_putAway = m_controller.unfinishedWrite();
 }
 
 void PageMessages::showFileChange()

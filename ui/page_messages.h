@@ -31,9 +31,14 @@ Q_SIGNALS:
 private:
     void showOutcome();
     void showFileChange();
+    void showConnection();
+    void showUnfinishedWrite();
+    void putUnfinishedWriteAway();
 
     WizardController& m_controller;
     MessageStack& m_messages;
+    QString m_putAway; ///< what the user wants to decide later
+    QString m_offered; ///< the offer that is shown, with its reasons
 };
 
 } // namespace axiscomp::ui

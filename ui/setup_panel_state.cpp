@@ -242,6 +242,11 @@ void SetupPanel::showPersistency()
         text += tr("; operations left for now: %1 of %2", "of the flash")
                     .arg(m_controller.flashOperationsLeft())
                     .arg(limit);
+    if (const auto& use = m_controller.flashUse(); isPersistent && use && use->ratedCycles > 0)
+        text += tr("; used so far: %1 of the usual %2 cycles", "of the flash")
+                    .arg(countText(std::max<std::uint64_t>(use->mostCycles,
+                             use->mostUsedSlot.empty() ? use->operationsRecorded : 0)),
+                        countText(use->ratedCycles));
     m_persistencyRow->setInformation(text);
 }
 

@@ -120,8 +120,8 @@ void WizardController::Private::noteUnfinished(const AxisReading& now)
             unfinished.reset();
         return;
     }
-    const bool isNews = unfinished != now.settled->outcome;
-    unfinished = now.settled->outcome;
+    const bool isNews = !unfinished || unfinished->outcome != now.settled->outcome;
+    unfinished = now.settled;
     if (isNews)
         show([settled = *now.settled] { return settledOutcome(settled); });
 }
@@ -163,6 +163,8 @@ void WizardController::Private::liveFailed(const Error& error)
 void WizardController::Private::takeFlash(const AxisReading& now)
 {
     flash = wearGuard(profile.flashWear, now.flashHistory);
+    if (now.flashUse)
+        flashUse = now.flashUse;
 }
 
 FlashBudget WizardController::Private::flashBudget() const

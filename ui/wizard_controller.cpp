@@ -234,6 +234,23 @@ void WizardController::restorePrevious()
     d->restorePrevious();
 }
 
+QString WizardController::unfinishedWrite() const
+{
+    const bool isThere =
+        d->unfinished && d->unfinished->outcome != AxisCompensator::UnfinishedOutcome::New;
+    return isThere ? settledOutcome(*d->unfinished).text : QString();
+}
+
+void WizardController::finishWrite()
+{
+    d->recover(true);
+}
+
+void WizardController::undoWrite()
+{
+    d->recover(false);
+}
+
 void WizardController::cancel()
 {
     d->cancel();
@@ -277,6 +294,11 @@ const std::vector<LogLine>& WizardController::log() const
 int WizardController::flashWaitSeconds() const
 {
     return static_cast<int>(d->flashBudget().wait.count());
+}
+
+const std::optional<FlashUse>& WizardController::flashUse() const
+{
+    return d->flashUse;
 }
 
 int WizardController::flashOperationsLeft() const

@@ -75,6 +75,11 @@ public:
     void evaluate();
     void deactivate();
     void restorePrevious();
+    /// What an earlier write that did not end has left on the axis, a translated sentence; empty
+    /// when there is none.
+    [[nodiscard]] QString unfinishedWrite() const;
+    void finishWrite();
+    void undoWrite();
     void cancel();
     [[nodiscard]] const BusyState& busy() const;
     [[nodiscard]] bool
@@ -89,6 +94,8 @@ public:
     /// Seconds until flash may be written again, 0 now; counts down.
     [[nodiscard]] int flashWaitSeconds() const;
     [[nodiscard]] int flashOperationsLeft() const;
+    /// Of the current axis's drive, as last read.
+    [[nodiscard]] const std::optional<FlashUse>& flashUse() const;
 
     /// Reads the live values once.
     void refreshLive();

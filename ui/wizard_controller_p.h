@@ -87,6 +87,7 @@ public:
     void write();
     void switchTo(Task task, Action action, Switch wanted);
     void restorePrevious();
+    void recover(bool finishes);
     void cancel();
     void planned(const Result<WritePlan>& result);
     void written(const Result<OperationEnd<WriteReport>>& end);
@@ -95,6 +96,7 @@ public:
     // What is shown (wizard_state.cpp)
     [[nodiscard]] WizardSnapshot snapshot() const;
     void snapshotDrive(WizardSnapshot& now) const;
+    void snapshotUnfinished(WizardSnapshot& now) const;
     void snapshotSetup(WizardSnapshot& now) const;
     void update(); ///< actions and hint
     void show(const std::function<Outcome()>& makeOutcome);
@@ -121,7 +123,8 @@ public:
 
     SetupModel setup;
     std::optional<AxisStatus> status;
-    std::optional<AxisCompensator::UnfinishedOutcome> unfinished;
+    std::optional<SettledWrite> unfinished; ///< a write that did not end, as last settled
+    std::optional<FlashUse> flashUse; ///< of the drive, as last read
     bool hasBackup = false;
     bool hasCompensation = true;
     std::optional<Error> readProblem;

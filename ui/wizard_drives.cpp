@@ -87,6 +87,7 @@ void WizardController::Private::leaveAxis()
     ++reading;
     status.reset();
     unfinished.reset();
+    flashUse.reset();
     hasBackup = false;
     hasCompensation = true;
     readProblem.reset();

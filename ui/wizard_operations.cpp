@@ -252,6 +252,30 @@ void WizardController::Private::restorePrevious()
         });
 }
 
+void WizardController::Private::recover(bool finishes)
+{
+    if (!mayStart(finishes ? Action::FinishWrite : Action::UndoWrite))
+        return;
+    begin<OperationEnd<WriteReport>>(
+        finishes ? Task::Finish : Task::Undo,
+        [entry = unfinished->entry, finishes, store = connection()->session().storeRoot()](
+            AxisCompensator& compensator,
+            const OperationOptions& operation) -> Result<OperationEnd<WriteReport>> {
+            return recoverAxis(compensator, store, entry, finishes, operation);
+        },
+        [this, finishes](const Result<OperationEnd<WriteReport>>& end) {
+            if (!end) {
+                show([finishes, error = end.error()] {
+                    return recoveryOutcome(finishes, fail(error));
+                });
+                axisFailed(end.error());
+                return;
+            }
+            takeEnd(*end);
+            show([finishes, result = end->outcome] { return recoveryOutcome(finishes, result); });
+        });
+}
+
 void WizardController::Private::cancel()
 {
     if (!task) {

@@ -55,6 +55,9 @@ private:
     [[nodiscard]] Obstacle notHomed() const;
     [[nodiscard]] Obstacle noBackup() const;
     [[nodiscard]] Obstacle noFlash() const;
+    [[nodiscard]] Obstacle nothingUnfinished() const;
+    [[nodiscard]] Obstacle notFinishable() const;
+    [[nodiscard]] Obstacle notUndoable() const;
     // What the user has chosen
     [[nodiscard]] Obstacle unchanged() const;
     [[nodiscard]] Obstacle nothingToWrite() const;
@@ -93,6 +96,12 @@ Obstacle Rules::obstacle(Action action) const
     case Action::RestorePrevious:
         return first(
             {&R::noChoice, &R::unreachable, &R::busy, &R::unknown, &R::active, &R::noBackup});
+    case Action::FinishWrite:
+        return first({&R::noChoice, &R::unreachable, &R::busy, &R::unknown, &R::nothingUnfinished,
+            &R::active, &R::notFinishable});
+    case Action::UndoWrite:
+        return first({&R::noChoice, &R::unreachable, &R::busy, &R::unknown, &R::nothingUnfinished,
+            &R::active, &R::notUndoable});
     case Action::Refresh:
         return first({&R::noDrive, &R::busy});
     case Action::OpenData:
@@ -227,6 +236,23 @@ Obstacle Rules::noFlash() const
         : tr("Flash wear: wait %1.").arg(durationText(m_now.flashWaitSeconds));
 }
 
+Obstacle Rules::nothingUnfinished() const
+{
+    if (m_now.unfinished == Unfinished::None)
+        return tr("No write to this axis is unfinished.");
+    return {};
+}
+
+Obstacle Rules::notFinishable() const
+{
+    return m_now.finishObstacle ? Obstacle(errorText(*m_now.finishObstacle)) : Obstacle();
+}
+
+Obstacle Rules::notUndoable() const
+{
+    return m_now.undoObstacle ? Obstacle(errorText(*m_now.undoObstacle)) : Obstacle();
+}
+
 Obstacle Rules::unchanged() const
 {
     if (!m_now.isChanged)
@@ -302,6 +328,10 @@ QString Rules::consequence(Action action) const
         return tr("Puts the drive's values back into the fields.");
     case Action::RestorePrevious:
         return tr("Writes the table and the sources that the axis had before.");
+    case Action::FinishWrite:
+        return tr("Brings the drive to the complete new state of the write that did not end.");
+    case Action::UndoWrite:
+        return tr("Brings the drive back to the complete state before the write that did not end.");
     case Action::Refresh:
         return tr("Looks for drives and axes again and reads the axis.");
     case Action::OpenData:

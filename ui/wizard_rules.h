@@ -28,7 +28,9 @@ struct WizardSnapshot {
     bool isHomed = false;
     bool hasDriveTable = false;
     bool hasBackup = false;
-    enum class Unfinished { None, Unsaved, Mixture } unfinished = Unfinished::None;
+    enum class Unfinished { None, Old, Unsaved, Mixture } unfinished = Unfinished::None;
+    std::optional<Error> finishObstacle; ///< why an unfinished write cannot be finished
+    std::optional<Error> undoObstacle;
     int flashOperationsLeft = 0;
     int flashWaitSeconds = 0;
     bool isFlashLimitKnown = true;

@@ -21,10 +21,7 @@ void WizardController::Private::snapshotDrive(WizardSnapshot& now) const
     now.isKnown = status.has_value();
     now.readProblem = readProblem;
     now.hasBackup = hasBackup;
-    if (unfinished == AxisCompensator::UnfinishedOutcome::NewUnsaved)
-        now.unfinished = WizardSnapshot::Unfinished::Unsaved;
-    if (unfinished == AxisCompensator::UnfinishedOutcome::Neither)
-        now.unfinished = WizardSnapshot::Unfinished::Mixture;
+    snapshotUnfinished(now);
     const FlashBudget budget = flashBudget();
     now.flashOperationsLeft = budget.left;
     now.flashWaitSeconds = static_cast<int>(budget.wait.count());
@@ -39,6 +36,19 @@ void WizardController::Private::snapshotDrive(WizardSnapshot& now) const
     now.hasDriveTable = status->table.has_value();
     if (state == names.stateError)
         now.problem = compensationError(*status);
+}
+
+void WizardController::Private::snapshotUnfinished(WizardSnapshot& now) const
+{
+    using Held = AxisCompensator::UnfinishedOutcome;
+    using Unfinished = WizardSnapshot::Unfinished;
+    if (!unfinished || unfinished->outcome == Held::New)
+        return;
+    now.unfinished = unfinished->outcome == Held::Old ? Unfinished::Old
+        : unfinished->outcome == Held::NewUnsaved     ? Unfinished::Unsaved
+                                                      : Unfinished::Mixture;
+    now.finishObstacle = unfinished->recovery.finishObstacle;
+    now.undoObstacle = unfinished->recovery.undoObstacle;
 }
 
 void WizardController::Private::snapshotSetup(WizardSnapshot& now) const

@@ -18,6 +18,10 @@ QString taskText(Task task)
         return WizardController::tr("evaluating");
     case Task::Deactivate:
         return WizardController::tr("deactivating");
+    case Task::Finish:
+        return WizardController::tr("finishing the write");
+    case Task::Undo:
+        return WizardController::tr("undoing the write");
     case Task::Restore:
         break;
     }

@@ -6,7 +6,7 @@
 namespace axiscomp::ui {
 
 /// What a busy controller is doing.
-enum class Task { Plan, Write, Activate, Evaluate, Deactivate, Restore };
+enum class Task { Plan, Write, Activate, Evaluate, Deactivate, Restore, Finish, Undo };
 
 /// "writing", translated.
 [[nodiscard]] QString taskText(Task task);
@@ -14,7 +14,8 @@ enum class Task { Plan, Write, Activate, Evaluate, Deactivate, Restore };
 /// The drive would be left to a roll-back if the task were stopped.
 [[nodiscard]] constexpr bool isWrite(Task task)
 {
-    return task == Task::Write || task == Task::Restore;
+    return task == Task::Write || task == Task::Restore || task == Task::Finish
+        || task == Task::Undo;
 }
 
 } // namespace axiscomp::ui

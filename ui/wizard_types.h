@@ -26,13 +26,15 @@ enum class Action {
     Deactivate,
     Revert,
     RestorePrevious,
+    FinishWrite, ///< one that did not end
+    UndoWrite,
     Refresh,
     OpenData,
     Cancel,
 };
 inline constexpr std::array allActions{Action::Write, Action::Activate, Action::Evaluate,
-    Action::Deactivate, Action::Revert, Action::RestorePrevious, Action::Refresh, Action::OpenData,
-    Action::Cancel};
+    Action::Deactivate, Action::Revert, Action::RestorePrevious, Action::FinishWrite,
+    Action::UndoWrite, Action::Refresh, Action::OpenData, Action::Cancel};
 
 struct ActionState {
     bool isEnabled = false;

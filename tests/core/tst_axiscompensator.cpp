@@ -152,6 +152,73 @@ private Q_SLOTS:
         QCOMPARE(f.text("Application/Tables/" + again->plan.after.slot + "/EraseCount"), "1");
     }
 
+    void aTableThatTheOtherSlotStillHoldsCostsNothing()
+    {
+        DriveFixture f;
+        VERIFY_RESULT(f.compensator.write(0, exampleRequest(1, Persistency::Persistent)));
+        VERIFY_RESULT(f.compensator.write(0, exampleRequest(2, Persistency::Persistent)));
+        const auto back = f.compensator.write(0, exampleRequest(1, Persistency::Persistent));
+        VERIFY_RESULT(back);
+        QCOMPARE(back->plan.flashOperations, 0);
+        const auto state = f.state();
+        f.drive.reboot();
+        QVERIFY(f.state() == state);
+        const auto use = f.compensator.flashUse();
+        VERIFY_RESULT(use);
+        QCOMPARE(use->mostCycles, 1U);
+        QCOMPARE(use->allCycles, std::uint64_t{2});
+        QCOMPARE(use->operationsRecorded, std::uint64_t{2});
+        QCOMPARE(use->budget.left, 6);
+    }
+
+    /// Operations of others are not in the history of this computer.
+    void whatTheDriveRefusesIsRememberedByTheNextProgram()
+    {
+        DriveFixture f;
+        const auto& layout = drivecomm::genericProfile().layout;
+        for (int seed = 1; seed <= 8; ++seed)
+            VERIFY_RESULT(f.drive.upload(
+                "tables/large2.TAMtbl", *encodeTamTable(exampleTable(1, seed), true, layout)));
+        const auto old = f.state();
+        VERIFY_ERROR(f.compensator.write(0, exampleRequest(1, Persistency::Persistent)),
+            ErrorCode::FlashWear);
+        QVERIFY(f.state() == old);
+
+        AxisCompensator next(
+            f.link, drivecomm::genericProfile(), f.store, [&f] { return f.wallTime(); });
+        f.link.forgetChange();
+        VERIFY_ERROR(
+            next.write(0, exampleRequest(1, Persistency::Persistent)), ErrorCode::FlashWear);
+        VERIFY_ERROR(
+            next.upload("tables/large1.TAMtbl", *encodeTamTable(exampleTable(1, 9), true, layout)),
+            ErrorCode::FlashWear);
+        QCOMPARE(f.link.firstChange(), 0);
+        VERIFY_RESULT(next.write(0, exampleRequest(1, Persistency::Volatile)));
+        f.pass(std::chrono::minutes(10));
+        VERIFY_RESULT(next.write(0, exampleRequest(2, Persistency::Persistent)));
+    }
+
+    void aPlainUploadKeepsTheOldFile()
+    {
+        DriveFixture f;
+        const auto& layout = drivecomm::genericProfile().layout;
+        const auto first = encodeTamTable(exampleTable(1, 1), false, layout);
+        const auto second = encodeTamTable(exampleTable(1, 2), false, layout);
+        const std::string path = "tables/large1.TAMtbl";
+        VERIFY_RESULT(f.compensator.upload(path, *first));
+        const auto kept = f.compensator.upload(path, *second);
+        VERIFY_RESULT(kept);
+        const auto text = loadFile(*kept, maximumBackupSize);
+        VERIFY_RESULT(text);
+        const auto backup = readBackup(asText(*text), kept->string());
+        VERIFY_RESULT(backup);
+        VERIFY_RESULT(f.compensator.restore(*backup, false));
+        QCOMPARE(f.drive.download(path).value_or(Bytes{}), *first);
+        const auto same = f.compensator.upload(path, *first);
+        VERIFY_RESULT(same);
+        QVERIFY(same->empty());
+    }
+
     void aWornFlashIsSaidBeforeTheWrite()
     {
         DriveFixture f;

@@ -47,6 +47,26 @@ inline bool active(PageBench& bench)
     return written(bench) && bench.user.click("activateButton") && bench.idle();
 }
 
+/// As if the program had been killed before the last step of a write.
+inline bool unfinishedWrite(PageBench& bench)
+{
+    if (!written(bench))
+        return false;
+    const CompensationSetup setup = bench.controller().setup().baseline();
+    DriveStore store(std::filesystem::path(bench.folder.path().toStdString()) / "store");
+    const std::string base = "Axes[0]/Parameters/Compensations/Axis/";
+    JournalEntry entry{1559, 0, std::chrono::system_clock::now(), "save",
+        store.backups(1559, 0).front(),
+        {{base + "Table", setup.slot}, {base + "Dim1Source", setup.sources[1].address},
+            {base + "Dim2Source", setup.sources[0].address},
+            {base + "Dim3Source", std::uint32_t{0}}},
+        setup.slot, setup.tableCrc, false};
+    if (!store.openJournal(entry))
+        return false;
+    bench.controller().refresh();
+    return PageUser::waitFor([&] { return bench.user.sees("finishWriteButton"); });
+}
+
 inline bool threeDimensions(PageBench& bench)
 {
     const std::string example = exampleCalibrationCsv(3);
@@ -136,6 +156,7 @@ inline const std::vector<PageState>& allPageStates()
         {"preview", preview},
         {"written", written},
         {"active", active},
+        {"unfinished write", unfinishedWrite},
         {"three dimensions", threeDimensions},
         {"bad file", badFile},
         {"file changed", fileChanged},

@@ -82,6 +82,7 @@ private Q_SLOTS:
 
         QVERIFY(bench.connect());
         QVERIFY(bench->isOutcomeAnError());
+        QCOMPARE(bench->unfinishedWrite(), bench->outcome());
         QVERIFY2(bench->outcome().contains(QStringLiteral("its parameters may not be saved")),
             qPrintable(bench->outcome()));
         QVERIFY(!bench->setup().isChanged());
@@ -91,9 +92,77 @@ private Q_SLOTS:
         QVERIFY(bench.planAndWrite());
         QVERIFY2(bench->outcome().startsWith(written), qPrintable(bench->outcome()));
         QCOMPARE(bench->action(Action::Write).reason, QStringLiteral("Nothing has changed."));
+        QVERIFY(!isUnfinished(bench));
+    }
+
+    void anUnfinishedWriteIsFinishedOrUndone_data()
+    {
+        QTest::addColumn<bool>("finishes");
+        QTest::newRow("finish") << true;
+        QTest::newRow("undo") << false;
+    }
+    void anUnfinishedWriteIsFinishedOrUndone()
+    {
+        QFETCH(bool, finishes);
+        ControllerBench bench;
+        QVERIFY(bench.connect());
+        QCOMPARE(bench->action(Action::FinishWrite).reason,
+            QStringLiteral("No write to this axis is unfinished."));
+        QVERIFY(bench.prepare2D());
+        bench->setup().setPersistency(Persistency::Persistent);
+        QVERIFY(bench.planAndWrite());
+        VERIFY_RESULT(test::reopenWrite(bench));
+        bench.endController();
+
+        QVERIFY(bench.connect());
+        QVERIFY(!bench->unfinishedWrite().isEmpty());
+        QVERIFY(bench->action(Action::FinishWrite).isEnabled);
+        QVERIFY(bench->action(Action::UndoWrite).isEnabled);
+        if (finishes)
+            bench->finishWrite();
+        else
+            bench->undoWrite();
+        QVERIFY(bench.idle());
+        QVERIFY2(bench->outcome().startsWith(finishes ? QStringLiteral("Finished, read back")
+                                                      : QStringLiteral("Undone, read back")),
+            qPrintable(bench->outcome()));
+        QVERIFY(bench->unfinishedWrite().isEmpty());
+        QVERIFY(!bench->action(Action::UndoWrite).isEnabled);
+        QVERIFY(!isUnfinished(bench));
+        QCOMPARE(bench->setup().baseline().slot.empty(), !finishes);
+    }
+
+    void anUnfinishedWriteWaitsWhileTheCompensationIsActive()
+    {
+        ControllerBench bench;
+        QVERIFY(bench.connect());
+        QVERIFY(bench.prepare2D());
+        bench->setup().setPersistency(Persistency::Persistent);
+        QVERIFY(bench.planAndWrite());
+        bench->activate();
+        QVERIFY(bench.idle());
+        VERIFY_RESULT(test::reopenWrite(bench));
+        bench.endController();
+
+        QVERIFY(bench.connect());
+        QVERIFY(!bench->unfinishedWrite().isEmpty());
+        for (const Action action : {Action::FinishWrite, Action::UndoWrite}) {
+            QVERIFY(!bench->action(action).isEnabled);
+            QCOMPARE(bench->action(action).reason,
+                QStringLiteral("The compensation is active: deactivate it first."));
+        }
+        bench->finishWrite();
+        QVERIFY(!bench->busy().isBusy);
+        bench->deactivate();
+        QVERIFY(bench.idle());
+        QVERIFY(bench->action(Action::FinishWrite).isEnabled);
+    }
+
+private:
+    static bool isUnfinished(ControllerBench& bench)
+    {
         const auto journal = bench.store().journal(4711, 0);
-        VERIFY_RESULT(journal);
-        QVERIFY(!journal->has_value());
+        return !journal || journal->has_value();
     }
 };
 

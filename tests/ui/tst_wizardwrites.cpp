@@ -179,6 +179,28 @@ private Q_SLOTS:
         QVERIFY(bench->outcome().startsWith(written));
     }
 
+    /// Another program has run into it, or this one before its last start.
+    void aRefusalOfTheDriveIsRememberedAcrossStarts()
+    {
+        ControllerBench bench;
+        DriveStore store = bench.store();
+        VERIFY_RESULT(store.recordFlashRefusal(
+            4711, std::chrono::system_clock::now(), std::chrono::seconds(300)));
+        QVERIFY(bench.connect());
+        QCOMPARE(bench->flashOperationsLeft(), 0);
+        QVERIFY(bench->flashWaitSeconds() > 290);
+        QVERIFY(bench.prepare2D());
+        bench->setup().setPersistency(Persistency::Persistent);
+        QVERIFY2(
+            bench->action(Action::Write).reason.startsWith(QStringLiteral("Flash wear: wait ")),
+            qPrintable(bench->action(Action::Write).reason));
+        bench->setup().setPersistency(Persistency::Volatile);
+        QVERIFY(bench.planAndWrite());
+        QVERIFY2(bench->outcome().startsWith(written), qPrintable(bench->outcome()));
+        QVERIFY(bench->flashUse().has_value());
+        QCOMPARE(bench->flashUse()->mostCycles, 0U);
+    }
+
     void flashWearIsKnownBeforehand()
     {
         ControllerBench bench;

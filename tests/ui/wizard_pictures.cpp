@@ -191,10 +191,34 @@ void flashWear(Scene& scene)
     scene.choose2D();
     for (int n = 0; scene.controller().flashOperationsLeft() > 0 && n < 20; ++n) {
         scene.controller().setup().setTable({n % 2});
+        if (n > 1) // the same two tables again would cost nothing
+            scene.openData(scene.stage().superData(n));
+        scene.controller().setup().setTable({n % 2});
         scene.write();
     }
     scene.controller().setup().setTable({1});
     scene.controller().setup().setPersistency(Persistency::Persistent);
+    scene.settle();
+}
+
+/// As if the program had been killed before its last step.
+void unfinishedWrite(Scene& scene)
+{
+    scene.choose2D();
+    scene.write();
+    const CompensationSetup setup = scene.controller().setup().baseline();
+    DriveStore store(scene.stage().options().storeRoot);
+    const std::string base = "Axes[0]/Parameters/Compensations/Axis/";
+    JournalEntry entry{1559, 0, std::chrono::system_clock::now(), "switch",
+        store.backups(1559, 0).front(),
+        {{base + "Table", setup.slot}, {base + "Dim1Source", setup.sources[0].address},
+            {base + "Dim2Source", setup.sources[1].address},
+            {base + "Dim3Source", std::uint32_t{0}}},
+        setup.slot, setup.tableCrc, true};
+    if (!store.openJournal(entry))
+        qFatal("the journal cannot be kept");
+    scene.controller().refresh();
+    wait([&] { return !scene.controller().unfinishedWrite().isEmpty(); }, "the unfinished write");
     scene.settle();
 }
 
@@ -277,6 +301,7 @@ const std::vector<State>& states()
         {"drive-refuses", driveRefuses},
         {"flash-wear", flashWear},
         {"not-homed", notHomed, false},
+        {"unfinished-write", unfinishedWrite},
         {"table-3d", table3D},
         {"connection-lost", connectionLost},
         {"other-axis", otherAxis},

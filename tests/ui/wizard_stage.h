@@ -57,12 +57,12 @@ public:
         return file.fileName();
     }
     /// The error of X over an area of 40 x 30 mm, in two tables.
-    [[nodiscard]] QString superData() const
+    [[nodiscard]] QString superData(int seed = 0) const
     {
         QByteArray text = "X [mm],Y [mm],table 1 [mm],table 2 [mm]\n";
         for (int y = 0; y <= 30; y += 2) {
             for (int x = 0; x <= 40; x += 2) {
-                const double wave = 0.0021 * std::sin(x / 6.0) + 0.00006 * x;
+                const double wave = 0.0021 * std::sin(x / 6.0 + seed) + 0.00006 * x;
                 const double yaw = 0.0014 * (y / 30.0 - 0.5) * std::cos(x / 14.0);
                 text += QByteArray::number(x) + ',' + QByteArray::number(y) + ','
                     + QByteArray::number(wave + yaw, 'f', 7) + ','
