@@ -24,7 +24,7 @@ Result<WriteReport> WriteProcedure::undoEarlier(const UnfinishedWrite& unfinishe
     const int step = stepRank(unfinished.entry().step);
     m_slotTouched = isNewTable() && step >= stepRank("upload");
     m_flashTouched = changesPersistency() && step >= stepRank(isNewTable() ? "commit" : "switch");
-    m_savedTouched = step >= stepRank("save");
+    m_savedTouched = step >= stepRank("save") || (overwritesOwn() && wantsPersistent());
     auto status = lookBeforeUndo(unfinished);
     if (!status)
         return fail(status.error());

@@ -36,6 +36,68 @@ struct Interrupted : DriveFixture {
     JournalEntry entry;
 };
 
+struct Scenario {
+    const char* name;
+    Persistency before; ///< of the old table
+    Persistency after;
+    bool hasOldTable;
+    bool isSlotFree;
+    bool keepsTable; ///< only persistency and sources change
+};
+
+constexpr std::array scenarios{
+    Scenario{"first, volatile", Persistency::Volatile, Persistency::Volatile, false, true, false},
+    Scenario{
+        "first, persistent", Persistency::Volatile, Persistency::Persistent, false, true, false},
+    Scenario{"replace, volatile by volatile", Persistency::Volatile, Persistency::Volatile, true,
+        true, false},
+    Scenario{"replace, persistent by persistent", Persistency::Persistent, Persistency::Persistent,
+        true, true, false},
+    Scenario{"replace, persistent by volatile", Persistency::Persistent, Persistency::Volatile,
+        true, true, false},
+    Scenario{"overwrite in place, volatile", Persistency::Volatile, Persistency::Volatile, true,
+        false, false},
+    Scenario{"overwrite in place, persistent", Persistency::Persistent, Persistency::Persistent,
+        true, false, false},
+    Scenario{"make persistent", Persistency::Volatile, Persistency::Persistent, true, true, true},
+    Scenario{"make volatile", Persistency::Persistent, Persistency::Volatile, true, true, true},
+};
+
+/// A drive in the state before the write, and the write.
+struct Begun : DriveFixture {
+    explicit Begun(const Scenario& chosen)
+    {
+        if (!chosen.isSlotFree)
+            fillOtherSlots();
+        if (chosen.hasOldTable) {
+            const auto written = compensator.write(0, exampleRequest(1, chosen.before));
+            QVERIFY2(written.has_value(), "the old table could not be written");
+        }
+        request = exampleRequest(2, chosen.after);
+        if (chosen.keepsTable) {
+            request.table.reset();
+            std::swap(request.sources[0], request.sources[1]);
+        }
+        old = state();
+    }
+
+    /// Tables of a drive program: with them there the axis has only one slot.
+    void fillOtherSlots()
+    {
+        const auto file =
+            encodeTamTable(exampleTable(1, 9), false, drivecomm::genericProfile().layout);
+        for (const TableSlot& slot : drivecomm::genericProfile().tableSlots) {
+            if (slot.name != "Small1")
+                QVERIFY(drive.upload(slot.file, *file).has_value());
+        }
+    }
+
+    Result<WriteReport> write() { return compensator.write(0, request); }
+
+    State old;
+    WriteRequest request;
+};
+
 using Recover = Result<WriteReport> (AxisCompensator::*)(
     const JournalEntry&, const OperationOptions&);
 constexpr std::array ways{&AxisCompensator::finishUnfinished, &AxisCompensator::undoUnfinished};
@@ -47,6 +109,72 @@ class TestRecovery : public QObject {
 
 private Q_SLOTS:
     void init() { test::failOnWarnings(); }
+
+    void anInterruptedWriteIsFinishedOrUndone_data()
+    {
+        QTest::addColumn<int>("scenario");
+        QTest::addColumn<int>("fault");
+        QTest::addColumn<bool>("finishes");
+        for (std::size_t s = 0; s < scenarios.size(); ++s) {
+            for (const LinkFault fault : {LinkFault::DriveGone, LinkFault::DriveGoneAfter}) {
+                for (const bool finishes : {true, false})
+                    QTest::addRow("%s: drive gone%s, %s", scenarios[s].name,
+                        fault == LinkFault::DriveGone ? "" : " after", finishes ? "finish" : "undo")
+                        << static_cast<int>(s) << static_cast<int>(fault) << finishes;
+            }
+        }
+    }
+
+    void anInterruptedWriteIsFinishedOrUndone()
+    {
+        QFETCH(int, scenario);
+        QFETCH(int, fault);
+        QFETCH(bool, finishes);
+        const Scenario& chosen = scenarios[static_cast<std::size_t>(scenario)];
+        Begun whole(chosen);
+        const int begin = whole.link.exchanges();
+        VERIFY_RESULT(whole.write());
+        const int exchanges = whole.link.exchanges() - begin;
+        const DriveFixture::State wanted = whole.state();
+        whole.drive.reboot();
+        const DriveFixture::State wantedAfterReboot = whole.state();
+
+        int unfinished = 0;
+        for (int exchange = 1; exchange <= exchanges; ++exchange) {
+            Begun c(chosen);
+            c.link.failAt(exchange, static_cast<LinkFault>(fault));
+            (void)c.write();
+            c.link.heal();
+            const QByteArray where = "exchange " + QByteArray::number(exchange);
+            const auto status = c.compensator.status(0);
+            VERIFY_RESULT(status);
+            if (!status->unfinishedWrite)
+                continue;
+            ++unfinished;
+            const JournalEntry entry = *status->unfinishedWrite;
+            const auto recovery = c.compensator.recovery(entry);
+            VERIFY_RESULT(recovery);
+            QVERIFY2(!recovery->finishObstacle && !recovery->undoObstacle, where);
+            const auto report = finishes ? c.compensator.finishUnfinished(entry)
+                                         : c.compensator.undoUnfinished(entry);
+            QVERIFY2(report.has_value(),
+                where + ": " + (report ? "" : test::describe(report.error()).c_str()));
+            QVERIFY2(c.state() == (finishes ? wanted : c.old),
+                where + ": Table is " + c.state().registers[0].c_str() + ", begun with "
+                    + entry.step.c_str());
+            QVERIFY2(!c.compensator.status(0)->unfinishedWrite, where + ": still unfinished");
+            QVERIFY2(keptTables(c).isEmpty(), where + ": the kept table is still there");
+            if (finishes && chosen.after == Persistency::Persistent) {
+                c.drive.reboot();
+                QVERIFY2(c.state() == wantedAfterReboot, where + ": gone after a reboot");
+            }
+            WriteRequest next = exampleRequest(3);
+            const auto following = c.compensator.write(0, next);
+            QVERIFY2(following.has_value(),
+                where + ": " + (following ? "" : test::describe(following.error()).c_str()));
+        }
+        QVERIFY2(unfinished > 0, "no interruption left anything to do");
+    }
 
     void anotherDriveIsLeftAlone()
     {
@@ -78,7 +206,7 @@ private Q_SLOTS:
     void anotherProgramThatWritesIsNotDisturbed()
     {
         Interrupted c;
-        DriveStore impatient(std::filesystem::path(c.folder.path().toStdString()) / "store", {});
+        DriveStore impatient(std::filesystem::path(c.folder.path().toStdString()) / "axiscomp", {});
         AxisCompensator second(c.link, drivecomm::genericProfile(), impatient);
         const auto lock = c.store.lockWrites(4711);
         VERIFY_RESULT(lock);
@@ -197,6 +325,13 @@ private Q_SLOTS:
         QVERIFY(*c.store.journal(4711, 0).value() == c.entry);
         VERIFY_RESULT(c.compensator.finishUnfinished(c.entry));
         QVERIFY(c.state() == c.wanted);
+    }
+
+private:
+    static QStringList keptTables(const Begun& c)
+    {
+        const QDir folder(c.folder.path() + QStringLiteral("/axiscomp/4711"));
+        return folder.entryList({QStringLiteral("*.TAMtbl")});
     }
 };
 
