@@ -1370,6 +1370,10 @@
         <translation>den unvollendeten Schreibvorgang für Achse {axis}</translation>
     </message>
     <message>
+        <source>the name of a file beside the journal is expected</source>
+        <translation>hier gehört der Name einer Datei neben dem Journal hin</translation>
+    </message>
+    <message>
         <source>it is not of axis {axis} of this drive</source>
         <translation>sie ist nicht von Achse {axis} dieses Antriebs</translation>
     </message>
@@ -2513,7 +2517,7 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
         <translation>Schreiben a&amp;bschließen</translation>
     </message>
     <message>
-        <source>Undo W&amp;rite</source>
+        <source>Un&amp;do Write</source>
         <translation>Schreiben zurück&amp;nehmen</translation>
     </message>
     <message>

@@ -71,6 +71,7 @@ constexpr const char* phrases[] = {
     QT_TRANSLATE_NOOP("Error", "{count} values (CRC {crc}), volatile, used by {user}"),
     QT_TRANSLATE_NOOP("Error", "the unfinished write to axis {axis}"),
     QT_TRANSLATE_NOOP("Error", "it is not of axis {axis} of this drive"),
+    QT_TRANSLATE_NOOP("Error", "the name of a file beside the journal is expected"),
     QT_TRANSLATE_NOOP("Error", "it is not the table that was kept there: its size or CRC differs"),
     QT_TRANSLATE_NOOP("Error", "axis {axis} has no Table register"),
 };

@@ -23,6 +23,14 @@ namespace axiscomp::test {
     entry.newSlot = setup.slot;
     entry.newCrc = setup.tableCrc;
     entry.persistent = true;
+    const TableSlot* slot = drivecomm::genericProfile().slotNamed(setup.slot);
+    const auto file = bench.drive().drive.download(slot ? slot->file : std::string());
+    if (!file)
+        return fail(file.error());
+    auto kept = store.keepTable(entry.serialNumber, entry.axis, *file);
+    if (!kept)
+        return fail(kept.error());
+    entry.newTable = *kept;
     return store.openJournal(entry);
 }
 
