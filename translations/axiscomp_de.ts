@@ -1328,8 +1328,6 @@
         <translation>es hat sich GEÄNDERT und ist nicht das, dem vertraut wurde</translation>
     </message>
     <message>
-        <source>{text} is not the SHA-256 of a certificate</source>
-        <translation>{text} ist nicht der SHA-256 eines Zertifikats</translation>
         <source>no write to axis {axis} is unfinished; there is nothing to finish or to undo</source>
         <translation>kein Schreibvorgang für Achse {axis} ist unvollendet; es gibt nichts abzuschließen oder rückgängig zu machen</translation>
     </message>
@@ -1380,6 +1378,10 @@
     <message>
         <source>it is not the table that was kept there: its size or CRC differs</source>
         <translation>es ist nicht die Tabelle, die dort aufbewahrt wurde: Größe oder CRC weicht ab</translation>
+    </message>
+    <message>
+        <source>{text} is not the SHA-256 of a certificate</source>
+        <translation>{text} ist nicht der SHA-256 eines Zertifikats</translation>
     </message>
 </context>
 <context>
@@ -2511,8 +2513,6 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
         <translation>Neu &amp;einlesen</translation>
     </message>
     <message>
-        <source>Look at t&amp;he Certificate…</source>
-        <translation>Z&amp;um Zertifikat…</translation>
         <source>&amp;Finish Write</source>
         <translation>Schreiben a&amp;bschließen</translation>
     </message>
@@ -2523,6 +2523,10 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
     <message>
         <source>&amp;Keep for Later</source>
         <translation>S&amp;päter</translation>
+    </message>
+    <message>
+        <source>Look at t&amp;he Certificate…</source>
+        <translation>Z&amp;um Zertifikat…</translation>
     </message>
 </context>
 <context>
