@@ -31,7 +31,6 @@ Q_SIGNALS:
 private:
     void showOutcome();
     void showFileChange();
-    void showConnection();
     void showUnfinishedWrite();
     void putUnfinishedWriteAway();
 
