@@ -356,14 +356,8 @@ Result<void> WriteProcedure::switchOver()
     const WritePlan& plan = m_write.plan;
     std::vector<RegisterWrite> values = axisRegisters(m_access, plan.axis, plan.after);
     m_registersTouched = true;
-    if (!m_access.profile().writesAtOneInstant) {
-        // Disabled first and the new slot last: an interruption leaves an axis that cannot be
-        // activated instead of a mixture.
-        if (auto off = writeSurely(m_access, {{values[0].path, m_access.enums().tableDisabled}});
-            !off)
-            return off;
-        std::rotate(values.begin(), values.begin() + 1, values.end());
-    }
+    if (!m_access.profile().writesAtOneInstant)
+        return switchOverOneByOne(values);
     if (!isNewTable() && changesPersistency()) {
         const auto persistency = persistencyWrites();
         values.insert(values.end(), persistency.begin(), persistency.end());
@@ -371,6 +365,26 @@ Result<void> WriteProcedure::switchOver()
     }
     if (auto switched = writeSurely(m_access, values); !switched)
         return switched;
+    return compareRegisters(m_access, values);
+}
+
+/// Table is Disabled first and has its slot last: an interruption leaves an axis that cannot be
+/// activated instead of a mixture.
+Result<void> WriteProcedure::switchOverOneByOne(const std::vector<RegisterWrite>& values)
+{
+    const std::vector<RegisterWrite> off{{values[0].path, m_access.enums().tableDisabled}};
+    if (auto written = writeSurely(m_access, off); !written)
+        return written;
+    if (auto same = compareRegisters(m_access, off); !same)
+        return same;
+    if (auto written = writeSurely(m_access, {values.begin() + 1, values.end()}); !written)
+        return written;
+    if (!isNewTable() && changesPersistency()) {
+        if (auto committed = commitWith(persistencyWrites()); !committed)
+            return committed;
+    }
+    if (auto written = writeSurely(m_access, {values[0]}); !written)
+        return written;
     return compareRegisters(m_access, values);
 }
 

@@ -39,6 +39,7 @@ private:
     [[nodiscard]] Result<void> commitWith(const std::vector<RegisterWrite>& values);
     [[nodiscard]] Result<void> reachFlash(const std::vector<RegisterWrite>& values);
     [[nodiscard]] Result<void> switchOver();
+    [[nodiscard]] Result<void> switchOverOneByOne(const std::vector<RegisterWrite>& values);
     [[nodiscard]] Result<AxisStatus> confirm();
     [[nodiscard]] Result<WriteReport> finish(AxisStatus now);
 

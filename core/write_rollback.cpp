@@ -33,7 +33,8 @@ Error WriteProcedure::putBack(const Error& reason)
         // As long as the axis was not touched it has its old state, whatever the other slot holds.
         if (!m_registersTouched)
             return reason;
-        if (!overwritesOwn())
+        // Registers that are written one by one may have left it switched off.
+        if (!overwritesOwn() && access.profile().writesAtOneInstant)
             return outcome(ErrorCode::OutcomeUnknown, reason, {});
     }
     if (!undone && !hasOldState(access))
@@ -103,14 +104,19 @@ Result<void> WriteProcedure::undoRegisters(const DriveAccess& access)
     if (!unchanged && unchanged.error().code != ErrorCode::VerifyMismatch)
         return unchanged;
     if (!unchanged) {
+        std::vector<RegisterWrite> last;
         if (!access.profile().writesAtOneInstant) {
             if (auto off = writeSurely(access, {{values[0].path, access.enums().tableDisabled}});
                 !off)
                 return off;
-            std::rotate(values.begin(), values.begin() + 1, values.end());
+            last = {values[0]};
+            values.erase(values.begin());
         }
         if (auto written = writeSurely(access, values, commands); !written)
             return written;
+        if (auto written = last.empty() ? Result<void>() : writeSurely(access, last); !written)
+            return written;
+        values.insert(values.begin(), last.begin(), last.end());
         if (auto same = compareRegisters(access, values); !same)
             return same;
     }

@@ -95,6 +95,19 @@ MatrixFault cutIn(int exchange)
             }};
 }
 
+MatrixFault whilePuttingBack(LinkFault fault, int exchanges)
+{
+    return {
+        "while putting back", Step::Exchange, {}, [fault, exchanges](WriteTrial& trial, int at) {
+            trial.link.failAt(exchanges, LinkFault::Refused);
+            trial.link.beginning = [&trial, fault, exchanges, at, number = 0](
+                                       std::string_view) mutable {
+                if (++number == exchanges + at)
+                    trial.link.failAt(0, fault); // this one
+            };
+        }};
+}
+
 std::chrono::milliseconds shortTimeout(const AttachmentKind& kind)
 {
     return kind.asksAgain ? 1500ms : 600ms; // a serial line takes a second to ask again

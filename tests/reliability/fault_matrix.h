@@ -30,6 +30,10 @@ struct MatrixFault {
 /// The connection ends after so many bytes of one exchange.
 [[nodiscard]] MatrixFault cutIn(int exchange);
 
+/// The last exchange of a write is refused, so that everything is put back, and while that goes on
+/// something else goes wrong.
+[[nodiscard]] MatrixFault whilePuttingBack(LinkFault fault, int exchanges);
+
 /// How long the program waits for an answer: shorter than anybody would want, because most faults
 /// are waited for.
 [[nodiscard]] std::chrono::milliseconds shortTimeout(const AttachmentKind& kind);

@@ -20,6 +20,9 @@ constexpr std::array scenarios{
     WriteScenario{"overwrite in place, persistent", P, P, true, false, false},
     WriteScenario{"make persistent", V, P, true, true, true},
     WriteScenario{"make volatile", P, V, true, true, true},
+    WriteScenario{"one by one: replace, persistent by persistent", P, P, true, true, false, true},
+    WriteScenario{"one by one: make persistent", V, P, true, true, true, true},
+    WriteScenario{"one by one: make volatile", P, V, true, true, true, true},
 };
 
 /// Tables of a drive program: with them there the axis has only one slot.
@@ -33,6 +36,16 @@ Result<void> fillOtherSlots(drivecomm::VirtualDrive& drive)
             return filled;
     }
     return {};
+}
+
+const DriveProfile& oneByOneProfile()
+{
+    static const DriveProfile profile = [] {
+        DriveProfile changed = drivecomm::genericProfile();
+        changed.writesAtOneInstant = false;
+        return changed;
+    }();
+    return profile;
 }
 
 /// A table with its sources and persistency, in whichever slot.
@@ -66,7 +79,7 @@ Aftermath aftermathOf(std::size_t number)
 
 WriteTrial::WriteTrial(
     const WriteScenario& scenario, const AttachmentKind& kind, std::uint32_t points)
-    : DriveFixture(kind)
+    : DriveFixture(kind, scenario.isOneByOne ? oneByOneProfile() : drivecomm::genericProfile())
     , m_scenario(scenario)
     , m_points(points)
 {
@@ -124,7 +137,7 @@ void WriteTrial::heal()
 
 bool WriteTrial::isSwitchedOff(const State& state) const
 {
-    return !m_scenario.isSlotFree && state.registers[0] == "Disabled";
+    return canBeLeftOff() && state.registers[0] == "Disabled";
 }
 
 bool WriteTrial::holdsWanted(const HeldStates& states)
@@ -169,7 +182,7 @@ std::string WriteTrial::judge(
                                                                 : wrong("it is not the new state");
     switch (report.error().code) {
     case ErrorCode::RollbackFailed:
-        if (m_scenario.isSlotFree && !traits.reboots && !traits.refuses)
+        if (!canBeLeftOff() && !traits.reboots && !traits.refuses)
             return wrong("nothing had to be put back that could not be");
         return isOld || isNew || isRebooted || isSwitchedOff(now)
             ? ""
@@ -219,8 +232,7 @@ std::string WriteTrial::judgeAnswer(const HeldStates& states, const FaultTraits&
         case Outcome::NewUnsaved:
             return now == states.wanted;
         case Outcome::Neither:
-            return now != states.old && now != states.wanted
-                && (!m_scenario.isSlotFree || traits.reboots);
+            return now != states.old && now != states.wanted && (canBeLeftOff() || traits.reboots);
         }
         return false;
     }();
@@ -237,8 +249,8 @@ std::string WriteTrial::judgeReboot(
 {
     drive.reboot();
     const State now = state();
-    const bool isOldWithoutTable = m_scenario.before == Persistency::Volatile
-        && now.registers == states.old.registers && now.table.empty();
+    const bool isWithoutTable = m_scenario.before == Persistency::Volatile && now.table.empty();
+    const bool isOldWithoutTable = isWithoutTable && now.registers == states.old.registers;
     const bool isOld = now == states.oldRebooted || isOldWithoutTable;
     const bool isNew =
         now == states.wantedRebooted || (traits.reboots && sameButSlot(now, states.wantedRebooted));
@@ -247,7 +259,7 @@ std::string WriteTrial::judgeReboot(
     if (!report
         && (report.error().code == ErrorCode::OutcomeUnknown
             || report.error().code == ErrorCode::RollbackFailed || traits.reboots))
-        isRight = isOld || isNew || isSwitchedOff(now);
+        isRight = isOld || isNew || isSwitchedOff(now) || isWithoutTable;
     return isRight
         ? ""
         : "after a reboot " + stateText(now, states) + "; the program had said " + saidBy(report);
@@ -302,6 +314,12 @@ RecordedWrite recordWrite(
     trial.requested = {};
     if (!report && recorded.wrong.empty())
         recorded.wrong = "the write failed: " + describe(report.error());
+
+    WriteTrial refused(scenario, kind, points);
+    refused.link.failAt(recorded.exchanges, LinkFault::Refused);
+    if (refused.write())
+        recorded.wrong = "a write whose end was refused succeeded";
+    recorded.exchangesToPutBack = refused.link.exchanges() - recorded.exchanges;
     return recorded;
 }
 

@@ -17,6 +17,7 @@ struct WriteScenario {
     bool hasOldTable;
     bool isSlotFree; ///< otherwise the axis's only table is overwritten
     bool keepsTable; ///< only persistency and sources change
+    bool isOneByOne = false; ///< the drive takes no two registers at one instant
 };
 [[nodiscard]] std::span<const WriteScenario> writeScenarios();
 
@@ -67,7 +68,8 @@ public:
         const FaultTraits& traits, const HeldStates& states, const Aftermath& aftermath);
     /// The new state, in whichever slot.
     [[nodiscard]] bool holdsWanted(const HeldStates& states);
-    /// The axis's one slot was being overwritten, and it cannot be activated.
+    /// It cannot be activated, because its one slot was being overwritten or its registers one by
+    /// one.
     [[nodiscard]] bool isSwitchedOff(const State& state) const;
     [[nodiscard]] std::string stateText(const State& state, const HeldStates& states) const;
 
@@ -79,6 +81,10 @@ public:
 
 private:
     [[nodiscard]] Result<void> prepare();
+    [[nodiscard]] bool canBeLeftOff() const
+    {
+        return !m_scenario.isSlotFree || m_scenario.isOneByOne;
+    }
     [[nodiscard]] std::string judgeAnswer(const HeldStates& states, const FaultTraits& traits);
     [[nodiscard]] std::string judgeReboot(
         const Result<WriteReport>& report, const FaultTraits& traits, const HeldStates& states);
@@ -103,6 +109,7 @@ struct RecordedWrite {
     int writeRequests = 0; ///< of these
     Transfer upload; ///< of the new table, when there is one
     Transfer readBack;
+    int exchangesToPutBack = 0; ///< when the last exchange is refused
     std::string wrong; ///< why it went wrong all the same
 };
 [[nodiscard]] RecordedWrite recordWrite(

@@ -36,12 +36,14 @@ inline CompensationTable exampleTable(int dimensions, int seed = 1, std::uint32_
 /// millisecond each time, with a compensator and a store of its own. It misbehaves by its faults,
 /// as a drive, or by its link, exchange by exchange.
 struct DriveFixture {
-    explicit DriveFixture(const AttachmentKind& kind = inProcess())
+    /// profile: what the compensator takes the drive for; outlives this.
+    explicit DriveFixture(const AttachmentKind& kind = inProcess(),
+        const DriveProfile& profile = drivecomm::genericProfile())
         : drive(drivecomm::genericProfile(), options(time))
         , attachment(kind.attach(drive, faults))
         , link(drive, attachment->link())
         , store(std::filesystem::path(folder.path().toStdString()) / "axiscomp")
-        , compensator(link, drivecomm::genericProfile(), store, [this] { return wallTime(); })
+        , compensator(link, profile, store, [this] { return wallTime(); })
     {
     }
 

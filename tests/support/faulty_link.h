@@ -38,7 +38,7 @@ public:
         : m_drive(drive)
         , m_inner(inner) { }
 
-    /// number counts from 1.
+    /// number counts from 1; 0 is the exchange that is beginning.
     void failAt(int number, LinkFault fault)
     {
         m_failAt = m_exchanges + number;
