@@ -44,6 +44,20 @@ std::string whyNot(const SlotFacts& facts, std::size_t tableBytes)
 
 } // namespace
 
+void markKept(
+    std::vector<SlotFacts>& slots, const std::vector<DriveStore::OwnTable>& own, bool isPersistent)
+{
+    for (const DriveStore::OwnTable& table : own) {
+        const auto facts = std::ranges::find_if(
+            slots, [&](const SlotFacts& each) { return each.slot.name == table.slot; });
+        if (facts == slots.end() || !(facts->isOwnPrevious || facts->isCurrent))
+            continue;
+        facts->isKept = facts->state.persistent;
+        if (facts->isKept && isPersistent)
+            return;
+    }
+}
+
 Result<SlotChoice> chooseSlot(std::size_t tableBytes, const std::optional<std::string>& named,
     const std::vector<SlotFacts>& slots)
 {
@@ -65,14 +79,22 @@ Result<SlotChoice> chooseSlot(std::size_t tableBytes, const std::optional<std::s
         }
         return best;
     };
-    if (const SlotFacts* own = smallest(
-            [](const SlotFacts& facts) { return facts.isOwnPrevious && !facts.isCurrent; }))
-        return SlotChoice{own->slot, SlotReason::OwnPrevious, own->state};
-    if (const SlotFacts* empty =
-            smallest([](const SlotFacts& facts) { return facts.size == 0 && !facts.isCurrent; }))
-        return SlotChoice{empty->slot, SlotReason::Empty, empty->state};
-    if (const SlotFacts* current = smallest([](const SlotFacts& facts) { return facts.isCurrent; }))
-        return SlotChoice{current->slot, SlotReason::OverwriteOwn, current->state};
+    const auto isPrevious = [](const SlotFacts& facts) {
+        return facts.isOwnPrevious && !facts.isCurrent;
+    };
+    for (const bool mayBeKept : {false, true}) {
+        if (const SlotFacts* own = smallest([&](const SlotFacts& facts) {
+                return isPrevious(facts) && (mayBeKept || !facts.isKept);
+            }))
+            return SlotChoice{own->slot, SlotReason::OwnPrevious, own->state};
+        if (const SlotFacts* empty = smallest(
+                [](const SlotFacts& facts) { return facts.size == 0 && !facts.isCurrent; }))
+            return SlotChoice{empty->slot, SlotReason::Empty, empty->state};
+        if (const SlotFacts* current = smallest([&](const SlotFacts& facts) {
+                return facts.isCurrent && (mayBeKept || !facts.isKept);
+            }))
+            return SlotChoice{current->slot, SlotReason::OverwriteOwn, current->state};
+    }
 
     std::string reasons;
     for (const SlotFacts& facts : slots)

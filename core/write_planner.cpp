@@ -289,6 +289,10 @@ Result<void> WritePlanner::lookInto(std::vector<SlotFacts>& slots)
                 return table.slot == facts.slot.name && table.crc == facts.state.crc;
             });
     }
+    const bool isPersistent = m_write.plan.after.persistency == Persistency::Persistent;
+    const bool usesSaved = m_status.table && m_status.table->persistent;
+    if (!(isPersistent && usesSaved)) // else what flash holds in other slots is out of use
+        markKept(slots, *own, isPersistent);
     return {};
 }
 

@@ -53,6 +53,18 @@ private Q_SLOTS:
         QCOMPARE(choice->reason, SlotReason::OwnPrevious);
     }
 
+    void aSlotThatARebootMayBringBackIsTakenLast()
+    {
+        SlotFacts kept = small("Small1", 700);
+        kept.isOwnPrevious = kept.isKept = true;
+        SlotFacts current = small("Small2", 700);
+        current.isCurrent = true;
+        QCOMPARE(chooseSlot(500, {}, {kept, current, small("Small3")})->slot.name, "Small3");
+        QCOMPARE(chooseSlot(500, {}, {kept, current})->slot.name, "Small2");
+        current.isKept = true;
+        QCOMPARE(chooseSlot(500, {}, {kept, current})->slot.name, "Small1");
+    }
+
     void theSlotInUseIsNeverTakenAsPrevious()
     {
         SlotFacts current = small("Small1", 700);
