@@ -2517,7 +2517,7 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
         <translation>Schreiben a&amp;bschließen</translation>
     </message>
     <message>
-        <source>Un&amp;do Write</source>
+        <source>Undo Wri&amp;te</source>
         <translation>Schreiben zurück&amp;nehmen</translation>
     </message>
     <message>
@@ -2690,7 +2690,7 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
         <translation>Eine Datei mit Kompensationswerten; nur für eine neue Tabelle nötig</translation>
     </message>
     <message>
-        <source>&amp;Table</source>
+        <source>Ta&amp;ble</source>
         <translation>&amp;Tabelle</translation>
     </message>
     <message>
@@ -3437,7 +3437,7 @@ B - A: %3</translation>
         <translation>Das jetzt in den Antrieb schreiben</translation>
     </message>
     <message>
-        <source>&amp;Back</source>
+        <source>Bac&amp;k</source>
         <translation>Zurü&amp;ck</translation>
     </message>
     <message>

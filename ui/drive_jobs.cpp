@@ -82,7 +82,10 @@ Result<AxisReading> readAxis(AxisCompensator& compensator, const std::filesystem
     const std::int32_t serialNumber = reading.status.drive.serialNumber;
     if (auto history = store.flashHistory(serialNumber))
         reading.flashHistory = std::move(*history);
-    if (auto use = compensator.flashUse(options))
+    auto use = compensator.flashUse(options);
+    if (!use && isLinkFailure(use.error().code))
+        return fail(use.error());
+    if (use)
         reading.flashUse = std::move(*use);
     reading.hasBackup = !store.backups(serialNumber, axis).empty();
     return reading;

@@ -136,7 +136,7 @@ void PageMessages::showUnfinishedWrite()
     }
     message.buttons = {{QStringLiteral("finishWriteButton"), tr("&Finish Write"),
                            [this] { m_controller.finishWrite(); }, finish.isEnabled, finish.reason},
-        {QStringLiteral("undoWriteButton"), tr("Un&do Write"), [this] { m_controller.undoWrite(); },
+        {QStringLiteral("undoWriteButton"), tr("Undo Wri&te"), [this] { m_controller.undoWrite(); },
             undo.isEnabled, undo.reason},
         {QStringLiteral("laterButton"), tr("&Keep for Later"),
             [this] { putUnfinishedWriteAway(); }}};

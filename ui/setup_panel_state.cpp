@@ -65,7 +65,7 @@ void SetupPanel::setTexts()
     m_dataRow->setTexts({tr("Compensat&ion data"),
         tr("A file with measured positions and compensation values; only needed for a new table"),
         tr("A file with compensation values; only needed for a new table")});
-    m_tableRow->setTexts({tr("&Table"),
+    m_tableRow->setTexts({tr("Ta&ble"),
         tr("The table that the axis shall have: the one on the drive, or one of the file's"),
         tr("The table that the axis shall have")});
     m_persistencyRow->setTexts({tr("Persistency"),

@@ -118,7 +118,7 @@ void WritePreview::retranslate()
         tr("Persistent writes always show this list; the menu brings it back for volatile ones"));
     m_write->setText(tr("&Write"));
     m_write->setToolTip(tr("Write this to the drive now"));
-    m_back->setText(tr("&Back"));
+    m_back->setText(tr("Bac&k"));
     m_back->setToolTip(tr("Change nothing and go back (Esc)"));
     if (m_controller.plan())
         showPlan();

@@ -91,6 +91,7 @@ const QList<QStringList>& driveCommands()
         {"download", "tables/small5.TAMtbl", "-o", "download.TAMtbl"},
         {"backup", "-o", "backup.json"},
         {"restore", "backup.json"},
+        {"recover", "--axis", "0"},
     };
     return all;
 }

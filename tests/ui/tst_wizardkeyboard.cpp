@@ -131,7 +131,7 @@ private Q_SLOTS:
         bench.picked = bench.superData();
         user.press(Qt::Key_O, Qt::AltModifier);
         QTRY_VERIFY(bench.controller().dataFile().data);
-        user.press(Qt::Key_T, Qt::AltModifier);
+        user.press(Qt::Key_B, Qt::AltModifier);
         QVERIFY(hasFocus(bench, "tableField"));
         user.press(Qt::Key_Down);
         QCOMPARE(bench.controller().setup().edited().table.fileTable, std::optional(1));
@@ -139,7 +139,7 @@ private Q_SLOTS:
         QTRY_COMPARE(bench.controller().setup().edited().persistency, Persistency::Persistent);
         user.press(Qt::Key_W, Qt::AltModifier);
         QTRY_VERIFY(user.sees("confirmWriteButton"));
-        user.press(Qt::Key_B, Qt::AltModifier);
+        user.press(Qt::Key_K, Qt::AltModifier);
         QTRY_VERIFY(!user.sees("confirmWriteButton"));
         user.press(Qt::Key_Return, Qt::ControlModifier);
         QTRY_VERIFY(user.sees("confirmWriteButton"));
