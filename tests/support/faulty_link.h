@@ -22,7 +22,13 @@ enum class LinkFault {
     StoresWrong, ///< the drive says yes and keeps something else
     UserStops, ///< the user's stop comes with this exchange
     Late, ///< no answer in time; carried out all the same, after the next exchange
+    ProgramDies, ///< not carried out, and the caller ends here: ProgramDied is thrown
+    ProgramDiesAfter, ///< carried out, but the caller does not live to see it
 };
+
+/// Thrown through everything that runs, so that nothing of it happens any more, as when a program
+/// is killed; what the system lets go of then (locks, connections) is let go of here too.
+struct ProgramDied { };
 
 /// A link to a virtual drive, by way of another one, that fails at one chosen exchange.
 class FaultyLink final : public DriveLink {
@@ -51,6 +57,8 @@ public:
         carryOutLate();
     }
     [[nodiscard]] int exchanges() const { return m_exchanges; }
+    /// The exchange that was to fail has been reached.
+    [[nodiscard]] bool hasFailed() const { return m_failAt && m_exchanges >= *m_failAt; }
     /// Lets somebody else act, once; number counts from 1.
     void actBefore(int number, std::function<void()> act)
     {
@@ -178,6 +186,11 @@ private:
         case LinkFault::Late:
             m_late = [call] { (void)call(Exchange{}); };
             return late();
+        case LinkFault::ProgramDies:
+            throw ProgramDied{};
+        case LinkFault::ProgramDiesAfter:
+            (void)call(exchange);
+            throw ProgramDied{};
         }
         return call(exchange);
     }
