@@ -114,6 +114,10 @@ private Q_SLOTS:
 
     void itAnswersWithoutFreeDescriptors()
     {
+#ifdef __SANITIZE_ADDRESS__
+        QSKIP("UndefinedBehaviorSanitizer needs a descriptor to look at an object: it would find "
+              "faults that there are not");
+#endif
         const Sandbox box;
         VirtualDriveProcess drive(box);
         const QUrl url(drive.url());
