@@ -193,6 +193,7 @@ public:
     /// EraseCount of all slots, and what this computer has recorded.
     [[nodiscard]] Result<FlashUse> flashUse(const OperationOptions& options = {});
 
+    /// Errors: ChangedMeanwhile when another program writes to an axis while it is read.
     [[nodiscard]] Result<DriveBackup> backup(const OperationOptions& options = {});
     /// A normal verified write per axis, then the tables that no axis uses, as upload does it.
     /// Errors: OtherDrive unless force; those of write and upload; SlotInUse.

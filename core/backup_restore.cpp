@@ -67,6 +67,16 @@ Result<AxisBackup> readAxisBackup(
     if (!file)
         return fail(file.error());
     backup.files.push_back(std::move(*file));
+    // Another program may have written in between: registers and file must be of one state.
+    auto same = compareRegisters(access, backup.registers);
+    if (!same && same.error().code == ErrorCode::VerifyMismatch) {
+        const auto& context = same.error().context;
+        return fail(ErrorCode::ChangedMeanwhile,
+            {{"what", context.at("what")}, {"before", context.at("expected")},
+                {"now", context.at("found")}});
+    }
+    if (!same)
+        return fail(same.error());
     return backup;
 }
 

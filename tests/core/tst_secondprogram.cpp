@@ -214,6 +214,41 @@ private Q_SLOTS:
                 QByteArray::number(noticed) + " times noticed");
     }
 
+    void aBackupIsOfOneState()
+    {
+        Case whole(Persistency::Volatile);
+        const int begin = whole.link.exchanges();
+        const auto old = whole.compensator.backup();
+        VERIFY_RESULT(old);
+        const int exchanges = whole.link.exchanges() - begin;
+        const auto sameAs = [](const AxisBackup& a, const Result<DriveBackup>& b) {
+            return a.registers == b->axes.front().registers && a.files == b->axes.front().files;
+        };
+
+        int noticed = 0;
+        for (int exchange = 1; exchange <= exchanges; ++exchange) {
+            Case c(Persistency::Volatile);
+            WriteRequest request = inPlace(Persistency::Volatile);
+            std::swap(request.sources[0], request.sources[1]);
+            c.link.actBefore(exchange, [&] {
+                const auto link = drivecomm::makeDirectLink(c.drive);
+                AxisCompensator second(*link, drivecomm::genericProfile(), c.store);
+                VERIFY_RESULT(second.write(0, request));
+            });
+            const auto backup = c.compensator.backup();
+            const QByteArray where = "exchange " + QByteArray::number(exchange);
+            if (!backup) {
+                ++noticed;
+                QVERIFY2(backup.error().code == ErrorCode::ChangedMeanwhile, where);
+                continue;
+            }
+            const auto now = c.compensator.backup();
+            VERIFY_RESULT(now);
+            QVERIFY2(sameAs(backup->axes.front(), old) || sameAs(backup->axes.front(), now), where);
+        }
+        QVERIFY(noticed > 0);
+    }
+
 private:
     static bool changesTheAxis(const Operation& operation)
     {
