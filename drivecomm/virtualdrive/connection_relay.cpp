@@ -30,7 +30,6 @@ using Clock = std::chrono::steady_clock;
 using Fate = ConnectionRelay::Fate;
 using Connection = RelayedConnection;
 
-constexpr std::size_t mostConnections = ConnectionRelay::mostConnections;
 /// After file descriptors ran out, so long no more connections than there were.
 constexpr std::chrono::seconds shortage{1};
 /// For a client to read the end of a reply before bytes of its own, unread, reset the connection.
