@@ -41,6 +41,13 @@ struct AxisCompensator::Private {
         return drive;
     }
 
+    /// Errors: AxisNotFound, OtherDrive.
+    [[nodiscard]] Result<DriveIdentity> identify(
+        const DriveAccess& access, const JournalEntry& entry);
+    /// An unfinished write that is still the one of the journal, with the write lock held.
+    struct TakenUp;
+    [[nodiscard]] Result<TakenUp> takeUp(const DriveAccess& access, const JournalEntry& entry);
+
     // With the write lock held.
     [[nodiscard]] Result<WriteReport> write(const DriveAccess& access, const DriveIdentity& drive,
         int axis, const WriteRequest& request);

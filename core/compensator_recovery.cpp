@@ -10,15 +10,6 @@ namespace axiscomp {
 
 namespace {
 
-Result<void> checkDrive(const JournalEntry& entry, const DriveIdentity& drive)
-{
-    if (drive.serialNumber == entry.serialNumber)
-        return {};
-    return fail(ErrorCode::OtherDrive,
-        {{"expected", std::to_string(entry.serialNumber)},
-            {"found", std::to_string(drive.serialNumber)}});
-}
-
 std::string journalText(const JournalEntry& entry)
 {
     return utcText(entry.time) + " (" + entry.step + ")";
@@ -42,15 +33,47 @@ Result<void> checkJournal(DriveStore& store, const JournalEntry& entry)
 
 } // namespace
 
+struct AxisCompensator::Private::TakenUp {
+    DriveIdentity drive;
+    FileLock lock;
+    UnfinishedWrite unfinished;
+};
+
+Result<DriveIdentity> AxisCompensator::Private::identify(
+    const DriveAccess& access, const JournalEntry& entry)
+{
+    auto drive = identify(access, entry.axis);
+    if (drive && drive->serialNumber != entry.serialNumber)
+        return fail(ErrorCode::OtherDrive,
+            {{"expected", std::to_string(entry.serialNumber)},
+                {"found", std::to_string(drive->serialNumber)}});
+    return drive;
+}
+
+Result<AxisCompensator::Private::TakenUp> AxisCompensator::Private::takeUp(
+    const DriveAccess& access, const JournalEntry& entry)
+{
+    auto drive = identify(access, entry);
+    if (!drive)
+        return fail(drive.error());
+    auto lock = store.lockWrites(drive->serialNumber);
+    if (!lock)
+        return fail(lock.error());
+    if (auto same = checkJournal(store, entry); !same)
+        return fail(same.error());
+    auto unfinished = UnfinishedWrite::load(access, entry);
+    if (!unfinished)
+        return fail(unfinished.error());
+    return TakenUp{std::move(*drive), std::move(*lock), std::move(*unfinished)};
+}
+
 Result<AxisCompensator::UnfinishedOutcome> AxisCompensator::settleUnfinished(
     const JournalEntry& entry, const OperationOptions& options)
 {
     const DriveAccess access = d->access(options);
-    auto drive = d->identify(access, entry.axis);
+    auto drive = d->identify(access, entry);
     if (!drive)
         return fail(drive.error());
-    if (auto same = checkDrive(entry, *drive); !same)
-        return fail(same.error());
     auto outcome = unfinishedOutcome(access, *drive, entry, d->sources);
     if (outcome && *outcome == UnfinishedOutcome::New) {
         if (auto closed = d->store.closeJournal(entry.serialNumber, entry.axis); !closed)
@@ -63,11 +86,9 @@ Result<AxisCompensator::Recovery> AxisCompensator::recovery(
     const JournalEntry& entry, const OperationOptions& options)
 {
     const DriveAccess access = d->access(options);
-    auto drive = d->identify(access, entry.axis);
+    auto drive = d->identify(access, entry);
     if (!drive)
         return fail(drive.error());
-    if (auto same = checkDrive(entry, *drive); !same)
-        return fail(same.error());
     auto status = readStatus(access, *drive, entry.axis, d->sources);
     if (!status)
         return fail(status.error());
@@ -105,29 +126,20 @@ Result<WriteReport> AxisCompensator::finishUnfinished(
 {
     const DriveAccess access = d->access(options);
     access.report("plan", 0.0);
-    auto drive = d->identify(access, entry.axis);
-    if (!drive)
-        return fail(drive.error());
-    if (auto same = checkDrive(entry, *drive); !same)
-        return fail(same.error());
-    auto lock = d->store.lockWrites(drive->serialNumber);
-    if (!lock)
-        return fail(lock.error());
-    if (auto same = checkJournal(d->store, entry); !same)
-        return fail(same.error());
-    auto unfinished = UnfinishedWrite::load(access, entry);
-    if (!unfinished)
-        return fail(unfinished.error());
-    auto prepared = d->prepareFinish(access, *drive, *unfinished);
+    auto taken = d->takeUp(access, entry);
+    if (!taken)
+        return fail(taken.error());
+    auto prepared = d->prepareFinish(access, taken->drive, taken->unfinished);
     if (!prepared)
         return fail(prepared.error());
     auto report =
         WriteProcedure(access, d->store, d->sources, d->clock, std::move(*prepared), entry)
             .finishEarlier();
     // As after a write that was not interrupted: the next one may take the old table's slot.
-    if (report && unfinished->oldFile() && unfinished->oldSlot() != report->now.setup.slot)
+    const UnfinishedWrite& unfinished = taken->unfinished;
+    if (report && unfinished.oldFile() && unfinished.oldSlot() != report->now.setup.slot)
         (void)d->store.recordOwnTable(
-            entry.serialNumber, entry.axis, {unfinished->oldSlot(), unfinished->oldCrc()});
+            entry.serialNumber, entry.axis, {unfinished.oldSlot(), unfinished.oldCrc()});
     return report;
 }
 
@@ -136,22 +148,12 @@ Result<WriteReport> AxisCompensator::undoUnfinished(
 {
     const DriveAccess access = d->access(options);
     access.report("plan", 0.0);
-    auto drive = d->identify(access, entry.axis);
-    if (!drive)
-        return fail(drive.error());
-    if (auto same = checkDrive(entry, *drive); !same)
-        return fail(same.error());
-    auto lock = d->store.lockWrites(drive->serialNumber);
-    if (!lock)
-        return fail(lock.error());
-    if (auto same = checkJournal(d->store, entry); !same)
-        return fail(same.error());
-    auto unfinished = UnfinishedWrite::load(access, entry);
-    if (!unfinished)
-        return fail(unfinished.error());
+    auto taken = d->takeUp(access, entry);
+    if (!taken)
+        return fail(taken.error());
     return WriteProcedure(
-        access, d->store, d->sources, d->clock, unfinished->prepared(*drive), entry)
-        .undoEarlier(*unfinished);
+        access, d->store, d->sources, d->clock, taken->unfinished.prepared(taken->drive), entry)
+        .undoEarlier(taken->unfinished);
 }
 
 } // namespace axiscomp
