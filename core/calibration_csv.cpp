@@ -12,8 +12,6 @@ namespace axiscomp {
 
 namespace {
 
-using csv::DiagnosticList;
-
 /// Places in the text are kept in 32 bits.
 std::size_t maximumBytes(const CsvOptions& options)
 {
@@ -97,7 +95,8 @@ CsvReading parseCalibrationCsv(std::string_view text, const CsvOptions& options)
         reading.data.reset();
         diagnostics.error(DiagnosticCode::IoError, 0, 0, "there is not enough memory", "");
     }
-    diagnostics.moveInto(reading);
+    reading.diagnostics = diagnostics.take();
+    reading.suppressed = diagnostics.suppressed();
     return reading;
 }
 
@@ -113,7 +112,8 @@ CsvReading readCalibrationCsv(const std::filesystem::path& file, const CsvOption
         reportTooLarge(diagnostics, context.at("size"), maximumBytes(options));
     else
         diagnostics.error(DiagnosticCode::IoError, 0, 0, context.at("reason"), "");
-    diagnostics.moveInto(reading);
+    reading.diagnostics = diagnostics.take();
+    reading.suppressed = diagnostics.suppressed();
     return reading;
 }
 

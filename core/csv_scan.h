@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/calibration_csv.h"
 #include "core/csv_lines.h"
 #include "core/csv_positions.h"
 #include "core/csv_rows.h"

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/csv_diagnostics.h"
+#include "core/diagnostic_list.h"
+
+#include <stop_token>
+#include <string_view>
 
 namespace axiscomp::csv {
 

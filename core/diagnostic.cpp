@@ -65,6 +65,22 @@ constexpr std::array rows{
         "the values must be in the unit of the positions"},
     Row{DiagnosticCode::ConstantTable, "ConstantTable", Found::Words,
         "all values of the table are equal", "check that this column is meant"},
+    Row{DiagnosticCode::Syntax, "Syntax", Found::Text, "this is not written as the format demands",
+        ""},
+    Row{DiagnosticCode::Contradiction, "Contradiction", Found::Words,
+        "two statements of the file contradict each other", ""},
+    Row{DiagnosticCode::NotMonotonic, "NotMonotonic", Found::Words,
+        "the positions do not go in one direction", ""},
+    Row{DiagnosticCode::NotPeriodic, "NotPeriodic", Found::Words,
+        "the table does not close after one revolution", ""},
+    Row{DiagnosticCode::LimitExceeded, "LimitExceeded", Found::Words,
+        "the controller does not take as much", ""},
+    Row{DiagnosticCode::UnknownKey, "UnknownKey", Found::Text,
+        "this entry is not known and is left out", ""},
+    Row{DiagnosticCode::UnitNotGiven, "UnitNotGiven", Found::Words, "the file does not say a unit",
+        ""},
+    Row{DiagnosticCode::Assumption, "Assumption", Found::Words,
+        "the file can be understood in several ways", ""},
 };
 
 const Row& rowOf(DiagnosticCode code)
@@ -105,7 +121,10 @@ std::string message(const Diagnostic& diagnostic)
     if (!diagnostic.expected.empty())
         append(", ", "expected " + diagnostic.expected);
     append("; ", row.wayOut);
-    return text.append(" (").append(row.name).append(")");
+    text.append(" (").append(row.name);
+    if (!diagnostic.controllerError.empty())
+        text.append(", error ").append(diagnostic.controllerError).append(" of the controller");
+    return text.append(")");
 }
 
 } // namespace axiscomp

@@ -9,7 +9,7 @@ namespace axiscomp {
 
 enum class Severity { Warning, Error };
 
-/// spec/csv.md, "What goes wrong".
+/// spec/csv.md, "What goes wrong"; further ones for the tables of other controllers.
 enum class DiagnosticCode {
     EmptyFile,
     NoHeader,
@@ -26,12 +26,21 @@ enum class DiagnosticCode {
     TooLarge,
     NotText,
     IoError,
+    // tables of other controllers (spec/controllers.md)
+    Syntax,
+    Contradiction,
+    NotMonotonic,
+    NotPeriodic,
+    LimitExceeded,
     // warnings
     Encoding,
     RoundedSpacing,
     FloatPrecision,
     LargeGradient,
     ConstantTable,
+    UnknownKey,
+    UnitNotGiven,
+    Assumption,
 };
 
 /// One problem of a file. `line` and `column` are 1-based; 0 means the whole file or the whole
@@ -43,6 +52,8 @@ struct Diagnostic {
     std::size_t column = 0;
     std::string found;
     std::string expected;
+    std::string controllerError =
+        {}; ///< "4900": the number that the controller itself gives this error
 
     friend bool operator==(const Diagnostic&, const Diagnostic&) = default;
 };

@@ -26,6 +26,10 @@ enum class ErrorCode {
     InvalidBackup, ///< file, reason
     UnknownFormat, ///< file, known
     TableNotFound, ///< table, known
+    FormatAmbiguous, ///< file, candidates
+    FormatCannotHold, ///< format, reason, wayOut
+    SignNotConvertible, ///< position, reason
+    ResamplingImpossible, ///< reason
     // The way to the drive
     InvalidEndpoint, ///< endpoint, reason
     NotConnected, ///< endpoint, reason: nothing was sent

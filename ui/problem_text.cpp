@@ -84,6 +84,24 @@ Words wordsOf(DiagnosticCode code)
     case DiagnosticCode::ConstantTable:
         return {QT_TRANSLATE_NOOP("Problem", "all values of the table are equal"),
             QT_TRANSLATE_NOOP("Problem", "check that this column is meant")};
+    case DiagnosticCode::Syntax:
+        return {
+            QT_TRANSLATE_NOOP("Problem", "this is not written as the format demands"), "", true};
+    case DiagnosticCode::Contradiction:
+        return {
+            QT_TRANSLATE_NOOP("Problem", "two statements of the file contradict each other"), ""};
+    case DiagnosticCode::NotMonotonic:
+        return {QT_TRANSLATE_NOOP("Problem", "the positions do not go in one direction"), ""};
+    case DiagnosticCode::NotPeriodic:
+        return {QT_TRANSLATE_NOOP("Problem", "the table does not close after one revolution"), ""};
+    case DiagnosticCode::LimitExceeded:
+        return {QT_TRANSLATE_NOOP("Problem", "the controller does not take as much"), ""};
+    case DiagnosticCode::UnknownKey:
+        return {QT_TRANSLATE_NOOP("Problem", "this entry is not known and is left out"), "", true};
+    case DiagnosticCode::UnitNotGiven:
+        return {QT_TRANSLATE_NOOP("Problem", "the file does not say a unit"), ""};
+    case DiagnosticCode::Assumption:
+        return {QT_TRANSLATE_NOOP("Problem", "the file can be understood in several ways"), ""};
     }
     return {"", ""};
 }
@@ -118,6 +136,9 @@ QString problemText(const Diagnostic& diagnostic)
                     .arg(translatedPhrase(diagnostic.expected));
     if (const QString wayOut = translated(words.wayOut); !wayOut.isEmpty())
         text += QStringLiteral("; ") + wayOut;
+    if (!diagnostic.controllerError.empty())
+        text += QCoreApplication::translate("Problem", " (error %1 of the controller)")
+                    .arg(QString::fromStdString(diagnostic.controllerError));
     return asSentence(text);
 }
 

@@ -144,7 +144,7 @@ private Q_SLOTS:
 
     void everyProblemOfAFileHasItsSentence()
     {
-        for (int code = 0; code <= static_cast<int>(DiagnosticCode::ConstantTable); ++code) {
+        for (int code = 0; code <= static_cast<int>(DiagnosticCode::Assumption); ++code) {
             Diagnostic problem;
             problem.code = static_cast<DiagnosticCode>(code);
             problem.found = "what was found";

@@ -1,28 +1,44 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/csv_diagnostics.h"
+#include "core/diagnostic_list.h"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 
-namespace axiscomp::csv {
+namespace axiscomp {
 
 void DiagnosticList::error(DiagnosticCode code, std::size_t line, std::size_t column,
     std::string found, std::string expected)
+{
+    error({.severity = Severity::Error,
+        .code = code,
+        .line = line,
+        .column = column,
+        .found = std::move(found),
+        .expected = std::move(expected),
+        .controllerError = {}});
+}
+
+void DiagnosticList::error(Diagnostic diagnostic)
 {
     m_hasErrors = true;
     if (isFull())
         ++m_suppressed;
     else
-        m_items.push_back(
-            {Severity::Error, code, line, column, std::move(found), std::move(expected)});
+        m_items.push_back(std::move(diagnostic));
 }
 
 void DiagnosticList::warning(DiagnosticCode code, std::size_t line, std::size_t column,
     std::string found, std::string expected)
 {
     if (m_warnings.size() < m_maximum)
-        m_warnings.push_back(
-            {Severity::Warning, code, line, column, std::move(found), std::move(expected)});
+        m_warnings.push_back({.severity = Severity::Warning,
+            .code = code,
+            .line = line,
+            .column = column,
+            .found = std::move(found),
+            .expected = std::move(expected),
+            .controllerError = {}});
 }
 
 void DiagnosticList::countErrors(std::size_t count)
@@ -31,7 +47,7 @@ void DiagnosticList::countErrors(std::size_t count)
     m_suppressed += count;
 }
 
-void DiagnosticList::moveInto(CsvReading& reading)
+std::vector<Diagnostic> DiagnosticList::take()
 {
     // Errors come first when there is no room for all: they are what stops the file.
     const std::size_t room = m_maximum - std::min(m_maximum, m_items.size());
@@ -42,8 +58,7 @@ void DiagnosticList::moveInto(CsvReading& reading)
         return item.line == 0 ? std::numeric_limits<std::size_t>::max() : item.line;
     };
     std::ranges::stable_sort(m_items, {}, place);
-    reading.diagnostics = std::move(m_items);
-    reading.suppressed = m_suppressed;
+    return std::move(m_items);
 }
 
-} // namespace axiscomp::csv
+} // namespace axiscomp

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/formats/families.h"
+#include "core/formats/text_scanner.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+namespace axiscomp {
+
+namespace {
+
+bool hasExtension(const FamilyFacts& facts, std::string_view fileName)
+{
+    return std::ranges::any_of(facts.extensions, [&](std::string_view extension) {
+        return fileName.size() > extension.size()
+            && sameLetters(fileName.substr(fileName.size() - extension.size()), extension);
+    });
+}
+
+std::string knownNames()
+{
+    std::string names;
+    for (const TableFamily* family : tableFamilies())
+        names += (names.empty() ? "" : ", ") + std::string(family->facts.name);
+    return names;
+}
+
+} // namespace
+
+std::string_view evidenceName(Evidence evidence)
+{
+    switch (evidence) {
+    case Evidence::Published:
+        return "published";
+    case Evidence::Code:
+        return "read in program code";
+    case Evidence::Assumed:
+        break;
+    }
+    return "assumed";
+}
+
+bool TableReading::hasErrors() const
+{
+    return suppressed > 0
+        || std::ranges::find(diagnostics, Severity::Error, &Diagnostic::severity)
+        != diagnostics.end();
+}
+
+std::span<const TableFamily* const> tableFamilies()
+{
+    static const std::array families{&softmcFamily()};
+    return families;
+}
+
+Result<const TableFamily*> familyNamed(std::string_view name)
+{
+    for (const TableFamily* family : tableFamilies())
+        if (sameLetters(name, family->facts.name))
+            return family;
+    return fail(ErrorCode::UnknownFormat, {{"file", std::string(name)}, {"known", knownNames()}});
+}
+
+FormatGuess guessFamily(std::string_view text, std::string_view fileName)
+{
+    constexpr std::size_t enough = 64 * 1024;
+    struct Candidate {
+        const TableFamily* family;
+        Recognition recognition;
+        bool hasExtension;
+    };
+    std::vector<Candidate> candidates;
+    for (const TableFamily* family : tableFamilies()) {
+        const Recognition recognition =
+            family->recognise ? family->recognise(text.substr(0, enough)) : Recognition::No;
+        if (recognition != Recognition::No)
+            candidates.push_back({family, recognition, hasExtension(family->facts, fileName)});
+    }
+    const auto rank = [](const Candidate& c) {
+        return std::pair(c.recognition != Recognition::Certain, !c.hasExtension);
+    };
+    std::ranges::stable_sort(candidates, {}, rank);
+    FormatGuess guess;
+    for (const Candidate& candidate : candidates)
+        guess.families.push_back(candidate.family);
+    const bool isOne = candidates.size() == 1
+        || (candidates.size() > 1 && candidates[0].recognition == Recognition::Certain
+            && candidates[1].recognition != Recognition::Certain);
+    guess.isCertain = isOne;
+    return guess;
+}
+
+} // namespace axiscomp

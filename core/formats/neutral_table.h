@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace axiscomp {
+
+/// What the numbers of a table are, with e = x_ref - x_enc (spec/controllers.md, "Sign").
+enum class SignConvention {
+    Feedback, ///< +e, added to the encoder position
+    Command, ///< c, added to the commanded position: c(x) = -e(x + c(x))
+};
+[[nodiscard]] std::string_view signName(SignConvention sign); ///< "feedback", "command"
+
+/// The direction of motion that a column holds for.
+enum class Direction { Both, Positive, Negative };
+[[nodiscard]] std::string_view directionName(Direction direction); ///< "both", "positive", ...
+
+/// One input of a table.
+struct SourceAxis {
+    std::string name; ///< "X" or "1", as the file names it; may be empty
+    std::string unit; ///< "mm", "deg"; empty: the file does not say
+    std::vector<double> knots; ///< at least 2, finite, strictly ascending
+    std::optional<double> wrap; ///< the period of a modulo axis; at least the span of the knots
+    double step = 0.0; ///< positions are multiples of this in the file; 0: decimal numbers
+
+    friend bool operator==(const SourceAxis&, const SourceAxis&) = default;
+};
+
+/// The values for one target axis.
+struct CompensationColumn {
+    std::string target; ///< the axis that is compensated, "Y" or "2"; may be empty
+    std::string unit; ///< empty: the file does not say
+    Direction direction = Direction::Both;
+    std::vector<double> values; ///< pointCount() finite values, the first axis fastest
+    double step = 0.0; ///< values are multiples of this in the file; 0: decimal numbers
+
+    friend bool operator==(const CompensationColumn&, const CompensationColumn&) = default;
+};
+
+/// What the tables of all controllers have in common: 1 to 3 source axes with knots that are even
+/// or not, and one or more columns over them. A file holds one or more of these.
+struct NeutralTable {
+    std::string name; ///< may be empty
+    std::vector<SourceAxis> axes;
+    std::vector<CompensationColumn> columns;
+    SignConvention sign = SignConvention::Feedback;
+    std::vector<std::string> notes;
+
+    [[nodiscard]] std::size_t pointCount() const;
+    friend bool operator==(const NeutralTable&, const NeutralTable&) = default;
+};
+
+/// Whether knots lie on start + i * distance but for the rounding of doubles.
+[[nodiscard]] bool isEven(const SourceAxis& axis);
+[[nodiscard]] bool isEven(const NeutralTable& table);
+
+/// The index of the source axis on which a column acts, so that a command offset moves the place
+/// where the table is looked up: the axis of the target's name; for a target without a name, and
+/// for a single axis, the first. Nothing for a cross compensation (straightness, squareness).
+[[nodiscard]] std::optional<std::size_t> ownAxis(
+    const NeutralTable& table, const CompensationColumn& column);
+
+/// "X, Y to Z, positive": for reports.
+[[nodiscard]] std::string columnText(const NeutralTable& table, const CompensationColumn& column);
+
+} // namespace axiscomp
