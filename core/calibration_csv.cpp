@@ -37,9 +37,10 @@ void reportNoLines(const csv::Scan& scan, DiagnosticList& diagnostics)
             "at least 2 positions in each dimension, one line per grid point");
 }
 
-std::optional<CalibrationData> readData(csv::Scan& scan, DiagnosticList& diagnostics)
+std::optional<CalibrationData> readData(csv::Scan& scan, const CsvOptions& options,
+    DiagnosticList& diagnostics, std::vector<std::vector<double>>& knots)
 {
-    const csv::GridReading grid = csv::readGrid(scan, diagnostics);
+    csv::GridReading grid = csv::readGrid(scan, options.acceptsUneven, diagnostics);
     const std::vector<std::uint32_t> points = csv::readPoints(scan, grid, diagnostics);
     if (diagnostics.hasErrors())
         return std::nullopt;
@@ -47,6 +48,8 @@ std::optional<CalibrationData> readData(csv::Scan& scan, DiagnosticList& diagnos
     data.grid = grid.grid;
     data.tables = csv::readTables(scan, grid.grid, points, diagnostics);
     data.notes = std::move(scan.notes);
+    if (options.acceptsUneven)
+        knots = std::move(grid.knots);
     return data;
 }
 
@@ -68,7 +71,7 @@ void parse(
     if (scan.rows.size() == 0 && usable)
         reportNoLines(scan, diagnostics);
     else if (scan.rows.size() > 0 && scan.complete)
-        out.data = readData(scan, diagnostics);
+        out.data = readData(scan, options, diagnostics, out.knots);
     out.cancelled = options.stop.stop_requested();
     if (out.cancelled)
         out.data.reset();

@@ -24,6 +24,7 @@ struct CalibrationData {
 
 struct CsvOptions {
     int dimensions = 1; ///< 1, 2 or 3: chosen by the user, never guessed
+    bool acceptsUneven = false; ///< positions that are not evenly spaced are no error: see knots
     std::size_t maximumCells = 64'000'000; ///< rows x columns; above: TooLarge
     std::size_t maximumBytes = std::size_t{1}
         << 30; ///< file size; above: TooLarge, nothing is read
@@ -35,6 +36,9 @@ struct CsvOptions {
 
 struct CsvReading {
     std::optional<CalibrationData> data; ///< only without an error
+    /// Of each dimension, only with acceptsUneven and with data. Where they are uneven, the grid of
+    /// the data has their number, their first and their mean distance.
+    std::vector<std::vector<double>> knots;
     std::vector<Diagnostic> diagnostics; ///< errors and warnings, in the order of the file
     std::size_t suppressed = 0; ///< further errors above maximumDiagnostics
     bool cancelled = false;

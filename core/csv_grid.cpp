@@ -49,7 +49,8 @@ public:
     {
     }
 
-    std::optional<GridAxis> read();
+    std::optional<GridAxis> read(bool acceptsUneven);
+    [[nodiscard]] std::vector<double> knots(const GridAxis& axis) const;
 
 private:
     void reportTooFew();
@@ -67,9 +68,18 @@ private:
     std::size_t m_dimension;
     const std::vector<double>& m_positions;
     DiagnosticList& m_diagnostics;
+    bool m_isUneven = false;
 };
 
-std::optional<GridAxis> AxisReader::read()
+std::vector<double> AxisReader::knots(const GridAxis& axis) const
+{
+    std::vector<double> knots = m_positions;
+    for (std::size_t i = 0; i < knots.size() && !m_isUneven; ++i)
+        knots[i] = axis.position(i);
+    return knots;
+}
+
+std::optional<GridAxis> AxisReader::read(bool acceptsUneven)
 {
     if (m_positions.size() < 2) {
         reportTooFew();
@@ -83,8 +93,15 @@ std::optional<GridAxis> AxisReader::read()
     const EvenSpacing spacing =
         fitEvenSpacing(m_positions, m_scan.positions[m_dimension].lastDecimal());
     const ColumnName& column = m_scan.columns[m_dimension];
-    const GridAxis axis{column.name, column.unit, spacing.start, spacing.distance,
+    GridAxis axis{column.name, column.unit, spacing.start, spacing.distance,
         static_cast<std::uint32_t>(m_positions.size())};
+    m_isUneven = !spacing.even;
+    if (m_isUneven && acceptsUneven) {
+        axis.start = m_positions.front();
+        axis.distance = (m_positions.back() - m_positions.front())
+            / static_cast<double>(m_positions.size() - 1);
+        return axis;
+    }
     if (!spacing.even) {
         reportUneven(spacing);
         return std::nullopt;
@@ -178,15 +195,18 @@ std::string positionText(const ColumnName& column, std::size_t dimension, double
     return column.unit.empty() ? text : text + ' ' + column.unit;
 }
 
-GridReading readGrid(const Scan& scan, DiagnosticList& diagnostics)
+GridReading readGrid(const Scan& scan, bool acceptsUneven, DiagnosticList& diagnostics)
 {
     GridReading reading;
     for (const PositionColumn& column : scan.positions)
         reading.lines.push_back(gridLines(column.values()));
     reading.even = true;
     for (std::size_t d = 0; d < scan.positions.size(); ++d) {
-        const std::optional<GridAxis> axis = AxisReader(scan, reading, d, diagnostics).read();
+        AxisReader reader(scan, reading, d, diagnostics);
+        const std::optional<GridAxis> axis = reader.read(acceptsUneven);
         reading.even = reading.even && axis;
+        if (axis && acceptsUneven)
+            reading.knots.push_back(reader.knots(*axis));
         reading.grid.axes.push_back(axis.value_or(GridAxis{}));
     }
     return reading;

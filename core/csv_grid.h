@@ -15,7 +15,9 @@ struct GridLines {
 struct GridReading {
     Grid grid;
     std::vector<GridLines> lines; ///< per dimension
-    bool even = false; ///< every dimension has enough lines and is evenly spaced
+    std::vector<std::vector<double>>
+        knots; ///< per dimension: those of the grid, or the uneven ones
+    bool even = false; ///< every dimension has enough lines and is evenly spaced, or need not be
 };
 
 /// Calls visit(block, index in the block, row) for every row until it returns false.
@@ -33,7 +35,9 @@ template <typename Visit> void forEachRow(const Scan& scan, Visit&& visit)
     const ColumnName& column, std::size_t dimension, double position);
 
 /// Finds the grid lines and their spacing. Not for an empty scan. Problems go to diagnostics.
-[[nodiscard]] GridReading readGrid(const Scan& scan, DiagnosticList& diagnostics);
+/// acceptsUneven: as in CsvOptions.
+[[nodiscard]] GridReading readGrid(
+    const Scan& scan, bool acceptsUneven, DiagnosticList& diagnostics);
 
 /// Checks that every grid point occurs once. Returns the place of each row in the tables (dimension
 /// 1 fastest), empty if that is not so.

@@ -18,6 +18,9 @@ ExitCode exitCode(ErrorCode code)
 
     case ErrorCode::InvalidArgument:
     case ErrorCode::UnknownFormat:
+    case ErrorCode::FormatAmbiguous:
+    case ErrorCode::FormatCannotHold:
+    case ErrorCode::ResamplingImpossible:
     case ErrorCode::TableNotFound:
     case ErrorCode::InvalidEndpoint:
     case ErrorCode::AxisNotFound:
@@ -35,6 +38,7 @@ ExitCode exitCode(ErrorCode code)
     case ErrorCode::FileNotReadable:
     case ErrorCode::FileTooLarge:
     case ErrorCode::InvalidCalibration:
+    case ErrorCode::SignNotConvertible:
     case ErrorCode::InvalidTable:
     case ErrorCode::InvalidProfile:
     case ErrorCode::InvalidConfiguration:

@@ -7,6 +7,9 @@ namespace axiscomp {
 
 // One file for each controller family, spec/controllers.md. tableFamilies() lists them.
 
+[[nodiscard]] const TableFamily& calibrationCsvFamily(); ///< the calibration file (spec/csv.md)
+[[nodiscard]] const TableFamily& tamTableFamily(); ///< the drive's table file (spec/tamtbl.md)
+
 [[nodiscard]] const TableFamily& softmcFamily(); ///< text table
 
 } // namespace axiscomp

@@ -50,7 +50,11 @@ bool TableReading::hasErrors() const
 
 std::span<const TableFamily* const> tableFamilies()
 {
-    static const std::array families{&softmcFamily()};
+    static const std::array families{
+        &calibrationCsvFamily(),
+        &tamTableFamily(),
+        &softmcFamily(),
+    };
     return families;
 }
 
@@ -72,10 +76,13 @@ FormatGuess guessFamily(std::string_view text, std::string_view fileName)
     };
     std::vector<Candidate> candidates;
     for (const TableFamily* family : tableFamilies()) {
-        const Recognition recognition =
-            family->recognise ? family->recognise(text.substr(0, enough)) : Recognition::No;
+        const bool isBinary = family->read && !family->recognise;
+        const bool hasName = hasExtension(family->facts, fileName);
+        Recognition recognition = isBinary && hasName ? Recognition::Possible : Recognition::No;
+        if (family->recognise)
+            recognition = family->recognise(text.substr(0, enough));
         if (recognition != Recognition::No)
-            candidates.push_back({family, recognition, hasExtension(family->facts, fileName)});
+            candidates.push_back({family, recognition, hasName});
     }
     const auto rank = [](const Candidate& c) {
         return std::pair(c.recognition != Recognition::Certain, !c.hasExtension);
@@ -89,6 +96,21 @@ FormatGuess guessFamily(std::string_view text, std::string_view fileName)
             && candidates[1].recognition != Recognition::Certain);
     guess.isCertain = isOne;
     return guess;
+}
+
+const TableFamily* familyOfExtension(std::string_view fileName)
+{
+    const TableFamily* found = nullptr;
+    for (const TableFamily* family : tableFamilies()) {
+        if (!hasExtension(family->facts, fileName))
+            continue;
+        // The product's own formats come first and have the extension to themselves.
+        if (found == nullptr)
+            found = family;
+        else if (found != &calibrationCsvFamily() && found != &tamTableFamily())
+            return nullptr;
+    }
+    return found;
 }
 
 } // namespace axiscomp

@@ -52,8 +52,14 @@ std::optional<std::size_t> ownAxis(const NeutralTable& table, const Compensation
     const auto named = std::ranges::find(table.axes, column.target, &SourceAxis::name);
     if (!column.target.empty() && named != table.axes.end())
         return static_cast<std::size_t>(named - table.axes.begin());
-    const bool isUnknown = column.target.empty() || table.axes.front().name.empty();
-    return isUnknown ? std::optional<std::size_t>(0) : std::nullopt;
+    const bool isNamed = !column.target.empty() && !table.axes.front().name.empty();
+    const bool isOnlyTarget = std::ranges::all_of(table.columns,
+        [&](const CompensationColumn& other) { return other.target == column.target; });
+    const bool isPair =
+        table.columns.size() == 2 && table.columns[0].direction != table.columns[1].direction;
+    if (isNamed || !isOnlyTarget || (table.columns.size() > 1 && !isPair))
+        return std::nullopt;
+    return 0;
 }
 
 std::string columnText(const NeutralTable& table, const CompensationColumn& column)

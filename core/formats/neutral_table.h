@@ -33,6 +33,7 @@ struct SourceAxis {
 
 /// The values for one target axis.
 struct CompensationColumn {
+    std::string name; ///< "Table 1": as the file calls the column; may be empty
     std::string target; ///< the axis that is compensated, "Y" or "2"; may be empty
     std::string unit; ///< empty: the file does not say
     Direction direction = Direction::Both;
@@ -60,8 +61,9 @@ struct NeutralTable {
 [[nodiscard]] bool isEven(const NeutralTable& table);
 
 /// The index of the source axis on which a column acts, so that a command offset moves the place
-/// where the table is looked up: the axis of the target's name; for a target without a name, and
-/// for a single axis, the first. Nothing for a cross compensation (straightness, squareness).
+/// where the table is looked up: the axis of the target's name. Where names do not tell, the first
+/// axis if the table has one target only. Nothing for a cross compensation (straightness,
+/// squareness), and where it cannot be known.
 [[nodiscard]] std::optional<std::size_t> ownAxis(
     const NeutralTable& table, const CompensationColumn& column);
 

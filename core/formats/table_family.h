@@ -61,6 +61,8 @@ struct FamilyFacts {
     bool holdsNotes = false;
     bool holdsDirections = false; ///< a value for each direction of motion
     bool holdsWrap = false; ///< modulo axes
+    bool holdsPersistency = false;
+    bool isText = true;
     std::string_view numbers = {}; ///< "decimal text", "float32", "whole numbers of 0.1 um"
     SignConvention sign = SignConvention::Command;
     Evidence signEvidence = Evidence::Assumed;
@@ -103,11 +105,12 @@ struct WrittenTables {
 /// How sure a family is that a text is one of its files.
 enum class Recognition { No, Possible, Certain };
 
-/// One format of one controller. A format that cannot be read has no read and no recognise; one
-/// that cannot be written has no write.
+/// One format of one controller. One that cannot be read has no read; one that cannot be written
+/// has no write.
 struct TableFamily {
     FamilyFacts facts;
-    /// text: the first bytes of the file, at most 64 KiB; may end in the middle of a line.
+    /// text: the first bytes of the file, at most 64 KiB; may end in the middle of a line. None
+    /// for a format that only the file's name tells.
     Recognition (*recognise)(std::string_view text) = nullptr;
     /// The whole file. Problems of the file are diagnostics; settings that cannot be are errors
     /// (InvalidArgument).
@@ -130,6 +133,9 @@ struct FormatGuess {
     bool isCertain = false; ///< exactly one fits
 };
 [[nodiscard]] FormatGuess guessFamily(std::string_view text, std::string_view fileName);
+
+/// The format that a file's name stands for; nothing when none or several do.
+[[nodiscard]] const TableFamily* familyOfExtension(std::string_view fileName);
 
 /// Checks dimensions, knots, points, columns, directions and modulo against the facts. Errors:
 /// FormatCannotHold with the limit and the way out.
