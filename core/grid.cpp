@@ -13,16 +13,30 @@ bool sameSpans(const Grid& a, const Grid& b)
     });
 }
 
-TableStatistics statistics(const CompensationTable& table)
+namespace {
+
+template <typename Values> TableStatistics statisticsOf(const Values& values)
 {
-    if (table.values.empty())
+    if (values.empty())
         return {};
-    const auto [minimum, maximum] = std::ranges::minmax(table.values);
+    const auto [minimum, maximum] = std::ranges::minmax(values);
     double squares = 0.0;
-    for (const float value : table.values)
+    for (const auto value : values)
         squares += static_cast<double>(value) * static_cast<double>(value);
     return {static_cast<double>(minimum), static_cast<double>(maximum),
-        std::sqrt(squares / static_cast<double>(table.values.size()))};
+        std::sqrt(squares / static_cast<double>(values.size()))};
+}
+
+} // namespace
+
+TableStatistics statistics(const CompensationTable& table)
+{
+    return statisticsOf(table.values);
+}
+
+TableStatistics statistics(std::span<const double> values)
+{
+    return statisticsOf(values);
 }
 
 } // namespace axiscomp

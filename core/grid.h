@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -58,5 +59,6 @@ struct TableStatistics {
     double rms = 0.0;
 };
 [[nodiscard]] TableStatistics statistics(const CompensationTable& table);
+[[nodiscard]] TableStatistics statistics(std::span<const double> values);
 
 } // namespace axiscomp

@@ -5,6 +5,7 @@
 #include "app/cli/table_input.h"
 #include "app/common/arguments.h"
 #include "app/common/number_text.h"
+#include "core/formats/families.h"
 #include "core/tam_table.h"
 
 namespace axiscomp::app {
@@ -22,9 +23,10 @@ struct ConvertOptions {
 
 /// What goes into the output file: all tables where it can hold several and none was named.
 Result<CalibrationData> chosenTables(
-    CalibrationData data, const ConvertOptions& options, const TableFormatInfo& to)
+    CalibrationData data, const ConvertOptions& options, const FamilyFacts& to)
 {
-    const bool wantsAll = to.severalTables && options.input.table.empty() && options.name.empty();
+    const bool wantsAll =
+        to.mostColumns != 1 && options.input.table.empty() && options.name.empty();
     if (!wantsAll) {
         const auto index = chooseTable(data, options.input);
         if (!index)
@@ -54,10 +56,10 @@ Result<Bytes> encodeTable(Environment& environment, const ConvertOptions& option
     return encodeTamTable(table, persistent, profile->layout);
 }
 
-Result<Bytes> encodeAs(Environment& environment, const ConvertOptions& options, TableFormat format,
-    const CalibrationData& data, bool persistent)
+Result<Bytes> encodeAs(Environment& environment, const ConvertOptions& options,
+    const TableFamily& format, const CalibrationData& data, bool persistent)
 {
-    if (format == TableFormat::TamTable)
+    if (&format == &tamTableFamily())
         return encodeTable(environment, options, data.tables.front(), persistent);
     const std::string text = writeCalibrationCsv(data);
     const ByteView view = asBytes(text);
@@ -67,10 +69,10 @@ Result<Bytes> encodeAs(Environment& environment, const ConvertOptions& options, 
 Result<ExitCode> runConvert(Environment& environment, const ConvertOptions& options)
 {
     const Output output{options.output, options.input.command};
-    auto to = chooseFormat(options.output, options.to);
+    const auto to = outputFamily(options.output, options.to);
     if (!to)
         return fail(to.error());
-    const TableFormatInfo& format = formatInfo(*to);
+    const FamilyFacts& format = (*to)->facts;
     if (auto possible = checkOutput(environment, output, format.isText); !possible)
         return fail(possible.error());
     if ((options.persistent || options.isVolatile) && !format.holdsPersistency)
@@ -83,7 +85,7 @@ Result<ExitCode> runConvert(Environment& environment, const ConvertOptions& opti
     if (!data)
         return fail(data.error());
     const bool persistent = options.persistent || (input->persistent && !options.isVolatile);
-    auto bytes = encodeAs(environment, options, *to, *data, persistent);
+    auto bytes = encodeAs(environment, options, **to, *data, persistent);
     if (!bytes)
         return fail(bytes.error());
     if (auto written = writeOutput(environment, output, *bytes); !written)
@@ -93,7 +95,7 @@ Result<ExitCode> runConvert(Environment& environment, const ConvertOptions& opti
     for (const CompensationTable& table : data->tables)
         tables.push_back(toJson(table));
     environment.document({{"input", options.input.file}, {"output", options.output},
-        {"from", formatInfo(input->format).name}, {"to", format.name},
+        {"from", input->family->facts.name}, {"to", format.name},
         {"dimensions", data->grid.dimensions()}, {"axes", toJson(data->grid)},
         {"tables", std::move(tables)}, {"persistent", persistent && format.holdsPersistency},
         {"bytes", bytes->size()}});

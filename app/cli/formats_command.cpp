@@ -1,36 +1,77 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/command_line.h"
-#include "app/cli/table_formats.h"
+#include "app/common/arguments.h"
+#include "app/common/formats_text.h"
 #include "app/common/text_table.h"
+#include "core/formats/table_family.h"
 
 namespace axiscomp::app {
 
 namespace {
 
-std::string holds(const TableFormatInfo& info)
+struct FormatsOptions {
+    std::string name;
+    bool markdown = false;
+};
+
+Json settingsJson(const FamilyFacts& facts)
 {
-    std::string text = info.severalTables ? "several tables" : "one table";
-    text += info.holdsNames ? ", names of dimensions" : "";
-    text += info.holdsUnits ? ", units" : "";
-    text += info.holdsNotes ? ", notes" : "";
-    text += info.holdsPersistency ? ", persistency" : "";
-    return text;
+    Json list = Json::array();
+    for (const FormatSetting& setting : facts.settings)
+        list.push_back(
+            {{"key", setting.key}, {"meaning", setting.meaning}, {"standard", setting.standard},
+                {"choices", setting.choices}, {"reading", setting.forReading},
+                {"writing", setting.forWriting}, {"needed", setting.isNeeded}});
+    return list;
 }
 
-Result<ExitCode> runFormats(Environment& environment)
+Json familyJson(const TableFamily& family)
 {
-    TextTable table({"name", "extension", "dimensions", "values", "holds", "what it is"});
-    Json list = Json::array();
-    for (const TableFormatInfo& info : tableFormats()) {
-        table.add({std::string(info.name), std::string(info.extension), "1 to 3",
-            std::string(info.numbers), holds(info), std::string(info.description)});
-        list.push_back({{"name", info.name}, {"extension", info.extension},
-            {"description", info.description}, {"reads", true}, {"writes", true},
-            {"dimensions", {1, 2, 3}}, {"severalTables", info.severalTables},
-            {"names", info.holdsNames}, {"units", info.holdsUnits}, {"notes", info.holdsNotes},
-            {"persistency", info.holdsPersistency}, {"values", info.numbers}});
+    const FamilyFacts& facts = family.facts;
+    Json dimensions = Json::array();
+    for (int d = facts.fewestDimensions; d <= facts.mostDimensions; ++d)
+        dimensions.push_back(d);
+    return {{"name", facts.name}, {"controller", facts.controller},
+        {"extension", facts.extensions.front()}, {"description", facts.description},
+        {"reads", family.read != nullptr}, {"writes", family.write != nullptr},
+        {"dimensions", std::move(dimensions)}, {"knots", knotRuleName(facts.knots)},
+        {"mostPoints", facts.mostPoints}, {"severalTables", holdsSeveral(facts)},
+        {"directions", facts.holdsDirections}, {"modulo", facts.holdsWrap},
+        {"names", facts.holdsNames}, {"units", facts.holdsUnits}, {"notes", facts.holdsNotes},
+        {"persistency", facts.holdsPersistency}, {"values", facts.numbers},
+        {"sign", signName(facts.sign)}, {"signEvidence", evidenceName(facts.signEvidence)},
+        {"outside", outsideWords(facts)}, {"outsideEvidence", evidenceName(facts.outsideEvidence)},
+        {"rules", facts.rules}, {"assumptions", facts.assumptions},
+        {"settings", settingsJson(facts)}};
+}
+
+std::string listText()
+{
+    TextTable table({"name", "extension", "reads", "writes", "dimensions", "sign", "what it is"});
+    for (const TableFamily* family : tableFamilies()) {
+        const FamilyFacts& facts = family->facts;
+        table.add({std::string(facts.name), std::string(facts.extensions.front()),
+            family->read ? "yes" : "-", family->write ? "yes" : "-", dimensionsText(facts),
+            std::string(signName(facts.sign)),
+            std::string(facts.controller) + ": " + std::string(facts.description)});
     }
-    environment.print(table.text(""));
+    return table.text("");
+}
+
+Result<ExitCode> runFormats(Environment& environment, const FormatsOptions& options)
+{
+    if (!options.name.empty()) {
+        const auto family = familyNamed(options.name);
+        if (!family)
+            return fail(family.error());
+        environment.print(familyText(**family));
+        environment.document(familyJson(**family));
+        return ExitCode::Done;
+    }
+    Json list = Json::array();
+    for (const TableFamily* family : tableFamilies())
+        list.push_back(familyJson(*family));
+    environment.print(options.markdown ? formatsPage() : listText());
     environment.document({{"formats", std::move(list)}});
     return ExitCode::Done;
 }
@@ -39,7 +80,12 @@ Result<ExitCode> runFormats(Environment& environment)
 
 void addFormatsCommand(CommandLine& line)
 {
-    line.add("formats", fileCommands, "List the table formats and what each can hold", runFormats);
+    auto options = std::make_shared<FormatsOptions>();
+    CLI::App* command = line.add("formats", fileCommands,
+        "List the table formats, or say what one of them can hold and what is known about it",
+        [options](Environment& environment) { return runFormats(environment, *options); });
+    command->add_option("NAME", options->name, "One format: its rules, limits and settings");
+    command->add_flag("--markdown", options->markdown, "All of them, as the page docs/formats.md");
 }
 
 } // namespace axiscomp::app

@@ -4,9 +4,9 @@
 #include "app/cli/json_output.h"
 #include "app/cli/output_file.h"
 #include "app/cli/status_text.h"
-#include "app/cli/table_formats.h"
 #include "app/common/number_text.h"
 #include "core/calibration_csv.h"
+#include "core/formats/families.h"
 #include "core/tam_table.h"
 
 namespace axiscomp::app {
@@ -61,19 +61,19 @@ Result<ExitCode> runRead(Environment& environment, const ReadOptions& options)
 {
     const Output output{options.output, options.drive.command};
     const bool isUnnamed = output.isStandardOutput() && options.to.empty();
-    const auto format = isUnnamed ? Result<TableFormat>(TableFormat::Csv)
-                                  : chooseFormat(options.output, options.to);
+    const auto format = isUnnamed ? Result<const TableFamily*>(&calibrationCsvFamily())
+                                  : outputFamily(options.output, options.to);
     if (!format)
         return fail(format.error());
-    const TableFormatInfo& info = formatInfo(*format);
+    const FamilyFacts& info = (*format)->facts;
     if (auto possible = checkOutput(environment, output, info.isText); !possible)
         return fail(possible.error());
     const auto read = [&](Environment&, DriveSession& session, int axis) -> Result<ExitCode> {
         const auto status = session.compensator().status(axis, session.operation());
         if (!status)
             return fail(status.error());
-        auto table = *format == TableFormat::TamTable ? readAsTamTable(session, *status)
-                                                      : readAsCsv(session, *status);
+        auto table = *format == &tamTableFamily() ? readAsTamTable(session, *status)
+                                                  : readAsCsv(session, *status);
         if (!table)
             return fail(table.error());
         if (auto written = writeOutput(environment, output, table->file); !written)

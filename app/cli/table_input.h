@@ -2,9 +2,9 @@
 #pragma once
 
 #include "app/cli/environment.h"
-#include "app/cli/table_formats.h"
 #include "core/calibration_csv.h"
 #include "core/drive_profile.h"
+#include "core/formats/table_family.h"
 
 #include <CLI/App.hpp>
 
@@ -16,36 +16,46 @@ namespace axiscomp::app {
 struct TableInputOptions {
     std::string command; ///< "axiscomp inspect": for hints
     std::string file; ///< "-": standard input
-    std::string from; ///< empty: by the extension
+    std::string from; ///< empty: by content and extension
+    std::vector<std::string> settings; ///< KEY=VALUE, what the file does not say
+    bool acceptsUneven = false; ///< a calibration file's positions need not be even
     int dimensions = 0; ///< 0: not given
     std::string table; ///< name or number; empty: the only one
     std::string profile; ///< path; empty: the built-in one
 };
 
 void addDimensionsOption(CLI::App& command, TableInputOptions& options);
-void addFromOption(CLI::App& command, TableInputOptions& options);
+void addFromOption(CLI::App& command, TableInputOptions& options); ///< and --set-in
 void addTableOption(CLI::App& command, TableInputOptions& options);
 void addProfileOption(CLI::App& command, std::string& profile);
 
 /// The named profile, or the built-in one, which must outlive nothing.
 [[nodiscard]] Result<DriveProfile> profileOf(const std::string& file);
 
+/// "KEY=VALUE" pairs. Errors: InvalidArgument.
+[[nodiscard]] Result<FormatSettings> settingsOf(
+    const std::vector<std::string>& pairs, const std::string& command);
+
 /// A file of any known format.
 struct TableInput {
-    TableFormat format = TableFormat::Csv;
-    std::optional<CalibrationData> data; ///< none: errors were found
+    const TableFamily* family = nullptr;
+    std::optional<CalibrationData> data; ///< of the product's own formats, without an error
+    std::vector<std::vector<double>> knots; ///< see CsvReading, with acceptsUneven
+    std::vector<NeutralTable> tables; ///< of all other formats, empty with an error
     std::vector<Diagnostic> diagnostics;
     std::size_t suppressed = 0; ///< further errors that are not listed
     bool persistent = false;
     std::size_t bytes = 0; ///< of a TAM table file
+
+    [[nodiscard]] bool isValid() const { return data || !tables.empty(); }
 };
 
 /// "input.csv", "<stdin>": as diagnostics name it.
 [[nodiscard]] std::string displayName(const std::string& file);
 
 /// Reads; diagnostics are reported to the environment and kept. Errors: UnknownFormat,
-/// InvalidArgument when the number of dimensions is needed and missing, DimensionMismatch,
-/// FileNotReadable, FileTooLarge, InvalidTable, Cancelled.
+/// FormatAmbiguous, InvalidArgument when the number of dimensions is needed and missing,
+/// DimensionMismatch, FileNotReadable, FileTooLarge, InvalidTable, Cancelled.
 [[nodiscard]] Result<TableInput> inspectInput(
     Environment& environment, const TableInputOptions& options);
 
@@ -57,5 +67,12 @@ struct TableInput {
 /// several and none was named.
 [[nodiscard]] Result<std::size_t> chooseTable(
     const CalibrationData& data, const TableInputOptions& options);
+
+/// Every column of the file (a pair of directions is one) as a table of its own.
+[[nodiscard]] std::vector<NeutralTable> neutralColumns(const TableInput& input);
+
+/// The same for columns: --table by name, target or number. Errors as chooseTable.
+[[nodiscard]] Result<std::size_t> chooseColumn(
+    const std::vector<NeutralTable>& columns, const TableInputOptions& options);
 
 } // namespace axiscomp::app

@@ -113,4 +113,48 @@ const TableFamily* familyOfExtension(std::string_view fileName)
     return found;
 }
 
+Result<FormatChoice> chooseFamily(
+    std::string_view text, const std::string& fileName, bool isCalibration)
+{
+    const TableFamily* const named = familyOfExtension(fileName);
+    if (named == &tamTableFamily() || (named == &calibrationCsvFamily() && isCalibration))
+        return FormatChoice{named, {}};
+    const FormatGuess guess = guessFamily(text, fileName);
+    if (guess.families.empty() && named != nullptr)
+        return FormatChoice{named, {}};
+    if (guess.families.empty())
+        return fail(ErrorCode::UnknownFormat, {{"file", fileName}, {"known", knownNames()}});
+    FormatChoice choice{guess.families.front(), {}};
+    choice.others.assign(guess.families.begin() + 1, guess.families.end());
+    const bool isDecided = guess.isCertain || guess.families.size() == 1
+        || choice.family == &calibrationCsvFamily() || hasExtension(choice.family->facts, fileName);
+    if (isDecided)
+        return choice;
+    std::string candidates;
+    for (const TableFamily* family : guess.families)
+        candidates += (candidates.empty() ? "" : ", ") + std::string(family->facts.name);
+    return fail(ErrorCode::FormatAmbiguous, {{"file", fileName}, {"candidates", candidates}});
+}
+
+Result<const TableFamily*> outputFamily(const std::string& fileName, const std::string& formatName)
+{
+    const auto named = formatName.empty() ? Result<const TableFamily*>(familyOfExtension(fileName))
+                                          : familyNamed(formatName);
+    if (!named)
+        return fail(named.error());
+    if (*named != nullptr && (*named)->write == nullptr)
+        return fail(ErrorCode::InvalidArgument,
+            {{"reason",
+                "the format " + std::string((*named)->facts.name) + " can be read, not written"}});
+    if (*named != nullptr)
+        return named;
+    std::string candidates;
+    for (const TableFamily* family : tableFamilies())
+        if (family->write && hasExtension(family->facts, fileName))
+            candidates += (candidates.empty() ? "" : ", ") + std::string(family->facts.name);
+    if (candidates.empty())
+        return fail(ErrorCode::UnknownFormat, {{"file", fileName}, {"known", knownNames()}});
+    return fail(ErrorCode::FormatAmbiguous, {{"file", fileName}, {"candidates", candidates}});
+}
+
 } // namespace axiscomp

@@ -62,6 +62,28 @@ std::optional<std::size_t> ownAxis(const NeutralTable& table, const Compensation
     return 0;
 }
 
+std::vector<NeutralTable> separateColumns(std::span<const NeutralTable> tables)
+{
+    std::vector<NeutralTable> separate;
+    for (const NeutralTable& table : tables) {
+        NeutralTable single = table;
+        for (std::size_t n = 0; n < table.columns.size(); ++n) {
+            const CompensationColumn& column = table.columns[n];
+            const bool isOtherDirection = n > 0 && column.direction != Direction::Both
+                && table.columns[n - 1].direction != Direction::Both
+                && table.columns[n - 1].direction != column.direction
+                && table.columns[n - 1].target == column.target;
+            if (isOtherDirection) {
+                separate.back().columns.push_back(column);
+                continue;
+            }
+            single.columns = {column};
+            separate.push_back(single);
+        }
+    }
+    return separate;
+}
+
 std::string columnText(const NeutralTable& table, const CompensationColumn& column)
 {
     std::string text;

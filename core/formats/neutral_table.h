@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -66,6 +67,10 @@ struct NeutralTable {
 /// squareness), and where it cannot be known.
 [[nodiscard]] std::optional<std::size_t> ownAxis(
     const NeutralTable& table, const CompensationColumn& column);
+
+/// The tables with one column each (a pair of directions is one), in the order of the file: what a
+/// user chooses from, and what a format with one column can hold.
+[[nodiscard]] std::vector<NeutralTable> separateColumns(std::span<const NeutralTable> tables);
 
 /// "X, Y to Z, positive": for reports.
 [[nodiscard]] std::string columnText(const NeutralTable& table, const CompensationColumn& column);

@@ -134,8 +134,23 @@ struct FormatGuess {
 };
 [[nodiscard]] FormatGuess guessFamily(std::string_view text, std::string_view fileName);
 
-/// The format that a file's name stands for; nothing when none or several do.
+/// The format that a file's name stands for; null when none or several do.
 [[nodiscard]] const TableFamily* familyOfExtension(std::string_view fileName);
+
+/// Which format a file is read as, when nobody says it.
+struct FormatChoice {
+    const TableFamily* family = nullptr;
+    std::vector<const TableFamily*> others; ///< that the content would allow as well
+};
+/// text: the first bytes. isCalibration: the user said something that only calibration files need
+/// (the number of dimensions). Errors: UnknownFormat, FormatAmbiguous with the candidates.
+[[nodiscard]] Result<FormatChoice> chooseFamily(
+    std::string_view text, const std::string& fileName, bool isCalibration);
+
+/// The format to write a file in: by its name when one is given, else by the file's extension.
+/// Errors: UnknownFormat, FormatAmbiguous, InvalidArgument for one that cannot be written.
+[[nodiscard]] Result<const TableFamily*> outputFamily(
+    const std::string& fileName, const std::string& formatName);
 
 /// Checks dimensions, knots, points, columns, directions and modulo against the facts. Errors:
 /// FormatCannotHold with the limit and the way out.
