@@ -10,6 +10,7 @@ namespace axiscomp {
 [[nodiscard]] const TableFamily& calibrationCsvFamily(); ///< the calibration file (spec/csv.md)
 [[nodiscard]] const TableFamily& tamTableFamily(); ///< the drive's table file (spec/tamtbl.md)
 
+[[nodiscard]] const TableFamily& icubeFamily(); ///< CSV of Yaskawa iCube Control
 [[nodiscard]] const TableFamily& softmcFamily(); ///< text table
 
 } // namespace axiscomp

@@ -53,6 +53,7 @@ std::span<const TableFamily* const> tableFamilies()
     static const std::array families{
         &calibrationCsvFamily(),
         &tamTableFamily(),
+        &icubeFamily(),
         &softmcFamily(),
     };
     return families;

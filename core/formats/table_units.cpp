@@ -10,19 +10,34 @@ namespace axiscomp {
 
 namespace {
 
-void scale(std::vector<double>& numbers, double factor)
+/// A factor between two units. A whole one is exactly that, and so is the reciprocal of one: 2.3 um
+/// are 0.0023 mm, and no digits more.
+struct Factor {
+    double multiplier = 1.0;
+    double divisor = 1.0;
+
+    [[nodiscard]] double operator()(double number) const { return number * multiplier / divisor; }
+};
+
+double wholeIfNearly(double number)
 {
-    if (factor != 1.0)
-        for (double& number : numbers)
-            number *= factor;
+    const double whole = std::round(number);
+    return std::abs(number - whole) <= 1e-12 * whole ? whole : number;
 }
 
-Result<double> factorBetween(const std::string& from, const std::string& to)
+void scale(std::vector<double>& numbers, const Factor& factor)
+{
+    for (double& number : numbers)
+        number = factor(number);
+}
+
+Result<Factor> factorBetween(const std::string& from, const std::string& to)
 {
     if (isSameUnit(from, to))
-        return 1.0;
+        return Factor{};
     if (const auto factor = unitFactor(from, to))
-        return *factor;
+        return *factor < 1.0 ? Factor{1.0, wholeIfNearly(1.0 / *factor)}
+                             : Factor{wholeIfNearly(*factor), 1.0};
     return fail(ErrorCode::InvalidArgument,
         {{"reason", "numbers in " + from + " cannot be given in " + to}});
 }
@@ -34,9 +49,9 @@ Result<void> convertAxis(SourceAxis& axis, const std::string& unit)
         return fail(factor.error());
     scale(axis.knots, *factor);
     if (axis.wrap)
-        *axis.wrap *= *factor;
+        axis.wrap = (*factor)(*axis.wrap);
     axis.unit = unit;
-    axis.step *= *factor;
+    axis.step = (*factor)(axis.step);
     return {};
 }
 
@@ -47,7 +62,7 @@ Result<void> convertColumn(CompensationColumn& column, const std::string& unit)
         return fail(factor.error());
     scale(column.values, *factor);
     column.unit = unit;
-    column.step *= *factor;
+    column.step = (*factor)(column.step);
     return {};
 }
 
