@@ -278,6 +278,15 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
             text +=
                 csv::toText(column.values[row]) + (&column == &table->columns.back() ? '\n' : ' ');
     }
+    // The file has no names.
+    table->name.clear();
+    table->notes.clear();
+    for (std::size_t n = 0; n < table->axes.size(); ++n)
+        table->axes[n].name = std::to_string(n + 1);
+    for (std::size_t n = 0; n < table->columns.size(); ++n) {
+        table->columns[n].name.clear();
+        table->columns[n].target = std::to_string(n + 1);
+    }
     written.held.push_back(std::move(*table));
     return written;
 }

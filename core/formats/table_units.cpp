@@ -158,6 +158,28 @@ Result<NeutralTable> inSettingUnits(
     return converted;
 }
 
+Result<NeutralTable> inPositionUnits(const NeutralTable& table, std::vector<std::string>& remarks)
+{
+    NeutralTable converted = table;
+    for (CompensationColumn& column : converted.columns) {
+        const std::string unit = converted.axes[ownAxis(converted, column).value_or(0)].unit;
+        if (unit.empty() || column.unit.empty()) {
+            remarkOnce(remarks,
+                "not all units are said: the values are taken to be in the unit of the positions");
+            continue;
+        }
+        if (isSameUnit(column.unit, unit))
+            continue;
+        const std::string before = column.unit;
+        if (auto done = convertColumn(column, unit); !done)
+            return fail(done.error());
+        remarkOnce(remarks,
+            "the values were in " + before + " and are now in " + unit
+                + ", the unit of the positions");
+    }
+    return converted;
+}
+
 void roundToSteps(NeutralTable& table)
 {
     const auto round = [](std::vector<double>& numbers, double step) {

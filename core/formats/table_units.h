@@ -23,6 +23,12 @@ void takeUnits(NeutralTable& table, const SettingValues& settings, DiagnosticLis
 [[nodiscard]] Result<NeutralTable> inSettingUnits(
     const NeutralTable& table, const SettingValues& settings, std::vector<std::string>& remarks);
 
+/// The values in the unit of the positions that they correct, as a drive takes them: of the own
+/// axis, or of the first one. What is changed, and units that nobody says, are added to remarks.
+/// Errors: InvalidArgument for values that are no positions.
+[[nodiscard]] Result<NeutralTable> inPositionUnits(
+    const NeutralTable& table, std::vector<std::string>& remarks);
+
 /// Rounds every number to multiples of the steps that axes and columns name; 0 stays as it is.
 void roundToSteps(NeutralTable& table);
 
