@@ -11,6 +11,9 @@ namespace axiscomp {
 [[nodiscard]] const TableFamily& tamTableFamily(); ///< the drive's table file (spec/tamtbl.md)
 
 [[nodiscard]] const TableFamily& icubeFamily(); ///< CSV of Yaskawa iCube Control
+[[nodiscard]] const TableFamily& isgCrosscompFamily(); ///< kw.crosscomp of a compensation list
+[[nodiscard]] const TableFamily& isgCrosscomp2Family(); ///< kw.crosscomp2, two sources
+[[nodiscard]] const TableFamily& isgSsfkFamily(); ///< kw.ssfk, leadscrew errors
 [[nodiscard]] const TableFamily& softmcFamily(); ///< text table
 
 } // namespace axiscomp

@@ -54,6 +54,9 @@ std::span<const TableFamily* const> tableFamilies()
         &calibrationCsvFamily(),
         &tamTableFamily(),
         &icubeFamily(),
+        &isgCrosscompFamily(),
+        &isgCrosscomp2Family(),
+        &isgSsfkFamily(),
         &softmcFamily(),
     };
     return families;
