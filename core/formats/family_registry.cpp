@@ -57,6 +57,8 @@ std::span<const TableFamily* const> tableFamilies()
         &isgCrosscompFamily(),
         &isgCrosscomp2Family(),
         &isgSsfkFamily(),
+        &rapidcodeFamily(),
+        &rapidcodeHeaderFamily(),
         &softmcFamily(),
     };
     return families;

@@ -38,8 +38,8 @@ constexpr std::array<std::string_view, 9> rules{
     "Of a rotary axis the positions span its wrap range exactly, and the first offset is the last "
     "one (otherwise error 4902).",
     "The file is smaller than 1 MB.",
-    "Without a path in axis.xml the file is looked for as <Axis>PosComp.CSV, with the name of the "
-    "axis in front; error 4899: it was not found.",
+    "Without a path in axis.xml the file is looked for under the name of the axis followed by "
+    "PosComp.CSV, such as Axis1PosComp.CSV; error 4899: it was not found.",
 };
 constexpr std::array<std::string_view, 3> assumptions{
     "The example on the page of the manual gives an offset at -4.00 that contradicts the rule for "
@@ -329,7 +329,8 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
             "resample it onto a coarser grid");
     const std::string& name = tables.front().axes[0].name;
     written.remarks.push_back("the controller looks for the file as "
-        + (name.empty() ? "<Axis>" : name) + "PosComp.CSV, unless axis.xml names another one");
+        + (name.empty() ? "the name of the axis and " : name)
+        + "PosComp.CSV, unless axis.xml names another one");
     written.held.push_back(std::move(*table));
     return written;
 }
