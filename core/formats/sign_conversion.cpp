@@ -22,9 +22,9 @@ auto notConvertible(const NeutralTable& table, std::span<const double> position,
         {{"position", positionText(table, position)}, {"reason", std::move(reason)}});
 }
 
-class Conversion {
+class SignConverter {
 public:
-    Conversion(const NeutralTable& source, const TableBehaviour& behaviour)
+    SignConverter(const NeutralTable& source, const TableBehaviour& behaviour)
         : m_source(source)
         , m_behaviour(behaviour)
     {
@@ -49,7 +49,7 @@ private:
     SignConversion m_result;
 };
 
-Result<SignConversion> Conversion::run(SignConvention to)
+Result<SignConversion> SignConverter::run(SignConvention to)
 {
     if (auto fine = checkConsistent(m_source); !fine)
         return fail(fine.error());
@@ -71,7 +71,7 @@ Result<SignConversion> Conversion::run(SignConvention to)
     return std::move(m_result);
 }
 
-Result<void> Conversion::convert(Direction direction)
+Result<void> SignConverter::convert(Direction direction)
 {
     std::vector<std::size_t> columns;
     for (std::size_t i = 0; i < m_source.columns.size(); ++i)
@@ -97,14 +97,14 @@ Result<void> Conversion::convert(Direction direction)
     return {};
 }
 
-void Conversion::negate(const std::vector<std::size_t>& columns)
+void SignConverter::negate(const std::vector<std::size_t>& columns)
 {
     for (const std::size_t column : columns)
         for (double& value : m_result.table.columns[column].values)
             value = 0.0 - value; // no negative zero
 }
 
-void Conversion::noteEnds(std::size_t axis, double place)
+void SignConverter::noteEnds(std::size_t axis, double place)
 {
     const SourceAxis& source = m_source.axes[axis];
     const double rounding = 8.0 * epsilon * std::abs(place);
@@ -116,7 +116,7 @@ void Conversion::noteEnds(std::size_t axis, double place)
         m_result.usesHeldEnds = true;
 }
 
-void Conversion::convertLines(const Mover& mover, const std::vector<std::size_t>& columns)
+void SignConverter::convertLines(const Mover& mover, const std::vector<std::size_t>& columns)
 {
     const SourceAxis& axis = m_source.axes[mover.axis];
     const std::size_t stride = strideOf(m_source, mover.axis);
@@ -137,7 +137,7 @@ void Conversion::convertLines(const Mover& mover, const std::vector<std::size_t>
     }
 }
 
-Result<Position> Conversion::fixedPoint(
+Result<Position> SignConverter::fixedPoint(
     const Motion& motion, const SlopeMatrix& slopes, const Position& knot)
 {
     constexpr int mostIterations = 5000;
@@ -164,7 +164,7 @@ Result<Position> Conversion::fixedPoint(
             + " steps do not find the place that belongs to it; check the unit of the values");
 }
 
-Result<void> Conversion::convertJointly(
+Result<void> SignConverter::convertJointly(
     const std::vector<Mover>& movers, const std::vector<std::size_t>& columns)
 {
     const auto slopes = checkContraction(m_source, movers);
@@ -188,7 +188,7 @@ Result<void> Conversion::convertJointly(
 }
 
 /// Found in another way than the values are: by applying both tables.
-Result<double> Conversion::largestResidual() const
+Result<double> SignConverter::largestResidual() const
 {
     const NeutralTable& table = m_result.table;
     const OwnAxes ownAxes = ownAxesOf(m_source);
@@ -216,7 +216,7 @@ Result<double> Conversion::largestResidual() const
 Result<SignConversion> convertSign(
     const NeutralTable& table, SignConvention to, const TableBehaviour& behaviour)
 {
-    return Conversion(table, behaviour).run(to);
+    return SignConverter(table, behaviour).run(to);
 }
 
 } // namespace axiscomp

@@ -25,7 +25,7 @@ struct SignConversion {
 /// where z + f(z) is the knot.
 /// - Every column that acts on a source axis of the table (ownAxis) moves the place z, all of them
 ///   together. All columns are taken from that place; those of a table that has only cross
-///   compensations stay where they are and change their sign.
+///   compensations, or of which ownAxis knows nothing, stay where they are and change their sign.
 /// - A direction of motion is converted with the columns of that direction, and those of Both. A
 ///   column of Both is moved by the mean of an axis's two directions.
 /// - With one axis that moves, the places are exact: f is linear between knots. With more, they are
