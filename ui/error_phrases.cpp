@@ -24,6 +24,11 @@ constexpr const char* phrases[] = {
     QT_TRANSLATE_NOOP("Error", "{file} is not a valid backup: {reason}"),
     QT_TRANSLATE_NOOP("Error", "the format of {file} is not known; name one of: {known}"),
     QT_TRANSLATE_NOOP("Error", "there is no table {table} in the file; it has: {known}"),
+    QT_TRANSLATE_NOOP(
+        "Error", "{file} can be one of several formats: {candidates}; say which one it is"),
+    QT_TRANSLATE_NOOP("Error", "the format {format} cannot hold this table: {reason}; {wayOut}"),
+    QT_TRANSLATE_NOOP("Error", "the sign cannot be converted at {position}: {reason}"),
+    QT_TRANSLATE_NOOP("Error", "the table cannot be resampled: {reason}"),
     QT_TRANSLATE_NOOP("Error", "{endpoint} is not the address of a drive: {reason}"),
     QT_TRANSLATE_NOOP("Error", "no connection to {endpoint}: {reason}"),
     QT_TRANSLATE_NOOP("Error", "the connection to {endpoint} was lost: {reason}"),
