@@ -1383,6 +1383,22 @@
         <source>{text} is not the SHA-256 of a certificate</source>
         <translation>{text} ist nicht der SHA-256 eines Zertifikats</translation>
     </message>
+    <message>
+        <source>{file} can be one of several formats: {candidates}; say which one it is</source>
+        <translation>{file} kann eines von mehreren Formaten sein: {candidates}; bitte angeben, welches es ist</translation>
+    </message>
+    <message>
+        <source>the format {format} cannot hold this table: {reason}; {wayOut}</source>
+        <translation>das Format {format} kann diese Tabelle nicht aufnehmen: {reason}; {wayOut}</translation>
+    </message>
+    <message>
+        <source>the sign cannot be converted at {position}: {reason}</source>
+        <translation>das Vorzeichen lässt sich bei {position} nicht umrechnen: {reason}</translation>
+    </message>
+    <message>
+        <source>the table cannot be resampled: {reason}</source>
+        <translation>die Tabelle lässt sich nicht auf ein anderes Raster bringen: {reason}</translation>
+    </message>
 </context>
 <context>
     <name>Problem</name>
@@ -1537,6 +1553,42 @@
     <message>
         <source>, expected %1</source>
         <translation>, erwartet %1</translation>
+    </message>
+    <message>
+        <source>this is not written as the format demands</source>
+        <translation>das ist nicht so geschrieben, wie das Format es verlangt</translation>
+    </message>
+    <message>
+        <source>two statements of the file contradict each other</source>
+        <translation>zwei Angaben der Datei widersprechen einander</translation>
+    </message>
+    <message>
+        <source>the positions do not go in one direction</source>
+        <translation>die Positionen gehen nicht in einer Richtung</translation>
+    </message>
+    <message>
+        <source>the table does not close after one revolution</source>
+        <translation>die Tabelle schließt sich nach einer Umdrehung nicht</translation>
+    </message>
+    <message>
+        <source>the controller does not take as much</source>
+        <translation>so viel nimmt die Steuerung nicht an</translation>
+    </message>
+    <message>
+        <source>this entry is not known and is left out</source>
+        <translation>dieser Eintrag ist unbekannt und wird ausgelassen</translation>
+    </message>
+    <message>
+        <source>the file does not say a unit</source>
+        <translation>die Datei nennt keine Einheit</translation>
+    </message>
+    <message>
+        <source>the file can be understood in several ways</source>
+        <translation>die Datei kann verschieden verstanden werden</translation>
+    </message>
+    <message>
+        <source> (error %1 of the controller)</source>
+        <translation> (Fehler %1 der Steuerung)</translation>
     </message>
 </context>
 <context>
