@@ -17,5 +17,6 @@ namespace axiscomp {
 [[nodiscard]] const TableFamily& rapidcodeFamily(); ///< CSV of this program
 [[nodiscard]] const TableFamily& rapidcodeHeaderFamily(); ///< C++ header
 [[nodiscard]] const TableFamily& softmcFamily(); ///< text table
+[[nodiscard]] const TableFamily& softmcBasicFamily(); ///< MC-BASIC fragment
 
 } // namespace axiscomp

@@ -60,6 +60,7 @@ std::span<const TableFamily* const> tableFamilies()
         &rapidcodeFamily(),
         &rapidcodeHeaderFamily(),
         &softmcFamily(),
+        &softmcBasicFamily(),
     };
     return families;
 }
