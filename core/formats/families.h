@@ -14,6 +14,7 @@ namespace axiscomp {
 [[nodiscard]] const TableFamily& isgCrosscompFamily(); ///< kw.crosscomp of a compensation list
 [[nodiscard]] const TableFamily& isgCrosscomp2Family(); ///< kw.crosscomp2, two sources
 [[nodiscard]] const TableFamily& isgSsfkFamily(); ///< kw.ssfk, leadscrew errors
+[[nodiscard]] const TableFamily& linuxcncFamily(); ///< compensation file of a joint
 [[nodiscard]] const TableFamily& rapidcodeFamily(); ///< CSV of this program
 [[nodiscard]] const TableFamily& rapidcodeHeaderFamily(); ///< C++ header
 [[nodiscard]] const TableFamily& softmcFamily(); ///< text table

@@ -57,6 +57,7 @@ std::span<const TableFamily* const> tableFamilies()
         &isgCrosscompFamily(),
         &isgCrosscomp2Family(),
         &isgSsfkFamily(),
+        &linuxcncFamily(),
         &rapidcodeFamily(),
         &rapidcodeHeaderFamily(),
         &softmcFamily(),
