@@ -17,6 +17,8 @@ namespace axiscomp {
 [[nodiscard]] const TableFamily& linuxcncFamily(); ///< compensation file of a joint
 [[nodiscard]] const TableFamily& rapidcodeFamily(); ///< CSV of this program
 [[nodiscard]] const TableFamily& rapidcodeHeaderFamily(); ///< C++ header
+[[nodiscard]] const TableFamily& siemensCecFamily(); ///< $AN_CEC, an axis by another
+[[nodiscard]] const TableFamily& siemensEecFamily(); ///< $AA_ENC_COMP, encoder and leadscrew
 [[nodiscard]] const TableFamily& softmcFamily(); ///< text table
 [[nodiscard]] const TableFamily& softmcBasicFamily(); ///< MC-BASIC fragment
 

@@ -60,6 +60,8 @@ std::span<const TableFamily* const> tableFamilies()
         &linuxcncFamily(),
         &rapidcodeFamily(),
         &rapidcodeHeaderFamily(),
+        &siemensCecFamily(),
+        &siemensEecFamily(),
         &softmcFamily(),
         &softmcBasicFamily(),
     };
