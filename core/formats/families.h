@@ -14,11 +14,13 @@ namespace axiscomp {
 [[nodiscard]] const TableFamily& isgCrosscompFamily(); ///< kw.crosscomp of a compensation list
 [[nodiscard]] const TableFamily& isgCrosscomp2Family(); ///< kw.crosscomp2, two sources
 [[nodiscard]] const TableFamily& isgSsfkFamily(); ///< kw.ssfk, leadscrew errors
+[[nodiscard]] const TableFamily& klipperFamily(); ///< bed_mesh of printer.cfg
 [[nodiscard]] const TableFamily& linuxcncFamily(); ///< compensation file of a joint
 [[nodiscard]] const TableFamily& rapidcodeFamily(); ///< CSV of this program
 [[nodiscard]] const TableFamily& rapidcodeHeaderFamily(); ///< C++ header
 [[nodiscard]] const TableFamily& siemensCecFamily(); ///< $AN_CEC, an axis by another
 [[nodiscard]] const TableFamily& siemensEecFamily(); ///< $AA_ENC_COMP, encoder and leadscrew
+[[nodiscard]] const TableFamily& reprapFamily(); ///< heightmap.csv
 [[nodiscard]] const TableFamily& softmcFamily(); ///< text table
 [[nodiscard]] const TableFamily& softmcBasicFamily(); ///< MC-BASIC fragment
 

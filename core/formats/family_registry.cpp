@@ -57,11 +57,13 @@ std::span<const TableFamily* const> tableFamilies()
         &isgCrosscompFamily(),
         &isgCrosscomp2Family(),
         &isgSsfkFamily(),
+        &klipperFamily(),
         &linuxcncFamily(),
         &rapidcodeFamily(),
         &rapidcodeHeaderFamily(),
         &siemensCecFamily(),
         &siemensEecFamily(),
+        &reprapFamily(),
         &softmcFamily(),
         &softmcBasicFamily(),
     };
