@@ -4,6 +4,7 @@
 #include "core/formats/own_axis_tables.h"
 #include "core/formats/text_reading.h"
 #include "core/formats/text_scanner.h"
+#include "core/formats/writing_aids.h"
 
 #include <algorithm>
 #include <array>
@@ -268,8 +269,7 @@ Recognition recognise(std::string_view text)
 
 auto refuse(std::string reason, std::string wayOut)
 {
-    return fail(ErrorCode::FormatCannotHold,
-        {{"format", "icube"}, {"reason", std::move(reason)}, {"wayOut", std::move(wayOut)}});
+    return cannotHold(icubeFamily().facts, std::move(reason), std::move(wayOut));
 }
 
 /// The wrap range of the table and that of the setting, which must not contradict each other.

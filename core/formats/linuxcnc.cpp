@@ -4,6 +4,7 @@
 #include "core/formats/own_axis_tables.h"
 #include "core/formats/text_reading.h"
 #include "core/formats/text_scanner.h"
+#include "core/formats/writing_aids.h"
 
 #include <algorithm>
 #include <array>
@@ -230,21 +231,6 @@ Recognition recognise(std::string_view text)
     return count >= 2 && count <= mostEntries ? Recognition::Possible : Recognition::No;
 }
 
-auto refuse(std::string reason, std::string wayOut)
-{
-    return fail(ErrorCode::FormatCannotHold,
-        {{"format", "linuxcnc"}, {"reason", std::move(reason)}, {"wayOut", std::move(wayOut)}});
-}
-
-/// The trims for one direction; nothing when the table has none.
-const std::vector<double>* trimsFor(const NeutralTable& table, Direction direction)
-{
-    for (const CompensationColumn& column : table.columns)
-        if (column.direction == direction || column.direction == Direction::Both)
-            return &column.values;
-    return nullptr;
-}
-
 /// A number of the file and the trim that it makes there.
 struct Written {
     std::string text;
@@ -272,20 +258,18 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
     auto table = asOwnAxisTable(facts, tables.front(), *values, written.remarks);
     if (!table)
         return fail(table.error());
-    const std::vector<double>* const forward = trimsFor(*table, Direction::Positive);
-    const std::vector<double>* const reverse = trimsFor(*table, Direction::Negative);
-    const std::size_t wanted = forward == reverse ? 1 : 2;
-    if (!forward || !reverse || table->columns.size() != wanted)
-        return refuse("it takes one value for both directions of motion or one for each, and this "
-                      "table has something else",
-            "choose the mean, the positive or the negative direction");
+    const auto pair = directionPair(facts, *table);
+    if (!pair)
+        return fail(pair.error());
+    const std::vector<double>& forward = pair->positive->values;
+    const std::vector<double>& reverse = pair->negative ? pair->negative->values : forward;
     const bool isMeasured = values->text(typeKey) == "0";
     std::array<std::vector<double>, 2> trims;
     for (std::size_t i = 0; i < table->pointCount(); ++i) {
         const double nominal = table->axes[0].knots[i];
         written.bytes += csv::toText(nominal);
         for (std::size_t n = 0; n < trims.size(); ++n) {
-            const double trim = (n == 0 ? *forward : *reverse)[i];
+            const double trim = (n == 0 ? forward : reverse)[i];
             const Written number =
                 isMeasured ? measured(nominal, trim) : Written{csv::toText(trim), trim};
             written.bytes += ' ' + number.text;

@@ -2,6 +2,7 @@
 #include "core/formats/own_axis_tables.h"
 
 #include "core/formats/table_units.h"
+#include "core/formats/writing_aids.h"
 #include "core/position_unit.h"
 
 namespace axiscomp {
@@ -55,12 +56,10 @@ Result<NeutralTable> asOwnAxisTable(const FamilyFacts& facts, const NeutralTable
 {
     for (const CompensationColumn& column : table.columns)
         if (!ownAxis(table, column))
-            return fail(ErrorCode::FormatCannotHold,
-                {{"format", std::string(facts.name)},
-                    {"reason",
-                        "it corrects an axis by its own position, and this table goes from "
-                            + columnText(table, column)},
-                    {"wayOut", "choose a format for cross compensation"}});
+            return cannotHold(facts,
+                "it corrects an axis by its own position, and this table goes from "
+                    + columnText(table, column),
+                "choose a format for cross compensation");
     if (isContradictory(settings))
         return fail(ErrorCode::InvalidArgument,
             {{"reason",

@@ -4,6 +4,7 @@
 #include "core/csv_text.h"
 #include "core/even_spacing.h"
 #include "core/formats/table_units.h"
+#include "core/formats/writing_aids.h"
 #include "core/position_unit.h"
 
 #include <algorithm>
@@ -56,12 +57,10 @@ Result<std::vector<std::int64_t>> countsOf(
     for (const double value : values) {
         const double count = std::round(value * countsPerUnit);
         if (!(std::abs(count) <= largest))
-            return fail(ErrorCode::FormatCannotHold,
-                {{"format", std::string(facts.name)},
-                    {"reason",
-                        "the value " + csv::toText(value) + " is " + csv::toText(count)
-                            + " counts, and at most 2147483647 can be held"},
-                    {"wayOut", "check counts-per-unit and the unit of the values"}});
+            return cannotHold(facts,
+                "the value " + csv::toText(value) + " is " + csv::toText(count)
+                    + " counts, and at most 2147483647 can be held",
+                "check counts-per-unit and the unit of the values");
         counts.push_back(static_cast<std::int64_t>(count));
     }
     return counts;
