@@ -10,6 +10,8 @@ namespace axiscomp {
 [[nodiscard]] const TableFamily& calibrationCsvFamily(); ///< the calibration file (spec/csv.md)
 [[nodiscard]] const TableFamily& tamTableFamily(); ///< the drive's table file (spec/tamtbl.md)
 
+[[nodiscard]] const TableFamily& aerotech1dFamily(); ///< calibration file, :START
+[[nodiscard]] const TableFamily& aerotech2dFamily(); ///< calibration file, :START2D
 [[nodiscard]] const TableFamily& icubeFamily(); ///< CSV of Yaskawa iCube Control
 [[nodiscard]] const TableFamily& isgCrosscompFamily(); ///< kw.crosscomp of a compensation list
 [[nodiscard]] const TableFamily& isgCrosscomp2Family(); ///< kw.crosscomp2, two sources

@@ -53,6 +53,8 @@ std::span<const TableFamily* const> tableFamilies()
     static const std::array families{
         &calibrationCsvFamily(),
         &tamTableFamily(),
+        &aerotech1dFamily(),
+        &aerotech2dFamily(),
         &icubeFamily(),
         &isgCrosscompFamily(),
         &isgCrosscomp2Family(),
