@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace axiscomp {
 
@@ -92,17 +91,6 @@ bool contracts(const SlopeMatrix& slopes)
 }
 
 } // namespace
-
-bool isFullTurn(const SourceAxis& axis)
-{
-    if (!axis.wrap)
-        return false;
-    const double first = axis.knots.front();
-    const double last = axis.knots.back();
-    const double rounding =
-        16.0 * std::numeric_limits<double>::epsilon() * (std::abs(first) + std::abs(last));
-    return last - first >= *axis.wrap - rounding;
-}
 
 LineInversion::LineInversion(const NeutralTable& table, const Mover& mover, std::size_t first)
     : m_axis(table.axes[mover.axis])

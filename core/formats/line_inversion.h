@@ -5,9 +5,6 @@
 
 namespace axiscomp {
 
-/// Whether the knots of a modulo axis cover its whole period: the last is the first again.
-[[nodiscard]] bool isFullTurn(const SourceAxis& axis);
-
 /// z + f(z) along one line of knots, and the z that belongs to a given sum: exact, since f is
 /// linear between the knots. Beyond the knots f is held; on a modulo axis it repeats. Refers to the
 /// table.

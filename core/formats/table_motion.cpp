@@ -125,6 +125,17 @@ std::size_t strideOf(const NeutralTable& table, std::size_t axis)
     return stride;
 }
 
+bool isFullTurn(const SourceAxis& axis)
+{
+    if (!axis.wrap)
+        return false;
+    const double first = axis.knots.front();
+    const double last = axis.knots.back();
+    const double rounding =
+        16.0 * std::numeric_limits<double>::epsilon() * (std::abs(first) + std::abs(last));
+    return last - first >= *axis.wrap - rounding;
+}
+
 OwnAxes ownAxesOf(const NeutralTable& table)
 {
     OwnAxes axes;

@@ -32,6 +32,9 @@ using Position = std::array<double, 3>;
 /// The stride of an axis in CompensationColumn::values.
 [[nodiscard]] std::size_t strideOf(const NeutralTable& table, std::size_t axis);
 
+/// Whether the knots of a modulo axis cover its whole period: the last is the first again.
+[[nodiscard]] bool isFullTurn(const SourceAxis& axis);
+
 /// What moves the place of an axis: the columns that act on it, mostly one.
 struct Mover {
     struct Part {
