@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/cli/environment.h"
+#include "app/cli/table_input.h"
 #include "core/formats/conversion.h"
 
 #include <CLI/App.hpp>
@@ -38,13 +39,22 @@ struct ConversionOptions {
     }
 };
 
-/// --sign, --direction, --points, --distance, --within, --method, --hold, --no-wrap
+/// --sign, --direction, --no-wrap
 void addConversionOptions(CLI::App& command, ConversionOptions& options);
+/// --points, --distance, --within, --method, --hold
+void addResamplingOptions(CLI::App& command, ConversionOptions& options);
 /// --to-sign, --set-out
 void addOutputOptions(CLI::App& command, ConversionOptions& options);
 
 /// dimensions: of the tables. Errors: InvalidArgument.
 [[nodiscard]] Result<ConversionRequest> conversionRequest(const ConversionOptions& options,
     const TableFamily& from, const TableFamily& to, std::size_t dimensions);
+
+/// The table that a drive shall have, from a file of any format: one column, converted where the
+/// format is another controller's or something was asked for; then the report goes to standard
+/// error. Errors: those of the choice and of the conversion.
+[[nodiscard]] Result<CompensationTable> driveTable(Environment& environment,
+    const TableInput& input, const TableInputOptions& inputOptions,
+    const ConversionOptions& options);
 
 } // namespace axiscomp::app

@@ -64,9 +64,9 @@ drivecomm::CertificateCheck certificateCheck(const DriveOptions& options)
     };
 }
 
-void addAxisOption(CLI::App& command, DriveOptions& options)
+CLI::Option* addAxisOption(CLI::App& command, DriveOptions& options)
 {
-    command
+    return command
         .add_option(
             "--axis", options.axis, "Index or name of the axis; not needed when the drive has one")
         ->option_text("AXIS");

@@ -31,7 +31,7 @@ struct DriveOptions {
 
 enum class DriveCount { One, Several };
 void addDriveOptions(CLI::App& command, DriveOptions& options, DriveCount count = DriveCount::One);
-void addAxisOption(CLI::App& command, DriveOptions& options);
+CLI::Option* addAxisOption(CLI::App& command, DriveOptions& options);
 
 /// What Qt needs to exist while drives are talked to. Made by drive commands only: it costs more
 /// time than the start of the program.

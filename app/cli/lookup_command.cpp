@@ -1,26 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/command_line.h"
+#include "app/cli/conversion_options.h"
 #include "app/cli/json_output.h"
+#include "app/cli/point_file.h"
 #include "app/cli/standard_input.h"
 #include "app/cli/table_input.h"
 #include "app/common/arguments.h"
 #include "app/common/number_text.h"
+#include "core/formats/families.h"
+#include "core/formats/triamec_tables.h"
 #include "core/interpolation.h"
 
-#include <fcntl.h>
-#include <unistd.h>
-
-#include <cerrno>
 #include <cmath>
-#include <cstring>
 #include <map>
 
 namespace axiscomp::app {
 
 namespace {
-
-constexpr std::string_view separators = " \t,;";
-constexpr std::size_t longestLine = 64 * 1024;
 
 const std::map<std::string, Outside> outsideNames{{"hold", Outside::Hold}, {"zero", Outside::Zero},
     {"wrap", Outside::Wrap}, {"extrapolate", Outside::Extrapolate}, {"error", Outside::Error}};
@@ -29,146 +25,42 @@ struct LookupOptions {
     TableInputOptions input;
     std::vector<std::string> position;
     std::string points;
-    std::string outside = "hold";
+    std::string outside; ///< empty: hold
+    std::string as; ///< the format whose controller applies the table; empty: that of the file
+    ConversionOptions conversion;
 };
-
-struct Field {
-    std::string_view text;
-    std::size_t column = 1; ///< of its first character
-};
-
-std::vector<Field> splitFields(std::string_view line)
-{
-    std::vector<Field> fields;
-    std::size_t begin = 0;
-    while ((begin = line.find_first_not_of(separators, begin)) != std::string_view::npos) {
-        const std::size_t end = std::min(line.find_first_of(separators, begin), line.size());
-        fields.push_back({line.substr(begin, end - begin), begin + 1});
-        begin = end;
-    }
-    return fields;
-}
 
 std::string rangeText(const GridAxis& axis)
 {
     return shortText(axis.start) + " to " + shortText(axis.last());
 }
 
-Result<double> lookUp(const Lookup& lookup, const Grid& grid, const std::vector<double>& position)
+/// A table of the drive, as the drive looks it up.
+TableEvaluation driveEvaluation(const CompensationTable& table, Outside outside)
 {
-    const double value = lookup.at(position);
-    if (!std::isnan(value))
-        return value;
-    std::string reason = "the position is outside of the table:";
-    for (std::size_t n = 0; n < position.size(); ++n)
-        reason += (n == 0 ? " " : ", ") + shortText(position[n]) + " of " + rangeText(grid.axes[n]);
-    return fail(ErrorCode::InvalidArgument, {{"reason", reason}});
+    return {table.grid.axes.size(),
+        [&table, lookup = Lookup(table, outside)](
+            const std::vector<double>& position) -> Result<double> {
+            const double value = lookup.at(position);
+            if (!std::isnan(value))
+                return value;
+            std::string reason = "the position is outside of the table:";
+            for (std::size_t n = 0; n < position.size(); ++n)
+                reason += (n == 0 ? " " : ", ") + shortText(position[n]) + " of "
+                    + rangeText(table.grid.axes[n]);
+            return fail(ErrorCode::InvalidArgument, {{"reason", reason}});
+        }};
 }
 
-/// Answers the lines of a file of positions, each as soon as it has come.
-class PointFile {
-public:
-    PointFile(Environment& environment, const LookupOptions& options, const Lookup& lookup,
-        const Grid& grid)
-        : m_environment(environment)
-        , m_name(displayName(options.points))
-        , m_lookup(lookup)
-        , m_grid(grid)
-    {
-    }
+/// A table as the controller of another format applies it.
+TableEvaluation controllerEvaluation(const NeutralTable& table, const TableBehaviour& behaviour)
+{
+    return {table.axes.size(),
+        [applied = AppliedCompensation(table, 0, behaviour)](const std::vector<double>& position)
+            -> Result<double> { return applied.at(position); }};
+}
 
-    Result<void> answer(const std::string& file, Json& results)
-    {
-        const bool isStandardInput = file == standardStream;
-        const int descriptor =
-            isStandardInput ? STDIN_FILENO : ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
-        if (descriptor < 0)
-            return fail(
-                ErrorCode::FileNotReadable, {{"file", file}, {"reason", std::strerror(errno)}});
-        auto answered = answerAll(descriptor, results);
-        if (!isStandardInput)
-            ::close(descriptor);
-        return answered;
-    }
-
-private:
-    Result<void> answerAll(int descriptor, Json& results)
-    {
-        std::string text;
-        while (true) {
-            const auto more = readMore(descriptor, m_environment.interrupt(), text);
-            if (!more)
-                return fail(more.error());
-            if (!*more && !text.empty())
-                text.push_back('\n');
-            if (auto answered = answerLines(text, results); !answered)
-                return answered;
-            if (!*more || m_environment.console().readerGone())
-                return {};
-            if (text.size() > longestLine) {
-                ++m_line;
-                return wrong(1, "a line with a position", "more than 65536 characters");
-            }
-        }
-    }
-
-    /// Takes the complete lines out of text.
-    Result<void> answerLines(std::string& text, Json& results)
-    {
-        std::size_t begin = 0;
-        std::size_t end = 0;
-        while ((end = text.find('\n', begin)) != std::string::npos) {
-            std::string_view line(text.data() + begin, end - begin);
-            if (line.ends_with('\r'))
-                line.remove_suffix(1);
-            ++m_line;
-            if (auto answered = answerLine(line, results); !answered)
-                return answered;
-            begin = end + 1;
-        }
-        text.erase(0, begin);
-        return m_environment.console().flush();
-    }
-
-    Result<void> answerLine(std::string_view line, Json& results)
-    {
-        const std::vector<Field> fields = splitFields(line);
-        if (fields.size() != m_grid.axes.size())
-            return wrong(
-                1, plural(m_grid.axes.size(), "number", "numbers"), std::to_string(fields.size()));
-        std::vector<double> position;
-        for (const Field& field : fields) {
-            const auto number = numberFromText(field.text);
-            if (!number)
-                return wrong(field.column, "a number such as 0.5",
-                    "\"" + std::string(field.text.substr(0, 40)) + "\"");
-            position.push_back(*number);
-        }
-        const auto value = lookUp(m_lookup, m_grid, position);
-        if (!value)
-            return wrong(1, "", sentence(value.error()));
-        m_environment.print(floatText(*value) + "\n");
-        if (m_environment.json())
-            results.push_back({{"position", position}, {"value", *value}});
-        return {};
-    }
-
-    Result<void> wrong(std::size_t column, const std::string& expected, const std::string& found)
-    {
-        const std::string what =
-            expected.empty() ? found : "found " + found + ", expected " + expected;
-        m_environment.diagnose(m_name, m_line, column, "InvalidPosition", what);
-        return fail(ErrorCode::InvalidCalibration, {{"file", m_name}, {"count", "1"}});
-    }
-
-    Environment& m_environment;
-    std::string m_name;
-    const Lookup& m_lookup;
-    const Grid& m_grid;
-    std::size_t m_line = 0;
-};
-
-Result<std::vector<double>> positionOf(const LookupOptions& options, const Grid& grid)
+Result<std::vector<double>> positionOf(const LookupOptions& options, std::size_t dimensions)
 {
     std::vector<double> position;
     for (const std::string& text : options.position) {
@@ -178,11 +70,81 @@ Result<std::vector<double>> positionOf(const LookupOptions& options, const Grid&
                 "a position must be a number such as -12.5, not " + text, options.input.command);
         position.push_back(*number);
     }
-    if (position.size() != grid.axes.size())
-        return wrongUsage("the table has " + plural(grid.axes.size(), "dimension", "dimensions")
+    if (position.size() != dimensions)
+        return wrongUsage("the table has " + plural(dimensions, "dimension", "dimensions")
                 + ", but " + plural(position.size(), "position is", "positions are") + " given",
             options.input.command);
     return position;
+}
+
+/// Answers the position or the file of positions; described: what the JSON document says beside.
+Result<ExitCode> answer(Environment& environment, const LookupOptions& options,
+    const TableEvaluation& evaluation, Json described)
+{
+    Json results = Json::array();
+    if (!options.points.empty()) {
+        auto answered = answerPointFile(environment, evaluation, options.points, results);
+        if (!answered)
+            return fail(answered.error());
+    } else {
+        const auto position = positionOf(options, evaluation.dimensions);
+        if (!position)
+            return fail(position.error());
+        const auto value = evaluation.at(*position);
+        if (!value)
+            return fail(value.error());
+        environment.print(floatText(*value) + "\n");
+        results.push_back({{"position", *position}, {"value", *value}});
+    }
+    described["results"] = std::move(results);
+    environment.document(described);
+    return ExitCode::Done;
+}
+
+Result<ExitCode> lookUpForDrive(
+    Environment& environment, const LookupOptions& options, const CalibrationData& data)
+{
+    const auto index = chooseTable(data, options.input);
+    if (!index)
+        return fail(index.error());
+    const CompensationTable& table = data.tables[*index];
+    const std::string outside = options.outside.empty() ? "hold" : options.outside;
+    return answer(environment, options, driveEvaluation(table, outsideNames.at(outside)),
+        {{"file", options.input.file}, {"table", toJson(table)}, {"outside", outside}});
+}
+
+/// The file's own controller, or another one, to whose format the table is converted first.
+Result<ExitCode> lookUpForController(
+    Environment& environment, const LookupOptions& options, const TableInput& input)
+{
+    const auto as =
+        options.as.empty() ? Result<const TableFamily*>(input.family) : familyNamed(options.as);
+    if (!as)
+        return fail(as.error());
+    const std::vector<NeutralTable> columns = neutralColumns(input);
+    const auto index = chooseColumn(columns, options.input);
+    if (!index)
+        return fail(index.error());
+    NeutralTable table = columns[*index];
+    if (*as != input.family || options.conversion.isAnything()) {
+        const auto request =
+            conversionRequest(options.conversion, *input.family, **as, table.axes.size());
+        if (!request)
+            return fail(request.error());
+        const NeutralTable tables[] = {table};
+        auto conversion = convertTables(tables, *request);
+        if (!conversion)
+            return fail(conversion.error());
+        table = std::move(conversion->written.held.front());
+    }
+    if (table.columns.size() > 1)
+        return wrongUsage("the table has a value for each direction of motion: choose one with "
+                          "--direction positive or negative, or mean",
+            options.input.command);
+    return answer(environment, options, controllerEvaluation(table, (*as)->facts.behaviour),
+        {{"file", options.input.file}, {"as", (*as)->facts.name}, {"sign", signName(table.sign)},
+            {"column", columnText(table, table.columns.front())},
+            {"unit", table.columns.front().unit}});
 }
 
 Result<ExitCode> runLookup(Environment& environment, const LookupOptions& options)
@@ -197,30 +159,13 @@ Result<ExitCode> runLookup(Environment& environment, const LookupOptions& option
     auto input = readInput(environment, options.input);
     if (!input)
         return fail(input.error());
-    const auto index = chooseTable(*input->data, options.input);
-    if (!index)
-        return fail(index.error());
-    const CompensationTable& table = input->data->tables[*index];
-    const Lookup lookup(table, outsideNames.at(options.outside));
-
-    Json results = Json::array();
-    if (!options.points.empty()) {
-        PointFile points(environment, options, lookup, table.grid);
-        if (auto answered = points.answer(options.points, results); !answered)
-            return fail(answered.error());
-    } else {
-        const auto position = positionOf(options, table.grid);
-        if (!position)
-            return fail(position.error());
-        const auto value = lookUp(lookup, table.grid, *position);
-        if (!value)
-            return fail(value.error());
-        environment.print(floatText(*value) + "\n");
-        results.push_back({{"position", *position}, {"value", *value}});
-    }
-    environment.document({{"file", options.input.file}, {"table", toJson(table)},
-        {"outside", options.outside}, {"results", std::move(results)}});
-    return ExitCode::Done;
+    const bool isOwn = input->data.has_value();
+    if (isOwn && options.as.empty())
+        return lookUpForDrive(environment, options, *input->data);
+    if (!options.outside.empty())
+        return wrongUsage("--outside is for tables of the drive: other controllers have a rule",
+            options.input.command);
+    return lookUpForController(environment, options, *input);
 }
 
 } // namespace
@@ -251,11 +196,19 @@ void addLookupCommand(CommandLine& line)
         ->option_text("RULE")
         ->check(CLI::IsMember(
             std::vector<std::string>{"hold", "zero", "wrap", "extrapolate", "error"}));
+    command
+        ->add_option("--as", options->as,
+            "The value that the controller of this format applies, after a conversion")
+        ->option_text("FORMAT");
     addFromOption(*command, options->input);
+    options->conversion.command = options->input.command;
+    addConversionOptions(*command, options->conversion);
+    addOutputOptions(*command, options->conversion);
     addProfileOption(*command, options->input.profile);
     command->footer("Examples:\n"
                     "  axiscomp lookup x.csv -12.5 --dims 1\n"
-                    "  axiscomp lookup plane.TAMtbl --points positions.txt --outside error");
+                    "  axiscomp lookup plane.TAMtbl --points positions.txt --outside error\n"
+                    "  axiscomp lookup x.csv 50 --dims 1 --as softmc");
 }
 
 } // namespace axiscomp::app

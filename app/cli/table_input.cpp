@@ -222,9 +222,9 @@ void addFromOption(CLI::App& command, TableInputOptions& options)
         ->option_text("KEY=VALUE");
 }
 
-void addTableOption(CLI::App& command, TableInputOptions& options)
+CLI::Option* addTableOption(CLI::App& command, TableInputOptions& options)
 {
-    command
+    return command
         .add_option("--table", options.table,
             "Which table of the file, by name or by number from 1; not needed for a single one")
         ->option_text("TABLE");

@@ -26,7 +26,7 @@ struct TableInputOptions {
 
 void addDimensionsOption(CLI::App& command, TableInputOptions& options);
 void addFromOption(CLI::App& command, TableInputOptions& options); ///< and --set-in
-void addTableOption(CLI::App& command, TableInputOptions& options);
+CLI::Option* addTableOption(CLI::App& command, TableInputOptions& options);
 void addProfileOption(CLI::App& command, std::string& profile);
 
 /// The named profile, or the built-in one, which must outlive nothing.

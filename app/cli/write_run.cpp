@@ -95,7 +95,7 @@ void StepLog::end(const char* outcome)
     static_cast<void>(m_environment.console().flush());
 }
 
-Result<ExitCode> runWrite(Environment& environment, DriveSession& session, int axis,
+Result<Json> writeAndReport(Environment& environment, DriveSession& session, int axis,
     const WriteRequest& request, bool isDryRun)
 {
     const auto before = settledStatus(environment, session, axis);
@@ -111,8 +111,7 @@ Result<ExitCode> runWrite(Environment& environment, DriveSession& session, int a
     Json json = {{"plan", toJson(*plan)}, {"report", nullptr}};
     if (isDryRun) {
         environment.print("\nNothing was written (--dry-run).\n");
-        environment.document(json);
-        return ExitCode::Done;
+        return json;
     }
 
     WriteRequest asPlanned = request;
@@ -127,7 +126,16 @@ Result<ExitCode> runWrite(Environment& environment, DriveSession& session, int a
     } else {
         environment.print("Nothing had to be written.\n");
     }
-    environment.document(json);
+    return json;
+}
+
+Result<ExitCode> runWrite(Environment& environment, DriveSession& session, int axis,
+    const WriteRequest& request, bool isDryRun)
+{
+    const auto document = writeAndReport(environment, session, axis, request, isDryRun);
+    if (!document)
+        return fail(document.error());
+    environment.document(*document);
     return ExitCode::Done;
 }
 

@@ -33,7 +33,11 @@ private:
     std::string m_step;
 };
 
-/// Plans, shows the plan, writes and reports; only shows the plan when isDryRun.
+/// Plans, shows the plan, writes and reports in text; only shows the plan when isDryRun. The
+/// document: {"plan", "report"}.
+[[nodiscard]] Result<Json> writeAndReport(Environment& environment, DriveSession& session, int axis,
+    const WriteRequest& request, bool isDryRun);
+/// The same, with its document.
 [[nodiscard]] Result<ExitCode> runWrite(Environment& environment, DriveSession& session, int axis,
     const WriteRequest& request, bool isDryRun);
 

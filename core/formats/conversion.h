@@ -3,6 +3,7 @@
 
 #include "core/formats/directions.h"
 #include "core/formats/resampling.h"
+#include "core/formats/sign_conversion.h"
 #include "core/formats/table_family.h"
 
 #include <optional>
@@ -34,7 +35,7 @@ struct TableConversion {
     NeutralTable source; ///< with the sign that it was taken to have
     NeutralTable result; ///< as the target's file holds it
     std::optional<ResamplingReport> resampling;
-    std::optional<DirectionLoss> directionLoss; ///< of merged directions
+    std::vector<DirectionLoss> directionLosses; ///< of merged directions
     ConversionDifference difference; ///< source and result, each as its controller applies it
     double valueRounding = 0.0; ///< the largest, by the steps of the target's numbers
     double positionRounding = 0.0;

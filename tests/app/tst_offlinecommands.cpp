@@ -246,11 +246,11 @@ private Q_SLOTS:
     void unknownFormatsAreNamed_data()
     {
         QTest::addColumn<QStringList>("arguments");
-        QTest::newRow("extension") << QStringList{"convert", "t.csv", "t.mpf", "--dims", "1"};
+        QTest::newRow("extension") << QStringList{"convert", "t.csv", "t.docx", "--dims", "1"};
         QTest::newRow("no extension") << QStringList{"convert", "t.csv", "t", "--dims", "1"};
         QTest::newRow("--to") << QStringList{
-            "convert", "t.csv", "t.bin", "--to", "siemens", "--dims", "1"};
-        QTest::newRow("--from") << QStringList{"inspect", "t.csv", "--from", "siemens"};
+            "convert", "t.csv", "t.bin", "--to", "heidenhain", "--dims", "1"};
+        QTest::newRow("--from") << QStringList{"inspect", "t.csv", "--from", "heidenhain"};
     }
     void unknownFormatsAreNamed()
     {
@@ -318,7 +318,7 @@ private Q_SLOTS:
         const ProgramRun run = box.run({"formats", "--json"});
         VERIFY_CODE(run, 0);
         const QJsonArray formats = run.json().value("formats").toArray();
-        QCOMPARE(formats.size(), 2);
+        QVERIFY(formats.size() > 2);
         QCOMPARE(formats.at(0).toObject().value("name").toString(), "csv");
         QCOMPARE(formats.at(1).toObject().value("extension").toString(), ".TAMtbl");
         QCOMPARE(formats.at(1).toObject().value("persistency").toBool(), true);
