@@ -5,17 +5,19 @@
 _axiscomp_options()
 {
     local drive="--drive --profile --trust-certificate --timeout"
+    local conversion="--sign --direction --no-wrap"
+    local grid="--points --distance --within --method --hold"
     case $1 in
         "") echo "--help --version" ;;
         example) echo "--help --json --dims --tables --output" ;;
-        inspect) echo "--help --json --dims --from --profile" ;;
-        convert) echo "--help --json --dims --table --from --to --persistent --volatile --name --profile" ;;
-        lookup) echo "--help --json --dims --table --points --outside --from --profile" ;;
-        formats) echo "--help --json" ;;
+        inspect) echo "--help --json --dims --from --set-in --profile" ;;
+        convert) echo "--help --json --dims --table --from --set-in --to --set-out --persistent --volatile --name --profile --to-sign $conversion $grid" ;;
+        lookup) echo "--help --json --dims --table --points --outside --as --from --set-in --set-out --profile --to-sign $conversion" ;;
+        formats) echo "--help --json --markdown" ;;
         axes) echo "--help --json --find --any-baud $drive" ;;
         files) echo "--help --json $drive" ;;
         status | persist | unpersist | evaluate | activate | deactivate) echo "--help --json $drive --axis" ;;
-        write) echo "--help --json $drive --axis --data --dims --table --from --source1 --source2 --source3 --persistent --volatile --slot --dry-run" ;;
+        write) echo "--help --json $drive --axis --data --dims --table --from --set-in --map --source1 --source2 --source3 --persistent --volatile --slot --dry-run $conversion $grid" ;;
         read) echo "--help --json $drive --axis --output --to" ;;
         upload) echo "--help --json $drive --to" ;;
         download) echo "--help --json $drive --output" ;;
@@ -27,6 +29,8 @@ _axiscomp_options()
 }
 
 _axiscomp_commands="example inspect convert lookup formats axes status write persist unpersist evaluate activate deactivate read files upload download monitor backup restore recover"
+
+_axiscomp_formats="csv tamtbl aerotech-1d aerotech-2d icube isg-crosscomp isg-crosscomp2 isg-ssfk klipper linuxcnc rapidcode rapidcode-header siemens-cec siemens-eec reprap softmc softmc-basic pmac-1d pmac-2d"
 
 _axiscomp_slots="small1 small2 small3 small4 small5 small6 small7 small8 large1 large2"
 
@@ -53,12 +57,15 @@ _axiscomp()
 
     case $prev in
         --dims) COMPREPLY=($(compgen -W "1 2 3" -- "$cur")); return ;;
-        --from) COMPREPLY=($(compgen -W "csv tamtbl" -- "$cur")); return ;;
+        --from | --as) COMPREPLY=($(compgen -W "$_axiscomp_formats" -- "$cur")); return ;;
+        --sign | --to-sign) COMPREPLY=($(compgen -W "feedback command" -- "$cur")); return ;;
+        --direction) COMPREPLY=($(compgen -W "mean positive negative" -- "$cur")); return ;;
+        --method) COMPREPLY=($(compgen -W "linear cubic" -- "$cur")); return ;;
         --to)
             if [[ $command == upload ]]; then
                 COMPREPLY=($(compgen -W "$(_axiscomp_paths)" -- "$cur"))
             else
-                COMPREPLY=($(compgen -W "csv tamtbl" -- "$cur"))
+                COMPREPLY=($(compgen -W "$_axiscomp_formats" -- "$cur"))
             fi
             return ;;
         --outside) COMPREPLY=($(compgen -W "hold zero wrap extrapolate error" -- "$cur")); return ;;

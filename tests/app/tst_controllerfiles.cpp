@@ -245,6 +245,21 @@ private Q_SLOTS:
         QVERIFY2(run.out.contains("Assumptions"), run.out.constData());
     }
 
+    void completionKnowsEveryFormat()
+    {
+        const Sandbox box;
+        const ProgramRun completed = box.runProgram("bash",
+            {"-c",
+                "source " AXISCOMP_SOURCE_FOLDER "/packaging/completion/axiscomp.bash; "
+                "echo $_axiscomp_formats"});
+        VERIFY_CODE(completed, 0);
+        QStringList names;
+        for (const QJsonValue& format :
+            box.run({"formats", "--json"}).json().value("formats").toArray())
+            names += format.toObject().value("name").toString();
+        QCOMPARE(QString::fromUtf8(completed.out).simplified().split(' '), names);
+    }
+
     void thePageOfTheDocumentationIsUpToDate()
     {
         const Sandbox box;
