@@ -18,6 +18,8 @@ namespace axiscomp {
 [[nodiscard]] const TableFamily& isgSsfkFamily(); ///< kw.ssfk, leadscrew errors
 [[nodiscard]] const TableFamily& klipperFamily(); ///< bed_mesh of printer.cfg
 [[nodiscard]] const TableFamily& linuxcncFamily(); ///< compensation file of a joint
+[[nodiscard]] const TableFamily& pmac1dFamily(); ///< DEFINE COMP of one source
+[[nodiscard]] const TableFamily& pmac2dFamily(); ///< DEFINE COMP of two sources
 [[nodiscard]] const TableFamily& rapidcodeFamily(); ///< CSV of this program
 [[nodiscard]] const TableFamily& rapidcodeHeaderFamily(); ///< C++ header
 [[nodiscard]] const TableFamily& siemensCecFamily(); ///< $AN_CEC, an axis by another

@@ -61,6 +61,8 @@ std::span<const TableFamily* const> tableFamilies()
         &isgSsfkFamily(),
         &klipperFamily(),
         &linuxcncFamily(),
+        &pmac1dFamily(),
+        &pmac2dFamily(),
         &rapidcodeFamily(),
         &rapidcodeHeaderFamily(),
         &siemensCecFamily(),
