@@ -1,13 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/command_line.h"
+#include "app/cli/conversion_options.h"
 #include "app/cli/drive_session.h"
 #include "app/cli/json_output.h"
 #include "app/cli/output_file.h"
 #include "app/cli/status_text.h"
+#include "app/common/arguments.h"
 #include "app/common/number_text.h"
 #include "core/calibration_csv.h"
 #include "core/formats/families.h"
+#include "core/formats/triamec_tables.h"
+#include "core/position_unit.h"
 #include "core/tam_table.h"
+
+#include <filesystem>
 
 namespace axiscomp::app {
 
@@ -17,6 +23,7 @@ struct ReadOptions {
     DriveOptions drive;
     std::string output;
     std::string to;
+    ConversionOptions conversion;
 };
 
 struct ReadTable {
@@ -57,6 +64,33 @@ Result<ReadTable> readAsCsv(DriveSession& session, const AxisStatus& status)
     return ReadTable{std::move(*table), Bytes(view.begin(), view.end())};
 }
 
+/// For another controller: what the axis uses, converted; the report goes to standard error.
+Result<ReadTable> readAsOther(Environment& environment, DriveSession& session,
+    const AxisStatus& status, const ReadOptions& options, const TableFamily& to)
+{
+    auto table = session.compensator().readTable(status.axis.index, session.operation());
+    if (!table)
+        return fail(table.error());
+    const std::string unit = unitSymbol(status.axis.unit);
+    NeutralTable neutral = neutralTable({table->grid, {*table}, {}});
+    neutral.columns.front().unit = unit;
+    if (neutral.axes.size() == 1)
+        neutral.axes.front().unit = unit;
+    auto request = conversionRequest(options.conversion, tamTableFamily(), to, neutral.axes.size());
+    if (!request)
+        return fail(request.error());
+    request->writing.layout = &session.profile().layout;
+    request->writing.fileName = std::filesystem::path(options.output).filename().string();
+    const NeutralTable tables[] = {std::move(neutral)};
+    const auto conversion = convertTables(tables, *request);
+    if (!conversion)
+        return fail(conversion.error());
+    for (const std::string& line : conversionReport(*conversion, *request))
+        environment.console().note(options.output + ": " + line);
+    const ByteView view = asBytes(conversion->written.bytes);
+    return ReadTable{*std::move(table), Bytes(view.begin(), view.end())};
+}
+
 Result<ExitCode> runRead(Environment& environment, const ReadOptions& options)
 {
     const Output output{options.output, options.drive.command};
@@ -68,12 +102,17 @@ Result<ExitCode> runRead(Environment& environment, const ReadOptions& options)
     const FamilyFacts& info = (*format)->facts;
     if (auto possible = checkOutput(environment, output, info.isText); !possible)
         return fail(possible.error());
-    const auto read = [&](Environment&, DriveSession& session, int axis) -> Result<ExitCode> {
+    const bool isOther = *format != &tamTableFamily() && *format != &calibrationCsvFamily();
+    if (!isOther && options.conversion.isAnything())
+        return wrongUsage("the table is handed out as the drive has it: convert it afterwards",
+            options.drive.command);
+    const auto read = [&](Environment& same, DriveSession& session, int axis) -> Result<ExitCode> {
         const auto status = session.compensator().status(axis, session.operation());
         if (!status)
             return fail(status.error());
-        auto table = *format == &tamTableFamily() ? readAsTamTable(session, *status)
-                                                  : readAsCsv(session, *status);
+        auto table = isOther               ? readAsOther(same, session, *status, options, **format)
+            : *format == &tamTableFamily() ? readAsTamTable(session, *status)
+                                           : readAsCsv(session, *status);
         if (!table)
             return fail(table.error());
         if (auto written = writeOutput(environment, output, table->file); !written)
@@ -102,10 +141,14 @@ void addReadCommand(CommandLine& line)
     addAxisOption(*command, options->drive);
     command
         ->add_option("-o,--output", options->output,
-            "File to write, .csv or .TAMtbl; CSV on standard output without it")
+            "File to write, .csv, .TAMtbl or that of another controller; CSV on standard output "
+            "without it")
         ->option_text("FILE");
     command->add_option("--to", options->to, "Format of the output, if its name does not tell")
         ->option_text("FORMAT");
+    options->conversion.command = options->drive.command;
+    addResamplingOptions(*command, options->conversion);
+    addOutputOptions(*command, options->conversion);
 }
 
 } // namespace axiscomp::app

@@ -18,7 +18,7 @@ _axiscomp_options()
         files) echo "--help --json $drive" ;;
         status | persist | unpersist | evaluate | activate | deactivate) echo "--help --json $drive --axis" ;;
         write) echo "--help --json $drive --axis --data --dims --table --from --set-in --map --source1 --source2 --source3 --persistent --volatile --slot --dry-run $conversion $grid" ;;
-        read) echo "--help --json $drive --axis --output --to" ;;
+        read) echo "--help --json $drive --axis --output --to --to-sign --set-out $grid" ;;
         upload) echo "--help --json $drive --to" ;;
         download) echo "--help --json $drive --output" ;;
         monitor) echo "--help --json $drive --axis --rate --count" ;;

@@ -193,6 +193,12 @@ private Q_SLOTS:
         const QJsonObject table = read.json().value("table").toObject();
         QVERIFY(table.value("max").toDouble() > 0.0199); // the sign of the drive
         QVERIFY(table.value("min").toDouble() >= -1e-9);
+        const ProgramRun other =
+            box.run(QStringList{"read", "-o", "again.txt", "--to", "softmc"} + axis);
+        VERIFY_CODE(other, 0);
+        QVERIFY2(other.err.contains("softmc holds command values"), other.err.constData());
+        const QByteArray last = box.content("again.txt").split('\n').at(3);
+        QVERIFY2(std::abs(last.split(' ').at(1).toDouble() + 0.02) < 1e-5, last.constData());
     }
 
     void theColumnsOfOneFileAreWrittenToTheirAxes()
