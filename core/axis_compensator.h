@@ -195,8 +195,9 @@ public:
 
     /// Errors: ChangedMeanwhile when another program writes to an axis while it is read.
     [[nodiscard]] Result<DriveBackup> backup(const OperationOptions& options = {});
-    /// A normal verified write per axis, then the tables that no axis uses, as upload does it.
-    /// Errors: OtherDrive unless force; those of write and upload; SlotInUse.
+    /// A normal verified write per axis, then the tables that no axis uses, as upload does it; at
+    /// the end all of it is compared once more. Errors: OtherDrive unless force; those of write and
+    /// upload; SlotInUse, also by an axis after a reboot.
     [[nodiscard]] Result<std::vector<WriteReport>> restore(
         const DriveBackup& backup, bool force, const OperationOptions& options = {});
 

@@ -55,6 +55,8 @@ struct AxisCompensator::Private {
         const DriveAccess& access, const DriveIdentity& drive, const UnfinishedWrite& unfinished);
     [[nodiscard]] Result<void> restoreFile(
         const DriveAccess& access, const DriveIdentity& drive, const AxisBackup::File& file);
+    [[nodiscard]] Result<void> checkRestored(const DriveAccess& access, const DriveIdentity& drive,
+        const std::vector<AxisStatus>& axes, const std::vector<AxisBackup::File>& files);
 };
 
 } // namespace axiscomp

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/backup_restore.h"
 
+#include "core/backup_json.h"
 #include "core/tam_table.h"
 #include "core/verified_write.h"
 
@@ -87,6 +88,19 @@ bool isUsedBy(const DriveBackup& backup, const std::string& slot)
     });
 }
 
+/// The elements, which are the end of every table file, are what the drive says that it has.
+bool hasElements(
+    const DriveAccess& access, const Readings& readings, const TableSlot& slot, const Bytes& bytes)
+{
+    const RegisterPaths& registers = access.registers();
+    const std::string crc = access.slotPath(registers.tableCrc, slot.name);
+    if (!readings.contains(crc))
+        return true;
+    const std::size_t size =
+        sizeof(float) * unsignedAt(readings, access.slotPath(registers.tableElements, slot.name));
+    return size <= bytes.size() && crc32(ByteView(bytes).last(size)) == unsignedAt(readings, crc);
+}
+
 Result<bool> holdsRegisters(const DriveAccess& access, const std::vector<RegisterWrite>& wanted)
 {
     auto same = compareRegisters(access, wanted);
@@ -102,18 +116,32 @@ Result<AxisBackup::File> readSlotFile(const DriveAccess& access, const TableSlot
     AxisBackup::File file;
     file.slot = slot.name;
     file.path = slot.file;
-    auto bytes = access.link().download(slot.file, access.exchange());
-    if (!bytes && bytes.error().code != ErrorCode::UnknownFile)
-        return fail(bytes.error());
-    if (!bytes || bytes->empty())
-        return file;
-    file.bytes = std::move(*bytes);
-    const std::string path = access.slotPath(access.registers().tablePersistent, slot.name);
-    auto readings = access.readAvailable({path});
-    if (!readings)
-        return fail(readings.error());
-    file.persistent = numberAt(*readings, path) == 1.0;
-    return file;
+    const RegisterPaths& registers = access.registers();
+    Bytes first;
+    // Not every way to a drive notices a byte that changes on it: then the file is read again.
+    for (const bool isAgain : {false, true}) {
+        auto bytes = access.link().download(slot.file, access.exchange());
+        if (!bytes && bytes.error().code != ErrorCode::UnknownFile)
+            return fail(bytes.error());
+        const bool isSame = isAgain && bytes && *bytes == file.bytes;
+        first = std::move(file.bytes);
+        file.bytes = bytes ? std::move(*bytes) : Bytes{};
+        file.persistent = false;
+        if (file.bytes.empty())
+            return file;
+        auto readings = access.readAvailable({access.slotPath(registers.tablePersistent, slot.name),
+            access.slotPath(registers.tableElements, slot.name),
+            access.slotPath(registers.tableCrc, slot.name)});
+        if (!readings)
+            return fail(readings.error());
+        file.persistent =
+            numberAt(*readings, access.slotPath(registers.tablePersistent, slot.name)) == 1.0;
+        if (isSame || hasElements(access, *readings, slot, file.bytes))
+            return file;
+    }
+    return fail(ErrorCode::ChangedMeanwhile,
+        {{"what", "the table in " + slot.name}, {"before", "CRC " + crcText(crc32(first))},
+            {"now", "CRC " + crcText(crc32(file.bytes))}});
 }
 
 Result<DriveBackup> readBackupOf(

@@ -4,6 +4,8 @@
 #include "core/axis_compensator_p.h"
 #include "core/backup_restore.h"
 #include "core/file_replacement.h"
+#include "core/verified_write.h"
+#include "core/write_planner.h"
 
 namespace axiscomp {
 
@@ -71,22 +73,54 @@ Result<std::vector<WriteReport>> AxisCompensator::restore(
     if (!lock)
         return fail(lock.error());
     std::vector<WriteReport> reports;
+    std::vector<AxisStatus> restored;
     for (const AxisBackup& axis : backup.axes) {
         auto request = restoreRequest(access, axis);
         if (!request)
             return fail(request.error());
         auto report = d->write(access, *drive, axis.axis, *request);
-        if (!report && report.error().code == ErrorCode::NothingToWrite)
-            continue;
-        if (!report)
+        const bool isThere = !report && report.error().code == ErrorCode::NothingToWrite;
+        if (!report && !isThere)
             return fail(report.error());
-        reports.push_back(std::move(*report));
+        auto now = isThere ? readStatus(access, *drive, axis.axis, d->sources) : report->now;
+        if (!now)
+            return fail(now.error());
+        restored.push_back(std::move(*now));
+        if (report)
+            reports.push_back(std::move(*report));
     }
     for (const AxisBackup::File& file : backup.otherFiles) {
-        if (auto restored = d->restoreFile(access, *drive, file); !restored)
-            return fail(restored.error());
+        if (auto done = d->restoreFile(access, *drive, file); !done)
+            return fail(done.error());
     }
+    if (auto same = d->checkRestored(access, *drive, restored, backup.otherFiles); !same)
+        return fail(same.error());
     return reports;
+}
+
+/// A drive that restarted while a later part was restored has lost what was volatile or not saved
+/// of an earlier one.
+Result<void> AxisCompensator::Private::checkRestored(const DriveAccess& access,
+    const DriveIdentity& drive, const std::vector<AxisStatus>& axes,
+    const std::vector<AxisBackup::File>& files)
+{
+    for (const AxisStatus& wanted : axes) {
+        auto now = readStatus(access, drive, wanted.axis.index, sources);
+        if (!now)
+            return fail(now.error());
+        if (!(now->setup == wanted.setup))
+            return fail(ErrorCode::VerifyMismatch,
+                {{"what", axisText(wanted.axis.index, wanted.axis.name)},
+                    {"found", setupText(now->setup)}, {"expected", setupText(wanted.setup)}});
+    }
+    for (const AxisBackup::File& wanted : files) {
+        auto now = readSlotFile(access, *profile.slotNamed(wanted.slot));
+        if (!now)
+            return fail(now.error());
+        if (auto same = compareFiles(wanted.path, now->bytes, wanted.bytes); !same)
+            return same;
+    }
+    return {};
 }
 
 Result<void> AxisCompensator::Private::restoreFile(

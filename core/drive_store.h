@@ -14,6 +14,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace axiscomp {
@@ -43,9 +44,9 @@ struct JournalEntry {
 };
 
 /// What the program remembers about drives across runs and programs: backups, journal, flash
-/// history and which table it put into which slot. One folder per drive serial number, made when
-/// something is kept in it; readable JSON, saved atomically, shared by several programs under a
-/// lock file. Times come from the caller.
+/// history, which table it put into which slot, and what the saved parameters name. One folder per
+/// drive serial number, made when something is kept in it; readable JSON, saved atomically, shared
+/// by several programs under a lock file. Times come from the caller.
 ///
 /// Errors of all: FileNotReadable, FileNotWritable (also when another program holds the lock). A
 /// file that cannot be understood does not stop the program: see the functions.
@@ -115,6 +116,39 @@ public:
     [[nodiscard]] Result<void> recordOwnTable(
         std::int32_t serialNumber, int axis, const OwnTable& table);
 
+    /// What a drive does not tell about what a reboot brings back, as far as the programs of this
+    /// computer have brought it about.
+    struct SavedState {
+        /// A slot that the saved parameters of an axis name, or may name.
+        struct Use {
+            int axis = 0;
+            std::string slot;
+            std::uint32_t crc = 0; ///< of the elements that the slot held when they were saved
+            friend bool operator==(const Use&, const Use&) = default;
+        };
+        bool isKnown = false; ///< a program has saved the parameters of this drive
+        std::vector<Use> uses;
+        /// Slots where flash may hold another table than the volatile one that lies over it.
+        std::vector<std::string> covered;
+        friend bool operator==(const SavedState&, const SavedState&) = default;
+
+        [[nodiscard]] bool isCovered(std::string_view slot) const;
+        /// The first axis but this one whose saved parameters name the slot.
+        [[nodiscard]] std::optional<int> otherUser(std::string_view slot, int axis) const;
+        /// To put this table into the slot's flash would give an axis the table of one write and
+        /// the saved sources of another.
+        [[nodiscard]] bool isInTheWay(std::string_view slot, int axis, std::uint32_t crc) const;
+    };
+    /// A broken file is moved aside to *.broken and counts as empty.
+    [[nodiscard]] Result<SavedState> savedState(std::int32_t serialNumber);
+    /// The parameters are about to be saved: what they named before stays until recordSaved.
+    [[nodiscard]] Result<void> recordSaving(
+        std::int32_t serialNumber, const std::vector<SavedState::Use>& uses);
+    [[nodiscard]] Result<void> recordSaved(
+        std::int32_t serialNumber, const std::vector<SavedState::Use>& uses);
+    [[nodiscard]] Result<void> recordCovered(
+        std::int32_t serialNumber, const std::string& slot, bool isCovered);
+
     /// For the time of a whole write: keeps two programs from writing to one drive at once. None of
     /// the functions above waits for it.
     [[nodiscard]] Result<FileLock> lockWrites(std::int32_t serialNumber);
@@ -122,6 +156,8 @@ public:
 private:
     template <typename Change>
     [[nodiscard]] Result<void> changeFlashHistory(std::int32_t serialNumber, const Change& change);
+    template <typename Change>
+    [[nodiscard]] Result<void> changeSavedState(std::int32_t serialNumber, const Change& change);
 
     std::filesystem::path m_root;
     std::chrono::milliseconds m_lockWait;

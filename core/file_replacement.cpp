@@ -19,6 +19,12 @@ bool isPersistent(ByteView file, const TableLayout& layout)
     return decoded && decoded->persistent;
 }
 
+std::uint32_t elementCrc(ByteView file, const TableLayout& layout)
+{
+    const auto decoded = decodeTamTable(file, layout);
+    return decoded ? crc32(file.last(decoded->table.values.size() * sizeof(float))) : 0;
+}
+
 } // namespace
 
 Result<std::filesystem::path> FileReplacement::run(ByteView bytes, Users users)
@@ -37,6 +43,10 @@ Result<std::filesystem::path> FileReplacement::run(ByteView bytes, Users users)
     // Emptying a slot spends flash when the drive has the table there.
     const bool needsFlash =
         bytes.empty() ? m_old.persistent : isPersistent(bytes, m_access.profile().layout);
+    if (users == Users::Refused && needsFlash) {
+        if (auto out = checkSavedUse(bytes); !out)
+            return fail(out.error());
+    }
     if (needsFlash) {
         if (auto possible = checkBudget(); !possible)
             return fail(possible.error());
@@ -46,6 +56,10 @@ Result<std::filesystem::path> FileReplacement::run(ByteView bytes, Users users)
     if (auto same = checkUnchanged(*seen); !same)
         return fail(same.error());
 
+    if (m_old.persistent && !needsFlash) {
+        if (auto noted = m_store.recordCovered(m_drive.serialNumber, m_slot.name, true); !noted)
+            return fail(noted.error());
+    }
     auto done = put(m_access, bytes);
     const bool isRefused =
         !done && !isUncertain(done.error().code) && done.error().code != ErrorCode::VerifyMismatch;
@@ -127,6 +141,21 @@ Result<void> FileReplacement::checkUnchanged(const Look& seen) const
     return fail(ErrorCode::ChangedMeanwhile,
         {{"what", "slot " + m_slot.name}, {"before", slotStateText(seen.state)},
             {"now", slotStateText(now->state)}});
+}
+
+/// A reboot must not bring an axis this table with the sources of another.
+Result<void> FileReplacement::checkSavedUse(ByteView bytes) const
+{
+    auto saved = m_store.savedState(m_drive.serialNumber);
+    if (!saved)
+        return fail(saved.error());
+    const std::uint32_t crc = elementCrc(bytes, m_access.profile().layout);
+    for (const DriveStore::SavedState::Use& use : saved->uses)
+        if (use.slot == m_slot.name && use.crc != crc)
+            return fail(ErrorCode::SlotInUse,
+                {{"slot", m_slot.name},
+                    {"user", "axis " + std::to_string(use.axis) + " after a reboot"}});
+    return {};
 }
 
 Result<void> FileReplacement::checkBudget() const

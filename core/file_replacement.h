@@ -22,7 +22,7 @@ public:
     {
     }
 
-    /// Whether an axis or a cogging compensation may use the slot.
+    /// Whether an axis or a cogging compensation may use the slot, or an axis after a reboot.
     enum class Users { Allowed, Refused };
     /// No bytes: the slot is emptied. Gives the backup, or an empty path when the slot held exactly
     /// this already. Errors: SlotInUse, ChangedMeanwhile, FlashWear, those of DriveLink::upload,
@@ -39,6 +39,7 @@ private:
     [[nodiscard]] Result<Look> look() const;
     [[nodiscard]] Result<void> keepOldFile(const Look& seen);
     [[nodiscard]] Result<void> checkUnchanged(const Look& seen) const;
+    [[nodiscard]] Result<void> checkSavedUse(ByteView bytes) const;
     [[nodiscard]] Result<void> checkBudget() const;
     [[nodiscard]] Result<void> put(const DriveAccess& access, ByteView bytes) const;
     [[nodiscard]] Error putBack(const Error& reason) const;

@@ -14,6 +14,7 @@ namespace {
 constexpr std::string_view journalFormat = "axiscomp-journal";
 constexpr std::string_view flashFormat = "axiscomp-flash-history";
 constexpr std::string_view tablesFormat = "axiscomp-tables";
+constexpr std::string_view savedFormat = "axiscomp-saved-state";
 constexpr JsonLimits limits{.size = maximumDocumentSize, .depth = 8, .values = 20'000};
 
 template <typename T> DocumentResult<T> resultOf(const StrictJson& document, T value)
@@ -134,6 +135,38 @@ DocumentResult<std::vector<WrittenTable>> readTables(std::string_view text)
             {item["axis"].integer<int>(0), {item["slot"].text(), crcFromJson(item["crc"])}});
     }
     return resultOf(document, std::move(tables));
+}
+
+std::string writeSavedState(const DriveStore::SavedState& state)
+{
+    OrderedJson document = newDocument(savedFormat);
+    document["known"] = state.isKnown;
+    document["uses"] = OrderedJson::array();
+    for (const DriveStore::SavedState::Use& use : state.uses)
+        document["uses"].push_back(
+            {{"axis", use.axis}, {"slot", use.slot}, {"crc", crcText(use.crc)}});
+    document["covered"] = OrderedJson::array();
+    for (const std::string& slot : state.covered)
+        document["covered"].push_back(slot);
+    return jsonText(document);
+}
+
+DocumentResult<DriveStore::SavedState> readSavedState(std::string_view text)
+{
+    StrictJson document{text, limits};
+    const JsonNode root = document.root();
+    expectFormat(root, savedFormat);
+    root.expectMembers({"format", "version", "known", "uses", "covered"});
+    DriveStore::SavedState state;
+    state.isKnown = root["known"].boolean();
+    for (const JsonNode& item : root["uses"].items()) {
+        item.expectMembers({"axis", "slot", "crc"});
+        state.uses.push_back(
+            {item["axis"].integer<int>(0), item["slot"].text(), crcFromJson(item["crc"])});
+    }
+    for (const JsonNode& item : root["covered"].items())
+        state.covered.push_back(item.text());
+    return resultOf(document, std::move(state));
 }
 
 } // namespace axiscomp

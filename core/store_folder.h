@@ -39,6 +39,7 @@ public:
     [[nodiscard]] std::vector<std::filesystem::path> keptTables(int axis) const;
     [[nodiscard]] std::filesystem::path flashHistory() const { return m_path / "flash.json"; }
     [[nodiscard]] std::filesystem::path tables() const { return m_path / "tables.json"; }
+    [[nodiscard]] std::filesystem::path saved() const { return m_path / "saved.json"; }
 
     /// Makes the folder too.
     [[nodiscard]] Result<FileLock> lock(const char* name = "lock") const;

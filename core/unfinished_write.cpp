@@ -22,8 +22,8 @@ std::uint32_t elementCrc(const Bytes& file, std::size_t elements)
 
 int stepRank(std::string_view step)
 {
-    constexpr std::array<std::string_view, 5> steps{
-        "switch off", "upload", "commit", "switch", "save"};
+    constexpr std::array<std::string_view, 6> steps{
+        "switch off", "release", "upload", "commit", "switch", "save"};
     const auto found = std::ranges::find(steps, step);
     return static_cast<int>(std::min<std::ptrdiff_t>(found - steps.begin(), steps.size() - 1));
 }
@@ -97,19 +97,23 @@ Result<Bytes> UnfinishedWrite::newFile(const DriveStore& store) const
 }
 
 /// The slot that the write had chosen, unless somebody else has come to use it.
-Result<std::optional<std::string>> UnfinishedWrite::slotFor(const DriveIdentity& drive) const
+Result<std::optional<std::string>> UnfinishedWrite::slotFor(
+    DriveStore& store, const DriveIdentity& drive) const
 {
     const std::string& slot = m_entry.newSlot;
     auto readings = m_access.readAvailable(slotStatePaths(m_access, drive, m_entry.axis, slot));
     if (!readings)
         return fail(readings.error());
     const SlotState state = slotState(m_access, drive, m_entry.axis, slot, *readings);
-    const bool isOurs = state.otherUser.empty() && isKnown(state, slot);
+    auto saved = store.savedState(drive.serialNumber);
+    if (!saved)
+        return fail(saved.error());
+    const bool isOurs =
+        state.otherUser.empty() && !saved->otherUser(slot, m_entry.axis) && isKnown(state, slot);
     return isOurs ? std::optional(slot) : std::nullopt;
 }
 
-Result<WriteRequest> UnfinishedWrite::request(
-    const DriveStore& store, const DriveIdentity& drive) const
+Result<WriteRequest> UnfinishedWrite::request(DriveStore& store, const DriveIdentity& drive) const
 {
     WriteRequest request;
     request.withoutTable = m_entry.newSlot.empty();
@@ -124,7 +128,7 @@ Result<WriteRequest> UnfinishedWrite::request(
         request.dimensionality = decoded->table.grid.dimensions();
         request.table = std::move(decoded->table);
         request.persistency = m_entry.persistent ? Persistency::Persistent : Persistency::Volatile;
-        auto slot = slotFor(drive);
+        auto slot = slotFor(store, drive);
         if (!slot)
             return fail(slot.error());
         request.slot = std::move(*slot);

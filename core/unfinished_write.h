@@ -25,8 +25,7 @@ public:
 
     /// The write that brings the complete new state about, from whatever there is now. Errors:
     /// TableNotKept, FileNotReadable, InvalidTable, SourceMissing.
-    [[nodiscard]] Result<WriteRequest> request(
-        const DriveStore& store, const DriveIdentity& drive) const;
+    [[nodiscard]] Result<WriteRequest> request(DriveStore& store, const DriveIdentity& drive) const;
     /// What that write had decided, as far as undoing it needs.
     [[nodiscard]] PreparedWrite prepared(const DriveIdentity& drive) const;
 
@@ -41,7 +40,8 @@ private:
     }
     [[nodiscard]] const AxisBackup::File* fileOf(const std::string& slot) const;
     [[nodiscard]] Result<Bytes> newFile(const DriveStore& store) const;
-    [[nodiscard]] Result<std::optional<std::string>> slotFor(const DriveIdentity& drive) const;
+    [[nodiscard]] Result<std::optional<std::string>> slotFor(
+        DriveStore& store, const DriveIdentity& drive) const;
 
     const DriveAccess& m_access;
     JournalEntry m_entry;

@@ -89,6 +89,10 @@ Result<PreparedWrite> WritePlanner::prepare(int axis, const WriteRequest& reques
             {{"what", "the settings of " + axisText(axis, m_status.axis.name)},
                 {"before", setupText(*request.expected)}, {"now", setupText(m_status.setup)}});
 
+    auto saved = m_store.savedState(m_drive.serialNumber);
+    if (!saved)
+        return fail(saved.error());
+    m_saved = std::move(*saved);
     m_write = {};
     WritePlan& plan = m_write.plan;
     plan.drive = m_drive;
@@ -101,11 +105,13 @@ Result<PreparedWrite> WritePlanner::prepare(int axis, const WriteRequest& reques
         decided = request.withoutTable ? decideNoTable() : decideTable(request);
     if (!decided)
         return fail(decided.error());
-    if (auto possible = decideFlash(); !possible)
-        return fail(possible.error());
+    decided = decideSaving();
+    if (decided)
+        decided = decideFlash();
+    if (!decided)
+        return fail(decided.error());
     listChanges();
-    if (auto warned = warn(); !warned)
-        return fail(warned.error());
+    warn();
     if (request.table)
         warnOfUnit(*request.table);
     return m_write;
@@ -291,8 +297,53 @@ Result<void> WritePlanner::lookInto(std::vector<SlotFacts>& slots)
     }
     const bool isPersistent = m_write.plan.after.persistency == Persistency::Persistent;
     const bool usesSaved = m_status.table && m_status.table->persistent;
-    if (!(isPersistent && usesSaved)) // else what flash holds in other slots is out of use
+    // Otherwise it is known what the saved parameters name, or that they name the table in use.
+    if (!isPersistent || !(usesSaved || m_saved.isKnown))
         markKept(slots, *own, isPersistent);
+    for (SlotFacts& facts : slots) {
+        const auto other = m_saved.otherUser(facts.slot.name, m_axis);
+        if (other && facts.otherUser.empty())
+            facts.otherUser = "axis " + std::to_string(*other) + " after a reboot";
+        facts.isKept = facts.isKept
+            || (isPersistent && m_saved.isInTheWay(facts.slot.name, m_axis, m_write.elementCrc));
+    }
+    return {};
+}
+
+/// What has to be done around saving the parameters.
+Result<void> WritePlanner::decideSaving()
+{
+    const WritePlan& plan = m_write.plan;
+    m_others.clear();
+    if (plan.after.persistency != Persistency::Persistent)
+        return {};
+    if (auto read = readOthers(); !read)
+        return read;
+    const auto isCovering = [&](const AxisStatus& status) {
+        return status.table && !status.table->persistent && m_saved.isCovered(status.setup.slot);
+    };
+    m_write.uncovered = static_cast<int>(std::ranges::count_if(m_others, isCovering));
+    const bool isCommitted = plan.slotReason != SlotReason::KeepTable
+        || plan.before.persistency != Persistency::Persistent;
+    m_write.releases =
+        isCommitted && m_saved.isInTheWay(plan.after.slot, m_axis, m_write.elementCrc);
+    if (m_write.releases && plan.after.slot != plan.before.slot && isCovering(m_status))
+        ++m_write.uncovered;
+    return {};
+}
+
+Result<void> WritePlanner::readOthers()
+{
+    for (int axis = 0; axis < m_drive.axes; ++axis) {
+        if (axis == m_axis)
+            continue;
+        auto other = readStatus(m_access, m_drive, axis, m_sources);
+        if (!other && other.error().code == ErrorCode::NoCompensation)
+            continue;
+        if (!other)
+            return fail(other.error());
+        m_others.push_back(std::move(*other));
+    }
     return {};
 }
 
@@ -309,7 +360,7 @@ Result<void> WritePlanner::decideFlash()
     const bool changes = plan.slotReason != SlotReason::KeepTable
         ? persistent && !m_isStored
         : plan.after.persistency != plan.before.persistency;
-    plan.flashOperations = changes ? 1 : 0;
+    plan.flashOperations = (changes ? 1 : 0) + m_write.uncovered;
     if (plan.flashOperations > plan.flashBudget.left)
         return fail(
             ErrorCode::FlashWear, {{"seconds", std::to_string(plan.flashBudget.wait.count())}});

@@ -14,6 +14,10 @@ struct PreparedWrite {
     TableSlot slot; ///< where it goes
     SlotState slotBefore; ///< what that slot held when it was chosen
     std::uint32_t elementCrc = 0; ///< of the table that the axis has afterwards
+    int uncovered = 0; ///< of the plan's flash operations: tables that saving deletes
+    /// Saved parameters name the slot that is to be committed, with another table: they are saved
+    /// without it first.
+    bool releases = false;
 };
 
 /// Everything that is decided before a write, without changing anything.
@@ -39,10 +43,13 @@ private:
     [[nodiscard]] Result<void> decideNoTable();
     [[nodiscard]] std::string currentTable() const;
     [[nodiscard]] Result<void> decideFlash();
+    [[nodiscard]] Result<void> decideSaving();
+    [[nodiscard]] Result<void> readOthers();
     [[nodiscard]] Result<std::vector<SlotFacts>> slotFacts();
     [[nodiscard]] Result<void> lookInto(std::vector<SlotFacts>& slots);
     void listChanges();
-    [[nodiscard]] Result<void> warn();
+    void warn();
+    void warnOfSaving();
     void warnOfUnit(const CompensationTable& table);
 
     const DriveAccess& m_access;
@@ -52,6 +59,8 @@ private:
     WallTime m_now;
     int m_axis = 0;
     AxisStatus m_status;
+    std::vector<AxisStatus> m_others; ///< the other axes, when the parameters will be saved
+    DriveStore::SavedState m_saved;
     PreparedWrite m_write;
     bool m_isStored = false; ///< the new table is in the flash of its slot already
 };

@@ -2,6 +2,7 @@
 #include "core/write_procedure.h"
 
 #include "core/backup_restore.h"
+#include "core/saved_parameters.h"
 #include "core/tam_table.h"
 #include "core/unfinished_write.h"
 #include "core/verified_write.h"
@@ -28,6 +29,14 @@ bool WriteProcedure::overwritesOwn() const
     return isNewTable() && m_write.slot.name == m_write.plan.before.slot;
 }
 
+/// The axis has no table for a time: the one that it uses is replaced, in its slot or in the flash
+/// of its slot.
+bool WriteProcedure::switchesOff() const
+{
+    return overwritesOwn()
+        || (m_write.releases && m_write.plan.after.slot == m_write.plan.before.slot);
+}
+
 bool WriteProcedure::wantsPersistent() const
 {
     return m_write.plan.after.persistency == Persistency::Persistent;
@@ -35,7 +44,7 @@ bool WriteProcedure::wantsPersistent() const
 
 bool WriteProcedure::changesPersistency() const
 {
-    return m_write.plan.flashOperations > 0;
+    return m_write.plan.flashOperations > m_write.uncovered;
 }
 
 std::vector<std::string> WriteProcedure::touchedSlots() const
@@ -230,11 +239,11 @@ Result<void> WriteProcedure::checkBackup(const Readings& now) const
 
 Result<void> WriteProcedure::change()
 {
+    if (switchesOff() || m_write.releases) {
+        if (auto released = switchesOff() ? switchOff() : release(); !released)
+            return released;
+    }
     if (isNewTable()) {
-        if (overwritesOwn()) {
-            if (auto off = switchOff(); !off)
-                return off;
-        }
         if (auto uploaded = uploadTable(); !uploaded)
             return uploaded;
         if (wantsPersistent()) {
@@ -249,7 +258,21 @@ Result<void> WriteProcedure::change()
     if (auto noted = note("save", 0.95); !noted)
         return noted;
     m_savedTouched = true;
-    return saveParameters(m_access);
+    return save(m_access);
+}
+
+Result<void> WriteProcedure::save(const DriveAccess& access)
+{
+    return saveAllParameters(access, m_store, m_write.plan.drive, m_flash, m_eraseCounts);
+}
+
+/// Saved parameters name the slot with another table than it will have: they are replaced by what
+/// the axes have now, before the new table reaches flash.
+Result<void> WriteProcedure::release()
+{
+    if (auto noted = note("release", 0.12); !noted)
+        return noted;
+    return save(m_access);
 }
 
 /// An axis whose table is being replaced in place must not be able to start with half of it; nor
@@ -269,7 +292,7 @@ Result<void> WriteProcedure::switchOff()
     if (!wantsPersistent())
         return {};
     m_savedTouched = true;
-    return saveParameters(m_access);
+    return save(m_access);
 }
 
 /// Uploads and reads back, byte by byte; the two halves share the progress.
@@ -287,6 +310,12 @@ Result<void> WriteProcedure::uploadTable()
         && (wantsPersistent() || !there->persistent))
         return {};
     m_slotTouched = true;
+    if (there && there->persistent) {
+        if (auto noted =
+                m_store.recordCovered(m_write.plan.drive.serialNumber, m_write.slot.name, true);
+            !noted)
+            return noted;
+    }
     return uploadSurely(
         m_access, m_write.slot.file, m_write.file, [this](std::string_view step, double fraction) {
             m_access.report(step, 0.15 + 0.7 * fraction);
@@ -324,6 +353,9 @@ Result<void> WriteProcedure::commitWith(const std::vector<RegisterWrite>& values
         m_eraseCounts, after.value_or(EraseCounts{}), after ? m_write.plan.flashOperations : 1);
     if (reached && !after)
         return fail(after.error());
+    if (reached) // what flash holds there is what the drive uses, or nothing
+        (void)m_store.recordCovered(
+            m_write.plan.drive.serialNumber, m_write.plan.after.slot, false);
     if (after)
         m_eraseCounts = std::move(*after);
     return reached;

@@ -33,6 +33,7 @@ private:
     [[nodiscard]] Result<void> checkSlot(const Readings& now) const;
     [[nodiscard]] Result<void> checkBackup(const Readings& now) const;
     [[nodiscard]] Result<void> change();
+    [[nodiscard]] Result<void> release();
     [[nodiscard]] Result<void> switchOff();
     [[nodiscard]] Result<void> uploadTable();
     [[nodiscard]] Result<void> commitTable();
@@ -54,11 +55,13 @@ private:
     [[nodiscard]] Result<AxisStatus> lookBeforeUndo(const UnfinishedWrite& unfinished);
     [[nodiscard]] Result<AxisBackup> keepPresent(const std::vector<std::string>& slots);
 
+    [[nodiscard]] Result<void> save(const DriveAccess& access);
     [[nodiscard]] Result<void> note(const std::string& step, double progress);
     [[nodiscard]] Result<void> closeJournal();
     [[nodiscard]] std::vector<std::string> touchedSlots() const;
     [[nodiscard]] bool isNewTable() const { return !m_write.file.empty(); }
     [[nodiscard]] bool overwritesOwn() const;
+    [[nodiscard]] bool switchesOff() const;
     [[nodiscard]] bool wantsPersistent() const;
     [[nodiscard]] bool changesPersistency() const;
     [[nodiscard]] std::vector<RegisterWrite> persistencyWrites() const;

@@ -34,7 +34,7 @@ Error WriteProcedure::putBack(const Error& reason)
         if (!m_registersTouched)
             return reason;
         // Registers that are written one by one may have left it switched off.
-        if (!overwritesOwn() && access.profile().writesAtOneInstant)
+        if (!switchesOff() && access.profile().writesAtOneInstant)
             return outcome(ErrorCode::OutcomeUnknown, reason, {});
     }
     if (!undone && !hasOldState(access))
@@ -64,7 +64,7 @@ Result<void> WriteProcedure::undo(const DriveAccess& access)
         if (auto off = writeSurely(access, {{table, access.enums().tableDisabled}}); !off)
             return off;
         if (m_savedTouched)
-            if (auto saved = saveParameters(access); !saved)
+            if (auto saved = save(access); !saved)
                 return saved;
     }
     if (auto restored = undoTable(access); !restored)
@@ -120,7 +120,7 @@ Result<void> WriteProcedure::undoRegisters(const DriveAccess& access)
         if (auto same = compareRegisters(access, values); !same)
             return same;
     }
-    return m_savedTouched ? saveParameters(access) : Result<void>{};
+    return m_savedTouched ? save(access) : Result<void>{};
 }
 
 Result<void> WriteProcedure::undoOtherSlot(const DriveAccess& access)
@@ -130,6 +130,8 @@ Result<void> WriteProcedure::undoOtherSlot(const DriveAccess& access)
     const AxisBackup::File* old = backupOf(m_write.slot.name);
     if (!old || old->bytes.empty())
         return deleteTable(access, m_write.slot.name);
+    if (m_flashTouched && !old->persistent)
+        (void)m_store.recordCovered(m_write.plan.drive.serialNumber, m_write.slot.name, true);
     return uploadSurely(access, old->path, old->bytes);
 }
 

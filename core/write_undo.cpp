@@ -25,6 +25,14 @@ Result<WriteReport> WriteProcedure::undoEarlier(const UnfinishedWrite& unfinishe
     m_slotTouched = isNewTable() && step >= stepRank("upload");
     m_flashTouched = changesPersistency() && step >= stepRank(isNewTable() ? "commit" : "switch");
     m_savedTouched = step >= stepRank("save") || (overwritesOwn() && wantsPersistent());
+    auto saved = m_store.savedState(m_write.plan.drive.serialNumber);
+    if (!saved)
+        return fail(saved.error());
+    // It was switched off in the saved parameters as well.
+    const bool isSavedOff = saved->isKnown
+        && std::ranges::find(saved->uses, m_write.plan.axis, &DriveStore::SavedState::Use::axis)
+            == saved->uses.end();
+    m_savedTouched = m_savedTouched || (m_flashTouched && isSavedOff);
     auto status = lookBeforeUndo(unfinished);
     if (!status)
         return fail(status.error());

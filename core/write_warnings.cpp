@@ -23,7 +23,7 @@ std::string factorText(double factor)
 
 } // namespace
 
-Result<void> WritePlanner::warn()
+void WritePlanner::warn()
 {
     WritePlan& plan = m_write.plan;
     if (plan.slotReason == SlotReason::OverwriteOwn)
@@ -32,28 +32,39 @@ Result<void> WritePlanner::warn()
     if (plan.slotReason == SlotReason::Named)
         plan.warnings.push_back(
             "What " + plan.after.slot + " holds now is overwritten. A copy is kept in the backup.");
-    if (plan.after.persistency == Persistency::Volatile && m_status.table
-        && m_status.table->persistent && plan.slotReason != SlotReason::KeepTable)
+    if (plan.after.persistency == Persistency::Persistent)
+        return warnOfSaving();
+    if (plan.slotReason == SlotReason::KeepTable)
+        return;
+    if (m_status.table && m_status.table->persistent)
         plan.warnings.push_back("The new table is volatile: after a reboot the axis has the old, "
                                 "persistent one again.");
-    if (plan.after.persistency != Persistency::Persistent)
-        return {};
+    if (m_write.slotBefore.persistent && plan.after.slot != plan.before.slot)
+        plan.warnings.push_back("The new table is volatile and covers an older one that flash "
+                                "holds in "
+            + plan.after.slot
+            + ": after a reboot the axis may have that one again, until the parameters are saved, "
+              "which deletes it.");
+}
 
-    // Saving stores the parameters of all axes, volatile tables of others included.
-    for (int axis = 0; axis < m_drive.axes; ++axis) {
-        if (axis == m_axis)
+/// Saving stores the parameters of all axes, volatile tables of others included.
+void WritePlanner::warnOfSaving()
+{
+    WritePlan& plan = m_write.plan;
+    if (m_write.releases)
+        plan.warnings.push_back("After a reboot the drive would look for another table in "
+            + plan.after.slot
+            + ": the parameters are saved once before the new one goes into flash. When the write "
+              "is interrupted then, the axis may have no table after a reboot.");
+    for (const AxisStatus& other : m_others) {
+        if (!other.table || other.table->persistent)
             continue;
-        auto other = readStatus(m_access, m_drive, axis, m_sources);
-        if (!other && other.error().code == ErrorCode::NoCompensation)
-            continue;
-        if (!other)
-            return fail(other.error());
-        if (other->table && !other->table->persistent)
-            plan.warnings.push_back("The parameters of all axes are saved, but the table of "
-                + axisText(axis, other->axis.name) + " in " + other->setup.slot
-                + " is volatile: after a reboot that axis has no table.");
+        const bool isCovering = m_saved.isCovered(other.setup.slot);
+        plan.warnings.push_back("The parameters of all axes are saved, but the table of "
+            + axisText(other.axis.index, other.axis.name) + " in " + other.setup.slot
+            + " is volatile: after a reboot that axis has no table."
+            + (isCovering ? " The older one that flash may hold there is deleted." : ""));
     }
-    return {};
 }
 
 /// Numbers are never converted: micrometres are a thousand times too large for an axis that counts

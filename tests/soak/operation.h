@@ -84,10 +84,18 @@ struct Ending {
 
     [[nodiscard]] bool isDone() const { return !hasDied && !error; }
     [[nodiscard]] bool is(ErrorCode code) const { return error && error->code == code; }
-    /// Nobody can know what the drive holds now.
-    [[nodiscard]] bool isUncertain() const
+    /// The drive was out of reach: the program could not end what it had begun.
+    [[nodiscard]] bool isOutOfReach() const
     {
-        return hasDied || is(ErrorCode::OutcomeUnknown) || is(ErrorCode::RollbackFailed);
+        return is(ErrorCode::ConnectionLost) || is(ErrorCode::Timeout) || is(ErrorCode::Protocol)
+            || is(ErrorCode::NotConnected);
+    }
+    /// Nobody can know what the drive holds now. An undoing that was interrupted leaves the write
+    /// unfinished (AxisCompensator::undoUnfinished).
+    [[nodiscard]] bool isUncertain(const Operation& operation) const
+    {
+        return hasDied || is(ErrorCode::OutcomeUnknown) || is(ErrorCode::RollbackFailed)
+            || (operation.action == Action::Undo && isOutOfReach());
     }
     /// "done", "died", or the error's name
     [[nodiscard]] std::string name() const;

@@ -27,13 +27,6 @@ bool isForeign(const std::string& slot)
     return std::ranges::find(slots, slot) != slots.end();
 }
 
-/// The drive was out of reach: the program could not put back what it had begun.
-bool isOutOfReach(const Ending& ending)
-{
-    return ending.is(ErrorCode::ConnectionLost) || ending.is(ErrorCode::Timeout)
-        || ending.is(ErrorCode::Protocol) || ending.is(ErrorCode::NotConnected);
-}
-
 } // namespace
 
 void SoakModel::checkForeignSlots(
@@ -89,11 +82,11 @@ void SoakModel::checkJournal(const Operation& operation, const Ending& ending, i
     const std::string name = "axis " + std::to_string(axis) + ": ";
     const bool isWrite = operation.changesSetup() && !operation.isRestore();
     if (changesSetupOf(operation, axis)) {
-        if (ending.isUncertain() || isOutOfReach(ending))
+        if (ending.isUncertain(operation) || ending.isOutOfReach())
             m_journalMayBeOpen[index] = true;
         if (isWrite && ending.isDone())
             m_journalMayBeOpen[index] = false;
-        if (isWrite && ending.isUncertain() && !(before.axes[index] == after.axes[index])
+        if (isWrite && ending.isUncertain(operation) && !(before.axes[index] == after.axes[index])
             && !mayHaveRebooted(operation, ending))
             expect(journal->has_value(), name + "an unfinished write is not in the journal");
     }

@@ -148,7 +148,7 @@ std::optional<AxisPicture> SoakModel::wanted(
         return finished(operation, picture);
     if (operation.action == Action::Undo) {
         const auto text = loadFile(operation.journal->backup, maximumBackupSize).value();
-        return wantedByBackup(readBackup(asText(text), "backup").value(), axis);
+        return heldBy(readBackup(asText(text), "backup").value(), axis);
     }
     if (operation.action == Action::SetPersistency) {
         picture.persistent = operation.persistency == Persistency::Persistent;
@@ -169,7 +169,8 @@ std::optional<AxisPicture> SoakModel::wanted(
     return picture;
 }
 
-std::optional<AxisPicture> SoakModel::wantedByBackup(const DriveBackup& backup, int axis)
+/// What the axis had when the backup was made.
+std::optional<AxisPicture> SoakModel::heldBy(const DriveBackup& backup, int axis)
 {
     const auto found = std::ranges::find(backup.axes, axis, &AxisBackup::axis);
     if (found == backup.axes.end())
@@ -179,18 +180,29 @@ std::optional<AxisPicture> SoakModel::wantedByBackup(const DriveBackup& backup, 
     for (std::size_t n = 0; n < 3; ++n)
         picture.sources[n] = static_cast<std::uint32_t>(toDouble(found->registers[n + 1].value));
     const auto file = std::ranges::find(found->files, picture.slot, &AxisBackup::File::slot);
-    if (file == found->files.end() || file->bytes.empty()) {
-        picture.slot = "Disabled";
+    if (file == found->files.end() || file->bytes.empty())
         return picture;
-    }
     picture.table = file->bytes;
     setPersistent(picture.table, false, m_drive.drive().profile().layout);
     picture.persistent = file->persistent;
+    return picture;
+}
+
+/// What restoring the backup brings about.
+std::optional<AxisPicture> SoakModel::wantedByBackup(const DriveBackup& backup, int axis)
+{
+    auto picture = heldBy(backup, axis);
+    if (!picture)
+        return {};
+    if (picture->table.empty()) { // it names no slot that may be somebody else's by now
+        picture->slot = "Disabled";
+        return picture;
+    }
     // Sources that its table has no dimension for are not put back.
-    const auto decoded = decodeTamTable(file->bytes, m_drive.drive().profile().layout);
+    const auto decoded = decodeTamTable(picture->table, m_drive.drive().profile().layout);
     for (auto n = static_cast<std::size_t>(decoded ? decoded->table.grid.dimensions() : 3); n < 3;
          ++n)
-        picture.sources[n] = 0;
+        picture->sources[n] = 0;
     return picture;
 }
 
@@ -199,8 +211,8 @@ void SoakModel::learn(int axis, const AxisPicture& picture)
     m_known[static_cast<std::size_t>(axis)].emplace(picture.sources, picture.table);
 }
 
-/// A volatile table covers another one that flash holds only where no slot was empty, or where the
-/// user named that slot.
+/// A volatile table covers another one that flash holds only where no slot was empty that nobody
+/// needs, not even after a reboot, or where the user named that slot.
 void SoakModel::checkHiding(
     const Operation& operation, const Ending& ending, const Moment& before, const Moment& after)
 {
@@ -213,6 +225,7 @@ void SoakModel::checkHiding(
         std::ranges::any_of(m_drive.drive().profile().tableSlots, [&](const TableSlot& slot) {
             return slot.maximumSize >= size && !before.now.slots.contains(slot.name)
                 && !before.now.userOf(slot.name)
+                && before.afterReboot.userOf(slot.name).value_or(operation.axis) == operation.axis
                 && std::ranges::find(foreign, slot.name) == foreign.end();
         });
     const std::string& slot = after.now.axes[static_cast<std::size_t>(operation.axis)].slot;
@@ -238,18 +251,16 @@ void SoakModel::checkReachable(int axis, const Moment& moment)
     const auto index = static_cast<std::size_t>(axis);
     const AxisPicture& later = moment.afterReboot.axes[index];
     const bool isKnown = m_known[index].contains({later.sources, later.table});
-    if (later.canBeActivated() && !isKnown && hidesFlash(moment, later.slot))
-        return learn(axis, later); // the known limit; it may last
     expect(!later.canBeActivated() || isKnown,
         axisName(axis) + "after a reboot it would have a mixture: " + later.text());
 }
 
 /// The axis whose only slot was being overwritten may be left without a table.
-bool SoakModel::isSwitchedOffInPlace(
-    const Ending& ending, int axis, const AxisPicture& before, const AxisPicture& after)
+bool SoakModel::isSwitchedOffInPlace(const Operation& operation, const Ending& ending, int axis,
+    const AxisPicture& before, const AxisPicture& after)
 {
     const auto journal = m_store.journal(SoakDrive::serialNumber, axis);
-    return ending.isUncertain() && after.slot == "Disabled" && journal && *journal
+    return ending.isUncertain(operation) && after.slot == "Disabled" && journal && *journal
         && (*journal)->newSlot == before.slot;
 }
 
@@ -268,13 +279,13 @@ void SoakModel::checkAxis(const Operation& operation, const Ending& ending, int 
     if (!isSure)
         allowed.push_back(old);
     const bool mayBeNew =
-        complete && (ending.isDone() || ending.isUncertain() || operation.isRestore());
+        complete && (ending.isDone() || ending.isUncertain(operation) || operation.isRestore());
     const bool isNew = mayBeNew && now.compensatesAs(*complete)
         && (complete->slot == "Disabled") == (now.slot == "Disabled");
     learn(axis, old);
     if (mayBeNew)
         learn(axis, *complete);
-    if (isNew || isOneOf(now, allowed) || isSwitchedOffInPlace(ending, axis, old, now)) {
+    if (isNew || isOneOf(now, allowed) || isSwitchedOffInPlace(operation, ending, axis, old, now)) {
         if (isNew)
             m_owners[now.slot] = axis;
         return;
@@ -296,12 +307,13 @@ void SoakModel::checkAxisTogether(const std::vector<Operation>& group,
     bool isOff = false;
     for (std::size_t i = 0; i < group.size(); ++i) {
         const auto complete = wanted(group[i], axis, before.now);
-        if (!complete || !(endings[i].isDone() || endings[i].isUncertain()))
+        if (!complete || !(endings[i].isDone() || endings[i].isUncertain(group[i])))
             continue;
         news.push_back(*complete);
         learn(axis, *complete);
         isOld = isOld && !endings[i].isDone();
-        isOff = isOff || isSwitchedOffInPlace(endings[i], axis, before.now.axes[index], now);
+        isOff =
+            isOff || isSwitchedOffInPlace(group[i], endings[i], axis, before.now.axes[index], now);
     }
     const bool isNew = std::ranges::any_of(
         news, [&](const AxisPicture& picture) { return now.compensatesAs(picture); });

@@ -31,6 +31,7 @@ private:
     // soak_model.cpp: the states of the axes
     [[nodiscard]] std::optional<AxisPicture> wanted(
         const Operation& operation, int axis, const DrivePicture& before);
+    [[nodiscard]] std::optional<AxisPicture> heldBy(const DriveBackup& backup, int axis);
     [[nodiscard]] std::optional<AxisPicture> wantedByBackup(const DriveBackup& backup, int axis);
     void checkAxis(const Operation& operation, const Ending& ending, int axis, const Moment& before,
         const Moment& after);
@@ -38,8 +39,8 @@ private:
         int axis, const Moment& before, const Moment& after);
     void checkFlash(const Operation& operation, const Ending& ending, int axis,
         const Moment& before, const Moment& after);
-    [[nodiscard]] bool isSwitchedOffInPlace(
-        const Ending& ending, int axis, const AxisPicture& before, const AxisPicture& after);
+    [[nodiscard]] bool isSwitchedOffInPlace(const Operation& operation, const Ending& ending,
+        int axis, const AxisPicture& before, const AxisPicture& after);
     void learn(int axis, const AxisPicture& picture);
     void checkReachable(int axis, const Moment& moment);
     void checkHiding(const Operation& operation, const Ending& ending, const Moment& before,

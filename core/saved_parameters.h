@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/drive_access.h"
+#include "core/flash_account.h"
+
+namespace axiscomp {
+
+/// Saves the parameters of all axes. What a reboot brings back are these with the tables that are
+/// in flash: so first, where the volatile table of an axis covers another one in flash, that one is
+/// deleted; after a reboot the axis has no table then, and never that one with other sources. What
+/// has been saved is recorded in the store. counts: those of the slots in it are brought up to
+/// date.
+[[nodiscard]] Result<void> saveAllParameters(const DriveAccess& access, DriveStore& store,
+    const DriveIdentity& drive, FlashAccount& flash, EraseCounts& counts);
+
+} // namespace axiscomp
