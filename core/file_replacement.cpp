@@ -69,7 +69,7 @@ Result<std::filesystem::path> FileReplacement::run(ByteView bytes, Users users)
     Result<std::filesystem::path> outcome = m_backup;
     if (!done)
         outcome = fail(isRefused ? done.error() : putBack(done.error()));
-    if (!isRefused) {
+    if (!isRefused || mayHaveSpentFlash(done.error())) {
         const auto counts = readEraseCounts(m_access.withoutStop(), {m_slot.name});
         account.record(seen->counts, counts.value_or(EraseCounts{}), needsFlash ? 1 : 0);
     }

@@ -54,6 +54,13 @@ Result<FlashUse> readFlashUse(
     return use;
 }
 
+bool mayHaveSpentFlash(const Error& error)
+{
+    // What was asked before the connection was found to be gone may have arrived.
+    return isUncertain(error.code) || isUnreachable(error.code)
+        || error.code == ErrorCode::VerifyMismatch;
+}
+
 void FlashAccount::record(const EraseCounts& before, const EraseCounts& after, int assumed)
 {
     std::int64_t operations = before.empty() ? assumed : 0;
@@ -69,6 +76,7 @@ void FlashAccount::record(const EraseCounts& before, const EraseCounts& after, i
 
 void FlashAccount::record(int operations)
 {
+    m_recorded += operations;
     // A write that has reached flash is not undone because of a full disk here.
     (void)m_store.recordFlash(m_serialNumber, m_clock(), operations);
 }

@@ -18,6 +18,10 @@ using EraseCounts = std::map<std::string, std::uint32_t, std::less<>>;
 [[nodiscard]] Result<FlashUse> readFlashUse(
     const DriveAccess& access, DriveStore& store, const DriveIdentity& drive, WallTime now);
 
+/// The drive may have carried out what failed, and have spent flash on it: it was asked once at
+/// least, and did not refuse.
+[[nodiscard]] bool mayHaveSpentFlash(const Error& error);
+
 /// Keeps the store's account of one drive's flash operations while an operation runs: counts as the
 /// drive counts where it tells, and remembers when the drive refuses.
 class FlashAccount {
@@ -32,6 +36,7 @@ public:
     /// What the counts say has happened between two readings; `assumed` where a slot has no count.
     void record(const EraseCounts& before, const EraseCounts& after, int assumed);
     void record(int operations);
+    [[nodiscard]] int recorded() const { return m_recorded; }
     /// The drive itself reported wear; any other error is left aside.
     void noteRefusal(const Error& error);
 
@@ -39,6 +44,7 @@ private:
     DriveStore& m_store;
     std::int32_t m_serialNumber;
     std::function<WallTime()> m_clock;
+    int m_recorded = 0;
 };
 
 } // namespace axiscomp

@@ -67,7 +67,7 @@ Result<void> uncover(const DriveAccess& access, DriveStore& store, const DriveId
     auto done = writeSurely(access, {}, commits);
     if (!done) {
         flash.noteRefusal(done.error());
-        if (!isUncertain(done.error().code))
+        if (!mayHaveSpentFlash(done.error()))
             return done;
     }
     auto after = readEraseCounts(access.withoutStop(), slots);

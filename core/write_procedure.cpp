@@ -344,7 +344,7 @@ Result<void> WriteProcedure::commitWith(const std::vector<RegisterWrite>& values
     auto reached = reachFlash(values);
     if (!reached) {
         m_flash.noteRefusal(reached.error());
-        if (!isUncertain(reached.error().code) && reached.error().code != ErrorCode::VerifyMismatch)
+        if (!mayHaveSpentFlash(reached.error()))
             return reached;
     }
     auto after = readEraseCounts(m_access, touchedSlots());

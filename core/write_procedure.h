@@ -53,7 +53,7 @@ private:
     [[nodiscard]] Result<void> undoOtherSlot(const DriveAccess& access);
     [[nodiscard]] bool hasOldState(const DriveAccess& access);
     [[nodiscard]] Result<AxisStatus> lookBeforeUndo(const UnfinishedWrite& unfinished);
-    [[nodiscard]] Result<AxisBackup> keepPresent(const std::vector<std::string>& slots);
+    [[nodiscard]] Result<AxisBackup> keepPresent(std::vector<std::string> slots);
 
     [[nodiscard]] Result<void> save(const DriveAccess& access);
     [[nodiscard]] Result<void> note(const std::string& step, double progress);

@@ -50,6 +50,7 @@ Result<WriteReport> WriteProcedure::undoEarlier(const UnfinishedWrite& unfinishe
     if (!now)
         return fail(now.error());
     plan.after = now->setup;
+    plan.flashOperations = m_flash.recorded();
     if (auto same = compareRegisters(access, m_backup.registers); !same)
         return fail(same.error());
     if (auto closed = m_store.closeJournal(plan.drive.serialNumber, plan.axis); !closed)
@@ -85,7 +86,8 @@ Result<AxisStatus> WriteProcedure::lookBeforeUndo(const UnfinishedWrite& unfinis
     return std::move(reading->status);
 }
 
-Result<AxisBackup> WriteProcedure::keepPresent(const std::vector<std::string>& slots)
+/// The slots' tables, and that of the axis where a reboot has given it another one.
+Result<AxisBackup> WriteProcedure::keepPresent(std::vector<std::string> slots)
 {
     m_access.report("backup", 0.05);
     AxisBackup present{m_write.plan.drive, m_write.plan.axis, {}, m_clock(), {}, {}};
@@ -93,6 +95,9 @@ Result<AxisBackup> WriteProcedure::keepPresent(const std::vector<std::string>& s
     if (!registers)
         return fail(registers.error());
     present.registers = std::move(*registers);
+    const std::string used = toText(present.registers.front().value);
+    if (std::ranges::find(slots, used) == slots.end())
+        slots.push_back(used);
     for (const std::string& name : slots) {
         const TableSlot* slot = m_access.profile().slotNamed(name);
         if (!slot)

@@ -388,7 +388,7 @@ void TestDriveStore::brokenFileIsMovedAside_data()
 {
     QTest::addColumn<QString>("name");
     QTest::addColumn<QByteArray>("text");
-    for (const char* name : {"flash.json", "tables.json"}) {
+    for (const char* name : {"flash.json", "tables.json", "saved.json"}) {
         const QString file = QString::fromLatin1(name);
         QTest::addRow("%s empty", name) << file << QByteArray("");
         QTest::addRow("%s half", name) << file << QByteArray("{\"format\": \"axi");
@@ -420,12 +420,17 @@ void TestDriveStore::brokenFileIsMovedAside()
     const auto own = m_store->ownTables(serial, 0);
     VERIFY_RESULT(own);
     QVERIFY(own->empty());
+    const auto saved = m_store->savedState(serial);
+    VERIFY_RESULT(saved);
+    QVERIFY(*saved == DriveStore::SavedState{});
     QVERIFY(!fs::exists(file));
     QCOMPARE(contentOf(aside), text.toStdString());
 
     put(file, text.toStdString());
     VERIFY_RESULT(m_store->recordFlash(serial, start, 1));
     VERIFY_RESULT(m_store->recordOwnTable(serial, 0, {"Small1", 1}));
+    VERIFY_RESULT(m_store->recordCovered(serial, "Small1", true));
+    QVERIFY(m_store->savedState(serial)->isCovered("Small1"));
     QCOMPARE(m_store->flashHistory(serial)->total, std::uint64_t{1});
     QCOMPARE(m_store->ownTables(serial, 0)->size(), std::size_t{1});
     QCOMPARE(contentOf(aside), text.toStdString());

@@ -41,12 +41,14 @@ void TestStoreLimits::aHistoryThatIsTooLargeIsMovedAside()
     DriveStore store(root);
     VERIFY_RESULT(store.recordFlash(serial, WallTime{}, 1));
     VERIFY_RESULT(store.recordOwnTable(serial, 0, {"Small1", 1}));
-    for (const char* name : {"flash.json", "tables.json"}) {
+    VERIFY_RESULT(store.recordCovered(serial, "Small1", true));
+    for (const char* name : {"flash.json", "tables.json", "saved.json"}) {
         const fs::path file = root / std::to_string(serial) / name;
         QVERIFY(fs::exists(file));
         grow(file, 1);
         VERIFY_RESULT(store.flashHistory(serial));
         VERIFY_RESULT(store.ownTables(serial, 0));
+        VERIFY_RESULT(store.savedState(serial));
         QVERIFY(!fs::exists(file));
         QVERIFY(fs::exists(file.string() + ".broken"));
     }

@@ -64,6 +64,23 @@ void SoakModel::checkSlots(
     }
 }
 
+/// Whoever uses a slot that was filled is its owner; without a user: the axis that was written to,
+/// when it was one.
+void SoakModel::noteOwners(
+    const DrivePicture& before, const DrivePicture& after, std::optional<int> axis)
+{
+    for (const TableSlot& slot : m_drive.drive().profile().tableSlots) {
+        if (fileIn(before, slot.name) == fileIn(after, slot.name))
+            continue;
+        const auto user = after.userOf(slot.name);
+        const auto owner = user ? user : axis;
+        if (owner && !fileIn(after, slot.name).empty())
+            m_owners[slot.name] = *owner;
+        else
+            m_owners.erase(slot.name);
+    }
+}
+
 void SoakModel::checkJournals(const Operation& operation, const Ending& ending,
     const DrivePicture& before, const DrivePicture& after)
 {

@@ -47,23 +47,6 @@ bool hidesFlash(const Moment& moment, const std::string& slot)
         && !sameTable(now->second, flash->second, drivecomm::genericProfile().layout);
 }
 
-/// What finishing an unfinished write brings about.
-AxisPicture finished(const Operation& operation, const AxisPicture& now)
-{
-    const JournalEntry& journal = *operation.journal;
-    AxisPicture picture = now;
-    picture.slot = toText(journal.newRegisters.front().value);
-    for (std::size_t n = 0; n < 3; ++n)
-        picture.sources[n] =
-            static_cast<std::uint32_t>(toDouble(journal.newRegisters[n + 1].value));
-    if (picture.slot == "Disabled")
-        picture.table.clear();
-    else if (!operation.file.empty())
-        picture.table = operation.file;
-    picture.persistent = journal.persistent;
-    return picture;
-}
-
 } // namespace
 
 bool mayHaveRebooted(const Operation& operation, const Ending& ending)
@@ -107,6 +90,8 @@ std::vector<std::string> SoakModel::check(
     checkReports(operation, ending, before, after);
     if (!mayHaveRebooted(operation, ending))
         checkSlots(operation, before.now, after.now);
+    const bool isOfOneAxis = operation.changesSetup() && operation.action != Action::RestoreOld;
+    noteOwners(before.now, after.now, isOfOneAxis ? std::optional(operation.axis) : std::nullopt);
     checkJournals(operation, ending, before.now, after.now);
     checkStore(after.now);
     checkOutputs(after.now);
@@ -127,9 +112,8 @@ std::vector<std::string> SoakModel::check(const std::vector<Operation>& group,
         if (group[i].action != Action::Write)
             continue;
         m_journalMayBeOpen[static_cast<std::size_t>(group[i].axis)] = true;
-        if (endings[i].isDone())
-            m_owners[endings[i].reports.front().now.setup.slot] = group[i].axis;
     }
+    noteOwners(before.now, after.now);
     checkStore(after.now);
     checkOutputs(after.now);
     return m_problems;
@@ -145,11 +129,9 @@ std::optional<AxisPicture> SoakModel::wanted(
         return wantedByBackup(*operation.backup, axis);
     AxisPicture picture = before.axes[static_cast<std::size_t>(axis)];
     if (operation.action == Action::Finish)
-        return finished(operation, picture);
-    if (operation.action == Action::Undo) {
-        const auto text = loadFile(operation.journal->backup, maximumBackupSize).value();
-        return heldBy(readBackup(asText(text), "backup").value(), axis);
-    }
+        return finished(operation);
+    if (operation.action == Action::Undo)
+        return heldBy(backupOf(*operation.journal), axis);
     if (operation.action == Action::SetPersistency) {
         picture.persistent = operation.persistency == Persistency::Persistent;
         return picture;
@@ -167,6 +149,29 @@ std::optional<AxisPicture> SoakModel::wanted(
     if (request.persistency)
         picture.persistent = *request.persistency == Persistency::Persistent;
     return picture;
+}
+
+/// What finishing an unfinished write brings about.
+AxisPicture SoakModel::finished(const Operation& operation)
+{
+    const JournalEntry& journal = *operation.journal;
+    AxisPicture picture = heldBy(backupOf(journal), journal.axis).value();
+    picture.slot = toText(journal.newRegisters.front().value);
+    for (std::size_t n = 0; n < 3; ++n)
+        picture.sources[n] =
+            static_cast<std::uint32_t>(toDouble(journal.newRegisters[n + 1].value));
+    if (picture.slot == "Disabled")
+        picture.table.clear();
+    else if (!operation.file.empty()) // otherwise the axis keeps its table
+        picture.table = operation.file;
+    picture.persistent = journal.persistent;
+    return picture;
+}
+
+DriveBackup SoakModel::backupOf(const JournalEntry& journal)
+{
+    const auto text = loadFile(journal.backup, maximumBackupSize).value();
+    return readBackup(asText(text), "backup").value();
 }
 
 /// What the axis had when the backup was made.

@@ -31,6 +31,8 @@ private:
     // soak_model.cpp: the states of the axes
     [[nodiscard]] std::optional<AxisPicture> wanted(
         const Operation& operation, int axis, const DrivePicture& before);
+    [[nodiscard]] AxisPicture finished(const Operation& operation);
+    [[nodiscard]] static DriveBackup backupOf(const JournalEntry& journal);
     [[nodiscard]] std::optional<AxisPicture> heldBy(const DriveBackup& backup, int axis);
     [[nodiscard]] std::optional<AxisPicture> wantedByBackup(const DriveBackup& backup, int axis);
     void checkAxis(const Operation& operation, const Ending& ending, int axis, const Moment& before,
@@ -59,6 +61,8 @@ private:
     // soak_bystander_checks.cpp: what must stay as it is
     void checkSlots(
         const Operation& operation, const DrivePicture& before, const DrivePicture& after);
+    void noteOwners(
+        const DrivePicture& before, const DrivePicture& after, std::optional<int> axis = {});
     void checkForeignSlots(
         const std::vector<Operation>& group, const DrivePicture& before, const DrivePicture& after);
     void checkJournal(const Operation& operation, const Ending& ending, int axis,
