@@ -114,6 +114,7 @@ private Q_SLOTS:
     void whatStandsInTheWayIsNoObstacle();
 
     void ownTablesAreNewestFirst();
+    void whatIsBeingSavedIsAddedAndWhatIsSavedReplaces();
     void aSlotBelongsToWhoWroteItLast();
     void anUndoneWriteLeavesTheSlotKnown();
 
@@ -449,6 +450,35 @@ void TestDriveStore::whatStandsInTheWayIsNoObstacle()
     VERIFY_RESULT(m_store->ownTables(serial, 0));
     QVERIFY(fs::is_directory(m_folder / "tables.json.broken" / "inner"));
     VERIFY_RESULT(m_store->recordOwnTable(serial, 0, {"Small1", 1}));
+}
+
+void TestDriveStore::whatIsBeingSavedIsAddedAndWhatIsSavedReplaces()
+{
+    using Use = DriveStore::SavedState::Use;
+    const Use first{0, "Small1", 1};
+    const Use second{1, "Small2", 2};
+    VERIFY_RESULT(m_store->recordSaving(serial, {first}));
+    QVERIFY(!m_store->savedState(serial)->isKnown);
+    VERIFY_RESULT(m_store->recordSaved(serial, {first}));
+    VERIFY_RESULT(m_store->recordSaving(serial, {first, second}));
+    VERIFY_RESULT(m_store->recordCovered(serial, "Small3", true));
+    const auto both = m_store->savedState(serial);
+    VERIFY_RESULT(both);
+    QVERIFY(both->isKnown);
+    QVERIFY((both->uses == std::vector{first, second}));
+    QVERIFY(both->otherUser("Small2", 0) == 1);
+    QVERIFY(!both->otherUser("Small2", 1));
+    QVERIFY(both->isInTheWay("Small2", 0, 2));
+    QVERIFY(both->isInTheWay("Small2", 1, 3));
+    QVERIFY(!both->isInTheWay("Small2", 1, 2));
+    QVERIFY(!both->isInTheWay("Small3", 1, 2));
+
+    VERIFY_RESULT(m_store->recordSaved(serial, {second}));
+    QVERIFY(m_store->savedState(serial)->uses == std::vector{second});
+    QVERIFY(m_store->savedState(serial)->isCovered("Small3"));
+    VERIFY_RESULT(m_store->recordCovered(serial, "Small3", false));
+    QVERIFY(m_store->savedState(serial)->covered.empty());
+    QVERIFY(m_store->savedState(serial + 1)->uses.empty());
 }
 
 void TestDriveStore::ownTablesAreNewestFirst()

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A backup over the web server, whose replies have no check sum of their own.
+#include "tests/support/drive_fixture.h"
+#include "tests/support/verify.h"
+#include "tests/support/wire_attachments.h"
+
+#include <QTest>
+
+using namespace axiscomp;
+using namespace axiscomp::test;
+
+class TestGarbledBackup : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { failOnWarnings(); }
+
+    void aBackupHoldsNoGarbledTable()
+    {
+        DriveFixture f(web());
+        VERIFY_RESULT(f.compensator.write(0, exampleRequest(1, Persistency::Persistent)));
+        VERIFY_RESULT(f.compensator.write(0, exampleRequest(2)));
+        VERIFY_RESULT(f.compensator.write(1, exampleRequest(3)));
+        std::uint64_t requests = 0;
+        f.requested = [&requests](bool) { ++requests; };
+        const auto right = f.compensator.backup();
+        VERIFY_RESULT(right);
+        QCOMPARE(right->otherFiles.size(), std::size_t{1});
+        f.requested = {};
+
+        std::size_t readAgain = 0;
+        const std::uint64_t all = requests;
+        for (std::uint64_t number = 1; number <= all; ++number) {
+            f.faults.clear();
+            f.faults.add({drivecomm::FaultSpec::Kind::Garble, number, {}});
+            const auto backup = f.compensator.backup();
+            if (!backup)
+                continue;
+            ++readAgain;
+            for (std::size_t axis = 0; axis < 2; ++axis) {
+                QVERIFY(backup->axes[axis].registers == right->axes[axis].registers);
+                QVERIFY2(backup->axes[axis].files == right->axes[axis].files,
+                    qPrintable(QStringLiteral("request %1 of %2").arg(number).arg(all)));
+            }
+            QVERIFY2(backup->otherFiles == right->otherFiles,
+                qPrintable(QStringLiteral("request %1 of %2").arg(number).arg(all)));
+        }
+        QVERIFY(readAgain >= 3); // the three tables
+    }
+};
+
+QTEST_GUILESS_MAIN(TestGarbledBackup)
+#include "tst_garbledbackup.moc"
