@@ -33,16 +33,18 @@ bool FlashWearGuard::counts(WallTime operation, WallTime now) const
     return operation > now - m_limits.window && operation < now + m_limits.window;
 }
 
-FlashBudget FlashWearGuard::budget(WallTime now) const
+FlashBudget FlashWearGuard::budget(WallTime now, int wanted) const
 {
     FlashBudget result{std::numeric_limits<int>::max(), {}};
     if (m_limits.operations > 0) {
         const std::vector<WallTime> counted = operations(now);
         const auto limit = static_cast<std::size_t>(m_limits.operations);
-        if (counted.size() < limit)
-            result.left = static_cast<int>(limit - counted.size());
-        else // one is possible when only limit - 1 of them count
-            result = {0, secondsUntil(counted[counted.size() - limit] + m_limits.window, now)};
+        result.left = static_cast<int>(limit - std::min(limit, counted.size()));
+        const auto needed = static_cast<std::size_t>(std::clamp(wanted, 1, m_limits.operations));
+        // They are possible when only limit - needed of those before still count.
+        if (counted.size() + needed > limit)
+            result.wait =
+                secondsUntil(counted[counted.size() + needed - limit - 1] + m_limits.window, now);
     }
     const bool refusalIsPlausible = now > m_refusedAt - std::max(m_limits.window, m_refusalWait);
     if (refusalIsPlausible && now < m_refusedAt + m_refusalWait)

@@ -12,7 +12,7 @@ namespace axiscomp {
 /// What may be stored to flash now.
 struct FlashBudget {
     int left = 0; ///< operations left in the current window
-    std::chrono::seconds wait{0}; ///< until one more is possible, 0 when left > 0; rounded up
+    std::chrono::seconds wait{0}; ///< until those wanted are possible, 0 when now; rounded up
 };
 
 /// Counts flash operations in a sliding window (DriveProfile::flashWear) as the drive does: an
@@ -27,7 +27,7 @@ class FlashWearGuard {
 public:
     explicit FlashWearGuard(FlashWearLimits limits, std::vector<WallTime> operations = {});
 
-    [[nodiscard]] FlashBudget budget(WallTime now) const;
+    [[nodiscard]] FlashBudget budget(WallTime now, int wanted = 1) const;
     void record(WallTime now, int operations = 1);
     /// The drive itself reported wear: nothing is possible before now + wait.
     void recordRefusal(WallTime now, std::chrono::seconds wait);

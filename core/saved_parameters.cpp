@@ -78,8 +78,9 @@ Result<void> uncover(const DriveAccess& access, DriveStore& store, const DriveId
     }
     flash.record(*before, after.value_or(EraseCounts{}), 1);
     for (const std::string& slot : slots) {
-        if (after && after->contains(slot) && counts.contains(slot))
-            counts[slot] = after->at(slot);
+        // What was spent before this is still to be recorded by the caller.
+        if (after && after->contains(slot) && before->contains(slot) && counts.contains(slot))
+            counts[slot] += after->at(slot) - before->at(slot);
         if (done)
             if (auto forgot = store.recordCovered(drive.serialNumber, slot, false); !forgot)
                 return forgot;
@@ -88,6 +89,18 @@ Result<void> uncover(const DriveAccess& access, DriveStore& store, const DriveId
 }
 
 } // namespace
+
+Result<int> costOfSaving(const DriveAccess& access, DriveStore& store, const DriveIdentity& drive)
+{
+    auto named = readNamed(access, drive);
+    if (!named)
+        return fail(named.error());
+    auto state = store.savedState(drive.serialNumber);
+    if (!state)
+        return fail(state.error());
+    return static_cast<int>(std::ranges::count_if(
+        named->volatileSlots, [&](const std::string& slot) { return state->isCovered(slot); }));
+}
 
 Result<void> saveAllParameters(const DriveAccess& access, DriveStore& store,
     const DriveIdentity& drive, FlashAccount& flash, EraseCounts& counts)

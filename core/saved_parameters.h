@@ -9,9 +9,12 @@ namespace axiscomp {
 /// Saves the parameters of all axes. What a reboot brings back are these with the tables that are
 /// in flash: so first, where the volatile table of an axis covers another one in flash, that one is
 /// deleted; after a reboot the axis has no table then, and never that one with other sources. What
-/// has been saved is recorded in the store. counts: those of the slots in it are brought up to
-/// date.
+/// has been saved is recorded in the store. counts: what is spent here, and recorded, is added.
 [[nodiscard]] Result<void> saveAllParameters(const DriveAccess& access, DriveStore& store,
     const DriveIdentity& drive, FlashAccount& flash, EraseCounts& counts);
+
+/// The flash operations that saving costs: the tables that it deletes.
+[[nodiscard]] Result<int> costOfSaving(
+    const DriveAccess& access, DriveStore& store, const DriveIdentity& drive);
 
 } // namespace axiscomp

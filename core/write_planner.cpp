@@ -353,7 +353,8 @@ Result<void> WritePlanner::decideFlash()
     if (!history)
         return fail(history.error());
     WritePlan& plan = m_write.plan;
-    plan.flashBudget = wearGuard(m_access.profile().flashWear, *history).budget(m_now);
+    const FlashWearGuard guard = wearGuard(m_access.profile().flashWear, *history);
+    plan.flashBudget = guard.budget(m_now);
     if (plan.after.slot.empty())
         return {};
     const bool persistent = plan.after.persistency == Persistency::Persistent;
@@ -362,8 +363,8 @@ Result<void> WritePlanner::decideFlash()
         : plan.after.persistency != plan.before.persistency;
     plan.flashOperations = (changes ? 1 : 0) + m_write.uncovered;
     if (plan.flashOperations > plan.flashBudget.left)
-        return fail(
-            ErrorCode::FlashWear, {{"seconds", std::to_string(plan.flashBudget.wait.count())}});
+        return fail(ErrorCode::FlashWear,
+            {{"seconds", std::to_string(guard.budget(m_now, plan.flashOperations).wait.count())}});
     return {};
 }
 

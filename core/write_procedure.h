@@ -52,6 +52,7 @@ private:
     [[nodiscard]] Result<void> undoRegisters(const DriveAccess& access);
     [[nodiscard]] Result<void> undoOtherSlot(const DriveAccess& access);
     [[nodiscard]] bool hasOldState(const DriveAccess& access);
+    [[nodiscard]] Result<void> checkFlash();
     [[nodiscard]] Result<AxisStatus> lookBeforeUndo(const UnfinishedWrite& unfinished);
     [[nodiscard]] Result<AxisBackup> keepPresent(std::vector<std::string> slots);
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/backup_restore.h"
+#include "core/saved_parameters.h"
 #include "core/unfinished_write.h"
 #include "core/verified_write.h"
 #include "core/write_procedure.h"
@@ -33,6 +34,8 @@ Result<WriteReport> WriteProcedure::undoEarlier(const UnfinishedWrite& unfinishe
         && std::ranges::find(saved->uses, m_write.plan.axis, &DriveStore::SavedState::Use::axis)
             == saved->uses.end();
     m_savedTouched = m_savedTouched || (m_flashTouched && isSavedOff);
+    if (auto possible = checkFlash(); !possible)
+        return fail(possible.error());
     auto status = lookBeforeUndo(unfinished);
     if (!status)
         return fail(status.error());
@@ -41,6 +44,9 @@ Result<WriteReport> WriteProcedure::undoEarlier(const UnfinishedWrite& unfinishe
     const DriveAccess access = m_access.withoutStop();
     access.report("putting back", 0.3);
     auto undone = undo(access);
+    // Half-way the axis may be switched off: what went wrong once is tried again.
+    if (!undone && !isUnreachable(undone.error().code))
+        undone = undo(access);
     accountForUndo(access, undone);
     if (!undone && !hasOldState(access))
         return fail(undone.error());
@@ -57,6 +63,27 @@ Result<WriteReport> WriteProcedure::undoEarlier(const UnfinishedWrite& unfinishe
         return fail(closed.error());
     access.report("done", 1.0);
     return WriteReport{plan, std::move(*now), m_backupFile};
+}
+
+/// What reached flash has to leave it again: better not to begin than to stop half-way, with the
+/// axis switched off.
+Result<void> WriteProcedure::checkFlash()
+{
+    int operations = m_flashTouched ? 1 : 0;
+    if (m_savedTouched) {
+        auto cost = costOfSaving(m_access, m_store, m_write.plan.drive);
+        if (!cost)
+            return fail(cost.error());
+        operations += *cost;
+    }
+    auto history = m_store.flashHistory(m_write.plan.drive.serialNumber);
+    if (!history)
+        return fail(history.error());
+    const FlashBudget budget =
+        wearGuard(m_access.profile().flashWear, *history).budget(m_clock(), operations);
+    if (operations <= budget.left)
+        return {};
+    return fail(ErrorCode::FlashWear, {{"seconds", std::to_string(budget.wait.count())}});
 }
 
 /// Keeps what there is now, and looks who uses the slots: what somebody else has put there

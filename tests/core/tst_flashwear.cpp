@@ -109,6 +109,10 @@ void TestFlashWear::moreThanTheLimitWaitsForEnough()
     QCOMPARE(guard.budget(start + 30s).wait, 590s); // until the one at 20 s is over
     QCOMPARE(guard.budget(start + 619s).left, 0);
     QCOMPARE(guard.budget(start + 620s).left, 1);
+    QCOMPARE(guard.budget(start + 620s).wait, 0s);
+    QCOMPARE(guard.budget(start + 620s, 2).wait, 10s);
+    QCOMPARE(guard.budget(start + 30s, 2).wait, 600s);
+    QCOMPARE(guard.budget(start + 30s, 3).wait, 600s); // more than ever are possible
 }
 
 void TestFlashWear::waitIsRoundedUp()

@@ -349,6 +349,69 @@ private Q_SLOTS:
         VERIFY_RESULT(f.compensator.restore(*backup, false));
         QVERIFY(f.state().table == present.table);
     }
+
+    void anUndoingThatIsRefusedOnceIsDoneAllTheSame_data()
+    {
+        QTest::addColumn<int>("fault");
+        QTest::newRow("refused") << static_cast<int>(LinkFault::Refused);
+        QTest::newRow("stores wrong") << static_cast<int>(LinkFault::StoresWrong);
+    }
+    void anUndoingThatIsRefusedOnceIsDoneAllTheSame()
+    {
+        QFETCH(int, fault);
+        const auto interrupted = [](DriveFixture& f) {
+            VERIFY_RESULT(
+                f.compensator.write(0, into(exampleRequest(1, Persistency::Persistent), "Small1")));
+            f.link.failAt(27, LinkFault::ProgramDies);
+            QVERIFY_THROWS_EXCEPTION(ProgramDied,
+                (void)f.compensator.write(0, into(swapped(2, Persistency::Persistent), "Small1")));
+            f.link.heal();
+        };
+        DriveFixture whole;
+        interrupted(whole);
+        const auto journal = whole.store.journal(4711, 0);
+        VERIFY_RESULT(journal);
+        QVERIFY(journal->has_value());
+        const DriveFixture::State present = whole.state();
+        whole.link.forgetChange();
+        const int begin = whole.link.exchanges();
+        VERIFY_RESULT(whole.compensator.undoUnfinished(**journal));
+        const int first = whole.link.firstChange() - begin;
+        const int last = whole.link.exchanges() - begin;
+        const DriveFixture::State old = whole.state();
+        QVERIFY(old != present);
+        QVERIFY(0 < first && first < last);
+        for (int exchange = first; exchange < last; ++exchange) {
+            DriveFixture f;
+            interrupted(f);
+            f.link.failAt(exchange, static_cast<LinkFault>(fault));
+            (void)f.compensator.undoUnfinished(*f.store.journal(4711, 0).value());
+            const DriveFixture::State now = f.state();
+            QVERIFY2(now == old || now == present,
+                qPrintable(QStringLiteral("exchange %1 of %2: %3")
+                               .arg(exchange)
+                               .arg(last)
+                               .arg(QString::fromStdString(now.registers[0]))));
+        }
+    }
+
+    void anUndoingThatFlashIsTooWornForDoesNotBegin()
+    {
+        DriveFixture f;
+        VERIFY_RESULT(
+            f.compensator.write(0, into(exampleRequest(1, Persistency::Persistent), "Small1")));
+        f.link.failAt(27, LinkFault::ProgramDies);
+        QVERIFY_THROWS_EXCEPTION(ProgramDied,
+            (void)f.compensator.write(0, into(swapped(2, Persistency::Persistent), "Small1")));
+        f.link.heal();
+        VERIFY_RESULT(f.store.recordFlash(4711, f.wallTime(), 8));
+        const DriveFixture::State present = f.state();
+        const auto journal = f.store.journal(4711, 0);
+        VERIFY_ERROR(f.compensator.undoUnfinished(**journal), ErrorCode::FlashWear);
+        QVERIFY(f.state() == present);
+        f.pass(drivecomm::genericProfile().flashWear.window);
+        VERIFY_RESULT(f.compensator.undoUnfinished(**journal));
+    }
 };
 
 QTEST_GUILESS_MAIN(TestSavedState)
