@@ -113,6 +113,12 @@ Result<bool> holdsRegisters(const DriveAccess& access, const std::vector<Registe
 
 Result<AxisBackup::File> readSlotFile(const DriveAccess& access, const TableSlot& slot)
 {
+    return readSlotFile(access, slot, access.exchange());
+}
+
+Result<AxisBackup::File> readSlotFile(
+    const DriveAccess& access, const TableSlot& slot, const Exchange& exchange)
+{
     AxisBackup::File file;
     file.slot = slot.name;
     file.path = slot.file;
@@ -120,7 +126,7 @@ Result<AxisBackup::File> readSlotFile(const DriveAccess& access, const TableSlot
     Bytes first;
     // Not every way to a drive notices a byte that changes on it: then the file is read again.
     for (const bool isAgain : {false, true}) {
-        auto bytes = access.link().download(slot.file, access.exchange());
+        auto bytes = access.link().download(slot.file, exchange);
         if (!bytes && bytes.error().code != ErrorCode::UnknownFile)
             return fail(bytes.error());
         const bool isSame = isAgain && bytes && *bytes == file.bytes;

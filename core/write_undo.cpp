@@ -29,11 +29,13 @@ Result<WriteReport> WriteProcedure::undoEarlier(const UnfinishedWrite& unfinishe
     auto saved = m_store.savedState(m_write.plan.drive.serialNumber);
     if (!saved)
         return fail(saved.error());
-    // It was switched off in the saved parameters as well.
+    // It is switched off in the saved parameters as well, by this write or by the next of another
+    // axis.
     const bool isSavedOff = saved->isKnown
         && std::ranges::find(saved->uses, m_write.plan.axis, &DriveStore::SavedState::Use::axis)
             == saved->uses.end();
-    m_savedTouched = m_savedTouched || (m_flashTouched && isSavedOff);
+    const bool wasPersistent = unfinished.oldFile() && unfinished.oldFile()->persistent;
+    m_savedTouched = m_savedTouched || (isSavedOff && (m_flashTouched || wasPersistent));
     if (auto possible = checkFlash(); !possible)
         return fail(possible.error());
     auto status = lookBeforeUndo(unfinished);

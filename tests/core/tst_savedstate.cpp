@@ -412,6 +412,26 @@ private Q_SLOTS:
         f.pass(drivecomm::genericProfile().flashWear.window);
         VERIFY_RESULT(f.compensator.undoUnfinished(**journal));
     }
+
+    void whatIsUndoneIsSavedAgainWhenAnotherAxisHasSavedItSwitchedOff()
+    {
+        DriveFixture f;
+        VERIFY_RESULT(
+            f.compensator.write(0, into(exampleRequest(1, Persistency::Persistent), "Small1")));
+        const DriveFixture::State old = f.state();
+        f.link.failAt(17, LinkFault::ProgramDies);
+        QVERIFY_THROWS_EXCEPTION(ProgramDied,
+            (void)f.compensator.write(0, into(swapped(2, Persistency::Volatile), "Small1")));
+        f.link.heal();
+        QCOMPARE(f.state().registers[0], std::string("Disabled"));
+        VERIFY_RESULT(f.compensator.write(1, exampleRequest(3, Persistency::Persistent)));
+        const auto journal = f.store.journal(4711, 0);
+        VERIFY_RESULT(journal);
+        VERIFY_RESULT(f.compensator.undoUnfinished(**journal));
+        QVERIFY(f.state() == old);
+        f.drive.reboot();
+        QVERIFY(f.state() == old);
+    }
 };
 
 QTEST_GUILESS_MAIN(TestSavedState)

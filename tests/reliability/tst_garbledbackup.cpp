@@ -48,6 +48,22 @@ private Q_SLOTS:
         }
         QVERIFY(readAgain >= 3); // the three tables
     }
+
+    void aDownloadIsNoGarbledTable()
+    {
+        DriveFixture f(web());
+        const auto written = f.compensator.write(0, exampleRequest(1));
+        VERIFY_RESULT(written);
+        const std::string& path =
+            drivecomm::genericProfile().slotNamed(written->now.setup.slot)->file;
+        const auto right = f.compensator.download(path);
+        VERIFY_RESULT(right);
+        f.faults.clear();
+        f.faults.add({drivecomm::FaultSpec::Kind::Garble, 1, {}});
+        const auto file = f.compensator.download(path);
+        VERIFY_RESULT(file);
+        QVERIFY(*file == *right);
+    }
 };
 
 QTEST_GUILESS_MAIN(TestGarbledBackup)
