@@ -59,10 +59,9 @@ set(AXISCOMP_SAME_FOLDER -UQT_TESTCASE_BUILDDIR -UQT_TESTCASE_SOURCEDIR)
 # A Qt Test executable NAME from NAME.cpp, labelled with its module. PLAIN: its options differ from
 # those that the tests' headers were precompiled with. THREADED: ThreadSanitizer has something to look
 # at, and sees all of it (Qt itself is not instrumented: it does not see the locks of Qt's event queue).
-# BY_HAND: built, but no part of a test run.
 add_custom_target(threaded-tests)
 function(axiscomp_add_test name)
-  cmake_parse_arguments(arg "PLAIN;THREADED;BY_HAND" "MODULE" "SOURCES;DEPS" ${ARGN})
+  cmake_parse_arguments(arg "PLAIN;THREADED" "MODULE" "SOURCES;DEPS" ${ARGN})
   add_executable(${name} ${name}.cpp ${arg_SOURCES})
   set_target_properties(${name} PROPERTIES AUTOMOC ON)
   target_link_libraries(${name} PRIVATE axiscomp_options Qt6::Test axiscomp_test_support ${arg_DEPS})
@@ -76,9 +75,6 @@ function(axiscomp_add_test name)
     # A test's moc file is part of the test itself; this one is empty.
     set_source_files_properties(${CMAKE_CURRENT_BINARY_DIR}/${name}_autogen/mocs_compilation.cpp
       PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
-  endif()
-  if(arg_BY_HAND)
-    return()
   endif()
   add_test(NAME ${name} COMMAND ${name})
   set(labels ${arg_MODULE})

@@ -59,11 +59,12 @@ void WritePlanner::warnOfSaving()
     for (const AxisStatus& other : m_others) {
         if (!other.table || other.table->persistent)
             continue;
-        const bool isCovering = m_saved.isCovered(other.setup.slot);
         plan.warnings.push_back("The parameters of all axes are saved, but the table of "
             + axisText(other.axis.index, other.axis.name) + " in " + other.setup.slot
-            + " is volatile: after a reboot that axis has no table."
-            + (isCovering ? " The older one that flash may hold there is deleted." : ""));
+            + " is volatile: after a reboot that axis has no table.");
+        if (m_saved.isCovered(other.setup.slot))
+            plan.warnings.push_back("Flash may hold an older table in " + other.setup.slot
+                + ": it is deleted before the parameters are saved.");
     }
 }
 

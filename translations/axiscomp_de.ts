@@ -1192,6 +1192,18 @@
         <translation>Gespeichert werden die Parameter aller Achsen, doch eine Tabelle ist flüchtig ({axis}, {slot}): nach einem Neustart hat diese Achse keine Tabelle.</translation>
     </message>
     <message>
+        <source>The new table is volatile and covers an older one that flash holds in {slot}: after a reboot the axis may have that one again, until the parameters are saved, which deletes it.</source>
+        <translation>Die neue Tabelle ist flüchtig und verdeckt eine ältere, die im Flash von {slot} liegt: nach einem Neustart hat die Achse womöglich wieder diese, bis die Parameter gespeichert werden; dabei wird sie gelöscht.</translation>
+    </message>
+    <message>
+        <source>After a reboot the drive would look for another table in {slot}: the parameters are saved once before the new one goes into flash. When the write is interrupted then, the axis may have no table after a reboot.</source>
+        <translation>Nach einem Neustart suchte der Antrieb eine andere Tabelle in {slot}: die Parameter werden einmal gespeichert, bevor die neue in den Flash kommt. Wird das Schreiben dann unterbrochen, hat die Achse nach einem Neustart womöglich keine Tabelle.</translation>
+    </message>
+    <message>
+        <source>Flash may hold an older table in {slot}: it is deleted before the parameters are saved.</source>
+        <translation>Im Flash von {slot} liegt womöglich eine ältere Tabelle: sie wird gelöscht, bevor die Parameter gespeichert werden.</translation>
+    </message>
+    <message>
         <source>the settings of {axis}</source>
         <translation>Einstellungen von {axis}</translation>
     </message>
@@ -1202,6 +1214,10 @@
     <message>
         <source>axis {axis} ({name})</source>
         <translation>Achse {axis} ({name})</translation>
+    </message>
+    <message>
+        <source>axis {axis} after a reboot</source>
+        <translation>Achse {axis} nach einem Neustart</translation>
     </message>
     <message>
         <source>the cogging compensation of axis {axis}</source>

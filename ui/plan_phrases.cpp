@@ -27,6 +27,16 @@ constexpr const char* phrases[] = {
         "The parameters of all axes are saved, but the table of {axis} in {slot} is volatile: "
         "after a reboot that axis has no table."),
     QT_TRANSLATE_NOOP("Error",
+        "The new table is volatile and covers an older one that flash holds in {slot}: after a "
+        "reboot the axis may have that one again, until the parameters are saved, which deletes "
+        "it."),
+    QT_TRANSLATE_NOOP("Error",
+        "After a reboot the drive would look for another table in {slot}: the parameters are saved "
+        "once before the new one goes into flash. When the write is interrupted then, the axis may "
+        "have no table after a reboot."),
+    QT_TRANSLATE_NOOP("Error",
+        "Flash may hold an older table in {slot}: it is deleted before the parameters are saved."),
+    QT_TRANSLATE_NOOP("Error",
         "The file says that the values are in {unit}, but {axis} counts in {other}: the numbers "
         "are written as they are, not converted."),
     QT_TRANSLATE_NOOP("Error",
@@ -39,6 +49,7 @@ constexpr const char* phrases[] = {
     QT_TRANSLATE_NOOP("Error", "the settings of axis {axis}"),
     QT_TRANSLATE_NOOP("Error", "axis {axis}"),
     QT_TRANSLATE_NOOP("Error", "axis {axis} ({name})"),
+    QT_TRANSLATE_NOOP("Error", "axis {axis} after a reboot"),
     QT_TRANSLATE_NOOP("Error", "the cogging compensation of axis {axis}"),
     QT_TRANSLATE_NOOP("Error", "{slot} holds only {size} bytes"),
     QT_TRANSLATE_NOOP("Error", "{slot} is used by {user}"),

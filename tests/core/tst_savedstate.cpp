@@ -134,7 +134,7 @@ private Q_SLOTS:
         VERIFY_RESULT(plan);
         QCOMPARE(plan->flashOperations, 2);
         QVERIFY(contains(plan->warnings, "after a reboot that axis has no table"));
-        QVERIFY(contains(plan->warnings, "may hold there is deleted"));
+        QVERIFY(contains(plan->warnings, "it is deleted before the parameters are saved"));
         const auto counted = [&f] { return f.compensator.flashUse()->allCycles; };
         const std::uint64_t before = counted();
         VERIFY_RESULT(f.compensator.write(0, exampleRequest(4, Persistency::Persistent)));
