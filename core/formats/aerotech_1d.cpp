@@ -83,7 +83,7 @@ std::optional<NeutralTable> tableOf(aerotech::Block& block, const TextReading& r
         value = value == 0.0 ? 0.0 : scale * value / valueUnit->perUnit; // no -0
     if (sampling.isDownwards())
         std::ranges::reverse(column.values);
-    return table;
+    return aerotech::areFinite(table, block, diagnostics) ? std::optional(table) : std::nullopt;
 }
 
 std::vector<NeutralTable> parse(TextReading& reading)

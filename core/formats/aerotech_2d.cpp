@@ -191,7 +191,7 @@ std::optional<NeutralTable> tableOf(aerotech::Block& block, const TextReading& r
         column.unit = valueUnit->of(reading.settings, column.target);
         column.values = valuesOf(block, n, head->outputs.size(), samplings, factor);
     }
-    return table;
+    return aerotech::areFinite(table, block, diagnostics) ? std::optional(table) : std::nullopt;
 }
 
 std::vector<NeutralTable> parse(TextReading& reading)

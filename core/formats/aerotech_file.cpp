@@ -5,6 +5,7 @@
 #include "core/formats/table_units.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 namespace axiscomp::aerotech {
@@ -285,6 +286,18 @@ std::optional<Unit> unitOption(const Block& block, std::string_view key, const T
     else if (isUser)
         warnOfPrimary(option->key, std::string(key) + ' ' + quoted(text));
     return unit;
+}
+
+bool areFinite(const NeutralTable& table, const Block& block, DiagnosticList& diagnostics)
+{
+    for (const CompensationColumn& column : table.columns)
+        for (const double value : column.values)
+            if (!std::isfinite(value)) {
+                diagnostics.error(DiagnosticCode::LimitExceeded, block.start.line, 0,
+                    "a correction that is too large for its unit", "another CORUNIT");
+                return false;
+            }
+    return true;
 }
 
 std::vector<double> Sampling::knots(double perUnit) const

@@ -58,6 +58,10 @@ struct Unit {
 [[nodiscard]] std::optional<Unit> unitOption(
     const Block& block, std::string_view key, const TextReading& reading);
 
+/// False, with an error, when a divided unit makes values that no double holds.
+[[nodiscard]] bool areFinite(
+    const NeutralTable& table, const Block& block, DiagnosticList& diagnostics);
+
 inline constexpr FormatSetting rotaryAxes{.key = "rotary-axes",
     .kind = FormatSetting::Kind::Text,
     .meaning = "numbers of the axes for which METRIC means degrees, such as 4,5; all others mm",

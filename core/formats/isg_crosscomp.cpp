@@ -81,12 +81,16 @@ std::optional<NeutralTable> build(const isg::List& list, const SettingValues& se
                     + csv::toText(setpoints->numbers[i - 1]),
                 .expected = "ascending setpoints",
                 .controllerError = "70245"});
+    if (list.diagnostics().hasErrors())
+        return std::nullopt;
     NeutralTable table;
     table.sign = SignConvention::Command;
     SourceAxis& axis = table.axes.emplace_back();
     axis.name = std::to_string(*master);
     axis.unit = scale->unit(settingValues, "master-kind", list);
     axis.knots = isg::scaled(*scale, setpoints->numbers, axis.step);
+    if (!checkKnots(axis.knots, setpoints->lines, "the points", list.diagnostics()))
+        return std::nullopt;
     CompensationColumn& column = table.columns.emplace_back();
     column.target = list.axisNumber();
     column.unit = scale->unit(settingValues, "axis-kind", list);

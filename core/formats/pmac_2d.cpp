@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::string_view motors[] = {"row-motor", "column-motor"};
 constexpr std::string_view counts[] = {"source-counts-per-unit", "column-counts-per-unit"};
-constexpr std::array<std::string_view, 3> extensions{".pmc", ".cfg", ".txt"};
+constexpr std::array<std::string_view, 1> extensions{".pmc"};
 constexpr std::array settings{pmac::countsForWriting, pmac::countsForReading, pmac::usesActual,
     pmac::countsSetting("source-counts-per-unit", "encoder counts for one unit of the row motor"),
     pmac::countsSetting(

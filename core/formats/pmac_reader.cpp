@@ -4,6 +4,7 @@
 #include "core/formats/table_units.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace axiscomp::pmac {
 
@@ -314,11 +315,21 @@ NeutralTable tableOf(Definition& definition, const TextReading& reading, std::si
         reading.diagnostics.warning(DiagnosticCode::UnitNotGiven, definition.place.line, 0,
             "a table in counts", "the setting counts-per-unit, where a unit matters");
     }
-    for (std::size_t n = 0; n < dimensions; ++n)
+    for (std::size_t n = 0; n < dimensions; ++n) {
+        const std::size_t line = definition.place.line;
+        const std::string motor = "motor " + table.axes[n].name;
+        static_cast<void>(
+            checkKnots(table.axes[n].knots, std::span(&line, 1), motor, reading.diagnostics));
         if (!isClosed(table, n))
             reading.diagnostics.warning(DiagnosticCode::NotPeriodic, definition.place.line, 0,
                 "different entries at 0 and at the span of motor " + table.axes[n].name,
                 "the same: the table rolls over there");
+    }
+    const bool areFinite =
+        std::ranges::all_of(column.values, [](double value) { return std::isfinite(value); });
+    if (!areFinite)
+        reading.diagnostics.error(DiagnosticCode::LimitExceeded, definition.place.line, 0,
+            "entries that are too large in these units", "another counts-per-unit");
     return table;
 }
 

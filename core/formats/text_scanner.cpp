@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <span>
 
 namespace axiscomp {
@@ -151,7 +152,7 @@ bool checkKnots(std::span<const double> knots, std::span<const std::size_t> line
         return false;
     }
     for (std::size_t i = 1; i < knots.size(); ++i) {
-        if (knots[i] > knots[i - 1])
+        if (knots[i] > knots[i - 1] && std::isfinite(knots[i] - knots.front()))
             continue;
         diagnostics.error(DiagnosticCode::NotMonotonic, lineOf(i), 0,
             csv::toText(knots[i]) + " after " + csv::toText(knots[i - 1]),

@@ -227,6 +227,10 @@ private Q_SLOTS:
             "3:18 Contradiction OFFSET a second time|each option once");
         row("a value that is none", with("-4", "-4x"), "5:3 NotANumber -4x|a correction");
         row("one value", ":START 1 SAMPLEDIST=5\n7\n:END\n", "1:0 TooFewPoints 1 corrections|");
+        row("values beyond a double", with("METRIC/1000", "METRIC/1e-310"),
+            "2:0 LimitExceeded a correction that is too large");
+        row("positions beyond a double", with("SAMPLEDIST=5", "SAMPLEDIST=1e308"),
+            "2:0 NotMonotonic inf after 1e+308|");
         row("positions that are the same", with("OFFSET=10", "OFFSET=1e300"),
             "2:0 NotMonotonic -1e+300 after -1e+300|strictly increasing");
     }

@@ -323,6 +323,8 @@ private Q_SLOTS:
             "11:0 Contradiction kopf.log_achs_nr 4|3, as kopf.achs_nr says");
         row("not ascending", with("setpoint 150000", "setpoint 90000"),
             "9:0 NotMonotonic 90000 after 100000|ascending setpoints #70245");
+        row("the same once it is in mm", with("setpoint 100000", "setpoint 1e-322"),
+            "7:0 NotMonotonic 0 after 0|strictly increasing");
         row("a decimal comma", with("correction -30", "correction -3,0"),
             "8:34 NotANumber -3,0|a number");
         row("a bad index", with("table[2].setpoint", "table[x].setpoint"),

@@ -288,6 +288,14 @@ private Q_SLOTS:
         QVERIFY2(found.starts_with(problem.toStdString()), found.c_str());
     }
 
+    void numbersThatNoDoubleHoldsAreRefused()
+    {
+        const auto reading = family.read(file, inMillimetres("1e-310"));
+        VERIFY_RESULT(reading);
+        QVERIFY(reading->tables.empty());
+        QVERIFY(test::hasProblem(*reading, DiagnosticCode::LimitExceeded, 5));
+    }
+
     void otherCommandsAreAWarning()
     {
         READ_TABLE(table, family, "M145=1\nDEFINE BLCOMP 2,100\n1 2\n" + file, inMillimetres());
