@@ -22,9 +22,9 @@ namespace axiscomp {
 [[nodiscard]] const TableFamily& pmac2dFamily(); ///< DEFINE COMP of two sources
 [[nodiscard]] const TableFamily& rapidcodeFamily(); ///< CSV of this program
 [[nodiscard]] const TableFamily& rapidcodeHeaderFamily(); ///< C++ header
+[[nodiscard]] const TableFamily& reprapFamily(); ///< heightmap.csv
 [[nodiscard]] const TableFamily& siemensCecFamily(); ///< $AN_CEC, an axis by another
 [[nodiscard]] const TableFamily& siemensEecFamily(); ///< $AA_ENC_COMP, encoder and leadscrew
-[[nodiscard]] const TableFamily& reprapFamily(); ///< heightmap.csv
 [[nodiscard]] const TableFamily& softmcFamily(); ///< text table
 [[nodiscard]] const TableFamily& softmcBasicFamily(); ///< MC-BASIC fragment
 

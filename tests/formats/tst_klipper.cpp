@@ -174,6 +174,10 @@ private Q_SLOTS:
         row("minimum is none", section({{"min_x", "left"}}), "4:9 NotANumber left|a position");
         row("no range", section({{"min_x", "100"}}),
             "2:0 NotMonotonic max_x = 100 after min_x = 100|a maximum above the minimum");
+        row("positions without a difference",
+            section({{"min_x", "1e17"}, {"max_x", "100000000000000016"}, {"x_count", "3"},
+                {"points", "\n  1, 2, 3\n  3, 4, 5"}}),
+            "0:0 NotFinite positions of X|numbers that a computer can tell");
         row("another version", section({{"version", "2"}}),
             "9:11 Contradiction version 2|1; the firmware");
         row("entry twice", section({}) + "min_x = 3\n", "11:1 Contradiction a second min_x|");

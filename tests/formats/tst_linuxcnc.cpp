@@ -212,6 +212,14 @@ private Q_SLOTS:
         QVERIFY(test::hasProblem(*reading, DiagnosticCode::Syntax, 3));
     }
 
+    void aTrimBeyondADoubleIsRefused()
+    {
+        const auto reading = family.read("-1e308 1e308 1e308\n0 1.1e308 1.1e308\n", ofType("0"));
+        VERIFY_RESULT(reading);
+        QVERIFY(reading->tables.empty());
+        QVERIFY(test::hasProblem(*reading, DiagnosticCode::NotFinite, 0));
+    }
+
     void emptyLinesAtTheEndDoNoHarm()
     {
         READ_TABLE(read, family, "0 1 1\r\n1 1 1\r\n\r\n  \r\n", ofType("1"));

@@ -311,6 +311,17 @@ private Q_SLOTS:
         row("a thousand million points", withGrid("0", "1e9", "1"),
             "4:0 LimitExceeded 0 to 1000000000 by 1|at most 4000000 points");
         row("infinitely many points", withGrid("-1e308", "1e308", "1e-300"), "4:0 LimitExceeded");
+        row("positions that are not different", withGrid("1e17", "100000000000000004", "4"),
+            "4:0 Contradiction");
+        row("positions without a difference",
+            oneAxisText("# input.1.min = 1e17\n# input.1.max = 1.0000000000000006e17\n"
+                        "# input.1.delta = 4\n",
+                "1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16,17\n"),
+            "0:0 NotFinite positions of the axis|numbers that a computer can tell");
+        row("values beyond a double",
+            "# RapidCode compensator table\n" + grid
+                + "# output.counts-per-unit = 1e-300\n1,2,3,1e9\n",
+            "0:0 NotFinite values of the table|numbers that a computer can hold");
         row("twice", oneAxisText(grid + "# input.1.min = 3\n", "1,2,3,4\n"),
             "5:3 Contradiction a second input.1.min|each entry once");
         row("0 counts",
