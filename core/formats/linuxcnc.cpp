@@ -272,6 +272,11 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
             const double trim = (n == 0 ? forward : reverse)[i];
             const Written number =
                 isMeasured ? measured(nominal, trim) : Written{csv::toText(trim), trim};
+            if (!std::isfinite(number.trim))
+                return cannotHold(facts,
+                    "a measured position at " + csv::toText(nominal)
+                        + " is beyond what a number can be",
+                    "check the unit of positions and values");
             written.bytes += ' ' + number.text;
             trims[n].push_back(number.trim);
         }

@@ -218,6 +218,8 @@ private Q_SLOTS:
         VERIFY_RESULT(reading);
         QVERIFY(reading->tables.empty());
         QVERIFY(test::hasProblem(*reading, DiagnosticCode::NotFinite, 0));
+        const NeutralTable huge = table({-1e308, 0}, {1e308, 1});
+        VERIFY_ERROR(family.write(std::array{huge}, {}), ErrorCode::FormatCannotHold);
     }
 
     void emptyLinesAtTheEndDoNoHarm()
