@@ -65,9 +65,9 @@ std::span<const TableFamily* const> tableFamilies()
         &pmac2dFamily(),
         &rapidcodeFamily(),
         &rapidcodeHeaderFamily(),
-        &reprapFamily(),
         &siemensCecFamily(),
         &siemensEecFamily(),
+        &reprapFamily(),
         &softmcFamily(),
         &softmcBasicFamily(),
     };
