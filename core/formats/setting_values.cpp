@@ -27,17 +27,6 @@ bool isFor(const FormatSetting& setting, bool isWriting)
     return isWriting ? setting.forWriting : setting.forReading;
 }
 
-std::vector<FormatSetting> settingsOf(const FamilyFacts& facts, bool isWriting)
-{
-    std::vector<FormatSetting> settings;
-    for (const FormatSetting& setting : facts.settings)
-        if (isFor(setting, isWriting))
-            settings.push_back(setting);
-    if (!facts.holdsUnits)
-        settings.insert(settings.end(), unitSettings.begin(), unitSettings.end());
-    return settings;
-}
-
 std::string expectedOf(const FormatSetting& setting)
 {
     switch (setting.kind) {
@@ -89,6 +78,17 @@ std::string keyList(const std::vector<FormatSetting>& settings)
 
 } // namespace
 
+std::vector<FormatSetting> formatSettings(const FamilyFacts& facts, bool isWriting)
+{
+    std::vector<FormatSetting> settings;
+    for (const FormatSetting& setting : facts.settings)
+        if (isFor(setting, isWriting))
+            settings.push_back(setting);
+    if (!facts.holdsUnits)
+        settings.insert(settings.end(), unitSettings.begin(), unitSettings.end());
+    return settings;
+}
+
 Result<SettingValues> SettingValues::of(
     const FamilyFacts& facts, const FormatSettings& settings, bool isWriting)
 {
@@ -96,7 +96,7 @@ Result<SettingValues> SettingValues::of(
         return fail(ErrorCode::InvalidArgument, {{"reason", std::move(reason)}});
     };
     const std::string format(facts.name);
-    const std::vector<FormatSetting> known = settingsOf(facts, isWriting);
+    const std::vector<FormatSetting> known = formatSettings(facts, isWriting);
     for (const auto& [key, value] : settings)
         if (std::ranges::find(known, key, &FormatSetting::key) == known.end())
             return refuse("the format " + format + " has no setting " + key

@@ -157,6 +157,9 @@ struct FormatChoice {
 [[nodiscard]] Result<void> checkHolds(
     const FamilyFacts& facts, std::span<const NeutralTable> tables);
 
+/// The settings that a format has for reading or for writing, those of missing units among them.
+[[nodiscard]] std::vector<FormatSetting> formatSettings(const FamilyFacts& facts, bool isWriting);
+
 /// The value of a setting, or its standard value. Errors: InvalidArgument for a value that is not
 /// of the setting's kind, for one that is needed and missing, and for keys that the family does not
 /// have.
