@@ -1415,6 +1415,645 @@
         <source>the table cannot be resampled: {reason}</source>
         <translation>die Tabelle lässt sich nicht auf ein anderes Raster bringen: {reason}</translation>
     </message>
+    <message>
+        <source>the numbers of the file are taken as they are</source>
+        <translation>die Zahlen der Datei werden übernommen, wie sie sind</translation>
+    </message>
+    <message>
+        <source>sign: {from}; {example}</source>
+        <translation>Vorzeichen: {from}; {example}</translation>
+    </message>
+    <message>
+        <source>{format} holds feedback values</source>
+        <translation>{format} enthält Werte der Geberseite (feedback)</translation>
+    </message>
+    <message>
+        <source>{format} holds command values</source>
+        <translation>{format} enthält Werte der Sollseite (command)</translation>
+    </message>
+    <message>
+        <source>{format} holds feedback values, as you say</source>
+        <translation>{format} enthält nach Ihrer Angabe Werte der Geberseite (feedback)</translation>
+    </message>
+    <message>
+        <source>{format} holds command values, as you say</source>
+        <translation>{format} enthält nach Ihrer Angabe Werte der Sollseite (command)</translation>
+    </message>
+    <message>
+        <source>{from}, {format} holds feedback values</source>
+        <translation>{from}, {format} enthält Werte der Geberseite (feedback)</translation>
+    </message>
+    <message>
+        <source>{from}, {format} holds command values</source>
+        <translation>{from}, {format} enthält Werte der Sollseite (command)</translation>
+    </message>
+    <message>
+        <source>{from}, {format} holds feedback values, as you say</source>
+        <translation>{from}, {format} nach Ihrer Angabe Werte der Geberseite (feedback)</translation>
+    </message>
+    <message>
+        <source>{from}, {format} holds command values, as you say</source>
+        <translation>{from}, {format} nach Ihrer Angabe Werte der Sollseite (command)</translation>
+    </message>
+    <message>
+        <source>{example}: the feedback file says {value}</source>
+        <translation>{example}: in der Datei der Geberseite steht {value}</translation>
+    </message>
+    <message>
+        <source>{example}: the command file says {value}</source>
+        <translation>{example}: in der Datei der Sollseite steht {value}</translation>
+    </message>
+    <message>
+        <source>{example}: the feedback file says {value}, the command file {other}</source>
+        <translation>{example}: in der Datei der Geberseite steht {value}, in der der Sollseite {other}</translation>
+    </message>
+    <message>
+        <source>all values are 0, in either sign</source>
+        <translation>alle Werte sind 0, mit jedem Vorzeichen</translation>
+    </message>
+    <message>
+        <source>moving in positive direction, {example}</source>
+        <translation>in positiver Richtung: {example}</translation>
+    </message>
+    <message>
+        <source>moving in negative direction, {example}</source>
+        <translation>in negativer Richtung: {example}</translation>
+    </message>
+    <message>
+        <source>where the encoder reads {place} the reference says {moved}</source>
+        <translation>wo der Geber {place} meldet, zeigt die Referenz {moved}</translation>
+    </message>
+    <message>
+        <source>where the encoders read {place} the reference of {axis} says {moved}</source>
+        <translation>wo die Geber {place} melden, zeigt die Referenz von {axis} {moved}</translation>
+    </message>
+    <message>
+        <source>where the encoder reads {place} the reference of {axis} is {offset} above its encoder</source>
+        <translation>wo der Geber {place} meldet, liegt die Referenz von {axis} {offset} über ihrem Geber</translation>
+    </message>
+    <message>
+        <source>where the encoder reads {place} the reference of {axis} is {offset} below its encoder</source>
+        <translation>wo der Geber {place} meldet, liegt die Referenz von {axis} {offset} unter ihrem Geber</translation>
+    </message>
+    <message>
+        <source>where the encoders read {place} the reference of {axis} is {offset} above its encoder</source>
+        <translation>wo die Geber {place} melden, liegt die Referenz von {axis} {offset} über ihrem Geber</translation>
+    </message>
+    <message>
+        <source>where the encoders read {place} the reference of {axis} is {offset} below its encoder</source>
+        <translation>wo die Geber {place} melden, liegt die Referenz von {axis} {offset} unter ihrem Geber</translation>
+    </message>
+    <message>
+        <source>commanded to {place}, the controller moves the encoder to {moved}, where the reference says {reference}</source>
+        <translation>bei der Sollposition {place} fährt die Steuerung den Geber auf {moved}, wo die Referenz {reference} zeigt</translation>
+    </message>
+    <message>
+        <source>commanded to {place}, the controller moves the encoder of {axis} to {moved}, where the reference says {reference}</source>
+        <translation>bei der Sollposition {place} fährt die Steuerung den Geber von {axis} auf {moved}, wo die Referenz {reference} zeigt</translation>
+    </message>
+    <message>
+        <source>commanded to {place}, where the reference of {axis} is {offset} above its encoder, the controller moves {target} by {value}</source>
+        <translation>bei der Sollposition {place}, wo die Referenz von {axis} {offset} über ihrem Geber liegt, verschiebt die Steuerung {target} um {value}</translation>
+    </message>
+    <message>
+        <source>commanded to {place}, where the reference of {axis} is {offset} below its encoder, the controller moves {target} by {value}</source>
+        <translation>bei der Sollposition {place}, wo die Referenz von {axis} {offset} unter ihrem Geber liegt, verschiebt die Steuerung {target} um {value}</translation>
+    </message>
+    <message>
+        <source>the target</source>
+        <translation>die Zielachse</translation>
+    </message>
+    <message>
+        <source>{axis} = {position}</source>
+        <translation>{axis} = {position}</translation>
+    </message>
+    <message>
+        <source>resampled from {before} points to {after} points: at the positions of the source it is off by at most {largest}, {rms} rms</source>
+        <translation>von {before} auf {after} Punkte umgerechnet: an den Positionen der Quelle weicht es höchstens um {largest} ab, im Mittel (rms) um {rms}</translation>
+    </message>
+    <message>
+        <source>the numbers of the file are rounded: values by up to {value}</source>
+        <translation>die Zahlen der Datei sind gerundet: Werte um bis zu {value}</translation>
+    </message>
+    <message>
+        <source>the numbers of the file are rounded: values by up to {value}, positions by up to {position}</source>
+        <translation>die Zahlen der Datei sind gerundet: Werte um bis zu {value}, Positionen um bis zu {position}</translation>
+    </message>
+    <message>
+        <source>compared at {count} positions, each by its controller&apos;s rules: {difference}</source>
+        <translation>verglichen an {count} Positionen, jede nach den Regeln ihrer Steuerung: {difference}</translation>
+    </message>
+    <message>
+        <source>compared at {count} positions, each by its controller&apos;s rules ({column}): {difference}</source>
+        <translation>verglichen an {count} Positionen, jede nach den Regeln ihrer Steuerung ({column}): {difference}</translation>
+    </message>
+    <message>
+        <source>they differ by at most {largest}</source>
+        <translation>sie unterscheiden sich höchstens um {largest}</translation>
+    </message>
+    <message>
+        <source>they differ by at most {largest} at {place}</source>
+        <translation>sie unterscheiden sich höchstens um {largest} bei {place}</translation>
+    </message>
+    <message>
+        <source>they differ by at most {largest} at {place}, where both have values by at most {inside}</source>
+        <translation>sie unterscheiden sich höchstens um {largest} bei {place}, wo beide Werte haben höchstens um {inside}</translation>
+    </message>
+    <message>
+        <source>at the ends of the table the sign was converted with the end values held, where the controller of the source applies nothing</source>
+        <translation>an den Enden der Tabelle wurde das Vorzeichen mit gehaltenen Endwerten umgerechnet, wo die Steuerung der Quelle nichts korrigiert</translation>
+    </message>
+    <message>
+        <source>that files of the format {format} hold the feedback convention is an assumption: check one point on the machine</source>
+        <translation>dass Dateien des Formats {format} Werte der Geberseite enthalten, ist eine Annahme: einen Punkt an der Maschine prüfen</translation>
+    </message>
+    <message>
+        <source>that files of the format {format} hold the command convention is an assumption: check one point on the machine</source>
+        <translation>dass Dateien des Formats {format} Werte der Sollseite enthalten, ist eine Annahme: einen Punkt an der Maschine prüfen</translation>
+    </message>
+    <message>
+        <source>the {what} have no unit; they are taken to be {unit}</source>
+        <translation>die Einheit fehlt ({what}); angenommen wird {unit}</translation>
+    </message>
+    <message>
+        <source>the positions are in {unit}</source>
+        <translation>die Positionen sind in {unit}</translation>
+    </message>
+    <message>
+        <source>the values are in {unit}</source>
+        <translation>die Werte sind in {unit}</translation>
+    </message>
+    <message>
+        <source>positions and values are in {unit}</source>
+        <translation>Positionen und Werte sind in {unit}</translation>
+    </message>
+    <message>
+        <source>no known unit</source>
+        <translation>keiner bekannten Einheit</translation>
+    </message>
+    <message>
+        <source>{range}: the grid ends at {end}, {distance} behind it</source>
+        <translation>{range}: das Raster endet bei {end}, {distance} dahinter</translation>
+    </message>
+    <message>
+        <source>{range}: the grid ends at {end}, {distance} before its end</source>
+        <translation>{range}: das Raster endet bei {end}, {distance} vor seinem Ende</translation>
+    </message>
+    <message>
+        <source>the range of {axis} from {from} to {to} is no whole multiple of {distance}</source>
+        <translation>der Bereich von {axis} von {from} bis {to} ist kein ganzes Vielfaches von {distance}</translation>
+    </message>
+    <message>
+        <source>a number of points is a whole number, at least 2</source>
+        <translation>eine Anzahl Punkte ist eine ganze Zahl, mindestens 2</translation>
+    </message>
+    <message>
+        <source>the number for the even grid is missing</source>
+        <translation>die Zahl für das gleichmäßige Raster fehlt</translation>
+    </message>
+    <message>
+        <source>the even grid needs one number, or one for each of the {count} source axes</source>
+        <translation>das gleichmäßige Raster braucht eine Zahl oder je eine für die {count} Quellachsen</translation>
+    </message>
+    <message>
+        <source>the format {format} can be written, not read</source>
+        <translation>das Format {format} kann geschrieben, aber nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>the format {format} needs the setting {key} ({meaning})</source>
+        <translation>das Format {format} braucht die Angabe {key} ({meaning})</translation>
+    </message>
+    <message>
+        <source>the setting {key} is &quot;{value}&quot;, expected {expected} ({meaning})</source>
+        <translation>die Angabe {key} ist &quot;{value}&quot;, erwartet wird {expected} ({meaning})</translation>
+    </message>
+    <message>
+        <source>a whole number</source>
+        <translation>eine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>one of {choices}</source>
+        <translation>eines von {choices}</translation>
+    </message>
+    <message>
+        <source>yes or no</source>
+        <translation>yes oder no</translation>
+    </message>
+    <message>
+        <source>the positions of source {number} are not evenly spaced</source>
+        <translation>die Positionen der Quelle {number} haben keinen gleichmäßigen Abstand</translation>
+    </message>
+    <message>
+        <source>resample it onto an even grid</source>
+        <translation>sie auf ein gleichmäßiges Raster bringen</translation>
+    </message>
+    <message>
+        <source>resample it onto a coarser grid</source>
+        <translation>sie auf ein gröberes Raster bringen</translation>
+    </message>
+    <message>
+        <source>it takes one distance for all sources, and these are different</source>
+        <translation>es hat einen Abstand für alle Quellen, und diese sind verschieden</translation>
+    </message>
+    <message>
+        <source>resample it with the same distance for each source</source>
+        <translation>sie mit dem gleichen Abstand für jede Quelle umrechnen</translation>
+    </message>
+    <message>
+        <source>it has one value for both directions of motion</source>
+        <translation>es hat einen Wert für beide Bewegungsrichtungen</translation>
+    </message>
+    <message>
+        <source>choose the mean, the positive or the negative direction</source>
+        <translation>den Mittelwert, die positive oder die negative Richtung wählen</translation>
+    </message>
+    <message>
+        <source>it has {count} source axis, possible are {range}</source>
+        <translation>sie hat {count} Quellachse, möglich sind {range}</translation>
+    </message>
+    <message>
+        <source>it has {count} source axes, possible are {range}</source>
+        <translation>sie hat {count} Quellachsen, möglich sind {range}</translation>
+    </message>
+    <message>
+        <source>choose another format</source>
+        <translation>ein anderes Format wählen</translation>
+    </message>
+    <message>
+        <source>{count} points are more than the {limit} that the controller takes</source>
+        <translation>{count} Punkte sind mehr als die {limit}, die die Steuerung annimmt</translation>
+    </message>
+    <message>
+        <source>it has no modulo axes</source>
+        <translation>es hat keine Moduloachsen</translation>
+    </message>
+    <message>
+        <source>leave the modulo out, with --no-wrap, when the axis stays within one revolution</source>
+        <translation>das Modulo weglassen (--no-wrap), wenn die Achse innerhalb einer Umdrehung bleibt</translation>
+    </message>
+    <message>
+        <source>its values are offsets of the command</source>
+        <translation>ihre Werte sind Offsets der Sollposition</translation>
+    </message>
+    <message>
+        <source>convert the sign</source>
+        <translation>das Vorzeichen umrechnen</translation>
+    </message>
+    <message>
+        <source>a value is beyond what a float32 can be</source>
+        <translation>ein Wert ist größer, als ein float32 sein kann</translation>
+    </message>
+    <message>
+        <source>check the unit of the values</source>
+        <translation>die Einheit der Werte prüfen</translation>
+    </message>
+    <message>
+        <source>a grid along {axis} needs at least two points</source>
+        <translation>ein Raster entlang {axis} braucht mindestens zwei Punkte</translation>
+    </message>
+    <message>
+        <source>the distance along {axis} must be a number above 0</source>
+        <translation>der Abstand entlang {axis} muss eine Zahl über 0 sein</translation>
+    </message>
+    <message>
+        <source>the positions of {axis} are not evenly spaced; give a number of points or a distance</source>
+        <translation>die Positionen von {axis} haben keinen gleichmäßigen Abstand; eine Anzahl Punkte oder einen Abstand angeben</translation>
+    </message>
+    <message>
+        <source>the full turn of {axis}, {turn}, is no whole multiple of {distance}; possible are {fewer} or {more}</source>
+        <translation>die volle Umdrehung von {axis}, {turn}, ist kein ganzes Vielfaches von {distance}; möglich sind {fewer} oder {more}</translation>
+    </message>
+    <message>
+        <source>a distance of {distance} is longer than the range of {axis} from {from} to {to}; take a shorter one, or let the end values be held</source>
+        <translation>ein Abstand von {distance} ist länger als der Bereich von {axis} von {from} bis {to}; einen kürzeren nehmen oder die Endwerte halten lassen</translation>
+    </message>
+    <message>
+        <source>the grid would have more than {count} points; take fewer along an axis</source>
+        <translation>das Raster hätte mehr als {count} Punkte; entlang einer Achse weniger nehmen</translation>
+    </message>
+    <message>
+        <source>calibration file: reference positions and compensation values</source>
+        <translation>Kalibrierdatei: Referenzpositionen und Kompensationswerte</translation>
+    </message>
+    <message>
+        <source>table file of the drive, laid out as the drive profile says</source>
+        <translation>Tabellendatei des Antriebs, aufgebaut wie im Antriebsprofil</translation>
+    </message>
+    <message>
+        <source>CSV file of positions and offsets</source>
+        <translation>CSV-Datei mit Positionen und Offsets</translation>
+    </message>
+    <message>
+        <source>cross compensation in a compensation list (kw.crosscomp)</source>
+        <translation>Kreuzkompensation in einer Kompensationsliste (kw.crosscomp)</translation>
+    </message>
+    <message>
+        <source>plane compensation in a compensation list (kw.crosscomp2)</source>
+        <translation>Flächenkompensation in einer Kompensationsliste (kw.crosscomp2)</translation>
+    </message>
+    <message>
+        <source>leadscrew error compensation in a compensation list (kw.ssfk)</source>
+        <translation>Spindelsteigungsfehlerkompensation in einer Kompensationsliste (kw.ssfk)</translation>
+    </message>
+    <message>
+        <source>compensation file of a joint: nominal forward reverse</source>
+        <translation>Kompensationsdatei eines Gelenks: Sollposition vorwärts rückwärts</translation>
+    </message>
+    <message>
+        <source>CSV file of this program with the table of a compensator</source>
+        <translation>CSV-Datei dieses Programms mit der Tabelle eines Kompensators</translation>
+    </message>
+    <message>
+        <source>C++ header with the table of a compensator</source>
+        <translation>C++-Headerdatei mit der Tabelle eines Kompensators</translation>
+    </message>
+    <message>
+        <source>sag and angularity compensation ($AN_CEC)</source>
+        <translation>Durchhang- und Winkligkeitskompensation ($AN_CEC)</translation>
+    </message>
+    <message>
+        <source>encoder and leadscrew error compensation ($AA_ENC_COMP)</source>
+        <translation>Geber- und Spindelsteigungsfehlerkompensation ($AA_ENC_COMP)</translation>
+    </message>
+    <message>
+        <source>text table of positions and corrections</source>
+        <translation>Texttabelle mit Positionen und Korrekturen</translation>
+    </message>
+    <message>
+        <source>MC-BASIC assignments to SourceData and TargetData</source>
+        <translation>MC-BASIC-Zuweisungen an SourceData und TargetData</translation>
+    </message>
+    <message>
+        <source>of a rotary axis: the range after which its position begins again, such as 360</source>
+        <translation>bei einer Rundachse: der Bereich, nach dem die Position von vorn beginnt, zum Beispiel 360</translation>
+    </message>
+    <message>
+        <source>logical number of the axis whose position counts, for master_ax_nr</source>
+        <translation>logische Nummer der Achse, deren Position zählt, für master_ax_nr</translation>
+    </message>
+    <message>
+        <source>cycles over which switching is smoothed, for n_cycles</source>
+        <translation>Takte, über die das Umschalten geglättet wird, für n_cycles</translation>
+    </message>
+    <message>
+        <source>the master is a modulo axis: the first and the last point are one place</source>
+        <translation>die Masterachse ist eine Moduloachse: der erste und der letzte Punkt sind dieselbe Stelle</translation>
+    </message>
+    <message>
+        <source>whether the master axis is linear (mm) or rotary (deg)</source>
+        <translation>ob die Masterachse linear (mm) oder rotatorisch (Grad) ist</translation>
+    </message>
+    <message>
+        <source>whether the compensated axis is linear (mm) or rotary (deg)</source>
+        <translation>ob die kompensierte Achse linear (mm) oder rotatorisch (Grad) ist</translation>
+    </message>
+    <message>
+        <source>logical number of master axis {number}, for {key}</source>
+        <translation>logische Nummer der Masterachse {number}, für {key}</translation>
+    </message>
+    <message>
+        <source>whether master axis {number} is linear (mm) or rotary (deg)</source>
+        <translation>ob die Masterachse {number} linear (mm) oder rotatorisch (Grad) ist</translation>
+    </message>
+    <message>
+        <source>master axis {number} is a modulo axis: its ends are one place</source>
+        <translation>die Masterachse {number} ist eine Moduloachse: ihre Enden sind dieselbe Stelle</translation>
+    </message>
+    <message>
+        <source>whether the axis is linear (mm) or rotary (deg)</source>
+        <translation>ob die Achse linear (mm) oder rotatorisch (Grad) ist</translation>
+    </message>
+    <message>
+        <source>metric: 0.1 um and 0.0001 deg; increments: of the encoder</source>
+        <translation>metric: 0,1 µm und 0,0001 Grad; increments: Inkremente des Gebers</translation>
+    </message>
+    <message>
+        <source>encoder increments for one mm or degree, of a list in increments</source>
+        <translation>Geberinkremente je mm oder Grad, bei einer Liste in Inkrementen</translation>
+    </message>
+    <message>
+        <source>write numbers with decimals, which only newer kernels take</source>
+        <translation>Zahlen mit Nachkommastellen schreiben, die nur neuere Kernel lesen</translation>
+    </message>
+    <message>
+        <source>logical number of the axis that is compensated, for kopf.achs_nr</source>
+        <translation>logische Nummer der kompensierten Achse, für kopf.achs_nr</translation>
+    </message>
+    <message>
+        <source>COMP_FILE_TYPE: 0 for measured positions, 1 for trims; 0 is assumed</source>
+        <translation>COMP_FILE_TYPE: 0 für gemessene Positionen, 1 für Korrekturen; angenommen wird 0</translation>
+    </message>
+    <message>
+        <source>COMP_FILE_TYPE: 0 for measured positions, 1 for trims</source>
+        <translation>COMP_FILE_TYPE: 0 für gemessene Positionen, 1 für Korrekturen</translation>
+    </message>
+    <message>
+        <source>raw counts of the output axis for one unit of the values</source>
+        <translation>Rohinkremente der Ausgangsachse je Einheit der Werte</translation>
+    </message>
+    <message>
+        <source>the same, where the file does not say it</source>
+        <translation>Rohinkremente je Einheit der Werte, wenn die Datei sie nicht nennt</translation>
+    </message>
+    <message>
+        <source>unit of the positions, the user unit of the input axes</source>
+        <translation>Einheit der Positionen, die Benutzereinheit der Eingangsachsen</translation>
+    </message>
+    <message>
+        <source>unit of the values, the user unit of the output axis; otherwise that of the positions</source>
+        <translation>Einheit der Werte, die Benutzereinheit der Ausgangsachse; sonst die der Positionen</translation>
+    </message>
+    <message>
+        <source>namespace of the constants, a C++ name</source>
+        <translation>Namensraum der Konstanten, ein C++-Name</translation>
+    </message>
+    <message>
+        <source>unit of the positions, where the file does not say it</source>
+        <translation>Einheit der Positionen, wenn die Datei sie nicht nennt</translation>
+    </message>
+    <message>
+        <source>unit of the values, where the file does not say it</source>
+        <translation>Einheit der Werte, wenn die Datei sie nicht nennt</translation>
+    </message>
+    <message>
+        <source>index of the first table that is written</source>
+        <translation>Nummer der ersten Tabelle, die geschrieben wird</translation>
+    </message>
+    <message>
+        <source>name of the axis whose position counts, instead of the table&apos;s name for it</source>
+        <translation>Name der Achse, deren Position zählt, statt des Namens in der Tabelle</translation>
+    </message>
+    <message>
+        <source>name of the axis that is compensated, instead of the table&apos;s name for it</source>
+        <translation>Name der kompensierten Achse, statt des Namens in der Tabelle</translation>
+    </message>
+    <message>
+        <source>name of the machine axis, such as X1, instead of the table&apos;s name for it</source>
+        <translation>Name der Maschinenachse, zum Beispiel X1, statt des Namens in der Tabelle</translation>
+    </message>
+    <message>
+        <source>measuring system of the axis</source>
+        <translation>Messsystem der Achse</translation>
+    </message>
+    <message>
+        <source>name of the compensation table in the MC-BASIC program</source>
+        <translation>Name der Kompensationstabelle im MC-BASIC-Programm</translation>
+    </message>
+    <message>
+        <source>the drive stores the table in its flash</source>
+        <translation>der Antrieb legt die Tabelle in seinem Flash ab</translation>
+    </message>
+    <message>
+        <source>one value for both directions of motion, {choice}: they are the same</source>
+        <translation>ein Wert für beide Bewegungsrichtungen, {choice}: sie sind gleich</translation>
+    </message>
+    <message>
+        <source>one value for both directions of motion, {choice}, for {target}: they are the same</source>
+        <translation>ein Wert für beide Bewegungsrichtungen, {choice}, für {target}: sie sind gleich</translation>
+    </message>
+    <message>
+        <source>one value for both directions of motion, {choice}: half their difference is up to {loss}, at {place}</source>
+        <translation>ein Wert für beide Bewegungsrichtungen, {choice}: ihr halber Unterschied ist bis zu {loss}, bei {place}</translation>
+    </message>
+    <message>
+        <source>one value for both directions of motion, {choice}, for {target}: half their difference is up to {loss}, at {place}</source>
+        <translation>ein Wert für beide Bewegungsrichtungen, {choice}, für {target}: ihr halber Unterschied ist bis zu {loss}, bei {place}</translation>
+    </message>
+    <message>
+        <source>they do not differ</source>
+        <translation>sie unterscheiden sich nicht</translation>
+    </message>
+    <message>
+        <source>they differ by at most {largest} at {place}, and not at all where both have values</source>
+        <translation>sie unterscheiden sich höchstens um {largest} bei {place}, und gar nicht, wo beide Werte haben</translation>
+    </message>
+    <message>
+        <source>number of the axis, from 1, instead of the table&apos;s name for it</source>
+        <translation>Nummer der Achse, ab 1, statt des Namens in der Tabelle</translation>
+    </message>
+    <message>
+        <source>calibration file of single axes (:START)</source>
+        <translation>Kalibrierdatei einzelner Achsen (:START)</translation>
+    </message>
+    <message>
+        <source>calibration file of two axes (:START2D)</source>
+        <translation>Kalibrierdatei zweier Achsen (:START2D)</translation>
+    </message>
+    <message>
+        <source>numbers of the axes for which METRIC means degrees, such as 4,5; all others mm</source>
+        <translation>Nummern der Achsen, für die METRIC Grad bedeutet, zum Beispiel 4,5; für alle anderen mm</translation>
+    </message>
+    <message>
+        <source>what PRIMARY, SECONDARY or COUNTS stand for, such as mm</source>
+        <translation>wofür PRIMARY, SECONDARY oder COUNTS stehen, zum Beispiel mm</translation>
+    </message>
+    <message>
+        <source>METRIC (mm and degrees), or PRIMARY: the table&apos;s own units are those of the axes</source>
+        <translation>METRIC (mm und Grad) oder PRIMARY: die Einheiten der Tabelle sind die der Achsen</translation>
+    </message>
+    <message>
+        <source>[bed_mesh NAME] sections of printer.cfg: heights of the bed</source>
+        <translation>Abschnitte [bed_mesh NAME] von printer.cfg: Höhen des Druckbetts</translation>
+    </message>
+    <message>
+        <source>heightmap.csv, version 2: heights of the bed</source>
+        <translation>heightmap.csv, Version 2: Höhen des Druckbetts</translation>
+    </message>
+    <message>
+        <source>names of the axes in degrees, such as C,B; all others are in mm, and modulo axes in degrees anyway</source>
+        <translation>Namen der Achsen in Grad, zum Beispiel C,B; alle anderen sind in mm, und Moduloachsen ohnehin in Grad</translation>
+    </message>
+    <message>
+        <source>leadscrew compensation of one source (DEFINE COMP)</source>
+        <translation>Spindelsteigungskompensation mit einer Quelle (DEFINE COMP)</translation>
+    </message>
+    <message>
+        <source>compensation of a motor by two others (DEFINE COMP)</source>
+        <translation>Kompensation eines Motors nach zwei anderen (DEFINE COMP)</translation>
+    </message>
+    <message>
+        <source>encoder counts for one unit, of every motor without a setting of its own</source>
+        <translation>Geberinkremente je Einheit, für jeden Motor ohne eigene Angabe</translation>
+    </message>
+    <message>
+        <source>encoder counts for one unit; without it tables are in counts</source>
+        <translation>Geberinkremente je Einheit; ohne sie sind Tabellen in Inkrementen</translation>
+    </message>
+    <message>
+        <source>position of the sources that counts: desired (written with D) or actual</source>
+        <translation>welche Position der Quellen zählt: Sollposition (desired, mit D geschrieben) oder Istposition (actual)</translation>
+    </message>
+    <message>
+        <source>encoder counts for one unit of the positions</source>
+        <translation>Geberinkremente je Einheit der Positionen</translation>
+    </message>
+    <message>
+        <source>encoder counts for one unit of the values</source>
+        <translation>Geberinkremente je Einheit der Werte</translation>
+    </message>
+    <message>
+        <source>encoder counts for one unit of the row motor</source>
+        <translation>Geberinkremente je Einheit des Zeilenmotors</translation>
+    </message>
+    <message>
+        <source>encoder counts for one unit of the column motor</source>
+        <translation>Geberinkremente je Einheit des Spaltenmotors</translation>
+    </message>
+    <message>
+        <source>number of the motor whose position counts, 1 to 32</source>
+        <translation>Nummer des Motors, dessen Position zählt, 1 bis 32</translation>
+    </message>
+    <message>
+        <source>number of the motor that is compensated, 1 to 32</source>
+        <translation>Nummer des kompensierten Motors, 1 bis 32</translation>
+    </message>
+    <message>
+        <source>number of the motor along a row of entries, 1 to 32</source>
+        <translation>Nummer des Motors entlang einer Zeile, 1 bis 32</translation>
+    </message>
+    <message>
+        <source>number of the motor from row to row, 1 to 32</source>
+        <translation>Nummer des Motors von Zeile zu Zeile, 1 bis 32</translation>
+    </message>
+    <message>
+        <source>number of the axis that changes along a line, from 1</source>
+        <translation>Nummer der Achse, die sich entlang einer Zeile ändert, ab 1</translation>
+    </message>
+    <message>
+        <source>number of the axis that changes from line to line, from 1</source>
+        <translation>Nummer der Achse, die sich von Zeile zu Zeile ändert, ab 1</translation>
+    </message>
+    <message>
+        <source>number of the axis of the first corrections, from 1</source>
+        <translation>Nummer der Achse der ersten Korrekturen, ab 1</translation>
+    </message>
+    <message>
+        <source>number of the axis of the second corrections, from 1</source>
+        <translation>Nummer der Achse der zweiten Korrekturen, ab 1</translation>
+    </message>
+    <message>
+        <source>number of the axis of the third corrections, from 1</source>
+        <translation>Nummer der Achse der dritten Korrekturen, ab 1</translation>
+    </message>
+    <message>
+        <source>axis {axis} is named twice</source>
+        <translation>die Achse {axis} ist zweimal genannt</translation>
+    </message>
+    <message>
+        <source>together these writes cost {cost} flash operations, and {left} are possible now; write them volatile, or fewer at a time</source>
+        <translation>diese Schreibvorgänge kosten zusammen {cost} Flash-Operationen, möglich sind jetzt {left}; flüchtig schreiben oder weniger auf einmal</translation>
+    </message>
+</context>
+<context>
+    <name>FileFilter</name>
+    <message>
+        <source>Compensation data</source>
+        <translation>Kompensationsdaten</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
 </context>
 <context>
     <name>Problem</name>
@@ -1608,6 +2247,205 @@
     </message>
 </context>
 <context>
+    <name>Setting</name>
+    <message>
+        <source>counts per unit</source>
+        <translation>Inkremente je Einheit</translation>
+    </message>
+    <message>
+        <source>position unit</source>
+        <translation>Einheit der Positionen</translation>
+    </message>
+    <message>
+        <source>value unit</source>
+        <translation>Einheit der Werte</translation>
+    </message>
+    <message>
+        <source>wrap range</source>
+        <translation>Bereich einer Umdrehung</translation>
+    </message>
+    <message>
+        <source>master axis</source>
+        <translation>Masterachse</translation>
+    </message>
+    <message>
+        <source>master1 axis</source>
+        <translation>Masterachse 1</translation>
+    </message>
+    <message>
+        <source>master2 axis</source>
+        <translation>Masterachse 2</translation>
+    </message>
+    <message>
+        <source>n cycles</source>
+        <translation>Anzahl Takte</translation>
+    </message>
+    <message>
+        <source>master kind</source>
+        <translation>Art der Masterachse</translation>
+    </message>
+    <message>
+        <source>master1 kind</source>
+        <translation>Art der Masterachse 1</translation>
+    </message>
+    <message>
+        <source>master2 kind</source>
+        <translation>Art der Masterachse 2</translation>
+    </message>
+    <message>
+        <source>axis kind</source>
+        <translation>Art der Achse</translation>
+    </message>
+    <message>
+        <source>modulo</source>
+        <translation>Modulo</translation>
+    </message>
+    <message>
+        <source>modulo1</source>
+        <translation>Modulo 1</translation>
+    </message>
+    <message>
+        <source>modulo2</source>
+        <translation>Modulo 2</translation>
+    </message>
+    <message>
+        <source>list unit</source>
+        <translation>Einheit der Liste</translation>
+    </message>
+    <message>
+        <source>increments per unit</source>
+        <translation>Inkremente je Einheit</translation>
+    </message>
+    <message>
+        <source>decimals</source>
+        <translation>Nachkommastellen</translation>
+    </message>
+    <message>
+        <source>axis</source>
+        <translation>Achse</translation>
+    </message>
+    <message>
+        <source>type</source>
+        <translation>Art der Datei</translation>
+    </message>
+    <message>
+        <source>name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>first table</source>
+        <translation>Erste Tabelle</translation>
+    </message>
+    <message>
+        <source>input axis</source>
+        <translation>Eingangsachse</translation>
+    </message>
+    <message>
+        <source>output axis</source>
+        <translation>Ausgangsachse</translation>
+    </message>
+    <message>
+        <source>encoder</source>
+        <translation>Messsystem</translation>
+    </message>
+    <message>
+        <source>persistent</source>
+        <translation>dauerhaft</translation>
+    </message>
+    <message>
+        <source>metric</source>
+        <translation>metrisch</translation>
+    </message>
+    <message>
+        <source>increments</source>
+        <translation>Inkremente</translation>
+    </message>
+    <message>
+        <source>linear</source>
+        <translation>linear</translation>
+    </message>
+    <message>
+        <source>rotary</source>
+        <translation>rotatorisch</translation>
+    </message>
+    <message>
+        <source>rotary axes</source>
+        <translation>Rundachsen</translation>
+    </message>
+    <message>
+        <source>primary unit</source>
+        <translation>Einheit von PRIMARY</translation>
+    </message>
+    <message>
+        <source>units</source>
+        <translation>Einheiten</translation>
+    </message>
+    <message>
+        <source>primary</source>
+        <translation>primary</translation>
+    </message>
+    <message>
+        <source>column axis</source>
+        <translation>Spaltenachse</translation>
+    </message>
+    <message>
+        <source>row axis</source>
+        <translation>Zeilenachse</translation>
+    </message>
+    <message>
+        <source>output axis 1</source>
+        <translation>Ausgangsachse 1</translation>
+    </message>
+    <message>
+        <source>output axis 2</source>
+        <translation>Ausgangsachse 2</translation>
+    </message>
+    <message>
+        <source>output axis 3</source>
+        <translation>Ausgangsachse 3</translation>
+    </message>
+    <message>
+        <source>source counts per unit</source>
+        <translation>Inkremente je Einheit der Quelle</translation>
+    </message>
+    <message>
+        <source>target counts per unit</source>
+        <translation>Inkremente je Einheit des Ziels</translation>
+    </message>
+    <message>
+        <source>column counts per unit</source>
+        <translation>Inkremente je Einheit der Spalte</translation>
+    </message>
+    <message>
+        <source>source motor</source>
+        <translation>Quellmotor</translation>
+    </message>
+    <message>
+        <source>target motor</source>
+        <translation>Zielmotor</translation>
+    </message>
+    <message>
+        <source>row motor</source>
+        <translation>Zeilenmotor</translation>
+    </message>
+    <message>
+        <source>column motor</source>
+        <translation>Spaltenmotor</translation>
+    </message>
+    <message>
+        <source>position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>desired</source>
+        <translation>Sollposition</translation>
+    </message>
+    <message>
+        <source>actual</source>
+        <translation>Istposition</translation>
+    </message>
+</context>
+<context>
     <name>Step</name>
     <message>
         <source>planning</source>
@@ -1756,6 +2594,25 @@
     <message>
         <source>Write or go back in the list on the right</source>
         <translation>In der Liste rechts schreiben oder zurückgehen</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::AppliedBox</name>
+    <message>
+        <source>As applied by %1</source>
+        <translation>Wie von %1 angewendet</translation>
+    </message>
+    <message>
+        <source>As applied by the drive</source>
+        <translation>Wie vom Antrieb angewendet</translation>
+    </message>
+    <message>
+        <source>The table as the drive applies it, or converted for another controller as that one would: with its sign, and with its rules beyond the ends</source>
+        <translation>Die Tabelle, wie der Antrieb sie anwendet, oder für eine andere Steuerung umgerechnet, wie diese es täte: mit ihrem Vorzeichen und ihren Regeln jenseits der Enden</translation>
+    </message>
+    <message>
+        <source>Applied by</source>
+        <translation>Angewendet von</translation>
     </message>
 </context>
 <context>
@@ -2029,6 +2886,200 @@
     </message>
 </context>
 <context>
+    <name>axiscomp::ui::ConversionDialog</name>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>Abbre&amp;chen</translation>
+    </message>
+    <message>
+        <source>Leave everything as it is (Esc)</source>
+        <translation>Alles lassen, wie es ist (Esc)</translation>
+    </message>
+    <message>
+        <source>Wh&amp;at comes out</source>
+        <translation>Wa&amp;s herauskommt</translation>
+    </message>
+    <message>
+        <source>What comes out</source>
+        <translation>Was herauskommt</translation>
+    </message>
+    <message>
+        <source>What the conversion does to the numbers, with an example</source>
+        <translation>Was die Umrechnung mit den Zahlen macht, mit einem Beispiel</translation>
+    </message>
+    <message>
+        <source>This is being computed.</source>
+        <translation>Das wird gerade berechnet.</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::ConversionForm</name>
+    <message>
+        <source>Choose the format.</source>
+        <translation>Bitte das Format wählen.</translation>
+    </message>
+    <message>
+        <source>Enter the number for the even grid.</source>
+        <translation>Bitte die Zahl für das gleichmäßige Raster eingeben.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no number, and no list such as 21; 31.</source>
+        <translation>&quot;%1&quot; ist keine Zahl und keine Liste wie 21; 31.</translation>
+    </message>
+    <message>
+        <source>&amp;Format</source>
+        <translation>&amp;Format</translation>
+    </message>
+    <message>
+        <source>&amp;Sign</source>
+        <translation>&amp;Vorzeichen</translation>
+    </message>
+    <message>
+        <source>&amp;Direction</source>
+        <translation>&amp;Richtung</translation>
+    </message>
+    <message>
+        <source>Even &amp;grid</source>
+        <translation>&amp;Gleichmäßiges Raster</translation>
+    </message>
+    <message>
+        <source>&amp;Between points</source>
+        <translation>&amp;Zwischen den Punkten</translation>
+    </message>
+    <message>
+        <source>Treat a modulo axis as a &amp;plain one</source>
+        <translation>Eine Moduloachse als &amp;normale Achse behandeln</translation>
+    </message>
+    <message>
+        <source>&amp;Hold the end values beyond the data</source>
+        <translation>&amp;Endwerte über die Daten hinaus halten</translation>
+    </message>
+    <message>
+        <source>The format that the file is read as</source>
+        <translation>Das Format, als das die Datei gelesen wird</translation>
+    </message>
+    <message>
+        <source>The format of the new file</source>
+        <translation>Das Format der neuen Datei</translation>
+    </message>
+    <message>
+        <source>What the values of the file are: added to the encoder position (feedback) or added to the commanded position (command)</source>
+        <translation>Was die Werte der Datei sind: zur Geberposition addiert (feedback) oder zur Sollposition addiert (command)</translation>
+    </message>
+    <message>
+        <source>What the values of the new file shall be: added to the encoder position (feedback) or added to the commanded position (command)</source>
+        <translation>Was die Werte der neuen Datei sein sollen: zur Geberposition addiert (feedback) oder zur Sollposition addiert (command)</translation>
+    </message>
+    <message>
+        <source>The drive has one value for both directions of motion: which one it shall have</source>
+        <translation>Der Antrieb hat einen Wert für beide Bewegungsrichtungen: welchen er haben soll</translation>
+    </message>
+    <message>
+        <source>The table is used as it is, for an axis that stays within one revolution</source>
+        <translation>Die Tabelle wird verwendet, wie sie ist, für eine Achse, die innerhalb einer Umdrehung bleibt</translation>
+    </message>
+    <message>
+        <source>Brings the table onto evenly spaced positions</source>
+        <translation>Bringt die Tabelle auf Positionen mit gleichmäßigem Abstand</translation>
+    </message>
+    <message>
+        <source>How the values between the positions of the table are made</source>
+        <translation>Wie die Werte zwischen den Positionen der Tabelle entstehen</translation>
+    </message>
+    <message>
+        <source>The even grid may end beyond the last position</source>
+        <translation>Das gleichmäßige Raster darf hinter der letzten Position enden</translation>
+    </message>
+    <message>
+        <source>choose the format</source>
+        <translation>Format wählen</translation>
+    </message>
+    <message>
+        <source>as the format says</source>
+        <translation>wie das Format sagt</translation>
+    </message>
+    <message>
+        <source>as the format says: feedback</source>
+        <translation>wie das Format sagt: feedback</translation>
+    </message>
+    <message>
+        <source>as the format says: command</source>
+        <translation>wie das Format sagt: command</translation>
+    </message>
+    <message>
+        <source>feedback: added to the encoder position</source>
+        <translation>feedback: zur Geberposition addiert</translation>
+    </message>
+    <message>
+        <source>command: added to the commanded position</source>
+        <translation>command: zur Sollposition addiert</translation>
+    </message>
+    <message>
+        <source>choose one</source>
+        <translation>bitte wählen</translation>
+    </message>
+    <message>
+        <source>the mean of both directions</source>
+        <translation>der Mittelwert beider Richtungen</translation>
+    </message>
+    <message>
+        <source>the values of the positive direction</source>
+        <translation>die Werte der positiven Richtung</translation>
+    </message>
+    <message>
+        <source>the values of the negative direction</source>
+        <translation>die Werte der negativen Richtung</translation>
+    </message>
+    <message>
+        <source>the positions of the table</source>
+        <translation>die Positionen der Tabelle</translation>
+    </message>
+    <message>
+        <source>a number of points</source>
+        <translation>eine Anzahl Punkte</translation>
+    </message>
+    <message>
+        <source>a distance</source>
+        <translation>ein Abstand</translation>
+    </message>
+    <message>
+        <source>as coarse as a deviation allows</source>
+        <translation>so grob, wie eine Abweichung erlaubt</translation>
+    </message>
+    <message>
+        <source>linear, as controllers do</source>
+        <translation>linear, wie Steuerungen es tun</translation>
+    </message>
+    <message>
+        <source>smooth (monotone cubic)</source>
+        <translation>glatt (monoton kubisch)</translation>
+    </message>
+    <message>
+        <source>&amp;Number of points</source>
+        <translation>Anzahl P&amp;unkte</translation>
+    </message>
+    <message>
+        <source>At least 2; one number for all sources, or one for each: 21; 31</source>
+        <translation>Mindestens 2; eine Zahl für alle Quellen oder eine für jede: 21; 31</translation>
+    </message>
+    <message>
+        <source>Dista&amp;nce</source>
+        <translation>Abstan&amp;d</translation>
+    </message>
+    <message>
+        <source>In the unit of the positions; one number for all sources, or one for each: 5; 10</source>
+        <translation>In der Einheit der Positionen; eine Zahl für alle Quellen oder eine für jede: 5; 10</translation>
+    </message>
+    <message>
+        <source>Deviatio&amp;n</source>
+        <translation>Ab&amp;weichung</translation>
+    </message>
+    <message>
+        <source>In the unit of the values; the fewest points that keep it are looked for</source>
+        <translation>In der Einheit der Werte; gesucht werden die wenigsten Punkte, die sie einhalten</translation>
+    </message>
+</context>
+<context>
     <name>axiscomp::ui::DataField</name>
     <message>
         <source>No file is open</source>
@@ -2085,6 +3136,14 @@
     <message>
         <source>&amp;Close File</source>
         <translation>Datei &amp;schließen</translation>
+    </message>
+    <message>
+        <source>Import &amp;Options…</source>
+        <translation>Import&amp;optionen…</translation>
+    </message>
+    <message>
+        <source>Format, sign and even grid of the open file</source>
+        <translation>Format, Vorzeichen und gleichmäßiges Raster der offenen Datei</translation>
     </message>
 </context>
 <context>
@@ -2162,6 +3221,25 @@
     </message>
 </context>
 <context>
+    <name>axiscomp::ui::ExportDialog</name>
+    <message>
+        <source>Export for Another Controller</source>
+        <translation>Für eine andere Steuerung exportieren</translation>
+    </message>
+    <message>
+        <source>The table &quot;%1&quot; is written as a file that another controller reads. The drive keeps what it has.</source>
+        <translation>Die Tabelle &quot;%1&quot; wird als Datei geschrieben, die eine andere Steuerung liest. Der Antrieb behält, was er hat.</translation>
+    </message>
+    <message>
+        <source>E&amp;xport…</source>
+        <translation>E&amp;xportieren…</translation>
+    </message>
+    <message>
+        <source>Choose where the file is written</source>
+        <translation>Wählen, wohin die Datei geschrieben wird</translation>
+    </message>
+</context>
+<context>
     <name>axiscomp::ui::FieldRow</name>
     <message>
         <source>Revert %1</source>
@@ -2191,10 +3269,6 @@
         <translation>Kompensationsdaten öffnen</translation>
     </message>
     <message>
-        <source>Calibration files (*.csv *.txt);;All files (*)</source>
-        <translation>Kalibrierdateien (*.csv *.txt);;Alle Dateien (*)</translation>
-    </message>
-    <message>
         <source>Save Example File</source>
         <translation>Beispieldatei speichern</translation>
     </message>
@@ -2209,6 +3283,10 @@
     <message>
         <source>Text files (*.txt)</source>
         <translation>Textdateien (*.txt)</translation>
+    </message>
+    <message>
+        <source>Export for Another Controller</source>
+        <translation>Für eine andere Steuerung exportieren</translation>
     </message>
 </context>
 <context>
@@ -2354,6 +3432,29 @@
     <message>
         <source>No drive is chosen</source>
         <translation>Kein Antrieb ist gewählt</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::ImportDialog</name>
+    <message>
+        <source>Import Compensation Data</source>
+        <translation>Kompensationsdaten importieren</translation>
+    </message>
+    <message>
+        <source>How is %1 to be understood? The table becomes what the drive adds to the encoder position, on an even grid.</source>
+        <translation>Wie ist %1 zu verstehen? Aus der Tabelle wird das, was der Antrieb zur Geberposition addiert, auf einem gleichmäßigen Raster.</translation>
+    </message>
+    <message>
+        <source>I&amp;mport</source>
+        <translation>I&amp;mportieren</translation>
+    </message>
+    <message>
+        <source>Use the file in this way; nothing is written to the drive yet</source>
+        <translation>Die Datei so verwenden; auf den Antrieb wird noch nichts geschrieben</translation>
+    </message>
+    <message>
+        <source>Line %1: </source>
+        <translation>Zeile %1: </translation>
     </message>
 </context>
 <context>
@@ -2553,6 +3654,18 @@ Der Kompensationswert ist Referenz minus Geber und wird zur Geberposition addier
 
 Freie Software unter der GNU General Public License, Version 3 oder neuer.</translation>
     </message>
+    <message>
+        <source>Write the selected table as a file that another controller reads</source>
+        <translation>Die gewählte Tabelle als Datei schreiben, die eine andere Steuerung liest</translation>
+    </message>
+    <message>
+        <source>No table is selected.</source>
+        <translation>Es ist keine Tabelle gewählt.</translation>
+    </message>
+    <message>
+        <source>&amp;Export for Another Controller…</source>
+        <translation>Für eine andere Steuerung &amp;exportieren…</translation>
+    </message>
 </context>
 <context>
     <name>axiscomp::ui::PageMessages</name>
@@ -2685,6 +3798,21 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
     <message>
         <source>Click a problem, or press Enter, to see the file&apos;s line.</source>
         <translation>Ein Klick auf einen Fehler oder die Eingabetaste zeigt die Zeile der Datei.</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::SettingFields</name>
+    <message>
+        <source>not given</source>
+        <translation>nicht angegeben</translation>
+    </message>
+    <message>
+        <source>usual: %1</source>
+        <translation>üblich: %1</translation>
+    </message>
+    <message>
+        <source>needed</source>
+        <translation>nötig</translation>
     </message>
 </context>
 <context>
@@ -2907,6 +4035,10 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
         <source>; used so far: %1 of the usual %2 cycles</source>
         <comment>of the flash</comment>
         <translation>; bisher verbraucht: %1 der üblichen %2 Zyklen</translation>
+    </message>
+    <message>
+        <source>; read as %1, converted</source>
+        <translation>; gelesen als %1, umgerechnet</translation>
     </message>
 </context>
 <context>

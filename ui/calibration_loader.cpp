@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/calibration_loader.h"
 
-#include "core/local_file.h"
-#include "core/tam_table.h"
+#include "ui/table_import.h"
 
 #include <QFileInfo>
 
@@ -12,57 +11,21 @@ namespace axiscomp::ui {
 
 namespace {
 
-/// Far more than any drive holds.
-constexpr std::uint64_t largestTableFile = 64ULL * 1024 * 1024;
-
-std::filesystem::path filePath(const QString& path)
+void take(LoadedFile& file, TableImport import)
 {
-    return QFileInfo(path).filesystemAbsoluteFilePath();
-}
-
-bool isTamTable(const QString& path)
-{
-    return path.endsWith(QStringLiteral(".tamtbl"), Qt::CaseInsensitive);
-}
-
-void readTamTable(LoadedFile& file, const TableLayout& layout)
-{
-    const auto bytes = loadFile(filePath(file.path), largestTableFile);
-    auto decoded = bytes ? decodeTamTable(*bytes, layout) : Result<TamTable>(fail(bytes.error()));
-    if (!decoded) {
+    file.family = import.family;
+    file.data = std::move(import.data);
+    file.report = std::move(import.report);
+    file.problems = std::move(import.problems);
+    file.suppressedProblems = import.suppressedProblems;
+    file.refusal = std::move(import.refusal);
+    if (file.refusal && file.problems.empty())
         file.problems.push_back(
-            {Severity::Error, DiagnosticCode::IoError, 0, 0, sentence(decoded.error()), {}});
-        return;
-    }
-    CalibrationData data;
-    data.grid = decoded->table.grid;
-    if (decoded->table.name.empty())
-        decoded->table.name = QFileInfo(file.path).completeBaseName().toStdString();
-    data.tables.push_back(std::move(decoded->table));
-    file.data = std::make_shared<const CalibrationData>(std::move(data));
-}
-
-void survey(LoadedFile& file)
-{
+            {Severity::Error, DiagnosticCode::IoError, 0, 0, sentence(*file.refusal), {}});
     if (!file.data)
         return;
     for (const CompensationTable& table : file.data->tables)
         file.tables.push_back(surveyed({file.data, &table}));
-}
-
-/// False when it was cancelled.
-bool readCsv(LoadedFile& file, const std::stop_token& stop, ProgressRelay& relay)
-{
-    CsvOptions options;
-    options.dimensions = file.dimensions;
-    options.stop = stop;
-    options.progress = [&relay](double fraction) { relay.report({}, fraction); };
-    CsvReading reading = readCalibrationCsv(filePath(file.path), options);
-    file.problems = std::move(reading.diagnostics);
-    file.suppressedProblems = reading.suppressed;
-    if (reading.data)
-        file.data = std::make_shared<const CalibrationData>(*std::move(reading.data));
-    return !reading.cancelled;
 }
 
 } // namespace
@@ -93,22 +56,24 @@ CalibrationLoader::~CalibrationLoader()
     m_thread.wait();
 }
 
-void CalibrationLoader::load(const QString& path, int dimensions)
+void CalibrationLoader::load(const QString& path, int dimensions, const ImportChoices& choices)
 {
     cancel();
     m_stop = std::stop_source();
-    const auto read = [this, path, dimensions, number = m_number, stop = m_stop.get_token()] {
+    const auto read = [this, path, dimensions, choices, number = m_number,
+                          stop = m_stop.get_token()] {
         LoadedFile file;
         file.path = path;
         file.dimensions = dimensions;
+        file.choices = choices;
         file.stamp = stampOf(path);
         if (stop.stop_requested())
             return;
-        if (isTamTable(path))
-            readTamTable(file, m_layout);
-        else if (!readCsv(file, stop, m_relay))
+        TableImport import = importTables({QFileInfo(path).filesystemAbsoluteFilePath(), dimensions,
+            choices, &m_layout, stop, [this](double fraction) { m_relay.report({}, fraction); }});
+        if (import.isCancelled)
             return;
-        survey(file);
+        take(file, std::move(import));
         QMetaObject::invokeMethod(
             this, [this, number, file = std::move(file)] { finish(number, file); },
             Qt::QueuedConnection);

@@ -3,6 +3,7 @@
 
 #include "core/calibration_csv.h"
 #include "core/table_layout.h"
+#include "ui/import_choices.h"
 #include "ui/progress_relay.h"
 #include "ui/surveyed_table.h"
 
@@ -29,6 +30,10 @@ struct FileStamp {
 struct LoadedFile {
     QString path;
     int dimensions = 1; ///< that were asked for
+    ImportChoices choices; ///< likewise
+    const TableFamily* family = nullptr; ///< as which it was read
+    std::vector<std::string> report; ///< of its conversion: English, for phraseText
+    std::optional<Error> refusal; ///< other choices are needed; among the problems, too
     FileStamp stamp; ///< from before it was read
     std::shared_ptr<const CalibrationData> data; ///< only without an error
     std::vector<SurveyedTable> tables; ///< those of data, kept alive with it
@@ -37,8 +42,8 @@ struct LoadedFile {
 };
 
 /// Reads and parses files of compensation data on a thread of its own: calibration CSV by the
-/// chosen number of dimensions, TAM tables (.TAMtbl) with their own. One file at a time: the next
-/// one cancels the one before.
+/// chosen number of dimensions, TAM tables (.TAMtbl) with their own, and files of other
+/// controllers, which are converted. One file at a time: the next one cancels the one before.
 class CalibrationLoader : public QObject {
     Q_OBJECT
 
@@ -47,7 +52,7 @@ public:
     explicit CalibrationLoader(const TableLayout& layout, QObject* parent = nullptr);
     ~CalibrationLoader() override;
 
-    void load(const QString& path, int dimensions);
+    void load(const QString& path, int dimensions, const ImportChoices& choices);
     /// Nothing is reported for what is cancelled.
     void cancel();
 

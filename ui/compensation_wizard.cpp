@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/compensation_wizard.h"
 
+#include "core/drive_profile.h"
 #include "ui/action_panel.h"
 #include "ui/certificate_dialog.h"
 #include "ui/changed_style.h"
@@ -89,7 +90,7 @@ CompensationWizard::Private::Private(
     , menu(new PageMenu(&wizard))
     , page(new WizardPage(controller, *options.profile, style, *menu, &wizard))
     , dropFrame(new DropFrame(&wizard))
-    , files(controller, settings, page->setup->dataField(), wizard)
+    , files(controller, settings, page->setup->dataField(), options.profile->layout, wizard)
     , writeFlow(controller, *page->preview)
     , guard(controller, *page->messages)
     , messages(controller, *page->messages)
@@ -119,6 +120,12 @@ void CompensationWizard::Private::connectParts()
     connect(page->log, &LogView::saveRequested, &q, [this] { files.saveLog(page->log->text()); });
     connect(&files, &FileActions::failed, &messages, &PageMessages::showFailure);
     connect(&guard, &LeaveGuard::closeAgreed, &q, &CompensationWizard::closeRequested);
+    connect(menu, &PageMenu::exportRequested, &files, &FileActions::exportTable);
+    const auto offerExport = [this] {
+        menu->setExportEnabled(controller.selectedTable() != nullptr);
+    };
+    connect(&controller, &WizardController::selectedTableChanged, menu, offerExport);
+    offerExport();
     connect(menu, &PageMenu::languageChosen, &q,
         [this](const QString& chosen) { chooseLanguage(chosen); });
     connect(menu, &PageMenu::previewSkippedChosen, &q,

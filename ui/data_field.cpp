@@ -135,6 +135,11 @@ void DataField::fillMenu()
         m_menu->addAction(tr("No recent files"))->setEnabled(false);
     m_menu->addSeparator();
     QAction* again = m_menu->addAction(symbolIcon(Symbol::Refresh), tr("&Read Again"));
+    QAction* import = m_menu->addAction(symbolIcon(Symbol::Edit), tr("Import &Options…"));
+    import->setObjectName(QStringLiteral("importOptionsAction"));
+    import->setToolTip(tr("Format, sign and even grid of the open file"));
+    import->setEnabled(!m_path.isEmpty());
+    connect(import, &QAction::triggered, this, &DataField::importOptionsRequested);
     QAction* close = m_menu->addAction(symbolIcon(Symbol::Close), tr("&Close File"));
     again->setObjectName(QStringLiteral("readAgainAction"));
     close->setObjectName(QStringLiteral("closeFileAction"));

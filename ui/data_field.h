@@ -33,6 +33,7 @@ Q_SIGNALS:
     void openRequested();
     void fileChosen(const QString& path);
     void readAgainRequested();
+    void importOptionsRequested();
     void closeRequested();
     void cancelRequested();
 

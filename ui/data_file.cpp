@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/data_file.h"
 
+#include "core/formats/families.h"
+
 #include <QDir>
 #include <QFileInfo>
 
@@ -27,13 +29,14 @@ SurveyedTable DataFileModel::table(int index) const
     return isOne ? m_tables[static_cast<std::size_t>(index)] : SurveyedTable{};
 }
 
-void DataFileModel::open(const QString& path, int dimensions)
+void DataFileModel::open(const QString& path, int dimensions, const ImportChoices& choices)
 {
     m_file.isReading = true;
     m_file.readingPath = QDir::cleanPath(QFileInfo(path).absoluteFilePath());
     m_file.progress = 0.0;
     m_dimensions = dimensions;
-    m_loader.load(m_file.readingPath, dimensions);
+    m_choices[m_file.readingPath] = choices;
+    m_loader.load(m_file.readingPath, dimensions, choices);
     Q_EMIT changed();
 }
 
@@ -43,9 +46,16 @@ void DataFileModel::setDimensions(int dimensions)
         return;
     m_dimensions = dimensions;
     const QString path = m_file.isReading ? m_file.readingPath : m_file.path;
-    const bool knowsItsOwn = path.endsWith(QStringLiteral(".tamtbl"), Qt::CaseInsensitive);
+    const bool knowsItsOwn =
+        !m_file.isReading && m_file.family && m_file.family != &calibrationCsvFamily();
     if (!path.isEmpty() && !knowsItsOwn)
-        open(path, dimensions);
+        open(path, dimensions, choicesFor(path));
+}
+
+ImportChoices DataFileModel::choicesFor(const QString& path) const
+{
+    const auto known = m_choices.find(path);
+    return known == m_choices.end() ? ImportChoices{} : known->second;
 }
 
 void DataFileModel::close()
@@ -80,6 +90,8 @@ void DataFileModel::take(const LoadedFile& loaded)
     const auto before = m_file.data;
     if (loaded.data) {
         m_file.data = loaded.data;
+        m_file.report = loaded.report;
+        m_file.family = loaded.family;
         m_tables = loaded.tables;
     }
     if (loaded.data || !before) {
@@ -96,6 +108,8 @@ void DataFileModel::take(const LoadedFile& loaded)
     else
         Q_EMIT failed(loaded);
     Q_EMIT changed();
+    if (loaded.refusal)
+        Q_EMIT choiceNeeded(loaded.path);
 }
 
 /// The file, and its folder: many programs save by putting a new file in the old one's place.

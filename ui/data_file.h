@@ -7,6 +7,8 @@
 #include <QFileSystemWatcher>
 #include <QObject>
 
+#include <map>
+
 namespace axiscomp::ui {
 
 /// The open file of compensation data: opens, reads again and watches it. A file with errors leaves
@@ -22,10 +24,12 @@ public:
     /// The table of that index, kept as long as it is used; null when there is none.
     [[nodiscard]] SurveyedTable table(int index) const;
 
-    void open(const QString& path, int dimensions);
-    /// The open CSV file again, when its columns mean something else now; a TAM table knows its own
-    /// dimensions.
+    void open(const QString& path, int dimensions, const ImportChoices& choices = {});
+    /// The open CSV file again, when its columns mean something else now; other files know their
+    /// own dimensions.
     void setDimensions(int dimensions);
+    /// What the user has said about the file so far.
+    [[nodiscard]] ImportChoices choicesFor(const QString& path) const;
     void close();
     void cancelReading();
 
@@ -34,6 +38,8 @@ Q_SIGNALS:
     /// New data: of another file or the same one again. before: what there was, may be null.
     void dataReplaced(std::shared_ptr<const axiscomp::CalibrationData> before, bool isSameFile);
     void failed(const axiscomp::ui::LoadedFile& file);
+    /// The file cannot be used without other choices.
+    void choiceNeeded(const QString& path);
 
 private:
     void take(const LoadedFile& loaded);
@@ -43,6 +49,7 @@ private:
     DataFile m_file;
     std::vector<SurveyedTable> m_tables; ///< of m_file.data
     FileStamp m_stamp;
+    std::map<QString, ImportChoices> m_choices; ///< by file
     int m_dimensions = 1; ///< with which the data was read, or is being read
     CalibrationLoader m_loader;
     QFileSystemWatcher m_watcher;

@@ -4,12 +4,17 @@
 #include "core/local_file.h"
 #include "ui/background.h"
 #include "ui/data_field.h"
+#include "ui/export_dialog.h"
+#include "ui/file_filters.h"
 #include "ui/future_handler.h"
+#include "ui/import_dialog.h"
 #include "ui/wizard_controller.h"
 #include "ui/wizard_settings.h"
 
 #include <QDateTime>
 #include <QDir>
+#include <QFileInfo>
+#include <QRegularExpression>
 #include <QWidget>
 
 namespace axiscomp::ui {
@@ -25,11 +30,12 @@ Bytes bytesOf(const std::string& text)
 } // namespace
 
 FileActions::FileActions(WizardController& controller, WizardSettings& settings, DataField& field,
-    QWidget& window, QObject* parent)
+    const TableLayout& layout, QWidget& window, QObject* parent)
     : QObject(parent)
     , m_controller(controller)
     , m_settings(settings)
     , m_field(field)
+    , m_layout(layout)
     , m_window(window)
     , m_picker(systemFilePicker())
 {
@@ -37,6 +43,9 @@ FileActions::FileActions(WizardController& controller, WizardSettings& settings,
     connect(&field, &DataField::openRequested, this, &FileActions::askAndOpen);
     connect(&field, &DataField::fileChosen, this, &FileActions::open);
     connect(&field, &DataField::readAgainRequested, this, [this] { m_controller.readDataAgain(); });
+    connect(&field, &DataField::importOptionsRequested, this,
+        [this] { askForImport(m_controller.dataFile().path); });
+    connect(&controller, &WizardController::importChoiceNeeded, this, &FileActions::askForImport);
     connect(&field, &DataField::closeRequested, &controller, &WizardController::closeData);
     connect(&field, &DataField::cancelRequested, &controller, &WizardController::cancelReading);
 }
@@ -53,7 +62,7 @@ void FileActions::askAndOpen()
     FileQuestion question;
     question.purpose = FileQuestion::Purpose::OpenData;
     question.title = tr("Open Compensation Data");
-    question.filter = tr("Calibration files (*.csv *.txt);;All files (*)");
+    question.filter = openFilter();
     question.start = m_settings.folder();
     m_picker(m_window, question, [this](const QString& path) { open(path); });
 }
@@ -65,6 +74,64 @@ void FileActions::open(const QString& path)
     m_controller.openData(path);
     m_settings.addRecentFile(path);
     m_field.setRecentFiles(m_settings.recentFiles());
+}
+
+void FileActions::askForImport(const QString& path)
+{
+    if (path.isEmpty() || !m_controller.action(Action::OpenData).isEnabled)
+        return;
+    if (m_import)
+        m_import->reject();
+    ImportChoices choices = m_controller.importChoices(path);
+    if (!choices.family && m_controller.dataFile().path == path && m_controller.dataFile().data)
+        choices.family = m_controller.dataFile().family;
+    m_import = new ImportDialog(
+        {path, m_controller.setup().edited().dimensionality, std::move(choices), m_layout},
+        &m_window);
+    connect(m_import, &ImportDialog::chosen, &m_controller, &WizardController::importData);
+    m_import->open();
+}
+
+void FileActions::exportTable()
+{
+    const auto table = m_controller.selectedTable();
+    if (!table)
+        return;
+    auto* dialog =
+        new ExportDialog({table, QString::fromStdString(table->name), m_layout}, &m_window);
+    connect(dialog, &ExportDialog::chosen, this, &FileActions::askWhereToExport);
+    dialog->open();
+}
+
+void FileActions::askWhereToExport(
+    const std::shared_ptr<const CompensationTable>& table, const ImportChoices& choices)
+{
+    FileQuestion question;
+    question.purpose = FileQuestion::Purpose::ExportTable;
+    question.title = tr("Export for Another Controller");
+    question.filter = saveFilter(*choices.family);
+    QString name = QString::fromStdString(table->name);
+    static const QRegularExpression notForNames(QStringLiteral("[^\\w.-]+"));
+    name.replace(notForNames, QStringLiteral("-"));
+    question.start = QDir(m_settings.folder())
+                         .filePath((name.isEmpty() ? QStringLiteral("table") : name)
+                             + extensionOf(*choices.family));
+    m_picker(m_window, question,
+        [this, table, choices](const QString& path) { saveExport(path, table, choices); });
+}
+
+void FileActions::saveExport(const QString& path,
+    const std::shared_ptr<const CompensationTable>& table, const ImportChoices& choices)
+{
+    if (path.isEmpty())
+        return;
+    report(inBackground<Result<void>>([path, table, choices, layout = m_layout]() -> Result<void> {
+        const std::string name = QFileInfo(path).fileName().toStdString();
+        const auto exported = axiscomp::ui::exportTable(*table, choices, name, layout);
+        if (!exported)
+            return fail(exported.error());
+        return saveFile(QFileInfo(path).filesystemAbsoluteFilePath(), bytesOf(exported->bytes));
+    }));
 }
 
 void FileActions::saveExample(int dimensionality)
@@ -98,8 +165,12 @@ void FileActions::save(const QString& path, std::string text)
     if (path.isEmpty())
         return;
     const std::filesystem::path file = path.toStdString();
-    const auto saved = inBackground<Result<void>>(
-        [file, text = std::move(text)] { return saveFile(file, bytesOf(text)); });
+    report(inBackground<Result<void>>(
+        [file, text = std::move(text)] { return saveFile(file, bytesOf(text)); }));
+}
+
+void FileActions::report(const QFuture<Result<void>>& saved)
+{
     whenDone(saved, this, [this](const Result<void>& result) {
         if (!result)
             Q_EMIT failed(errorText(result.error()));

@@ -16,6 +16,7 @@ PageMenu::PageMenu(QWidget* parent)
     , m_languageGroup(new QActionGroup(this))
     , m_systemLanguage(m_languages->addAction(QString()))
     , m_preview(addAction(QString()))
+    , m_export(addAction(symbolIcon(Symbol::Save), QString()))
     , m_saveLog(addAction(symbolIcon(Symbol::Save), QString()))
     , m_about(nullptr)
 {
@@ -26,12 +27,14 @@ PageMenu::PageMenu(QWidget* parent)
     m_preview->setObjectName(QStringLiteral("previewVolatileAction"));
     m_preview->setCheckable(true);
     m_preview->setChecked(true);
+    m_export->setObjectName(QStringLiteral("exportAction"));
     m_saveLog->setObjectName(QStringLiteral("saveLogAction"));
     addSeparator();
     m_about = addAction(QString());
     m_about->setObjectName(QStringLiteral("aboutAction"));
     connect(m_preview, &QAction::triggered, this,
         [this](bool isShown) { Q_EMIT previewSkippedChosen(!isShown); });
+    connect(m_export, &QAction::triggered, this, &PageMenu::exportRequested);
     connect(m_saveLog, &QAction::triggered, this, &PageMenu::saveLogRequested);
     connect(m_about, &QAction::triggered, this, &PageMenu::showAbout);
     retranslate();
@@ -69,12 +72,22 @@ void PageMenu::showPreviewSkipped(bool isSkipped)
     m_preview->setChecked(!isSkipped);
 }
 
+void PageMenu::setExportEnabled(bool isEnabled)
+{
+    m_export->setEnabled(isEnabled);
+    m_export->setToolTip(isEnabled
+            ? tr("Write the selected table as a file that another controller reads")
+            : tr("No table is selected."));
+}
+
 void PageMenu::retranslate()
 {
     m_languages->setTitle(tr("&Language"));
     m_systemLanguage->setText(tr("&System Language"));
     m_preview->setText(tr("List &Changes Before Volatile Writes"));
     m_preview->setToolTip(tr("Persistent writes always show what will be written"));
+    m_export->setText(tr("&Export for Another Controller…"));
+    setExportEnabled(m_export->isEnabled());
     m_saveLog->setText(tr("Save Lo&g…"));
     m_about->setText(tr("&About"));
 }

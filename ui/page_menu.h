@@ -8,8 +8,8 @@ class QActionGroup;
 
 namespace axiscomp::ui {
 
-/// What the page offers beside its daily work: language, the list before volatile writes, the log,
-/// about.
+/// What the page offers beside its daily work: language, the list before volatile writes, export,
+/// the log, about.
 class PageMenu : public QMenu {
     Q_OBJECT
 
@@ -19,12 +19,14 @@ public:
     /// Empty: the system's.
     void showLanguage(const QString& language);
     void showPreviewSkipped(bool isSkipped);
+    void setExportEnabled(bool isEnabled);
     void retranslate();
 
 Q_SIGNALS:
     void languageChosen(const QString& language);
     void previewSkippedChosen(bool isSkipped);
     void saveLogRequested();
+    void exportRequested();
 
 private:
     void fillLanguages();
@@ -34,6 +36,7 @@ private:
     QActionGroup* m_languageGroup;
     QAction* m_systemLanguage;
     QAction* m_preview;
+    QAction* m_export;
     QAction* m_saveLog;
     QAction* m_about;
 };

@@ -18,6 +18,12 @@ namespace axiscomp::ui {
 [[nodiscard]] std::span<const char* const> filePhrases();
 [[nodiscard]] std::span<const char* const> calibrationPhrases();
 [[nodiscard]] std::span<const char* const> linkPhrases();
+[[nodiscard]] std::span<const char* const> formatPhrases(); ///< of the registry of formats
+[[nodiscard]] std::span<const char* const> conversionPhrases();
+
+/// The keys of the settings of formats, with blanks in place of "-", and what can be chosen for
+/// them (context "Setting").
+[[nodiscard]] std::span<const char* const> settingPhrases();
 
 /// An English text that was made from one of the phrases, in the language of the window; what its
 /// placeholders hold is translated in the same way. A text that is not known stays as it is.

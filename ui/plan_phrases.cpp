@@ -9,6 +9,10 @@ namespace {
 
 // What core says of plans, drives and proofs.
 constexpr const char* phrases[] = {
+    QT_TRANSLATE_NOOP("Error", "axis {axis} is named twice"),
+    QT_TRANSLATE_NOOP("Error",
+        "together these writes cost {cost} flash operations, and {left} are possible now; write "
+        "them volatile, or fewer at a time"),
     QT_TRANSLATE_NOOP("Error", "the axis must be homed first"),
     QT_TRANSLATE_NOOP("Error", "the axis has no table; write one first"),
     QT_TRANSLATE_NOOP("Error", "the number of sources must equal the table's dimensions"),

@@ -2,6 +2,7 @@
 #include "ui/preview_panel.h"
 
 #include "core/drive_profile.h"
+#include "ui/applied_box.h"
 #include "ui/contrast.h"
 #include "ui/file_lines_view.h"
 #include "ui/problem_list.h"
@@ -65,6 +66,7 @@ PreviewPanel::PreviewPanel(
     , m_tabs(new QTabWidget)
     , m_shown(new ShownTable(this))
     , m_plot(new TablePlot(*m_shown))
+    , m_applied(new AppliedBox)
     , m_valuesStack(new QStackedWidget)
     , m_values(new ValuesView(*m_shown))
     , m_lines(new FileLinesView)
@@ -88,6 +90,7 @@ PreviewPanel::PreviewPanel(
 void PreviewPanel::build()
 {
     m_plot->setObjectName(QStringLiteral("tablePlot"));
+    m_plot->addTool(m_applied);
     m_tabs->setObjectName(QStringLiteral("previewTabs"));
     m_tabs->setDocumentMode(true);
     m_valuesStack->setObjectName(QStringLiteral("valuesStack"));
@@ -166,6 +169,7 @@ void PreviewPanel::connectProblems()
 void PreviewPanel::connectController()
 {
     connect(m_shown, &ShownTable::changed, this, &PreviewPanel::showFacts);
+    connect(m_applied, &AppliedBox::changed, this, &PreviewPanel::showApplied);
     connect(m_example, &QPushButton::clicked, this,
         [this] { Q_EMIT saveExampleRequested(m_controller.setup().edited().dimensionality); });
     connect(
@@ -214,6 +218,7 @@ void PreviewPanel::retranslate()
         m_tabs->setTabText(index, title);
         m_tabs->setTabToolTip(index, tr("%1 (Ctrl+%2)").arg(title).arg(index + 1));
     }
+    m_applied->retranslate();
     m_values->retranslate();
     m_lines->retranslate();
     m_problems->retranslate();
@@ -235,7 +240,13 @@ void PreviewPanel::showExample()
 
 void PreviewPanel::showTables()
 {
-    m_shown->setTables(m_controller.selectedTable(), m_controller.driveTable());
+    m_applied->setTable(m_controller.selectedTable());
+    showApplied();
+}
+
+void PreviewPanel::showApplied()
+{
+    m_shown->setTables(m_applied->table(), m_controller.driveTable());
     showMarker();
     showFacts();
 }
@@ -246,7 +257,8 @@ void PreviewPanel::showMarker()
     const auto table = m_controller.selectedTable();
     // The drive's values are places in the picture only where it looks up what the page shows.
     const EditedSetup& edited = m_controller.setup().edited();
-    bool isPlace = status && table && table->grid.dimensions() == edited.dimensionality;
+    bool isPlace = status && table && m_applied->isOfDrive()
+        && table->grid.dimensions() == edited.dimensionality;
     for (std::size_t n = 0; isPlace && n < table->grid.axes.size(); ++n) {
         const DimSource& source = status->setup.sources.at(n);
         isPlace = source.isSet() && source == edited.sources.at(n);
@@ -286,6 +298,8 @@ QString PreviewPanel::sizeText() const
 
 QString PreviewPanel::warningText() const
 {
+    if (!m_applied->problem().isEmpty())
+        return QStringLiteral("⚠ ") + m_applied->problem();
     if (!m_controller.setup().edited().table.fileTable)
         return {};
     QStringList lines;

@@ -14,6 +14,7 @@ struct DriveProfile;
 
 namespace axiscomp::ui {
 
+class AppliedBox;
 class FileLinesView;
 class ProblemList;
 class ShownTable;
@@ -47,6 +48,7 @@ private:
     void connectController();
     void connectProblems();
     void showTables();
+    void showApplied();
     void showFacts();
     void showMarker();
     void showProblems();
@@ -64,6 +66,7 @@ private:
     QTabWidget* m_tabs;
     ShownTable* m_shown;
     TablePlot* m_plot;
+    AppliedBox* m_applied;
     QStackedWidget* m_valuesStack; ///< the table's values, or the file's lines
     ValuesView* m_values;
     FileLinesView* m_lines;

@@ -229,6 +229,10 @@ void SetupPanel::showData()
         information =
             tr("tables: %1, points: %2")
                 .arg(countText(file.data->tables.size()), countText(file.data->grid.pointCount()));
+    if (!file.isReading && file.data && !file.report.empty())
+        information += tr("; read as %1, converted")
+                           .arg(QString::fromUtf8(file.family->facts.name.data(),
+                               static_cast<qsizetype>(file.family->facts.name.size())));
     m_dataRow->setInformation(information);
     showTables();
 }

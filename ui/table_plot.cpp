@@ -45,11 +45,11 @@ void TablePlot::build()
     d->cursorsButton->setCheckable(true);
     d->resetButton = tool("plotResetZoom");
     d->exportButton = tool("plotExport");
-    auto* tools = new QHBoxLayout;
-    tools->addWidget(d->contentBox);
-    tools->addStretch(1);
+    d->tools = new QHBoxLayout;
+    d->tools->addWidget(d->contentBox);
+    d->tools->addStretch(1);
     for (QToolButton* button : {d->cursorsButton, d->resetButton, d->exportButton})
-        tools->addWidget(button);
+        d->tools->addWidget(button);
 
     d->canvas = new PlotCanvas(this);
     QCustomPlot& plot = d->canvas->plot();
@@ -65,10 +65,16 @@ void TablePlot::build()
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(4, 4, 4, 4);
     layout->setSpacing(4);
-    layout->addLayout(tools);
+    layout->addLayout(d->tools);
     layout->addWidget(&plot, 1);
     layout->addWidget(d->slice);
     layout->addWidget(d->readout);
+}
+
+void TablePlot::addTool(QWidget* tool)
+{
+    d->tools->insertWidget(1, tool);
+    setTabOrder(d->contentBox, tool);
 }
 
 void TablePlot::connectTools()

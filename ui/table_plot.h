@@ -25,6 +25,9 @@ public:
     explicit TablePlot(ShownTable& shown, QWidget* parent = nullptr);
     ~TablePlot() override;
 
+    /// Puts something that belongs to the picture behind the choice of its values.
+    void addTool(QWidget* tool);
+
     /// Where the axis is now, in the table's positions, and the drive's output there; none hides
     /// it.
     struct Marker {

@@ -6,6 +6,7 @@
 
 #include <QPointF>
 
+class QHBoxLayout;
 class QLabel;
 class QToolButton;
 
@@ -26,6 +27,7 @@ struct TablePlot::Private {
     QPointF pressed; ///< where the mouse button went down
 
     ContentBox* contentBox = nullptr;
+    QHBoxLayout* tools = nullptr;
     QToolButton* cursorsButton = nullptr;
     QToolButton* resetButton = nullptr;
     QToolButton* exportButton = nullptr;

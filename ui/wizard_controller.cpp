@@ -31,6 +31,7 @@ WizardController::Private::Private(WizardController& controller, WizardOptions w
         });
     connect(&file, &DataFileModel::failed, &q,
         [this](const LoadedFile& failed) { fileFailed(failed); });
+    connect(&file, &DataFileModel::choiceNeeded, &q, &WizardController::importChoiceNeeded);
     connect(&file, &DataFileModel::changed, &q, [this] {
         Q_EMIT q.dataFileChanged();
         update();
@@ -152,16 +153,27 @@ bool WizardController::isSourceBeingChecked(int dimension) const
 
 void WizardController::openData(const QString& path)
 {
+    importData(path, {});
+}
+
+void WizardController::importData(const QString& path, const ImportChoices& choices)
+{
     if (!d->mayStart(Action::OpenData))
         return;
     d->isOpening = true;
-    d->file.open(path, d->setup.edited().dimensionality);
+    d->file.open(path, d->setup.edited().dimensionality, choices);
+}
+
+ImportChoices WizardController::importChoices(const QString& path) const
+{
+    return d->file.choicesFor(path);
 }
 
 void WizardController::readDataAgain()
 {
-    if (!d->file.file().path.isEmpty() && d->mayStart(Action::OpenData))
-        d->file.open(d->file.file().path, d->setup.edited().dimensionality);
+    const QString path = d->file.file().path;
+    if (!path.isEmpty() && d->mayStart(Action::OpenData))
+        d->file.open(path, d->setup.edited().dimensionality, d->file.choicesFor(path));
 }
 
 void WizardController::closeData()

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ui/error_text.h"
+#include "ui/import_choices.h"
 #include "ui/setup_model.h"
 #include "ui/wizard_types.h"
 
@@ -49,6 +50,10 @@ public:
     // Compensation data
     /// The file's first table is chosen, unless another one of the same file is.
     void openData(const QString& path);
+    /// The same with what the user has said about the file.
+    void importData(const QString& path, const ImportChoices& choices);
+    /// What the user has said about the file so far.
+    [[nodiscard]] ImportChoices importChoices(const QString& path) const;
     /// The open file, which may have changed; what was chosen stays chosen.
     void readDataAgain();
     void closeData();
@@ -113,6 +118,7 @@ Q_SIGNALS:
     void liveChanged(); ///< output, indices, source values of status()
     void sourceChecked(int dimension);
     void dataFileChanged();
+    void importChoiceNeeded(const QString& path); ///< the file cannot be used without
     void selectedTableChanged();
     void actionsChanged(); ///< action(), hint()
     void busyChanged();

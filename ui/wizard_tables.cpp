@@ -43,6 +43,8 @@ void WizardController::Private::fileReplaced(
                     .arg(points)
                     .arg(tables);
             });
+    for (const std::string& line : file.file().report)
+        log(LogLine::Kind::Information, [line] { return phraseText(line); });
     noteSelectedTable();
 }
 

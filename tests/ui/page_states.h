@@ -3,6 +3,7 @@
 
 #include "tests/ui/page_bench.h"
 
+#include <QAction>
 #include <QTabWidget>
 
 #include <functional>
@@ -145,6 +146,41 @@ inline bool connections(PageBench& bench)
         && PageUser::waitFor([&] { return bench.user.sees("connectionsDialog"); });
 }
 
+/// An entry of a combo box, in whatever language.
+inline bool chooseAt(PageBench& bench, const char* combo, int index)
+{
+    return PageUser::waitFor([&] { return bench.user.the<QComboBox>(combo).count() > index; })
+        && bench.user.choose(combo, bench.user.the<QComboBox>(combo).itemText(index));
+}
+
+/// Positions that the drive cannot have: a question by itself.
+inline QString unevenFile(const PageBench& bench)
+{
+    return bench.file(QStringLiteral("uneven.csv"),
+        "X [mm],first [mm],second [mm]\n0,0,0\n10,0.001,-0.001\n15,0.004,-0.004\n"
+        "30,0.002,-0.002\n40,0,0\n");
+}
+
+inline bool importDialog(PageBench& bench)
+{
+    if (!bench.open())
+        return false;
+    bench.picked = unevenFile(bench);
+    return bench.user.click("openButton")
+        && PageUser::waitFor([&] { return bench.user.sees("importDialog"); })
+        && chooseAt(bench, "gridField", 1);
+}
+
+/// Of a format with settings of every kind.
+inline bool exportDialog(PageBench& bench)
+{
+    if (!unwritten(bench))
+        return false;
+    bench.user.the<QAction>("exportAction").trigger();
+    return PageUser::waitFor([&] { return bench.user.sees("exportDialog"); })
+        && bench.user.choose("conversionFormat", QStringLiteral("kw.crosscomp2"));
+}
+
 } // namespace page_states
 
 inline const std::vector<PageState>& allPageStates()
@@ -167,6 +203,8 @@ inline const std::vector<PageState>& allPageStates()
         {"closing while writing", closingWhileWriting},
         {"log shown", logShown},
         {"connections", connections},
+        {"import dialog", importDialog},
+        {"export dialog", exportDialog},
     };
     return all;
 }
@@ -174,8 +212,12 @@ inline const std::vector<PageState>& allPageStates()
 /// The window that has the keyboard in a state: the page's, or its dialog.
 inline QWidget& shownWindow(PageBench& bench)
 {
-    auto* dialog = bench.user.find("connectionsDialog");
-    return dialog && dialog->isVisible() ? *dialog : bench.window;
+    for (const char* name : {"connectionsDialog", "importDialog", "exportDialog"}) {
+        auto* dialog = bench.user.find(name);
+        if (dialog && dialog->isVisible())
+            return *dialog;
+    }
+    return bench.window;
 }
 
 } // namespace axiscomp::test

@@ -123,6 +123,23 @@ private Q_SLOTS:
         }));
     }
 
+    void convertingAFileOfAnotherControllerNeverStopsTheWindow()
+    {
+        QByteArray text = "1 100000\n";
+        for (int i = 0; i < 100'000; ++i)
+            text += QByteArray::number(0.01 * i, 'f', 2) + ' '
+                + QByteArray::number(0.002 * std::sin(0.001 * i), 'f', 9) + '\n';
+        QVERIFY(staysSmooth("converting 100000 points", [&](Heartbeat& heart) {
+            ControllerBench bench;
+            const QString path = bench.file(QStringLiteral("large.txt"), text);
+            heart.restart();
+            bench->openData(path);
+            QVERIFY(waitFor([&] { return !bench->dataFile().isReading; }));
+            QVERIFY(bench->dataFile().data);
+            QVERIFY(!bench->dataFile().report.empty());
+        }));
+    }
+
     void readingCanBeCancelled()
     {
         ControllerBench bench;

@@ -6,6 +6,7 @@
 #include "tests/ui/wizard_scene.h"
 #include "ui/language.h"
 
+#include <QAction>
 #include <QApplication>
 #include <QComboBox>
 #include <QDialog>
@@ -276,6 +277,52 @@ void findDrives(Scene& scene)
     QTest::qWait(200);
 }
 
+void choose(Scene& scene, const char* combo, int index)
+{
+    scene.page().findChild<QComboBox*>(QLatin1StringView(combo))->setCurrentIndex(index);
+}
+
+/// An uneven file of two columns, brought onto a grid that is a little too coarse.
+void importDialog(Scene& scene)
+{
+    scene.showDrive();
+    const QString file = scene.stage().file(QStringLiteral("uneven.csv"),
+        "X [mm],first [mm],second [mm]\n0,0,0\n10,0.001,-0.001\n15,0.004,-0.004\n"
+        "30,0.002,-0.002\n40,0,0\n");
+    scene.page().openData(file);
+    const auto* accept = [&] {
+        wait([&] { return scene.page().findChild<QDialog*>(QStringLiteral("importDialog")); },
+            "the dialog");
+        return scene.page().findChild<QPushButton*>(QStringLiteral("acceptConversion"));
+    }();
+    QTest::qWait(150);
+    choose(scene, "gridField", 2);
+    scene.page()
+        .findChild<QLineEdit*>(QStringLiteral("gridNumberField"))
+        ->setText(QStringLiteral("10"));
+    wait([&] { return accept->isEnabled(); }, "the report");
+    QTest::qWait(150);
+}
+
+/// A format with settings, one of which is missing.
+void exportDialog(Scene& scene)
+{
+    curve1D(scene);
+    scene.page().findChild<QAction*>(QStringLiteral("exportAction"))->trigger();
+    wait([&] { return scene.page().findChild<QDialog*>(QStringLiteral("exportDialog")); },
+        "the dialog");
+    auto* format = scene.page().findChild<QComboBox*>(QStringLiteral("conversionFormat"));
+    for (int i = 0; i < format->count(); ++i) {
+        if (format->itemText(i).contains(QStringLiteral("RapidCode"))) {
+            format->setCurrentIndex(i);
+            break;
+        }
+    }
+    const auto* reason = scene.page().findChild<QLabel*>(QStringLiteral("conversionReason"));
+    wait([&] { return reason->isVisible(); }, "the reason");
+    QTest::qWait(150);
+}
+
 struct State {
     const char* name;
     std::function<void(Scene&)> make;
@@ -307,6 +354,8 @@ const std::vector<State>& states()
         {"other-axis", otherAxis},
         {"connections", connections},
         {"find-drives", findDrives},
+        {"import-dialog", importDialog},
+        {"export-dialog", exportDialog},
     };
     return all;
 }

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+
+namespace axiscomp {
+struct TableFamily;
+}
+
+namespace axiscomp::ui {
+
+/// For a file dialog: everything that can be read, one entry for each format, and all files.
+[[nodiscard]] QString openFilter();
+/// The one entry of a format that is written.
+[[nodiscard]] QString saveFilter(const TableFamily& family);
+/// "softMC (Danaher, Servotronix, Kollmorgen): text table ...", in the language of the window.
+[[nodiscard]] QString familyText(const TableFamily& family);
+/// ".txt": the usual extension of a format.
+[[nodiscard]] QString extensionOf(const TableFamily& family);
+
+} // namespace axiscomp::ui
