@@ -85,19 +85,31 @@ void expectWritable(const TableFamily& family, const std::vector<NeutralTable>& 
         FUZZ_EXPECT(again->tables[n].pointCount() == written->held[n].pointCount());
 }
 
+const TableFamily& familyOf(std::string_view name)
+{
+    std::vector<const TableFamily*> readable;
+    for (const TableFamily* family : tableFamilies()) {
+        if (family->read == nullptr)
+            continue;
+        if (family->facts.name == name)
+            return *family;
+        readable.push_back(family);
+    }
+    return *readable[static_cast<unsigned char>(name.front()) % readable.size()];
+}
+
 } // namespace
 
-/// The first byte chooses the format; the rest is the file.
+/// The first line is the name of a format, or anything, which then chooses one; the rest is the
+/// file.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
-    if (size == 0)
+    const std::string_view input(reinterpret_cast<const char*>(data), size);
+    const std::size_t end = input.find('\n');
+    if (end == std::string_view::npos || end == 0)
         return 0;
-    std::vector<const TableFamily*> readable;
-    for (const TableFamily* family : tableFamilies())
-        if (family->read != nullptr)
-            readable.push_back(family);
-    const TableFamily& family = *readable[data[0] % readable.size()];
-    const std::string_view text(reinterpret_cast<const char*>(data) + 1, size - 1);
+    const TableFamily& family = familyOf(input.substr(0, end));
+    const std::string_view text = input.substr(end + 1);
     static_cast<void>(guessFamily(text, "table.txt"));
 
     TableReadOptions options;
