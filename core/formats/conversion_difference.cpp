@@ -41,7 +41,7 @@ Result<std::vector<ColumnPair>> pairsOf(const NeutralTable& a, const NeutralTabl
             if (b.columns[j].target == column.target
                 && sharesDirection(b.columns[j].direction, column.direction))
                 pairs.push_back({i, j});
-        if (pairs.size() == before && a.columns.size() == b.columns.size())
+        if (pairs.size() == before && a.columns.size() <= b.columns.size())
             pairs.push_back({i, i});
         if (pairs.size() == before)
             return invalid("the second table has no column for " + columnText(a, column));

@@ -62,6 +62,17 @@ private Q_SLOTS:
         QVERIFY2(run.out.contains("as you say"), run.out.constData());
     }
 
+    void aFormatWithOneMoreColumnIsComparedByTheOrder()
+    {
+        // Aerotech's 2D tables hold a pair of corrections; the second one is 0 here.
+        const Sandbox box;
+        box.file("p.csv", "1 [mm],2 [mm],T [mm]\n0,0,0\n10,0,0.001\n0,10,-0.002\n10,10,0.003\n");
+        const ProgramRun run = box.run({"convert", "p.csv", "p.cal", "--dims", "2", "--to",
+            "aerotech-2d", "--set-out", "output-axis-1=1"});
+        VERIFY_CODE(run, 0);
+        QVERIFY2(run.out.contains("compared at"), run.out.constData());
+    }
+
     void aFileOfAnotherControllerIsInspected()
     {
         const Sandbox box;
