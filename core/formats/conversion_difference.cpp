@@ -41,7 +41,9 @@ Result<std::vector<ColumnPair>> pairsOf(const NeutralTable& a, const NeutralTabl
             if (b.columns[j].target == column.target
                 && sharesDirection(b.columns[j].direction, column.direction))
                 pairs.push_back({i, j});
-        if (pairs.size() == before && a.columns.size() <= b.columns.size())
+        const bool isByOrder = a.columns.size() == b.columns.size()
+            || (column.target.empty() && a.columns.size() < b.columns.size());
+        if (pairs.size() == before && isByOrder)
             pairs.push_back({i, i});
         if (pairs.size() == before)
             return invalid("the second table has no column for " + columnText(a, column));

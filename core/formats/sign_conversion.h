@@ -70,9 +70,9 @@ struct ConversionDifference {
 /// the ends of both; three turns of a modulo axis. In 2D and 3D all combinations, thinned evenly to
 /// at most mostPositions.
 /// Axes belong together by their order; columns by target and direction, or by their order when the
-/// other table has at least as many and no such target. Which axis a column acts on is taken from the names
-/// of a, or of b where a has none. Errors: InvalidArgument for tables that are not consistent or
-/// have different axes, and for a column of a that b lacks.
+/// other table has as many and no such target, or more and the target is not said. Which axis a
+/// column acts on is taken from the names of a, or of b where a has none. Errors: InvalidArgument
+/// for tables that are not consistent or have different axes, and for a column of a that b lacks.
 [[nodiscard]] Result<ConversionDifference> conversionDifference(const NeutralTable& a,
     const TableBehaviour& behaviourA, const NeutralTable& b, const TableBehaviour& behaviourB,
     std::size_t mostPositions = 300'000);

@@ -30,7 +30,7 @@ _axiscomp_options()
 
 _axiscomp_commands="example inspect convert lookup formats axes status write persist unpersist evaluate activate deactivate read files upload download monitor backup restore recover"
 
-_axiscomp_formats="csv tamtbl aerotech-1d aerotech-2d icube isg-crosscomp isg-crosscomp2 isg-ssfk klipper linuxcnc rapidcode rapidcode-header siemens-cec siemens-eec reprap softmc softmc-basic pmac-1d pmac-2d"
+_axiscomp_formats="csv tamtbl aerotech-1d aerotech-2d icube isg-crosscomp isg-crosscomp2 isg-ssfk klipper linuxcnc pmac-1d pmac-2d rapidcode rapidcode-header siemens-cec siemens-eec reprap softmc softmc-basic"
 
 _axiscomp_slots="small1 small2 small3 small4 small5 small6 small7 small8 large1 large2"
 
