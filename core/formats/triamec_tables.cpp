@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/formats/triamec_tables.h"
 
+#include "core/csv_text.h"
 #include "core/even_spacing.h"
 #include "core/formats/families.h"
 #include "core/formats/text_scanner.h"
@@ -25,6 +26,14 @@ GridAxis gridAxis(const SourceAxis& axis)
     const EvenSpacing spacing = fitEvenSpacing(axis.knots, noDecimals);
     return {axis.name, axis.unit, spacing.start, spacing.distance,
         static_cast<std::uint32_t>(axis.knots.size())};
+}
+
+/// The number that a person would write for a float32: 0.0021 and not 0.0020999999046325684. Made
+/// a float32 again it is the same.
+double plainValue(float value)
+{
+    const std::string text = csv::toText(value);
+    return numberOf(text).value_or(static_cast<double>(value));
 }
 
 std::string columnName(const NeutralTable& table, std::size_t index)
@@ -73,7 +82,9 @@ NeutralTable neutralTable(
         });
         if (named != neutral.axes.end())
             column.target = named->name;
-        column.values.assign(table.values.begin(), table.values.end());
+        column.values.reserve(table.values.size());
+        for (const float value : table.values)
+            column.values.push_back(plainValue(value));
         neutral.columns.push_back(std::move(column));
     }
     return neutral;

@@ -82,6 +82,13 @@ private Q_SLOTS:
         QCOMPARE(written->held.front(), table);
     }
 
+    void valuesAreTheNumbersThatThePersonWrote()
+    {
+        READ_TABLE(
+            table, calibrationCsvFamily(), "X,T\n0,0.0021\n1,-3.4\n2,1e-12\n", oneDimension());
+        QCOMPARE(table.columns[0].values, (std::vector<double>{0.0021, -3.4, 1e-12}));
+    }
+
     void offsetsOfTheCommandAreNotTakenForErrors()
     {
         READ_TABLE(read, calibrationCsvFamily(), "X,T\n0,1\n1,2\n", oneDimension());

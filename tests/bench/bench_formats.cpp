@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Reading and writing files of other controllers of about 2 MB, and comparing a conversion.
+#include "core/formats/conversion.h"
+#include "core/formats/families.h"
+
+#include <benchmark/benchmark.h>
+
+#include <array>
+#include <cmath>
+
+namespace {
+
+using namespace axiscomp;
+
+SourceAxis axis(const char* name, std::size_t size)
+{
+    SourceAxis axis;
+    axis.name = name;
+    axis.unit = "mm";
+    for (std::size_t i = 0; i < size; ++i)
+        axis.knots.push_back(0.5 * static_cast<double>(i));
+    return axis;
+}
+
+NeutralTable table(std::size_t sizeX, std::size_t sizeY, SignConvention sign)
+{
+    NeutralTable table;
+    table.sign = sign;
+    table.axes = {axis("1", sizeX), axis("2", sizeY)};
+    CompensationColumn column;
+    column.target = "1";
+    column.unit = "mm";
+    for (std::size_t i = 0; i < sizeX * sizeY; ++i)
+        column.values.push_back(0.003 * std::sin(0.01 * static_cast<double>(i)));
+    table.columns = {column};
+    return table;
+}
+
+void readFormat(benchmark::State& state, const TableFamily& family, std::size_t size,
+    const FormatSettings& settings)
+{
+    const std::array tables{table(size, size, family.facts.sign)};
+    TableWriteOptions writing;
+    writing.settings = settings;
+    const auto written = family.write(tables, writing);
+    if (!written) {
+        state.SkipWithError(sentence(written.error()).c_str());
+        return;
+    }
+    for (auto _ : state) {
+        const auto reading = family.read(written->bytes, {});
+        if (!reading || reading->tables.size() != 1)
+            state.SkipWithError("it was not read");
+        benchmark::DoNotOptimize(reading);
+    }
+    state.SetBytesProcessed(static_cast<std::int64_t>(state.iterations())
+        * static_cast<std::int64_t>(written->bytes.size()));
+    state.counters["MB"] = static_cast<double>(written->bytes.size()) / 1e6;
+}
+
+void convertPlane(benchmark::State& state)
+{
+    const std::array tables{table(100, 100, SignConvention::Feedback)};
+    ConversionRequest request;
+    request.from = &calibrationCsvFamily();
+    request.to = &softmcFamily();
+    for (auto _ : state) {
+        const auto conversion = convertTables(tables, request);
+        if (!conversion)
+            state.SkipWithError(sentence(conversion.error()).c_str());
+        benchmark::DoNotOptimize(conversion);
+    }
+}
+
+} // namespace
+
+BENCHMARK_CAPTURE(readFormat, softmc, softmcFamily(), 270, {})->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(readFormat, aerotech_2d, aerotech2dFamily(), 300, {{"output-axis-1", "1"}})
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(readFormat, isg_crosscomp2, isgCrosscomp2Family(), 100, {{"axis", "3"}})
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(readFormat, rapidcode, rapidcodeFamily(), 400, {{"counts-per-unit", "1000000"}})
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK(convertPlane)->Unit(benchmark::kMillisecond);
+
+BENCHMARK_MAIN();
