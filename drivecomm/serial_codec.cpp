@@ -122,9 +122,12 @@ bool takeCrc(std::string_view& line, bool& hasCrc)
 SerialLine parseSerialLine(std::string_view line)
 {
     SerialLine result;
+    // What the assembler has cut off may have come behind a blank: the length counts first.
+    if (line.size() > longestSerialLine)
+        return result;
     // Blanks in front belong to what the CRC is of; those behind do not.
     line = line.substr(0, line.find_last_not_of(' ') + 1);
-    if (line.size() > longestSerialLine || !std::ranges::all_of(line, isPrintable))
+    if (!std::ranges::all_of(line, isPrintable))
         return result;
     const bool isIntact = takeCrc(line, result.hasCrc);
     std::string_view rest = trimmed(line);

@@ -25,17 +25,41 @@ void remarkOnce(std::vector<std::string>& remarks, std::string remark)
         remarks.push_back(std::move(remark));
 }
 
-/// The largest difference of numbers before and after writing, in the unit after it. Formats that
-/// arrange points anew are not compared here: the conversion's difference tells.
+/// The largest difference of numbers before and after writing, in the unit after it.
 double largestRounding(const std::vector<double>& before, const std::string& unitBefore,
     const std::vector<double>& after, const std::string& unitAfter)
 {
     const double factor =
         isSameUnit(unitBefore, unitAfter) ? 1.0 : unitFactor(unitBefore, unitAfter).value_or(1.0);
     double largest = 0.0;
-    for (std::size_t i = 0; i < after.size() && before.size() == after.size(); ++i)
+    for (std::size_t i = 0; i < std::min(before.size(), after.size()); ++i)
         largest = std::max(largest, std::abs(before[i] * factor - after[i]));
     return largest;
+}
+
+/// Formats that arrange the points anew are left out: the conversion's difference tells.
+void noteRounding(
+    const NeutralTable& prepared, const NeutralTable& held, TableConversion& conversion)
+{
+    double positions = 0.0;
+    for (std::size_t n = 0; n < held.axes.size(); ++n) {
+        const SourceAxis& from = prepared.axes[n];
+        const SourceAxis& to = held.axes[n];
+        const double rounding = largestRounding(from.knots, from.unit, to.knots, to.unit);
+        const double span = to.knots.back() - to.knots.front();
+        const bool isSameGrid =
+            from.knots.size() == to.knots.size() && rounding <= std::max(to.step, 1e-9 * span);
+        if (!isSameGrid)
+            return;
+        positions = std::max(positions, rounding);
+    }
+    conversion.positionRounding = positions;
+    for (std::size_t n = 0; n < std::min(prepared.columns.size(), held.columns.size()); ++n) {
+        const CompensationColumn& from = prepared.columns[n];
+        const CompensationColumn& to = held.columns[n];
+        conversion.valueRounding = std::max(
+            conversion.valueRounding, largestRounding(from.values, from.unit, to.values, to.unit));
+    }
 }
 
 /// One table on its way from one format to the other.
@@ -159,18 +183,7 @@ Result<void> Converter::finish(
     if (!difference)
         return fail(difference.error());
     conversion.difference = *std::move(difference);
-    for (std::size_t n = 0; n < std::min(prepared.columns.size(), held.columns.size()); ++n) {
-        const CompensationColumn& from = prepared.columns[n];
-        const CompensationColumn& to = held.columns[n];
-        conversion.valueRounding = std::max(
-            conversion.valueRounding, largestRounding(from.values, from.unit, to.values, to.unit));
-    }
-    for (std::size_t n = 0; n < std::min(prepared.axes.size(), held.axes.size()); ++n) {
-        const SourceAxis& from = prepared.axes[n];
-        const SourceAxis& to = held.axes[n];
-        conversion.positionRounding = std::max(
-            conversion.positionRounding, largestRounding(from.knots, from.unit, to.knots, to.unit));
-    }
+    noteRounding(prepared, held, conversion);
     conversion.result = std::move(held);
     return {};
 }

@@ -37,6 +37,7 @@ private Q_SLOTS:
     void makesLinesOfBytes_data();
     void makesLinesOfBytes();
     void doesNotGrowWithoutEnd();
+    void takesNoLineThatWasCutOffForAWhole();
     void keepsErrors();
     void readsErrorsAsTheSpecificationWritesThem();
     void keepsIdentityFileAndReadings();
@@ -200,6 +201,19 @@ void SerialCodecTest::doesNotGrowWithoutEnd()
     QCOMPARE(parseSerialLine(*line).state, State::Malformed);
     QVERIFY(assembler.feed('x') == std::nullopt);
     QCOMPARE(assembler.feed('\n').value(), std::string("x"));
+}
+
+void SerialCodecTest::takesNoLineThatWasCutOffForAWhole()
+{
+    // The last character that is kept is a blank: without it the line would have the right length.
+    SerialLineAssembler assembler;
+    for (std::size_t n = 0; n < longestSerialLine; ++n)
+        QVERIFY(!assembler.feed('x'));
+    for (const char byte : std::string(" and more"))
+        QVERIFY(!assembler.feed(byte));
+    const auto line = assembler.feed('\n');
+    QVERIFY(line.has_value());
+    QCOMPARE(parseSerialLine(*line).state, State::Malformed);
 }
 
 void SerialCodecTest::keepsErrors()
