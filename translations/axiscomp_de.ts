@@ -2043,6 +2043,10 @@
         <source>together these writes cost {cost} flash operations, and {left} are possible now; write them volatile, or fewer at a time</source>
         <translation>diese Schreibvorgänge kosten zusammen {cost} Flash-Operationen, möglich sind jetzt {left}; flüchtig schreiben oder weniger auf einmal</translation>
     </message>
+    <message>
+        <source>together these writes cost {count} flash operations, and {left} are possible now; write them volatile, or fewer at a time</source>
+        <translation>zusammen kosten diese Schreibvorgänge {count} Flash-Vorgänge, und {left} sind jetzt möglich; flüchtig schreiben, oder weniger auf einmal</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -2616,6 +2620,21 @@
     </message>
 </context>
 <context>
+    <name>axiscomp::ui::AxisAssignment</name>
+    <message>
+        <source>No axis is chosen: choose at least one.</source>
+        <translation>Keine Achse ist gewählt: mindestens eine wählen.</translation>
+    </message>
+    <message>
+        <source>%1 is chosen twice: an axis has one table only.</source>
+        <translation>%1 ist zweimal gewählt: Eine Achse hat nur eine Tabelle.</translation>
+    </message>
+    <message>
+        <source>Axis %1</source>
+        <translation>Achse %1</translation>
+    </message>
+</context>
+<context>
     <name>axiscomp::ui::AxisList</name>
     <message>
         <source>The drive %1 is not connected.</source>
@@ -2714,6 +2733,42 @@
     <message>
         <source>Accept this certificate for this address from now on</source>
         <translation>Dieses Zertifikat ab jetzt für diese Adresse annehmen</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::ColumnAxisTable</name>
+    <message>
+        <source>column %1</source>
+        <translation>Spalte %1</translation>
+    </message>
+    <message>
+        <source>Column of the file</source>
+        <translation>Spalte der Datei</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Werte</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Achse</translation>
+    </message>
+    <message>
+        <source>Which column is for which axis</source>
+        <translation>Welche Spalte für welche Achse ist</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <comment>axis</comment>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>Axis for %1</source>
+        <translation>Achse für %1</translation>
+    </message>
+    <message>
+        <source>The axis that gets the column %1</source>
+        <translation>Die Achse, die die Spalte %1 bekommt</translation>
     </message>
 </context>
 <context>
@@ -3666,6 +3721,10 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
         <source>&amp;Export for Another Controller…</source>
         <translation>Für eine andere Steuerung &amp;exportieren…</translation>
     </message>
+    <message>
+        <source>&amp;Write Several Axes…</source>
+        <translation>&amp;Mehrere Achsen schreiben…</translation>
+    </message>
 </context>
 <context>
     <name>axiscomp::ui::PageMessages</name>
@@ -4042,6 +4101,209 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
     </message>
 </context>
 <context>
+    <name>axiscomp::ui::SeveralAxesDialog</name>
+    <message>
+        <source>Write Several Axes</source>
+        <translation>Mehrere Achsen schreiben</translation>
+    </message>
+    <message>
+        <source>Columns of %1 are written to axes of %2, one after the other. Each write is verified and keeps the old table and settings in a backup file first; none begins before all of them are found possible.</source>
+        <translation>Spalten von %1 werden in Achsen von %2 geschrieben, eine nach der anderen. Jeder Schreibvorgang wird geprüft und sichert vorher die alte Tabelle und die alten Einstellungen in einer Datei; keiner beginnt, bevor alle als möglich erkannt sind.</translation>
+    </message>
+    <message>
+        <source>&amp;Sources</source>
+        <translation>&amp;Quellen</translation>
+    </message>
+    <message>
+        <source>Each axis keeps its sources</source>
+        <translation>Jede Achse behält ihre Quellen</translation>
+    </message>
+    <message>
+        <source>The registers whose values look the tables up</source>
+        <translation>Die Register, deren Werte in den Tabellen nachschlagen</translation>
+    </message>
+    <message>
+        <source>For all of them, as chosen in the page: %1</source>
+        <translation>Für alle, wie auf der Seite gewählt: %1</translation>
+    </message>
+    <message>
+        <source>Persistency, as chosen in the page: persistent, all tables are stored in flash.</source>
+        <translation>Speicherung, wie auf der Seite gewählt: dauerhaft, alle Tabellen werden im Flash gespeichert.</translation>
+    </message>
+    <message>
+        <source>Persistency, as chosen in the page: volatile, a reboot of the drive brings the stored states back.</source>
+        <translation>Speicherung, wie auf der Seite gewählt: flüchtig, ein Neustart des Antriebs bringt die gespeicherten Zustände zurück.</translation>
+    </message>
+    <message>
+        <source>What will be written</source>
+        <translation>Was geschrieben wird</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>&amp;Write All</source>
+        <translation>Alle &amp;schreiben</translation>
+    </message>
+    <message>
+        <source>Write these to the drive now</source>
+        <translation>Diese jetzt in den Antrieb schreiben</translation>
+    </message>
+    <message>
+        <source>S&amp;top</source>
+        <translation>A&amp;nhalten</translation>
+    </message>
+    <message>
+        <source>Stops the writes; the one that runs is put back first (Esc)</source>
+        <translation>Hält die Schreibvorgänge an; der laufende wird zuerst zurückgenommen (Esc)</translation>
+    </message>
+    <message>
+        <source>C&amp;lose</source>
+        <translation>Sch&amp;ließen</translation>
+    </message>
+    <message>
+        <source>Go back to the page (Esc)</source>
+        <translation>Zurück zur Seite (Esc)</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>Abbre&amp;chen</translation>
+    </message>
+    <message>
+        <source>Change nothing and go back (Esc)</source>
+        <translation>Nichts ändern und zurückgehen (Esc)</translation>
+    </message>
+    <message>
+        <source>The drive is asked what would change …</source>
+        <translation>Der Antrieb wird gefragt, was sich ändern würde …</translation>
+    </message>
+    <message>
+        <source>The drive has all of this already.</source>
+        <translation>Der Antrieb hat das alles schon.</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::SeveralOutcome</name>
+    <message>
+        <source>They are stored in flash.</source>
+        <translation>Sie sind im Flash gespeichert.</translation>
+    </message>
+    <message>
+        <source>They are volatile: a reboot of the drive brings the stored states back.</source>
+        <translation>Sie sind flüchtig: Ein Neustart des Antriebs bringt die gespeicherten Zustände zurück.</translation>
+    </message>
+    <message>
+        <source>Written, read back and compared; the new state is on: %1. %2</source>
+        <translation>Geschrieben, zurückgelesen und verglichen; den neuen Zustand haben: %1. %2</translation>
+    </message>
+    <message>
+        <source>The writes were stopped.</source>
+        <translation>Die Schreibvorgänge wurden angehalten.</translation>
+    </message>
+    <message>
+        <source>The writes were stopped at %1.</source>
+        <translation>Die Schreibvorgänge wurden bei %1 angehalten.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>axis and sentence</comment>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>No axis has the new state.</source>
+        <translation>Keine Achse hat den neuen Zustand.</translation>
+    </message>
+    <message>
+        <source>The new state is on: %1.</source>
+        <translation>Den neuen Zustand haben: %1.</translation>
+    </message>
+    <message>
+        <source>The complete old state is on: %1.</source>
+        <translation>Den vollständigen alten Zustand haben: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::SeveralPlanView</name>
+    <message>
+        <source>persistent</source>
+        <translation>dauerhaft</translation>
+    </message>
+    <message>
+        <source>volatile</source>
+        <translation>flüchtig</translation>
+    </message>
+    <message>
+        <source>no table</source>
+        <translation>keine Tabelle</translation>
+    </message>
+    <message>
+        <source>%1D in %2, %3</source>
+        <translation>%1D in %2, %3</translation>
+    </message>
+    <message>
+        <source>nothing: the drive has all of this already</source>
+        <translation>nichts: Der Antrieb hat das alles schon</translation>
+    </message>
+    <message>
+        <source>chosen when its turn comes</source>
+        <translation>wird gewählt, wenn sie an der Reihe ist</translation>
+    </message>
+    <message>
+        <source>%1 (empty)</source>
+        <translation>%1 (leer)</translation>
+    </message>
+    <message>
+        <source>%1 (held an earlier table of this axis)</source>
+        <translation>%1 (enthielt eine frühere Tabelle dieser Achse)</translation>
+    </message>
+    <message>
+        <source>%1 (is overwritten)</source>
+        <translation>%1 (wird überschrieben)</translation>
+    </message>
+    <message>
+        <source>Dim%1: %2</source>
+        <translation>Dim%1: %2</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Achse</translation>
+    </message>
+    <message>
+        <source>On the drive</source>
+        <translation>Im Antrieb</translation>
+    </message>
+    <message>
+        <source>New</source>
+        <translation>Neu</translation>
+    </message>
+    <message>
+        <source>Slot</source>
+        <translation>Platz</translation>
+    </message>
+    <message>
+        <source>What will be written</source>
+        <translation>Was geschrieben wird</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>axis and remark</comment>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Costs no flash operation.</source>
+        <translation>Kostet keinen Flash-Vorgang.</translation>
+    </message>
+    <message>
+        <source>Flash operations of all together: %1.</source>
+        <translation>Flash-Vorgänge aller zusammen: %1.</translation>
+    </message>
+    <message>
+        <source>Flash operations of all together: %1; left for now afterwards: %2.</source>
+        <translation>Flash-Vorgänge aller zusammen: %1; danach vorerst übrig: %2.</translation>
+    </message>
+</context>
+<context>
     <name>axiscomp::ui::ShownTable</name>
     <message>
         <source>No table</source>
@@ -4382,6 +4644,24 @@ B - A: %3</translation>
         <source>undoing the write</source>
         <translation>Schreiben wird zurückgenommen</translation>
     </message>
+    <message>
+        <source>Begin: %1, %2.</source>
+        <comment>task and drive</comment>
+        <translation>Beginn: %1, %2.</translation>
+    </message>
+    <message>
+        <source>%1: %2, %3</source>
+        <comment>task, axis and step</comment>
+        <translation>%1: %2, %3</translation>
+    </message>
+    <message>
+        <source>The writes are not planned yet.</source>
+        <translation>Die Schreibvorgänge sind noch nicht geplant.</translation>
+    </message>
+    <message>
+        <source>writing several axes</source>
+        <translation>mehrere Achsen schreiben</translation>
+    </message>
 </context>
 <context>
     <name>axiscomp::ui::WizardRules</name>
@@ -4588,6 +4868,18 @@ B - A: %3</translation>
     <message>
         <source>Brings the drive back to the complete state before the write that did not end.</source>
         <translation>Bringt den Antrieb auf den vollständigen Stand vor dem nicht beendeten Schreibvorgang zurück.</translation>
+    </message>
+    <message>
+        <source>Open a file with several columns of values first.</source>
+        <translation>Zuerst eine Datei mit mehreren Spalten von Werten öffnen.</translation>
+    </message>
+    <message>
+        <source>The drive has no second axis with compensation registers.</source>
+        <translation>Der Antrieb hat keine zweite Achse mit Kompensationsregistern.</translation>
+    </message>
+    <message>
+        <source>Writes columns of the open file, each to an axis of its own.</source>
+        <translation>Schreibt Spalten der geöffneten Datei, jede in ihre eigene Achse.</translation>
     </message>
 </context>
 <context>

@@ -11,6 +11,8 @@ namespace axiscomp::ui {
 
 namespace {
 
+const QString separator = QStringLiteral(" · ");
+
 class Labels {
     Q_DECLARE_TR_FUNCTIONS(axiscomp::ui::AxisList)
 
@@ -44,6 +46,11 @@ public:
         return axisName(entry) + entry.place + suffix(entry);
     }
 
+    [[nodiscard]] static QString onDrive(const AxisEntry& entry)
+    {
+        return axisName(entry) + entry.place.left(entry.place.indexOf(separator));
+    }
+
     [[nodiscard]] static QString problem(const AxisEntry& entry, bool isConnected)
     {
         if (!isConnected)
@@ -70,7 +77,7 @@ private:
     [[nodiscard]] QString label(std::size_t index) const
     {
         const auto i = static_cast<qsizetype>(index);
-        return m_axes[i] + QStringLiteral(" · ") + m_drives[i];
+        return m_axes[i] + separator + m_drives[i];
     }
 
     void extend(QStringList& parts, const std::function<QString(const AxisEntry&)>& addition)
@@ -116,6 +123,11 @@ std::vector<AxisEntry> axisEntries(std::span<const DriveAxes> drives)
 QString axisLabel(const AxisEntry& entry)
 {
     return Labels::text(entry);
+}
+
+QString axisNameOnDrive(const AxisEntry& entry)
+{
+    return Labels::onDrive(entry);
 }
 
 } // namespace axiscomp::ui

@@ -25,4 +25,7 @@ struct DriveAxes {
 /// The label of an entry, in the language of the moment.
 [[nodiscard]] QString axisLabel(const AxisEntry& entry);
 
+/// The same without the drive: "X", "X [1]" when the drive has several of that name.
+[[nodiscard]] QString axisNameOnDrive(const AxisEntry& entry);
+
 } // namespace axiscomp::ui

@@ -17,6 +17,7 @@
 #include "ui/page_messages.h"
 #include "ui/preview_panel.h"
 #include "ui/setup_panel.h"
+#include "ui/several_axes_dialog.h"
 #include "ui/wizard_page.h"
 #include "ui/wizard_settings.h"
 #include "ui/write_flow.h"
@@ -59,6 +60,8 @@ struct CompensationWizard::Private {
     void showConnections();
     void askAboutCertificate(const RejectedCertificate& certificate);
     void takeEndpoints(const QStringList& endpoints);
+    void writeSeveral();
+    void offerWriteSeveral();
     void chooseLanguage(const QString& chosen);
     void skipPreview(bool isSkipped);
     void announceTitle();
@@ -126,6 +129,9 @@ void CompensationWizard::Private::connectParts()
     };
     connect(&controller, &WizardController::selectedTableChanged, menu, offerExport);
     offerExport();
+    connect(menu, &PageMenu::writeSeveralRequested, &q, [this] { writeSeveral(); });
+    connect(&controller, &WizardController::actionsChanged, &q, [this] { offerWriteSeveral(); });
+    offerWriteSeveral();
     connect(menu, &PageMenu::languageChosen, &q,
         [this](const QString& chosen) { chooseLanguage(chosen); });
     connect(menu, &PageMenu::previewSkippedChosen, &q,
@@ -227,6 +233,20 @@ void CompensationWizard::Private::takeEndpoints(const QStringList& endpoints)
         page->messages->remove(QStringLiteral("demoMessage"));
         controller.setEndpoints(endpoints);
     });
+}
+
+void CompensationWizard::Private::writeSeveral()
+{
+    if (!controller.action(Action::WriteSeveral).isEnabled)
+        return;
+    auto* dialog = new SeveralAxesDialog(controller, &q);
+    dialog->open();
+}
+
+void CompensationWizard::Private::offerWriteSeveral()
+{
+    const ActionState& state = controller.action(Action::WriteSeveral);
+    menu->showWriteSeveral(state.isEnabled, state.reason);
 }
 
 void CompensationWizard::Private::chooseLanguage(const QString& chosen)

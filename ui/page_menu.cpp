@@ -15,6 +15,7 @@ PageMenu::PageMenu(QWidget* parent)
     , m_languages(addMenu(QString()))
     , m_languageGroup(new QActionGroup(this))
     , m_systemLanguage(m_languages->addAction(QString()))
+    , m_writeSeveral(addAction(QString()))
     , m_preview(addAction(QString()))
     , m_export(addAction(symbolIcon(Symbol::Save), QString()))
     , m_saveLog(addAction(symbolIcon(Symbol::Save), QString()))
@@ -24,6 +25,7 @@ PageMenu::PageMenu(QWidget* parent)
     setToolTipsVisible(true);
     m_languages->setObjectName(QStringLiteral("languageMenu"));
     fillLanguages();
+    m_writeSeveral->setObjectName(QStringLiteral("writeSeveralAction"));
     m_preview->setObjectName(QStringLiteral("previewVolatileAction"));
     m_preview->setCheckable(true);
     m_preview->setChecked(true);
@@ -32,6 +34,7 @@ PageMenu::PageMenu(QWidget* parent)
     addSeparator();
     m_about = addAction(QString());
     m_about->setObjectName(QStringLiteral("aboutAction"));
+    connect(m_writeSeveral, &QAction::triggered, this, &PageMenu::writeSeveralRequested);
     connect(m_preview, &QAction::triggered, this,
         [this](bool isShown) { Q_EMIT previewSkippedChosen(!isShown); });
     connect(m_export, &QAction::triggered, this, &PageMenu::exportRequested);
@@ -80,10 +83,17 @@ void PageMenu::setExportEnabled(bool isEnabled)
             : tr("No table is selected."));
 }
 
+void PageMenu::showWriteSeveral(bool isEnabled, const QString& reason)
+{
+    m_writeSeveral->setEnabled(isEnabled);
+    m_writeSeveral->setToolTip(reason);
+}
+
 void PageMenu::retranslate()
 {
     m_languages->setTitle(tr("&Language"));
     m_systemLanguage->setText(tr("&System Language"));
+    m_writeSeveral->setText(tr("&Write Several Axes…"));
     m_preview->setText(tr("List &Changes Before Volatile Writes"));
     m_preview->setToolTip(tr("Persistent writes always show what will be written"));
     m_export->setText(tr("&Export for Another Controller…"));

@@ -8,8 +8,8 @@ class QActionGroup;
 
 namespace axiscomp::ui {
 
-/// What the page offers beside its daily work: language, the list before volatile writes, export,
-/// the log, about.
+/// What the page offers beside its daily work: several axes at once, language, the list before
+/// volatile writes, export, the log, about.
 class PageMenu : public QMenu {
     Q_OBJECT
 
@@ -20,6 +20,8 @@ public:
     void showLanguage(const QString& language);
     void showPreviewSkipped(bool isSkipped);
     void setExportEnabled(bool isEnabled);
+    /// reason: why not, or what it does.
+    void showWriteSeveral(bool isEnabled, const QString& reason);
     void retranslate();
 
 Q_SIGNALS:
@@ -27,6 +29,7 @@ Q_SIGNALS:
     void previewSkippedChosen(bool isSkipped);
     void saveLogRequested();
     void exportRequested();
+    void writeSeveralRequested();
 
 private:
     void fillLanguages();
@@ -35,6 +38,7 @@ private:
     QMenu* m_languages;
     QActionGroup* m_languageGroup;
     QAction* m_systemLanguage;
+    QAction* m_writeSeveral;
     QAction* m_preview;
     QAction* m_export;
     QAction* m_saveLog;

@@ -89,6 +89,10 @@ constexpr const char* phrases[] = {
     QT_TRANSLATE_NOOP("Error", "the name of a file beside the journal is expected"),
     QT_TRANSLATE_NOOP("Error", "it is not the table that was kept there: its size or CRC differs"),
     QT_TRANSLATE_NOOP("Error", "axis {axis} has no Table register"),
+    QT_TRANSLATE_NOOP("Error", "axis {axis} is named twice"),
+    QT_TRANSLATE_NOOP("Error",
+        "together these writes cost {count} flash operations, and {left} are possible now; write "
+        "them volatile, or fewer at a time"),
 };
 
 } // namespace

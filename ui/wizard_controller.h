@@ -85,6 +85,23 @@ public:
     [[nodiscard]] QString unfinishedWrite() const;
     void finishWrite();
     void undoWrite();
+
+    // Several axes of the current drive, each with a column of the open file
+    [[nodiscard]] std::vector<AxisEntry> usableAxes() const;
+    /// Those of setup(), as many as the file has dimensions; empty when one is not set.
+    [[nodiscard]] std::vector<DimSource> sourcesForSeveral() const;
+    /// Asks the drive what all of these would change; severalPlanned() follows unless another
+    /// question does. keepsSources: each axis keeps its own, otherwise it gets sourcesForSeveral().
+    /// False: action(Action::WriteSeveral) says why not.
+    [[nodiscard]] bool planSeveral(const std::vector<ColumnForAxis>& columns, bool keepsSources);
+    /// The last question is of no interest any more.
+    void dropSeveral();
+    /// One plan per column, in their order; none while the drive is being asked.
+    [[nodiscard]] const std::optional<Result<std::vector<WritePlan>>>& severalPlans() const;
+    /// Carries out severalPlans(), axis by axis; severalWritten() follows, outcome() says what each
+    /// axis holds.
+    void writeSeveral();
+
     void cancel();
     [[nodiscard]] const BusyState& busy() const;
     [[nodiscard]] bool
@@ -123,6 +140,8 @@ Q_SIGNALS:
     void actionsChanged(); ///< action(), hint()
     void busyChanged();
     void planReady();
+    void severalPlanned();
+    void severalWritten();
     void outcomeChanged();
     void logged();
 

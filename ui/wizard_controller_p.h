@@ -8,6 +8,7 @@
 #include "ui/future_handler.h"
 #include "ui/live_monitor.h"
 #include "ui/outcome_text.h"
+#include "ui/several_jobs.h"
 #include "ui/wizard_controller.h"
 #include "ui/wizard_log.h"
 #include "ui/wizard_rules.h"
@@ -17,10 +18,14 @@
 #include <QPointer>
 #include <QTimer>
 
+#include <atomic>
 #include <functional>
 #include <stop_token>
 
 namespace axiscomp::ui {
+
+/// As a request names it: by its path, by its address when it has none.
+[[nodiscard]] std::string requestedSource(const DimSource& source);
 
 struct WizardController::Private {
     Q_DECLARE_TR_FUNCTIONS(axiscomp::ui::WizardController)
@@ -93,6 +98,25 @@ public:
     void written(const Result<OperationEnd<WriteReport>>& end);
     template <typename T> void takeEnd(const OperationEnd<T>& end);
 
+    // Several axes (wizard_several.cpp; writeSeveral is in wizard_operations.cpp)
+    struct Several {
+        std::vector<AxisTable> tables; ///< that the drive was asked about
+        std::optional<Result<std::vector<WritePlan>>> plans;
+        int number = 0; ///< the newest question counts
+        std::stop_source stop;
+        bool isPersistent = false;
+        std::vector<AxisEntry> axes; ///< that are being written
+        std::shared_ptr<std::atomic<std::size_t>> turn; ///< which of them now
+    };
+    [[nodiscard]] std::vector<AxisEntry> usableAxes() const;
+    void planSeveral(const std::vector<ColumnForAxis>& columns, bool keepsSources);
+    void severalPlanned(const Result<std::vector<WritePlan>>& plans);
+    void writeSeveral();
+    void severalWritten(const Result<SeveralReport>& report);
+    [[nodiscard]] std::vector<AxisEntry> severalAxes() const;
+    [[nodiscard]] std::optional<SurveyedTable> writtenToShownAxis(
+        const Result<SeveralReport>& report) const;
+
     // What is shown (wizard_state.cpp)
     [[nodiscard]] WizardSnapshot snapshot() const;
     void snapshotDrive(WizardSnapshot& now) const;
@@ -149,6 +173,7 @@ public:
     EditedSetup plannedSetup; ///< that the plan is of
     WriteRequest request; ///< the same as a request, without its table
     SurveyedTable requestTable;
+    Several several;
     std::optional<Proof> proof;
     Outcome outcome;
     std::function<Outcome()> makeOutcome; ///< none: there is no outcome

@@ -3,9 +3,17 @@
 #include "ui/link_failure.h"
 #include "ui/wizard_controller_p.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace axiscomp::ui {
+
+std::string requestedSource(const DimSource& source)
+{
+    return source.path.empty()
+        ? QStringLiteral("0x%1").arg(source.address, 8, 16, QChar(u'0')).toStdString()
+        : source.path;
+}
 
 namespace {
 
@@ -14,12 +22,8 @@ WriteRequest requestFor(const EditedSetup& edited, const CompensationSetup& base
 {
     WriteRequest request;
     request.dimensionality = edited.dimensionality;
-    for (std::size_t n = 0; n < static_cast<std::size_t>(edited.dimensionality); ++n) {
-        const DimSource& source = edited.sources[n];
-        request.sources.push_back(source.path.empty()
-                ? QStringLiteral("0x%1").arg(source.address, 8, 16, QChar(u'0')).toStdString()
-                : source.path);
-    }
+    for (std::size_t n = 0; n < static_cast<std::size_t>(edited.dimensionality); ++n)
+        request.sources.push_back(requestedSource(edited.sources[n]));
     request.persistency = edited.persistency;
     request.expected = baseline;
     return request;
@@ -65,7 +69,9 @@ void WizardController::Private::startTask(Task started)
     busy = {true, busyText(), 0.0, true};
     log(LogLine::Kind::Information,
         [started, entry = axes.at(static_cast<std::size_t>(currentIndex))] {
-            return tr("Begin: %1 %2.").arg(taskText(started), axisLabel(entry));
+            return started == Task::WriteSeveral
+                ? tr("Begin: %1, %2.", "task and drive").arg(taskText(started), entry.driveName)
+                : tr("Begin: %1 %2.").arg(taskText(started), axisLabel(entry));
         });
     dismissOutcome();
     Q_EMIT q.busyChanged();
@@ -94,6 +100,12 @@ void WizardController::Private::showProgress(
 
 QString WizardController::Private::busyText() const
 {
+    if (!taskStep.isEmpty() && task == Task::WriteSeveral)
+        return tr("%1: %2, %3", "task, axis and step")
+            .arg(taskText(*task),
+                axisNameOnDrive(
+                    several.axes.at(std::min(several.turn->load(), several.axes.size() - 1))),
+                stepText(taskStep));
     if (!taskStep.isEmpty())
         return tr("%1: %2").arg(taskText(*task), stepText(taskStep));
     const bool isStopping = busy.isBusy && !busy.canCancel;
@@ -192,6 +204,42 @@ void WizardController::Private::written(const Result<OperationEnd<WriteReport>>&
         setup.setTable({}); // the drive has it now
     requestTable = {};
     show([result = end->outcome] { return writeOutcome(result); });
+}
+
+void WizardController::Private::writeSeveral()
+{
+    if (!mayStart(Action::WriteSeveral))
+        return;
+    if (several.tables.empty() || !several.plans || !*several.plans) {
+        refuse([] { return tr("The writes are not planned yet."); });
+        return;
+    }
+    several.axes = severalAxes();
+    several.turn = std::make_shared<std::atomic<std::size_t>>(0);
+    several.isPersistent = several.tables.front().request.persistency == Persistency::Persistent;
+    begin<OperationEnd<SeveralReport>>(
+        Task::WriteSeveral,
+        [shown = current->axis, tables = several.tables, turn = several.turn,
+            store = connection()->session().storeRoot()](AxisCompensator& compensator,
+            const OperationOptions& operation) -> Result<OperationEnd<SeveralReport>> {
+            return writeTables(compensator, store, shown, tables, *turn, operation);
+        },
+        [this](const Result<OperationEnd<SeveralReport>>& end) {
+            if (!end) {
+                axisFailed(end.error());
+                severalWritten(fail(end.error()));
+                return;
+            }
+            const auto written = writtenToShownAxis(end->outcome);
+            if (written) {
+                proof.reset();
+                driveTable.expect(*written);
+            }
+            takeEnd(*end);
+            if (written)
+                setup.setTable({}); // the drive has it now
+            severalWritten(end->outcome);
+        });
 }
 
 /// Whatever happened: what the drive says afterwards is what is shown.

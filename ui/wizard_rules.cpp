@@ -63,6 +63,7 @@ private:
     [[nodiscard]] Obstacle nothingToWrite() const;
     [[nodiscard]] Obstacle unwritten() const;
     [[nodiscard]] Obstacle unfit() const;
+    [[nodiscard]] Obstacle notSeveral() const;
 
     const WizardSnapshot& m_now;
 };
@@ -106,6 +107,9 @@ Obstacle Rules::obstacle(Action action) const
         return first({&R::noDrive, &R::busy});
     case Action::OpenData:
         return first({&R::busy});
+    case Action::WriteSeveral:
+        return first(
+            {&R::noChoice, &R::unreachable, &R::busy, &R::unknown, &R::reading, &R::notSeveral});
     case Action::Cancel:
         break;
     }
@@ -296,6 +300,15 @@ Obstacle Rules::unfit() const
     return {};
 }
 
+Obstacle Rules::notSeveral() const
+{
+    if (m_now.fileTables < 2)
+        return tr("Open a file with several columns of values first.");
+    if (m_now.usableAxes < 2)
+        return tr("The drive has no second axis with compensation registers.");
+    return {};
+}
+
 QString Rules::writeConsequence() const
 {
     if (!m_now.isChanged)
@@ -336,6 +349,8 @@ QString Rules::consequence(Action action) const
         return tr("Looks for drives and axes again and reads the axis.");
     case Action::OpenData:
         return tr("Opens a file of compensation data, .csv or .TAMtbl.");
+    case Action::WriteSeveral:
+        return tr("Writes columns of the open file, each to an axis of its own.");
     case Action::Cancel:
         break;
     }

@@ -48,6 +48,8 @@ struct WizardSnapshot {
     bool isNewTable = false; ///< of the file, not the one on the drive
     bool isPersistent = false;
     int flashOperationsNeeded = 0;
+    int fileTables = 0; ///< columns of the open file
+    int usableAxes = 0; ///< of the current axis's drive
 
     // What runs
     bool isReadingFile = false;

@@ -81,6 +81,9 @@ void WizardController::Private::snapshotSetup(WizardSnapshot& now) const
     const bool storesOrErases =
         now.isNewTable ? now.isPersistent : setup.isChanged(Field::Persistency);
     now.flashOperationsNeeded = storesOrErases ? 1 : 0;
+    const auto& data = file.file().data;
+    now.fileTables = data ? static_cast<int>(data->tables.size()) : 0;
+    now.usableAxes = static_cast<int>(usableAxes().size());
 }
 
 WizardSnapshot WizardController::Private::snapshot() const

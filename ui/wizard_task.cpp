@@ -12,6 +12,8 @@ QString taskText(Task task)
         return WizardController::tr("planning");
     case Task::Write:
         return WizardController::tr("writing");
+    case Task::WriteSeveral:
+        return WizardController::tr("writing several axes");
     case Task::Activate:
         return WizardController::tr("activating");
     case Task::Evaluate:

@@ -31,11 +31,12 @@ enum class Action {
     UndoWrite,
     Refresh,
     OpenData,
+    WriteSeveral, ///< columns of the file, each to an axis of its own
     Cancel,
 };
 inline constexpr std::array allActions{Action::Write, Action::Activate, Action::Evaluate,
     Action::Deactivate, Action::Revert, Action::RestorePrevious, Action::FinishWrite,
-    Action::UndoWrite, Action::Refresh, Action::OpenData, Action::Cancel};
+    Action::UndoWrite, Action::Refresh, Action::OpenData, Action::WriteSeveral, Action::Cancel};
 
 struct ActionState {
     bool isEnabled = false;
@@ -65,6 +66,13 @@ struct DriveState {
     std::optional<RejectedCertificate> certificate; ///< when Lost because of it
     bool isDemo = false;
     friend bool operator==(const DriveState&, const DriveState&) = default;
+};
+
+/// A table of the open file, by its index, and the axis of the current drive that it is for.
+struct ColumnForAxis {
+    int column = 0;
+    int axis = 0;
+    friend bool operator==(const ColumnForAxis&, const ColumnForAxis&) = default;
 };
 
 /// The open file of compensation data.

@@ -211,6 +211,13 @@ void TestWizardRules::reasons_data()
             s.flashOperationsLeft = 0;
             s.flashWaitSeconds = 5;
         });
+    row("several: one column", ready(), Action::WriteSeveral,
+        "Open a file with several columns of values first.", [](S& s) { s.usableAxes = 2; });
+    row("several: one axis", ready(), Action::WriteSeveral,
+        "The drive has no second axis with compensation registers.",
+        [](S& s) { s.fileTables = 2; });
+    row("several: busy", ready(), Action::WriteSeveral, "Please wait: writing several axes.",
+        [](S& s) { s.task = Task::WriteSeveral; });
     row("write: busy", changed(), Action::Write, "Please wait: activating.",
         [](S& s) { s.task = Task::Activate; });
     row("write: no axis", changed(), Action::Write, "Choose an axis first.",

@@ -323,6 +323,36 @@ void exportDialog(Scene& scene)
     QTest::qWait(150);
 }
 
+/// X has a table already; the columns are proposed, and all is planned.
+void severalAxes(Scene& scene)
+{
+    scene.choose2D();
+    scene.write();
+    QByteArray text = "X [mm],Y [mm],X error [mm],Y error [mm],Z error [mm]\n";
+    for (int y = 0; y <= 30; y += 10) {
+        for (int x = 0; x <= 40; x += 10)
+            text += QByteArray::number(x) + ',' + QByteArray::number(y) + ",0.00"
+                + QByteArray::number(x / 10) + ",-0.00" + QByteArray::number(y / 10) + ",0.0125\n";
+    }
+    scene.openData(scene.stage().file(QStringLiteral("plane-errors.csv"), text));
+    scene.settle();
+    scene.page().findChild<QAction*>(QStringLiteral("writeSeveralAction"))->trigger();
+    auto* write = scene.page().findChild<QPushButton*>(QStringLiteral("writeSeveralButton"));
+    wait([&] { return write->isEnabled(); }, "the plans");
+    QTest::qWait(200);
+}
+
+/// The drive has refused the first of the writes.
+void severalAxesFailed(Scene& scene)
+{
+    severalAxes(scene);
+    scene.stage().gate().refuseUploads(
+        Error{ErrorCode::TableRefused, {{"reason", "Crc does not match the elements"}}, {}});
+    scene.click("writeSeveralButton");
+    wait([&] { return scene.controller().isOutcomeAnError(); }, "the refusal");
+    scene.settle();
+}
+
 struct State {
     const char* name;
     std::function<void(Scene&)> make;
@@ -356,6 +386,8 @@ const std::vector<State>& states()
         {"find-drives", findDrives},
         {"import-dialog", importDialog},
         {"export-dialog", exportDialog},
+        {"several-axes", severalAxes},
+        {"several-axes-failed", severalAxesFailed},
     };
     return all;
 }
