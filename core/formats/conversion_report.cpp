@@ -28,6 +28,16 @@ bool isNoise(double difference, const CompensationColumn& column)
     return difference <= 1e-12 * std::max(std::abs(values.minimum), std::abs(values.maximum));
 }
 
+/// Every number of a controller that computes with float32 is rounded like that.
+bool isFloatRounding(const TableConversion& table, const ConversionRequest& request)
+{
+    const CompensationColumn& column = table.result.columns.front();
+    const TableStatistics values = statistics(column.values);
+    const double largest = std::max(std::abs(values.minimum), std::abs(values.maximum));
+    const double share = request.to->facts.behaviour.usesFloat ? 1e-7 : 1e-12;
+    return table.valueRounding <= share * largest;
+}
+
 std::string formatSign(const TableFamily& family, std::optional<SignConvention> overruled)
 {
     const FamilyFacts& facts = family.facts;
@@ -113,7 +123,7 @@ void addTable(
         lines.push_back(resamplingLine(table, n));
     for (const DirectionLoss& loss : table.directionLosses)
         lines.push_back(directionLine(table, loss, *request.direction));
-    if (!isNoise(table.valueRounding, table.result.columns.front()) || table.positionRounding > 0.0)
+    if (!isFloatRounding(table, request) || table.positionRounding > 0.0)
         lines.push_back(roundingLine(table));
     for (const ColumnDifference& difference : table.difference.columns)
         lines.push_back(differenceLine(table, difference));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/formats/sign_conversion.h"
 #include "core/formats/table_motion.h"
+#include "core/formats/text_scanner.h"
 #include "core/position_unit.h"
 
 #include <array>
@@ -11,15 +12,26 @@ namespace axiscomp {
 
 namespace {
 
-/// "+0.0021 mm": six digits tell the size and the sign.
-std::string signedText(double value, const std::string& unit)
+/// Six digits tell the size and the sign.
+std::string sixDigits(double value)
 {
     constexpr int digits = 6;
     std::array<char, 32> buffer{};
     const auto result = std::to_chars(
         buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, digits);
-    const std::string number(buffer.data(), result.ptr);
-    return (value > 0.0 ? "+" : "") + number + (unit.empty() ? "" : " " + unit);
+    return {buffer.data(), result.ptr};
+}
+
+/// "+0.0021 mm"
+std::string signedText(double value, const std::string& unit)
+{
+    return (value > 0.0 ? "+" : "") + sixDigits(value) + (unit.empty() ? "" : " " + unit);
+}
+
+/// So that the sum with a position has no more digits than the value itself is shown with.
+double shownValue(double value)
+{
+    return numberOf(sixDigits(value)).value_or(value);
 }
 
 /// One value of a table.
@@ -83,7 +95,7 @@ private:
     {
         const SourceAxis& axis = m_table.axes[*m_own];
         const double factor = unitFactor(m_column.unit, axis.unit).value_or(1.0);
-        return quantityText(m_position[*m_own] + factor * m_value, axis.unit);
+        return quantityText(m_position[*m_own] + factor * shownValue(m_value), axis.unit);
     }
     [[nodiscard]] std::string referenceOffset(double offset) const
     {
