@@ -15,7 +15,7 @@ bool sameSpans(const Grid& a, const Grid& b)
 
 namespace {
 
-template <typename Values> TableStatistics statisticsOf(const Values& values)
+template <typename Values> TableStatistics figuresOf(const Values& values)
 {
     if (values.empty())
         return {};
@@ -31,12 +31,12 @@ template <typename Values> TableStatistics statisticsOf(const Values& values)
 
 TableStatistics statistics(const CompensationTable& table)
 {
-    return statisticsOf(table.values);
+    return figuresOf(table.values);
 }
 
-TableStatistics statistics(std::span<const double> values)
+TableStatistics statisticsOf(std::span<const double> values)
 {
-    return statisticsOf(values);
+    return figuresOf(values);
 }
 
 } // namespace axiscomp

@@ -59,6 +59,6 @@ struct TableStatistics {
     double rms = 0.0;
 };
 [[nodiscard]] TableStatistics statistics(const CompensationTable& table);
-[[nodiscard]] TableStatistics statistics(std::span<const double> values);
+[[nodiscard]] TableStatistics statisticsOf(std::span<const double> values);
 
 } // namespace axiscomp

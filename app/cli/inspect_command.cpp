@@ -84,7 +84,7 @@ Json neutralJson(const NeutralTable& table)
             {"wrap", axis.wrap ? Json(*axis.wrap) : Json(nullptr)}});
     Json columns = Json::array();
     for (const CompensationColumn& column : table.columns) {
-        const TableStatistics figures = statistics(column.values);
+        const TableStatistics figures = statisticsOf(column.values);
         columns.push_back({{"name", column.name}, {"target", column.target}, {"unit", column.unit},
             {"direction", directionName(column.direction)}, {"min", figures.minimum},
             {"max", figures.maximum}, {"rms", figures.rms}});
@@ -105,7 +105,7 @@ std::string neutralText(const NeutralTable& table)
     }
     TextTable columns({"column", "target", "direction", "unit", ">min", ">max", ">rms"});
     for (const CompensationColumn& column : table.columns) {
-        const TableStatistics figures = statistics(column.values);
+        const TableStatistics figures = statisticsOf(column.values);
         columns.add(
             {column.name, column.target, std::string(directionName(column.direction)), column.unit,
                 shortText(figures.minimum), shortText(figures.maximum), shortText(figures.rms)});

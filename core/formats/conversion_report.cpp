@@ -24,7 +24,7 @@ std::string amountText(double amount, const std::string& unit)
 /// What is left of numbers that are the same but for the rounding of doubles.
 bool isNoise(double difference, const CompensationColumn& column)
 {
-    const TableStatistics values = statistics(column.values);
+    const TableStatistics values = statisticsOf(column.values);
     return difference <= 1e-12 * std::max(std::abs(values.minimum), std::abs(values.maximum));
 }
 
@@ -32,7 +32,7 @@ bool isNoise(double difference, const CompensationColumn& column)
 bool isFloatRounding(const TableConversion& table, const ConversionRequest& request)
 {
     const CompensationColumn& column = table.result.columns.front();
-    const TableStatistics values = statistics(column.values);
+    const TableStatistics values = statisticsOf(column.values);
     const double largest = std::max(std::abs(values.minimum), std::abs(values.maximum));
     const double share = request.to->facts.behaviour.usesFloat ? 1e-7 : 1e-12;
     return table.valueRounding <= share * largest;
