@@ -4,6 +4,7 @@
 #include "core/formats/text_scanner.h"
 #include "core/formats/triamec_tables.h"
 
+#include <algorithm>
 #include <array>
 
 namespace axiscomp {
