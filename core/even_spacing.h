@@ -17,6 +17,9 @@ struct EvenSpacing {
     bool rounded = false; ///< even, but only within what was printed
 };
 
+/// For lastDecimal: the positions were not printed, and only the rounding of doubles is left.
+inline constexpr int noDecimals = -30;
+
 /// lines: at least 2, strictly increasing, finite; lastDecimal: the exponent of ten of the last
 /// decimal printed. The line is the least-squares line; where the positions are even but for the
 /// rounding of doubles, it begins at the first of them and its distance is a short number. Fitting

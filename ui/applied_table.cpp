@@ -61,11 +61,10 @@ std::vector<const TableFamily*> controllersFor(int dimensions)
     std::vector<const TableFamily*> families;
     for (const TableFamily* family : tableFamilies()) {
         const FamilyFacts& facts = family->facts;
-        const bool isOther = family != &calibrationCsvFamily() && family != &tamTableFamily();
         const bool isKnown = std::ranges::any_of(families, [&](const TableFamily* known) {
             return known->facts.controller == facts.controller && known->facts.sign == facts.sign;
         });
-        if (isOther && !isKnown && dimensions >= facts.fewestDimensions
+        if (!isTriamec(*family) && !isKnown && dimensions >= facts.fewestDimensions
             && dimensions <= facts.mostDimensions)
             families.push_back(family);
     }

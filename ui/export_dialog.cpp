@@ -18,8 +18,7 @@ std::vector<const TableFamily*> writableFamilies(int dimensions)
         if (!family->write || dimensions < facts.fewestDimensions
             || dimensions > facts.mostDimensions)
             continue;
-        const bool isOwn = family == &calibrationCsvFamily() || family == &tamTableFamily();
-        (isOwn ? own : others).push_back(family);
+        (isTriamec(*family) ? own : others).push_back(family);
     }
     others.insert(others.end(), own.begin(), own.end());
     return others;

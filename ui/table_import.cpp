@@ -7,24 +7,12 @@
 #include "core/tam_table.h"
 
 #include <algorithm>
-#include <fstream>
 #include <iterator>
 #include <set>
 
 namespace axiscomp::ui {
 
 namespace {
-
-/// What tells one format from another; empty for a file that cannot be read, which is said later.
-std::string beginningOf(const std::filesystem::path& file)
-{
-    constexpr std::size_t enough = std::size_t{64} * 1024;
-    std::string text(enough, '\0');
-    std::ifstream stream(file, std::ios::binary);
-    stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-    text.resize(static_cast<std::size_t>(std::max<std::streamsize>(stream.gcount(), 0)));
-    return text;
-}
 
 class Import {
 public:
@@ -86,18 +74,15 @@ void Import::chooseFamily()
         return;
     }
     const TableFamily& family = *m_result.family;
-    const bool isOwn = &family == &calibrationCsvFamily() || &family == &tamTableFamily();
-    const bool isSure = isOwn || family.recognise(text) == Recognition::Certain;
+    const bool isSure = isTriamec(family) || family.recognise(text) == Recognition::Certain;
     const bool isCalibrationName = familyOfExtension(name) == &calibrationCsvFamily();
     const bool isNamed = !isCalibrationName && familyOfExtension(name) == &family;
     if (isSure || (isNamed && m_result.candidates.size() == 1))
         return;
     if (isCalibrationName)
         m_result.candidates.push_back(&calibrationCsvFamily());
-    std::string candidates;
-    for (const TableFamily* candidate : m_result.candidates)
-        candidates += (candidates.empty() ? "" : ", ") + std::string(candidate->facts.name);
-    refuse({ErrorCode::FormatAmbiguous, {{"file", name}, {"candidates", candidates}}, {}});
+    refuse({ErrorCode::FormatAmbiguous,
+        {{"file", name}, {"candidates", familyNames(m_result.candidates)}}, {}});
 }
 
 Result<Bytes> Import::bytes(std::uint64_t limit)

@@ -198,8 +198,7 @@ Result<ExitCode> runConvert(Environment& environment, const ConvertOptions& opti
     auto input = readInput(environment, inputOptions);
     if (!input)
         return fail(input.error());
-    const bool isToOwn = *to == &calibrationCsvFamily() || *to == &tamTableFamily();
-    if (!input->data || !isToOwn || options.conversion.isAnything())
+    if (!input->data || !isTriamec(**to) || options.conversion.isAnything())
         return convertOther(environment, options, **to, *input);
     return convertOwn(environment, options, **to, *std::move(input));
 }

@@ -146,9 +146,7 @@ Result<ExitCode> runInspect(Environment& environment, const TableInputOptions& o
     auto input = inspectInput(environment, options);
     if (!input)
         return fail(input.error());
-    const bool isOwn =
-        input->family == &calibrationCsvFamily() || input->family == &tamTableFamily();
-    if (!isOwn)
+    if (!isTriamec(*input->family))
         return reportOther(environment, *input, options);
     environment.document(inspectJson(*input, options.dimensions));
     if (!input->data)

@@ -102,7 +102,7 @@ Result<ExitCode> runRead(Environment& environment, const ReadOptions& options)
     const FamilyFacts& info = (*format)->facts;
     if (auto possible = checkOutput(environment, output, info.isText); !possible)
         return fail(possible.error());
-    const bool isOther = *format != &tamTableFamily() && *format != &calibrationCsvFamily();
+    const bool isOther = !isTriamec(**format);
     if (!isOther && options.conversion.isAnything())
         return wrongUsage("the table is handed out as the drive has it: convert it afterwards",
             options.drive.command);

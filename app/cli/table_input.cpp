@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
-#include <fstream>
 
 namespace axiscomp::app {
 
@@ -54,17 +53,6 @@ Result<std::string> wholeInput(Environment& environment, const std::string& file
     return std::string(asText(*bytes));
 }
 
-/// What tells one format from another; empty for a file that cannot be read, which is said later.
-std::string beginningOf(const std::string& file)
-{
-    constexpr std::size_t enough = 64 * 1024;
-    std::string text(enough, '\0');
-    std::ifstream stream(file, std::ios::binary);
-    stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-    text.resize(static_cast<std::size_t>(std::max<std::streamsize>(stream.gcount(), 0)));
-    return text;
-}
-
 Result<const TableFamily*> familyOf(Environment& environment, const TableInputOptions& options)
 {
     if (!options.from.empty())
@@ -75,10 +63,8 @@ Result<const TableFamily*> familyOf(Environment& environment, const TableInputOp
     const auto choice = chooseFamily(beginningOf(options.file), name, options.dimensions != 0);
     if (!choice)
         return fail(choice.error());
-    std::string others;
-    for (const TableFamily* family : choice->others)
-        others += (others.empty() ? "" : ", ") + std::string(family->facts.name);
-    if (choice->family != &calibrationCsvFamily() && choice->family != &tamTableFamily())
+    const std::string others = familyNames(choice->others);
+    if (!isTriamec(*choice->family))
         environment.console().note(options.file + ": read as "
             + std::string(choice->family->facts.name)
             + (others.empty() ? "" : "; it could be " + others + " as well: say it with --from"));

@@ -5,6 +5,7 @@
 #include "app/cli/write_run.h"
 #include "app/common/arguments.h"
 #include "app/common/number_text.h"
+#include "core/formats/text_scanner.h"
 #include "core/several_writes.h"
 
 #include <algorithm>
@@ -25,12 +26,6 @@ struct WriteOptions {
     bool isVolatile = false;
     bool isDryRun = false;
 };
-
-bool sameLetters(const std::string& a, const std::string& b)
-{
-    const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; };
-    return std::ranges::equal(a, b, {}, lower, lower);
-}
 
 /// "small1" and "tables/small1.TAMtbl" are the slot Small1; the rest is judged by the compensator.
 std::string slotName(const DriveProfile& profile, const std::string& text)

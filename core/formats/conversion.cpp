@@ -14,17 +14,6 @@ namespace axiscomp {
 
 namespace {
 
-bool isTriamec(const TableFamily& family)
-{
-    return &family == &calibrationCsvFamily() || &family == &tamTableFamily();
-}
-
-void remarkOnce(std::vector<std::string>& remarks, std::string remark)
-{
-    if (std::ranges::find(remarks, remark) == remarks.end())
-        remarks.push_back(std::move(remark));
-}
-
 /// The largest difference of numbers before and after writing, in the unit after it.
 double largestRounding(const std::vector<double>& before, const std::string& unitBefore,
     const std::vector<double>& after, const std::string& unitAfter)

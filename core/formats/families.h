@@ -28,4 +28,7 @@ namespace axiscomp {
 [[nodiscard]] const TableFamily& softmcFamily(); ///< text table
 [[nodiscard]] const TableFamily& softmcBasicFamily(); ///< MC-BASIC fragment
 
+/// The product's own formats: what the drive adds, on an even grid.
+[[nodiscard]] bool isTriamec(const TableFamily& family);
+
 } // namespace axiscomp

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/formats/table_family.h"
+#include "core/formats/writing_aids.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,9 +17,7 @@ public:
     [[nodiscard]] Result<void> check(const NeutralTable& table) const;
     [[nodiscard]] auto refuse(std::string reason, std::string wayOut) const
     {
-        return fail(ErrorCode::FormatCannotHold,
-            {{"format", std::string(m_facts.name)}, {"reason", std::move(reason)},
-                {"wayOut", std::move(wayOut)}});
+        return cannotHold(m_facts, std::move(reason), std::move(wayOut));
     }
 
 private:

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <fstream>
 #include <string>
 
 namespace axiscomp {
@@ -18,13 +19,8 @@ bool hasExtension(const FamilyFacts& facts, std::string_view fileName)
     });
 }
 
-std::string knownNames()
-{
-    std::string names;
-    for (const TableFamily* family : tableFamilies())
-        names += (names.empty() ? "" : ", ") + std::string(family->facts.name);
-    return names;
-}
+/// What tells one format from another stands within this.
+constexpr std::size_t longestBeginning = std::size_t{64} * 1024;
 
 } // namespace
 
@@ -74,17 +70,39 @@ std::span<const TableFamily* const> tableFamilies()
     return families;
 }
 
+bool isTriamec(const TableFamily& family)
+{
+    return &family == &calibrationCsvFamily() || &family == &tamTableFamily();
+}
+
+std::string familyNames(std::span<const TableFamily* const> families)
+{
+    std::string names;
+    for (const TableFamily* family : families)
+        names += (names.empty() ? "" : ", ") + std::string(family->facts.name);
+    return names;
+}
+
+std::string beginningOf(const std::filesystem::path& file)
+{
+    std::string text(longestBeginning, '\0');
+    std::ifstream stream(file, std::ios::binary);
+    stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+    text.resize(static_cast<std::size_t>(std::max<std::streamsize>(stream.gcount(), 0)));
+    return text;
+}
+
 Result<const TableFamily*> familyNamed(std::string_view name)
 {
     for (const TableFamily* family : tableFamilies())
         if (sameLetters(name, family->facts.name))
             return family;
-    return fail(ErrorCode::UnknownFormat, {{"file", std::string(name)}, {"known", knownNames()}});
+    return fail(ErrorCode::UnknownFormat,
+        {{"file", std::string(name)}, {"known", familyNames(tableFamilies())}});
 }
 
 FormatGuess guessFamily(std::string_view text, std::string_view fileName)
 {
-    constexpr std::size_t enough = 64 * 1024;
     struct Candidate {
         const TableFamily* family;
         Recognition recognition;
@@ -96,7 +114,7 @@ FormatGuess guessFamily(std::string_view text, std::string_view fileName)
         const bool hasName = hasExtension(family->facts, fileName);
         Recognition recognition = isBinary && hasName ? Recognition::Possible : Recognition::No;
         if (family->recognise)
-            recognition = family->recognise(text.substr(0, enough));
+            recognition = family->recognise(text.substr(0, longestBeginning));
         if (recognition != Recognition::No)
             candidates.push_back({family, recognition, hasName});
     }
@@ -123,7 +141,7 @@ const TableFamily* familyOfExtension(std::string_view fileName)
         // The product's own formats come first and have the extension to themselves.
         if (found == nullptr)
             found = family;
-        else if (found != &calibrationCsvFamily() && found != &tamTableFamily())
+        else if (!isTriamec(*found))
             return nullptr;
     }
     return found;
@@ -139,17 +157,16 @@ Result<FormatChoice> chooseFamily(
     if (guess.families.empty() && named != nullptr)
         return FormatChoice{named, {}};
     if (guess.families.empty())
-        return fail(ErrorCode::UnknownFormat, {{"file", fileName}, {"known", knownNames()}});
+        return fail(ErrorCode::UnknownFormat,
+            {{"file", fileName}, {"known", familyNames(tableFamilies())}});
     FormatChoice choice{guess.families.front(), {}};
     choice.others.assign(guess.families.begin() + 1, guess.families.end());
     const bool isDecided = guess.isCertain || guess.families.size() == 1
         || choice.family == &calibrationCsvFamily() || hasExtension(choice.family->facts, fileName);
     if (isDecided)
         return choice;
-    std::string candidates;
-    for (const TableFamily* family : guess.families)
-        candidates += (candidates.empty() ? "" : ", ") + std::string(family->facts.name);
-    return fail(ErrorCode::FormatAmbiguous, {{"file", fileName}, {"candidates", candidates}});
+    return fail(ErrorCode::FormatAmbiguous,
+        {{"file", fileName}, {"candidates", familyNames(guess.families)}});
 }
 
 Result<const TableFamily*> outputFamily(const std::string& fileName, const std::string& formatName)
@@ -164,13 +181,15 @@ Result<const TableFamily*> outputFamily(const std::string& fileName, const std::
                 "the format " + std::string((*named)->facts.name) + " can be read, not written"}});
     if (*named != nullptr)
         return named;
-    std::string candidates;
+    std::vector<const TableFamily*> candidates;
     for (const TableFamily* family : tableFamilies())
         if (family->write && hasExtension(family->facts, fileName))
-            candidates += (candidates.empty() ? "" : ", ") + std::string(family->facts.name);
+            candidates.push_back(family);
     if (candidates.empty())
-        return fail(ErrorCode::UnknownFormat, {{"file", fileName}, {"known", knownNames()}});
-    return fail(ErrorCode::FormatAmbiguous, {{"file", fileName}, {"candidates", candidates}});
+        return fail(ErrorCode::UnknownFormat,
+            {{"file", fileName}, {"known", familyNames(tableFamilies())}});
+    return fail(
+        ErrorCode::FormatAmbiguous, {{"file", fileName}, {"candidates", familyNames(candidates)}});
 }
 
 } // namespace axiscomp

@@ -36,8 +36,6 @@ std::size_t NeutralTable::pointCount() const
 
 bool isEven(const SourceAxis& axis)
 {
-    // Finer than any printed decimal: only the rounding of doubles is left.
-    constexpr int noDecimals = -30;
     const EvenSpacing spacing = fitEvenSpacing(axis.knots, noDecimals);
     return spacing.even || spacing.deviation <= axis.step / 2.0;
 }

@@ -26,13 +26,6 @@ constexpr std::array<std::string_view, 6> rules{
     "D: the desired position of the source counts, otherwise the actual one.",
     "Between the entries the correction is linear.",
 };
-constexpr std::array<std::string_view, 4> assumptions{
-    "The correction is added to the commanded position; the documentation gives no sign.",
-    "An entry has 24 bits.",
-    "A table that does not close is written with one more interval that leads back to its first "
-    "value; negative positions are written behind the positive ones.",
-    "One table is written to a file, for its target motor; a file that is read may hold several.",
-};
 
 std::vector<NeutralTable> parse(TextReading& reading)
 {
@@ -76,7 +69,7 @@ const TableFamily& pmac1dFamily()
             .outsideEvidence = Evidence::Published,
             .settings = settings,
             .rules = rules,
-            .assumptions = assumptions},
+            .assumptions = pmac::assumptions},
         .recognise = recognise,
         .read = read,
         .write = write};

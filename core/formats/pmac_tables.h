@@ -5,6 +5,8 @@
 #include "core/formats/text_scanner.h"
 #include "core/formats/writing_aids.h"
 
+#include <array>
+
 namespace axiscomp::pmac {
 
 // Compensation tables of PMAC: DEFINE COMP says sizes, motors and spans in counts, whole numbers of
@@ -23,6 +25,14 @@ struct Keys {
     const NeutralTable& source, const FormatSettings& settings);
 /// Errors: InvalidArgument for counts per unit that are not above 0.
 [[nodiscard]] Result<void> checkCounts(const FamilyFacts& facts, const FormatSettings& settings);
+
+inline constexpr std::array<std::string_view, 4> assumptions{
+    "The correction is added to the commanded position; the documentation gives no sign.",
+    "An entry has 24 bits.",
+    "A table that does not close is written with one more interval that leads back to its first "
+    "value; negative positions are written behind the positive ones.",
+    "One table is written to a file, for its target motor; a file that is read may hold several.",
+};
 
 inline constexpr FormatSetting countsForWriting{.key = "counts-per-unit",
     .kind = FormatSetting::Kind::Number,

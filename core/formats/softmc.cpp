@@ -2,6 +2,7 @@
 #include "core/csv_text.h"
 #include "core/formats/families.h"
 #include "core/formats/table_units.h"
+#include "core/formats/text_reading.h"
 #include "core/formats/text_scanner.h"
 
 #include <array>
@@ -177,12 +178,10 @@ NeutralTable tableOf(const Rows& rows, const Shape& shape, DiagnosticList& diagn
     return table;
 }
 
-std::optional<NeutralTable> parse(std::string_view text, const TableReadOptions& options,
-    TableReading& reading, DiagnosticList& diagnostics)
+std::vector<NeutralTable> parse(TextReading& reading)
 {
-    if (!isReadableText(text, softmcFamily().facts.mostBytes, diagnostics))
-        return std::nullopt;
-    TextLines lines(text);
+    DiagnosticList& diagnostics = reading.diagnostics;
+    TextLines lines(reading.text);
     std::vector<Token> tokens;
     std::optional<Shape> shape;
     Rows rows;
@@ -190,43 +189,32 @@ std::optional<NeutralTable> parse(std::string_view text, const TableReadOptions&
         splitTokens(*line, " \t", tokens);
         if (tokens.empty())
             continue;
-        reading.cancelled = options.stop.stop_requested();
-        if (reading.cancelled)
-            return std::nullopt;
+        if (reading.isStopped())
+            return {};
         if (shape) {
             if (!takeRow(tokens, shape->sizes.size(), rows, diagnostics))
-                return std::nullopt;
+                return {};
             continue;
         }
         shape = readShape(tokens, diagnostics);
         if (!shape)
-            return std::nullopt;
+            return {};
     }
     if (rows.lines.size() != shape->rows) {
         diagnostics.error(DiagnosticCode::Contradiction, 1, 0,
             "a header of " + sizesText(*shape) + ", and " + std::to_string(rows.lines.size())
                 + " rows",
             "as many rows as the header says");
-        return std::nullopt;
+        return {};
     }
-    return tableOf(rows, *shape, diagnostics);
+    NeutralTable table = tableOf(rows, *shape, diagnostics);
+    takeUnits(table, reading.settings, diagnostics);
+    return {std::move(table)};
 }
 
 Result<TableReading> read(std::string_view text, const TableReadOptions& options)
 {
-    const auto settings = SettingValues::of(softmcFamily().facts, options.settings, false);
-    if (!settings)
-        return fail(settings.error());
-    TableReading reading;
-    DiagnosticList diagnostics(options.maximumDiagnostics);
-    auto table = parse(text, options, reading, diagnostics);
-    if (table)
-        takeUnits(*table, *settings, diagnostics);
-    if (table && !diagnostics.hasErrors())
-        reading.tables.push_back(std::move(*table));
-    reading.suppressed = diagnostics.suppressed();
-    reading.diagnostics = diagnostics.take();
-    return reading;
+    return readText(softmcFamily().facts, text, options, parse);
 }
 
 /// A first line "N k1 .. kN" that says as many sizes as it should, and a row of more numbers.

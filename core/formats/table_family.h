@@ -6,6 +6,7 @@
 #include "core/formats/table_behaviour.h"
 #include "core/result.h"
 
+#include <filesystem>
 #include <map>
 #include <span>
 #include <stop_token>
@@ -124,8 +125,15 @@ struct TableFamily {
 /// All of them, those of the product itself first.
 [[nodiscard]] std::span<const TableFamily* const> tableFamilies();
 
+/// "csv, tamtbl": their names, for sentences.
+[[nodiscard]] std::string familyNames(std::span<const TableFamily* const> families);
+
 /// By name, upper or lower case. Errors: UnknownFormat.
 [[nodiscard]] Result<const TableFamily*> familyNamed(std::string_view name);
+
+/// The bytes at the beginning of a file that tell its format; fewer of a shorter file, and none of
+/// one that cannot be read, which its reader says.
+[[nodiscard]] std::string beginningOf(const std::filesystem::path& file);
 
 /// What a file is, from its content; the extension decides among those that are possible.
 struct FormatGuess {

@@ -74,18 +74,18 @@ std::string fittingUnit(const std::string& unit, std::string_view length, std::s
     return std::string(isAngle ? angle : length);
 }
 
-void remarkOnce(std::vector<std::string>& remarks, std::string remark)
-{
-    if (std::ranges::find(remarks, remark) == remarks.end())
-        remarks.push_back(std::move(remark));
-}
-
 std::string unitWords(const std::string& unit)
 {
     return unit.empty() ? "a unit that is not said" : unit;
 }
 
 } // namespace
+
+void remarkOnce(std::vector<std::string>& remarks, std::string remark)
+{
+    if (std::ranges::find(remarks, remark) == remarks.end())
+        remarks.push_back(std::move(remark));
+}
 
 void takeUnits(NeutralTable& table, const SettingValues& settings, DiagnosticList& diagnostics)
 {

@@ -6,6 +6,9 @@
 
 namespace axiscomp {
 
+/// Adds a sentence that is not among the remarks yet.
+void remarkOnce(std::vector<std::string>& remarks, std::string remark);
+
 /// Reading a format that says no units: what the settings position-unit and value-unit say, or a
 /// warning that nobody says it.
 void takeUnits(NeutralTable& table, const SettingValues& settings, DiagnosticList& diagnostics);

@@ -51,11 +51,7 @@ Result<TableReading> readText(const FamilyFacts& facts, std::string_view text,
         return fail(settings.error());
     TableReading reading;
     DiagnosticList diagnostics(options.maximumDiagnostics);
-    const bool isReadable = isReadableText(text, facts.mostBytes, diagnostics);
-    const bool isBlank = text.find_first_not_of(" \t\r\n\xEF\xBB\xBF") == std::string_view::npos;
-    if (isReadable && isBlank) {
-        diagnostics.error(DiagnosticCode::EmptyFile, 0, 0, "", "");
-    } else if (isReadable) {
+    if (isReadableText(text, facts.mostBytes, diagnostics)) {
         TextReading source{text, options, *settings, diagnostics};
         reading.tables = parse(source);
         if (!diagnostics.hasErrors())

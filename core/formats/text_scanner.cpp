@@ -14,6 +14,7 @@ namespace axiscomp {
 namespace {
 
 constexpr std::string_view blanks = " \t";
+constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
 
 std::string quoted(const Token& token)
 {
@@ -27,22 +28,17 @@ char lower(char c)
 
 } // namespace
 
-TextLines::TextLines(std::string_view text) : m_rest(text)
+TextLines::TextLines(std::string_view text)
+    : m_lines(text.starts_with(byteOrderMark) ? text.substr(byteOrderMark.size()) : text)
 {
-    constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
-    if (m_rest.starts_with(byteOrderMark))
-        m_rest.remove_prefix(byteOrderMark.size());
 }
 
 std::optional<Token> TextLines::next()
 {
-    if (m_rest.empty())
+    if (m_lines.atEnd())
         return std::nullopt;
-    const std::size_t end = std::min(m_rest.find_first_of("\r\n"), m_rest.size());
-    const Token line{m_rest.substr(0, end), ++m_line, 1};
-    const bool isPair = m_rest.substr(end, 2) == "\r\n";
-    m_rest.remove_prefix(std::min(end + (isPair ? 2 : 1), m_rest.size()));
-    return line;
+    const std::size_t number = m_lines.lineNumber();
+    return Token{m_lines.next(), number, 1};
 }
 
 void splitTokens(const Token& line, std::string_view separators, std::vector<Token>& tokens)
@@ -134,7 +130,8 @@ bool isReadableText(std::string_view text, std::size_t mostBytes, DiagnosticList
         return false;
     }
     const csv::TextInspection inspection(text, {}, diagnostics);
-    if (!diagnostics.hasErrors() && csv::trimmed(inspection.body()).empty())
+    if (!diagnostics.hasErrors()
+        && inspection.body().find_first_not_of(" \t\r\n") == std::string_view::npos)
         diagnostics.error(DiagnosticCode::EmptyFile, 0, 0, "", "");
     return !diagnostics.hasErrors();
 }

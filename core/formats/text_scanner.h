@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/csv_lines.h"
 #include "core/diagnostic_list.h"
 
 #include <cstddef>
@@ -28,8 +29,7 @@ public:
     [[nodiscard]] std::optional<Token> next();
 
 private:
-    std::string_view m_rest;
-    std::size_t m_line = 0;
+    csv::LineReader m_lines;
 };
 
 /// The pieces of a line between any of the separators; empty pieces are left out.

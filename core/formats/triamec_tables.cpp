@@ -4,7 +4,7 @@
 #include "core/csv_text.h"
 #include "core/even_spacing.h"
 #include "core/formats/families.h"
-#include "core/formats/text_scanner.h"
+#include "core/formats/writing_aids.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,14 +15,11 @@ namespace {
 
 auto refuse(std::string reason, std::string wayOut)
 {
-    return fail(ErrorCode::FormatCannotHold,
-        {{"format", std::string(calibrationCsvFamily().facts.name)}, {"reason", std::move(reason)},
-            {"wayOut", std::move(wayOut)}});
+    return cannotHold(calibrationCsvFamily().facts, std::move(reason), std::move(wayOut));
 }
 
 GridAxis gridAxis(const SourceAxis& axis)
 {
-    constexpr int noDecimals = -30;
     const EvenSpacing spacing = fitEvenSpacing(axis.knots, noDecimals);
     return {axis.name, axis.unit, spacing.start, spacing.distance,
         static_cast<std::uint32_t>(axis.knots.size())};

@@ -27,7 +27,7 @@ std::vector<double> rounded(std::vector<double> values, int decimals)
     return values;
 }
 
-constexpr int noDecimals = -17; ///< all digits were printed
+constexpr int allDecimals = -17; ///< all digits were printed
 
 } // namespace
 
@@ -56,9 +56,9 @@ private Q_SLOTS:
             << List{0, 10, 20, 30.1, 40} << 0 << true << true;
         // Printed with all digits the tolerance is a billionth of the range, 4e-8.
         QTest::newRow("a billionth of the range")
-            << List{0, 10, 20.00000003, 30, 40} << noDecimals << true << false;
+            << List{0, 10, 20.00000003, 30, 40} << allDecimals << true << false;
         QTest::newRow("more than a billionth")
-            << List{0, 10, 20.0000001, 30, 40} << noDecimals << false << false;
+            << List{0, 10, 20.0000001, 30, 40} << allDecimals << false << false;
         QTest::newRow("far from zero")
             << List{1e9, 1e9 + 0.001, 1e9 + 0.002, 1e9 + 0.003} << -3 << true << false;
     }
@@ -100,7 +100,7 @@ private Q_SLOTS:
         QFETCH(double, start);
         QFETCH(double, distance);
         QFETCH(int, count);
-        const EvenSpacing spacing = fitEvenSpacing(positions(start, distance, count), noDecimals);
+        const EvenSpacing spacing = fitEvenSpacing(positions(start, distance, count), allDecimals);
         QVERIFY(spacing.even && !spacing.rounded);
         QVERIFY(spacing.start == start);
         QVERIFY(spacing.distance == distance);
@@ -134,11 +134,11 @@ private Q_SLOTS:
                 std::fabs(any(random)) * std::pow(10.0, 3.0 * any(random)) + 1e-6, count);
             if (i % 2 == 0)
                 lines = rounded(lines, 8);
-            const EvenSpacing first = fitEvenSpacing(lines, i % 2 == 0 ? -8 : noDecimals);
+            const EvenSpacing first = fitEvenSpacing(lines, i % 2 == 0 ? -8 : allDecimals);
             if (!first.even)
                 continue;
             const EvenSpacing again =
-                fitEvenSpacing(positions(first.start, first.distance, count), noDecimals);
+                fitEvenSpacing(positions(first.start, first.distance, count), allDecimals);
             QVERIFY(again.even);
             QVERIFY(again.start == first.start);
             QVERIFY(again.distance == first.distance);
