@@ -92,6 +92,7 @@ struct WritePlan {
     std::size_t tableBytes = 0;
     std::vector<PlannedChange> changes; ///< empty: nothing to write
     int flashOperations = 0; ///< that the write costs
+    int flashReserve = 0; ///< more that must be possible, so that it can be put back
     FlashBudget flashBudget; ///< before the write
     std::vector<std::string> warnings; ///< sentences
 };

@@ -148,6 +148,14 @@ std::string_view errorTemplate(ErrorCode code)
     return rowOf(code).text;
 }
 
+std::string_view errorTemplate(const Error& error)
+{
+    if (error.code == ErrorCode::FlashWear && error.context.contains("reserve"))
+        return "the flash operations that are left would do for the change, but not for putting "
+               "everything back if it fails; wait {seconds} s, or write volatile";
+    return errorTemplate(error.code);
+}
+
 std::string fillTemplate(std::string_view text, const ErrorContext& context)
 {
     std::string result;
@@ -164,7 +172,7 @@ std::string fillTemplate(std::string_view text, const ErrorContext& context)
 
 std::string sentence(const Error& error)
 {
-    return fillTemplate(errorTemplate(error.code), error.context);
+    return fillTemplate(errorTemplate(error), error.context);
 }
 
 std::span<const ErrorCode> allErrorCodes()

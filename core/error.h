@@ -45,7 +45,7 @@ enum class ErrorCode {
     NotAllowedNow, ///< reason
     TooLargeForSlot, ///< reason
     TableRefused, ///< reason
-    FlashWear, ///< seconds
+    FlashWear, ///< seconds, reserve (when only what putting back may cost is missing)
     CompensationError, ///< axis, error (the drive's own), hint
     // Checks before a write, and its outcome
     AxisNotFound, ///< axis, known
@@ -91,6 +91,8 @@ struct Error {
 
 /// The English sentence with {key} placeholders. The window translates this text.
 [[nodiscard]] std::string_view errorTemplate(ErrorCode code);
+/// The same, where the context asks for another sentence.
+[[nodiscard]] std::string_view errorTemplate(const Error& error);
 
 /// Replaces each {key} by its value; a key without a value becomes "?".
 [[nodiscard]] std::string fillTemplate(std::string_view text, const ErrorContext& context);

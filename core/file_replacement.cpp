@@ -48,7 +48,9 @@ Result<std::filesystem::path> FileReplacement::run(ByteView bytes, Users users)
             return fail(out.error());
     }
     if (needsFlash) {
-        if (auto possible = checkBudget(); !possible)
+        // Putting back deletes the new file from flash, or stores the old one again.
+        const int reserve = m_old.bytes.empty() || m_old.persistent ? 1 : 0;
+        if (auto possible = checkBudget(1, reserve); !possible)
             return fail(possible.error());
     }
     if (auto kept = keepOldFile(*seen); !kept)
@@ -158,15 +160,20 @@ Result<void> FileReplacement::checkSavedUse(ByteView bytes) const
     return {};
 }
 
-Result<void> FileReplacement::checkBudget() const
+/// The cost, and what putting back may cost beyond that.
+Result<void> FileReplacement::checkBudget(int cost, int reserve) const
 {
     auto history = m_store.flashHistory(m_drive.serialNumber);
     if (!history)
         return fail(history.error());
-    const FlashBudget budget = wearGuard(m_access.profile().flashWear, *history).budget(m_clock());
-    if (budget.left > 0)
+    const FlashBudget budget =
+        wearGuard(m_access.profile().flashWear, *history).budget(m_clock(), cost + reserve);
+    if (cost + reserve <= budget.left)
         return {};
-    return fail(ErrorCode::FlashWear, {{"seconds", std::to_string(budget.wait.count())}});
+    ErrorContext context{{"seconds", std::to_string(budget.wait.count())}};
+    if (cost <= budget.left)
+        context.emplace("reserve", std::to_string(reserve));
+    return fail(ErrorCode::FlashWear, std::move(context));
 }
 
 Result<void> FileReplacement::put(const DriveAccess& access, ByteView bytes) const

@@ -40,7 +40,7 @@ private:
     [[nodiscard]] Result<void> keepOldFile(const Look& seen);
     [[nodiscard]] Result<void> checkUnchanged(const Look& seen) const;
     [[nodiscard]] Result<void> checkSavedUse(ByteView bytes) const;
-    [[nodiscard]] Result<void> checkBudget() const;
+    [[nodiscard]] Result<void> checkBudget(int cost, int reserve) const;
     [[nodiscard]] Result<void> put(const DriveAccess& access, ByteView bytes) const;
     [[nodiscard]] Error putBack(const Error& reason) const;
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/several_writes.h"
 
+#include <algorithm>
 #include <set>
 
 namespace axiscomp {
@@ -23,6 +24,7 @@ Result<std::vector<WritePlan>> planSeveral(AxisCompensator& compensator,
             return refuse("axis " + std::to_string(write.axis) + " is named twice");
     std::vector<WritePlan> plans;
     int flashOperations = 0;
+    int needed = 0; ///< with what putting back the one that fails may cost
     for (const AxisWrite& write : writes) {
         auto plan = compensator.plan(write.axis, write.request, options);
         if (!plan) {
@@ -31,10 +33,11 @@ Result<std::vector<WritePlan>> planSeveral(AxisCompensator& compensator,
             return fail(std::move(error));
         }
         flashOperations += plan->flashOperations;
+        needed = std::max(needed, flashOperations + plan->flashReserve);
         plans.push_back(*std::move(plan));
     }
-    if (!plans.empty() && flashOperations > plans.front().flashBudget.left)
-        return refuse("together these writes cost " + std::to_string(flashOperations)
+    if (!plans.empty() && needed > plans.front().flashBudget.left)
+        return refuse("together these writes cost " + std::to_string(needed)
             + " flash operations, and " + std::to_string(plans.front().flashBudget.left)
             + " are possible now; write them volatile, or fewer at a time");
     return plans;

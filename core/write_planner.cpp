@@ -347,27 +347,6 @@ Result<void> WritePlanner::readOthers()
     return {};
 }
 
-Result<void> WritePlanner::decideFlash()
-{
-    auto history = m_store.flashHistory(m_drive.serialNumber);
-    if (!history)
-        return fail(history.error());
-    WritePlan& plan = m_write.plan;
-    const FlashWearGuard guard = wearGuard(m_access.profile().flashWear, *history);
-    plan.flashBudget = guard.budget(m_now);
-    if (plan.after.slot.empty())
-        return {};
-    const bool persistent = plan.after.persistency == Persistency::Persistent;
-    const bool changes = plan.slotReason != SlotReason::KeepTable
-        ? persistent && !m_isStored
-        : plan.after.persistency != plan.before.persistency;
-    plan.flashOperations = (changes ? 1 : 0) + m_write.uncovered;
-    if (plan.flashOperations > plan.flashBudget.left)
-        return fail(ErrorCode::FlashWear,
-            {{"seconds", std::to_string(guard.budget(m_now, plan.flashOperations).wait.count())}});
-    return {};
-}
-
 void WritePlanner::listChanges()
 {
     WritePlan& plan = m_write.plan;

@@ -43,6 +43,7 @@ private:
     [[nodiscard]] Result<void> decideNoTable();
     [[nodiscard]] std::string currentTable() const;
     [[nodiscard]] Result<void> decideFlash();
+    [[nodiscard]] int flashReserve(bool isStoring) const;
     [[nodiscard]] Result<void> decideSaving();
     [[nodiscard]] Result<void> readOthers();
     [[nodiscard]] Result<std::vector<SlotFacts>> slotFacts();

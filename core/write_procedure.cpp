@@ -341,10 +341,11 @@ Result<void> WriteProcedure::commitTable()
 Result<void> WriteProcedure::commitWith(const std::vector<RegisterWrite>& values)
 {
     m_flashTouched = true;
-    auto reached = reachFlash(values);
+    bool isCommitted = false;
+    auto reached = reachFlash(values, isCommitted);
     if (!reached) {
         m_flash.noteRefusal(reached.error());
-        if (!mayHaveSpentFlash(reached.error()))
+        if (!isCommitted && !mayHaveSpentFlash(reached.error()))
             return reached;
     }
     auto after = readEraseCounts(m_access, touchedSlots());
@@ -362,7 +363,8 @@ Result<void> WriteProcedure::commitWith(const std::vector<RegisterWrite>& values
 }
 
 /// A commit that did nothing is repeated, which costs nothing when flash already holds the table.
-Result<void> WriteProcedure::reachFlash(const std::vector<RegisterWrite>& values)
+/// isCommitted: the drive has said yes once, whatever happened after that.
+Result<void> WriteProcedure::reachFlash(const std::vector<RegisterWrite>& values, bool& isCommitted)
 {
     const std::string& slot = m_write.plan.after.slot;
     const std::vector<RegisterWrite> commit{
@@ -370,6 +372,7 @@ Result<void> WriteProcedure::reachFlash(const std::vector<RegisterWrite>& values
             m_access.enums().tableCommandCommit}};
     if (auto committed = writeSurely(m_access, values, commit); !committed)
         return committed;
+    isCommitted = true;
     if (auto same = compareRegisters(m_access, values); !same)
         return same;
     auto after = readEraseCounts(m_access, {slot});

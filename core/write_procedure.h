@@ -38,7 +38,8 @@ private:
     [[nodiscard]] Result<void> uploadTable();
     [[nodiscard]] Result<void> commitTable();
     [[nodiscard]] Result<void> commitWith(const std::vector<RegisterWrite>& values);
-    [[nodiscard]] Result<void> reachFlash(const std::vector<RegisterWrite>& values);
+    [[nodiscard]] Result<void> reachFlash(
+        const std::vector<RegisterWrite>& values, bool& isCommitted);
     [[nodiscard]] Result<void> switchOver();
     [[nodiscard]] Result<void> switchOverOneByOne(const std::vector<RegisterWrite>& values);
     [[nodiscard]] Result<AxisStatus> confirm();
@@ -51,6 +52,7 @@ private:
     [[nodiscard]] Result<void> undoTable(const DriveAccess& access);
     [[nodiscard]] Result<void> undoRegisters(const DriveAccess& access);
     [[nodiscard]] Result<void> undoOtherSlot(const DriveAccess& access);
+    [[nodiscard]] bool mustStay(const DriveAccess& access) const;
     [[nodiscard]] bool hasOldState(const DriveAccess& access);
     [[nodiscard]] Result<void> checkFlash();
     [[nodiscard]] Result<AxisStatus> lookBeforeUndo(const UnfinishedWrite& unfinished);

@@ -123,9 +123,19 @@ Result<void> WriteProcedure::undoRegisters(const DriveAccess& access)
     return m_savedTouched ? save(access) : Result<void>{};
 }
 
+/// Taking the new table out of the flash of its slot costs an operation. The axis has its old state
+/// without that: when none is left, the table stays where it is.
+bool WriteProcedure::mustStay(const DriveAccess& access) const
+{
+    if (!m_flashTouched || m_flash.recorded() == 0)
+        return false;
+    const auto history = m_store.flashHistory(m_write.plan.drive.serialNumber);
+    return history && wearGuard(access.profile().flashWear, *history).budget(m_clock()).left == 0;
+}
+
 Result<void> WriteProcedure::undoOtherSlot(const DriveAccess& access)
 {
-    if (!m_slotTouched || overwritesOwn())
+    if (!m_slotTouched || overwritesOwn() || mustStay(access))
         return {};
     const AxisBackup::File* old = backupOf(m_write.slot.name);
     if (!old || old->bytes.empty())

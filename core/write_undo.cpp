@@ -78,6 +78,14 @@ Result<void> WriteProcedure::checkFlash()
             return fail(cost.error());
         operations += *cost;
     }
+    // Then the axis has its volatile table again, which is saved as well.
+    const std::string& slot = m_write.plan.before.slot;
+    const AxisBackup::File* old = backupOf(slot);
+    auto saved = m_store.savedState(m_write.plan.drive.serialNumber);
+    if (!saved)
+        return fail(saved.error());
+    if (m_savedTouched && !overwritesOwn() && old && !old->persistent && saved->isCovered(slot))
+        ++operations;
     auto history = m_store.flashHistory(m_write.plan.drive.serialNumber);
     if (!history)
         return fail(history.error());

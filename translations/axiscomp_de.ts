@@ -2047,6 +2047,10 @@
         <source>together these writes cost {count} flash operations, and {left} are possible now; write them volatile, or fewer at a time</source>
         <translation>zusammen kosten diese Schreibvorgänge {count} Flash-Vorgänge, und {left} sind jetzt möglich; flüchtig schreiben, oder weniger auf einmal</translation>
     </message>
+    <message>
+        <source>the flash operations that are left would do for the change, but not for putting everything back if it fails; wait {seconds} s, or write volatile</source>
+        <translation>die übrigen Flash-Vorgänge reichen für die Änderung, aber nicht, um nach einem Fehlschlag alles zurückzustellen; {seconds} s warten oder flüchtig schreiben</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>

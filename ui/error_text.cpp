@@ -35,7 +35,7 @@ constexpr std::array steps{
 
 QString errorText(const Error& error)
 {
-    const std::string text(errorTemplate(error.code));
+    const std::string text(errorTemplate(error));
     const QString sentence = QCoreApplication::translate("Error", text.c_str());
     ErrorContext context;
     for (const auto& [key, value] : error.context)

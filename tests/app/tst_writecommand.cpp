@@ -300,7 +300,7 @@ private Q_SLOTS:
         QVERIFY2(run.err.startsWith("error: NoTable: "), run.err.constData());
     }
 
-    void wornFlashIsRefusedBeforehandWithTheSecondsToWait()
+    void wornFlashIsRefusedBeforehandAndTheLastOperationKeptForPuttingBack()
     {
         const Bench bench;
         VERIFY_CODE(bench.write("first.csv"), 0);
@@ -311,9 +311,17 @@ private Q_SLOTS:
             if (run.code != 0)
                 break;
         }
-        QCOMPARE(operations, 8);
+        QCOMPARE(operations, 7);
         VERIFY_CODE(run, 7);
         QVERIFY2(run.err.startsWith("error: FlashWear: "), run.err.constData());
+        QVERIFY2(run.err.contains("not for putting everything back"), run.err.constData());
+        QVERIFY2(bench.run({"status"}).out.contains("1 operation possible now"), "none is left");
+        // What takes another slot is put back without flash.
+        VERIFY_CODE(bench.write("second.csv", {"--persistent"}), 0);
+        run = bench.run({"unpersist"});
+        VERIFY_CODE(run, 7);
+        QVERIFY2(run.err.startsWith("error: FlashWear: "), run.err.constData());
+        QVERIFY2(!run.err.contains("putting everything back"), run.err.constData());
         QVERIFY2(bench.run({"status"}).out.contains("none possible for "), "no waiting time");
     }
 
