@@ -47,8 +47,6 @@ constexpr std::array<std::string_view, 3> assumptions{
 struct Owner {
     long encoder = 0;
     std::string axis;
-
-    friend bool operator==(const Owner&, const Owner&) = default;
 };
 struct Entry {
     Owner owner;
