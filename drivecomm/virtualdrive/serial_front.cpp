@@ -196,7 +196,7 @@ void SerialFront::Private::wait()
 void SerialFront::Private::run()
 {
     pollfd ended{ending.get(), POLLIN, 0};
-    while (::poll(&ended, 1, 0) == 0) {
+    while (::poll(&ended, 1, 0) <= 0) { // below 0: a signal came
         const auto now = Clock::now();
         if (!isGone) {
             receive(now);

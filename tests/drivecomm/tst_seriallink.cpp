@@ -4,6 +4,7 @@
 
 #include <QAbstractEventDispatcher>
 #include <QDeadlineTimer>
+#include <QDir>
 #include <QEventLoop>
 #include <QFile>
 #include <QTemporaryDir>
@@ -11,7 +12,9 @@
 
 #include <grp.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
+#include <csignal>
 #include <thread>
 
 using namespace axiscomp;
@@ -75,6 +78,7 @@ private Q_SLOTS:
     void takesNoReplyMeantForAnotherProgram();
     void writesNothingToAnotherDrive();
     void worksOnAnyThread();
+    void theDriveOutlivesSignals();
     void makesLinksFromEndpoints();
 };
 
@@ -420,6 +424,22 @@ void SerialLinkTest::worksOnAnyThread()
     plain.join();
     VERIFY_RESULT(identity);
     QCOMPARE(identity->axes, 2);
+}
+
+void SerialLinkTest::theDriveOutlivesSignals()
+{
+    // A change of the process's user, a profiler's timer: each thread gets a signal.
+    const auto before = std::signal(SIGUSR1, [](int) {});
+    const auto threads = [] {
+        return QDir(QStringLiteral("/proc/self/task")).entryList(QDir::Dirs | QDir::NoDotAndDotDot);
+    };
+    const QStringList others = threads();
+    const SerialDrive served;
+    for (const QString& thread : threads())
+        for (int i = 0; i < 20'000 && !others.contains(thread); ++i)
+            ::tgkill(::getpid(), thread.toInt(), SIGUSR1);
+    VERIFY_RESULT(linkTo(served.front->url())->identify({}));
+    std::signal(SIGUSR1, before);
 }
 
 void SerialLinkTest::makesLinksFromEndpoints()
