@@ -2051,6 +2051,1654 @@
         <source>the flash operations that are left would do for the change, but not for putting everything back if it fails; wait {seconds} s, or write volatile</source>
         <translation>die übrigen Flash-Vorgänge reichen für die Änderung, aber nicht, um nach einem Fehlschlag alles zurückzustellen; {seconds} s warten oder flüchtig schreiben</translation>
     </message>
+    <message>
+        <source>{axis} has fewer than two positions</source>
+        <translation>{axis} hat weniger als zwei Positionen</translation>
+    </message>
+    <message>
+        <source>the positions of {axis} do not increase strictly</source>
+        <translation>die Positionen von {axis} steigen nicht streng</translation>
+    </message>
+    <message>
+        <source>the period of {axis}, {period}, is shorter than the range of its positions, {range}</source>
+        <translation>die Periode von {axis}, {period}, ist kürzer als der Bereich ihrer Positionen, {range}</translation>
+    </message>
+    <message>
+        <source>a table has 1 to 3 source axes, this has {count}</source>
+        <translation>eine Tabelle hat 1 bis 3 Quellachsen, diese hat {count}</translation>
+    </message>
+    <message>
+        <source>the table has no values</source>
+        <translation>die Tabelle hat keine Werte</translation>
+    </message>
+    <message>
+        <source>{number} values for {column}, for {points} points</source>
+        <translation>{number} Werte für {column} bei {points} Punkten</translation>
+    </message>
+    <message>
+        <source>a value for {column} is not a finite number</source>
+        <translation>ein Wert für {column} ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>columns {first} and {second} both correct {axis} in the same direction; keep one of them</source>
+        <translation>die Spalten {first} und {second} korrigieren beide {axis} in derselben Richtung; eine davon behalten</translation>
+    </message>
+    <message>
+        <source>values for {column}</source>
+        <translation>Werte für {column}</translation>
+    </message>
+    <message>
+        <source>values for {axis} to {target}</source>
+        <translation>Werte für {axis} nach {target}</translation>
+    </message>
+    <message>
+        <source>{column}, positive</source>
+        <translation>{column}, positiv</translation>
+    </message>
+    <message>
+        <source>{column}, negative</source>
+        <translation>{column}, negativ</translation>
+    </message>
+    <message>
+        <source>{place}, {axis} = {position}</source>
+        <translation>{place}, {axis} = {position}</translation>
+    </message>
+    <message>
+        <source>table {number} of {count}:</source>
+        <translation>Tabelle {number} von {count}:</translation>
+    </message>
+    <message>
+        <source>the target without a name</source>
+        <translation>die Zielachse ohne Namen</translation>
+    </message>
+    <message>
+        <source>there are two columns for {target} in positive direction; keep one of them</source>
+        <translation>für {target} gibt es zwei Spalten in positiver Richtung; eine davon behalten</translation>
+    </message>
+    <message>
+        <source>there are two columns for {target} in negative direction; keep one of them</source>
+        <translation>für {target} gibt es zwei Spalten in negativer Richtung; eine davon behalten</translation>
+    </message>
+    <message>
+        <source>there are two columns for {target} in both direction; keep one of them</source>
+        <translation>für {target} gibt es zwei Spalten für beide Richtungen; eine davon behalten</translation>
+    </message>
+    <message>
+        <source>for {target} there are values for both directions and others for one; keep one of them</source>
+        <translation>für {target} gibt es Werte für beide Richtungen und andere für eine; eines davon behalten</translation>
+    </message>
+    <message>
+        <source>{target} has values for the positive direction only, so that there is no mean; choose the positive direction</source>
+        <translation>{target} hat nur Werte für die positive Richtung, also keinen Mittelwert; die positive Richtung wählen</translation>
+    </message>
+    <message>
+        <source>{target} has values for the positive direction only, so that there is no negative one; choose the positive direction</source>
+        <translation>{target} hat nur Werte für die positive Richtung, also keine für die negative; die positive Richtung wählen</translation>
+    </message>
+    <message>
+        <source>{target} has values for the negative direction only, so that there is no mean; choose the negative direction</source>
+        <translation>{target} hat nur Werte für die negative Richtung, also keinen Mittelwert; die negative Richtung wählen</translation>
+    </message>
+    <message>
+        <source>{target} has values for the negative direction only, so that there is no positive one; choose the negative direction</source>
+        <translation>{target} hat nur Werte für die negative Richtung, also keine für die positive; die negative Richtung wählen</translation>
+    </message>
+    <message>
+        <source>a full turn of {axis} begins with the correction {begin} and ends with {end}; make both the same, or leave the modulo out</source>
+        <translation>eine volle Umdrehung von {axis} beginnt mit der Korrektur {begin} und endet mit {end}; beide gleich machen oder das Modulo weglassen</translation>
+    </message>
+    <message>
+        <source>the numbers are too large to be added to each other</source>
+        <translation>die Zahlen sind zu groß, um addiert zu werden</translation>
+    </message>
+    <message>
+        <source>from there to {place} the correction changes by {change}, so that positions would change their order; check the unit of the values</source>
+        <translation>von dort bis {place} ändert sich die Korrektur um {change}, sodass Positionen ihre Reihenfolge ändern würden; die Einheit der Werte prüfen</translation>
+    </message>
+    <message>
+        <source>the correction of {axis} changes by {change} for each unit of the way, too much for several axes that are corrected together; check the unit of the values</source>
+        <translation>die Korrektur von {axis} ändert sich um {change} je Einheit des Wegs, zu viel für mehrere Achsen, die gemeinsam korrigiert werden; die Einheit der Werte prüfen</translation>
+    </message>
+    <message>
+        <source>the corrections are so steep that {count} steps do not find the place that belongs to it; check the unit of the values</source>
+        <translation>die Korrekturen sind so steil, dass {count} Schritte die zugehörige Stelle nicht finden; die Einheit der Werte prüfen</translation>
+    </message>
+    <message>
+        <source>the second table has no column for {column}</source>
+        <translation>die zweite Tabelle hat keine Spalte für {column}</translation>
+    </message>
+    <message>
+        <source>the second table has no column for {axis} to {target}</source>
+        <translation>die zweite Tabelle hat keine Spalte für {axis} nach {target}</translation>
+    </message>
+    <message>
+        <source>a table of {count} source axes cannot be compared with one of {other}</source>
+        <translation>eine Tabelle mit {count} Quellachsen lässt sich nicht mit einer mit {other} vergleichen</translation>
+    </message>
+    <message>
+        <source>compared at {count} positions, each by its controller&apos;s rules ({axis} to {target}): {difference}</source>
+        <translation>verglichen an {count} Positionen, jede nach den Regeln ihrer Steuerung ({axis} nach {target}): {difference}</translation>
+    </message>
+    <message>
+        <source>a deviation of {deviation} takes more than {count} points along {axis}; with {most} it is {found}; allow more points or a larger deviation</source>
+        <translation>eine Abweichung von {deviation} braucht entlang {axis} mehr als {count} Punkte; mit {most} ist sie {found}; mehr Punkte oder eine größere Abweichung zulassen</translation>
+    </message>
+    <message>
+        <source>a deviation of {deviation} takes more points than allowed; with {sizes} points it is {found}; allow more points or a larger deviation</source>
+        <translation>eine Abweichung von {deviation} braucht mehr Punkte als erlaubt; mit {sizes} Punkten ist sie {found}; mehr Punkte oder eine größere Abweichung zulassen</translation>
+    </message>
+    <message>
+        <source>a deviation of {deviation} takes more points than allowed; it takes at least {sizes} points; allow more points or a larger deviation</source>
+        <translation>eine Abweichung von {deviation} braucht mehr Punkte als erlaubt; nötig sind mindestens {sizes} Punkte; mehr Punkte oder eine größere Abweichung zulassen</translation>
+    </message>
+    <message>
+        <source>the wanted deviation must be a number of 0 or more</source>
+        <translation>die gewünschte Abweichung muss eine Zahl ab 0 sein</translation>
+    </message>
+    <message>
+        <source>limits for {count} axes are given, the table has {axes}</source>
+        <translation>Grenzen sind für {count} Achsen angegeben, die Tabelle hat {axes}</translation>
+    </message>
+    <message>
+        <source>a grid has at least two points along each axis; allow as many</source>
+        <translation>ein Raster hat entlang jeder Achse mindestens zwei Punkte; so viele zulassen</translation>
+    </message>
+    <message>
+        <source>a full turn of {axis} begins with {begin} and ends with {end}; make both the same, or leave the modulo out</source>
+        <translation>eine volle Umdrehung von {axis} beginnt mit {begin} und endet mit {end}; beide gleich machen oder das Modulo weglassen</translation>
+    </message>
+    <message>
+        <source>the values for {column} are too large to be interpolated</source>
+        <translation>die Werte für {column} sind zu groß, um interpoliert zu werden</translation>
+    </message>
+    <message>
+        <source>the values for {axis} to {target} are too large to be interpolated</source>
+        <translation>die Werte für {axis} nach {target} sind zu groß, um interpoliert zu werden</translation>
+    </message>
+    <message>
+        <source>grids for {count} axes are given, the table has {axes}</source>
+        <translation>Raster sind für {count} Achsen angegeben, die Tabelle hat {axes}</translation>
+    </message>
+    <message>
+        <source>the points along {axis} would be so close that positions cannot tell them apart; take fewer</source>
+        <translation>die Punkte entlang {axis} lägen so nahe beieinander, dass Positionen sie nicht unterscheiden können; weniger nehmen</translation>
+    </message>
+    <message>
+        <source>for {axis} both a number of points and a distance are given</source>
+        <translation>für {axis} sind sowohl eine Anzahl Punkte als auch ein Abstand angegeben</translation>
+    </message>
+    <message>
+        <source>the grid along {axis} must end above its start, not go from {from} to {to}</source>
+        <translation>das Raster entlang {axis} muss über seinem Anfang enden, nicht von {from} bis {to} gehen</translation>
+    </message>
+    <message>
+        <source>{count} points along {axis} are more than {most}</source>
+        <translation>{count} Punkte entlang {axis} sind mehr als {most}</translation>
+    </message>
+    <message>
+        <source>for a part of {axis} a number of points or a distance is needed</source>
+        <translation>für einen Teil von {axis} ist eine Anzahl Punkte oder ein Abstand nötig</translation>
+    </message>
+    <message>
+        <source>the grid along {axis} must be one full turn, from {from} to {to}</source>
+        <translation>das Raster entlang {axis} muss eine volle Umdrehung sein, von {from} bis {to}</translation>
+    </message>
+    <message>
+        <source>the grid along {axis} begins at {from}, before the data at {data}; stay within the data, or let the end values be held</source>
+        <translation>das Raster entlang {axis} beginnt bei {from}, vor den Daten bei {data}; innerhalb der Daten bleiben oder die Endwerte halten lassen</translation>
+    </message>
+    <message>
+        <source>the grid along {axis} ends at {to}, behind the data at {data}; stay within the data, or let the end values be held</source>
+        <translation>das Raster entlang {axis} endet bei {to}, hinter den Daten bei {data}; innerhalb der Daten bleiben oder die Endwerte halten lassen</translation>
+    </message>
+    <message>
+        <source>a distance of {distance} along {axis} makes more than {count} points</source>
+        <translation>ein Abstand von {distance} entlang {axis} ergibt mehr als {count} Punkte</translation>
+    </message>
+    <message>
+        <source>the position {position} is the same as the one before when it is rounded</source>
+        <translation>die Position {position} ist gerundet dieselbe wie die davor</translation>
+    </message>
+    <message>
+        <source>the position {position} is beyond the 32 bits of its numbers</source>
+        <translation>die Position {position} geht über die 32 Bit seiner Zahlen hinaus</translation>
+    </message>
+    <message>
+        <source>the value {value} is beyond the 32 bits of its numbers</source>
+        <translation>der Wert {value} geht über die 32 Bit seiner Zahlen hinaus</translation>
+    </message>
+    <message>
+        <source>master axis {number}</source>
+        <translation>Masterachse {number}</translation>
+    </message>
+    <message>
+        <source>ascending setpoints</source>
+        <translation>steigende Sollwerte</translation>
+    </message>
+    <message>
+        <source>{number} at the end</source>
+        <translation>{number} am Ende</translation>
+    </message>
+    <message>
+        <source>{number}, as at the beginning</source>
+        <translation>{number}, wie am Anfang</translation>
+    </message>
+    <message>
+        <source>activate it in the axis list of axis {axis}: {parameter} 1</source>
+        <translation>in der Achsliste der Achse {axis} aktivieren: {parameter} 1</translation>
+    </message>
+    <message>
+        <source>QUADRATIC or RECTANGULAR</source>
+        <translation>QUADRATIC oder RECTANGULAR</translation>
+    </message>
+    <message>
+        <source>different values at both ends</source>
+        <translation>verschiedene Werte an beiden Enden</translation>
+    </message>
+    <message>
+        <source>different values at both ends of master axis {number}</source>
+        <translation>verschiedene Werte an beiden Enden der Masterachse {number}</translation>
+    </message>
+    <message>
+        <source>the same values: a modulo axis is at the same place there</source>
+        <translation>dieselben Werte: eine Moduloachse ist dort an derselben Stelle</translation>
+    </message>
+    <message>
+        <source>the same values, since modulo is 1</source>
+        <translation>dieselben Werte, denn modulo ist 1</translation>
+    </message>
+    <message>
+        <source>the distance of {distance} along master {axis} is no whole number of {step}</source>
+        <translation>der Abstand {distance} entlang Master {axis} ist kein ganzes Vielfaches von {step}</translation>
+    </message>
+    <message>
+        <source>resample it with such a distance</source>
+        <translation>sie mit einem solchen Abstand umrechnen</translation>
+    </message>
+    <message>
+        <source>it takes one distance for both sources, and these are different</source>
+        <translation>es hat einen Abstand für beide Quellen, und diese sind verschieden</translation>
+    </message>
+    <message>
+        <source>numbers of 0.1 um or 0.0001 deg</source>
+        <translation>Zahlen in 0,1 µm oder 0,0001 Grad</translation>
+    </message>
+    <message>
+        <source>increments for one mm or degree</source>
+        <translation>Inkremente je mm oder Grad</translation>
+    </message>
+    <message>
+        <source>the setting {key}, linear or rotary; linear is assumed, so that it is mm</source>
+        <translation>die Angabe {key}, linear oder rotary; angenommen wird linear, also mm</translation>
+    </message>
+    <message>
+        <source>numbers in encoder increments</source>
+        <translation>Zahlen in Geberinkrementen</translation>
+    </message>
+    <message>
+        <source>the setting increments-per-unit, where millimetres or degrees matter</source>
+        <translation>die Angabe increments-per-unit, wenn es auf Millimeter oder Grad ankommt</translation>
+    </message>
+    <message>
+        <source>the setting increments-per-unit is not above 0</source>
+        <translation>die Angabe increments-per-unit ist nicht über 0</translation>
+    </message>
+    <message>
+        <source>numbers in mm or degrees become increments only with the setting increments-per-unit</source>
+        <translation>aus Zahlen in mm oder Grad werden Inkremente nur mit der Angabe increments-per-unit</translation>
+    </message>
+    <message>
+        <source>an index from 0 such as [3], at most two of them</source>
+        <translation>ein Index ab 0 wie [3], höchstens zwei davon</translation>
+    </message>
+    <message>
+        <source>nothing after End</source>
+        <translation>nichts nach End</translation>
+    </message>
+    <message>
+        <source>a value behind the name and a blank</source>
+        <translation>ein Wert hinter dem Namen und einem Leerzeichen</translation>
+    </message>
+    <message>
+        <source>the entry {name}, which is missing</source>
+        <translation>der Eintrag {name}, der fehlt</translation>
+    </message>
+    <message>
+        <source>a whole number, {range}</source>
+        <translation>eine ganze Zahl, {range}</translation>
+    </message>
+    <message>
+        <source>no entry {name}</source>
+        <translation>kein Eintrag {name}</translation>
+    </message>
+    <message>
+        <source>0 or 1; 0 is assumed</source>
+        <translation>0 oder 1; angenommen wird 0</translation>
+    </message>
+    <message>
+        <source>0 or 1; 1 is assumed</source>
+        <translation>0 oder 1; angenommen wird 1</translation>
+    </message>
+    <message>
+        <source>the logical number of the axis, from 1</source>
+        <translation>die logische Nummer der Achse, ab 1</translation>
+    </message>
+    <message>
+        <source>at most {number}, which is {name}</source>
+        <translation>höchstens {number} nach {name}</translation>
+    </message>
+    <message>
+        <source>at most {number}, which is the standard value of {name}</source>
+        <translation>höchstens {number}, der Standardwert von {name}</translation>
+    </message>
+    <message>
+        <source>indices within the size that the list says</source>
+        <translation>Indizes innerhalb der Größe, die die Liste nennt</translation>
+    </message>
+    <message>
+        <source>no kw.{name}</source>
+        <translation>kein kw.{name}</translation>
+    </message>
+    <message>
+        <source>{number} of them; there are {number2}</source>
+        <translation>{number} davon; vorhanden sind {number2}</translation>
+    </message>
+    <message>
+        <source>0, or a distance above 0</source>
+        <translation>0 oder ein Abstand über 0</translation>
+    </message>
+    <message>
+        <source>{entry} and setpoints of each point</source>
+        <translation>{entry} und Sollwerte für jeden Punkt</translation>
+    </message>
+    <message>
+        <source>an interval of 0 with setpoints, or an interval without</source>
+        <translation>ein Intervall 0 mit Sollwerten oder ein Intervall ohne</translation>
+    </message>
+    <message>
+        <source>values neg without bilateral 1</source>
+        <translation>Werte neg ohne bilateral 1</translation>
+    </message>
+    <message>
+        <source>values pos only; neg is left out</source>
+        <translation>nur Werte pos; neg wird ausgelassen</translation>
+    </message>
+    <message>
+        <source>the index of a table, 0 to {number}</source>
+        <translation>der Index einer Tabelle, 0 bis {number}</translation>
+    </message>
+    <message>
+        <source>each variable once</source>
+        <translation>jede Variable einmal</translation>
+    </message>
+    <message>
+        <source>each variable once; the first is in line {line}</source>
+        <translation>jede Variable einmal; die erste steht in Zeile {line}</translation>
+    </message>
+    <message>
+        <source>tables {name} besides {other}</source>
+        <translation>Tabellen {name} neben {other}</translation>
+    </message>
+    <message>
+        <source>one index: [table]</source>
+        <translation>ein Index: [Tabelle]</translation>
+    </message>
+    <message>
+        <source>two indices: [table,point]</source>
+        <translation>zwei Indizes: [Tabelle,Punkt]</translation>
+    </message>
+    <message>
+        <source>two indices: [encoder,axis]</source>
+        <translation>zwei Indizes: [Messsystem,Achse]</translation>
+    </message>
+    <message>
+        <source>three indices: [encoder,point,axis]</source>
+        <translation>drei Indizes: [Messsystem,Punkt,Achse]</translation>
+    </message>
+    <message>
+        <source>0, 1 or -1</source>
+        <translation>0, 1 oder -1</translation>
+    </message>
+    <message>
+        <source>{variable} of {curve}, which is missing</source>
+        <translation>{variable} ({curve}), die fehlt</translation>
+    </message>
+    <message>
+        <source>a product with another table</source>
+        <translation>ein Produkt mit einer anderen Tabelle</translation>
+    </message>
+    <message>
+        <source>a table by itself; the product is left out</source>
+        <translation>eine Tabelle für sich; das Produkt wird ausgelassen</translation>
+    </message>
+    <message>
+        <source>variables {name}, of which there are none</source>
+        <translation>Variablen {name}, von denen keine da ist</translation>
+    </message>
+    <message>
+        <source>there is no table {number}</source>
+        <translation>es gibt keine Tabelle {number}</translation>
+    </message>
+    <message>
+        <source>choose fewer tables, or another first-table</source>
+        <translation>weniger Tabellen oder ein anderes first-table wählen</translation>
+    </message>
+    <message>
+        <source>table {index} needs $MN_MM_CEC_MAX_POINTS[{same}] (MD18342) of at least {count}; switch it on with $SN_CEC_TABLE_ENABLE[{again}] (SD41300) 1 and $MA_CEC_ENABLE (MD32710) 1 of axis {axis}</source>
+        <translation>Tabelle {index} braucht $MN_MM_CEC_MAX_POINTS[{same}] (MD18342) von mindestens {count}; eingeschaltet wird sie mit $SN_CEC_TABLE_ENABLE[{again}] (SD41300) 1 und $MA_CEC_ENABLE (MD32710) 1 der Achse {axis}</translation>
+    </message>
+    <message>
+        <source>the measuring system, 0 or 1</source>
+        <translation>das Messsystem, 0 oder 1</translation>
+    </message>
+    <message>
+        <source>measuring system {number} of axis {axis}</source>
+        <translation>Messsystem {number} der Achse {axis}</translation>
+    </message>
+    <message>
+        <source>0 or 1, and the name of an axis, at most {number} of them</source>
+        <translation>0 oder 1 und der Name einer Achse, höchstens {number} davon</translation>
+    </message>
+    <message>
+        <source>axis {axis}, encoder {number}</source>
+        <translation>Achse {axis}, Messsystem {number}</translation>
+    </message>
+    <message>
+        <source>its positions and values are not both lengths or both angles</source>
+        <translation>ihre Positionen und Werte sind nicht beide Längen oder beide Winkel</translation>
+    </message>
+    <message>
+        <source>axis {axis} needs $MA_MM_ENC_COMP_MAX_POINTS (MD38000) of at least {count}; load the file with $MA_ENC_COMP_ENABLE (MD32700) 0, then set it to 1</source>
+        <translation>Achse {axis} braucht $MA_MM_ENC_COMP_MAX_POINTS (MD38000) von mindestens {count}; die Datei mit $MA_ENC_COMP_ENABLE (MD32700) 0 laden, danach auf 1 setzen</translation>
+    </message>
+    <message>
+        <source>an index in [ ] behind the name</source>
+        <translation>ein Index in [ ] hinter dem Namen</translation>
+    </message>
+    <message>
+        <source>an index that ends in ]</source>
+        <translation>ein Index, der mit ] endet</translation>
+    </message>
+    <message>
+        <source>= and a value behind the index</source>
+        <translation>= und ein Wert hinter dem Index</translation>
+    </message>
+    <message>
+        <source>a value behind =</source>
+        <translation>ein Wert hinter =</translation>
+    </message>
+    <message>
+        <source>nothing behind the end of the program, M17</source>
+        <translation>nichts hinter dem Ende des Programms, M17</translation>
+    </message>
+    <message>
+        <source>an assignment such as $NAME[0,1]=0.5, CHANDATA(1) or M17</source>
+        <translation>eine Zuweisung wie $NAME[0,1]=0.5, CHANDATA(1) oder M17</translation>
+    </message>
+    <message>
+        <source>{variable} of {curve} a second time</source>
+        <translation>{variable} ({curve}) ein zweites Mal</translation>
+    </message>
+    <message>
+        <source>the number of a point, from 0</source>
+        <translation>die Nummer eines Punkts, ab 0</translation>
+    </message>
+    <message>
+        <source>a compensation value</source>
+        <translation>ein Kompensationswert</translation>
+    </message>
+    <message>
+        <source>MIN {min}, MAX {max} and STEP {step} of {curve}</source>
+        <translation>MIN {min}, MAX {max} und STEP {step} ({curve})</translation>
+    </message>
+    <message>
+        <source>a STEP above 0 and a MAX above MIN</source>
+        <translation>ein STEP über 0 und ein MAX über MIN</translation>
+    </message>
+    <message>
+        <source>a whole number of steps from MIN to MAX</source>
+        <translation>eine ganze Zahl von Schritten von MIN bis MAX</translation>
+    </message>
+    <message>
+        <source>point {number} of {curve}</source>
+        <translation>Punkt {number} ({curve})</translation>
+    </message>
+    <message>
+        <source>point {number} of {curve} a second time</source>
+        <translation>Punkt {number} ({curve}) ein zweites Mal</translation>
+    </message>
+    <message>
+        <source>points up to {number}, which MIN, MAX and STEP give</source>
+        <translation>Punkte bis {number}, wie MIN, MAX und STEP ergeben</translation>
+    </message>
+    <message>
+        <source>no point {number} of {curve}</source>
+        <translation>kein Punkt {number} ({curve})</translation>
+    </message>
+    <message>
+        <source>{number} points, which MIN, MAX and STEP give; there are {number2}</source>
+        <translation>{number} Punkte, wie MIN, MAX und STEP ergeben; vorhanden sind {number2}</translation>
+    </message>
+    <message>
+        <source>no ${variable} of {curve}</source>
+        <translation>kein ${variable} ({curve})</translation>
+    </message>
+    <message>
+        <source>{number} at MAX of {curve}</source>
+        <translation>{number} bei MAX ({curve})</translation>
+    </message>
+    <message>
+        <source>{number}, as at MIN, which follows it</source>
+        <translation>{number}, wie bei MIN, das darauf folgt</translation>
+    </message>
+    <message>
+        <source>&quot;{axis}&quot; is no axis name for the format {format}, such as X1; give the setting {key}</source>
+        <translation>&quot;{axis}&quot; ist kein Achsname für das Format {format} wie X1; die Angabe {key} ergänzen</translation>
+    </message>
+    <message>
+        <source>three numbers: nominal forward reverse; the controller stops reading here without a message</source>
+        <translation>drei Zahlen: nominal forward reverse; die Steuerung hört hier ohne Meldung auf zu lesen</translation>
+    </message>
+    <message>
+        <source>{text} after three numbers</source>
+        <translation>{text} nach drei Zahlen</translation>
+    </message>
+    <message>
+        <source>nothing; it is left out, as the controller does</source>
+        <translation>nichts; es wird ausgelassen, wie es die Steuerung tut</translation>
+    </message>
+    <message>
+        <source>at most 256; the controller leaves out the others</source>
+        <translation>höchstens 256; die Steuerung lässt die anderen aus</translation>
+    </message>
+    <message>
+        <source>a measured position that does not increase</source>
+        <translation>eine gemessene Position, die nicht zunimmt</translation>
+    </message>
+    <message>
+        <source>increasing ones; if these are trims, the setting type=1</source>
+        <translation>zunehmende; falls dies Korrekturen sind, die Angabe type=1</translation>
+    </message>
+    <message>
+        <source>measured positions (COMP_FILE_TYPE 0)</source>
+        <translation>gemessene Positionen (COMP_FILE_TYPE 0)</translation>
+    </message>
+    <message>
+        <source>the setting type=0, or type=1 if these are trims</source>
+        <translation>die Angabe type=0, oder type=1, falls dies Korrekturen sind</translation>
+    </message>
+    <message>
+        <source>increasing ones; perhaps these are trims (type=1)</source>
+        <translation>zunehmende; vielleicht sind dies Korrekturen (type=1)</translation>
+    </message>
+    <message>
+        <source>trims that change by {change}</source>
+        <translation>Korrekturen, die sich um {change} ändern</translation>
+    </message>
+    <message>
+        <source>less than the positions do; perhaps these are measured positions (type=0)</source>
+        <translation>weniger als die Positionen; vielleicht sind dies gemessene Positionen (type=0)</translation>
+    </message>
+    <message>
+        <source>a measured position at {position} is beyond what a number can be</source>
+        <translation>eine gemessene Position bei {position} ist größer, als eine Zahl sein kann</translation>
+    </message>
+    <message>
+        <source>check the unit of positions and values</source>
+        <translation>die Einheit der Positionen und Werte prüfen</translation>
+    </message>
+    <message>
+        <source>in the section [JOINT_n] of the INI file: COMP_FILE = {file} and COMP_FILE_TYPE = {type}</source>
+        <translation>im Abschnitt [JOINT_n] der INI-Datei: COMP_FILE = {file} und COMP_FILE_TYPE = {type}</translation>
+    </message>
+    <message>
+        <source>in the section [JOINT_n] of the INI file: COMP_FILE = the file and COMP_FILE_TYPE = {type}</source>
+        <translation>im Abschnitt [JOINT_n] der INI-Datei: COMP_FILE = die Datei und COMP_FILE_TYPE = {type}</translation>
+    </message>
+    <message>
+        <source>BACKLASH of the joint is not used any more</source>
+        <translation>BACKLASH des Gelenks (joint) wird nicht mehr verwendet</translation>
+    </message>
+    <message>
+        <source>a second section for the profile {name}</source>
+        <translation>ein zweiter Abschnitt für das Profil {name}</translation>
+    </message>
+    <message>
+        <source>each profile once</source>
+        <translation>jedes Profil einmal</translation>
+    </message>
+    <message>
+        <source>an entry such as min_x = 10</source>
+        <translation>ein Eintrag wie min_x = 10</translation>
+    </message>
+    <message>
+        <source>each entry once in a section</source>
+        <translation>jeder Eintrag einmal in einem Abschnitt</translation>
+    </message>
+    <message>
+        <source>an entry {key} in this section</source>
+        <translation>ein Eintrag {key} in diesem Abschnitt</translation>
+    </message>
+    <message>
+        <source>version {version}</source>
+        <translation>Version {version}</translation>
+    </message>
+    <message>
+        <source>1; the firmware does not use other versions</source>
+        <translation>1; die Firmware verwendet keine anderen Versionen</translation>
+    </message>
+    <message>
+        <source>a height in mm</source>
+        <translation>eine Höhe in mm</translation>
+    </message>
+    <message>
+        <source>a position in mm</source>
+        <translation>eine Position in mm</translation>
+    </message>
+    <message>
+        <source>an offset in mm</source>
+        <translation>ein Offset in mm</translation>
+    </message>
+    <message>
+        <source>{number} lines of points</source>
+        <translation>{number} Zeilen mit Punkten</translation>
+    </message>
+    <message>
+        <source>max_{maximum} after min_{minimum}</source>
+        <translation>max_{maximum} nach min_{minimum}</translation>
+    </message>
+    <message>
+        <source>a maximum above the minimum</source>
+        <translation>ein Maximum über dem Minimum</translation>
+    </message>
+    <message>
+        <source>a section [bed_mesh NAME] with the points of a mesh</source>
+        <translation>ein Abschnitt [bed_mesh NAME] mit den Punkten eines Netzes</translation>
+    </message>
+    <message>
+        <source>{axis} from {number} to {number2} by {number3} in {number4} points</source>
+        <translation>{axis} von {number} bis {number2} mit Schrittweite {number3} in {number4} Punkten</translation>
+    </message>
+    <message>
+        <source>at least 2 along each axis</source>
+        <translation>mindestens 2 entlang jeder Achse</translation>
+    </message>
+    <message>
+        <source>as many points as lie between minimum and maximum</source>
+        <translation>so viele Punkte, wie zwischen Minimum und Maximum liegen</translation>
+    </message>
+    <message>
+        <source>the axes &quot;{first}&quot; and &quot;{second}&quot;</source>
+        <translation>die Achsen &quot;{first}&quot; und &quot;{second}&quot;</translation>
+    </message>
+    <message>
+        <source>two different letters</source>
+        <translation>zwei verschiedene Buchstaben</translation>
+    </message>
+    <message>
+        <source>a point that was not probed at {position}, {other}</source>
+        <translation>ein nicht gemessener Punkt bei {position}, {other}</translation>
+    </message>
+    <message>
+        <source>a height with decimals</source>
+        <translation>eine Höhe mit Nachkommastellen</translation>
+    </message>
+    <message>
+        <source>a further line after {number}</source>
+        <translation>eine weitere Zeile nach {number}</translation>
+    </message>
+    <message>
+        <source>{number} lines of heights</source>
+        <translation>{number} Zeilen mit Höhen</translation>
+    </message>
+    <message>
+        <source>the line {line}</source>
+        <translation>die Zeile {line}</translation>
+    </message>
+    <message>
+        <source>the line {line}, or {other}</source>
+        <translation>die Zeile {line} oder {other}</translation>
+    </message>
+    <message>
+        <source>the number of one axis, from 1, behind :START</source>
+        <translation>die Nummer einer Achse, ab 1, hinter :START</translation>
+    </message>
+    <message>
+        <source>SAMPLEDIST= and the distance of the corrections, which is not 0</source>
+        <translation>SAMPLEDIST= und der Abstand der Korrekturen, der nicht 0 ist</translation>
+    </message>
+    <message>
+        <source>{number} corrections</source>
+        <translation>{number} Korrekturen</translation>
+    </message>
+    <message>
+        <source>choose a table of an axis for itself</source>
+        <translation>eine Tabelle wählen, die eine Achse für sich korrigiert</translation>
+    </message>
+    <message>
+        <source>there are two tables for axis {axis}, and the controller adds their corrections</source>
+        <translation>für die Achse {axis} gibt es zwei Tabellen, und die Steuerung addiert ihre Korrekturen</translation>
+    </message>
+    <message>
+        <source>the number of an axis, from 1</source>
+        <translation>die Nummer einer Achse, ab 1</translation>
+    </message>
+    <message>
+        <source>7 numbers behind :START2D: row axis, column axis, two output axes, distance along rows, distance along columns, number of columns</source>
+        <translation>7 Zahlen hinter :START2D: Zeilenachse, Spaltenachse, zwei Ausgangsachsen, Abstand entlang der Zeilen, Abstand entlang der Spalten, Anzahl der Spalten</translation>
+    </message>
+    <message>
+        <source>a distance</source>
+        <translation>ein Abstand</translation>
+    </message>
+    <message>
+        <source>the number of columns</source>
+        <translation>die Anzahl der Spalten</translation>
+    </message>
+    <message>
+        <source>a distance of 0</source>
+        <translation>ein Abstand von 0</translation>
+    </message>
+    <message>
+        <source>a distance that is not 0</source>
+        <translation>ein Abstand, der nicht 0 ist</translation>
+    </message>
+    <message>
+        <source>axis {number} for rows and columns</source>
+        <translation>Achse {number} für Zeilen und Spalten</translation>
+    </message>
+    <message>
+        <source>two axes</source>
+        <translation>zwei Achsen</translation>
+    </message>
+    <message>
+        <source>{number} points of {number2} corrections each in a row</source>
+        <translation>{number} Punkte mit je {number2} Korrekturen in einer Zeile</translation>
+    </message>
+    <message>
+        <source>{number} corrections in this line, {number2} in all</source>
+        <translation>{number} Korrekturen in dieser Zeile, insgesamt {number2}</translation>
+    </message>
+    <message>
+        <source>KEY=VALUE</source>
+        <translation>SCHLÜSSEL=WERT</translation>
+    </message>
+    <message>
+        <source>:END of the table that begins in line {line}</source>
+        <translation>:END der Tabelle, die in Zeile {line} beginnt</translation>
+    </message>
+    <message>
+        <source>{directive} before :END</source>
+        <translation>{directive} vor :END</translation>
+    </message>
+    <message>
+        <source>a table that begins with {directive}</source>
+        <translation>eine Tabelle, die mit {directive} beginnt</translation>
+    </message>
+    <message>
+        <source>a table that begins with {directive} and ends with :END</source>
+        <translation>eine Tabelle, die mit {directive} beginnt und mit :END endet</translation>
+    </message>
+    <message>
+        <source>{directive} or :END; tables of one and of two dimensions are in separate files</source>
+        <translation>{directive} oder :END; Tabellen mit einer und mit zwei Dimensionen stehen in getrennten Dateien</translation>
+    </message>
+    <message>
+        <source>each option once</source>
+        <translation>jede Option einmal</translation>
+    </message>
+    <message>
+        <source>{key}= and a number</source>
+        <translation>{key}= und eine Zahl</translation>
+    </message>
+    <message>
+        <source>positions in the coordinates of the axis after homing; it is left out</source>
+        <translation>Positionen in den Koordinaten der Achse nach der Referenzfahrt; die Option wird ausgelassen</translation>
+    </message>
+    <message>
+        <source>a table without {key}</source>
+        <translation>eine Tabelle ohne {key}</translation>
+    </message>
+    <message>
+        <source>{key}=METRIC, ENGLISH, PRIMARY, SECONDARY or COUNTS, perhaps divided by a number as in METRIC/1000</source>
+        <translation>{key}=METRIC, ENGLISH, PRIMARY, SECONDARY oder COUNTS, eventuell geteilt durch eine Zahl wie in METRIC/1000</translation>
+    </message>
+    <message>
+        <source>a correction that is too large for its unit</source>
+        <translation>eine Korrektur, die für ihre Einheit zu groß ist</translation>
+    </message>
+    <message>
+        <source>another CORUNIT</source>
+        <translation>ein anderes CORUNIT</translation>
+    </message>
+    <message>
+        <source>two numbers such as 0.25,0.001: position and offset</source>
+        <translation>zwei Zahlen wie 0.25,0.001: Position und Offset</translation>
+    </message>
+    <message>
+        <source>1 number</source>
+        <translation>1 Zahl</translation>
+    </message>
+    <message>
+        <source>a position such as 0.25</source>
+        <translation>eine Position wie 0.25</translation>
+    </message>
+    <message>
+        <source>an offset such as 0.001</source>
+        <translation>ein Offset wie 0.001</translation>
+    </message>
+    <message>
+        <source>lines of {expected}</source>
+        <translation>Zeilen mit {expected}</translation>
+    </message>
+    <message>
+        <source>&quot;{line}&quot;, which is taken to be a header</source>
+        <translation>&quot;{line}&quot;, als Kopfzeile aufgefasst</translation>
+    </message>
+    <message>
+        <source>{expected}, if it is a point</source>
+        <translation>{expected}, falls es ein Punkt ist</translation>
+    </message>
+    <message>
+        <source>position + offset {number} after {number2}</source>
+        <translation>Position + Offset {number} nach {number2}</translation>
+    </message>
+    <message>
+        <source>1 point</source>
+        <translation>1 Punkt</translation>
+    </message>
+    <message>
+        <source>strictly decreasing positions</source>
+        <translation>streng fallende Positionen</translation>
+    </message>
+    <message>
+        <source>strictly increasing positions</source>
+        <translation>streng steigende Positionen</translation>
+    </message>
+    <message>
+        <source>strictly decreasing values, as the positions are</source>
+        <translation>streng fallende Werte, wie die Positionen</translation>
+    </message>
+    <message>
+        <source>strictly increasing values, as the positions are</source>
+        <translation>streng steigende Werte, wie die Positionen</translation>
+    </message>
+    <message>
+        <source>positions from {first} to {last}</source>
+        <translation>Positionen von {first} bis {last}</translation>
+    </message>
+    <message>
+        <source>a span of exactly {range}, the wrap range</source>
+        <translation>eine Spanne von genau {range}, dem Bereich einer Umdrehung</translation>
+    </message>
+    <message>
+        <source>the offsets {first} and {last} at the ends</source>
+        <translation>die Offsets {first} und {last} an den Enden</translation>
+    </message>
+    <message>
+        <source>the same offset at both ends, which are one place</source>
+        <translation>derselbe Offset an beiden Enden, die eine Stelle sind</translation>
+    </message>
+    <message>
+        <source>the setting wrap-range is {value}, expected more than 0</source>
+        <translation>die Angabe wrap-range ist {value}, erwartet wird mehr als 0</translation>
+    </message>
+    <message>
+        <source>the setting wrap-range is {value}, and the table repeats after {period}</source>
+        <translation>die Angabe wrap-range ist {value}, und die Tabelle wiederholt sich nach {period}</translation>
+    </message>
+    <message>
+        <source>at {position} position + offset {sum} after {before} does not increase (error 4900 of the controller)</source>
+        <translation>bei {position} nimmt Position + Offset nicht zu: {sum} nach {before} (Fehler 4900 der Steuerung)</translation>
+    </message>
+    <message>
+        <source>check the unit of the values, or smooth them</source>
+        <translation>die Einheit der Werte prüfen oder die Werte glätten</translation>
+    </message>
+    <message>
+        <source>of a rotary axis it wants {expected}, and this table has {found} (error 4902 of the controller)</source>
+        <translation>bei einer Rundachse verlangt es {expected}, und diese Tabelle hat {found} (Fehler 4902 der Steuerung)</translation>
+    </message>
+    <message>
+        <source>add the point that closes the revolution</source>
+        <translation>den Punkt ergänzen, der die Umdrehung schließt</translation>
+    </message>
+    <message>
+        <source>the controller looks for the file as {name}PosComp.CSV, unless axis.xml names another one</source>
+        <translation>die Steuerung sucht die Datei unter {name}PosComp.CSV, wenn axis.xml keine andere nennt</translation>
+    </message>
+    <message>
+        <source>the controller looks for the file as the name of the axis and PosComp.CSV, unless axis.xml names another one</source>
+        <translation>die Steuerung sucht die Datei unter dem Namen der Achse und PosComp.CSV, wenn axis.xml keine andere nennt</translation>
+    </message>
+    <message>
+        <source>motor {number}</source>
+        <translation>Motor {number}</translation>
+    </message>
+    <message>
+        <source>a number of entries</source>
+        <translation>eine Anzahl Einträge</translation>
+    </message>
+    <message>
+        <source>the number of a motor, #1 to #32, perhaps with a D</source>
+        <translation>die Nummer eines Motors, #1 bis #32, eventuell mit einem D</translation>
+    </message>
+    <message>
+        <source>DEFINE COMP entries,#source,#target,span</source>
+        <translation>DEFINE COMP Einträge,#Quelle,#Ziel,Spanne</translation>
+    </message>
+    <message>
+        <source>DEFINE COMP rows.columns,#row,#column,#target,span,span</source>
+        <translation>DEFINE COMP Zeilen.Spalten,#Zeile,#Spalte,#Ziel,Spanne,Spanne</translation>
+    </message>
+    <message>
+        <source>a span in counts</source>
+        <translation>eine Spanne in Inkrementen</translation>
+    </message>
+    <message>
+        <source>a span of {span}</source>
+        <translation>eine Spanne von {span}</translation>
+    </message>
+    <message>
+        <source>a span of {span} counts</source>
+        <translation>eine Spanne von {span} Inkrementen</translation>
+    </message>
+    <message>
+        <source>at least 1 count</source>
+        <translation>mindestens 1 Inkrement</translation>
+    </message>
+    <message>
+        <source>motors that are not named</source>
+        <translation>Motoren, die nicht genannt sind</translation>
+    </message>
+    <message>
+        <source>the motor that is addressed when the file is loaded; name it with #</source>
+        <translation>der Motor, der beim Laden der Datei angesprochen ist; ihn mit # nennen</translation>
+    </message>
+    <message>
+        <source>a table of one dimension</source>
+        <translation>eine Tabelle mit einer Dimension</translation>
+    </message>
+    <message>
+        <source>a table of two dimensions</source>
+        <translation>eine Tabelle mit zwei Dimensionen</translation>
+    </message>
+    <message>
+        <source>further entries: {entries}</source>
+        <translation>weitere Einträge: {entries}</translation>
+    </message>
+    <message>
+        <source>DEFINE COMP in front of them</source>
+        <translation>DEFINE COMP davor</translation>
+    </message>
+    <message>
+        <source>a whole number of 1/16 count</source>
+        <translation>eine ganze Zahl in 1/16 Inkrement</translation>
+    </message>
+    <message>
+        <source>DEFINE COMP for a table of one dimension</source>
+        <translation>DEFINE COMP für eine Tabelle mit einer Dimension</translation>
+    </message>
+    <message>
+        <source>DEFINE COMP for a table of two dimensions</source>
+        <translation>DEFINE COMP für eine Tabelle mit zwei Dimensionen</translation>
+    </message>
+    <message>
+        <source>a table in counts</source>
+        <translation>eine Tabelle in Inkrementen</translation>
+    </message>
+    <message>
+        <source>different entries at 0 and at the span of motor {motor}</source>
+        <translation>verschiedene Einträge bei 0 und am Ende der Spanne von Motor {motor}</translation>
+    </message>
+    <message>
+        <source>the same: the table rolls over there</source>
+        <translation>dieselben: die Tabelle beginnt dort von vorn</translation>
+    </message>
+    <message>
+        <source>entries that are too large in these units</source>
+        <translation>Einträge, die in diesen Einheiten zu groß sind</translation>
+    </message>
+    <message>
+        <source>another counts-per-unit</source>
+        <translation>ein anderes counts-per-unit</translation>
+    </message>
+    <message>
+        <source>the setting {key} of the format {format} is {value}, expected a number above 0</source>
+        <translation>die Angabe {key} des Formats {format} ist {value}, erwartet wird eine Zahl über 0</translation>
+    </message>
+    <message>
+        <source>position 0, where its tables begin, is no point of source {number}</source>
+        <translation>die Position 0, wo seine Tabellen beginnen, ist kein Punkt der Quelle {number}</translation>
+    </message>
+    <message>
+        <source>resample it with a point at 0</source>
+        <translation>sie mit einem Punkt bei 0 umrechnen</translation>
+    </message>
+    <message>
+        <source>its tables begin at position 0, which source {number} does not reach</source>
+        <translation>seine Tabellen beginnen bei Position 0, die Quelle {number} nicht erreicht</translation>
+    </message>
+    <message>
+        <source>resample it over a range with 0</source>
+        <translation>sie über einen Bereich mit 0 umrechnen</translation>
+    </message>
+    <message>
+        <source>check counts-per-unit and the unit of the positions</source>
+        <translation>counts-per-unit und die Einheit der Positionen prüfen</translation>
+    </message>
+    <message>
+        <source>the value {value} is beyond the 24 bits of an entry</source>
+        <translation>der Wert {value} geht über die 24 Bit eines Eintrags hinaus</translation>
+    </message>
+    <message>
+        <source>check counts-per-unit and the unit of the values</source>
+        <translation>counts-per-unit und die Einheit der Werte prüfen</translation>
+    </message>
+    <message>
+        <source>its value at position 0 is {value}, and the controller takes it to be 0 there</source>
+        <translation>ihr Wert bei Position 0 ist {value}, und die Steuerung nimmt dort 0 an</translation>
+    </message>
+    <message>
+        <source>subtract this value from all values</source>
+        <translation>diesen Wert von allen Werten abziehen</translation>
+    </message>
+    <message>
+        <source>there is no motor {number}</source>
+        <translation>es gibt keinen Motor {number}</translation>
+    </message>
+    <message>
+        <source>choose one from 1 to 32</source>
+        <translation>einen von 1 bis 32 wählen</translation>
+    </message>
+    <message>
+        <source>switch the table on with I51=1; outside of its span it rolls over</source>
+        <translation>die Tabelle mit I51=1 einschalten; außerhalb ihrer Spanne beginnt sie von vorn</translation>
+    </message>
+    <message>
+        <source>a line &quot;# {key} = NUMBER&quot; before the counts</source>
+        <translation>eine Zeile &quot;# {key} = ZAHL&quot; vor den Inkrementen</translation>
+    </message>
+    <message>
+        <source>{number} to {number2} by {number3}</source>
+        <translation>{number} bis {number2} mit Schrittweite {number3}</translation>
+    </message>
+    <message>
+        <source>a maximum above the minimum, and a delta above 0</source>
+        <translation>ein Maximum über dem Minimum und eine Schrittweite über 0</translation>
+    </message>
+    <message>
+        <source>a range that is an integer multiple of the delta</source>
+        <translation>ein Bereich, der ein ganzes Vielfaches der Schrittweite ist</translation>
+    </message>
+    <message>
+        <source>the unit {unit}</source>
+        <translation>die Einheit {unit}</translation>
+    </message>
+    <message>
+        <source>no input.{name}</source>
+        <translation>kein input.{name}</translation>
+    </message>
+    <message>
+        <source>no output.{name}</source>
+        <translation>kein output.{name}</translation>
+    </message>
+    <message>
+        <source>values in counts</source>
+        <translation>Werte in Inkrementen</translation>
+    </message>
+    <message>
+        <source>a line &quot;# output.counts-per-unit = NUMBER&quot;, or the setting counts-per-unit</source>
+        <translation>eine Zeile &quot;# output.counts-per-unit = ZAHL&quot; oder die Angabe counts-per-unit</translation>
+    </message>
+    <message>
+        <source>a number of counts</source>
+        <translation>eine Anzahl Inkremente</translation>
+    </message>
+    <message>
+        <source>{number} counts per unit</source>
+        <translation>{number} Inkremente je Einheit</translation>
+    </message>
+    <message>
+        <source>a number other than 0</source>
+        <translation>eine andere Zahl als 0</translation>
+    </message>
+    <message>
+        <source>{number}, one for each position of the first axis</source>
+        <translation>{number}, je Position der ersten Achse einer</translation>
+    </message>
+    <message>
+        <source>{number}, one for each position of the second axis</source>
+        <translation>{number}, je Position der zweiten Achse eine</translation>
+    </message>
+    <message>
+        <source>one line</source>
+        <translation>eine Zeile</translation>
+    </message>
+    <message>
+        <source>{number} lines of counts</source>
+        <translation>{number} Zeilen mit Inkrementen</translation>
+    </message>
+    <message>
+        <source>the setting name is &quot;{name}&quot;, expected a C++ name: letters, digits and _</source>
+        <translation>die Angabe name ist &quot;{name}&quot;, erwartet wird ein C++-Name: Buchstaben, Ziffern und _</translation>
+    </message>
+    <message>
+        <source>the value {value} is {count} counts, and at most 2147483647 can be held</source>
+        <translation>der Wert {value} ist {count} Inkremente, und höchstens 2147483647 sind möglich</translation>
+    </message>
+    <message>
+        <source>the setting counts-per-unit is 0, expected a number of counts</source>
+        <translation>die Angabe counts-per-unit ist 0, erwartet wird eine Anzahl Inkremente</translation>
+    </message>
+    <message>
+        <source>counts-per-unit is understood as {count} counts for 1 {unit}</source>
+        <translation>counts-per-unit wird verstanden als {count} Inkremente für 1 {unit}</translation>
+    </message>
+    <message>
+        <source>counts-per-unit is understood as {count} counts for 1 unit of the values</source>
+        <translation>counts-per-unit wird verstanden als {count} Inkremente für 1 Einheit der Werte</translation>
+    </message>
+    <message>
+        <source>an input axis is the output axis: its command position must be the input, the actual position is not possible</source>
+        <translation>eine Eingangsachse ist die Ausgangsachse: ihre Sollposition muss der Eingang sein, die Istposition ist nicht möglich</translation>
+    </message>
+    <message>
+        <source>the inputs are other axes: their command or their actual positions can be the inputs</source>
+        <translation>die Eingänge sind andere Achsen: ihre Soll- oder ihre Istpositionen können die Eingänge sein</translation>
+    </message>
+    <message>
+        <source>the number of source axes, 1 to 3</source>
+        <translation>die Anzahl der Quellachsen, 1 bis 3</translation>
+    </message>
+    <message>
+        <source>{number} source axes</source>
+        <translation>{number} Quellachsen</translation>
+    </message>
+    <message>
+        <source>{number} sizes</source>
+        <translation>{number} Größen</translation>
+    </message>
+    <message>
+        <source>{number}, one for each source axis</source>
+        <translation>{number}, je Quellachse eine</translation>
+    </message>
+    <message>
+        <source>the number of points of a source</source>
+        <translation>die Anzahl der Punkte einer Quelle</translation>
+    </message>
+    <message>
+        <source>at least 2, and at most {number} rows in all</source>
+        <translation>mindestens 2, und insgesamt höchstens {number} Zeilen</translation>
+    </message>
+    <message>
+        <source>{number} positions and at least one correction</source>
+        <translation>{number} Positionen und mindestens eine Korrektur</translation>
+    </message>
+    <message>
+        <source>{number}, as in the first row</source>
+        <translation>{number}, wie in der ersten Zeile</translation>
+    </message>
+    <message>
+        <source>a source position</source>
+        <translation>eine Position der Quelle</translation>
+    </message>
+    <message>
+        <source>{number} for source {number2}</source>
+        <translation>{number} für Quelle {number2}</translation>
+    </message>
+    <message>
+        <source>{number}: the first source changes fastest</source>
+        <translation>{number}: die erste Quelle ändert sich am schnellsten</translation>
+    </message>
+    <message>
+        <source>positions of source {axis} from {first} to {last}</source>
+        <translation>Positionen der Quelle {axis} von {first} bis {last}</translation>
+    </message>
+    <message>
+        <source>equal distances</source>
+        <translation>gleiche Abstände</translation>
+    </message>
+    <message>
+        <source>a header of {sizes} = {number} rows, and {number2} rows</source>
+        <translation>eine Kopfzeile für {sizes} = {number} Zeilen, und {number2} Zeilen</translation>
+    </message>
+    <message>
+        <source>as many rows as the header says</source>
+        <translation>so viele Zeilen, wie die Kopfzeile sagt</translation>
+    </message>
+    <message>
+        <source>the setting name is &quot;{name}&quot;, expected letters, digits and _, beginning with a letter</source>
+        <translation>die Angabe name ist &quot;{name}&quot;, erwartet werden Buchstaben, Ziffern und _, beginnend mit einem Buchstaben</translation>
+    </message>
+    <message>
+        <source>the table {name} must be defined in the program, with {count} points, and not be in use (CompActive = 0) while the lines run</source>
+        <translation>die Tabelle {name} muss im Programm mit {count} Punkten definiert sein und darf nicht in Gebrauch sein (CompActive = 0), während die Zeilen laufen</translation>
+    </message>
+    <message>
+        <source>the table {name} must be defined in the program, with {count} points, the first source fastest, and not be in use (CompActive = 0) while the lines run</source>
+        <translation>die Tabelle {name} muss im Programm mit {count} Punkten definiert sein, die erste Quelle am schnellsten, und darf nicht in Gebrauch sein (CompActive = 0), während die Zeilen laufen</translation>
+    </message>
+    <message>
+        <source>{number} positions of {axis}</source>
+        <translation>{number} Positionen von {axis}</translation>
+    </message>
+    <message>
+        <source>{number} positions of the points</source>
+        <translation>{number} Positionen der Punkte</translation>
+    </message>
+    <message>
+        <source>{number} positions of the joint</source>
+        <translation>{number} Positionen des Gelenks (joint)</translation>
+    </message>
+    <message>
+        <source>{number} after {number2}</source>
+        <translation>{number} nach {number2}</translation>
+    </message>
+    <message>
+        <source>strictly increasing positions of {axis}</source>
+        <translation>streng steigende Positionen von {axis}</translation>
+    </message>
+    <message>
+        <source>strictly increasing positions of the points</source>
+        <translation>streng steigende Positionen der Punkte</translation>
+    </message>
+    <message>
+        <source>strictly increasing positions of the joint</source>
+        <translation>streng steigende Positionen des Gelenks (joint)</translation>
+    </message>
+    <message>
+        <source>positions of {axis}</source>
+        <translation>Positionen von {axis}</translation>
+    </message>
+    <message>
+        <source>positions of the axis</source>
+        <translation>Positionen der Achse</translation>
+    </message>
+    <message>
+        <source>numbers that a computer can tell from each other; check their size</source>
+        <translation>Zahlen, die ein Computer voneinander unterscheiden kann; ihre Größe prüfen</translation>
+    </message>
+    <message>
+        <source>values of {target}</source>
+        <translation>Werte von {target}</translation>
+    </message>
+    <message>
+        <source>values of the table</source>
+        <translation>Werte der Tabelle</translation>
+    </message>
+    <message>
+        <source>numbers that a computer can hold; check their size</source>
+        <translation>Zahlen, die ein Computer darstellen kann; ihre Größe prüfen</translation>
+    </message>
+    <message>
+        <source>axis {number}</source>
+        <translation>Achse {number}</translation>
+    </message>
+    <message>
+        <source>source {number}</source>
+        <translation>Quelle {number}</translation>
+    </message>
+    <message>
+        <source>{axes}, source {number}</source>
+        <translation>{axes}, Quelle {number}</translation>
+    </message>
+    <message>
+        <source>table {number}</source>
+        <translation>Tabelle {number}</translation>
+    </message>
+    <message>
+        <source>at least 2</source>
+        <translation>mindestens 2</translation>
+    </message>
+    <message>
+        <source>{number} to {number2}</source>
+        <translation>{number} bis {number2}</translation>
+    </message>
+    <message>
+        <source>{number} points</source>
+        <translation>{number} Punkte</translation>
+    </message>
+    <message>
+        <source>at most {number} points</source>
+        <translation>höchstens {number} Punkte</translation>
+    </message>
+    <message>
+        <source>{number} rows</source>
+        <translation>{number} Zeilen</translation>
+    </message>
+    <message>
+        <source>{number} numbers</source>
+        <translation>{number} Zahlen</translation>
+    </message>
+    <message>
+        <source>{number} values</source>
+        <translation>{number} Werte</translation>
+    </message>
+    <message>
+        <source>{number} lines</source>
+        <translation>{number} Zeilen</translation>
+    </message>
+    <message>
+        <source>{number} entries</source>
+        <translation>{number} Einträge</translation>
+    </message>
+    <message>
+        <source>{number} heights</source>
+        <translation>{number} Höhen</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>eine Zahl</translation>
+    </message>
+    <message>
+        <source>a number above 0</source>
+        <translation>eine Zahl über 0</translation>
+    </message>
+    <message>
+        <source>a number of points</source>
+        <translation>eine Anzahl Punkte</translation>
+    </message>
+    <message>
+        <source>a number for {key}</source>
+        <translation>eine Zahl für {key}</translation>
+    </message>
+    <message>
+        <source>the number of {key}</source>
+        <translation>die Zahl für {key}</translation>
+    </message>
+    <message>
+        <source>a distance above 0</source>
+        <translation>ein Abstand über 0</translation>
+    </message>
+    <message>
+        <source>a correction</source>
+        <translation>eine Korrektur</translation>
+    </message>
+    <message>
+        <source>{what} a second time</source>
+        <translation>{what} ein zweites Mal</translation>
+    </message>
+    <message>
+        <source>a second {key}</source>
+        <translation>{key} ein zweites Mal</translation>
+    </message>
+    <message>
+        <source>each entry once</source>
+        <translation>jeder Eintrag einmal</translation>
+    </message>
+    <message>
+        <source>each entry once; the first is in line {line}</source>
+        <translation>jeder Eintrag einmal; der erste steht in Zeile {line}</translation>
+    </message>
+    <message>
+        <source>each point once</source>
+        <translation>jeder Punkt einmal</translation>
+    </message>
+    <message>
+        <source>{value}, as {key} says</source>
+        <translation>{value}, wie {key} sagt</translation>
+    </message>
+    <message>
+        <source>{value}, as the setting {key} says</source>
+        <translation>{value}, wie die Angabe {key} sagt</translation>
+    </message>
+    <message>
+        <source>{number}, one for each position of {axis}</source>
+        <translation>{number}, je Position von {axis} eine</translation>
+    </message>
+    <message>
+        <source>the format {format} to read it; it is left out here</source>
+        <translation>das Format {format}, um sie zu lesen; hier wird sie ausgelassen</translation>
+    </message>
+    <message>
+        <source>the format {format} to read them; they are left out here</source>
+        <translation>das Format {format}, um sie zu lesen; hier werden sie ausgelassen</translation>
+    </message>
+    <message>
+        <source>numbers in {from} cannot be given in {to}</source>
+        <translation>Zahlen in {from} lassen sich nicht in {to} angeben</translation>
+    </message>
+    <message>
+        <source>a unit that is not said</source>
+        <translation>einer nicht genannten Einheit</translation>
+    </message>
+    <message>
+        <source>positions without a unit</source>
+        <translation>Positionen ohne Einheit</translation>
+    </message>
+    <message>
+        <source>values without a unit</source>
+        <translation>Werte ohne Einheit</translation>
+    </message>
+    <message>
+        <source>numbers without a unit</source>
+        <translation>Zahlen ohne Einheit</translation>
+    </message>
+    <message>
+        <source>the setting {key}, where a unit matters</source>
+        <translation>die Angabe {key}, wenn es auf die Einheit ankommt</translation>
+    </message>
+    <message>
+        <source>positions</source>
+        <translation>Positionen</translation>
+    </message>
+    <message>
+        <source>values</source>
+        <translation>Werte</translation>
+    </message>
+    <message>
+        <source>not all units are said: the values are taken to be in the unit of the positions</source>
+        <translation>nicht alle Einheiten sind genannt: für die Werte wird die Einheit der Positionen angenommen</translation>
+    </message>
+    <message>
+        <source>the values were in {before} and are now in {unit}, the unit of the positions</source>
+        <translation>die Werte waren in {before} und sind jetzt in {unit}, der Einheit der Positionen</translation>
+    </message>
+    <message>
+        <source>positions in {unit} and values in {other}</source>
+        <translation>Positionen in {unit} und Werte in {other}</translation>
+    </message>
+    <message>
+        <source>one unit, since the controller adds the values to the positions</source>
+        <translation>eine Einheit, denn die Steuerung addiert die Werte zu den Positionen</translation>
+    </message>
+    <message>
+        <source>{units}: the format {format} has one unit for both</source>
+        <translation>{units}: das Format {format} hat eine Einheit für beides</translation>
+    </message>
+    <message>
+        <source>it corrects an axis by its own position, and this table goes from {axis}</source>
+        <translation>es korrigiert eine Achse nach ihrer eigenen Position, und diese Tabelle geht von {axis} aus</translation>
+    </message>
+    <message>
+        <source>it corrects an axis by its own position, and this table goes from {axis} to {target}</source>
+        <translation>es korrigiert eine Achse nach ihrer eigenen Position, und diese Tabelle geht von {axis} nach {target}</translation>
+    </message>
+    <message>
+        <source>choose a format for cross compensation</source>
+        <translation>ein Format für Kreuzkompensation wählen</translation>
+    </message>
+    <message>
+        <source>check the unit of the table</source>
+        <translation>die Einheit der Tabelle prüfen</translation>
+    </message>
+    <message>
+        <source>check the units of the table</source>
+        <translation>die Einheiten der Tabelle prüfen</translation>
+    </message>
+    <message>
+        <source>the {what} are in {from}, which cannot be given in {to}; correct the units</source>
+        <translation>die Einheit {from} lässt sich nicht in {to} umrechnen ({what}); die Einheiten berichtigen</translation>
+    </message>
+    <message>
+        <source>a text</source>
+        <translation>ein Text</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>the format {format} has no setting {key} for writing; it has: {known}</source>
+        <translation>das Format {format} hat zum Schreiben keine Angabe {key}; es hat: {known}</translation>
+    </message>
+    <message>
+        <source>the format {format} has no setting {key} for reading; it has: {known}</source>
+        <translation>das Format {format} hat zum Lesen keine Angabe {key}; es hat: {known}</translation>
+    </message>
+    <message>
+        <source>the format {format} can be read, not written</source>
+        <translation>das Format {format} kann gelesen, aber nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>the format {format} names its axes by numbers from 1; the setting {key} is {value}</source>
+        <translation>das Format {format} benennt seine Achsen mit Nummern ab 1; die Angabe {key} ist {value}</translation>
+    </message>
+    <message>
+        <source>the format {format} names its axes by numbers from 1 and there is no number in the axis name &quot;{name}&quot;; give the setting {key}</source>
+        <translation>das Format {format} benennt seine Achsen mit Nummern ab 1, und im Achsnamen &quot;{name}&quot; steht keine Nummer; die Angabe {key} ergänzen</translation>
+    </message>
+    <message>
+        <source>its positions of source {number} span {span}, and a modulo axis needs exactly one period of {period}</source>
+        <translation>ihre Positionen der Quelle {number} reichen über {span}, und eine Moduloachse braucht genau eine Periode von {period}</translation>
+    </message>
+    <message>
+        <source>resample it over one whole period</source>
+        <translation>sie über eine ganze Periode umrechnen</translation>
+    </message>
+    <message>
+        <source>the values at both ends of the modulo axis, source {number}, differ by {difference}</source>
+        <translation>die Werte an beiden Enden der Moduloachse, Quelle {number}, unterscheiden sich um {difference}</translation>
+    </message>
+    <message>
+        <source>make both ends equal: they are the same place</source>
+        <translation>beide Enden gleich machen: sie sind dieselbe Stelle</translation>
+    </message>
+    <message>
+        <source>its modulo axis is not rotary</source>
+        <translation>ihre Moduloachse ist keine Rundachse</translation>
+    </message>
+    <message>
+        <source>leave the modulo out</source>
+        <translation>das Modulo weglassen</translation>
+    </message>
+    <message>
+        <source>it takes a column for both directions of motion, or one for each direction of one axis</source>
+        <translation>es nimmt eine Spalte für beide Bewegungsrichtungen oder je eine für jede Richtung einer Achse</translation>
+    </message>
+    <message>
+        <source>choose these columns</source>
+        <translation>diese Spalten wählen</translation>
+    </message>
+    <message>
+        <source>{count} columns are more than the {limit} of one table</source>
+        <translation>{count} Spalten sind mehr als die {limit} einer Tabelle</translation>
+    </message>
+    <message>
+        <source>choose a column, and write the others to files of their own</source>
+        <translation>eine Spalte wählen und die anderen in eigene Dateien schreiben</translation>
+    </message>
+    <message>
+        <source>{count} tables are more than the {limit} of one file</source>
+        <translation>{count} Tabellen sind mehr als die {limit} einer Datei</translation>
+    </message>
+    <message>
+        <source>choose one with --table, and write the others to files of their own</source>
+        <translation>eine mit --table wählen und die anderen in eigene Dateien schreiben</translation>
+    </message>
+    <message>
+        <source>choose one of them with --table</source>
+        <translation>eine davon mit --table wählen</translation>
+    </message>
+    <message>
+        <source>{size} bytes are more than the {limit} of a file</source>
+        <translation>{size} Byte sind mehr als die {limit} einer Datei</translation>
+    </message>
+    <message>
+        <source>it compensates {target} by the position of {axis}</source>
+        <translation>sie kompensiert {target} nach der Position von {axis}</translation>
+    </message>
+    <message>
+        <source>it compensates {target} by the position of {axis}, and the format compensates an axis by its own position</source>
+        <translation>sie kompensiert {target} nach der Position von {axis}, und das Format kompensiert eine Achse nach ihrer eigenen Position</translation>
+    </message>
+    <message>
+        <source>write it as {format}</source>
+        <translation>sie als {format} schreiben</translation>
+    </message>
+    <message>
+        <source>there are two tables for axis {axis}</source>
+        <translation>für die Achse {axis} gibt es zwei Tabellen</translation>
+    </message>
+    <message>
+        <source>a TAM table needs the table layout of a drive profile</source>
+        <translation>eine TAM-Tabelle braucht den Tabellenaufbau aus einem Antriebsprofil</translation>
+    </message>
+    <message>
+        <source>a calibration file needs the number of its dimensions: 1, 2 or 3</source>
+        <translation>eine Kalibrierdatei braucht die Anzahl ihrer Dimensionen: 1, 2 oder 3</translation>
+    </message>
+    <message>
+        <source>{problem}: found &quot;{found}&quot;</source>
+        <translation>{problem}: gefunden &quot;{found}&quot;</translation>
+    </message>
+    <message>
+        <source>{problem}: found {found}</source>
+        <translation>{problem}: gefunden {found}</translation>
+    </message>
+    <message>
+        <source>{problem}, expected {expected}</source>
+        <translation>{problem}, erwartet {expected}</translation>
+    </message>
+    <message>
+        <source>{problem}; {wayOut} ({name})</source>
+        <translation>{problem}; {wayOut} ({name})</translation>
+    </message>
+    <message>
+        <source>{problem} ({name})</source>
+        <translation>{problem} ({name})</translation>
+    </message>
+    <message>
+        <source>{problem} ({name}, error {number} of the controller)</source>
+        <translation>{problem} ({name}, Fehler {number} der Steuerung)</translation>
+    </message>
+    <message>
+        <source>found an empty cell</source>
+        <translation>die Zelle ist leer</translation>
+    </message>
+    <message>
+        <source>a table kw.{name} besides kw.{other}</source>
+        <translation>eine Tabelle kw.{name} neben kw.{other}</translation>
+    </message>
+    <message>
+        <source>the format isg-{format} to read it; it is left out here</source>
+        <translation>das Format isg-{format}, um sie zu lesen; hier wird sie ausgelassen</translation>
+    </message>
+    <message>
+        <source>a point kw.{point} with one index</source>
+        <translation>ein Punkt kw.{point} mit einem Index</translation>
+    </message>
+    <message>
+        <source>a point kw.{point} with two indices</source>
+        <translation>ein Punkt kw.{point} mit zwei Indizes</translation>
+    </message>
+    <message>
+        <source>a table kw.{name}, of which there is no entry</source>
+        <translation>eine Tabelle kw.{name}, von der kein Eintrag da ist</translation>
+    </message>
+    <message>
+        <source>the setting {key}, such as mm, where a unit matters</source>
+        <translation>die Angabe {key}, zum Beispiel mm, wenn es auf die Einheit ankommt</translation>
+    </message>
+    <message>
+        <source>the setting {key}, such as um, where a unit matters</source>
+        <translation>die Angabe {key}, zum Beispiel um, wenn es auf die Einheit ankommt</translation>
+    </message>
+    <message>
+        <source>this line does not have the columns of the header</source>
+        <translation>diese Zeile hat nicht die Spalten der Kopfzeile</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>

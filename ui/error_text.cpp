@@ -39,7 +39,7 @@ QString errorText(const Error& error)
     const QString sentence = QCoreApplication::translate("Error", text.c_str());
     ErrorContext context;
     for (const auto& [key, value] : error.context)
-        context.emplace(key, translatedPhrase(value).toStdString());
+        context.emplace(key, placeholderText(QString::fromStdString(key), value).toStdString());
     return asSentence(QString::fromStdString(fillTemplate(sentence.toStdString(), context)));
 }
 

@@ -10,7 +10,8 @@ std::span<const char* const> knownPhrases()
     static const std::vector<const char*> all = [] {
         std::vector<const char*> phrases;
         for (const auto part : {errorPhrases(), planPhrases(), filePhrases(), calibrationPhrases(),
-                 linkPhrases(), formatPhrases(), conversionPhrases()})
+                 linkPhrases(), formatPhrases(), conversionPhrases(), tablePhrases(), gridPhrases(),
+                 motionPhrases(), machinePhrases()})
             phrases.insert(phrases.end(), part.begin(), part.end());
         return phrases;
     }();

@@ -3,6 +3,7 @@
 #include "ui/phrase_book.h"
 
 #include <QCoreApplication>
+#include <QSet>
 
 namespace axiscomp::ui {
 
@@ -113,17 +114,33 @@ QString translated(const char* text)
 
 QString foundText(const Diagnostic& diagnostic, bool quotesFile)
 {
-    if (quotesFile && diagnostic.found.empty())
-        return QCoreApplication::translate("Problem", "found an empty cell");
+    if (diagnostic.found.empty())
+        return diagnostic.code == DiagnosticCode::NotANumber
+            ? QCoreApplication::translate("Problem", "found an empty cell")
+            : QString();
     const QString found =
         quotesFile ? QString::fromStdString(diagnostic.found) : translatedPhrase(diagnostic.found);
-    if (found.isEmpty() || diagnostic.code == DiagnosticCode::IoError)
+    if (diagnostic.code == DiagnosticCode::IoError)
         return found;
     return quotesFile ? QCoreApplication::translate("Problem", "found \"%1\"").arg(found)
                       : QCoreApplication::translate("Problem", "found %1").arg(found);
 }
 
 } // namespace
+
+bool isProblemPhrase(const QString& english)
+{
+    static const QSet<QString> phrases = [] {
+        QSet<QString> all;
+        for (int i = 0; i <= static_cast<int>(DiagnosticCode::Assumption); ++i) {
+            const Words words = wordsOf(static_cast<DiagnosticCode>(i));
+            all << QString::fromUtf8(words.problem) << QString::fromUtf8(words.wayOut);
+        }
+        all.remove({});
+        return all;
+    }();
+    return phrases.contains(english);
+}
 
 QString problemText(const Diagnostic& diagnostic)
 {

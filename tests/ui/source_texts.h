@@ -4,13 +4,19 @@
 #include <QFile>
 #include <QRegularExpression>
 #include <QString>
-#include <QStringList>
+
+#include <vector>
 
 namespace axiscomp::test {
 
+struct Literal {
+    QString text;
+    qsizetype line = 0; ///< of its first character, from 1
+};
+
 /// The string literals of a C++ file, adjacent ones joined, without those of #include lines and of
 /// comments.
-inline QStringList stringLiterals(const QString& path)
+inline std::vector<Literal> stringLiterals(const QString& path)
 {
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly))
@@ -21,7 +27,7 @@ inline QStringList stringLiterals(const QString& path)
             R"re((?<skip>#include[^\n]*|//[^\n]*|/\*.*?\*/|R"\(.*?\)"|'(?:\\.|[^'\\\n])+'))re"
             R"re(|"(?<text>(?:\\.|[^"\\\n])*)"|(?<other>\S))re"),
         QRegularExpression::DotMatchesEverythingOption);
-    QStringList literals;
+    std::vector<Literal> literals;
     bool goesOn = false; // nothing but blanks since the last literal
     for (auto matches = token.globalMatch(text); matches.hasNext();) {
         const QRegularExpressionMatch match = matches.next();
@@ -29,9 +35,9 @@ inline QStringList stringLiterals(const QString& path)
             QString literal = match.captured(QStringLiteral("text"));
             literal.replace(QStringLiteral("\\\""), QStringLiteral("\""));
             if (goesOn)
-                literals.last() += literal;
+                literals.back().text += literal;
             else
-                literals += literal;
+                literals.push_back({literal, text.left(match.capturedStart()).count(u'\n') + 1});
             goesOn = true;
         } else if (match.hasCaptured(QStringLiteral("other"))) {
             goesOn = false;
@@ -45,6 +51,14 @@ inline bool isSentence(const QString& literal)
 {
     static const QRegularExpression words(QStringLiteral("[A-Za-z]{2,}[,;:]? \\(?[a-zA-Z]+"));
     return words.match(literal).hasMatch();
+}
+
+/// A word with a blank beside it: of a sentence that is put together.
+inline bool isPiece(const QString& literal)
+{
+    static const QRegularExpression piece(
+        QStringLiteral("^[^A-Za-z]* [a-z]{2,}\\b|(^|[ (])[a-z]{2,}:? $"));
+    return piece.match(literal).hasMatch();
 }
 
 } // namespace axiscomp::test

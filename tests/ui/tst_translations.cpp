@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/error.h"
+#include "core/formats/families.h"
 #include "tests/support/verify.h"
 #include "tests/ui/source_texts.h"
 #include "tests/ui/translation_file.h"
@@ -9,6 +10,7 @@
 
 #include <QCoreApplication>
 #include <QDir>
+#include <QDirIterator>
 #include <QHash>
 #include <QProcess>
 #include <QTemporaryDir>
@@ -89,29 +91,79 @@ QByteArray joined(const QStringList& lines)
     return lines.join(u'\n').toUtf8();
 }
 
-/// Files whose texts no window shows: profiles are read before there is one, and the words of a
-/// problem of a file are ui/problem_text.cpp's.
+/// Files whose texts no window shows: profiles are read before there is one, values of registers
+/// are typed for the command line, and examples and forms are for programs.
 bool isShown(const QString& file)
 {
     static const QStringList hidden{QStringLiteral("profile_layout.cpp"),
         QStringLiteral("profile_loader.cpp"), QStringLiteral("profile_registers.cpp"),
         QStringLiteral("table_layout.cpp"), QStringLiteral("calibration_example.cpp"),
-        QStringLiteral("diagnostic.cpp"), QStringLiteral("register_value.cpp"),
-        QStringLiteral("multipart_form.cpp")};
+        QStringLiteral("register_value.cpp"), QStringLiteral("multipart_form.cpp")};
     return !hidden.contains(file.section(u'/', -1));
+}
+
+/// What the registry of formats says for docs/formats.md and the help of the command line only.
+QStringList documentationTexts()
+{
+    QStringList texts;
+    const auto add = [&texts](std::string_view text) {
+        texts += QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
+    };
+    for (const TableFamily* family : tableFamilies()) {
+        std::ranges::for_each(family->facts.rules, add);
+        std::ranges::for_each(family->facts.assumptions, add);
+        add(family->facts.numbers);
+        add(family->facts.controller); // a name
+        for (const FormatSetting& setting : family->facts.settings)
+            add(setting.choices); // as they are typed
+    }
+    for (const Evidence evidence : {Evidence::Published, Evidence::Code, Evidence::Assumed})
+        add(evidenceName(evidence));
+    return texts;
+}
+
+/// Lines of the files of other controllers, as those want them.
+QStringList linesOfFiles()
+{
+    return {QStringLiteral("# RapidCode compensator table"),
+        QStringLiteral(", the first axis fastest\\n"),
+        QStringLiteral("// Table of a RapidCode compensator, for CompensatorConfigSet.\\n"),
+        QStringLiteral(" in raw counts, "), QStringLiteral(" in user units"),
+        QStringLiteral("// The first axis changes fastest.\\n"),
+        QStringLiteral("constexpr double table[points] = {\\n"),
+        QStringLiteral("#pragma once\\n\\nnamespace "), QStringLiteral("\\n} // namespace "),
+        QStringLiteral("constexpr "), QStringLiteral("' Compensation table "),
+        QStringLiteral(":START OFFSET="), QStringLiteral("\\nDEFINE COMP "),
+        QStringLiteral("RepRapFirmware height map file"),
+        QStringLiteral("RepRapFirmware height map file v2")};
 }
 
 /// Steps have words of their own; the rest is for machines, or a detail that only the log has.
 bool isForPeople(const QString& literal)
 {
-    static const QStringList others{QStringLiteral("drive http"),
-        QStringLiteral("the body is not JSON"), QStringLiteral(".path must be a text"),
-        QStringLiteral(".value must be a number, a text, true, false or null"),
-        QStringLiteral("no answer to "), QStringLiteral("the CRC-32 is wrong; ")};
+    static const QStringList others =
+        QStringList{QStringLiteral("drive http"), QStringLiteral("tree "),
+            QStringLiteral("the body is not JSON"), QStringLiteral(".path must be a text"),
+            QStringLiteral(".value must be a number, a text, true, false or null"),
+            QStringLiteral("no answer to "), QStringLiteral("the CRC-32 is wrong; "),
+            QStringLiteral("dim ")}
+        + documentationTexts() + linesOfFiles();
     static const QRegularExpression header(
         QStringLiteral("^(\\\\r\\\\n)?[A-Z][\\w-]+: |application/"));
-    return test::isSentence(literal) && stepText(literal) == literal && !others.contains(literal)
-        && !header.match(literal).hasMatch();
+    return (test::isSentence(literal) || test::isPiece(literal)) && stepText(literal) == literal
+        && !others.contains(literal) && !header.match(literal).hasMatch();
+}
+
+/// core and its folders, and drivecomm; the simulated drive within it speaks for itself.
+QStringList foldersWithTexts()
+{
+    QStringList folders{QStringLiteral("core"), QStringLiteral("drivecomm")};
+    const QDir root(sources);
+    QDirIterator below(root.filePath(QStringLiteral("core")), QDir::Dirs | QDir::NoDotAndDotDot,
+        QDirIterator::Subdirectories);
+    while (below.hasNext())
+        folders += root.relativeFilePath(below.next());
+    return folders;
 }
 
 } // namespace
@@ -220,77 +272,41 @@ private Q_SLOTS:
     void everyTextOfCoreAndOfTheLinksIsKnown_data()
     {
         QTest::addColumn<QString>("folder");
-        QTest::newRow("core") << QStringLiteral("core");
-        QTest::newRow("drivecomm") << QStringLiteral("drivecomm");
+        const QStringList folders = foldersWithTexts();
+        QVERIFY(folders.contains(QStringLiteral("core/formats")));
+        for (const QString& folder : folders)
+            QTest::newRow(qPrintable(folder)) << folder;
     }
     void everyTextOfCoreAndOfTheLinksIsKnown()
     {
         QFETCH(QString, folder);
-        QString known;
+        const Language language(QStringLiteral("de"));
+        QString phrases;
         for (const char* phrase : knownPhrases())
-            known += QString::fromUtf8(phrase) + u'\n';
+            phrases += QString::fromUtf8(phrase) + u'\n';
+        const auto isKnown = [&phrases](const QString& literal) {
+            return phrases.contains(test::isPiece(literal) ? literal : literal.trimmed())
+                || translatedPhrase(literal.toStdString()) != literal;
+        };
         QStringList unknown;
         int looked = 0;
         const QDir files(sources + u'/' + folder);
-        for (const QString& file : files.entryList({QStringLiteral("*.cpp")}, QDir::Files)) {
+        const QStringList endings{QStringLiteral("*.cpp"), QStringLiteral("*.h")};
+        for (const QString& file : files.entryList(endings, QDir::Files)) {
             if (!isShown(file))
                 continue;
-            for (const QString& literal : test::stringLiterals(files.filePath(file))) {
-                if (!isForPeople(literal))
+            for (const test::Literal& literal : test::stringLiterals(files.filePath(file))) {
+                if (!isForPeople(literal.text))
                     continue;
                 ++looked;
-                if (!known.contains(literal.trimmed()))
-                    unknown += folder + u'/' + file + QStringLiteral(": \"") + literal + u'"';
+                if (!isKnown(literal.text))
+                    unknown += QStringLiteral("%1/%2:%3: \"%4\"")
+                                   .arg(folder, file, QString::number(literal.line), literal.text);
             }
         }
         QVERIFY(looked > 20);
         QVERIFY2(unknown.isEmpty(),
             "the phrase book (ui/*_phrases.cpp) does not have:\n" + joined(unknown));
-    }
-
-    void phrasesWithinPhrasesAreGerman_data()
-    {
-        QTest::addColumn<QByteArray>("english");
-        QTest::addColumn<QString>("german");
-        const auto row = [](const char* english, const char* german) {
-            QTest::newRow(english) << QByteArray(english) << QString::fromUtf8(german);
-        };
-        row("10 (steps of 5) (or is the dimensionality 2?)",
-            "10 (Schrittweite 5) (oder ist die Dimensionalität 2?)");
-        row("at least 3 for dimensionality 2, 2 of positions and 1 of values; separate the columns "
-            "with , or ; instead of tabs",
-            "mindestens 3 bei Dimensionalität 2, davon 2 mit Positionen und 1 mit Werten; die "
-            "Spalten mit , oder ; statt mit Tabulatoren trennen");
-        row("Small1 (CRC 1c291ca3), Axes[0]/A, Axes[1]/B, volatile",
-            "Small1 (CRC 1c291ca3), Axes[0]/A, Axes[1]/B, flüchtig");
-        row("the compensation of axis 0 (X) is on, so its homing must stay; deactivate it",
-            "die Kompensation ist eingeschaltet (Achse 0 (X)), daher unveränderlich: die "
-            "Referenzierung; zuerst deaktivieren");
-        row("HTTP status 500 and \"a text\"", "HTTP-Status 500 und \"a text\"");
-        row("unheard of", "unheard of");
-    }
-    void phrasesWithinPhrasesAreGerman()
-    {
-        QFETCH(QByteArray, english);
-        QFETCH(QString, german);
-        const Language language(QStringLiteral("de"));
-        QCOMPARE(translatedPhrase(english.toStdString()), german);
-    }
-
-    void anErrorIsAGermanSentence()
-    {
-        const Language language(QStringLiteral("de"));
-        QCOMPARE(errorText({ErrorCode::NotConnected,
-                     {{"endpoint", "http://x"},
-                         {"reason",
-                             "nothing listens there; is the drive switched on, and is the address "
-                             "right?"}},
-                     {}}),
-            QStringLiteral("Keine Verbindung zu http://x: dort antwortet nichts; ist der Antrieb "
-                           "eingeschaltet und stimmt die Adresse?"));
-        QCOMPARE(problemText({Severity::Error, DiagnosticCode::NotANumber, 3, 2, "1,5x",
-                     "a number such as 0.5"}),
-            QStringLiteral("Das ist keine Zahl: gefunden \"1,5x\", erwartet eine Zahl wie 0.5."));
     }
 
     void theLanguagesOfTheLibraryAreOffered()
