@@ -304,6 +304,30 @@ void importDialog(Scene& scene)
     QTest::qWait(150);
 }
 
+/// A compensation list of another controller in which a point is missing.
+void damagedList(Scene& scene)
+{
+    scene.showDrive();
+    scene.openData(scene.stage().file(QStringLiteral("damaged.lis"),
+        "kopf.achs_nr 1\nkw.crosscomp.unit 1\nkw.crosscomp.last_index 2\n"
+        "kw.crosscomp.master_ax_nr 2\nkw.crosscomp.table[0].setpoint 0\n"
+        "kw.crosscomp.table[0].correction 0\nkw.crosscomp.table[2].setpoint 20000\n"
+        "kw.crosscomp.table[2].correction -15\nEnd\n"));
+    scene.settle();
+}
+
+/// The same in the dialog.
+void damagedImport(Scene& scene)
+{
+    damagedList(scene);
+    scene.page().findChild<QAction*>(QStringLiteral("importOptionsAction"))->trigger();
+    wait([&] { return scene.page().findChild<QLabel*>(QStringLiteral("conversionReason")); },
+        "the dialog");
+    const auto* reason = scene.page().findChild<QLabel*>(QStringLiteral("conversionReason"));
+    wait([&] { return reason->isVisible(); }, "the reason");
+    QTest::qWait(150);
+}
+
 /// A format with settings, one of which is missing.
 void exportDialog(Scene& scene)
 {
@@ -385,6 +409,8 @@ const std::vector<State>& states()
         {"connections", connections},
         {"find-drives", findDrives},
         {"import-dialog", importDialog},
+        {"damaged-list", damagedList},
+        {"damaged-import", damagedImport},
         {"export-dialog", exportDialog},
         {"several-axes", severalAxes},
         {"several-axes-failed", severalAxesFailed},

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QHash>
+#include <QRegularExpression>
+#include <QString>
+#include <QStringList>
+
+namespace axiscomp::test {
+
+/// A whole file of a format, by the format's name; empty: there is none here.
+inline QString controllerFile(const QString& format)
+{
+    static const QHash<QString, QString> files{
+        {QStringLiteral("csv"),
+            QStringLiteral("X [mm],Y [mm],Table 1 [mm]\n0,0,0\n100,0,0.01\n0,50,0.02\n"
+                           "100,50,0.03\n")},
+        {QStringLiteral("aerotech-1d"),
+            QStringLiteral(":START 1 SAMPLEDIST=100 POSUNIT=METRIC CORUNIT=PRIMARY\n"
+                           ":START OFFSET=0 HOMEOFFSET=3\n0 -0.01 -0.02\n:END\n")},
+        {QStringLiteral("aerotech-2d"),
+            QStringLiteral(":START2D 2 1 1 2 10 5 3\n:START2D POSUNIT=METRIC CORUNIT=METRIC/1000\n"
+                           ":START2D OFFSETCOL=5\n1 -1 2 -2 3 -3\n4 -4 5 -5 6 -6\n:END\n")},
+        {QStringLiteral("icube"), QStringLiteral("position,offset\n0,0\n100,-0.01\n200,-0.02\n")},
+        {QStringLiteral("isg-crosscomp"),
+            QStringLiteral("kopf.achs_nr 1\nkw.crosscomp.unit 1\nkw.crosscomp.last_index 2\n"
+                           "kw.crosscomp.master_ax_nr 2\nkw.crosscomp.max_points 3\n"
+                           "kw.crosscomp.table[0].setpoint 0\nkw.crosscomp.table[0].correction 0\n"
+                           "kw.crosscomp.table[1].setpoint 1000\n"
+                           "kw.crosscomp.table[1].correction -100\n"
+                           "kw.crosscomp.table[2].setpoint 2000\n"
+                           "kw.crosscomp.table[2].correction -200\nEnd\n")},
+        {QStringLiteral("isg-crosscomp2"),
+            QStringLiteral("kopf.achs_nr 3\nkw.crosscomp2.unit 1\nkw.crosscomp2.grid RECTANGULAR\n"
+                           "kw.crosscomp2.interval1 100000\nkw.crosscomp2.interval2 100000\n"
+                           "kw.crosscomp2.last_index_master1 1\n"
+                           "kw.crosscomp2.start_position_master1 0\n"
+                           "kw.crosscomp2.master1_ax_nr 1\nkw.crosscomp2.last_index_master2 1\n"
+                           "kw.crosscomp2.start_position_master2 0\n"
+                           "kw.crosscomp2.master2_ax_nr 2\nkw.crosscomp2.table[0][0].correction 0\n"
+                           "kw.crosscomp2.table[0][1].correction -10\n"
+                           "kw.crosscomp2.table[1][0].correction 20\n"
+                           "kw.crosscomp2.table[1][1].correction -30\nEnd\n")},
+        {QStringLiteral("isg-ssfk"),
+            QStringLiteral("kopf.achs_nr 1\nkopf.log_achs_nr 1\nkw.ssfk.unit 1\n"
+                           "kw.ssfk.bilateral 1\nkw.ssfk.modulo 0\nkw.ssfk.interval 1000\n"
+                           "kw.ssfk.kw_startpos 0\nkw.ssfk.kw_nr_max 2\nkw.ssfk.table[0].pos 0\n"
+                           "kw.ssfk.table[1].pos 100\nkw.ssfk.table[0].neg 0\n"
+                           "kw.ssfk.table[1].neg 100\nEnd\n")},
+        {QStringLiteral("klipper"),
+            QStringLiteral("#*# [bed_mesh default]\n#*# version = 1\n#*# points =\n"
+                           "#*# \t 0.0125, 0.02, -0.005\n#*# \t 0.01, 0.0, -0.001\n"
+                           "#*# x_count = 3\n#*# y_count = 2\n#*# min_x = 10.0\n"
+                           "#*# max_x = 110.0\n#*# min_y = 5.0\n#*# max_y = 95.0\n"
+                           "#*# x_offset = 1.5\n")},
+        {QStringLiteral("linuxcnc"),
+            QStringLiteral("0 0 0\n100 100.01 100.02\n200 200.02 200.03\n")},
+        {QStringLiteral("pmac-1d"),
+            QStringLiteral("CLOSE\nDELETE COMP\n#1\nDEFINE COMP 4,#1D,#2,4000\n160 -80\n32\n0\n")},
+        {QStringLiteral("pmac-2d"),
+            QStringLiteral("#3\nDEFINE COMP 2.3,#1D,#2D,#3,3000,4000\n16 32 0\n48 64 80 48\n"
+                           "0 16 32 0\n")},
+        {QStringLiteral("rapidcode"),
+            QStringLiteral("# RapidCode compensator table, the first axis fastest\n"
+                           "# name = Table 1\n# input.1.axis = X\n# input.1.unit = mm\n"
+                           "# input.1.min = 0\n# input.1.max = 200\n# input.1.delta = 100\n"
+                           "# input.2.axis = Y\n# input.2.unit = mm\n# input.2.min = 0\n"
+                           "# input.2.max = 100\n# input.2.delta = 100\n# output.unit = mm\n"
+                           "# output.counts-per-unit = 1000\n0,-10,-20\n0,-10,-20\n")},
+        {QStringLiteral("reprap"),
+            QStringLiteral("RepRapFirmware height map file v2 generated at 2024-01-01 00:00\n"
+                           "axis0,axis1,min0,max0,min1,max1,radius,spacing0,spacing1,num0,num1\n"
+                           "X,Y,0.00,100.00,0.00,50.00,-1.00,50.00,50.00,3,2\n"
+                           "  0.010,  0.020,  0.030\n -0.010,  0.001, -0.020\n")},
+        {QStringLiteral("siemens-cec"),
+            QStringLiteral("CHANDATA(1)\n$AN_CEC[0,0]=0\n$AN_CEC[0,1]=-0.01\n$AN_CEC[0,2]=-0.02\n"
+                           "$AN_CEC_INPUT_AXIS[0]=(X)\n$AN_CEC_OUTPUT_AXIS[0]=(X)\n"
+                           "$AN_CEC_STEP[0]=100\n$AN_CEC_MIN[0]=0\n$AN_CEC_MAX[0]=200\n"
+                           "$AN_CEC_IS_MODULO[0]=0\n$AN_CEC_DIRECTION[0]=0\n"
+                           "$AN_CEC_MULT_BY_TABLE[0]=0\nM17\n")},
+        {QStringLiteral("siemens-eec"),
+            QStringLiteral("CHANDATA(1)\n$AA_ENC_COMP[0,0,X]=0\n$AA_ENC_COMP[0,1,X]=0.01\n"
+                           "$AA_ENC_COMP[0,2,X]=0.02\n$AA_ENC_COMP_STEP[0,X]=100\n"
+                           "$AA_ENC_COMP_MIN[0,X]=0\n$AA_ENC_COMP_MAX[0,X]=200\n"
+                           "$AA_ENC_COMP_IS_MODULO[0,X]=0\nM17\n")},
+        {QStringLiteral("softmc"), QStringLiteral("1 3\n0 0\n100 -0.01\n200 -0.02\n")},
+    };
+    return files.value(format);
+}
+
+/// A text with one thing wrong: lines that are missing, twice or cut off, and other words in place
+/// of each of its words.
+inline QStringList damagedTexts(const QString& text)
+{
+    const QStringList lines = text.split(u'\n', Qt::SkipEmptyParts);
+    QStringList damaged{{}, QStringLiteral("x\n"), text + text};
+    const auto add = [&damaged](
+                         const QStringList& changed) { damaged += changed.join(u'\n') + u'\n'; };
+    QStringList reversed(lines.rbegin(), lines.rend());
+    add(reversed);
+    static const QRegularExpression word(QStringLiteral("[^\\s=,.\\[\\]()]+(\\.\\d+)?"));
+    for (qsizetype i = 0; i < lines.size(); ++i) {
+        QStringList changed = lines;
+        changed.removeAt(i);
+        add(changed);
+        add(lines.first(i + 1));
+        changed = lines;
+        changed.insert(i, lines[i]);
+        add(changed);
+        for (auto words = word.globalMatch(lines[i]); words.hasNext();) {
+            const QRegularExpressionMatch match = words.next();
+            for (const char* other : {"", "x", "-7.5", "-1", "0", "1", "2", "5", "99", "1e9",
+                     "1e308", "99999999999", "7 7", "ENGLISH", "PRIMARY/0", "#9", "#33", "#1D"}) {
+                changed = lines;
+                changed[i].replace(
+                    match.capturedStart(), match.capturedLength(), QString::fromLatin1(other));
+                add(changed);
+            }
+        }
+    }
+    return damaged;
+}
+
+} // namespace axiscomp::test
