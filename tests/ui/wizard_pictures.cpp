@@ -320,7 +320,7 @@ void damagedList(Scene& scene)
 void damagedImport(Scene& scene)
 {
     damagedList(scene);
-    scene.page().findChild<QAction*>(QStringLiteral("importOptionsAction"))->trigger();
+    Q_EMIT scene.controller().importChoiceNeeded(scene.stage().path(QStringLiteral("damaged.lis")));
     wait([&] { return scene.page().findChild<QLabel*>(QStringLiteral("conversionReason")); },
         "the dialog");
     const auto* reason = scene.page().findChild<QLabel*>(QStringLiteral("conversionReason"));
