@@ -106,16 +106,19 @@ Result<int> showWindow(
     QApplication::setWindowIcon(ui::wizardIcon());
     QSettings settings;
     WizardWindow window(wizardOptions(arguments, *profile), settings);
+    const auto close = [&window] {
+        QMetaObject::invokeMethod(
+            &window, [&window] { window.wizard().closeNow(); }, Qt::QueuedConnection);
+    };
+    interrupt.setListener([&close](int) { close(); });
+    if (interrupt.stopped()) // before there was a window
+        close();
     if (!endpoints->isEmpty())
         window.wizard().controller().setEndpoints(*endpoints);
     if (!arguments.data.empty())
         window.wizard().openData(QString::fromStdString(arguments.data));
     paint.watch(window, console);
     window.show();
-    interrupt.setListener([&window](int) {
-        QMetaObject::invokeMethod(
-            &window, [&window] { window.wizard().closeNow(); }, Qt::QueuedConnection);
-    });
     const int result = QApplication::exec();
     interrupt.setListener({});
     return result;

@@ -18,9 +18,9 @@ using test::Sandbox;
 namespace {
 
 /// What the programs are told to give an exchange with the drive.
-constexpr std::chrono::milliseconds deadline{3'000};
+constexpr std::chrono::milliseconds deadline{6'000};
 /// Less than a second deadline, which is what a drive that is asked twice would take.
-constexpr std::chrono::milliseconds limit{5'000};
+constexpr std::chrono::milliseconds limit{11'000};
 
 } // namespace
 
@@ -37,7 +37,7 @@ private Q_SLOTS:
         box.setVariable("XDG_CONFIG_HOME", box.path("config"));
         box.setVariable("QT_QPA_PLATFORM", "offscreen");
         const auto program = box.start(AXISCOMP_WIZARD_PROGRAM,
-            {"--drive", QString::fromStdString(silent.url()), "--timeout", "3"});
+            {"--drive", QString::fromStdString(silent.url()), "--timeout", "6"});
         QTRY_COMPARE(silent.requests(), 1);
         program->terminate(); // SIGTERM
         QVERIFY(program->waitForFinished(static_cast<int>(limit.count())));
