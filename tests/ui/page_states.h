@@ -40,7 +40,12 @@ inline bool preview(PageBench& bench)
 
 inline bool written(PageBench& bench)
 {
-    return unwritten(bench) && bench.write();
+    if (!unwritten(bench) || !bench.write())
+        return false;
+    const bool isWritten = !bench.controller().isOutcomeAnError();
+    if (!isWritten)
+        qInfo("not written: %s", qPrintable(bench.outcome()));
+    return isWritten;
 }
 
 inline bool active(PageBench& bench)
@@ -65,7 +70,11 @@ inline bool unfinishedWrite(PageBench& bench)
     if (!store.openJournal(entry))
         return false;
     bench.controller().refresh();
-    return PageUser::waitFor([&] { return bench.user.sees("finishWriteButton"); });
+    const bool isSeen = PageUser::waitFor([&] { return bench.user.sees("finishWriteButton"); });
+    if (!isSeen)
+        qInfo("the unfinished write is not shown: %s; %s", qPrintable(bench.outcome()),
+            qPrintable(bench.user.hint()));
+    return isSeen;
 }
 
 inline bool threeDimensions(PageBench& bench)

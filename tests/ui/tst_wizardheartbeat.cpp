@@ -19,13 +19,20 @@ using test::Heartbeat;
 
 namespace {
 
+/// AddressSanitizer looks at every access: the same work takes several times as long.
+#ifdef __SANITIZE_ADDRESS__
+constexpr int slowness = 8;
+#else
+constexpr int slowness = 1;
+#endif
+
 /// One frame: what the window's thread may compute between two turns of its event loop.
-constexpr std::chrono::milliseconds longestWork{16};
+constexpr std::chrono::milliseconds longestWork{16 * slowness};
 /// It must not wait for anything either. A drive, a file or a worker that it waited for would hold
 /// it for longer than this (DriveGate's timeouts are 300 ms and more); a machine with other work
 /// can hold it for more than a frame through no fault of the program, at the heap's lock for
 /// example.
-constexpr std::chrono::milliseconds longestGap{100};
+constexpr std::chrono::milliseconds longestGap{slowness == 1 ? 100 : 250};
 
 /// As QTRY_VERIFY, but the event loop turns all the time: that one sleeps in between.
 template <typename Condition> bool waitFor(const Condition& condition)
