@@ -1688,8 +1688,8 @@
         <translation>es hat keine Moduloachsen</translation>
     </message>
     <message>
-        <source>leave the modulo out, with --no-wrap, when the axis stays within one revolution</source>
-        <translation>das Modulo weglassen (--no-wrap), wenn die Achse innerhalb einer Umdrehung bleibt</translation>
+        <source>leave the modulo out when the axis stays within one revolution</source>
+        <translation>das Modulo weglassen, wenn die Achse innerhalb einer Umdrehung bleibt</translation>
     </message>
     <message>
         <source>its values are offsets of the command</source>
@@ -2118,10 +2118,6 @@
     <message>
         <source>there are two columns for {target} in negative direction; keep one of them</source>
         <translation>für {target} gibt es zwei Spalten in negativer Richtung; eine davon behalten</translation>
-    </message>
-    <message>
-        <source>there are two columns for {target} in both direction; keep one of them</source>
-        <translation>für {target} gibt es zwei Spalten für beide Richtungen; eine davon behalten</translation>
     </message>
     <message>
         <source>for {target} there are values for both directions and others for one; keep one of them</source>
@@ -3604,12 +3600,12 @@
         <translation>{count} Tabellen sind mehr als die {limit} einer Datei</translation>
     </message>
     <message>
-        <source>choose one with --table, and write the others to files of their own</source>
-        <translation>eine mit --table wählen und die anderen in eigene Dateien schreiben</translation>
+        <source>choose one, and write the others to files of their own</source>
+        <translation>eine wählen und die anderen in eigene Dateien schreiben</translation>
     </message>
     <message>
-        <source>choose one of them with --table</source>
-        <translation>eine davon mit --table wählen</translation>
+        <source>choose one of them</source>
+        <translation>eine davon wählen</translation>
     </message>
     <message>
         <source>{size} bytes are more than the {limit} of a file</source>

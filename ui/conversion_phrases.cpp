@@ -120,8 +120,7 @@ constexpr const char* phrases[] = {
     QT_TRANSLATE_NOOP(
         "Error", "{count} points are more than the {limit} that the controller takes"),
     QT_TRANSLATE_NOOP("Error", "it has no modulo axes"),
-    QT_TRANSLATE_NOOP(
-        "Error", "leave the modulo out, with --no-wrap, when the axis stays within one revolution"),
+    QT_TRANSLATE_NOOP("Error", "leave the modulo out when the axis stays within one revolution"),
     QT_TRANSLATE_NOOP("Error", "its values are offsets of the command"),
     QT_TRANSLATE_NOOP("Error", "convert the sign"),
     QT_TRANSLATE_NOOP("Error", "a value is beyond what a float32 can be"),

@@ -32,8 +32,6 @@ constexpr const char* phrases[] = {
         "Error", "there are two columns for {target} in positive direction; keep one of them"),
     QT_TRANSLATE_NOOP(
         "Error", "there are two columns for {target} in negative direction; keep one of them"),
-    QT_TRANSLATE_NOOP(
-        "Error", "there are two columns for {target} in both direction; keep one of them"),
     QT_TRANSLATE_NOOP("Error",
         "for {target} there are values for both directions and others for one; keep one of them"),
     QT_TRANSLATE_NOOP("Error",

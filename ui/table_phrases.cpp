@@ -110,9 +110,8 @@ constexpr const char* phrases[] = {
     QT_TRANSLATE_NOOP("Error", "{count} columns are more than the {limit} of one table"),
     QT_TRANSLATE_NOOP("Error", "choose a column, and write the others to files of their own"),
     QT_TRANSLATE_NOOP("Error", "{count} tables are more than the {limit} of one file"),
-    QT_TRANSLATE_NOOP(
-        "Error", "choose one with --table, and write the others to files of their own"),
-    QT_TRANSLATE_NOOP("Error", "choose one of them with --table"),
+    QT_TRANSLATE_NOOP("Error", "choose one, and write the others to files of their own"),
+    QT_TRANSLATE_NOOP("Error", "choose one of them"),
     QT_TRANSLATE_NOOP("Error", "{size} bytes are more than the {limit} of a file"),
     QT_TRANSLATE_NOOP("Error", "it compensates {target} by the position of {axis}"),
     QT_TRANSLATE_NOOP("Error",

@@ -143,7 +143,7 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
             return cannotHold(family.facts,
                 "there are two tables for axis " + std::to_string(*axis)
                     + ", and the controller adds their corrections",
-                "choose one of them with --table");
+                "choose one of them");
         auto table = aerotech::inFileUnits(source, *given, written.remarks);
         if (!table)
             return fail(table.error());

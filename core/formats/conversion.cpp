@@ -4,6 +4,7 @@
 #include "core/csv_text.h"
 #include "core/formats/families.h"
 #include "core/formats/sign_conversion.h"
+#include "core/formats/table_motion.h"
 #include "core/formats/table_units.h"
 #include "core/position_unit.h"
 
@@ -142,6 +143,8 @@ Result<NeutralTable> Converter::signConverted(NeutralTable table, TableConversio
 
 Result<NeutralTable> Converter::prepare(NeutralTable table, TableConversion& conversion)
 {
+    if (auto fine = checkConsistent(table); !fine)
+        return fail(fine.error());
     table.sign = m_request.sourceSign.value_or(table.sign);
     conversion.source = table;
     if (m_request.dropsWrap)

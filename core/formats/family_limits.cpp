@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/formats/table_motion.h"
 #include "core/formats/writing_aids.h"
 
 #include <algorithm>
@@ -88,8 +89,7 @@ Result<void> Holding::check(const NeutralTable& table) const
         table.axes, [](const SourceAxis& axis) { return axis.wrap.has_value(); });
     if (wraps && !m_facts.holdsWrap)
         return refuse("it has no modulo axes",
-            "leave the modulo out, with --no-wrap, when the axis "
-            "stays within one revolution");
+            "leave the modulo out when the axis stays within one revolution");
     if (auto fits = checkKnotRule(table); !fits)
         return fits;
     return checkColumns(table);
@@ -103,10 +103,13 @@ Result<void> checkHolds(const FamilyFacts& facts, std::span<const NeutralTable> 
     if (facts.mostTables > 0 && tables.size() > facts.mostTables)
         return holding.refuse(std::to_string(tables.size()) + " tables are more than the "
                 + std::to_string(facts.mostTables) + " of one file",
-            "choose one with --table, and write the others to files of their own");
-    for (const NeutralTable& table : tables)
+            "choose one, and write the others to files of their own");
+    for (const NeutralTable& table : tables) {
         if (auto fits = holding.check(table); !fits)
             return fits;
+        if (auto fine = checkConsistent(table); !fine)
+            return fine;
+    }
     return {};
 }
 

@@ -225,8 +225,8 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
         if (!axis)
             return fail(axis.error());
         if (!axes.insert(*axis).second)
-            return cannotHold(family.facts, "there are two tables for axis " + *axis,
-                "choose one of them with --table");
+            return cannotHold(
+                family.facts, "there are two tables for axis " + *axis, "choose one of them");
         auto text = tableLines(table, *axis, given->text("encoder"), written.remarks, rotary);
         if (!text)
             return fail(text.error());

@@ -161,7 +161,8 @@ struct FormatChoice {
     const std::string& fileName, const std::string& formatName);
 
 /// Checks dimensions, knots, points, columns, directions and modulo against the facts. Errors:
-/// FormatCannotHold with the limit and the way out.
+/// FormatCannotHold with the limit and the way out; InvalidArgument for what is no table
+/// (checkConsistent).
 [[nodiscard]] Result<void> checkHolds(
     const FamilyFacts& facts, std::span<const NeutralTable> tables);
 

@@ -198,6 +198,21 @@ private Q_SLOTS:
         QVERIFY(sentence(conversion.error()).find("mean") != std::string::npos);
     }
 
+    void aTableWithoutValuesIsRefusedBeforeAnythingIsMadeOfIt()
+    {
+        NeutralTable table = exampleTable(1, SignConvention::Feedback);
+        table.columns.clear();
+        const std::array tables{table};
+        for (const TableFamily* family : tableFamilies()) {
+            if (!family->write)
+                continue;
+            VERIFY_ERROR(convertTables(tables, requestFor(calibrationCsvFamily(), *family)),
+                ErrorCode::InvalidArgument);
+            if (family->facts.fewestDimensions == 1)
+                VERIFY_ERROR(checkHolds(family->facts, tables), ErrorCode::InvalidArgument);
+        }
+    }
+
     void anOverruledSignIsUsedAndSaid()
     {
         const std::array tables{exampleTable(1, SignConvention::Command)};
