@@ -39,13 +39,20 @@ Result<void> requestActivation(
     return writeSurely(access, {{path, value}});
 }
 
+/// activation: what was asked for. It is looked at too: a drive that restarts forgets it, and the
+/// state that is waited for would never come.
 Result<AxisStatus> waitForState(const DriveAccess& access, const DriveIdentity& drive, int axis,
-    SourceDirectory& sources, const std::string& wanted)
+    SourceDirectory& sources, const std::string& activation, const std::string& wanted)
 {
     const std::string path = access.axisPath(access.registers().state, axis);
+    const std::string request = access.axisPath(access.registers().activation, axis);
+    const auto notReached = [&](const std::string& state, std::string hint) {
+        return fail(ErrorCode::CompensationError,
+            {{"axis", std::to_string(axis)}, {"error", state}, {"hint", std::move(hint)}});
+    };
     const auto deadline = Clock::now() + access.options().timeout;
     while (true) {
-        auto readings = access.read({path});
+        auto readings = access.read({path, request});
         if (!readings)
             return fail(readings.error());
         const std::string state = textAt(*readings, path);
@@ -56,10 +63,11 @@ Result<AxisStatus> waitForState(const DriveAccess& access, const DriveIdentity& 
                 return fail(compensationError(*status));
             return status;
         }
+        if (textAt(*readings, request) != activation)
+            return notReached(
+                state, "the drive has restarted, or somebody else has switched the compensation");
         if (Clock::now() >= deadline)
-            return fail(ErrorCode::CompensationError,
-                {{"axis", std::to_string(axis)}, {"error", state},
-                    {"hint", "it did not become " + wanted + " in time"}});
+            return notReached(state, "it did not become " + wanted + " in time");
         if (auto paused = access.pause(pollInterval); !paused)
             return fail(paused.error());
     }
@@ -70,7 +78,7 @@ Result<AxisStatus> requestAndWait(const DriveAccess& access, const AxisStatus& s
 {
     if (auto requested = requestActivation(access, status, activation); !requested)
         return fail(requested.error());
-    return waitForState(access, status.drive, status.axis.index, sources, wanted);
+    return waitForState(access, status.drive, status.axis.index, sources, activation, wanted);
 }
 
 /// What can be said before the drive is asked.

@@ -1168,6 +1168,10 @@
         <translation>siehe Handbuch des Antriebs</translation>
     </message>
     <message>
+        <source>the drive has restarted, or somebody else has switched the compensation</source>
+        <translation>der Antrieb wurde neu gestartet, oder jemand anders hat die Kompensation geschaltet</translation>
+    </message>
+    <message>
         <source>it did not become {state} in time</source>
         <translation>der Zustand {state} wurde nicht rechtzeitig erreicht</translation>
     </message>

@@ -20,6 +20,8 @@ constexpr const char* phrases[] = {
     QT_TRANSLATE_NOOP("Error", "the drive cannot use the table; write it again"),
     QT_TRANSLATE_NOOP("Error", "see the drive's manual"),
     QT_TRANSLATE_NOOP("Error", "it did not become {state} in time"),
+    QT_TRANSLATE_NOOP(
+        "Error", "the drive has restarted, or somebody else has switched the compensation"),
     QT_TRANSLATE_NOOP("Error", "only an active or an evaluating compensation can be proved"),
     QT_TRANSLATE_NOOP("Error",
         "No other slot is free: the table in {slot} is overwritten. A copy is kept in the backup."),

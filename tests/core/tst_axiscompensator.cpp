@@ -275,6 +275,26 @@ private Q_SLOTS:
         VERIFY_RESULT(f.compensator.prove(0));
     }
 
+    void aDriveThatRestartsWhileItIsSwitchedIsNotWaitedFor()
+    {
+        int restarts = 0;
+        bool isDone = false;
+        for (int exchange = 1; !isDone; ++exchange) {
+            DriveFixture f;
+            VERIFY_RESULT(f.compensator.write(0, exampleRequest(1, Persistency::Persistent)));
+            f.link.actBefore(exchange, [&f] { f.drive.reboot(); });
+            const int before = f.link.exchanges();
+            const auto active = f.compensator.activate(0);
+            isDone = f.link.exchanges() - before < exchange;
+            if (active)
+                continue;
+            const std::string said = sentence(active.error());
+            QVERIFY2(said.find("in time") == std::string::npos, said.c_str());
+            restarts += said.find("has restarted") != std::string::npos ? 1 : 0;
+        }
+        QVERIFY(restarts > 0);
+    }
+
     void anAxisThatIsNotHomedIsNotActivated()
     {
         DriveFixture f;

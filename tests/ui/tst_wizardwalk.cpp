@@ -44,12 +44,18 @@ public:
     [[nodiscard]] bool settle()
     {
         m_bench.drive().gate.set(DriveGate::Mode::Open);
-        return QTest::qWaitFor(
+        const auto isConnected = [this] {
+            return m_bench->drives().front().connection == DriveState::Connection::Connected;
+        };
+        const bool isSettled = QTest::qWaitFor(
             [&] {
-                return !m_bench->busy().isBusy && !m_bench->dataFile().isReading
-                    && m_bench->drives().front().connection == DriveState::Connection::Connected;
+                return !m_bench->busy().isBusy && !m_bench->dataFile().isReading && isConnected();
             },
             20'000);
+        if (!isSettled)
+            qInfo("busy: %s; reading: %d; connected: %d; %s", qPrintable(m_bench->busy().step),
+                m_bench->dataFile().isReading, isConnected(), qPrintable(m_bench->hint()));
+        return isSettled;
     }
     [[nodiscard]] int below(int n)
     {
