@@ -42,51 +42,73 @@ set(AXISCOMP_COMMON_HEADERS
   <memory> <optional> <set> <span> <stop_token> <string> <string_view> <thread> <utility> <variant>
   <vector> <tl/expected.hpp>)
 
-# A static library axiscomp::NAME. HEADERS is its public interface: every header of it must compile
-# alone with nothing but what PUBLIC_DEPS give, which is how the direction between the parts is kept
-# (target all_verify_interface_header_sets).
+# A static library axiscomp::NAME; the files of its folders come by axiscomp_add_sources.
 function(axiscomp_add_module name)
-  cmake_parse_arguments(arg "" "" "HEADERS;SOURCES;PUBLIC_DEPS;PRIVATE_DEPS;PRECOMPILE" ${ARGN})
+  cmake_parse_arguments(arg "" "" "PUBLIC_DEPS;PRIVATE_DEPS;PRECOMPILE" ${ARGN})
   set(target axiscomp_${name})
-  add_library(${target} STATIC ${arg_SOURCES})
+  add_library(${target} STATIC)
   add_library(axiscomp::${name} ALIAS ${target})
-  target_sources(${target} PUBLIC FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR} FILES ${arg_HEADERS})
+  target_sources(${target} PUBLIC FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR})
   target_link_libraries(${target} PUBLIC ${arg_PUBLIC_DEPS} PRIVATE $<BUILD_INTERFACE:axiscomp_options> ${arg_PRIVATE_DEPS})
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
   axiscomp_precompile(${target} ${AXISCOMP_COMMON_HEADERS} ${arg_PRECOMPILE})
 endfunction()
 
-# Qt tells every test its folders (for QFINDTESTDATA, not used here); then no two folders could share
-# precompiled headers.
-set(AXISCOMP_SAME_FOLDER -UQT_TESTCASE_BUILDDIR -UQT_TESTCASE_SOURCEDIR)
+# The files of one folder, for the library axiscomp_NAME. HEADERS is what other parts may include:
+# every header of it must compile alone with nothing but what the PUBLIC_DEPS of the library give,
+# which is how the direction between the parts is kept (target all_verify_interface_header_sets).
+function(axiscomp_add_sources name)
+  cmake_parse_arguments(arg "" "" "HEADERS;SOURCES" ${ARGN})
+  list(TRANSFORM arg_HEADERS PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)
+  target_sources(axiscomp_${name} PRIVATE ${arg_SOURCES})
+  if(arg_HEADERS)
+    target_sources(axiscomp_${name} PUBLIC FILE_SET HEADERS FILES ${arg_HEADERS})
+  endif()
+endfunction()
 
-# A Qt Test executable NAME from NAME.cpp, labelled with its module. PLAIN: its options differ from
-# those that the tests' headers were precompiled with. THREADED: ThreadSanitizer has something to look
-# at, and sees all of it (Qt itself is not instrumented: it does not see the locks of Qt's event queue).
+# The program test_NAME, which runs one of the tests of a part: `test_NAME tst_thing [FUNCTION ...]`.
+# One program, since a test links in less time than it compiles and both add up. WINDOW: for tests with
+# widgets. RUNS_PROGRAMS: its tests start the programs of app.
+function(axiscomp_add_test_program name)
+  cmake_parse_arguments(arg "WINDOW;RUNS_PROGRAMS" "" "SOURCES;DEPS" ${ARGN})
+  set(target test_${name})
+  add_executable(${target} ${PROJECT_SOURCE_DIR}/tests/support/test_main.cpp ${arg_SOURCES})
+  set_target_properties(${target} PROPERTIES AUTOMOC ON)
+  target_link_libraries(${target} PRIVATE axiscomp_options axiscomp_test_support ${arg_DEPS})
+  target_compile_definitions(${target} PRIVATE AXISCOMP_SOURCE_FOLDER="${PROJECT_SOURCE_DIR}")
+  set(headers ${AXISCOMP_COMMON_HEADERS} <QTest>)
+  if(arg_WINDOW)
+    list(APPEND headers <QComboBox> <QFuture> <QPushButton> <QSignalSpy>)
+  endif()
+  axiscomp_precompile(${target} ${headers})
+  if(arg_RUNS_PROGRAMS)
+    target_sources(${target} PRIVATE ${PROJECT_SOURCE_DIR}/tests/app/program_run.cpp)
+    target_compile_definitions(${target} PRIVATE
+      AXISCOMP_PROGRAM="$<TARGET_FILE:axiscomp>"
+      AXISCOMP_VIRTUALDRIVE_PROGRAM="$<TARGET_FILE:axiscomp-virtualdrive>"
+      AXISCOMP_PROGRAM_FOLDER="$<TARGET_FILE_DIR:axiscomp>")
+    # Command lines and what programs say are written as plain literals.
+    target_compile_options(${target} PRIVATE -UQT_NO_CAST_FROM_ASCII)
+    add_dependencies(${target} axiscomp axiscomp-virtualdrive)
+  endif()
+endfunction()
+
+# Tests of one folder, for the program test_NAME: each is NAME.cpp, a test of ctest, and labelled with
+# its part. THREADED: those where ThreadSanitizer has something to look at, and sees all of it (Qt itself
+# is not instrumented: it does not see the locks of Qt's event queue).
 add_custom_target(threaded-tests)
-function(axiscomp_add_test name)
-  cmake_parse_arguments(arg "PLAIN;THREADED" "MODULE" "SOURCES;DEPS" ${ARGN})
-  add_executable(${name} ${name}.cpp ${arg_SOURCES})
-  set_target_properties(${name} PROPERTIES AUTOMOC ON)
-  target_link_libraries(${name} PRIVATE axiscomp_options Qt6::Test axiscomp_test_support ${arg_DEPS})
-  if(AXISCOMP_PCH AND NOT arg_PLAIN)
-    set(headers axiscomp_test_headers)
-    if(arg_MODULE STREQUAL ui)
-      set(headers axiscomp_window_test_headers)
+function(axiscomp_add_tests part)
+  cmake_parse_arguments(arg "" "" "TESTS;THREADED" ${ARGN})
+  foreach(test ${arg_TESTS})
+    target_sources(test_${part} PRIVATE ${test}.cpp)
+    add_test(NAME ${test} COMMAND test_${part} ${test})
+    set(labels ${part})
+    if(test IN_LIST arg_THREADED)
+      list(APPEND labels threads)
+      add_dependencies(threaded-tests test_${part})
     endif()
-    target_precompile_headers(${name} REUSE_FROM ${headers})
-    target_compile_options(${name} PRIVATE ${AXISCOMP_SAME_FOLDER})
-    # A test's moc file is part of the test itself; this one is empty.
-    set_source_files_properties(${CMAKE_CURRENT_BINARY_DIR}/${name}_autogen/mocs_compilation.cpp
-      PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
-  endif()
-  add_test(NAME ${name} COMMAND ${name})
-  set(labels ${arg_MODULE})
-  if(arg_THREADED)
-    list(APPEND labels threads)
-    add_dependencies(threaded-tests ${name})
-  endif()
-  set_tests_properties(${name} PROPERTIES
-    LABELS "${labels}" TIMEOUT 900
-    ENVIRONMENT "QT_QPA_PLATFORM=offscreen;LC_ALL=C.UTF-8")
+    set_tests_properties(${test} PROPERTIES
+      LABELS "${labels}" TIMEOUT 900
+      ENVIRONMENT "QT_QPA_PLATFORM=offscreen;LC_ALL=C.UTF-8")
+  endforeach()
 endfunction()

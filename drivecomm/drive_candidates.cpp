@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "drivecomm/drive_candidates.h"
 
-#include "drivecomm/drive_endpoint.h"
+#include "drivecomm/link/drive_endpoint.h"
 
 #include <QSerialPortInfo>
 

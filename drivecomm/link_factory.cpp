@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "drivecomm/link_factory.h"
 
-#include "drivecomm/serial_drive_link.h"
-#include "drivecomm/virtualdrive/virtual_drive.h"
-#include "drivecomm/web_drive_link.h"
+#include "drivecomm/serial/serial_drive_link.h"
+#include "drivecomm/virtualdrive/firmware/virtual_drive.h"
+#include "drivecomm/web/web_drive_link.h"
 
 namespace axiscomp::drivecomm {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/drive_finder.h"
-#include "core/drive_profile.h"
-#include "drivecomm/certificate_check.h"
-#include "drivecomm/drive_endpoint.h"
+#include "core/drive/drive_profile.h"
+#include "core/drive/drive_search.h"
+#include "drivecomm/link/certificate_check.h"
+#include "drivecomm/link/drive_endpoint.h"
 
 #include <memory>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/file_picker.h"
-#include "ui/wizard_controller.h"
+#include "ui/controller/wizard_controller.h"
+#include "ui/dialogs/file_picker.h"
 
 #include <QWidget>
 

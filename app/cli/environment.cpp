@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/environment.h"
 
-#include "app/cli/json_output.h"
+#include "app/cli/output/json_output.h"
 
 namespace axiscomp::app {
 

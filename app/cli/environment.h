@@ -4,7 +4,7 @@
 #include "app/common/console.h"
 #include "app/common/exit_codes.h"
 #include "app/common/interrupt.h"
-#include "core/diagnostic.h"
+#include "core/text/diagnostic.h"
 
 #include <nlohmann/json.hpp>
 

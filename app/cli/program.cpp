@@ -2,7 +2,7 @@
 #include "app/cli/program.h"
 
 #include "app/cli/command_line.h"
-#include "app/cli/json_output.h"
+#include "app/cli/output/json_output.h"
 #include "app/common/arguments.h"
 #include "app/common/guarded_program.h"
 

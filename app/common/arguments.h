@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/common/console.h"
-#include "core/result.h"
+#include "core/base/result.h"
 
 #include <CLI/CLI.hpp>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/virtualdrive/drive_options.h"
 
-#include "core/bytes.h"
+#include "core/base/bytes.h"
 #include "drivecomm/virtualdrive/tam_configuration.h"
 
 #include <algorithm>

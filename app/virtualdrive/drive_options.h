@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/result.h"
-#include "drivecomm/virtualdrive/virtual_drive.h"
+#include "core/base/result.h"
+#include "drivecomm/virtualdrive/firmware/virtual_drive.h"
 
 #include <cstdint>
 #include <string>

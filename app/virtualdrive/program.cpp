@@ -5,11 +5,11 @@
 #include "app/common/guarded_program.h"
 #include "app/common/interrupt.h"
 #include "app/virtualdrive/drive_options.h"
-#include "core/local_file.h"
-#include "drivecomm/profile_loader.h"
+#include "core/io/local_file.h"
+#include "drivecomm/profile/profile_loader.h"
 #include "drivecomm/virtualdrive/faults.h"
-#include "drivecomm/virtualdrive/serial_front.h"
-#include "drivecomm/virtualdrive/web_front.h"
+#include "drivecomm/virtualdrive/serial/serial_server.h"
+#include "drivecomm/virtualdrive/web/web_server.h"
 
 #include <algorithm>
 #include <memory>

@@ -6,11 +6,11 @@
 #include "app/common/interrupt.h"
 #include "app/wizard/first_paint.h"
 #include "app/wizard/wizard_window.h"
-#include "core/drive_store.h"
+#include "core/store/drive_store.h"
 #include "drivecomm/drive_candidates.h"
 #include "drivecomm/link_factory.h"
-#include "drivecomm/profile_loader.h"
-#include "ui/wizard_resources.h"
+#include "drivecomm/profile/profile_loader.h"
+#include "ui/text/wizard_resources.h"
 
 #include <QApplication>
 #include <QSettings>

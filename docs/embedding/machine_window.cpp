@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "machine_window.h"
 
-#include "core/drive_store.h"
+#include "core/store/drive_store.h"
 #include "drivecomm/link_factory.h"
-#include "drivecomm/profile_loader.h"
+#include "drivecomm/profile/profile_loader.h"
 #include "ui/compensation_wizard.h"
-#include "ui/wizard_resources.h"
+#include "ui/text/wizard_resources.h"
 
 #include <QCloseEvent>
 #include <QLabel>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "drivecomm/virtualdrive/faults.h"
 
-#include "drivecomm/error_json.h"
+#include "drivecomm/codec/error_json.h"
 
 #include <algorithm>
 #include <array>

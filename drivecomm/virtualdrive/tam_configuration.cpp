@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "drivecomm/virtualdrive/tam_configuration.h"
 
-#include "core/local_file.h"
-#include "drivecomm/profile_loader.h"
-#include "drivecomm/virtualdrive/drive_registers.h"
+#include "core/io/local_file.h"
+#include "drivecomm/profile/profile_loader.h"
+#include "drivecomm/virtualdrive/firmware/drive_registers.h"
 
 #include <QXmlStreamReader>
 

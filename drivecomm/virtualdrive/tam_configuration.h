@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/register_value.h"
-#include "core/result.h"
-#include "drivecomm/virtualdrive/virtual_drive.h"
+#include "core/base/result.h"
+#include "core/drive/register_value.h"
+#include "drivecomm/virtualdrive/firmware/virtual_drive.h"
 
 #include <filesystem>
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "program_run.h"
+#include "tests/app/program_run.h"
 
 #include <QFile>
 #include <QRegularExpression>

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli/write_text.h"
+#include "app/cli/output/write_text.h"
 #include "app/common/console.h"
 #include "app/common/number_text.h"
 #include "app/common/text_table.h"
 #include "app/virtualdrive/drive_options.h"
+#include "tests/support/test_registry.h"
 #include "tests/support/verify.h"
+
+namespace tst_apptexts {
 
 using namespace axiscomp;
 using namespace axiscomp::app;
@@ -177,5 +180,8 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(tst_AppTexts)
+AXISCOMP_TEST(tst_AppTexts)
+
+} // namespace tst_apptexts
+
 #include "tst_apptexts.moc"

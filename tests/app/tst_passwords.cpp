@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "program_run.h"
+#include "tests/app/program_run.h"
 
+#include "tests/support/test_registry.h"
 #include "tests/support/verify.h"
 
 #include <QDirIterator>
@@ -8,6 +9,8 @@
 #include <QRegularExpression>
 #include <QTest>
 #include <QUrl>
+
+namespace tst_passwords {
 
 using namespace axiscomp;
 using test::ProgramRun;
@@ -215,5 +218,8 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(tst_Passwords)
+AXISCOMP_TEST(tst_Passwords)
+
+} // namespace tst_passwords
+
 #include "tst_passwords.moc"

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "program_run.h"
+#include "tests/app/program_run.h"
 
+#include "tests/support/test_registry.h"
 #include "tests/support/verify.h"
 
 #include <QJsonArray>
 #include <QTest>
 #include <QUrl>
+
+namespace tst_wholestory {
 
 using namespace axiscomp;
 using test::ProgramRun;
@@ -87,7 +90,7 @@ private:
                 {"--silent", "--fail", "-o", "t.TAMtbl", url + "/files/tables/small1.TAMtbl"}),
             0);
         const ProgramRun decoded = box.runProgram(
-            "python3", {AXISCOMP_SOURCE_FOLDER "/tests/decode_tamtbl.py", "t.TAMtbl"});
+            "python3", {AXISCOMP_SOURCE_FOLDER "/tests/tools/decode_tamtbl.py", "t.TAMtbl"});
         VERIFY_CODE(decoded, 0);
         const QJsonObject file = decoded.json();
         const QJsonObject table = status.value("table").toObject();
@@ -132,5 +135,8 @@ private:
     }
 };
 
-QTEST_GUILESS_MAIN(tst_WholeStory)
+AXISCOMP_TEST(tst_WholeStory)
+
+} // namespace tst_wholestory
+
 #include "tst_wholestory.moc"

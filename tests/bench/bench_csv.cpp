@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Reads the largest calibration file that a drive can take. bench_csv --sample FILE writes that
 // file for tests/bench/pandas_csv.py; AXISCOMP_BENCH_CSV names an existing one to be read instead.
-#include "core/calibration_csv.h"
-#include "core/local_file.h"
+#include "core/csv/calibration_csv.h"
+#include "core/io/local_file.h"
 
 #include <benchmark/benchmark.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Reading and writing files of other controllers of about 2 MB, and comparing a conversion.
-#include "core/formats/conversion.h"
-#include "core/formats/families.h"
+#include "core/conversion/conversion.h"
+#include "core/formats/formats.h"
 
 #include <benchmark/benchmark.h>
 

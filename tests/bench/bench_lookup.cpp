@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Independent lookups at random positions that were made beforehand; the time is that of one.
-#include "core/interpolation.h"
+#include "core/table/lookup.h"
 
 #include <benchmark/benchmark.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The window's picture and values of the largest tables, drawn offscreen at the size that they have
 // on the page. The time of copying as many pixels as the picture has is the measure for a machine.
-#include "ui/plot_canvas.h"
-#include "ui/values_model.h"
+#include "ui/data/values_model.h"
+#include "ui/plot/plot_canvas.h"
 
 #include <benchmark/benchmark.h>
 

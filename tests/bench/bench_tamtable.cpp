@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Writes and reads the largest table that a drive can hold, 80 x 80 x 81 values, 2 MB.
-#include "core/tam_table.h"
+#include "core/table/tam_table.h"
 
 #include <benchmark/benchmark.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/drivecomm/link_contract.h"
 
-#include "core/tam_table.h"
-#include "drivecomm/profile_loader.h"
+#include "core/table/tam_table.h"
+#include "drivecomm/profile/profile_loader.h"
 #include "tests/support/verify.h"
 
 #include <algorithm>

@@ -14,7 +14,7 @@ namespace axiscomp::test {
 
 /// What every DriveLink must do, whatever is between it and the drive. Each row runs over each
 /// attachment.
-class LinkContract final : public QObject {
+class LinkContract : public QObject {
     Q_OBJECT
 
 public:

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "drivecomm/drive_candidates.h"
+#include "tests/support/test_registry.h"
 #include "tests/support/verify.h"
 
 #include <QTemporaryDir>
 
 #include <filesystem>
+
+namespace tst_drivecandidates {
 
 using namespace axiscomp;
 using namespace axiscomp::drivecomm;
@@ -102,5 +105,8 @@ void TestDriveCandidates::portsOfThisMachineHaveAbsolutePaths()
     }
 }
 
-QTEST_GUILESS_MAIN(TestDriveCandidates)
+AXISCOMP_TEST(TestDriveCandidates)
+
+} // namespace tst_drivecandidates
+
 #include "tst_drivecandidates.moc"

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/drivecomm/link_contract.h"
+#include "tests/support/test_registry.h"
 #include "tests/support/wire_attachments.h"
 
-#include <QCoreApplication>
-#include <QTest>
+namespace tst_linkcontract {
 
-using namespace axiscomp;
+using namespace axiscomp::test;
 
-int main(int argc, char** argv)
-{
-    const QCoreApplication application(argc, argv);
-    test::LinkContract contract({test::inProcess(), test::web(), test::serial()});
-    return QTest::qExec(&contract, argc, argv);
-}
+class TestLinkContract final : public LinkContract {
+public:
+    TestLinkContract() : LinkContract({inProcess(), web(), serial()}) { }
+};
+
+AXISCOMP_TEST(TestLinkContract)
+
+} // namespace tst_linkcontract

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "drivecomm/directory_listing.h"
-#include "tests/drivecomm/web_link_bench.h"
+#include "drivecomm/web/directory_listing.h"
+#include "tests/drivecomm/web/web_link_fixture.h"
+#include "tests/support/test_registry.h"
 
 #include <QTest>
+
+namespace tst_linklimits {
 
 using namespace axiscomp;
 using namespace axiscomp::drivecomm;
@@ -131,5 +134,8 @@ void LinkLimitsTest::cutsALongReason()
     QVERIFY(!QString::fromStdString(reason).contains(QChar::ReplacementCharacter));
 }
 
-QTEST_GUILESS_MAIN(LinkLimitsTest)
+AXISCOMP_TEST(LinkLimitsTest)
+
+} // namespace tst_linklimits
+
 #include "tst_linklimits.moc"

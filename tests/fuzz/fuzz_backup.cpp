@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/axis_backup.h"
+#include "core/store/backup.h"
 #include "tests/fuzz/expect.h"
 
 /// Whatever is taken as a backup is written and read again without a change.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/calibration_csv.h"
-#include "core/utf8.h"
+#include "core/csv/calibration_csv.h"
+#include "core/text/utf8.h"
 #include "tests/fuzz/expect.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "drivecomm/directory_listing.h"
-#include "drivecomm/html_table.h"
+#include "drivecomm/web/directory_listing.h"
+#include "drivecomm/web/html_table.h"
 #include "tests/fuzz/expect.h"
 
 #include <cstdint>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/tam_table.h"
-#include "drivecomm/generic_profile.h"
-#include "drivecomm/profile_loader.h"
+#include "core/table/tam_table.h"
+#include "drivecomm/profile/generic_profile.h"
+#include "drivecomm/profile/profile_loader.h"
 #include "tests/fuzz/expect.h"
 
 #include <cstdint>

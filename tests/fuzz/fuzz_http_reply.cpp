@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "drivecomm/http_reply_parser.h"
+#include "drivecomm/http/http_reply_parser.h"
 #include "tests/fuzz/expect.h"
 
 #include <cstdint>

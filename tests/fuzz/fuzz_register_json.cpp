@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "drivecomm/error_json.h"
-#include "drivecomm/register_json.h"
+#include "drivecomm/codec/error_json.h"
+#include "drivecomm/codec/register_json.h"
 #include "tests/fuzz/expect.h"
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "drivecomm/serial_codec.h"
+#include "drivecomm/serial/serial_codec.h"
 #include "tests/fuzz/expect.h"
 
 using namespace axiscomp;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/formats/families.h"
-#include "core/table_layout.h"
+#include "core/formats/formats.h"
+#include "core/table/table_layout.h"
 #include "tests/fuzz/expect.h"
 
 #include <array>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/bytes.h"
-#include "drivecomm/profile_loader.h"
+#include "core/base/bytes.h"
+#include "drivecomm/profile/profile_loader.h"
 #include "drivecomm/virtualdrive/tam_configuration.h"
 #include "tests/fuzz/expect.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/field_codec.h"
-#include "core/interpolation.h"
-#include "core/tam_table.h"
+#include "core/table/field_codec.h"
+#include "core/table/lookup.h"
+#include "core/table/tam_table.h"
 #include "tests/fuzz/expect.h"
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "drivecomm/ymodem.h"
+#include "drivecomm/serial/ymodem.h"
 #include "tests/fuzz/expect.h"
 
 #include <cstdint>

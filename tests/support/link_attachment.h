@@ -2,7 +2,7 @@
 #pragma once
 
 #include "drivecomm/virtualdrive/faults.h"
-#include "drivecomm/virtualdrive/virtual_drive.h"
+#include "drivecomm/virtualdrive/firmware/virtual_drive.h"
 
 #include <functional>
 #include <memory>

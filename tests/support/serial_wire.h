@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "drivecomm/virtualdrive/pseudo_terminal.h"
+#include "drivecomm/virtualdrive/serial/pseudo_terminal.h"
 
 #include <fcntl.h>
 #include <poll.h>

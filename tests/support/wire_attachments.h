@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "drivecomm/profile_loader.h"
-#include "drivecomm/serial_drive_link.h"
-#include "drivecomm/virtualdrive/serial_front.h"
-#include "drivecomm/virtualdrive/socket.h"
-#include "drivecomm/virtualdrive/web_front.h"
-#include "drivecomm/web_drive_link.h"
+#include "drivecomm/profile/profile_loader.h"
+#include "drivecomm/serial/serial_drive_link.h"
+#include "drivecomm/virtualdrive/serial/serial_server.h"
+#include "drivecomm/virtualdrive/web/socket.h"
+#include "drivecomm/virtualdrive/web/web_server.h"
+#include "drivecomm/web/web_drive_link.h"
 #include "tests/support/link_attachment.h"
 
 #include <QTemporaryDir>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/axis_compensator.h"
-#include "core/interpolation.h"
-#include "drivecomm/drive_endpoint.h"
+#include "core/compensator/axis_compensator.h"
+#include "core/table/lookup.h"
+#include "drivecomm/link/drive_endpoint.h"
 #include "drivecomm/link_factory.h"
-#include "drivecomm/profile_loader.h"
+#include "drivecomm/profile/profile_loader.h"
 
 #include <iostream>
 

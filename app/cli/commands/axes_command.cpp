@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/command_line.h"
+#include "app/cli/output/json_output.h"
+#include "app/cli/output/status_text.h"
+#include "app/cli/session/command_session.h"
+#include "app/cli/session/drive_search.h"
+#include "app/cli/session/remembered_drives.h"
+#include "app/common/arguments.h"
+#include "app/common/text_table.h"
+
+#include <thread>
+
+namespace axiscomp::app {
+
+namespace {
+
+struct DriveAnswer {
+    std::string endpoint; ///< without a password
+    DriveIdentity drive;
+    Result<std::vector<AxisInfo>> axes;
+};
+
+DriveAnswer ask(Environment& environment, const DriveOptions& options, const std::string& endpoint)
+{
+    DriveAnswer answer{shownEndpoint(endpoint), {}, {}};
+    auto session = DriveSession::open(environment, options, endpoint);
+    if (!session) {
+        answer.axes = fail(session.error());
+        return answer;
+    }
+    const auto drive = (*session)->compensator().identify((*session)->operation());
+    if (!drive) {
+        answer.axes = fail(drive.error());
+        return answer;
+    }
+    answer.drive = *drive;
+    answer.axes = (*session)->compensator().axes((*session)->operation());
+    return answer;
+}
+
+/// All drives at once: one that does not answer must not make the others wait. Each session lives
+/// on a thread of its own.
+std::vector<DriveAnswer> askAll(Environment& environment, const DriveOptions& options)
+{
+    std::vector<DriveAnswer> answers(options.endpoints.size());
+    std::vector<std::jthread> threads;
+    for (std::size_t i = 0; i < answers.size(); ++i)
+        threads.emplace_back([&environment, &options, &answers, i] {
+            answers[i] = ask(environment, options, options.endpoints[i]);
+        });
+    for (std::jthread& thread : threads)
+        thread.join();
+    return answers;
+}
+
+std::string axesText(const std::vector<DriveAnswer>& answers)
+{
+    TextTable table(
+        {"drive", ">serial number", ">axis", "name", "unit", "homing", "compensation", "address"});
+    for (const DriveAnswer& answer : answers) {
+        if (!answer.axes)
+            continue;
+        for (const AxisInfo& axis : *answer.axes)
+            table.add({answer.drive.name, std::to_string(answer.drive.serialNumber),
+                std::to_string(axis.index), axis.name, axis.unit, axis.homing,
+                axis.state.empty() ? "not available" : axis.state, answer.endpoint});
+    }
+    return table.text("");
+}
+
+Json axesJson(const std::vector<DriveAnswer>& answers)
+{
+    Json drives = Json::array();
+    for (const DriveAnswer& answer : answers) {
+        Json json = {{"endpoint", answer.endpoint}};
+        if (answer.axes) {
+            json["drive"] = answer.drive.name;
+            json["serialNumber"] = answer.drive.serialNumber;
+            json["axes"] = Json::array();
+            for (const AxisInfo& axis : *answer.axes)
+                json["axes"].push_back(toJson(axis));
+        } else {
+            json["error"] = toJson(answer.axes.error(), Json::array());
+        }
+        drives.push_back(std::move(json));
+    }
+    return {{"drives", std::move(drives)}};
+}
+
+struct AxesOptions {
+    DriveOptions drives;
+    bool find = false;
+    bool anyBaudRate = false;
+};
+
+/// Asks the drives that the options name for their axes and prints them; silent: where a search
+/// found none.
+Result<ExitCode> listAxes(Environment& environment, const DriveOptions& options,
+    const std::vector<DriveAnswer>& silent = {})
+{
+    const std::vector<DriveAnswer> answers = askAll(environment, options);
+    environment.console().clearProgress();
+    if (answers.size() == 1 && !answers.front().axes)
+        return fail(answers.front().axes.error());
+
+    environment.print(axesText(answers));
+    Json json = axesJson(answers);
+    Json places = axesJson(silent);
+    for (Json& place : places["drives"])
+        json["drives"].push_back(std::move(place));
+    environment.document(json);
+    ExitCode code = ExitCode::Done;
+    for (const DriveAnswer& answer : answers) {
+        if (answer.axes)
+            continue;
+        const Error& error = answer.axes.error();
+        environment.console().note(
+            "error: " + std::string(errorName(error.code)) + ": " + sentence(error));
+        code = code == ExitCode::Done ? exitCode(error.code) : code;
+    }
+    return environment.interrupt().stopped() ? ExitCode::Stopped : code;
+}
+
+/// Those given, or else those of the window.
+std::vector<std::string> namedDrives(const AxesOptions& options)
+{
+    return options.drives.endpoints.empty() ? rememberedDrives() : options.drives.endpoints;
+}
+
+Result<ExitCode> runAxes(Environment& environment, const AxesOptions& options)
+{
+    DriveOptions drives = options.drives;
+    drives.endpoints = namedDrives(options);
+    const QtRuntime runtime;
+    if (options.find) {
+        const auto sightings = lookForDrives(environment, drives,
+            options.anyBaudRate ? drivecomm::BaudRates::Usual : drivecomm::BaudRates::AsGiven);
+        if (!sightings)
+            return fail(sightings.error());
+        drives.endpoints.clear();
+        std::vector<DriveAnswer> silent;
+        for (const DriveSighting& sighting : *sightings) {
+            if (sighting.drive)
+                drives.endpoints.push_back(sighting.endpoint);
+            else
+                silent.push_back(
+                    {shownEndpoint(sighting.endpoint), {}, fail(sighting.drive.error())});
+        }
+        return listAxes(environment, drives, silent);
+    }
+    if (drives.endpoints.empty())
+        return wrongUsage("the drive is missing: give --drive http://host, set AXISCOMP_DRIVE, or "
+                          "look for drives with --find",
+            options.drives.command);
+    return listAxes(environment, drives);
+}
+
+} // namespace
+
+void addAxesCommand(CommandLine& line)
+{
+    auto options = std::make_shared<AxesOptions>();
+    options->drives.command = commandName("axes");
+    CLI::App* command = line.add("axes", driveCommands, "List the axes of one or several drives",
+        [options](Environment& environment) { return runAxes(environment, *options); });
+    addDriveOptions(*command, options->drives, DriveCount::Several);
+    CLI::Option* find = command->add_flag("--find", options->find,
+        "Look for drives at the serial ports of this computer too; without --drive also at the "
+        "connections of the window");
+    command
+        ->add_flag("--any-baud", options->anyBaudRate,
+            "Try the usual baud rates at every serial port, not only the given one")
+        ->needs(find);
+}
+
+} // namespace axiscomp::app

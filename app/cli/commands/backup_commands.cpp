@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/command_line.h"
+#include "app/cli/output/json_output.h"
+#include "app/cli/output/output_file.h"
+#include "app/cli/output/status_text.h"
+#include "app/cli/output/write_text.h"
+#include "app/cli/session/write_run.h"
+#include "app/common/number_text.h"
+
+namespace axiscomp::app {
+
+namespace {
+
+/// All slots of a drive as base64, and some.
+
+struct BackupOptions {
+    DriveOptions drive;
+    std::string file;
+    bool force = false;
+};
+
+std::size_t fileCount(const DriveBackup& backup)
+{
+    std::size_t count = 0;
+    for (const AxisBackup& axis : backup.axes)
+        count += axis.files.size();
+    return count;
+}
+
+Result<ExitCode> runBackup(Environment& environment, const BackupOptions& options)
+{
+    const Output output{options.file, options.drive.command};
+    if (auto possible = checkOutput(environment, output, true); !possible)
+        return fail(possible.error());
+    return withDrive(
+        environment, options.drive, [&](Environment&, DriveSession& session) -> Result<ExitCode> {
+            const auto backup = session.compensator().backup(session.operation());
+            if (!backup)
+                return fail(backup.error());
+            const std::string text = writeBackup(*backup);
+            if (auto written = writeOutput(environment, output, asBytes(text)); !written)
+                return fail(written.error());
+            environment.document({{"output", options.file}, {"axes", backup->axes.size()},
+                {"tables", fileCount(*backup)}, {"bytes", text.size()}});
+            if (!output.isStandardOutput())
+                environment.print("Wrote " + options.file + ": "
+                    + plural(backup->axes.size(), "axis", "axes") + ", "
+                    + plural(fileCount(*backup), "table", "tables") + ".\n");
+            return ExitCode::Done;
+        });
+}
+
+Result<ExitCode> runRestore(Environment& environment, const BackupOptions& options)
+{
+    const auto bytes = loadFile(options.file, maximumBackupSize);
+    if (!bytes)
+        return fail(bytes.error());
+    const auto backup = readBackup(asText(*bytes), options.file);
+    if (!backup)
+        return fail(backup.error());
+    return withDrive(
+        environment, options.drive, [&](Environment&, DriveSession& session) -> Result<ExitCode> {
+            const WriteInterruption interruption(environment);
+            const auto reports =
+                session.compensator().restore(*backup, options.force, session.operation());
+            environment.console().clearProgress();
+            if (!reports)
+                return fail(reports.error());
+            Json list = Json::array();
+            for (const WriteReport& report : *reports) {
+                environment.print("Restored " + axisWords(report.now.axis) + ": table "
+                    + (report.now.setup.slot.empty() ? "none" : report.now.setup.slot) + ".\n");
+                list.push_back({{"plan", toJson(report.plan)}, {"report", toJson(report)}});
+            }
+            if (reports->empty())
+                environment.print("The drive already has all of this; nothing was written.\n");
+            environment.document({{"input", options.file}, {"writes", std::move(list)}});
+            return ExitCode::Done;
+        });
+}
+
+} // namespace
+
+void addBackupCommands(CommandLine& line)
+{
+    auto saving = std::make_shared<BackupOptions>();
+    saving->drive.command = commandName("backup");
+    CLI::App* backup = line.add("backup", driveCommands,
+        "Keep everything that this program can change on a drive in one file",
+        [saving](Environment& environment) { return runBackup(environment, *saving); });
+    addDriveOptions(*backup, saving->drive);
+    backup
+        ->add_option(
+            "-o,--output", saving->file, "File to write; standard output without it, or with -")
+        ->option_text("FILE");
+
+    auto restoring = std::make_shared<BackupOptions>();
+    restoring->drive.command = commandName("restore");
+    CLI::App* restore = line.add("restore", driveCommands,
+        "Bring a drive back to what a backup file holds, by normal verified writes",
+        [restoring](Environment& environment) { return runRestore(environment, *restoring); });
+    restore->add_option("FILE", restoring->file, "File that `axiscomp backup` wrote")->required();
+    addDriveOptions(*restore, restoring->drive);
+    restore->add_flag("--force", restoring->force,
+        "Restore to a drive with another serial number, such as a replacement");
+}
+
+} // namespace axiscomp::app

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/command_line.h"
+#include "app/cli/input/conversion_options.h"
+#include "app/cli/input/table_input.h"
+#include "app/cli/output/json_output.h"
+#include "app/cli/output/output_file.h"
+#include "app/common/arguments.h"
+#include "app/common/number_text.h"
+#include "core/formats/formats.h"
+#include "core/formats/triamec/triamec_tables.h"
+#include "core/table/tam_table.h"
+
+#include <filesystem>
+
+namespace axiscomp::app {
+
+namespace {
+
+struct ConvertOptions {
+    TableInputOptions input;
+    std::string output;
+    std::string to;
+    std::string name;
+    bool persistent = false;
+    bool isVolatile = false;
+    ConversionOptions conversion;
+};
+
+/// What goes into the output file: all tables where it can hold several and none was named.
+Result<CalibrationData> chosenTables(
+    CalibrationData data, const ConvertOptions& options, const FamilyFacts& to)
+{
+    const bool wantsAll =
+        to.mostColumns != 1 && options.input.table.empty() && options.name.empty();
+    if (!wantsAll) {
+        const auto index = chooseTable(data, options.input);
+        if (!index)
+            return fail(index.error());
+        CompensationTable chosen = std::move(data.tables[*index]);
+        data.tables.clear();
+        data.tables.push_back(std::move(chosen));
+    }
+    if (!options.name.empty())
+        data.tables.front().name = options.name;
+    return data;
+}
+
+Result<Bytes> encodeTable(Environment& environment, const ConvertOptions& options,
+    const CompensationTable& table, bool persistent)
+{
+    auto profile = profileOf(options.input.profile);
+    if (!profile)
+        return fail(profile.error());
+    const auto& place = profile->layout.place(TableField::Name);
+    if (!options.name.empty() && !place)
+        environment.warn("the table layout of profile " + profile->name
+            + " has no room for a name: it is left out");
+    else if (place && table.name.size() > place->byteCount())
+        environment.warn("the name of the table is cut to " + std::to_string(place->byteCount())
+            + " bytes: " + table.name);
+    return encodeTamTable(table, persistent, profile->layout);
+}
+
+Result<Bytes> encodeAs(Environment& environment, const ConvertOptions& options,
+    const TableFamily& format, const CalibrationData& data, bool persistent)
+{
+    if (&format == &tamTableFamily())
+        return encodeTable(environment, options, data.tables.front(), persistent);
+    const std::string text = writeCalibrationCsv(data);
+    const ByteView view = asBytes(text);
+    return Bytes(view.begin(), view.end());
+}
+
+/// A file of the product's own formats into the other one: the same numbers.
+Result<ExitCode> convertOwn(Environment& environment, const ConvertOptions& options,
+    const TableFamily& to, TableInput input)
+{
+    const Output output{options.output, options.input.command};
+    auto data = chosenTables(std::move(*input.data), options, to.facts);
+    if (!data)
+        return fail(data.error());
+    const bool persistent = options.persistent || (input.persistent && !options.isVolatile);
+    auto bytes = encodeAs(environment, options, to, *data, persistent);
+    if (!bytes)
+        return fail(bytes.error());
+    if (auto written = writeOutput(environment, output, *bytes); !written)
+        return fail(written.error());
+
+    Json tables = Json::array();
+    for (const CompensationTable& table : data->tables)
+        tables.push_back(toJson(table));
+    environment.document({{"input", options.input.file}, {"output", options.output},
+        {"from", input.family->facts.name}, {"to", to.facts.name},
+        {"dimensions", data->grid.dimensions()}, {"axes", toJson(data->grid)},
+        {"tables", std::move(tables)}, {"persistent", persistent && to.facts.holdsPersistency},
+        {"bytes", bytes->size()}});
+    if (!output.isStandardOutput())
+        environment.print("Wrote " + options.output + ": " + std::string(to.facts.name) + ", "
+            + plural(data->tables.size(), "table", "tables") + ", "
+            + plural(data->grid.pointCount(), "point", "points") + ", "
+            + plural(bytes->size(), "byte", "bytes") + ".\n");
+    return ExitCode::Done;
+}
+
+/// What goes into the file of another controller: everything, unless it can hold less or one was
+/// named.
+Result<std::vector<NeutralTable>> chosenColumns(
+    const TableInput& input, const ConvertOptions& options, const FamilyFacts& to)
+{
+    std::vector<NeutralTable> whole = input.tables;
+    if (input.data)
+        whole.push_back(neutralTable(*input.data, input.knots));
+    const std::vector<NeutralTable> columns = separateColumns(whole);
+    const bool holdsAll = (to.mostColumns != 1 || columns.size() == whole.size())
+        && (to.mostTables != 1 || whole.size() == 1);
+    if (!holdsAll || !options.input.table.empty()) {
+        const auto index = chooseColumn(columns, options.input);
+        if (!index)
+            return fail(index.error());
+        whole = {columns[*index]};
+    }
+    if (!options.name.empty()) {
+        whole.front().name = options.name;
+        whole.front().columns.front().name = options.name;
+    }
+    return whole;
+}
+
+Json conversionJson(const TableConversion& table)
+{
+    Json columns = Json::array();
+    for (const ColumnDifference& difference : table.difference.columns)
+        columns.push_back({{"largestDifference", difference.largest}, {"where", difference.where},
+            {"largestInside", difference.largestInside}});
+    return {{"points", table.result.pointCount()}, {"columns", std::move(columns)},
+        {"valueRounding", table.valueRounding}, {"positionRounding", table.positionRounding},
+        {"example", table.example}};
+}
+
+/// Between the formats of two controllers, or with a change of the numbers.
+Result<ExitCode> convertOther(Environment& environment, const ConvertOptions& options,
+    const TableFamily& to, const TableInput& input)
+{
+    const Output output{options.output, options.input.command};
+    const auto tables = chosenColumns(input, options, to.facts);
+    if (!tables)
+        return fail(tables.error());
+    auto request =
+        conversionRequest(options.conversion, *input.family, to, tables->front().axes.size());
+    if (!request)
+        return fail(request.error());
+    auto profile = profileOf(options.input.profile);
+    if (!profile)
+        return fail(profile.error());
+    request->writing.layout = &profile->layout;
+    request->writing.fileName = std::filesystem::path(options.output).filename().string();
+    if (to.facts.holdsPersistency
+        && (options.persistent || (input.persistent && !options.isVolatile)))
+        request->writing.settings["persistent"] = "yes";
+    const auto conversion = convertTables(*tables, *request);
+    if (!conversion)
+        return fail(conversion.error());
+    const ByteView bytes = asBytes(conversion->written.bytes);
+    if (auto written = writeOutput(environment, output, bytes); !written)
+        return fail(written.error());
+
+    const std::vector<std::string> report = conversionReport(*conversion, *request);
+    Json results = Json::array();
+    for (const TableConversion& table : conversion->tables)
+        results.push_back(conversionJson(table));
+    environment.document({{"input", options.input.file}, {"output", options.output},
+        {"from", input.family->facts.name}, {"to", to.facts.name}, {"tables", std::move(results)},
+        {"report", report}, {"bytes", bytes.size()}});
+    if (output.isStandardOutput())
+        return ExitCode::Done;
+    environment.print("Wrote " + options.output + ": " + std::string(to.facts.name) + ", "
+        + plural(conversion->tables.size(), "table", "tables") + ", "
+        + plural(bytes.size(), "byte", "bytes") + ".\n");
+    for (const std::string& line : report)
+        environment.print("  " + line + "\n");
+    return ExitCode::Done;
+}
+
+Result<ExitCode> runConvert(Environment& environment, const ConvertOptions& options)
+{
+    const Output output{options.output, options.input.command};
+    const auto to = outputFamily(options.output, options.to);
+    if (!to)
+        return fail(to.error());
+    const FamilyFacts& format = (*to)->facts;
+    if (auto possible = checkOutput(environment, output, format.isText); !possible)
+        return fail(possible.error());
+    if ((options.persistent || options.isVolatile) && !format.holdsPersistency)
+        return wrongUsage(std::string(format.name) + " cannot say whether a table is persistent",
+            options.input.command);
+    TableInputOptions inputOptions = options.input;
+    inputOptions.acceptsUneven = options.conversion.resamples() || format.knots == KnotRule::Any;
+    auto input = readInput(environment, inputOptions);
+    if (!input)
+        return fail(input.error());
+    if (!input->data || !isTriamec(**to) || options.conversion.isAnything())
+        return convertOther(environment, options, **to, *input);
+    return convertOwn(environment, options, **to, *std::move(input));
+}
+
+} // namespace
+
+void addConvertCommand(CommandLine& line)
+{
+    auto options = std::make_shared<ConvertOptions>();
+    options->input.command = commandName("convert");
+    CLI::App* command = line.add("convert", fileCommands, "Turn a table file into another format",
+        [options](Environment& environment) { return runConvert(environment, *options); });
+    command->add_option("IN", options->input.file, "File to read; - for standard input")
+        ->required();
+    command
+        ->add_option(
+            "OUT", options->output, "File to write, replaced if it exists; - for standard output")
+        ->required();
+    addDimensionsOption(*command, options->input);
+    addTableOption(*command, options->input);
+    addFromOption(*command, options->input);
+    command->add_option("--to", options->to, "Format of the output, if its name does not tell")
+        ->option_text("FORMAT");
+    CLI::Option* persistent = command->add_flag(
+        "--persistent", options->persistent, "Mark the table persistent: the drive stores it");
+    command
+        ->add_flag("--volatile", options->isVolatile,
+            "Mark the table volatile (without either: as the input is)")
+        ->excludes(persistent);
+    command->add_option("--name", options->name, "Name of the table")->option_text("TEXT");
+    options->conversion.command = options->input.command;
+    addConversionOptions(*command, options->conversion);
+    addResamplingOptions(*command, options->conversion);
+    addOutputOptions(*command, options->conversion);
+    addProfileOption(*command, options->input.profile);
+    command->footer(
+        "Examples:\n"
+        "  axiscomp convert x.csv x.TAMtbl --dims 1 --table 2 --persistent\n"
+        "  axiscomp convert x.csv x.txt --dims 1 --to softmc\n"
+        "  axiscomp convert measured.csv even.csv --dims 1 --within 0.1 --method cubic");
+}
+
+} // namespace axiscomp::app

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/command_line.h"
+#include "app/cli/output/formats_text.h"
+#include "app/common/arguments.h"
+#include "app/common/text_table.h"
+#include "core/formats/table_format.h"
+
+namespace axiscomp::app {
+
+namespace {
+
+struct FormatsOptions {
+    std::string name;
+    bool markdown = false;
+};
+
+Json settingsJson(const FamilyFacts& facts)
+{
+    Json list = Json::array();
+    for (const FormatSetting& setting : facts.settings)
+        list.push_back(
+            {{"key", setting.key}, {"meaning", setting.meaning}, {"standard", setting.standard},
+                {"choices", setting.choices}, {"reading", setting.forReading},
+                {"writing", setting.forWriting}, {"needed", setting.isNeeded}});
+    return list;
+}
+
+Json familyJson(const TableFamily& family)
+{
+    const FamilyFacts& facts = family.facts;
+    Json dimensions = Json::array();
+    for (int d = facts.fewestDimensions; d <= facts.mostDimensions; ++d)
+        dimensions.push_back(d);
+    return {{"name", facts.name}, {"controller", facts.controller},
+        {"extension", facts.extensions.front()}, {"description", facts.description},
+        {"reads", family.read != nullptr}, {"writes", family.write != nullptr},
+        {"dimensions", std::move(dimensions)}, {"knots", knotRuleName(facts.knots)},
+        {"mostPoints", facts.mostPoints}, {"severalTables", holdsSeveral(facts)},
+        {"directions", facts.holdsDirections}, {"modulo", facts.holdsWrap},
+        {"names", facts.holdsNames}, {"units", facts.holdsUnits}, {"notes", facts.holdsNotes},
+        {"persistency", facts.holdsPersistency}, {"values", facts.numbers},
+        {"sign", signName(facts.sign)}, {"signEvidence", evidenceName(facts.signEvidence)},
+        {"outside", outsideWords(facts)}, {"outsideEvidence", evidenceName(facts.outsideEvidence)},
+        {"rules", facts.rules}, {"assumptions", facts.assumptions},
+        {"settings", settingsJson(facts)}};
+}
+
+std::string listText()
+{
+    TextTable table({"name", "extension", "reads", "writes", "dimensions", "sign", "what it is"});
+    for (const TableFamily* family : tableFamilies()) {
+        const FamilyFacts& facts = family->facts;
+        table.add({std::string(facts.name), std::string(facts.extensions.front()),
+            family->read ? "yes" : "-", family->write ? "yes" : "-", dimensionsText(facts),
+            std::string(signName(facts.sign)),
+            std::string(facts.controller) + ": " + std::string(facts.description)});
+    }
+    return table.text("");
+}
+
+Result<ExitCode> runFormats(Environment& environment, const FormatsOptions& options)
+{
+    if (!options.name.empty()) {
+        const auto family = familyNamed(options.name);
+        if (!family)
+            return fail(family.error());
+        environment.print(familyText(**family));
+        environment.document(familyJson(**family));
+        return ExitCode::Done;
+    }
+    Json list = Json::array();
+    for (const TableFamily* family : tableFamilies())
+        list.push_back(familyJson(*family));
+    environment.print(options.markdown ? formatsPage() : listText());
+    environment.document({{"formats", std::move(list)}});
+    return ExitCode::Done;
+}
+
+} // namespace
+
+void addFormatsCommand(CommandLine& line)
+{
+    auto options = std::make_shared<FormatsOptions>();
+    CLI::App* command = line.add("formats", fileCommands,
+        "List the table formats, or say what one of them can hold and what is known about it",
+        [options](Environment& environment) { return runFormats(environment, *options); });
+    command->add_option("NAME", options->name, "One format: its rules, limits and settings");
+    command->add_flag("--markdown", options->markdown, "All of them, as the page docs/formats.md");
+}
+
+} // namespace axiscomp::app

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/command_line.h"
+#include "app/cli/input/conversion_options.h"
+#include "app/cli/input/point_file.h"
+#include "app/cli/input/table_input.h"
+#include "app/cli/output/json_output.h"
+#include "app/common/arguments.h"
+#include "app/common/number_text.h"
+#include "app/common/standard_streams.h"
+#include "core/formats/formats.h"
+#include "core/formats/triamec/triamec_tables.h"
+#include "core/table/lookup.h"
+
+#include <cmath>
+#include <map>
+
+namespace axiscomp::app {
+
+namespace {
+
+const std::map<std::string, Outside> outsideNames{{"hold", Outside::Hold}, {"zero", Outside::Zero},
+    {"wrap", Outside::Wrap}, {"extrapolate", Outside::Extrapolate}, {"error", Outside::Error}};
+
+struct LookupOptions {
+    TableInputOptions input;
+    std::vector<std::string> position;
+    std::string points;
+    std::string outside; ///< empty: hold
+    std::string as; ///< the format whose controller applies the table; empty: that of the file
+    ConversionOptions conversion;
+};
+
+std::string rangeText(const GridAxis& axis)
+{
+    return shortText(axis.start) + " to " + shortText(axis.last());
+}
+
+/// A table of the drive, as the drive looks it up.
+TableEvaluation driveEvaluation(const CompensationTable& table, Outside outside)
+{
+    return {table.grid.axes.size(),
+        [&table, lookup = Lookup(table, outside)](
+            const std::vector<double>& position) -> Result<double> {
+            const double value = lookup.at(position);
+            if (!std::isnan(value))
+                return value;
+            std::string reason = "the position is outside of the table:";
+            for (std::size_t n = 0; n < position.size(); ++n)
+                reason += (n == 0 ? " " : ", ") + shortText(position[n]) + " of "
+                    + rangeText(table.grid.axes[n]);
+            return fail(ErrorCode::InvalidArgument, {{"reason", reason}});
+        }};
+}
+
+/// A table as the controller of another format applies it.
+TableEvaluation controllerEvaluation(const NeutralTable& table, const TableBehaviour& behaviour)
+{
+    return {table.axes.size(),
+        [applied = AppliedCompensation(table, 0, behaviour)](const std::vector<double>& position)
+            -> Result<double> { return applied.at(position); }};
+}
+
+Result<std::vector<double>> positionOf(const LookupOptions& options, std::size_t dimensions)
+{
+    std::vector<double> position;
+    for (const std::string& text : options.position) {
+        const auto number = numberFromText(text);
+        if (!number)
+            return wrongUsage(
+                "a position must be a number such as -12.5, not " + text, options.input.command);
+        position.push_back(*number);
+    }
+    if (position.size() != dimensions)
+        return wrongUsage("the table has " + plural(dimensions, "dimension", "dimensions")
+                + ", but " + plural(position.size(), "position is", "positions are") + " given",
+            options.input.command);
+    return position;
+}
+
+/// Answers the position or the file of positions; described: what the JSON document says beside.
+Result<ExitCode> answer(Environment& environment, const LookupOptions& options,
+    const TableEvaluation& evaluation, Json described)
+{
+    Json results = Json::array();
+    if (!options.points.empty()) {
+        auto answered = answerPointFile(environment, evaluation, options.points, results);
+        if (!answered)
+            return fail(answered.error());
+    } else {
+        const auto position = positionOf(options, evaluation.dimensions);
+        if (!position)
+            return fail(position.error());
+        const auto value = evaluation.at(*position);
+        if (!value)
+            return fail(value.error());
+        environment.print(floatText(*value) + "\n");
+        results.push_back({{"position", *position}, {"value", *value}});
+    }
+    described["results"] = std::move(results);
+    environment.document(described);
+    return ExitCode::Done;
+}
+
+Result<ExitCode> lookUpForDrive(
+    Environment& environment, const LookupOptions& options, const CalibrationData& data)
+{
+    const auto index = chooseTable(data, options.input);
+    if (!index)
+        return fail(index.error());
+    const CompensationTable& table = data.tables[*index];
+    const std::string outside = options.outside.empty() ? "hold" : options.outside;
+    return answer(environment, options, driveEvaluation(table, outsideNames.at(outside)),
+        {{"file", options.input.file}, {"table", toJson(table)}, {"outside", outside}});
+}
+
+/// The file's own controller, or another one, to whose format the table is converted first.
+Result<ExitCode> lookUpForController(
+    Environment& environment, const LookupOptions& options, const TableInput& input)
+{
+    const auto as =
+        options.as.empty() ? Result<const TableFamily*>(input.family) : familyNamed(options.as);
+    if (!as)
+        return fail(as.error());
+    const std::vector<NeutralTable> columns = neutralColumns(input);
+    const auto index = chooseColumn(columns, options.input);
+    if (!index)
+        return fail(index.error());
+    NeutralTable table = columns[*index];
+    if (*as != input.family || options.conversion.isAnything()) {
+        const auto request =
+            conversionRequest(options.conversion, *input.family, **as, table.axes.size());
+        if (!request)
+            return fail(request.error());
+        const NeutralTable tables[] = {table};
+        auto conversion = convertTables(tables, *request);
+        if (!conversion)
+            return fail(conversion.error());
+        table = std::move(conversion->written.held.front());
+    }
+    if (table.columns.size() > 1)
+        return wrongUsage("the table has a value for each direction of motion: choose one with "
+                          "--direction positive or negative, or mean",
+            options.input.command);
+    return answer(environment, options, controllerEvaluation(table, (*as)->facts.behaviour),
+        {{"file", options.input.file}, {"as", (*as)->facts.name}, {"sign", signName(table.sign)},
+            {"column", columnText(table, table.columns.front())},
+            {"unit", table.columns.front().unit}});
+}
+
+Result<ExitCode> runLookup(Environment& environment, const LookupOptions& options)
+{
+    if (options.points.empty() == options.position.empty())
+        return wrongUsage(options.points.empty() ? "give a position, or --points FILE"
+                                                 : "give a position or --points, not both",
+            options.input.command);
+    if (options.points == standardStream && options.input.file == standardStream)
+        return wrongUsage(
+            "the table and the points cannot both come from standard input", options.input.command);
+    auto input = readInput(environment, options.input);
+    if (!input)
+        return fail(input.error());
+    const bool isOwn = input->data.has_value();
+    if (isOwn && options.as.empty())
+        return lookUpForDrive(environment, options, *input->data);
+    if (!options.outside.empty())
+        return wrongUsage("--outside is for tables of the drive: other controllers have a rule",
+            options.input.command);
+    return lookUpForController(environment, options, *input);
+}
+
+} // namespace
+
+void addLookupCommand(CommandLine& line)
+{
+    auto options = std::make_shared<LookupOptions>();
+    options->input.command = commandName("lookup");
+    CLI::App* command = line.add("lookup", fileCommands,
+        "Print the interpolated value at a position, as the drive computes it",
+        [options](Environment& environment) { return runLookup(environment, *options); });
+    command->add_option("FILE", options->input.file, "Calibration file or table")->required();
+    command
+        ->add_option(
+            "POSITION", options->position, "X [Y [Z]], one number per dimension; may be negative")
+        ->option_text("[X [Y [Z]]]")
+        ->expected(1, 3);
+    addDimensionsOption(*command, options->input);
+    addTableOption(*command, options->input);
+    command
+        ->add_option("--points", options->points,
+            "File with one position per line (- for standard input): one result line each")
+        ->option_text("FILE");
+    command
+        ->add_option("--outside", options->outside,
+            "Outside of the table: hold (as the drive does; the default), zero, wrap, extrapolate "
+            "or error")
+        ->option_text("RULE")
+        ->check(CLI::IsMember(
+            std::vector<std::string>{"hold", "zero", "wrap", "extrapolate", "error"}));
+    command
+        ->add_option("--as", options->as,
+            "The value that the controller of this format applies, after a conversion")
+        ->option_text("FORMAT");
+    addFromOption(*command, options->input);
+    options->conversion.command = options->input.command;
+    addConversionOptions(*command, options->conversion);
+    addOutputOptions(*command, options->conversion);
+    addProfileOption(*command, options->input.profile);
+    command->footer("Examples:\n"
+                    "  axiscomp lookup x.csv -12.5 --dims 1\n"
+                    "  axiscomp lookup plane.TAMtbl --points positions.txt --outside error\n"
+                    "  axiscomp lookup x.csv 50 --dims 1 --as softmc");
+}
+
+} // namespace axiscomp::app

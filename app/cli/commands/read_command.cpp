@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/command_line.h"
+#include "app/cli/input/conversion_options.h"
+#include "app/cli/output/json_output.h"
+#include "app/cli/output/output_file.h"
+#include "app/cli/output/status_text.h"
+#include "app/cli/session/command_session.h"
+#include "app/common/arguments.h"
+#include "app/common/number_text.h"
+#include "core/csv/calibration_csv.h"
+#include "core/formats/formats.h"
+#include "core/formats/triamec/triamec_tables.h"
+#include "core/table/position_unit.h"
+#include "core/table/tam_table.h"
+
+#include <filesystem>
+
+namespace axiscomp::app {
+
+namespace {
+
+struct ReadOptions {
+    DriveOptions drive;
+    std::string output;
+    std::string to;
+    ConversionOptions conversion;
+};
+
+struct ReadTable {
+    CompensationTable table;
+    Bytes file; ///< in the format that was asked for
+};
+
+/// A table file is handed out byte by byte as the drive has it.
+Result<ReadTable> readAsTamTable(DriveSession& session, const AxisStatus& status)
+{
+    const TableSlot* const slot = session.profile().slotNamed(status.setup.slot);
+    if (!slot || !status.table)
+        return fail(ErrorCode::NoTable, {{"axis", std::to_string(status.axis.index)}});
+    auto bytes = session.compensator().download(slot->file, session.operation());
+    if (!bytes)
+        return fail(bytes.error());
+    auto decoded = decodeTamTable(*bytes, session.profile().layout);
+    if (!decoded)
+        return fail(decoded.error());
+    return ReadTable{std::move(decoded->table), std::move(*bytes)};
+}
+
+Result<ReadTable> readAsCsv(DriveSession& session, const AxisStatus& status)
+{
+    auto table = session.compensator().readTable(status.axis.index, session.operation());
+    if (!table)
+        return fail(table.error());
+    // A table file has no names, but a CSV file is read by people.
+    for (std::size_t n = 0; n < table->grid.axes.size(); ++n)
+        table->grid.axes[n].name = "Dim " + std::to_string(n + 1);
+    if (table->name.empty())
+        table->name = "Table";
+    CalibrationData data{table->grid, {*table}, {}};
+    data.notes.push_back("read from " + driveWords(status.drive) + ", " + axisWords(status.axis)
+        + ", slot " + status.setup.slot);
+    const std::string text = writeCalibrationCsv(data);
+    const ByteView view = asBytes(text);
+    return ReadTable{std::move(*table), Bytes(view.begin(), view.end())};
+}
+
+/// For another controller: what the axis uses, converted; the report goes to standard error.
+Result<ReadTable> readAsOther(Environment& environment, DriveSession& session,
+    const AxisStatus& status, const ReadOptions& options, const TableFamily& to)
+{
+    auto table = session.compensator().readTable(status.axis.index, session.operation());
+    if (!table)
+        return fail(table.error());
+    const std::string unit = unitSymbol(status.axis.unit);
+    NeutralTable neutral = neutralTable({table->grid, {*table}, {}});
+    neutral.columns.front().unit = unit;
+    if (neutral.axes.size() == 1)
+        neutral.axes.front().unit = unit;
+    auto request = conversionRequest(options.conversion, tamTableFamily(), to, neutral.axes.size());
+    if (!request)
+        return fail(request.error());
+    request->writing.layout = &session.profile().layout;
+    request->writing.fileName = std::filesystem::path(options.output).filename().string();
+    const NeutralTable tables[] = {std::move(neutral)};
+    const auto conversion = convertTables(tables, *request);
+    if (!conversion)
+        return fail(conversion.error());
+    for (const std::string& line : conversionReport(*conversion, *request))
+        environment.console().note(options.output + ": " + line);
+    const ByteView view = asBytes(conversion->written.bytes);
+    return ReadTable{*std::move(table), Bytes(view.begin(), view.end())};
+}
+
+Result<ExitCode> runRead(Environment& environment, const ReadOptions& options)
+{
+    const Output output{options.output, options.drive.command};
+    const bool isUnnamed = output.isStandardOutput() && options.to.empty();
+    const auto format = isUnnamed ? Result<const TableFamily*>(&calibrationCsvFamily())
+                                  : outputFamily(options.output, options.to);
+    if (!format)
+        return fail(format.error());
+    const FamilyFacts& info = (*format)->facts;
+    if (auto possible = checkOutput(environment, output, info.isText); !possible)
+        return fail(possible.error());
+    const bool isOther = !isTriamec(**format);
+    if (!isOther && options.conversion.isAnything())
+        return wrongUsage("the table is handed out as the drive has it: convert it afterwards",
+            options.drive.command);
+    const auto read = [&](Environment& same, DriveSession& session, int axis) -> Result<ExitCode> {
+        const auto status = session.compensator().status(axis, session.operation());
+        if (!status)
+            return fail(status.error());
+        auto table = isOther               ? readAsOther(same, session, *status, options, **format)
+            : *format == &tamTableFamily() ? readAsTamTable(session, *status)
+                                           : readAsCsv(session, *status);
+        if (!table)
+            return fail(table.error());
+        if (auto written = writeOutput(environment, output, table->file); !written)
+            return fail(written.error());
+        environment.document({{"output", options.output}, {"format", info.name},
+            {"bytes", table->file.size()}, {"axes", toJson(table->table.grid)},
+            {"table", toJson(table->table)}, {"status", toJson(*status)}});
+        if (!output.isStandardOutput())
+            environment.print("Wrote " + options.output + ": the table of "
+                + axisWords(status->axis) + " in " + status->setup.slot + ", "
+                + plural(table->table.values.size(), "value", "values") + ".\n");
+        return ExitCode::Done;
+    };
+    return withAxis(environment, options.drive, read);
+}
+
+} // namespace
+
+void addReadCommand(CommandLine& line)
+{
+    auto options = std::make_shared<ReadOptions>();
+    options->drive.command = commandName("read");
+    CLI::App* command = line.add("read", driveCommands, "Download the table that an axis uses",
+        [options](Environment& environment) { return runRead(environment, *options); });
+    addDriveOptions(*command, options->drive);
+    addAxisOption(*command, options->drive);
+    command
+        ->add_option("-o,--output", options->output,
+            "File to write, .csv, .TAMtbl or that of another controller; CSV on standard output "
+            "without it")
+        ->option_text("FILE");
+    command->add_option("--to", options->to, "Format of the output, if its name does not tell")
+        ->option_text("FORMAT");
+    options->conversion.command = options->drive.command;
+    addResamplingOptions(*command, options->conversion);
+    addOutputOptions(*command, options->conversion);
+}
+
+} // namespace axiscomp::app

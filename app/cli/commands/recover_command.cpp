@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/command_line.h"
+#include "app/cli/output/json_output.h"
+#include "app/cli/output/status_text.h"
+#include "app/cli/session/write_run.h"
+#include "app/common/number_text.h"
+
+namespace axiscomp::app {
+
+namespace {
+
+struct RecoverOptions {
+    DriveOptions drive;
+    bool finishes = false;
+    bool undoes = false;
+};
+
+using Outcome = AxisCompensator::UnfinishedOutcome;
+using Recovery = AxisCompensator::Recovery;
+
+Json errorOrNull(const std::optional<Error>& error)
+{
+    return error ? toJson(*error, Json::array()) : Json(nullptr);
+}
+
+std::string possibilityText(const char* name, const char* option, const std::string& consequence,
+    const std::optional<Error>& obstacle)
+{
+    return std::string("  ") + name
+        + (obstacle ? "not possible now: " + sentence(*obstacle)
+                    : "`axiscomp recover " + std::string(option) + "` " + consequence)
+        + "\n";
+}
+
+std::string recoveryText(const Recovery& recovery)
+{
+    const std::string cost = recovery.flashOperations == 0 ? "needs no flash"
+                                                           : "costs "
+            + plural(static_cast<std::uint64_t>(recovery.flashOperations), "flash operation",
+                "flash operations");
+    return "What can be done:\n"
+        + possibilityText("Finish: ", "--finish", "brings the complete new state about; it " + cost,
+            recovery.finishObstacle)
+        + possibilityText(
+            "Undo:   ", "--undo", "brings the complete old state back", recovery.undoObstacle);
+}
+
+/// Only says what there is and what is possible.
+Result<ExitCode> explain(Environment& environment, DriveSession& session, const JournalEntry& entry)
+{
+    const auto outcome = session.compensator().settleUnfinished(entry, session.operation());
+    if (!outcome)
+        return fail(outcome.error());
+    Json json = {{"unfinishedWrite", unfinishedToJson(entry, *outcome)},
+        {"finishObstacle", nullptr}, {"undoObstacle", nullptr}, {"report", nullptr}};
+    std::string text = outcomeSentence(entry, *outcome);
+    text.front() = 'A';
+    environment.print(text + ".\n");
+    if (*outcome == Outcome::New) {
+        environment.document(json);
+        return ExitCode::Done;
+    }
+    const auto recovery = session.compensator().recovery(entry, session.operation());
+    if (!recovery)
+        return fail(recovery.error());
+    json["finishObstacle"] = errorOrNull(recovery->finishObstacle);
+    json["undoObstacle"] = errorOrNull(recovery->undoObstacle);
+    environment.print("\n" + recoveryText(*recovery));
+    environment.document(json);
+    return ExitCode::Done;
+}
+
+Result<WriteReport> carryOut(
+    Environment& environment, DriveSession& session, const JournalEntry& entry, bool finishes)
+{
+    const WriteInterruption interruption(environment);
+    StepLog log(environment);
+    OperationOptions operation = session.operation();
+    operation.progress = [&, progress = operation.progress](const Progress& now) {
+        log.show(now);
+        progress(now);
+    };
+    auto report = finishes ? session.compensator().finishUnfinished(entry, operation)
+                           : session.compensator().undoUnfinished(entry, operation);
+    environment.console().clearProgress();
+    if (report)
+        return report;
+    log.failed();
+    environment.console().note("note: the write is still unfinished; `axiscomp recover` says what "
+                               "can be done");
+    return report;
+}
+
+Result<ExitCode> runRecover(
+    Environment& environment, DriveSession& session, int axis, const RecoverOptions& options)
+{
+    const auto status = session.compensator().status(axis, session.operation());
+    if (!status)
+        return fail(status.error());
+    if (!status->unfinishedWrite) {
+        const Error nothing{ErrorCode::NothingUnfinished, {{"axis", std::to_string(axis)}}, {}};
+        environment.print(sentence(nothing) + "\n");
+        environment.document({{"unfinishedWrite", nullptr}, {"finishObstacle", nullptr},
+            {"undoObstacle", nullptr}, {"report", nullptr}});
+        return ExitCode::Done;
+    }
+    const JournalEntry& entry = *status->unfinishedWrite;
+    if (!options.finishes && !options.undoes)
+        return explain(environment, session, entry);
+    const auto report = carryOut(environment, session, entry, options.finishes);
+    if (!report)
+        return fail(report.error());
+    environment.print(
+        std::string(options.finishes ? "\nFinished: the drive holds the complete new state"
+                                     : "\nUndone: the drive holds the complete old state")
+        + ", read back and compared.\nBackup of what there was before: " + report->backup.string()
+        + "\n");
+    environment.document({{"unfinishedWrite", nullptr}, {"finishObstacle", nullptr},
+        {"undoObstacle", nullptr}, {"report", toJson(*report)}});
+    return ExitCode::Done;
+}
+
+} // namespace
+
+void addRecoverCommand(CommandLine& line)
+{
+    auto options = std::make_shared<RecoverOptions>();
+    options->drive.command = commandName("recover");
+    CLI::App* command = line.add("recover", driveCommands,
+        "Finish or undo a write that did not end; without an option, say what can be done",
+        [options](Environment& environment) {
+            return withAxis(environment, options->drive,
+                [options](Environment& sameEnvironment, DriveSession& session, int axis) {
+                    return runRecover(sameEnvironment, session, axis, *options);
+                });
+        });
+    addDriveOptions(*command, options->drive);
+    addAxisOption(*command, options->drive);
+    CLI::Option* finish = command->add_flag("--finish", options->finishes,
+        "Bring the complete new state about, from whatever there is now");
+    command->add_flag("--undo", options->undoes, "Bring back the complete state before the write")
+        ->excludes(finish);
+}
+
+} // namespace axiscomp::app

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/command_line.h"
+#include "app/cli/output/json_output.h"
+#include "app/cli/output/status_text.h"
+#include "app/cli/session/command_session.h"
+#include "app/common/number_text.h"
+
+namespace axiscomp::app {
+
+namespace {
+
+Result<ExitCode> runStatus(Environment& environment, DriveSession& session, int axis)
+{
+    const auto settled = settledStatus(environment, session, axis);
+    if (!settled)
+        return fail(settled.error());
+    const auto flash = session.compensator().flashUse(session.operation());
+    if (!flash)
+        return fail(flash.error());
+
+    Json json = toJson(settled->status);
+    json["flash"] = toJson(*flash);
+    if (settled->unfinished)
+        json["unfinishedWrite"] =
+            unfinishedToJson(*settled->status.unfinishedWrite, *settled->unfinished);
+    environment.document(json);
+    environment.print(statusText(settled->status, session.profile()));
+    environment.print("\n" + flashText(*flash));
+    return ExitCode::Done;
+}
+
+} // namespace
+
+void addStatusCommand(CommandLine& line)
+{
+    auto options = std::make_shared<DriveOptions>();
+    options->command = commandName("status");
+    CLI::App* command = line.add("status", driveCommands,
+        "Show the compensation of an axis, and what became of a write that was interrupted",
+        [options](Environment& environment) { return withAxis(environment, *options, runStatus); });
+    addDriveOptions(*command, *options);
+    addAxisOption(*command, *options);
+}
+
+} // namespace axiscomp::app

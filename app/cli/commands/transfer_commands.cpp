@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/command_line.h"
+#include "app/cli/output/json_output.h"
+#include "app/cli/output/output_file.h"
+#include "app/cli/session/write_run.h"
+#include "app/common/number_text.h"
+#include "app/common/text_table.h"
+
+#include <algorithm>
+
+namespace axiscomp::app {
+
+namespace {
+
+/// More than any table file of a drive; it has the last word.
+constexpr std::uint64_t maximumUpload = 64 * 1024 * 1024;
+
+struct TransferOptions {
+    DriveOptions drive;
+    std::string file; ///< on this computer
+    std::string path; ///< on the drive
+};
+
+std::string slotOf(const DriveSession& session, const std::string& path)
+{
+    const TableSlot* const slot = session.profile().slotOfFile(path);
+    return slot ? slot->name : "";
+}
+
+Result<ExitCode> runFiles(Environment& environment, DriveSession& session)
+{
+    const auto files = session.compensator().files(session.operation());
+    if (!files)
+        return fail(files.error());
+    TextTable table({"file", "slot", ">size", ">maximum size"});
+    Json list = Json::array();
+    for (const DriveFile& file : *files) {
+        table.add({file.path, slotOf(session, file.path),
+            file.size == 0 ? "empty" : countText(file.size), countText(file.maximumSize)});
+        list.push_back(toJson(file));
+    }
+    environment.print(table.text(""));
+    environment.document({{"files", std::move(list)}});
+    return ExitCode::Done;
+}
+
+Result<ExitCode> runUpload(Environment& environment, const TransferOptions& options)
+{
+    const auto bytes = loadFile(options.file, maximumUpload);
+    if (!bytes)
+        return fail(bytes.error());
+    return withDrive(
+        environment, options.drive, [&](Environment&, DriveSession& session) -> Result<ExitCode> {
+            const WriteInterruption interruption(environment);
+            auto uploaded = session.compensator().upload(options.path, *bytes, session.operation());
+            if (!uploaded)
+                return fail(uploaded.error());
+            environment.document({{"input", options.file}, {"path", options.path},
+                {"bytes", bytes->size()}, {"verified", true}, {"backup", uploaded->string()}});
+            if (uploaded->empty())
+                environment.print(
+                    options.path + " holds exactly this already: nothing was sent.\n");
+            else
+                environment.print("Uploaded " + options.file + " to " + options.path + ": "
+                    + plural(bytes->size(), "byte", "bytes")
+                    + ", every one read back and compared.\nBackup of the old file: "
+                    + uploaded->string() + "\n");
+            return ExitCode::Done;
+        });
+}
+
+Result<ExitCode> runDownload(Environment& environment, const TransferOptions& options)
+{
+    const Output output{options.file, options.drive.command};
+    if (auto possible = checkOutput(environment, output, false); !possible)
+        return fail(possible.error());
+    return withDrive(
+        environment, options.drive, [&](Environment&, DriveSession& session) -> Result<ExitCode> {
+            const auto bytes = session.compensator().download(options.path, session.operation());
+            if (!bytes)
+                return fail(bytes.error());
+            if (auto written = writeOutput(environment, output, *bytes); !written)
+                return fail(written.error());
+            environment.document(
+                {{"path", options.path}, {"output", options.file}, {"bytes", bytes->size()}});
+            if (!output.isStandardOutput())
+                environment.print("Wrote " + options.file + ": " + options.path + ", "
+                    + plural(bytes->size(), "byte", "bytes") + ".\n");
+            return ExitCode::Done;
+        });
+}
+
+} // namespace
+
+void addTransferCommands(CommandLine& line)
+{
+    auto listing = std::make_shared<DriveOptions>();
+    listing->command = commandName("files");
+    CLI::App* files = line.add("files", driveCommands, "List the table files of a drive",
+        [listing](Environment& environment) { return withDrive(environment, *listing, runFiles); });
+    addDriveOptions(*files, *listing);
+
+    auto sending = std::make_shared<TransferOptions>();
+    sending->drive.command = commandName("upload");
+    CLI::App* upload = line.add("upload", driveCommands,
+        "Send a file to a drive as it is, and verify it (for drive programs that use tables)",
+        [sending](Environment& environment) { return runUpload(environment, *sending); });
+    upload->add_option("FILE", sending->file, "File on this computer")->required();
+    upload->add_option("--to", sending->path, "Path in the drive, such as tables/small1.TAMtbl")
+        ->option_text("PATH (required)")
+        ->required();
+    addDriveOptions(*upload, sending->drive);
+
+    auto fetching = std::make_shared<TransferOptions>();
+    fetching->drive.command = commandName("download");
+    CLI::App* download = line.add("download", driveCommands, "Get a file from a drive as it is",
+        [fetching](Environment& environment) { return runDownload(environment, *fetching); });
+    download->add_option("PATH", fetching->path, "Path in the drive, such as tables/small1.TAMtbl")
+        ->required();
+    download
+        ->add_option(
+            "-o,--output", fetching->file, "File to write; standard output without it, or with -")
+        ->option_text("FILE");
+    addDriveOptions(*download, fetching->drive);
+}
+
+} // namespace axiscomp::app

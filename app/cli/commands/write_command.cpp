@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/command_line.h"
+#include "app/cli/input/conversion_options.h"
+#include "app/cli/input/table_input.h"
+#include "app/cli/session/write_run.h"
+#include "app/common/arguments.h"
+#include "app/common/number_text.h"
+#include "core/compensator/several_writes.h"
+#include "core/text/token_scanner.h"
+
+#include <algorithm>
+#include <array>
+
+namespace axiscomp::app {
+
+namespace {
+
+struct WriteOptions {
+    DriveOptions drive;
+    TableInputOptions input;
+    ConversionOptions conversion;
+    std::array<std::string, 3> sources;
+    std::string slot;
+    std::vector<std::string> map; ///< COLUMN=AXIS
+    bool persistent = false;
+    bool isVolatile = false;
+    bool isDryRun = false;
+};
+
+/// "small1" and "tables/small1.TAMtbl" are the slot Small1; the rest is judged by the compensator.
+std::string slotName(const DriveProfile& profile, const std::string& text)
+{
+    const auto slot = std::ranges::find_if(profile.tableSlots, [&](const TableSlot& candidate) {
+        return sameLetters(candidate.name, text) || candidate.file == text;
+    });
+    return slot == profile.tableSlots.end() ? text : slot->name;
+}
+
+/// Those that were given, from dimension 1 on. Errors: SourceMissing for a gap.
+Result<std::vector<std::string>> givenSources(const WriteOptions& options)
+{
+    std::vector<std::string> sources;
+    for (std::size_t n = 0; n < options.sources.size(); ++n) {
+        if (options.sources[n].empty())
+            continue;
+        if (sources.size() < n)
+            return fail(
+                ErrorCode::SourceMissing, {{"dimension", std::to_string(sources.size() + 1)}});
+        sources.push_back(options.sources[n]);
+    }
+    return sources;
+}
+
+/// Everything but the table. Errors: those of givenSources.
+Result<WriteRequest> requestWithoutTable(const WriteOptions& options)
+{
+    WriteRequest request;
+    auto sources = givenSources(options);
+    if (!sources)
+        return fail(sources.error());
+    request.sources = std::move(*sources);
+    if (options.persistent || options.isVolatile)
+        request.persistency = options.persistent ? Persistency::Persistent : Persistency::Volatile;
+    return request;
+}
+
+Result<TableInput> readData(
+    Environment& environment, const WriteOptions& options, TableInputOptions& inputOptions)
+{
+    inputOptions = options.input;
+    inputOptions.profile = options.drive.profile;
+    inputOptions.acceptsUneven = options.conversion.resamples();
+    return readInput(environment, inputOptions);
+}
+
+Result<WriteRequest> requestOf(Environment& environment, const WriteOptions& options)
+{
+    auto request = requestWithoutTable(options);
+    if (!request)
+        return request;
+    if (options.input.file.empty()) {
+        if (request->sources.empty() && !request->persistency)
+            return wrongUsage("there is nothing to write: give --data FILE, or a new --source1",
+                options.drive.command);
+        request->dimensionality = options.input.dimensions;
+        return request;
+    }
+    TableInputOptions inputOptions;
+    auto input = readData(environment, options, inputOptions);
+    if (!input)
+        return fail(input.error());
+    auto table = driveTable(environment, *input, inputOptions, options.conversion);
+    if (!table)
+        return fail(table.error());
+    request->table = *std::move(table);
+    request->dimensionality = request->table->grid.dimensions();
+    return request;
+}
+
+/// What one --map asks for: an axis as the user names it, and what it shall have.
+struct MappedColumn {
+    std::string axis;
+    WriteRequest request;
+};
+
+Result<std::vector<MappedColumn>> mappedColumns(
+    Environment& environment, const WriteOptions& options)
+{
+    TableInputOptions inputOptions;
+    const auto input = readData(environment, options, inputOptions);
+    if (!input)
+        return fail(input.error());
+    std::vector<MappedColumn> columns;
+    for (const std::string& pair : options.map) {
+        const std::size_t equals = pair.rfind('=');
+        if (equals == std::string::npos || equals == 0 || equals + 1 == pair.size())
+            return wrongUsage("\"" + pair + "\" is no COLUMN=AXIS", options.drive.command);
+        inputOptions.table = pair.substr(0, equals);
+        auto table = driveTable(environment, *input, inputOptions, options.conversion);
+        if (!table)
+            return fail(table.error());
+        auto request = requestWithoutTable(options);
+        if (!request)
+            return fail(request.error());
+        request->dimensionality = table->grid.dimensions();
+        request->table = *std::move(table);
+        columns.push_back({pair.substr(equals + 1), *std::move(request)});
+    }
+    return columns;
+}
+
+std::string axisList(const std::vector<MappedColumn>& columns, std::size_t begin, std::size_t end)
+{
+    std::string list;
+    for (std::size_t n = begin; n < end; ++n)
+        list += (list.empty() ? "" : ", ") + columns[n].axis;
+    return list;
+}
+
+/// All are planned before the first is written; then one after the other.
+Result<ExitCode> writeMapped(Environment& environment, DriveSession& session,
+    const std::vector<MappedColumn>& columns, bool isDryRun)
+{
+    std::vector<AxisWrite> writes;
+    for (const MappedColumn& column : columns) {
+        const auto axis = session.compensator().findAxis(column.axis, session.operation());
+        if (!axis)
+            return fail(axis.error());
+        writes.push_back({*axis, column.request});
+    }
+    if (const auto plans = planSeveral(session.compensator(), writes, session.operation()); !plans)
+        return fail(plans.error());
+    Json documents = Json::array();
+    for (std::size_t n = 0; n < writes.size(); ++n) {
+        if (n > 0)
+            environment.print("\n");
+        auto document =
+            writeAndReport(environment, session, writes[n].axis, writes[n].request, isDryRun);
+        if (!document) {
+            if (n > 0)
+                environment.console().note(
+                    "note: written before the error: " + axisList(columns, 0, n)
+                    + "; not written: " + axisList(columns, n, columns.size()));
+            return fail(document.error());
+        }
+        documents.push_back(*std::move(document));
+    }
+    environment.document({{"writes", std::move(documents)}});
+    return ExitCode::Done;
+}
+
+Result<ExitCode> runMapped(Environment& environment, const WriteOptions& options)
+{
+    if (options.input.file.empty())
+        return wrongUsage("--map says which column of --data FILE is for which axis: give --data",
+            options.drive.command);
+    const auto columns = mappedColumns(environment, options);
+    if (!columns)
+        return fail(columns.error());
+    return withDrive(environment, options.drive, [&](Environment& same, DriveSession& session) {
+        return writeMapped(same, session, *columns, options.isDryRun);
+    });
+}
+
+Result<ExitCode> runWriteCommand(Environment& environment, const WriteOptions& options)
+{
+    if (!options.map.empty())
+        return runMapped(environment, options);
+    // The file first: a bad one is said even when no drive is there.
+    auto request = requestOf(environment, options);
+    if (!request)
+        return fail(request.error());
+    return withAxis(environment, options.drive,
+        [&](Environment& sameEnvironment, DriveSession& session, int axis) -> Result<ExitCode> {
+            if (!options.slot.empty())
+                request->slot = slotName(session.profile(), options.slot);
+            if (request->dimensionality == 0) {
+                const auto now = session.compensator().status(axis, session.operation());
+                if (!now)
+                    return fail(now.error());
+                request->dimensionality = now->setup.dimensionality;
+            }
+            return runWrite(sameEnvironment, session, axis, *request, options.isDryRun);
+        });
+}
+
+void addSourceOptions(CLI::App& command, WriteOptions& options)
+{
+    for (std::size_t n = 0; n < options.sources.size(); ++n) {
+        const std::string number = std::to_string(n + 1);
+        command
+            .add_option("--source" + number, options.sources[n],
+                "Register that looks up dimension " + number
+                    + ": path, tam:// URI or address (0x1234)")
+            ->option_text("REG");
+    }
+}
+
+} // namespace
+
+void addWriteCommand(CommandLine& line)
+{
+    auto options = std::make_shared<WriteOptions>();
+    options->drive.command = commandName("write");
+    options->input.command = options->drive.command;
+    CLI::App* command = line.add("write", driveCommands,
+        "Write a compensation table to an axis in the safe order, and verify it",
+        [options](Environment& environment) { return runWriteCommand(environment, *options); });
+    addDriveOptions(*command, options->drive);
+    CLI::Option* const axis = addAxisOption(*command, options->drive);
+    command
+        ->add_option("--data", options->input.file,
+            "Calibration file (.csv), table (.TAMtbl), or file of another controller; without it "
+            "the "
+            "axis keeps its table")
+        ->option_text("FILE");
+    addDimensionsOption(*command, options->input);
+    CLI::Option* const table = addTableOption(*command, options->input);
+    addFromOption(*command, options->input);
+    options->conversion.command = options->drive.command;
+    addConversionOptions(*command, options->conversion);
+    addResamplingOptions(*command, options->conversion);
+    addSourceOptions(*command, *options);
+    CLI::Option* persistent = command->add_flag("--persistent", options->persistent,
+        "Keep the table in the drive's flash: it survives a reboot");
+    command
+        ->add_flag("--volatile", options->isVolatile,
+            "Keep the table in memory until the next reboot (the default for a new table)")
+        ->excludes(persistent);
+    CLI::Option* const slot = command->add_option("--slot", options->slot,
+        "Slot to use, small1 to small8, large1 or large2; chosen unless given");
+    slot->option_text("SLOT");
+    command
+        ->add_option("--map", options->map,
+            "A column of the file (name or number) and the axis that it is for; given several "
+            "times, several axes are written one after the other, once all are found possible")
+        ->option_text("COLUMN=AXIS")
+        ->allow_extra_args(false)
+        ->excludes(axis)
+        ->excludes(table)
+        ->excludes(slot);
+    command->add_flag("--dry-run", options->isDryRun, "Show what would be written, write nothing");
+    command->footer(
+        "Without --source1 the axis keeps its sources. The compensation stays off:\n"
+        "`axiscomp activate` switches it on.\n\n"
+        "Example:\n"
+        "  axiscomp write --drive http://192.168.1.20 --axis X --data x.csv --dims 1 \\\n"
+        "      --source1 'Axes[0]/Signals/PathPlanner/Position' --persistent\n"
+        "  axiscomp write --data plane.csv --dims 2 --map 'X error=X' --map 'Y error=Y' \\\n"
+        "      --source1 'Axes[0]/Signals/PathPlanner/Position' \\\n"
+        "      --source2 'Axes[1]/Signals/PathPlanner/Position'");
+}
+
+void addPersistencyCommands(CommandLine& line)
+{
+    struct Row {
+        const char* name;
+        const char* description;
+        Persistency persistency;
+    };
+    for (const Row& row :
+        {Row{"persist", "Store the axis's table in the drive's flash: it survives a reboot",
+             Persistency::Persistent},
+            Row{"unpersist", "Make the axis's table volatile: gone after the next reboot",
+                Persistency::Volatile}}) {
+        auto options = std::make_shared<DriveOptions>();
+        options->command = commandName(row.name);
+        const Persistency persistency = row.persistency;
+        CLI::App* command = line.add(row.name, driveCommands, row.description,
+            [options, persistency](Environment& environment) {
+                return withAxis(environment, *options,
+                    [persistency](Environment& sameEnvironment, DriveSession& session,
+                        int axis) -> Result<ExitCode> {
+                        const auto now = session.compensator().status(axis, session.operation());
+                        if (!now)
+                            return fail(now.error());
+                        if (!now->table)
+                            return fail(ErrorCode::NoTable, {{"axis", std::to_string(axis)}});
+                        WriteRequest request;
+                        request.dimensionality = now->setup.dimensionality;
+                        request.persistency = persistency;
+                        return runWrite(sameEnvironment, session, axis, request, false);
+                    });
+            });
+        addDriveOptions(*command, *options);
+        addAxisOption(*command, *options);
+    }
+}
+
+} // namespace axiscomp::app

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/input/conversion_options.h"
+
+#include "app/common/arguments.h"
+#include "core/formats/formats.h"
+#include "core/formats/triamec/triamec_tables.h"
+
+namespace axiscomp::app {
+
+namespace {
+
+std::optional<SignConvention> signOf(const std::string& text)
+{
+    if (text.empty())
+        return std::nullopt;
+    return text == "feedback" ? SignConvention::Feedback : SignConvention::Command;
+}
+
+std::optional<DirectionChoice> directionOf(const std::string& text)
+{
+    if (text.empty())
+        return std::nullopt;
+    if (text == "mean")
+        return DirectionChoice::Mean;
+    return text == "positive" ? DirectionChoice::Positive : DirectionChoice::Negative;
+}
+
+/// One number for each source axis: as given, or the only one for all.
+template <typename Number>
+Result<std::vector<Number>> perAxis(const std::vector<Number>& given, std::size_t dimensions,
+    std::string_view option, const std::string& command)
+{
+    if (given.size() == dimensions)
+        return given;
+    if (given.size() == 1)
+        return std::vector<Number>(dimensions, given.front());
+    return wrongUsage(std::string(option) + " needs one number, or one for each of the "
+            + std::to_string(dimensions) + " source axes",
+        command);
+}
+
+Result<ResamplingRequest> gridRequest(const ConversionOptions& options, std::size_t dimensions)
+{
+    ResamplingRequest request;
+    request.method =
+        options.method == "cubic" ? ResamplingMethod::MonotoneCubic : ResamplingMethod::Linear;
+    request.holdsEnds = options.holdsEnds;
+    request.axes.resize(dimensions);
+    if (!options.points.empty()) {
+        const auto points = perAxis(options.points, dimensions, "--points", options.command);
+        if (!points)
+            return fail(points.error());
+        for (std::size_t n = 0; n < dimensions; ++n)
+            request.axes[n].points = (*points)[n];
+        return request;
+    }
+    const auto distances = perAxis(options.distances, dimensions, "--distance", options.command);
+    if (!distances)
+        return fail(distances.error());
+    for (std::size_t n = 0; n < dimensions; ++n)
+        request.axes[n].distance = (*distances)[n];
+    return request;
+}
+
+} // namespace
+
+void addConversionOptions(CLI::App& command, ConversionOptions& options)
+{
+    const std::string group = "Conversion";
+    command
+        .add_option("--sign", options.sign,
+            "What the values of the input are: feedback (added to the encoder position) or command "
+            "(added to the commanded position); without it as its format says")
+        ->option_text("SIDE")
+        ->check(CLI::IsMember(std::vector<std::string>{"feedback", "command"}))
+        ->group(group);
+    command
+        .add_option("--direction", options.direction,
+            "One table for both directions of motion: mean, positive or negative")
+        ->option_text("CHOICE")
+        ->check(CLI::IsMember(std::vector<std::string>{"mean", "positive", "negative"}))
+        ->group(group);
+    command.add_flag("--no-wrap", options.dropsWrap, "A modulo axis becomes a plain one")
+        ->group(group);
+}
+
+void addResamplingOptions(CLI::App& command, ConversionOptions& options)
+{
+    const std::string group = "Conversion";
+    CLI::Option* const points =
+        command
+            .add_option("--points", options.points,
+                "Resample onto an even grid of so many points, for each source or for all")
+            ->option_text("N[,N[,N]]")
+            ->delimiter(',')
+            ->group(group);
+    CLI::Option* const distance =
+        command
+            .add_option("--distance", options.distances,
+                "Resample onto an even grid with this distance, for each source or for all")
+            ->option_text("D[,D[,D]]")
+            ->delimiter(',')
+            ->excludes(points)
+            ->group(group);
+    command
+        .add_option("--within", options.within,
+            "Resample onto the coarsest even grid that keeps this deviation, in the unit of the "
+            "values")
+        ->option_text("DEVIATION")
+        ->excludes(points)
+        ->excludes(distance)
+        ->group(group);
+    command
+        .add_option("--method", options.method,
+            "Between the points: linear (the default) or cubic (monotone)")
+        ->option_text("METHOD")
+        ->check(CLI::IsMember(std::vector<std::string>{"linear", "cubic"}))
+        ->group(group);
+    command
+        .add_flag("--hold", options.holdsEnds,
+            "The even grid may go beyond the data, where the end values are held")
+        ->group(group);
+}
+
+void addOutputOptions(CLI::App& command, ConversionOptions& options)
+{
+    const std::string group = "Conversion";
+    command
+        .add_option("--to-sign", options.toSign,
+            "What the values of the output shall be: feedback or command; without it as its format "
+            "says")
+        ->option_text("SIDE")
+        ->check(CLI::IsMember(std::vector<std::string>{"feedback", "command"}))
+        ->group(group);
+    command
+        .add_option("--set-out", options.settings,
+            "What the other format needs to know, see `axiscomp formats NAME`")
+        ->option_text("KEY=VALUE")
+        ->group(group);
+}
+
+Result<ConversionRequest> conversionRequest(const ConversionOptions& options,
+    const TableFamily& from, const TableFamily& to, std::size_t dimensions)
+{
+    ConversionRequest request;
+    request.from = &from;
+    request.to = &to;
+    request.sourceSign = signOf(options.sign);
+    request.targetSign = signOf(options.toSign);
+    request.direction = directionOf(options.direction);
+    request.dropsWrap = options.dropsWrap;
+    if (options.within) {
+        const bool isCubic = options.method == "cubic";
+        request.resampling = WantedDeviation{
+            *options.within, isCubic ? ResamplingMethod::MonotoneCubic : ResamplingMethod::Linear};
+    } else if (options.resamples()) {
+        auto grid = gridRequest(options, dimensions);
+        if (!grid)
+            return fail(grid.error());
+        request.resampling = *std::move(grid);
+    }
+    auto settings = settingsOf(options.settings, options.command);
+    if (!settings)
+        return fail(settings.error());
+    request.writing.settings = *std::move(settings);
+    return request;
+}
+
+Result<CompensationTable> driveTable(Environment& environment, const TableInput& input,
+    const TableInputOptions& inputOptions, const ConversionOptions& options)
+{
+    if (input.data && !options.isAnything()) {
+        const auto index = chooseTable(*input.data, inputOptions);
+        if (!index)
+            return fail(index.error());
+        return input.data->tables[*index];
+    }
+    const std::vector<NeutralTable> columns = neutralColumns(input);
+    const auto index = chooseColumn(columns, inputOptions);
+    if (!index)
+        return fail(index.error());
+    const auto request = conversionRequest(
+        options, *input.family, calibrationCsvFamily(), columns[*index].axes.size());
+    if (!request)
+        return fail(request.error());
+    const auto conversion = convertTables(std::span(columns).subspan(*index, 1), *request);
+    if (!conversion)
+        return fail(conversion.error());
+    for (const std::string& line : conversionReport(*conversion, *request))
+        environment.console().note(displayName(inputOptions.file) + ": " + line);
+    auto data = calibrationData(conversion->written.held.front());
+    if (!data)
+        return fail(data.error());
+    return std::move(data->tables.front());
+}
+
+} // namespace axiscomp::app

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/cli/environment.h"
+#include "app/cli/input/table_input.h"
+#include "core/conversion/conversion.h"
+
+#include <CLI/App.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace axiscomp::app {
+
+/// What the user says about a conversion between formats, common to all commands that may need one.
+struct ConversionOptions {
+    std::string command; ///< "axiscomp convert": for hints
+    std::string sign; ///< of the input; empty: as its format says
+    std::string toSign; ///< of the output
+    std::string direction; ///< mean, positive, negative; empty: as it is
+    std::vector<std::size_t> points; ///< of the even grid, one for each source or one for all
+    std::vector<double> distances; ///< likewise
+    std::optional<double> within; ///< the deviation to keep
+    std::string method = "linear";
+    bool holdsEnds = false; ///< a grid may go beyond the data
+    bool dropsWrap = false;
+    std::vector<std::string> settings; ///< KEY=VALUE of the output
+
+    [[nodiscard]] bool resamples() const
+    {
+        return !points.empty() || !distances.empty() || within.has_value();
+    }
+    /// A conversion was asked for that not even files of the same format go without.
+    [[nodiscard]] bool isAnything() const
+    {
+        return resamples() || !sign.empty() || !toSign.empty() || !direction.empty() || dropsWrap
+            || !settings.empty();
+    }
+};
+
+/// --sign, --direction, --no-wrap
+void addConversionOptions(CLI::App& command, ConversionOptions& options);
+/// --points, --distance, --within, --method, --hold
+void addResamplingOptions(CLI::App& command, ConversionOptions& options);
+/// --to-sign, --set-out
+void addOutputOptions(CLI::App& command, ConversionOptions& options);
+
+/// dimensions: of the tables. Errors: InvalidArgument.
+[[nodiscard]] Result<ConversionRequest> conversionRequest(const ConversionOptions& options,
+    const TableFamily& from, const TableFamily& to, std::size_t dimensions);
+
+/// The table that a drive shall have, from a file of any format: one column, converted where the
+/// format is another controller's or something was asked for; then the report goes to standard
+/// error. Errors: those of the choice and of the conversion.
+[[nodiscard]] Result<CompensationTable> driveTable(Environment& environment,
+    const TableInput& input, const TableInputOptions& inputOptions,
+    const ConversionOptions& options);
+
+} // namespace axiscomp::app

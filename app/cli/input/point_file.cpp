@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/input/point_file.h"
+
+#include "app/cli/input/table_input.h"
+#include "app/common/number_text.h"
+#include "app/common/standard_streams.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+
+namespace axiscomp::app {
+
+namespace {
+
+constexpr std::string_view separators = " \t,;";
+constexpr std::size_t longestLine = 64 * 1024;
+
+struct Field {
+    std::string_view text;
+    std::size_t column = 1; ///< of its first character
+};
+
+std::vector<Field> splitFields(std::string_view line)
+{
+    std::vector<Field> fields;
+    std::size_t begin = 0;
+    while ((begin = line.find_first_not_of(separators, begin)) != std::string_view::npos) {
+        const std::size_t end = std::min(line.find_first_of(separators, begin), line.size());
+        fields.push_back({line.substr(begin, end - begin), begin + 1});
+        begin = end;
+    }
+    return fields;
+}
+
+/// Answers the lines of a file of positions, each as soon as it has come.
+class PointFile {
+public:
+    PointFile(Environment& environment, const TableEvaluation& evaluation, const std::string& file)
+        : m_environment(environment)
+        , m_name(displayName(file))
+        , m_evaluation(evaluation)
+    {
+    }
+
+    Result<void> answer(const std::string& file, Json& results)
+    {
+        const bool isStandardInput = file == standardStream;
+        const int descriptor =
+            isStandardInput ? STDIN_FILENO : ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
+        if (descriptor < 0)
+            return fail(
+                ErrorCode::FileNotReadable, {{"file", file}, {"reason", std::strerror(errno)}});
+        auto answered = answerAll(descriptor, results);
+        if (!isStandardInput)
+            ::close(descriptor);
+        return answered;
+    }
+
+private:
+    Result<void> answerAll(int descriptor, Json& results)
+    {
+        std::string text;
+        while (true) {
+            const auto more = readMore(descriptor, m_environment.interrupt(), text);
+            if (!more)
+                return fail(more.error());
+            if (!*more && !text.empty())
+                text.push_back('\n');
+            if (auto answered = answerLines(text, results); !answered)
+                return answered;
+            if (!*more || m_environment.console().readerGone())
+                return {};
+            if (text.size() > longestLine) {
+                ++m_line;
+                return wrong(1, "a line with a position", "more than 65536 characters");
+            }
+        }
+    }
+
+    /// Takes the complete lines out of text.
+    Result<void> answerLines(std::string& text, Json& results)
+    {
+        std::size_t begin = 0;
+        std::size_t end = 0;
+        while ((end = text.find('\n', begin)) != std::string::npos) {
+            std::string_view line(text.data() + begin, end - begin);
+            if (line.ends_with('\r'))
+                line.remove_suffix(1);
+            ++m_line;
+            if (auto answered = answerLine(line, results); !answered)
+                return answered;
+            begin = end + 1;
+        }
+        text.erase(0, begin);
+        return m_environment.console().flush();
+    }
+
+    Result<void> answerLine(std::string_view line, Json& results)
+    {
+        const std::vector<Field> fields = splitFields(line);
+        if (fields.size() != m_evaluation.dimensions)
+            return wrong(1, plural(m_evaluation.dimensions, "number", "numbers"),
+                std::to_string(fields.size()));
+        std::vector<double> position;
+        for (const Field& field : fields) {
+            const auto number = numberFromText(field.text);
+            if (!number)
+                return wrong(field.column, "a number such as 0.5",
+                    "\"" + std::string(field.text.substr(0, 40)) + "\"");
+            position.push_back(*number);
+        }
+        const auto value = m_evaluation.at(position);
+        if (!value)
+            return wrong(1, "", sentence(value.error()));
+        m_environment.print(floatText(*value) + "\n");
+        if (m_environment.json())
+            results.push_back({{"position", position}, {"value", *value}});
+        return {};
+    }
+
+    Result<void> wrong(std::size_t column, const std::string& expected, const std::string& found)
+    {
+        const std::string what =
+            expected.empty() ? found : "found " + found + ", expected " + expected;
+        m_environment.diagnose(m_name, m_line, column, "InvalidPosition", what);
+        return fail(ErrorCode::InvalidCalibration, {{"file", m_name}, {"count", "1"}});
+    }
+
+    Environment& m_environment;
+    std::string m_name;
+    const TableEvaluation& m_evaluation;
+    std::size_t m_line = 0;
+};
+
+} // namespace
+
+Result<void> answerPointFile(Environment& environment, const TableEvaluation& evaluation,
+    const std::string& file, Json& results)
+{
+    return PointFile(environment, evaluation, file).answer(file, results);
+}
+
+} // namespace axiscomp::app

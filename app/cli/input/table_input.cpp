@@ -1,0 +1,335 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/input/table_input.h"
+
+#include "app/common/arguments.h"
+#include "app/common/number_text.h"
+#include "app/common/standard_streams.h"
+#include "core/formats/formats.h"
+#include "core/formats/triamec/triamec_tables.h"
+#include "core/store/drive_store.h"
+#include "core/table/tam_table.h"
+#include "drivecomm/profile/profile_loader.h"
+
+#include <algorithm>
+#include <charconv>
+#include <filesystem>
+
+namespace axiscomp::app {
+
+namespace {
+
+constexpr std::uint64_t maximumTableFile = 64 * 1024 * 1024;
+
+CsvReading readCsv(Environment& environment, const TableInputOptions& input,
+    const std::optional<std::string>& text, int dimensions)
+{
+    const std::string& file = input.file;
+    CsvOptions options;
+    options.dimensions = dimensions;
+    options.acceptsUneven = input.acceptsUneven;
+    options.stop = environment.stopToken();
+    options.progress = [&](double fraction) {
+        environment.console().progress("reading " + file, fraction);
+    };
+    CsvReading reading =
+        text ? parseCalibrationCsv(*text, options) : readCalibrationCsv(file, options);
+    environment.console().clearProgress();
+    return reading;
+}
+
+bool isUnreadable(const CsvReading& reading)
+{
+    return std::ranges::any_of(
+        reading.diagnostics, [](const Diagnostic& d) { return d.code == DiagnosticCode::IoError; });
+}
+
+Result<std::string> wholeInput(Environment& environment, const std::string& file)
+{
+    if (file == standardStream)
+        return readStandardInput(environment.interrupt(), maximumTableFile);
+    auto bytes = loadFile(file, maximumTableFile);
+    if (!bytes)
+        return fail(bytes.error());
+    return std::string(asText(*bytes));
+}
+
+Result<const TableFamily*> familyOf(Environment& environment, const TableInputOptions& options)
+{
+    if (!options.from.empty())
+        return familyNamed(options.from);
+    if (options.file == standardStream)
+        return &calibrationCsvFamily();
+    const std::string name = std::filesystem::path(options.file).filename().string();
+    const auto choice = chooseFamily(beginningOf(options.file), name, options.dimensions != 0);
+    if (!choice)
+        return fail(choice.error());
+    const std::string others = familyNames(choice->others);
+    if (!isTriamec(*choice->family))
+        environment.console().note(options.file + ": read as "
+            + std::string(choice->family->facts.name)
+            + (others.empty() ? "" : "; it could be " + others + " as well: say it with --from"));
+    return choice->family;
+}
+
+/// The number of dimensions is the user's to choose, but when only one fits it can be named.
+Result<CsvReading> refuseWithoutDimensions(Environment& environment,
+    const TableInputOptions& options, const std::optional<std::string>& text)
+{
+    std::vector<int> fitting;
+    for (int dimensions = 1; dimensions <= 3; ++dimensions) {
+        CsvReading reading = readCsv(environment, options, text, dimensions);
+        if (reading.cancelled)
+            return fail(ErrorCode::Cancelled);
+        if (isUnreadable(reading))
+            return reading;
+        if (!reading.hasErrors())
+            fitting.push_back(dimensions);
+    }
+    std::string reason = "the number of dimensions is missing: give --dims 1, 2 or 3";
+    if (fitting.size() == 1)
+        reason += "; only --dims " + std::to_string(fitting.front()) + " fits "
+            + displayName(options.file);
+    return wrongUsage(reason, options.command);
+}
+
+Result<TableInput> inspectCsv(Environment& environment, const TableInputOptions& options)
+{
+    std::optional<std::string> text;
+    if (options.file == standardStream) {
+        auto all = readStandardInput(environment.interrupt(), CsvOptions{}.maximumBytes);
+        if (!all)
+            return fail(all.error());
+        text = std::move(*all);
+    }
+    auto reading = options.dimensions == 0
+        ? refuseWithoutDimensions(environment, options, text)
+        : Result<CsvReading>(readCsv(environment, options, text, options.dimensions));
+    if (!reading)
+        return fail(reading.error());
+    if (reading->cancelled)
+        return fail(ErrorCode::Cancelled);
+    environment.diagnose(displayName(options.file), reading->diagnostics);
+    if (reading->suppressed > 0)
+        environment.console().note(displayName(options.file) + ": "
+            + plural(reading->suppressed, "further error is", "further errors are")
+            + " not listed");
+    TableInput input;
+    input.family = &calibrationCsvFamily();
+    input.diagnostics = std::move(reading->diagnostics);
+    input.suppressed = reading->suppressed;
+    if (!reading->hasErrors()) {
+        input.data = std::move(reading->data);
+        input.knots = std::move(reading->knots);
+    }
+    return input;
+}
+
+Result<TableInput> inspectTamTable(Environment& environment, const TableInputOptions& options)
+{
+    auto profile = profileOf(options.profile);
+    if (!profile)
+        return fail(profile.error());
+    const auto text = wholeInput(environment, options.file);
+    if (!text)
+        return fail(text.error());
+    auto table = decodeTamTable(asBytes(*text), profile->layout);
+    if (!table)
+        return fail(table.error());
+    const int dimensions = table->table.grid.dimensions();
+    if (options.dimensions != 0 && options.dimensions != dimensions)
+        return fail(ErrorCode::DimensionMismatch,
+            {{"table", std::to_string(dimensions)},
+                {"chosen", std::to_string(options.dimensions)}});
+    TableInput input;
+    input.family = &tamTableFamily();
+    input.persistent = table->persistent;
+    input.bytes = text->size();
+    input.data = CalibrationData{table->table.grid, {}, {}};
+    input.data->tables.push_back(std::move(table->table));
+    return input;
+}
+
+Result<TableInput> inspectOther(
+    Environment& environment, const TableFamily& family, const TableInputOptions& options)
+{
+    const auto settings = settingsOf(options.settings, options.command);
+    if (!settings)
+        return fail(settings.error());
+    if (family.read == nullptr)
+        return wrongUsage(
+            "the format " + std::string(family.facts.name) + " can be written, not read",
+            options.command);
+    const auto text = wholeInput(environment, options.file);
+    if (!text)
+        return fail(text.error());
+    TableReadOptions readOptions;
+    readOptions.dimensions = options.dimensions;
+    readOptions.settings = *settings;
+    readOptions.stop = environment.stopToken();
+    auto reading = family.read(*text, readOptions);
+    if (!reading)
+        return fail(reading.error());
+    if (reading->cancelled)
+        return fail(ErrorCode::Cancelled);
+    environment.diagnose(displayName(options.file), reading->diagnostics);
+    TableInput input;
+    input.family = &family;
+    input.bytes = text->size();
+    input.diagnostics = std::move(reading->diagnostics);
+    input.suppressed = reading->suppressed;
+    input.tables = std::move(reading->tables);
+    if (options.dimensions != 0 && input.isValid()
+        && static_cast<int>(input.tables.front().axes.size()) != options.dimensions)
+        return fail(ErrorCode::DimensionMismatch,
+            {{"table", std::to_string(input.tables.front().axes.size())},
+                {"chosen", std::to_string(options.dimensions)}});
+    return input;
+}
+
+} // namespace
+
+void addDimensionsOption(CLI::App& command, TableInputOptions& options)
+{
+    command
+        .add_option("--dims", options.dimensions,
+            "Number of dimensions of a CSV file: its first D columns are positions")
+        ->option_text("D")
+        ->check(CLI::IsMember({1, 2, 3}).description(""));
+}
+
+void addFromOption(CLI::App& command, TableInputOptions& options)
+{
+    command
+        .add_option("--from", options.from, "Format of the input, if content and name do not tell")
+        ->option_text("FORMAT");
+    command
+        .add_option("--set-in", options.settings,
+            "What a file of another controller does not say, see `axiscomp formats NAME`")
+        ->option_text("KEY=VALUE");
+}
+
+CLI::Option* addTableOption(CLI::App& command, TableInputOptions& options)
+{
+    return command
+        .add_option("--table", options.table,
+            "Which table of the file, by name or by number from 1; not needed for a single one")
+        ->option_text("TABLE");
+}
+
+void addProfileOption(CLI::App& command, std::string& profile)
+{
+    command
+        .add_option(
+            "--profile", profile, "Drive profile (JSON) in place of the built-in one, generic")
+        ->option_text("FILE");
+}
+
+Result<DriveProfile> profileOf(const std::string& file)
+{
+    if (file.empty())
+        return drivecomm::genericProfile();
+    return drivecomm::loadProfile(file);
+}
+
+std::string displayName(const std::string& file)
+{
+    return file == standardStream ? "<stdin>" : file;
+}
+
+Result<TableInput> inspectInput(Environment& environment, const TableInputOptions& options)
+{
+    const auto family = familyOf(environment, options);
+    if (!family)
+        return fail(family.error());
+    if (*family == &calibrationCsvFamily())
+        return inspectCsv(environment, options);
+    if (*family == &tamTableFamily())
+        return inspectTamTable(environment, options);
+    return inspectOther(environment, **family, options);
+}
+
+Result<TableInput> readInput(Environment& environment, const TableInputOptions& options)
+{
+    auto input = inspectInput(environment, options);
+    if (!input || input->isValid())
+        return input;
+    const auto errors =
+        std::ranges::count(input->diagnostics, Severity::Error, &Diagnostic::severity);
+    return fail(ErrorCode::InvalidCalibration,
+        {{"file", displayName(options.file)},
+            {"count", std::to_string(static_cast<std::size_t>(errors) + input->suppressed)}});
+}
+
+Result<FormatSettings> settingsOf(const std::vector<std::string>& pairs, const std::string& command)
+{
+    FormatSettings settings;
+    for (const std::string& pair : pairs) {
+        const std::size_t equals = pair.find('=');
+        if (equals == std::string::npos || equals == 0)
+            return wrongUsage("\"" + pair + "\" is no KEY=VALUE", command);
+        settings[pair.substr(0, equals)] = pair.substr(equals + 1);
+    }
+    return settings;
+}
+
+namespace {
+
+struct Choice {
+    std::string name;
+    std::string text; ///< as the list shows it
+};
+
+Result<std::size_t> choose(const std::vector<Choice>& choices, const TableInputOptions& options)
+{
+    std::string list;
+    for (std::size_t i = 0; i < choices.size(); ++i)
+        list += (i == 0 ? "" : ", ") + std::to_string(i + 1) + " (" + choices[i].text + ")";
+    if (options.table.empty() && choices.size() == 1)
+        return std::size_t{0};
+    if (options.table.empty())
+        return wrongUsage(displayName(options.file) + " has " + std::to_string(choices.size())
+                + " tables: choose one with --table: " + list,
+            options.command);
+    const auto named = std::ranges::find(choices, options.table, &Choice::name);
+    if (named != choices.end())
+        return static_cast<std::size_t>(named - choices.begin());
+    std::size_t number = 0;
+    const char* const last = options.table.data() + options.table.size();
+    const auto [end, error] = std::from_chars(options.table.data(), last, number);
+    if (error == std::errc{} && end == last && number >= 1 && number <= choices.size())
+        return number - 1;
+    return fail(ErrorCode::TableNotFound, {{"table", options.table}, {"known", list}});
+}
+
+} // namespace
+
+Result<std::size_t> chooseTable(const CalibrationData& data, const TableInputOptions& options)
+{
+    std::vector<Choice> choices;
+    for (const CompensationTable& table : data.tables)
+        choices.push_back({table.name, table.name});
+    return choose(choices, options);
+}
+
+std::vector<NeutralTable> neutralColumns(const TableInput& input)
+{
+    if (!input.data)
+        return separateColumns(input.tables);
+    const NeutralTable tables[] = {neutralTable(*input.data, input.knots)};
+    return separateColumns(tables);
+}
+
+Result<std::size_t> chooseColumn(
+    const std::vector<NeutralTable>& columns, const TableInputOptions& options)
+{
+    std::vector<Choice> choices;
+    for (const NeutralTable& table : columns) {
+        const CompensationColumn& column = table.columns.front();
+        const std::string name = !column.name.empty() ? column.name : table.name;
+        choices.push_back(
+            {name.empty() ? column.target : name, name.empty() ? columnText(table, column) : name});
+    }
+    return choose(choices, options);
+}
+
+} // namespace axiscomp::app

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/output/json_output.h"
+
+#include "app/cli/session/command_session.h"
+#include "app/common/number_text.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace axiscomp::app {
+
+namespace {
+
+/// The first `count` numbers; NaN becomes null.
+Json numbers(const std::array<double, 3>& values, int count)
+{
+    Json list = Json::array();
+    for (std::size_t n = 0;
+         n < std::min<std::size_t>(values.size(), static_cast<std::size_t>(count)); ++n)
+        list.push_back(values[n]);
+    return list;
+}
+
+Json textOrNull(const std::string& text)
+{
+    return text.empty() ? Json(nullptr) : Json(text);
+}
+
+Json toJson(const std::string& drive, const CompensationSetup& setup)
+{
+    return {{"dimensions", setup.dimensionality}, {"sources", sourceTexts(drive, setup)},
+        {"slot", textOrNull(setup.slot)}, {"crc", setup.tableCrc},
+        {"persistent", setup.persistency == Persistency::Persistent}};
+}
+
+} // namespace
+
+std::string dump(const Json& json)
+{
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+Json toJson(const Diagnostic& diagnostic)
+{
+    return {{"code", diagnosticName(diagnostic.code)}, {"line", diagnostic.line},
+        {"column", diagnostic.column}, {"message", message(diagnostic)}};
+}
+
+Json toJson(const Grid& grid)
+{
+    Json list = Json::array();
+    for (const GridAxis& axis : grid.axes)
+        list.push_back({{"name", axis.name}, {"unit", axis.unit}, {"start", axis.start},
+            {"distance", axis.distance}, {"size", axis.size}});
+    return list;
+}
+
+Json toJson(const CompensationTable& table)
+{
+    const TableStatistics figures = statistics(table);
+    return {{"name", table.name}, {"unit", table.unit}, {"min", figures.minimum},
+        {"max", figures.maximum}, {"rms", figures.rms}};
+}
+
+Json toJson(const Error& error, const Json& diagnostics)
+{
+    Json json = {{"code", errorName(error.code)},
+        {"message", withoutPasswords(singleLine(sentence(error)))}, {"context", Json::object()}};
+    for (const auto& [key, value] : error.context)
+        json["context"][key] = withoutPasswords(value);
+    json["diagnostics"] = diagnostics;
+    return json;
+}
+
+Json toJson(const AxisInfo& axis)
+{
+    return {{"index", axis.index}, {"name", axis.name}, {"unit", axis.unit},
+        {"homing", axis.homing}, {"state", textOrNull(axis.state)}};
+}
+
+Json toJson(const AxisStatus& status)
+{
+    const int dimensions =
+        status.table ? status.table->grid.dimensions() : status.setup.dimensionality;
+    Json table = nullptr;
+    if (status.table)
+        table = {{"axes", toJson(status.table->grid)}, {"elements", status.table->elements},
+            {"crc", status.table->crc}};
+    return {{"drive", status.drive.name}, {"axis", status.axis.index},
+        {"slot", textOrNull(status.setup.slot)},
+        {"persistent", status.table && status.table->persistent}, {"dimensions", dimensions},
+        {"table", std::move(table)}, {"sources", sourceTexts(status.drive.name, status.setup)},
+        {"activation", status.activation}, {"state", status.axis.state}, {"error", status.error},
+        {"output", status.output}, {"indices", numbers(status.indices, dimensions)},
+        {"homing", status.axis.homing}};
+}
+
+Json toJson(const FlashUse& use)
+{
+    const bool isCounted = !use.mostUsedSlot.empty();
+    const bool isLimited = use.budget.left != std::numeric_limits<int>::max();
+    return {{"operationsLeft", isLimited ? Json(use.budget.left) : Json(nullptr)},
+        {"waitSeconds", use.budget.wait.count()}, {"byThisComputer", use.operationsRecorded},
+        {"mostUsedSlot", textOrNull(use.mostUsedSlot)},
+        {"cycles", isCounted ? Json(use.mostCycles) : Json(nullptr)},
+        {"allCycles", isCounted ? Json(use.allCycles) : Json(nullptr)},
+        {"ratedCycles", use.ratedCycles > 0 ? Json(use.ratedCycles) : Json(nullptr)}};
+}
+
+Json unfinishedToJson(const JournalEntry& entry, AxisCompensator::UnfinishedOutcome outcome)
+{
+    return {{"began", utcText(entry.time)}, {"step", entry.step},
+        {"driveHolds", outcomeName(outcome)}, {"backup", entry.backup.string()}};
+}
+
+Json toJson(const WritePlan& plan)
+{
+    Json changes = Json::array();
+    for (const PlannedChange& change : plan.changes)
+        changes.push_back(
+            {{"field", change.field}, {"before", change.before}, {"after", change.after}});
+    return {{"drive", plan.drive.name}, {"serialNumber", plan.drive.serialNumber},
+        {"axis", plan.axis}, {"before", toJson(plan.drive.name, plan.before)},
+        {"after", toJson(plan.drive.name, plan.after)},
+        {"slotReason", slotReasonName(plan.slotReason)}, {"tableBytes", plan.tableBytes},
+        {"changes", std::move(changes)}, {"flashOperations", plan.flashOperations},
+        {"flashOperationsLeft", plan.flashBudget.left},
+        {"flashWaitSeconds", plan.flashBudget.wait.count()}, {"warnings", plan.warnings}};
+}
+
+Json toJson(const WriteReport& report)
+{
+    return {{"status", toJson(report.now)}, {"backup", report.backup.string()}};
+}
+
+Json toJson(const Proof& proof, int dimensions)
+{
+    Json samples = Json::array();
+    for (const Proof::Sample& sample : proof.samples)
+        samples.push_back(
+            {{"sources", numbers(sample.sources, dimensions)}, {"output", sample.output},
+                {"expected", sample.expected}, {"indices", numbers(sample.indices, dimensions)},
+                {"expectedIndices", numbers(sample.expectedIndices, dimensions)}});
+    return {{"samples", std::move(samples)}, {"largestDifference", proof.largestDifference},
+        {"tolerance", proof.tolerance}};
+}
+
+Json toJson(const DriveFile& file)
+{
+    return {{"path", file.path}, {"size", file.size}, {"maximumSize", file.maximumSize}};
+}
+
+std::vector<std::string> sourceTexts(const std::string& drive, const CompensationSetup& setup)
+{
+    std::vector<std::string> texts;
+    for (const DimSource& source : setup.sources) {
+        if (source.isSet())
+            texts.push_back(source.path.empty() ? "0x" + hexText(source.address)
+                                                : sourceUri(drive, source.path));
+    }
+    return texts;
+}
+
+std::string_view slotReasonName(SlotReason reason)
+{
+    switch (reason) {
+    case SlotReason::Named:
+        return "Named";
+    case SlotReason::Empty:
+        return "Empty";
+    case SlotReason::OwnPrevious:
+        return "OwnPrevious";
+    case SlotReason::KeepTable:
+        return "KeepTable";
+    case SlotReason::OverwriteOwn:
+        return "OverwriteOwn";
+    }
+    return "";
+}
+
+} // namespace axiscomp::app

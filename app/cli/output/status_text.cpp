@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/output/status_text.h"
+
+#include "app/cli/output/json_output.h"
+#include "app/common/number_text.h"
+#include "app/common/text_table.h"
+#include "core/table/position_unit.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace axiscomp::app {
+
+namespace {
+
+int dimensionsOf(const AxisStatus& status)
+{
+    return status.table ? status.table->grid.dimensions() : status.setup.dimensionality;
+}
+
+std::string tableWords(const AxisStatus& status, const DriveProfile& profile)
+{
+    if (status.setup.slot.empty())
+        return "none";
+    const TableSlot* const slot = profile.slotNamed(status.setup.slot);
+    std::string text = status.setup.slot + (slot ? " (" + slot->file + ")" : "");
+    if (!status.table)
+        return text + ", empty";
+    const auto dimensions = static_cast<std::uint64_t>(status.table->grid.dimensions());
+    return text + (status.table->persistent ? ", persistent, " : ", volatile, ")
+        + plural(dimensions, "dimension", "dimensions") + ", "
+        + plural(status.table->elements, "value", "values") + ", CRC " + hexText(status.table->crc);
+}
+
+/// One line per dimension: its grid, and where the drive looks the table up now.
+std::string dimensionsText(const AxisStatus& status)
+{
+    TextTable table(
+        {">dimension", ">start", ">distance", ">size", ">last", "source", ">value", ">index"});
+    const std::vector<std::string> sources = sourceTexts(status.drive.name, status.setup);
+    const auto dimensions = static_cast<std::size_t>(dimensionsOf(status));
+    for (std::size_t n = 0; n < std::min<std::size_t>(3, std::max(dimensions, sources.size()));
+         ++n) {
+        std::vector<std::string> cells{std::to_string(n + 1)};
+        if (status.table && n < dimensions) {
+            const GridAxis& axis = status.table->grid.axes[n];
+            for (const std::string& cell : {shortText(axis.start), shortText(axis.distance),
+                     countText(axis.size), shortText(axis.last())})
+                cells.push_back(cell);
+        } else {
+            cells.resize(5, "-");
+        }
+        const bool hasSource = n < sources.size();
+        cells.push_back(hasSource ? sources[n] : "not set");
+        cells.push_back(hasSource ? shortText(status.sourceValues[n]) : "-");
+        cells.push_back(hasSource && status.table ? shortText(status.indices[n]) : "-");
+        table.add(std::move(cells));
+    }
+    return table.text();
+}
+
+} // namespace
+
+std::string axisWords(const AxisInfo& axis)
+{
+    return "axis " + std::to_string(axis.index) + (axis.name.empty() ? "" : " (" + axis.name + ")");
+}
+
+std::string driveWords(const DriveIdentity& drive)
+{
+    return drive.name + " (serial number " + std::to_string(drive.serialNumber) + ")";
+}
+
+std::string statusText(const AxisStatus& status, const DriveProfile& profile)
+{
+    const std::string unit = unitSymbol(status.axis.unit);
+    std::vector<std::pair<std::string, std::string>> lines{
+        {"Drive", driveWords(status.drive)},
+        {"Axis",
+            std::to_string(status.axis.index)
+                + (status.axis.name.empty() ? "" : " (" + status.axis.name + ")") + ", position in "
+                + status.axis.unit},
+        {"Homing", status.axis.homing},
+        {"Compensation", status.axis.state + ", activation " + status.activation},
+        {"Error", status.error},
+        {"Output", withUnit(signedText(shortText(status.output)), unit)},
+        {"Table", tableWords(status, profile)},
+    };
+    if (status.driveError != profile.enums.driveErrorNone && !status.driveError.empty())
+        lines.emplace_back("Drive error", status.driveError);
+    std::string text = labelled(lines);
+    if (!status.setup.slot.empty() || status.setup.sources[0].isSet())
+        text += "\n" + dimensionsText(status);
+    return text;
+}
+
+std::string budgetWords(const FlashBudget& budget)
+{
+    if (budget.left == std::numeric_limits<int>::max())
+        return "no limit known";
+    if (budget.left == 0)
+        return "none possible for " + std::to_string(budget.wait.count()) + " s";
+    return plural(static_cast<std::uint64_t>(budget.left), "operation", "operations")
+        + " possible now";
+}
+
+std::string flashText(const FlashUse& use)
+{
+    std::string text = "Flash: " + budgetWords(use.budget) + "; ";
+    const std::string usual =
+        use.ratedCycles > 0 ? " of the usual " + countText(use.ratedCycles) + " cycles" : "";
+    if (use.mostUsedSlot.empty())
+        return text + plural(use.operationsRecorded, "operation", "operations")
+            + " by this computer so far (others are not counted)"
+            + (usual.empty()
+                    ? ""
+                    : "; a slot has the usual life of " + countText(use.ratedCycles) + " cycles")
+            + "\n";
+    return text + use.mostUsedSlot + " is the most used slot: " + countText(use.mostCycles)
+        + (usual.empty() ? " cycles" : usual) + " (all slots together " + countText(use.allCycles)
+        + ", by this computer " + countText(use.operationsRecorded) + ")\n";
+}
+
+std::string proofText(const Proof& proof, const AxisStatus& status)
+{
+    const std::string unit = unitSymbol(status.axis.unit);
+    const auto dimensions = static_cast<std::size_t>(dimensionsOf(status));
+    std::vector<std::string> headings;
+    for (std::size_t n = 0; n < dimensions; ++n)
+        headings.push_back(">source " + std::to_string(n + 1));
+    headings.insert(headings.end(), {">drive adds", ">computed here"});
+    std::vector<std::vector<double>> columns(dimensions + 2);
+    for (const Proof::Sample& sample : proof.samples) {
+        for (std::size_t n = 0; n < dimensions; ++n)
+            columns[n].push_back(sample.sources[n]);
+        columns[dimensions].push_back(sample.output);
+        columns[dimensions + 1].push_back(sample.expected);
+    }
+    std::vector<std::vector<std::string>> cells;
+    for (std::size_t n = 0; n < columns.size(); ++n) {
+        cells.push_back(columnTexts(columns[n]));
+        if (n >= dimensions)
+            std::ranges::transform(cells.back(), cells.back().begin(), signedText);
+    }
+    TextTable table(headings);
+    for (std::size_t i = 0; i < proof.samples.size(); ++i) {
+        std::vector<std::string> row;
+        for (const std::vector<std::string>& column : cells)
+            row.push_back(column[i]);
+        table.add(std::move(row));
+    }
+    return table.text() + "  largest difference "
+        + withUnit(shortText(proof.largestDifference), unit) + ", allowed "
+        + withUnit(shortText(proof.tolerance), unit) + "\n";
+}
+
+} // namespace axiscomp::app

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/compensator/axis_compensator.h"
+
+#include <string>
+
+namespace axiscomp::app {
+
+/// "axis 0 (X)"
+[[nodiscard]] std::string axisWords(const AxisInfo& axis);
+/// "Virtual-1 (serial number 100001)"
+[[nodiscard]] std::string driveWords(const DriveIdentity& drive);
+/// Table, compensation and sources of an axis, for people.
+[[nodiscard]] std::string statusText(const AxisStatus& status, const DriveProfile& profile);
+/// "7 operations possible now"
+[[nodiscard]] std::string budgetWords(const FlashBudget& budget);
+/// What the flash of the drive has gone through, one line.
+[[nodiscard]] std::string flashText(const FlashUse& use);
+/// The figures of a proof, one line per sample.
+[[nodiscard]] std::string proofText(const Proof& proof, const AxisStatus& status);
+
+} // namespace axiscomp::app

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/output/write_text.h"
+
+#include "app/cli/output/status_text.h"
+#include "app/common/number_text.h"
+#include "app/common/text_table.h"
+#include "core/table/position_unit.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace axiscomp::app {
+
+namespace {
+
+constexpr int mostDecimals = 9;
+
+std::string slotWords(const WritePlan& plan)
+{
+    const std::string slot = plan.after.slot;
+    switch (plan.slotReason) {
+    case SlotReason::Named:
+        return slot + ", named by you";
+    case SlotReason::Empty:
+        return slot + ", the smallest empty one that is large enough";
+    case SlotReason::OwnPrevious:
+        return slot + ", which holds a table that this axis used before and does not use now";
+    case SlotReason::KeepTable:
+        return slot + ", the axis keeps its table";
+    case SlotReason::OverwriteOwn:
+        return slot + ", the slot that the axis uses now";
+    }
+    return slot;
+}
+
+std::string flashWords(const WritePlan& plan)
+{
+    if (plan.flashOperations == 0)
+        return "not used";
+    return plural(static_cast<std::uint64_t>(plan.flashOperations), "operation", "operations")
+        + "; " + budgetWords(plan.flashBudget);
+}
+
+std::string tableWords(const WritePlan& plan, const CompensationTable& table, std::string_view unit)
+{
+    const TableStatistics figures = statistics(table);
+    const std::string name = table.name.empty() ? "" : "\"" + table.name + "\", ";
+    return name + plural(table.values.size(), "value", "values") + " from "
+        + withUnit(signedText(shortText(figures.minimum)), unit) + " to "
+        + withUnit(signedText(shortText(figures.maximum)), unit) + ", "
+        + plural(plan.tableBytes, "byte", "bytes");
+}
+
+/// The grid position of a value, dimension 1 fastest.
+std::vector<double> positionOf(const Grid& grid, std::size_t element)
+{
+    std::vector<double> position;
+    for (const GridAxis& axis : grid.axes) {
+        position.push_back(axis.position(element % axis.size));
+        element /= axis.size;
+    }
+    return position;
+}
+
+} // namespace
+
+std::string signSentence(const CompensationTable& table, std::string_view unit)
+{
+    const auto largest =
+        std::ranges::max_element(table.values, {}, [](float value) { return std::abs(value); });
+    const auto value = static_cast<double>(*largest);
+    const std::vector<double> position =
+        positionOf(table.grid, static_cast<std::size_t>(largest - table.values.begin()));
+    const std::string added = withUnit(signedText(floatText(value)), unit);
+    if (value == 0.0)
+        return "all values are 0: the drive will add nothing";
+    if (position.size() == 1) {
+        const int decimals =
+            std::max(decimalsOf(position[0], mostDecimals), decimalsOf(value, mostDecimals));
+        return "where the encoder reads " + fixedText(position[0], decimals)
+            + " the reference says " + fixedText(position[0] + value, decimals)
+            + ": the drive will add " + added;
+    }
+    std::string place;
+    for (std::size_t n = 0; n < position.size(); ++n)
+        place += (n == 0 ? "" : n + 1 == position.size() ? " and " : ", ") + shortText(position[n]);
+    return "where the sources read " + place + " the reference is "
+        + withUnit(floatText(std::abs(value)), unit) + (value > 0 ? " above" : " below")
+        + " the encoder: the drive will add " + added;
+}
+
+std::string planText(
+    const WritePlan& plan, const AxisInfo& axis, const std::optional<CompensationTable>& table)
+{
+    std::string text = "Plan for " + axisWords(axis) + " of " + driveWords(plan.drive) + "\n\n";
+    if (plan.changes.empty()) {
+        text += "  The axis already has all of this.\n";
+    } else {
+        TextTable changes({"what", "on the drive now", "will be written"});
+        for (const PlannedChange& change : plan.changes)
+            changes.add({change.field, change.before, change.after});
+        text += changes.text();
+    }
+    std::vector<std::pair<std::string, std::string>> lines;
+    if (!plan.after.slot.empty())
+        lines.emplace_back("Slot", slotWords(plan));
+    if (table) {
+        const std::string unit = unitSymbol(axis.unit);
+        lines.emplace_back("Table", tableWords(plan, *table, unit));
+        lines.emplace_back("Sign", signSentence(*table, unit));
+    }
+    lines.emplace_back("Flash", flashWords(plan));
+    return text + "\n" + labelled(lines, "  ");
+}
+
+std::string reportText(const WriteReport& report, const std::string& endpoint, bool isDemo)
+{
+    const AxisStatus& now = report.now;
+    std::string text = "\nWritten and verified: every byte of what was written was read back and "
+                       "compared.\n";
+    if (isDemo)
+        return text + "This was the demo: its drive and its backup end with this program.\n";
+    text += labelled({{"Backup of the old state", report.backup.string()},
+        {"Next",
+            "axiscomp activate --drive " + endpoint + " --axis "
+                + std::to_string(now.axis.index)}});
+    if (now.table && !now.table->persistent)
+        text += "The table is volatile: a reboot of the drive removes it. `axiscomp persist` keeps "
+                "it.\n";
+    return text;
+}
+
+} // namespace axiscomp::app

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/compensator/axis_compensator.h"
+
+#include <optional>
+#include <string>
+
+namespace axiscomp::app {
+
+/// Before anything is written: what is on the drive, what will be there, in which slot and why,
+/// and what it costs. table: the new one, if there is one.
+[[nodiscard]] std::string planText(
+    const WritePlan& plan, const AxisInfo& axis, const std::optional<CompensationTable>& table);
+
+/// What the sign of the values means, at the largest of them: "where the encoder reads 40.0000 the
+/// reference says 40.0021: the drive will add +0.0021 mm".
+[[nodiscard]] std::string signSentence(const CompensationTable& table, std::string_view unit);
+
+/// After a write: what was verified, where the old state is kept, what comes next.
+[[nodiscard]] std::string reportText(
+    const WriteReport& report, const std::string& endpoint, bool isDemo);
+
+} // namespace axiscomp::app

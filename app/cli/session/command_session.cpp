@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/session/command_session.h"
+
+#include "app/cli/input/table_input.h"
+#include "app/cli/output/step_words.h"
+#include "app/common/arguments.h"
+#include "drivecomm/link_factory.h"
+
+namespace axiscomp::app {
+
+namespace {
+
+constexpr double longestTimeoutSeconds = 3600.0;
+constexpr double shortestTimeoutSeconds = 0.001;
+
+std::string listAxes(const std::vector<AxisInfo>& axes)
+{
+    std::string text;
+    for (const AxisInfo& axis : axes)
+        text += (text.empty() ? "" : ", ") + std::to_string(axis.index)
+            + (axis.name.empty() ? "" : " (" + axis.name + ")");
+    return text;
+}
+
+} // namespace
+
+void addDriveOptions(CLI::App& command, DriveOptions& options, DriveCount count)
+{
+    CLI::Option* drive = command.add_option("--drive", options.endpoints,
+        count == DriveCount::Several
+            ? "Address of the drive, may be given several times; $AXISCOMP_DRIVE unless given"
+            : "Address of the drive; $AXISCOMP_DRIVE unless given");
+    drive->option_text("ENDPOINT")->envname("AXISCOMP_DRIVE")->allow_extra_args(false);
+    addProfileOption(command, options.profile);
+    command
+        .add_option("--trust-certificate", options.trustedFingerprint,
+            "Trust the https certificate with this fingerprint, now and later; any other one is "
+            "refused then")
+        ->option_text("SHA256")
+        ->check(CLI::Validator(
+            [](const std::string& text) {
+                return sha256Fingerprint(text) ? std::string()
+                                               : text + " is not 64 hexadecimal digits";
+            },
+            ""));
+    command
+        .add_option("--timeout", options.timeoutSeconds,
+            "How long one exchange with the drive may take (5 unless given)")
+        ->option_text("SECONDS")
+        ->check(CLI::Range(shortestTimeoutSeconds, longestTimeoutSeconds));
+}
+
+drivecomm::CertificateCheck certificateCheck(const DriveOptions& options)
+{
+    return [certificates = std::make_shared<TrustedCertificates>(DriveStore::defaultRoot()),
+               trusted = sha256Fingerprint(options.trustedFingerprint)](
+               const std::string& endpoint, const std::string& fingerprint) {
+        const CertificateTrust known = certificates->check(endpoint, fingerprint);
+        if (known == CertificateTrust::Trusted || trusted != fingerprint)
+            return known;
+        // Where it cannot be kept, the next run asks again.
+        static_cast<void>(certificates->trust(endpoint, fingerprint));
+        return CertificateTrust::Trusted;
+    };
+}
+
+CLI::Option* addAxisOption(CLI::App& command, DriveOptions& options)
+{
+    return command
+        .add_option(
+            "--axis", options.axis, "Index or name of the axis; not needed when the drive has one")
+        ->option_text("AXIS");
+}
+
+QtRuntime::QtRuntime() : m_arguments{m_name.data(), nullptr}
+{
+    m_application.emplace(m_count, m_arguments.data());
+}
+
+DriveSession::DriveSession(Environment& environment, DriveOptions options, DriveProfile profile,
+    std::optional<TemporaryFolder> demoState)
+    : m_environment(environment)
+    , m_options(std::move(options))
+    , m_profile(std::move(profile))
+    , m_demoState(std::move(demoState))
+    , m_store(m_demoState ? m_demoState->path() : DriveStore::defaultRoot())
+{
+}
+
+Result<std::unique_ptr<DriveSession>> DriveSession::open(
+    Environment& environment, const DriveOptions& options, const std::string& endpoint)
+{
+    const auto parsed = drivecomm::parseEndpoint(endpoint);
+    if (!parsed)
+        return fail(parsed.error());
+    auto profile = profileOf(options.profile);
+    if (!profile)
+        return fail(profile.error());
+    // What is remembered of a drive must not outlive it: the next demo is another drive.
+    std::optional<TemporaryFolder> demoState;
+    if (parsed->kind == drivecomm::DriveEndpoint::Kind::Demo) {
+        auto folder = TemporaryFolder::make();
+        if (!folder)
+            return fail(folder.error());
+        demoState = std::move(*folder);
+    }
+    std::unique_ptr<DriveSession> session(
+        new DriveSession(environment, options, std::move(*profile), std::move(demoState)));
+    auto link = drivecomm::makeLink(*parsed, session->m_profile, certificateCheck(options));
+    if (!link)
+        return fail(link.error());
+    session->m_link = std::move(*link);
+    session->m_compensator =
+        std::make_unique<AxisCompensator>(*session->m_link, session->m_profile, session->m_store);
+    return session;
+}
+
+Result<std::unique_ptr<DriveSession>> DriveSession::open(
+    Environment& environment, const DriveOptions& options)
+{
+    if (options.endpoints.empty())
+        return wrongUsage("the drive is missing: give --drive http://host, or set AXISCOMP_DRIVE",
+            options.command);
+    if (options.endpoints.size() > 1)
+        return wrongUsage("only one --drive is possible here", options.command);
+    return open(environment, options, options.endpoints.front());
+}
+
+OperationOptions DriveSession::operation() const
+{
+    OperationOptions operation;
+    operation.timeout =
+        std::chrono::milliseconds(static_cast<std::int64_t>(m_options.timeoutSeconds * 1000.0));
+    operation.stop = m_environment.stopToken();
+    operation.progress = [this](const Progress& progress) {
+        m_environment.console().progress(stepWords(progress.step), progress.fraction);
+    };
+    return operation;
+}
+
+Exchange DriveSession::exchange() const
+{
+    Exchange exchange;
+    exchange.timeout = operation().timeout;
+    exchange.stop = m_environment.stopToken();
+    return exchange;
+}
+
+Result<int> DriveSession::axis()
+{
+    if (!m_options.axis.empty())
+        return m_compensator->findAxis(m_options.axis, operation());
+    const auto axes = m_compensator->axes(operation());
+    if (!axes)
+        return fail(axes.error());
+    if (axes->size() == 1)
+        return axes->front().index;
+    return wrongUsage("the drive has several axes: choose one with --axis: " + listAxes(*axes),
+        m_options.command);
+}
+
+Result<SettledStatus> settledStatus(Environment& environment, DriveSession& session, int axis)
+{
+    auto status = session.compensator().status(axis, session.operation());
+    if (!status)
+        return fail(status.error());
+    SettledStatus settled{std::move(*status), std::nullopt};
+    if (!settled.status.unfinishedWrite)
+        return settled;
+    const auto outcome = session.compensator().settleUnfinished(
+        *settled.status.unfinishedWrite, session.operation());
+    if (!outcome)
+        return fail(outcome.error());
+    settled.unfinished = *outcome;
+    environment.warn(outcomeSentence(*settled.status.unfinishedWrite, *outcome));
+    return settled;
+}
+
+std::string_view outcomeName(AxisCompensator::UnfinishedOutcome outcome)
+{
+    switch (outcome) {
+    case AxisCompensator::UnfinishedOutcome::Old:
+        return "Old";
+    case AxisCompensator::UnfinishedOutcome::New:
+        return "New";
+    case AxisCompensator::UnfinishedOutcome::NewUnsaved:
+        return "NewUnsaved";
+    case AxisCompensator::UnfinishedOutcome::Neither:
+        return "Neither";
+    }
+    return "";
+}
+
+std::string outcomeSentence(const JournalEntry& entry, AxisCompensator::UnfinishedOutcome outcome)
+{
+    const std::string head = "a write to axis " + std::to_string(entry.axis) + " that began at "
+        + utcText(entry.time) + " did not end (last step: " + stepWords(entry.step) + "). ";
+    switch (outcome) {
+    case AxisCompensator::UnfinishedOutcome::Old:
+        return head
+            + "The drive holds the complete old state: `axiscomp recover --finish` brings the new "
+              "one about, `axiscomp recover --undo` puts an end to it";
+    case AxisCompensator::UnfinishedOutcome::New:
+        return head + "The drive holds the complete new state; nothing needs to be done";
+    case AxisCompensator::UnfinishedOutcome::NewUnsaved:
+        return head
+            + "The drive holds the complete new state, but its parameters may not be saved: "
+              "`axiscomp recover --finish` saves them, `axiscomp recover --undo` brings the old "
+              "state back";
+    case AxisCompensator::UnfinishedOutcome::Neither:
+        break;
+    }
+    return head
+        + "The drive holds neither the old nor the new state: do not activate the axis; finish the "
+          "write with `axiscomp recover --finish`, or undo it with `axiscomp recover --undo`. The "
+          "old state is kept in "
+        + entry.backup.string();
+}
+
+Result<ExitCode> withDrive(
+    Environment& environment, const DriveOptions& options, const DriveFunction& function)
+{
+    const QtRuntime runtime;
+    auto session = DriveSession::open(environment, options);
+    if (!session)
+        return fail(session.error());
+    auto outcome = function(environment, **session);
+    environment.console().clearProgress();
+    return outcome;
+}
+
+Result<ExitCode> withAxis(
+    Environment& environment, const DriveOptions& options, const AxisFunction& function)
+{
+    return withDrive(
+        environment, options, [&](Environment& sameEnvironment, DriveSession& session) {
+            const auto axis = session.axis();
+            return axis ? function(sameEnvironment, session, *axis)
+                        : Result<ExitCode>(fail(axis.error()));
+        });
+}
+
+} // namespace axiscomp::app

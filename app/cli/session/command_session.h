@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/cli/environment.h"
+#include "app/cli/session/temporary_folder.h"
+#include "core/compensator/axis_compensator.h"
+#include "drivecomm/link/certificate_check.h"
+
+#include <CLI/App.hpp>
+#include <QCoreApplication>
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace axiscomp::app {
+
+/// The options of every command that talks to a drive.
+struct DriveOptions {
+    std::string command; ///< "axiscomp write": for hints
+    std::vector<std::string> endpoints;
+    std::string axis; ///< index or name; empty: the only one
+    std::string profile; ///< path; empty: the built-in one
+    std::string trustedFingerprint; ///< as given; empty: none
+    double timeoutSeconds = 5.0;
+};
+
+/// What is remembered of certificates by this program and the window, and what the options add.
+[[nodiscard]] drivecomm::CertificateCheck certificateCheck(const DriveOptions& options);
+
+enum class DriveCount { One, Several };
+void addDriveOptions(CLI::App& command, DriveOptions& options, DriveCount count = DriveCount::One);
+CLI::Option* addAxisOption(CLI::App& command, DriveOptions& options);
+
+/// What Qt needs to exist while drives are talked to. Made by drive commands only: it costs more
+/// time than the start of the program.
+class QtRuntime {
+public:
+    QtRuntime();
+
+private:
+    int m_count = 1;
+    std::string m_name = "axiscomp";
+    std::vector<char*> m_arguments;
+    std::optional<QCoreApplication> m_application;
+};
+
+/// A connection to one drive with what works on it; used on the thread that made it. A QtRuntime
+/// must exist.
+class DriveSession {
+public:
+    /// Errors: InvalidEndpoint, InvalidProfile, ...; nothing is sent yet.
+    [[nodiscard]] static Result<std::unique_ptr<DriveSession>> open(
+        Environment& environment, const DriveOptions& options, const std::string& endpoint);
+    /// Of the one drive that the options name. Errors: InvalidArgument when they name none.
+    [[nodiscard]] static Result<std::unique_ptr<DriveSession>> open(
+        Environment& environment, const DriveOptions& options);
+
+    [[nodiscard]] AxisCompensator& compensator() { return *m_compensator; }
+    [[nodiscard]] DriveLink& link() { return *m_link; }
+    [[nodiscard]] const DriveProfile& profile() const { return m_profile; }
+    /// The drive is inside this process and ends with it.
+    [[nodiscard]] bool isDemo() const { return m_demoState.has_value(); }
+    /// Deadline, stop and progress of an operation.
+    [[nodiscard]] OperationOptions operation() const;
+    [[nodiscard]] Exchange exchange() const;
+
+    /// The axis that the options name. Errors: InvalidArgument when none is named and there are
+    /// several; AxisNotFound, AxisAmbiguous.
+    [[nodiscard]] Result<int> axis();
+
+private:
+    DriveSession(Environment& environment, DriveOptions options, DriveProfile profile,
+        std::optional<TemporaryFolder> demoState);
+
+    Environment& m_environment;
+    DriveOptions m_options;
+    DriveProfile m_profile;
+    std::optional<TemporaryFolder> m_demoState;
+    DriveStore m_store;
+    std::unique_ptr<DriveLink> m_link;
+    std::unique_ptr<AxisCompensator> m_compensator;
+};
+
+/// The state of an axis; says on standard error what became of an earlier write that did not end,
+/// and forgets it where the drive holds its new state completely.
+struct SettledStatus {
+    AxisStatus status;
+    std::optional<AxisCompensator::UnfinishedOutcome> unfinished;
+};
+[[nodiscard]] Result<SettledStatus> settledStatus(
+    Environment& environment, DriveSession& session, int axis);
+
+/// "Old", "New", "NewUnsaved", "Neither"
+[[nodiscard]] std::string_view outcomeName(AxisCompensator::UnfinishedOutcome outcome);
+/// Sentences for people about it, and about what can be done.
+[[nodiscard]] std::string outcomeSentence(
+    const JournalEntry& entry, AxisCompensator::UnfinishedOutcome outcome);
+
+/// Reads the options of a command, opens a session and runs the function with it and the axis.
+using AxisFunction = std::function<Result<ExitCode>(Environment&, DriveSession&, int axis)>;
+[[nodiscard]] Result<ExitCode> withAxis(
+    Environment& environment, const DriveOptions& options, const AxisFunction& function);
+using DriveFunction = std::function<Result<ExitCode>(Environment&, DriveSession&)>;
+[[nodiscard]] Result<ExitCode> withDrive(
+    Environment& environment, const DriveOptions& options, const DriveFunction& function);
+
+} // namespace axiscomp::app

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/session/drive_search.h"
+
+#include "app/cli/input/table_input.h"
+#include "app/common/text_table.h"
+#include "drivecomm/link/drive_endpoint.h"
+#include "drivecomm/link_factory.h"
+
+#include <algorithm>
+
+namespace axiscomp::app {
+
+namespace {
+
+std::string answerText(const Result<DriveIdentity>& drive)
+{
+    if (!drive)
+        return sentence(drive.error());
+    return drive->name + ", serial number " + std::to_string(drive->serialNumber)
+        + ", axes: " + std::to_string(drive->axes);
+}
+
+std::vector<DriveCandidate> candidates(const DriveOptions& options, drivecomm::BaudRates rates)
+{
+    std::vector<DriveCandidate> all;
+    for (const std::string& endpoint : options.endpoints)
+        all.push_back(drivecomm::candidateAt(endpoint, rates));
+    for (DriveCandidate& port :
+        drivecomm::candidatesAt(drivecomm::serialPorts(), options.endpoints, rates))
+        all.push_back(std::move(port));
+    return all;
+}
+
+} // namespace
+
+std::string shownEndpoint(const std::string& endpoint)
+{
+    const auto parsed = drivecomm::parseEndpoint(endpoint);
+    return parsed ? drivecomm::displayText(*parsed) : "";
+}
+
+Result<std::vector<DriveSighting>> lookForDrives(
+    Environment& environment, const DriveOptions& options, drivecomm::BaudRates rates)
+{
+    const auto profile = profileOf(options.profile);
+    if (!profile)
+        return fail(profile.error());
+    const std::vector<DriveCandidate> places = candidates(options, rates);
+    DriveSearch search;
+    search.stop = environment.stopToken();
+    search.linkFactory = drivecomm::linkFactory(*profile, certificateCheck(options));
+    std::vector<DriveSighting> sightings = findDrives(places, search);
+    TextTable table({"address", "port", "answer"});
+    for (const DriveSighting& sighting : sightings)
+        table.add(
+            {shownEndpoint(sighting.endpoint), sighting.description, answerText(sighting.drive)});
+    if (environment.stopToken().stop_requested())
+        return fail(ErrorCode::Cancelled);
+    if (!places.empty())
+        environment.console().note(table.text(""));
+    if (std::ranges::none_of(
+            sightings, [](const auto& sighting) { return sighting.drive.has_value(); }))
+        return fail(ErrorCode::NotConnected,
+            {{"endpoint", "any drive"},
+                {"reason",
+                    places.empty() ? "this computer has no serial port, and no address was given"
+                                   : "none of the places looked at ("
+                            + std::to_string(places.size()) + ") has one that answers"}});
+    return sightings;
+}
+
+} // namespace axiscomp::app

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/session/write_run.h"
+
+#include "app/cli/output/json_output.h"
+#include "app/cli/output/step_words.h"
+#include "app/cli/output/write_text.h"
+
+namespace axiscomp::app {
+
+namespace {
+
+/// The step that announces the end is none.
+constexpr std::string_view lastStep = "done";
+constexpr std::string_view undoStep = "putting back";
+
+/// AxisCompensator::write: after any error but these two the drive holds the old state.
+std::string_view driveHolds(ErrorCode code)
+{
+    switch (code) {
+    case ErrorCode::OutcomeUnknown:
+        return "old or new";
+    case ErrorCode::RollbackFailed:
+        return "neither";
+    default:
+        return "old";
+    }
+}
+
+Result<WriteReport> carryOut(
+    Environment& environment, DriveSession& session, int axis, const WriteRequest& request)
+{
+    const WriteInterruption interruption(environment);
+    StepLog log(environment);
+    OperationOptions operation = session.operation();
+    operation.progress = [&, progress = operation.progress](const Progress& now) {
+        log.show(now);
+        progress(now);
+    };
+    environment.print("\n");
+    // Whoever watches reads the plan before it is carried out.
+    static_cast<void>(environment.console().flush());
+    auto report = session.compensator().write(axis, request, operation);
+    environment.console().clearProgress();
+    if (report)
+        return report;
+    if (report.error().code == ErrorCode::NothingToWrite)
+        return report;
+    log.failed();
+    Error error = report.error();
+    const std::string_view held = driveHolds(error.code);
+    error.context.emplace("driveHolds", held);
+    if (held == "old")
+        environment.console().note("note: the drive holds the complete old state");
+    return fail(std::move(error));
+}
+
+} // namespace
+
+WriteInterruption::WriteInterruption(Environment& environment) : m_environment(environment)
+{
+    environment.interrupt().setListener([&console = environment.console()](int count) {
+        console.note(count == 1 ? "stopping: what was changed is being put back, please wait"
+                                : "still putting the old state back, please wait: the drive must "
+                                  "not be left in between");
+    });
+}
+
+WriteInterruption::~WriteInterruption()
+{
+    m_environment.interrupt().setListener({});
+}
+
+StepLog::StepLog(Environment& environment) : m_environment(environment) { }
+
+void StepLog::show(const Progress& progress)
+{
+    if (progress.step == m_step)
+        return;
+    end(progress.step == undoStep ? "failed" : "ok    ");
+    m_step = progress.step == lastStep ? "" : progress.step;
+}
+
+void StepLog::failed()
+{
+    end(m_step == undoStep ? "ended " : "failed");
+    m_step.clear();
+}
+
+void StepLog::end(const char* outcome)
+{
+    if (m_step.empty())
+        return;
+    m_environment.print("  " + std::string(outcome) + "  " + stepWords(m_step) + "\n");
+    // The lines are for watching, also through a pipe; a broken one is reported at the end.
+    static_cast<void>(m_environment.console().flush());
+}
+
+Result<Json> writeAndReport(Environment& environment, DriveSession& session, int axis,
+    const WriteRequest& request, bool isDryRun)
+{
+    const auto before = settledStatus(environment, session, axis);
+    if (!before)
+        return fail(before.error());
+    const auto plan = session.compensator().plan(axis, request, session.operation());
+    environment.console().clearProgress();
+    if (!plan)
+        return fail(plan.error());
+    environment.print(planText(*plan, before->status.axis, request.table));
+    for (const std::string& warning : plan->warnings)
+        environment.warn(warning);
+    Json json = {{"plan", toJson(*plan)}, {"report", nullptr}};
+    if (isDryRun) {
+        environment.print("\nNothing was written (--dry-run).\n");
+        return json;
+    }
+
+    WriteRequest asPlanned = request;
+    asPlanned.expected = plan->before;
+    const auto report = carryOut(environment, session, axis, asPlanned);
+    const bool nothingToDo = !report && report.error().code == ErrorCode::NothingToWrite;
+    if (!report && !nothingToDo)
+        return fail(report.error());
+    if (report) {
+        environment.print(reportText(*report, session.link().endpoint(), session.isDemo()));
+        json["report"] = toJson(*report);
+    } else {
+        environment.print("Nothing had to be written.\n");
+    }
+    return json;
+}
+
+Result<ExitCode> runWrite(Environment& environment, DriveSession& session, int axis,
+    const WriteRequest& request, bool isDryRun)
+{
+    const auto document = writeAndReport(environment, session, axis, request, isDryRun);
+    if (!document)
+        return fail(document.error());
+    environment.document(*document);
+    return ExitCode::Done;
+}
+
+} // namespace axiscomp::app

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/cli/session/command_session.h"
+
+namespace axiscomp::app {
+
+/// Tells on standard error what Ctrl-C does while a drive is being changed.
+class WriteInterruption {
+public:
+    explicit WriteInterruption(Environment& environment);
+    WriteInterruption(const WriteInterruption&) = delete;
+    WriteInterruption& operator=(const WriteInterruption&) = delete;
+    ~WriteInterruption();
+
+private:
+    Environment& m_environment;
+};
+
+/// Prints a line for every step that has ended.
+class StepLog {
+public:
+    explicit StepLog(Environment& environment);
+
+    void show(const Progress& progress);
+    /// The last step failed.
+    void failed();
+
+private:
+    void end(const char* outcome);
+
+    Environment& m_environment;
+    std::string m_step;
+};
+
+/// Plans, shows the plan, writes and reports in text; only shows the plan when isDryRun. The
+/// document: {"plan", "report"}.
+[[nodiscard]] Result<Json> writeAndReport(Environment& environment, DriveSession& session, int axis,
+    const WriteRequest& request, bool isDryRun);
+/// The same, with its document.
+[[nodiscard]] Result<ExitCode> runWrite(Environment& environment, DriveSession& session, int axis,
+    const WriteRequest& request, bool isDryRun);
+
+} // namespace axiscomp::app

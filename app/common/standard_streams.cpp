@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/common/standard_streams.h"
+
+#include <poll.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+
+namespace axiscomp::app {
+
+namespace {
+
+constexpr std::size_t chunkSize = 256 * 1024;
+
+} // namespace
+
+Result<bool> readMore(int descriptor, Interrupt& interrupt, std::string& text)
+{
+    // Signals do not interrupt a read here (they are taken by another thread), so wait for both.
+    std::array<pollfd, 2> both{
+        pollfd{descriptor, POLLIN, 0}, pollfd{interrupt.wakeDescriptor(), POLLIN, 0}};
+    while (::poll(both.data(), both.size(), -1) < 0 && errno == EINTR) { }
+    if (interrupt.stopped())
+        return fail(ErrorCode::Cancelled);
+    const std::size_t before = text.size();
+    text.resize(before + chunkSize);
+    ssize_t count = 0;
+    do {
+        count = ::read(descriptor, text.data() + before, chunkSize);
+    } while (count < 0 && errno == EINTR);
+    const int reason = errno;
+    text.resize(before + static_cast<std::size_t>(count < 0 ? 0 : count));
+    if (count < 0)
+        return fail(ErrorCode::FileNotReadable,
+            {{"file", "standard input"}, {"reason", std::strerror(reason)}});
+    return count > 0;
+}
+
+Result<std::string> readStandardInput(Interrupt& interrupt, std::uint64_t maximumSize)
+{
+    std::string text;
+    while (true) {
+        const auto more = readMore(STDIN_FILENO, interrupt, text);
+        if (!more)
+            return fail(more.error());
+        if (!*more)
+            return text;
+        if (text.size() > maximumSize)
+            return fail(ErrorCode::FileTooLarge,
+                {{"file", "standard input"}, {"size", "more than " + std::to_string(maximumSize)},
+                    {"limit", std::to_string(maximumSize)}});
+    }
+}
+
+} // namespace axiscomp::app

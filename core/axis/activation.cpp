@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/axis/activation.h"
+
+#include "core/axis/verified_transfer.h"
+
+#include <array>
+
+namespace axiscomp {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+constexpr std::chrono::milliseconds pollInterval{5};
+
+struct Hint {
+    std::string_view error;
+    std::string_view hint;
+};
+/// The drive's own error names (spec/drive.md, Signals/Compensations/Axis/Error).
+constexpr std::array hints{
+    Hint{"NotHomed", "the axis must be homed first"},
+    Hint{"NoTable", "the axis has no table; write one first"},
+    Hint{"DimensionMismatch", "the number of sources must equal the table's dimensions"},
+    Hint{"BadSource", "a source is not a Single or Double register of this drive"},
+    Hint{"BadTable", "the drive cannot use the table; write it again"},
+};
+
+Result<void> requestActivation(
+    const DriveAccess& access, const AxisStatus& status, const std::string& value)
+{
+    const std::string path = access.axisPath(access.registers().activation, status.axis.index);
+    // An error stays until the request is withdrawn.
+    const bool isStuck = status.axis.state == access.enums().stateError;
+    if (isStuck && value != access.enums().activationDisabled) {
+        if (auto cleared = writeSurely(access, {{path, access.enums().activationDisabled}});
+            !cleared)
+            return cleared;
+    }
+    return writeSurely(access, {{path, value}});
+}
+
+/// activation: what was asked for. It is looked at too: a drive that restarts forgets it, and the
+/// state that is waited for would never come.
+Result<AxisStatus> waitForState(const DriveAccess& access, const DriveIdentity& drive, int axis,
+    SourceDirectory& sources, const std::string& activation, const std::string& wanted)
+{
+    const std::string path = access.axisPath(access.registers().state, axis);
+    const std::string request = access.axisPath(access.registers().activation, axis);
+    const auto notReached = [&](const std::string& state, std::string hint) {
+        return fail(ErrorCode::CompensationError,
+            {{"axis", std::to_string(axis)}, {"error", state}, {"hint", std::move(hint)}});
+    };
+    const auto deadline = Clock::now() + access.options().timeout;
+    while (true) {
+        auto readings = access.read({path, request});
+        if (!readings)
+            return fail(readings.error());
+        const std::string state = textAt(*readings, path);
+        const bool isError = state == access.enums().stateError;
+        if (state == wanted || isError) {
+            auto status = readStatus(access, drive, axis, sources);
+            if (status && isError)
+                return fail(compensationError(*status));
+            return status;
+        }
+        if (textAt(*readings, request) != activation)
+            return notReached(
+                state, "the drive has restarted, or somebody else has switched the compensation");
+        if (Clock::now() >= deadline)
+            return notReached(state, "it did not become " + wanted + " in time");
+        if (auto paused = access.pause(pollInterval); !paused)
+            return fail(paused.error());
+    }
+}
+
+Result<AxisStatus> requestAndWait(const DriveAccess& access, const AxisStatus& status,
+    SourceDirectory& sources, const std::string& activation, const std::string& wanted)
+{
+    if (auto requested = requestActivation(access, status, activation); !requested)
+        return fail(requested.error());
+    return waitForState(access, status.drive, status.axis.index, sources, activation, wanted);
+}
+
+/// What can be said before the drive is asked.
+Result<AxisStatus> readyStatus(
+    const DriveAccess& access, const DriveIdentity& drive, int axis, SourceDirectory& sources)
+{
+    auto status = readStatus(access, drive, axis, sources);
+    if (status && !status->table)
+        return fail(ErrorCode::NoTable, {{"axis", std::to_string(axis)}});
+    return status;
+}
+
+} // namespace
+
+Error compensationError(const AxisStatus& status)
+{
+    std::string hint = "see the drive's manual";
+    for (const Hint& row : hints) {
+        if (row.error == status.error)
+            hint = row.hint;
+    }
+    return Error{ErrorCode::CompensationError,
+        {{"axis", std::to_string(status.axis.index)}, {"error", status.error}, {"hint", hint}}, {}};
+}
+
+Result<AxisStatus> activateAxis(
+    const DriveAccess& access, const DriveIdentity& drive, int axis, SourceDirectory& sources)
+{
+    auto status = readyStatus(access, drive, axis, sources);
+    if (!status || status->axis.state == access.enums().stateActive)
+        return status;
+    if (status->axis.homing != access.enums().homingDone)
+        return fail(ErrorCode::NotHomed, {{"axis", std::to_string(axis)}});
+    return requestAndWait(access, *status, sources, access.enums().activationAddToEncoders,
+        access.enums().stateActive);
+}
+
+Result<AxisStatus> evaluateAxis(
+    const DriveAccess& access, const DriveIdentity& drive, int axis, SourceDirectory& sources)
+{
+    auto status = readyStatus(access, drive, axis, sources);
+    if (!status || status->axis.state == access.enums().stateEvaluating)
+        return status;
+    if (status->axis.state == access.enums().stateActive
+        || status->axis.state == access.enums().stateRamping)
+        return fail(ErrorCode::CompensationActive, {{"axis", std::to_string(axis)}});
+    return requestAndWait(access, *status, sources, access.enums().activationEvaluate,
+        access.enums().stateEvaluating);
+}
+
+Result<AxisStatus> deactivateAxis(
+    const DriveAccess& access, const DriveIdentity& drive, int axis, SourceDirectory& sources)
+{
+    auto status = readStatus(access, drive, axis, sources);
+    if (!status
+        || (status->axis.state == access.enums().stateDisabled
+            && status->activation == access.enums().activationDisabled))
+        return status;
+    return requestAndWait(
+        access, *status, sources, access.enums().activationDisabled, access.enums().stateDisabled);
+}
+
+} // namespace axiscomp

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/axis/axis_reader.h"
+
+namespace axiscomp {
+
+/// Switch the compensation of one axis and wait for the resulting state.
+[[nodiscard]] Result<AxisStatus> activateAxis(
+    const DriveAccess& access, const DriveIdentity& drive, int axis, SourceDirectory& sources);
+[[nodiscard]] Result<AxisStatus> evaluateAxis(
+    const DriveAccess& access, const DriveIdentity& drive, int axis, SourceDirectory& sources);
+[[nodiscard]] Result<AxisStatus> deactivateAxis(
+    const DriveAccess& access, const DriveIdentity& drive, int axis, SourceDirectory& sources);
+
+/// CompensationError with a hint that says what to do about the drive's own error.
+[[nodiscard]] Error compensationError(const AxisStatus& status);
+
+} // namespace axiscomp

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/axis/register_access.h"
+#include "core/axis/source_directory.h"
+
+namespace axiscomp {
+
+[[nodiscard]] Result<std::vector<AxisInfo>> readAxes(
+    const DriveAccess& access, const DriveIdentity& drive);
+
+/// unfinishedWrite is left empty. Errors: NoCompensation; ChangedMeanwhile when somebody else keeps
+/// changing the axis while it is read.
+[[nodiscard]] Result<AxisStatus> readStatus(
+    const DriveAccess& access, const DriveIdentity& drive, int axis, SourceDirectory& sources);
+
+/// Active, or on the way: nothing of the axis may be changed.
+[[nodiscard]] bool isOn(const DriveAccess& access, const AxisStatus& status);
+[[nodiscard]] Error compensationActive(const AxisStatus& status);
+
+/// The same, with more registers that are read at the same instant; those that the drive does not
+/// have are left out.
+struct StatusReading {
+    AxisStatus status;
+    Readings readings;
+};
+[[nodiscard]] Result<StatusReading> readStatusWith(const DriveAccess& access,
+    const DriveIdentity& drive, int axis, SourceDirectory& sources,
+    const std::vector<std::string>& more);
+
+/// Table and DimSources of an axis as they are now: what a write switches and a roll-back puts
+/// back.
+[[nodiscard]] Result<std::vector<RegisterWrite>> readAxisRegisters(
+    const DriveAccess& access, int axis);
+/// The same registers with the values that a setup asks for.
+[[nodiscard]] std::vector<RegisterWrite> axisRegisters(
+    const DriveAccess& access, int axis, const CompensationSetup& setup);
+
+/// The header of the table in a slot; none when the slot is empty.
+[[nodiscard]] std::optional<TableHeader> headerFrom(
+    const DriveAccess& access, const Readings& readings, std::string_view slot);
+[[nodiscard]] std::vector<std::string> headerPaths(
+    const DriveAccess& access, std::string_view slot);
+
+} // namespace axiscomp

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/axis/register_access.h"
+
+#include <algorithm>
+#include <cmath>
+#include <condition_variable>
+#include <limits>
+#include <mutex>
+#include <set>
+
+namespace axiscomp {
+
+Exchange DriveAccess::exchange() const
+{
+    Exchange exchange;
+    exchange.timeout = m_options.timeout;
+    exchange.stop = m_options.stop;
+    return exchange;
+}
+
+DriveAccess DriveAccess::withoutStop() const
+{
+    DriveAccess copy = *this;
+    copy.m_options.stop = {};
+    return copy;
+}
+
+void DriveAccess::report(std::string_view step, double fraction) const
+{
+    if (m_options.progress)
+        m_options.progress(Progress{std::string(step), fraction});
+}
+
+Result<void> DriveAccess::checkStop() const
+{
+    if (m_options.stop.stop_requested())
+        return fail(ErrorCode::Cancelled);
+    return {};
+}
+
+Result<void> DriveAccess::pause(std::chrono::milliseconds duration) const
+{
+    std::mutex mutex;
+    std::condition_variable_any wake;
+    std::unique_lock lock(mutex);
+    wake.wait_for(lock, m_options.stop, duration, [] { return false; });
+    return checkStop();
+}
+
+std::string DriveAccess::axisPath(const std::string& pattern, int axis, std::optional<int> n) const
+{
+    return expandPath(pattern, {.axis = axis, .slot = {}, .n = n});
+}
+
+std::string DriveAccess::slotPath(
+    const std::string& pattern, std::string_view slot, std::optional<int> n) const
+{
+    return expandPath(pattern, {.axis = {}, .slot = slot, .n = n});
+}
+
+std::vector<std::string> DriveAccess::axisPaths(
+    const std::string& pattern, int axis, int first, int count) const
+{
+    std::vector<std::string> paths;
+    for (int n = first; n < first + count; ++n)
+        paths.push_back(axisPath(pattern, axis, n));
+    return paths;
+}
+
+Result<Readings> DriveAccess::read(const std::vector<std::string>& paths) const
+{
+    auto answer = m_link.readRegisters(paths, exchange());
+    if (!answer)
+        return fail(answer.error());
+    Readings readings;
+    for (RegisterReading& reading : *answer) {
+        std::string path = reading.path;
+        readings.insert_or_assign(std::move(path), std::move(reading));
+    }
+    return readings;
+}
+
+Result<Readings> DriveAccess::readAvailable(std::vector<std::string> paths) const
+{
+    std::set<std::string> seen;
+    std::erase_if(paths, [&](const std::string& path) { return !seen.insert(path).second; });
+    while (!paths.empty()) {
+        auto readings = read(paths);
+        if (readings || readings.error().code != ErrorCode::UnknownRegister)
+            return readings;
+        const auto named = readings.error().context.find("path");
+        const auto missing = named == readings.error().context.end()
+            ? paths.end()
+            : std::ranges::find(paths, named->second);
+        if (missing == paths.end())
+            return readings;
+        paths.erase(missing);
+    }
+    return Readings{};
+}
+
+Result<void> DriveAccess::write(const std::vector<RegisterWrite>& writes) const
+{
+    return m_link.writeRegisters(writes, exchange());
+}
+
+bool isUncertain(ErrorCode code)
+{
+    return code == ErrorCode::ConnectionLost || code == ErrorCode::Timeout
+        || code == ErrorCode::Protocol || code == ErrorCode::Cancelled;
+}
+
+bool isUnreachable(ErrorCode code)
+{
+    return code == ErrorCode::ConnectionLost || code == ErrorCode::Timeout
+        || code == ErrorCode::NotConnected || code == ErrorCode::Protocol;
+}
+
+double numberAt(const Readings& readings, const std::string& path)
+{
+    const auto reading = readings.find(path);
+    return reading == readings.end() ? std::numeric_limits<double>::quiet_NaN()
+                                     : toDouble(reading->second.value);
+}
+
+std::string textAt(const Readings& readings, const std::string& path)
+{
+    const auto reading = readings.find(path);
+    return reading == readings.end() ? std::string() : toText(reading->second.value);
+}
+
+std::uint32_t unsignedAt(const Readings& readings, const std::string& path)
+{
+    const double number = numberAt(readings, path);
+    return number >= 0.0 && number <= 4294967295.0 ? static_cast<std::uint32_t>(number) : 0;
+}
+
+} // namespace axiscomp

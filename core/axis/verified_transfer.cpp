@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/axis/verified_transfer.h"
+
+#include <algorithm>
+
+namespace axiscomp {
+
+namespace {
+
+/// Registers may come back in another number type than they were sent in.
+bool sameValue(const RegisterValue& a, const RegisterValue& b)
+{
+    return a == b || toText(a) == toText(b);
+}
+
+/// One request where the drive takes several registers at one instant, otherwise one after the
+/// other.
+Result<void> writeInOrder(const DriveAccess& access, const std::vector<RegisterWrite>& writes)
+{
+    if (access.profile().writesAtOneInstant || writes.size() == 1)
+        return access.write(writes);
+    for (const RegisterWrite& write : writes) {
+        if (auto written = access.write({write}); !written)
+            return written;
+    }
+    return {};
+}
+
+std::string byteText(std::byte byte)
+{
+    return "byte " + std::to_string(std::to_integer<int>(byte));
+}
+
+bool mayHaveArrived(const Error& error)
+{
+    return isUncertain(error.code) && error.code != ErrorCode::Cancelled;
+}
+
+} // namespace
+
+Result<void> compareRegisters(const DriveAccess& access, const std::vector<RegisterWrite>& wanted)
+{
+    std::vector<std::string> paths;
+    for (const RegisterWrite& write : wanted)
+        paths.push_back(write.path);
+    auto readings = access.link().readRegisters(paths, access.exchange());
+    if (!readings)
+        return fail(readings.error());
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+        if (!sameValue((*readings)[i].value, wanted[i].value))
+            return fail(ErrorCode::VerifyMismatch,
+                {{"what", wanted[i].path}, {"found", toText((*readings)[i].value)},
+                    {"expected", toText(wanted[i].value)}});
+    }
+    return {};
+}
+
+Result<void> compareFiles(const std::string& path, ByteView found, ByteView expected)
+{
+    const auto [at, wanted] = std::ranges::mismatch(found, expected);
+    if (at == found.end() && wanted == expected.end())
+        return {};
+    const std::string what = path + " at offset " + std::to_string(at - found.begin());
+    return fail(ErrorCode::VerifyMismatch,
+        {{"what", what}, {"found", at == found.end() ? "nothing" : byteText(*at)},
+            {"expected", wanted == expected.end() ? "nothing" : byteText(*wanted)}});
+}
+
+Result<void> writeSurely(const DriveAccess& access, const std::vector<RegisterWrite>& values,
+    const std::vector<RegisterWrite>& commands)
+{
+    std::vector<RegisterWrite> all = values;
+    all.insert(all.end(), commands.begin(), commands.end());
+    auto written = writeInOrder(access, all);
+    if (written || !mayHaveArrived(written.error()))
+        return written;
+    if (commands.empty() && compareRegisters(access, values))
+        return {};
+    return writeInOrder(access, all);
+}
+
+Result<void> uploadSurely(const DriveAccess& access, const std::string& path, ByteView bytes,
+    const std::function<void(std::string_view, double)>& progress)
+{
+    const auto exchangeFor = [&](std::string_view step, double begin) {
+        Exchange exchange = access.exchange();
+        exchange.progress = [&progress, step, begin](std::uint64_t done, std::uint64_t total) {
+            if (progress && total > 0)
+                progress(
+                    step, begin + 0.5 * static_cast<double>(done) / static_cast<double>(total));
+        };
+        return exchange;
+    };
+    auto uploaded = access.link().upload(path, bytes, exchangeFor("upload", 0.0));
+    if (!uploaded && !mayHaveArrived(uploaded.error()))
+        return uploaded;
+    auto found = access.link().download(path, exchangeFor("verify", 0.5));
+    if (!found)
+        return fail(uploaded ? found.error() : uploaded.error());
+    auto same = compareFiles(path, *found, bytes);
+    // An upload that did not arrive is its own error, not a difference.
+    return uploaded || same ? same : uploaded;
+}
+
+Result<void> saveParameters(const DriveAccess& access)
+{
+    return writeSurely(
+        access, {}, {{access.registers().saveParameters, access.enums().saveParametersSave}});
+}
+
+Result<void> deleteTable(const DriveAccess& access, std::string_view slot)
+{
+    return writeSurely(access, {},
+        {{access.slotPath(access.registers().tableCommand, slot),
+            access.enums().tableCommandDelete}});
+}
+
+} // namespace axiscomp

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/compensator/axis_compensator_p.h"
+
+#include "core/axis/activation.h"
+#include "core/axis/axis_reader.h"
+#include "core/axis/proof.h"
+#include "core/axis/verified_transfer.h"
+#include "core/table/tam_table.h"
+#include "core/write/backup_restore.h"
+#include "core/write/write_planner.h"
+#include "core/write/write_procedure.h"
+
+#include <algorithm>
+#include <charconv>
+
+namespace axiscomp {
+
+AxisCompensator::AxisCompensator(DriveLink& link, const DriveProfile& profile, DriveStore& store,
+    std::function<WallTime()> clock)
+    : d(new Private{link, profile, store, std::move(clock), {}})
+{
+}
+
+AxisCompensator::~AxisCompensator() = default;
+
+Result<DriveIdentity> AxisCompensator::identify(const OperationOptions& options)
+{
+    return d->identify(d->access(options));
+}
+
+Result<std::vector<AxisInfo>> AxisCompensator::axes(const OperationOptions& options)
+{
+    const DriveAccess access = d->access(options);
+    auto drive = d->identify(access);
+    if (!drive)
+        return fail(drive.error());
+    return readAxes(access, *drive);
+}
+
+Result<int> AxisCompensator::findAxis(
+    const std::string& indexOrName, const OperationOptions& options)
+{
+    auto all = axes(options);
+    if (!all)
+        return fail(all.error());
+    int index = -1;
+    const char* end = indexOrName.data() + indexOrName.size();
+    const auto parsed = std::from_chars(indexOrName.data(), end, index);
+    if (parsed.ec == std::errc{} && parsed.ptr == end && index >= 0
+        && index < static_cast<int>(all->size()))
+        return index;
+    std::string known;
+    std::string matches;
+    for (const AxisInfo& info : *all) {
+        known += (known.empty() ? "" : ", ") + axisText(info.index, info.name);
+        if (info.name != indexOrName)
+            continue;
+        index = info.index;
+        matches += (matches.empty() ? "" : ", ") + std::to_string(info.index);
+    }
+    if (matches.empty())
+        return fail(ErrorCode::AxisNotFound, {{"axis", indexOrName}, {"known", known}});
+    if (matches.find(',') != std::string::npos)
+        return fail(ErrorCode::AxisAmbiguous, {{"axis", indexOrName}, {"matches", matches}});
+    return index;
+}
+
+Result<AxisStatus> AxisCompensator::status(int axis, const OperationOptions& options)
+{
+    const DriveAccess access = d->access(options);
+    auto drive = d->identify(access, axis);
+    if (!drive)
+        return fail(drive.error());
+    auto status = readStatus(access, *drive, axis, d->sources);
+    if (!status)
+        return status;
+    auto journal = d->store.journal(drive->serialNumber, axis);
+    if (!journal)
+        return fail(journal.error());
+    status->unfinishedWrite = *journal;
+    return status;
+}
+
+Result<DimSource> AxisCompensator::resolveSource(
+    const std::string& source, const OperationOptions& options)
+{
+    const DriveAccess access = d->access(options);
+    auto drive = d->identify(access);
+    if (!drive)
+        return fail(drive.error());
+    return d->sources.resolve(access, source);
+}
+
+Result<std::vector<DimSource>> AxisCompensator::sourceShortlist(const OperationOptions& options)
+{
+    const DriveAccess access = d->access(options);
+    auto drive = d->identify(access);
+    if (!drive)
+        return fail(drive.error());
+    return d->sources.shortlist(access);
+}
+
+Result<WritePlan> AxisCompensator::plan(
+    int axis, const WriteRequest& request, const OperationOptions& options)
+{
+    const DriveAccess access = d->access(options);
+    auto drive = d->identify(access, axis);
+    if (!drive)
+        return fail(drive.error());
+    auto prepared =
+        WritePlanner(access, d->store, d->sources, *drive, d->clock()).prepare(axis, request);
+    if (!prepared)
+        return fail(prepared.error());
+    return prepared->plan;
+}
+
+Result<WriteReport> AxisCompensator::write(
+    int axis, const WriteRequest& request, const OperationOptions& options)
+{
+    const DriveAccess access = d->access(options);
+    access.report("plan", 0.0);
+    auto drive = d->identify(access, axis);
+    if (!drive)
+        return fail(drive.error());
+    auto lock = d->store.lockWrites(drive->serialNumber);
+    if (!lock)
+        return fail(lock.error());
+    return d->write(access, *drive, axis, request);
+}
+
+Result<WriteReport> AxisCompensator::Private::write(
+    const DriveAccess& access, const DriveIdentity& drive, int axis, const WriteRequest& request)
+{
+    auto prepared = WritePlanner(access, store, sources, drive, clock()).prepare(axis, request);
+    if (!prepared)
+        return fail(prepared.error());
+    // A persistent table whose parameters may not have been saved yet still has to be.
+    const bool onlySaves =
+        !request.table && request.sources.empty() && request.persistency == Persistency::Persistent;
+    auto unfinished = store.journal(drive.serialNumber, axis);
+    if (!unfinished)
+        return fail(unfinished.error());
+    if (prepared->plan.changes.empty() && !onlySaves && !*unfinished)
+        return fail(ErrorCode::NothingToWrite, {{"axis", std::to_string(axis)}});
+    return WriteProcedure(
+        access, store, sources, clock, std::move(*prepared), std::move(*unfinished))
+        .run();
+}
+
+Result<WriteReport> AxisCompensator::setPersistency(
+    int axis, Persistency persistency, const OperationOptions& options)
+{
+    auto now = status(axis, options);
+    if (!now)
+        return fail(now.error());
+    if (!now->table)
+        return fail(ErrorCode::NoTable, {{"axis", std::to_string(axis)}});
+    WriteRequest request;
+    request.dimensionality = now->setup.dimensionality;
+    request.persistency = persistency;
+    return write(axis, request, options);
+}
+
+Result<AxisStatus> AxisCompensator::evaluate(int axis, const OperationOptions& options)
+{
+    const DriveAccess access = d->access(options);
+    auto drive = d->identify(access, axis);
+    if (!drive)
+        return fail(drive.error());
+    return evaluateAxis(access, *drive, axis, d->sources);
+}
+
+Result<AxisStatus> AxisCompensator::activate(int axis, const OperationOptions& options)
+{
+    const DriveAccess access = d->access(options);
+    auto drive = d->identify(access, axis);
+    if (!drive)
+        return fail(drive.error());
+    return activateAxis(access, *drive, axis, d->sources);
+}
+
+Result<AxisStatus> AxisCompensator::deactivate(int axis, const OperationOptions& options)
+{
+    const DriveAccess access = d->access(options);
+    auto drive = d->identify(access, axis);
+    if (!drive)
+        return fail(drive.error());
+    return deactivateAxis(access, *drive, axis, d->sources);
+}
+
+Result<Proof> AxisCompensator::prove(int axis, int samples, const OperationOptions& options)
+{
+    auto now = status(axis, options);
+    if (!now)
+        return fail(now.error());
+    auto table = readTable(axis, options);
+    if (!table)
+        return fail(table.error());
+    return proveAxis(d->access(options), *now, *table, samples);
+}
+
+Result<CompensationTable> AxisCompensator::readTable(int axis, const OperationOptions& options)
+{
+    auto now = status(axis, options);
+    if (!now)
+        return fail(now.error());
+    const TableSlot* slot = d->profile.slotNamed(now->setup.slot);
+    if (!slot || !now->table)
+        return fail(ErrorCode::NoTable, {{"axis", std::to_string(axis)}});
+    auto bytes = download(slot->file, options);
+    if (!bytes)
+        return fail(bytes.error());
+    auto decoded = decodeTamTable(*bytes, d->profile.layout);
+    if (!decoded)
+        return fail(decoded.error());
+    return std::move(decoded->table);
+}
+
+} // namespace axiscomp

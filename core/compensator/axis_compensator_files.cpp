@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Whole files of the drive, and backups of all of it.
+#include "core/axis/verified_transfer.h"
+#include "core/compensator/axis_compensator_p.h"
+#include "core/write/backup_restore.h"
+#include "core/write/file_replacement.h"
+#include "core/write/write_planner.h"
+
+namespace axiscomp {
+
+Result<std::vector<DriveFile>> AxisCompensator::files(const OperationOptions& options)
+{
+    return d->link.listFiles(d->access(options).exchange());
+}
+
+Result<Bytes> AxisCompensator::download(const std::string& path, const OperationOptions& options)
+{
+    const DriveAccess access = d->access(options);
+    Exchange exchange = access.exchange();
+    exchange.progress = [&](std::uint64_t done, std::uint64_t total) {
+        if (total > 0)
+            access.report("download", static_cast<double>(done) / static_cast<double>(total));
+    };
+    if (const TableSlot* slot = d->profile.slotOfFile(path)) {
+        auto file = readSlotFile(access, *slot, exchange);
+        if (!file)
+            return fail(file.error());
+        if (!file->bytes.empty())
+            return std::move(file->bytes);
+    }
+    return d->link.download(path, exchange); // of an empty slot: what the drive says
+}
+
+Result<std::filesystem::path> AxisCompensator::upload(
+    const std::string& path, ByteView bytes, const OperationOptions& options)
+{
+    const DriveAccess access = d->access(options);
+    auto drive = d->identify(access);
+    if (!drive)
+        return fail(drive.error());
+    auto lock = d->store.lockWrites(drive->serialNumber);
+    if (!lock)
+        return fail(lock.error());
+    const TableSlot* slot = d->profile.slotOfFile(path);
+    if (!slot)
+        return fail(ErrorCode::UnknownFile, {{"path", path}});
+    return FileReplacement(access, d->store, *drive, d->clock, *slot)
+        .run(bytes, FileReplacement::Users::Allowed);
+}
+
+Result<FlashUse> AxisCompensator::flashUse(const OperationOptions& options)
+{
+    const DriveAccess access = d->access(options);
+    auto drive = d->identify(access);
+    if (!drive)
+        return fail(drive.error());
+    return readFlashUse(access, d->store, *drive, d->clock());
+}
+
+Result<DriveBackup> AxisCompensator::backup(const OperationOptions& options)
+{
+    const DriveAccess access = d->access(options);
+    auto drive = d->identify(access);
+    if (!drive)
+        return fail(drive.error());
+    return readBackupOf(access, *drive, d->clock());
+}
+
+Result<std::vector<WriteReport>> AxisCompensator::restore(
+    const DriveBackup& backup, bool force, const OperationOptions& options)
+{
+    const DriveAccess access = d->access(options);
+    auto drive = d->identify(access);
+    if (!drive)
+        return fail(drive.error());
+    if (auto allowed = checkRestorable(access, backup, *drive, force); !allowed)
+        return fail(allowed.error());
+    auto lock = d->store.lockWrites(drive->serialNumber);
+    if (!lock)
+        return fail(lock.error());
+    std::vector<WriteReport> reports;
+    std::vector<AxisStatus> restored;
+    for (const AxisBackup& axis : backup.axes) {
+        auto request = restoreRequest(access, axis);
+        if (!request)
+            return fail(request.error());
+        auto report = d->write(access, *drive, axis.axis, *request);
+        const bool isThere = !report && report.error().code == ErrorCode::NothingToWrite;
+        if (!report && !isThere)
+            return fail(report.error());
+        auto now = isThere ? readStatus(access, *drive, axis.axis, d->sources) : report->now;
+        if (!now)
+            return fail(now.error());
+        restored.push_back(std::move(*now));
+        if (report)
+            reports.push_back(std::move(*report));
+    }
+    for (const AxisBackup::File& file : backup.otherFiles) {
+        if (auto done = d->restoreFile(access, *drive, file); !done)
+            return fail(done.error());
+    }
+    if (auto same = d->checkRestored(access, *drive, restored, backup.otherFiles); !same)
+        return fail(same.error());
+    return reports;
+}
+
+/// A drive that restarted while a later part was restored has lost what was volatile or not saved
+/// of an earlier one.
+Result<void> AxisCompensator::Private::checkRestored(const DriveAccess& access,
+    const DriveIdentity& drive, const std::vector<AxisStatus>& axes,
+    const std::vector<AxisBackup::File>& files)
+{
+    for (const AxisStatus& wanted : axes) {
+        auto now = readStatus(access, drive, wanted.axis.index, sources);
+        if (!now)
+            return fail(now.error());
+        if (!(now->setup == wanted.setup))
+            return fail(ErrorCode::VerifyMismatch,
+                {{"what", axisText(wanted.axis.index, wanted.axis.name)},
+                    {"found", setupText(now->setup)}, {"expected", setupText(wanted.setup)}});
+    }
+    for (const AxisBackup::File& wanted : files) {
+        auto now = readSlotFile(access, *profile.slotNamed(wanted.slot));
+        if (!now)
+            return fail(now.error());
+        if (auto same = compareFiles(wanted.path, now->bytes, wanted.bytes); !same)
+            return same;
+    }
+    return {};
+}
+
+Result<void> AxisCompensator::Private::restoreFile(
+    const DriveAccess& access, const DriveIdentity& drive, const AxisBackup::File& file)
+{
+    const TableSlot* slot = profile.slotNamed(file.slot);
+    if (!slot || slot->file != file.path)
+        return fail(ErrorCode::UnknownFile, {{"path", file.path}});
+    auto replaced = FileReplacement(access, store, drive, clock, *slot)
+                        .run(file.bytes, FileReplacement::Users::Refused);
+    if (!replaced)
+        return fail(replaced.error());
+    return {};
+}
+
+} // namespace axiscomp

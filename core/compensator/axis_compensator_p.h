@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/axis/register_access.h"
+#include "core/axis/source_directory.h"
+#include "core/compensator/axis_compensator.h"
+
+namespace axiscomp {
+
+struct PreparedWrite;
+class UnfinishedWrite;
+
+struct AxisCompensator::Private {
+    DriveLink& link;
+    const DriveProfile& profile;
+    DriveStore& store;
+    std::function<WallTime()> clock;
+    SourceDirectory sources;
+
+    [[nodiscard]] DriveAccess access(const OperationOptions& options) const
+    {
+        return DriveAccess(link, profile, options);
+    }
+
+    [[nodiscard]] Result<DriveIdentity> identify(const DriveAccess& access)
+    {
+        auto drive = link.identify(access.exchange());
+        if (drive)
+            sources.useDrive(*drive);
+        return drive;
+    }
+
+    /// Errors: AxisNotFound.
+    [[nodiscard]] Result<DriveIdentity> identify(const DriveAccess& access, int axis)
+    {
+        auto drive = identify(access);
+        if (drive && (axis < 0 || axis >= drive->axes))
+            return fail(ErrorCode::AxisNotFound,
+                {{"axis", std::to_string(axis)},
+                    {"known", "0 to " + std::to_string(drive->axes - 1)}});
+        return drive;
+    }
+
+    /// Errors: AxisNotFound, OtherDrive.
+    [[nodiscard]] Result<DriveIdentity> identify(
+        const DriveAccess& access, const JournalEntry& entry);
+    /// An unfinished write that is still the one of the journal, with the write lock held.
+    struct TakenUp;
+    [[nodiscard]] Result<TakenUp> takeUp(const DriveAccess& access, const JournalEntry& entry);
+
+    // With the write lock held.
+    [[nodiscard]] Result<WriteReport> write(const DriveAccess& access, const DriveIdentity& drive,
+        int axis, const WriteRequest& request);
+    [[nodiscard]] Result<PreparedWrite> prepareFinish(
+        const DriveAccess& access, const DriveIdentity& drive, const UnfinishedWrite& unfinished);
+    [[nodiscard]] Result<void> restoreFile(
+        const DriveAccess& access, const DriveIdentity& drive, const AxisBackup::File& file);
+    [[nodiscard]] Result<void> checkRestored(const DriveAccess& access, const DriveIdentity& drive,
+        const std::vector<AxisStatus>& axes, const std::vector<AxisBackup::File>& files);
+};
+
+} // namespace axiscomp

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/compensator/axis_operations.h"
+
+#include "core/base/link_failure.h"
+#include "core/write/previous_state.h"
+
+#include <algorithm>
+
+namespace axiscomp {
+
+namespace {
+
+constexpr int proofSamples = 5;
+
+/// What the drive has afterwards is read even when the user has stopped the operation.
+OperationOptions quietly(const OperationOptions& options)
+{
+    OperationOptions quiet = options;
+    quiet.stop = {};
+    quiet.progress = {};
+    return quiet;
+}
+
+std::optional<SettledWrite> settle(AxisCompensator& compensator,
+    const std::filesystem::path& storeRoot, AxisStatus& status, const OperationOptions& options)
+{
+    using Outcome = AxisCompensator::UnfinishedOutcome;
+    const JournalEntry entry = *status.unfinishedWrite;
+    // While another program holds this lock the write has not failed, it is going on.
+    const auto lock =
+        DriveStore(storeRoot, std::chrono::milliseconds{0}).lockWrites(entry.serialNumber);
+    if (!lock)
+        return std::nullopt;
+    const auto outcome = compensator.settleUnfinished(entry, options);
+    if (!outcome)
+        return std::nullopt;
+    SettledWrite settled{entry, *outcome, {}};
+    if (*outcome == Outcome::New) {
+        status.unfinishedWrite.reset();
+        return settled;
+    }
+    auto recovery = compensator.recovery(entry, options);
+    if (!recovery)
+        return std::nullopt;
+    settled.recovery = std::move(*recovery);
+    return settled;
+}
+
+} // namespace
+
+Result<DriveFindings> exploreDrive(AxisCompensator& compensator, const OperationOptions& options)
+{
+    DriveFindings findings;
+    auto drive = compensator.identify(options);
+    if (!drive)
+        return fail(drive.error());
+    findings.drive = std::move(*drive);
+    auto axes = compensator.axes(options);
+    if (!axes)
+        return fail(axes.error());
+    findings.axes = std::move(*axes);
+    auto sources = compensator.sourceShortlist(options);
+    if (!sources)
+        return fail(sources.error());
+    findings.sources = std::move(*sources);
+    return findings;
+}
+
+Result<AxisReading> readAxis(AxisCompensator& compensator, const std::filesystem::path& storeRoot,
+    int axis, const OperationOptions& options)
+{
+    auto status = compensator.status(axis, options);
+    if (!status)
+        return fail(status.error());
+    AxisReading reading;
+    reading.status = std::move(*status);
+    if (reading.status.unfinishedWrite)
+        reading.settled = settle(compensator, storeRoot, reading.status, options);
+
+    // Without its memory the program knows less, but the drive can be used all the same.
+    DriveStore store(storeRoot);
+    const std::int32_t serialNumber = reading.status.drive.serialNumber;
+    if (auto history = store.flashHistory(serialNumber))
+        reading.flashHistory = std::move(*history);
+    auto use = compensator.flashUse(options);
+    if (!use && isLinkFailure(use.error().code))
+        return fail(use.error());
+    if (use)
+        reading.flashUse = std::move(*use);
+    reading.hasBackup = !store.backups(serialNumber, axis).empty();
+    return reading;
+}
+
+OperationEnd<WriteReport> writeAxis(AxisCompensator& compensator,
+    const std::filesystem::path& storeRoot, int axis, WriteRequest request,
+    const OperationOptions& options)
+{
+    auto report = compensator.write(axis, request, options);
+    return {std::move(report), readAxis(compensator, storeRoot, axis, quietly(options))};
+}
+
+OperationEnd<Activation> switchAxis(AxisCompensator& compensator,
+    const std::filesystem::path& storeRoot, int axis, Switch wanted,
+    const OperationOptions& options)
+{
+    const auto switched = [&] {
+        switch (wanted) {
+        case Switch::Activate:
+            return compensator.activate(axis, options);
+        case Switch::Evaluate:
+            return compensator.evaluate(axis, options);
+        case Switch::Deactivate:
+            break;
+        }
+        return compensator.deactivate(axis, options);
+    };
+    auto status = switched();
+    Result<Activation> outcome = fail(ErrorCode::Cancelled);
+    if (!status) {
+        outcome = fail(status.error());
+    } else {
+        outcome = Activation{std::move(*status), std::nullopt};
+        if (wanted != Switch::Deactivate)
+            outcome->proof = compensator.prove(axis, proofSamples, options);
+    }
+    return {std::move(outcome), readAxis(compensator, storeRoot, axis, quietly(options))};
+}
+
+OperationEnd<Restoration> restoreAxis(AxisCompensator& compensator, const DriveProfile& profile,
+    const std::filesystem::path& storeRoot, int axis, const OperationOptions& options)
+{
+    const auto restore = [&]() -> Result<Restoration> {
+        auto status = compensator.status(axis, options);
+        if (!status)
+            return fail(status.error());
+        DriveStore store(storeRoot);
+        auto previous = previousState(store, profile, *status);
+        if (!previous)
+            return fail(previous.error());
+        DriveBackup backup;
+        backup.axes = {previous->backup};
+        auto reports = compensator.restore(backup, false, options);
+        if (!reports)
+            return fail(reports.error());
+        return Restoration{previous->backup.time, previous->file};
+    };
+    auto outcome = restore();
+    return {std::move(outcome), readAxis(compensator, storeRoot, axis, quietly(options))};
+}
+
+OperationEnd<WriteReport> recoverAxis(AxisCompensator& compensator,
+    const std::filesystem::path& storeRoot, const JournalEntry& entry, bool finishes,
+    const OperationOptions& options)
+{
+    auto report = finishes ? compensator.finishUnfinished(entry, options)
+                           : compensator.undoUnfinished(entry, options);
+    return {std::move(report), readAxis(compensator, storeRoot, entry.axis, quietly(options))};
+}
+
+Result<SurveyedTable> downloadTable(AxisCompensator& compensator, int axis,
+    const SurveyedTable& expected, const OperationOptions& options)
+{
+    auto table = compensator.readTable(axis, options);
+    if (!table)
+        return fail(table.error());
+    if (expected.table && sameSpans(expected.table->grid, table->grid)
+        && expected.table->values == table->values)
+        return expected;
+    return surveyed(std::make_shared<const CompensationTable>(std::move(*table)));
+}
+
+} // namespace axiscomp

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/compensator/axis_compensator.h"
+#include "core/table/compensation_table.h"
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <vector>
+
+/// What the window asks a drive, as functions that run on the session's thread. They block; nothing
+/// of the window is touched here.
+namespace axiscomp {
+
+/// What there is at an endpoint.
+struct DriveFindings {
+    DriveIdentity drive;
+    std::vector<AxisInfo> axes;
+    std::vector<DimSource> sources; ///< the profile's shortlist, those that exist
+};
+[[nodiscard]] Result<DriveFindings> exploreDrive(
+    AxisCompensator& compensator, const OperationOptions& options);
+
+/// An earlier write that did not end, and what it left behind.
+struct SettledWrite {
+    JournalEntry entry;
+    AxisCompensator::UnfinishedOutcome outcome = AxisCompensator::UnfinishedOutcome::Neither;
+    AxisCompensator::Recovery recovery; ///< what can be done about it
+};
+
+/// One axis, with what this computer knows about it.
+struct AxisReading {
+    AxisStatus status;
+    DriveStore::FlashHistory flashHistory; ///< with what the drive has refused, to any program
+    std::optional<FlashUse> flashUse;
+    bool hasBackup = false;
+    std::optional<SettledWrite> settled;
+};
+
+/// Reads an axis, and settles a write that did not end unless another program is just writing.
+/// Errors: those of AxisCompensator::status.
+[[nodiscard]] Result<AxisReading> readAxis(AxisCompensator& compensator,
+    const std::filesystem::path& storeRoot, int axis, const OperationOptions& options);
+
+/// What became of an operation, and what the drive says afterwards, whatever happened.
+template <typename T> struct OperationEnd {
+    Result<T> outcome;
+    Result<AxisReading> now;
+};
+
+/// table: none keeps the axis's table.
+[[nodiscard]] OperationEnd<WriteReport> writeAxis(AxisCompensator& compensator,
+    const std::filesystem::path& storeRoot, int axis, WriteRequest request,
+    const OperationOptions& options);
+
+struct Activation {
+    AxisStatus status;
+    std::optional<Result<Proof>> proof; ///< while active or evaluating
+};
+enum class Switch { Activate, Evaluate, Deactivate };
+[[nodiscard]] OperationEnd<Activation> switchAxis(AxisCompensator& compensator,
+    const std::filesystem::path& storeRoot, int axis, Switch wanted,
+    const OperationOptions& options);
+
+/// Which state an axis got back.
+struct Restoration {
+    WallTime backupTime{};
+    std::filesystem::path backup;
+};
+/// The newest backup that differs from what the axis has now, written and verified as any other
+/// write. Errors: FileNotReadable when there is none, those of AxisCompensator::restore.
+[[nodiscard]] OperationEnd<Restoration> restoreAxis(AxisCompensator& compensator,
+    const DriveProfile& profile, const std::filesystem::path& storeRoot, int axis,
+    const OperationOptions& options);
+
+/// Finishes or undoes a write that did not end. Errors: those of AxisCompensator.
+[[nodiscard]] OperationEnd<WriteReport> recoverAxis(AxisCompensator& compensator,
+    const std::filesystem::path& storeRoot, const JournalEntry& entry, bool finishes,
+    const OperationOptions& options);
+
+/// expected: given back in place of what was downloaded when its numbers are the same, because it
+/// has the names and units that the drive does not keep; may be null.
+[[nodiscard]] Result<SurveyedTable> downloadTable(AxisCompensator& compensator, int axis,
+    const SurveyedTable& expected, const OperationOptions& options);
+
+} // namespace axiscomp

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/compensator/axis_operations.h"
+
+#include <atomic>
+#include <memory>
+#include <span>
+#include <vector>
+
+/// Several axes of a drive in one go, as functions that run on the session's thread.
+namespace axiscomp {
+
+/// A table of the open file, and the axis that shall have it.
+struct AxisTable {
+    int axis = 0;
+    SurveyedTable table; ///< copied into the request on the session's thread: it may be large
+    WriteRequest request; ///< without its table
+};
+
+/// Changes nothing. Errors: those of axiscomp::planSeveral.
+[[nodiscard]] Result<std::vector<WritePlan>> planTables(AxisCompensator& compensator,
+    std::span<const AxisTable> tables, const OperationOptions& options);
+
+/// One result per axis, in their order, up to the first that failed; NothingToWrite is no failure:
+/// the axis has everything already.
+struct SeveralReport {
+    std::vector<Result<WriteReport>> writes;
+};
+
+/// Whether a write left its axis in the state that was asked for.
+[[nodiscard]] bool holdsNewState(const Result<WriteReport>& write);
+
+/// Plans all of them again, so that none is begun when one is refused; then one normal verified
+/// write after the other. turn: which of the tables is being written. shownAxis is read afterwards.
+/// Errors: those of planTables, and nothing was written.
+[[nodiscard]] OperationEnd<SeveralReport> writeTables(AxisCompensator& compensator,
+    const std::filesystem::path& storeRoot, int shownAxis, std::span<const AxisTable> tables,
+    std::atomic<std::size_t>& turn, const OperationOptions& options);
+
+} // namespace axiscomp

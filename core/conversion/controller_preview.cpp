@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/conversion/controller_preview.h"
+
+#include "core/conversion/sign_conversion.h"
+#include "core/formats/formats.h"
+#include "core/formats/triamec/triamec_tables.h"
+
+#include <algorithm>
+
+namespace axiscomp {
+
+namespace {
+
+/// A tenth of the table beyond each end.
+Grid widened(Grid grid)
+{
+    constexpr std::uint32_t part = 10;
+    for (GridAxis& axis : grid.axes) {
+        const std::uint32_t more = std::max(axis.size / part, std::uint32_t{1});
+        axis.start -= axis.distance * more;
+        axis.size += 2 * more;
+    }
+    return grid;
+}
+
+std::vector<float> valuesAt(const Grid& grid, const AppliedCompensation& applied)
+{
+    std::vector<float> values;
+    values.reserve(grid.pointCount());
+    std::vector<double> position(grid.axes.size());
+    for (std::size_t point = 0; point < grid.pointCount(); ++point) {
+        std::size_t rest = point;
+        for (std::size_t n = 0; n < grid.axes.size(); ++n) {
+            const GridAxis& axis = grid.axes[n];
+            position[n] = axis.start + static_cast<double>(rest % axis.size) * axis.distance;
+            rest /= axis.size;
+        }
+        values.push_back(static_cast<float>(applied.at(position)));
+    }
+    return values;
+}
+
+} // namespace
+
+Result<CompensationTable> appliedTable(const CompensationTable& table, const FamilyFacts& facts)
+{
+    NeutralTable neutral = neutralTable(CalibrationData{table.grid, {table}, {}});
+    if (facts.sign != neutral.sign) {
+        auto converted = convertSign(neutral, facts.sign, calibrationCsvFamily().facts.behaviour);
+        if (!converted)
+            return fail(converted.error());
+        neutral = std::move(converted->table);
+    }
+    CompensationTable applied{table.name, table.unit, widened(table.grid), {}};
+    applied.values = valuesAt(applied.grid, AppliedCompensation(neutral, 0, facts.behaviour));
+    return applied;
+}
+
+std::vector<const TableFamily*> controllersFor(int dimensions)
+{
+    std::vector<const TableFamily*> families;
+    for (const TableFamily* family : tableFamilies()) {
+        const FamilyFacts& facts = family->facts;
+        const bool isKnown = std::ranges::any_of(families, [&](const TableFamily* known) {
+            return known->facts.controller == facts.controller && known->facts.sign == facts.sign;
+        });
+        if (!isTriamec(*family) && !isKnown && dimensions >= facts.fewestDimensions
+            && dimensions <= facts.mostDimensions)
+            families.push_back(family);
+    }
+    return families;
+}
+
+} // namespace axiscomp

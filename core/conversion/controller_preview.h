@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/formats/table_format.h"
+#include "core/table/grid.h"
+
+namespace axiscomp {
+
+/// What a controller would apply with a table of the drive that was converted for it, at the
+/// table's points and some beyond both ends, where controllers differ most. With the controller's
+/// sign. The format can hold the table's dimensions. Errors: SignNotConvertible.
+[[nodiscard]] Result<CompensationTable> appliedTable(
+    const CompensationTable& table, const FamilyFacts& facts);
+
+/// The controllers that can have tables of so many dimensions, one format of each.
+[[nodiscard]] std::vector<const TableFamily*> controllersFor(int dimensions);
+
+} // namespace axiscomp

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/conversion/conversion.h"
+
+#include "core/conversion/sign_conversion.h"
+#include "core/formats/formats.h"
+#include "core/formats/units.h"
+#include "core/neutral/table_motion.h"
+#include "core/table/position_unit.h"
+#include "core/text/text_file.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace axiscomp {
+
+namespace {
+
+/// The largest difference of numbers before and after writing, in the unit after it.
+double largestRounding(const std::vector<double>& before, const std::string& unitBefore,
+    const std::vector<double>& after, const std::string& unitAfter)
+{
+    const double factor =
+        isSameUnit(unitBefore, unitAfter) ? 1.0 : unitFactor(unitBefore, unitAfter).value_or(1.0);
+    double largest = 0.0;
+    for (std::size_t i = 0; i < std::min(before.size(), after.size()); ++i)
+        largest = std::max(largest, std::abs(before[i] * factor - after[i]));
+    return largest;
+}
+
+/// Formats that arrange the points anew are left out: the conversion's difference tells.
+void noteRounding(
+    const NeutralTable& prepared, const NeutralTable& held, TableConversion& conversion)
+{
+    double positions = 0.0;
+    for (std::size_t n = 0; n < held.axes.size(); ++n) {
+        const SourceAxis& from = prepared.axes[n];
+        const SourceAxis& to = held.axes[n];
+        const double rounding = largestRounding(from.knots, from.unit, to.knots, to.unit);
+        const double span = to.knots.back() - to.knots.front();
+        const bool isSameGrid =
+            from.knots.size() == to.knots.size() && rounding <= std::max(to.step, 1e-9 * span);
+        if (!isSameGrid)
+            return;
+        positions = std::max(positions, rounding);
+    }
+    conversion.positionRounding = positions;
+    for (std::size_t n = 0; n < std::min(prepared.columns.size(), held.columns.size()); ++n) {
+        const CompensationColumn& from = prepared.columns[n];
+        const CompensationColumn& to = held.columns[n];
+        conversion.valueRounding = std::max(
+            conversion.valueRounding, largestRounding(from.values, from.unit, to.values, to.unit));
+    }
+}
+
+/// One table on its way from one format to the other.
+class Converter {
+public:
+    Converter(const ConversionRequest& request, std::vector<std::string>& remarks)
+        : m_request(request)
+        , m_remarks(remarks)
+    {
+    }
+
+    /// Everything up to the writing; the conversion keeps what the user wants to know of it.
+    [[nodiscard]] Result<NeutralTable> prepare(NeutralTable table, TableConversion& conversion);
+    /// Compares; held: what the file says.
+    [[nodiscard]] Result<void> finish(
+        const NeutralTable& prepared, NeutralTable held, TableConversion& conversion) const;
+
+private:
+    [[nodiscard]] Result<NeutralTable> merged(
+        NeutralTable table, TableConversion& conversion) const;
+    [[nodiscard]] Result<NeutralTable> resampled(
+        NeutralTable table, TableConversion& conversion) const;
+    [[nodiscard]] Result<NeutralTable> signConverted(
+        NeutralTable table, TableConversion& conversion) const;
+
+    [[nodiscard]] SignConvention targetSign() const
+    {
+        return m_request.targetSign.value_or(m_request.to->facts.sign);
+    }
+
+    const ConversionRequest& m_request;
+    std::vector<std::string>& m_remarks;
+};
+
+Result<NeutralTable> Converter::merged(NeutralTable table, TableConversion& conversion) const
+{
+    const bool hasDirections = std::ranges::any_of(table.columns,
+        [](const CompensationColumn& column) { return column.direction != Direction::Both; });
+    if (!m_request.direction || !hasDirections)
+        return table;
+    auto merge = mergeDirections(table, *m_request.direction);
+    if (!merge)
+        return fail(merge.error());
+    conversion.directionLosses = std::move(merge->losses);
+    return std::move(merge->table);
+}
+
+Result<NeutralTable> Converter::resampled(NeutralTable table, TableConversion& conversion) const
+{
+    ResamplingRequest request;
+    if (const auto* asked = std::get_if<ResamplingRequest>(&m_request.resampling)) {
+        request = *asked;
+    } else if (const auto* wanted = std::get_if<WantedDeviation>(&m_request.resampling)) {
+        GridLimits limits;
+        if (m_request.to->facts.mostPoints > 0)
+            limits.mostPoints = m_request.to->facts.mostPoints;
+        const auto coarsest = coarsestGrid(table, wanted->deviation, wanted->method, limits);
+        if (!coarsest)
+            return fail(coarsest.error());
+        request.method = wanted->method;
+        for (const std::size_t points : coarsest->points)
+            request.axes.push_back({.points = points, .distance = 0.0, .start = {}, .end = {}});
+    } else {
+        return table;
+    }
+    auto resampled = resample(table, request);
+    if (!resampled)
+        return fail(resampled.error());
+    for (const std::string& remark : resampled->report.remarks)
+        remarkOnce(m_remarks, remark);
+    conversion.resampling = std::move(resampled->report);
+    return std::move(resampled->table);
+}
+
+Result<NeutralTable> Converter::signConverted(NeutralTable table, TableConversion& conversion) const
+{
+    if (table.sign == targetSign()) {
+        conversion.example = examplePoint(table);
+        return table;
+    }
+    auto converted = convertSign(table, targetSign(), m_request.from->facts.behaviour);
+    if (!converted)
+        return fail(converted.error());
+    conversion.example = std::move(converted->example);
+    if (converted->usesHeldEnds)
+        remarkOnce(m_remarks,
+            "at the ends of the table the sign was converted with the end values held, where the "
+            "controller of the source applies nothing");
+    return std::move(converted->table);
+}
+
+Result<NeutralTable> Converter::prepare(NeutralTable table, TableConversion& conversion)
+{
+    if (auto fine = checkConsistent(table); !fine)
+        return fail(fine.error());
+    table.sign = m_request.sourceSign.value_or(table.sign);
+    conversion.source = table;
+    if (m_request.dropsWrap)
+        for (SourceAxis& axis : table.axes)
+            axis.wrap.reset();
+    auto result = merged(std::move(table), conversion);
+    if (result)
+        result = resampled(*std::move(result), conversion);
+    if (result)
+        result = signConverted(*std::move(result), conversion);
+    if (result && isTriamec(*m_request.to) && !isTriamec(*m_request.from))
+        result = inPositionUnits(*result, m_remarks);
+    if (result)
+        result->sign = m_request.to->facts.sign;
+    return result;
+}
+
+Result<void> Converter::finish(
+    const NeutralTable& prepared, NeutralTable held, TableConversion& conversion) const
+{
+    held.sign = targetSign();
+    NeutralTable source = conversion.source;
+    if (m_request.direction)
+        if (auto merge = mergeDirections(source, *m_request.direction))
+            source = std::move(merge->table);
+    auto difference = conversionDifference(
+        source, m_request.from->facts.behaviour, held, m_request.to->facts.behaviour);
+    if (!difference)
+        return fail(difference.error());
+    conversion.difference = *std::move(difference);
+    noteRounding(prepared, held, conversion);
+    conversion.result = std::move(held);
+    return {};
+}
+
+void remarkOnSigns(const ConversionRequest& request, std::vector<std::string>& remarks)
+{
+    const auto remark = [&](const TableFamily& family, bool isOverruled) {
+        const FamilyFacts& facts = family.facts;
+        if (!isOverruled && facts.signEvidence == Evidence::Assumed)
+            remarkOnce(remarks,
+                "that files of the format " + std::string(facts.name) + " hold the "
+                    + std::string(signName(facts.sign))
+                    + " convention is an assumption: check one point on the machine");
+    };
+    remark(*request.from, request.sourceSign.has_value());
+    remark(*request.to, request.targetSign.has_value());
+}
+
+} // namespace
+
+Result<Conversion> convertTables(
+    std::span<const NeutralTable> tables, const ConversionRequest& request)
+{
+    Conversion conversion;
+    Converter converter(request, conversion.remarks);
+    std::vector<NeutralTable> prepared;
+    for (const NeutralTable& table : tables) {
+        conversion.tables.emplace_back();
+        auto result = converter.prepare(table, conversion.tables.back());
+        if (!result)
+            return fail(result.error());
+        prepared.push_back(*std::move(result));
+    }
+    if (auto fits = checkHolds(request.to->facts, prepared); !fits)
+        return fail(fits.error());
+    auto written = request.to->write(prepared, request.writing);
+    if (!written)
+        return fail(written.error());
+    conversion.written = *std::move(written);
+    const std::size_t count = std::min(prepared.size(), conversion.written.held.size());
+    for (std::size_t n = 0; n < count; ++n)
+        if (auto done =
+                converter.finish(prepared[n], conversion.written.held[n], conversion.tables[n]);
+            !done)
+            return fail(done.error());
+    remarkOnSigns(request, conversion.remarks);
+    for (const std::string& remark : conversion.written.remarks)
+        remarkOnce(conversion.remarks, remark);
+    return conversion;
+}
+
+} // namespace axiscomp

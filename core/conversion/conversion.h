@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/conversion/directions.h"
+#include "core/conversion/resampling.h"
+#include "core/conversion/sign_conversion.h"
+#include "core/formats/table_format.h"
+
+#include <optional>
+#include <variant>
+
+namespace axiscomp {
+
+/// Onto an even grid that keeps this deviation at the source's knots, with as few points as that
+/// takes.
+struct WantedDeviation {
+    double deviation = 0.0; ///< in the unit of the values
+    ResamplingMethod method = ResamplingMethod::Linear;
+};
+
+/// How tables of one controller become tables of another.
+struct ConversionRequest {
+    const TableFamily* from = nullptr;
+    const TableFamily* to = nullptr;
+    std::optional<SignConvention> sourceSign; ///< overrules what is known of the source's format
+    std::optional<SignConvention> targetSign; ///< likewise of the target's
+    std::optional<DirectionChoice> direction; ///< merges values of two directions of motion
+    bool dropsWrap = false; ///< a modulo axis becomes a plain one
+    std::variant<std::monostate, ResamplingRequest, WantedDeviation> resampling;
+    TableWriteOptions writing;
+};
+
+/// What became of one table.
+struct TableConversion {
+    NeutralTable source; ///< with the sign that it was taken to have
+    NeutralTable result; ///< as the target's file holds it
+    std::optional<ResamplingReport> resampling;
+    std::vector<DirectionLoss> directionLosses; ///< of merged directions
+    ConversionDifference difference; ///< source and result, each as its controller applies it
+    double valueRounding = 0.0; ///< the largest, by the steps of the target's numbers
+    double positionRounding = 0.0;
+    std::string example; ///< one point in words, both conventions
+};
+
+struct Conversion {
+    WrittenTables written;
+    std::vector<TableConversion> tables;
+    std::vector<std::string> remarks; ///< sentences for the user: assumptions, losses, what to do
+};
+
+/// In this order: merge directions, resample, convert the sign, check that the target can hold it,
+/// write, and compare what the file says with the source under both controllers' rules. Errors: of
+/// each of these steps.
+[[nodiscard]] Result<Conversion> convertTables(
+    std::span<const NeutralTable> tables, const ConversionRequest& request);
+
+/// The sentences of a report, in the order of interest: sign with the example, resampling,
+/// directions, rounding, the largest difference, remarks.
+[[nodiscard]] std::vector<std::string> conversionReport(
+    const Conversion& conversion, const ConversionRequest& request);
+
+} // namespace axiscomp

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/conversion/directions.h"
+
+#include "core/neutral/table_motion.h"
+
+#include <cmath>
+
+namespace axiscomp {
+
+namespace {
+
+auto invalid(std::string reason)
+{
+    return fail(ErrorCode::InvalidArgument, {{"reason", std::move(reason)}});
+}
+
+std::string targetText(const CompensationColumn& column)
+{
+    return column.target.empty() ? "the target without a name" : column.target;
+}
+
+/// The columns of one target.
+struct Group {
+    const CompensationColumn* first = nullptr;
+    const CompensationColumn* both = nullptr;
+    const CompensationColumn* positive = nullptr;
+    const CompensationColumn* negative = nullptr;
+};
+
+const CompensationColumn*& memberOf(Group& group, Direction direction)
+{
+    switch (direction) {
+    case Direction::Positive:
+        return group.positive;
+    case Direction::Negative:
+        return group.negative;
+    case Direction::Both:
+        break;
+    }
+    return group.both;
+}
+
+Result<std::vector<Group>> groupsOf(const NeutralTable& table)
+{
+    std::vector<Group> groups;
+    for (const CompensationColumn& column : table.columns) {
+        // columns for both directions need no counterpart, and formats without names have several
+        Group* group = nullptr;
+        for (Group& other : groups)
+            if (other.first->target == column.target
+                && !(other.both && column.direction == Direction::Both))
+                group = &other;
+        if (!group) {
+            groups.emplace_back();
+            group = &groups.back();
+            group->first = &column;
+        }
+        const CompensationColumn*& member = memberOf(*group, column.direction);
+        if (member)
+            return invalid("there are two columns for " + targetText(column) + " in "
+                + std::string(directionName(column.direction)) + " direction; keep one of them");
+        member = &column;
+        if (group->both && (group->positive || group->negative))
+            return invalid("for " + targetText(column)
+                + " there are values for both directions and others for one; keep one of them");
+    }
+    return groups;
+}
+
+class Merger {
+public:
+    Merger(const NeutralTable& table, DirectionChoice choice) : m_table(table), m_choice(choice)
+    {
+        m_result.table = table;
+        m_result.table.columns.clear();
+    }
+
+    [[nodiscard]] Result<MergedDirections> run()
+    {
+        const auto groups = groupsOf(m_table);
+        if (!groups)
+            return fail(groups.error());
+        for (const Group& group : *groups)
+            if (auto done = merge(group); !done)
+                return fail(done.error());
+        return std::move(m_result);
+    }
+
+private:
+    [[nodiscard]] Result<void> merge(const Group& group);
+    [[nodiscard]] Result<void> mergePair(const Group& group);
+    [[nodiscard]] Result<void> takeSingle(const Group& group);
+
+    const NeutralTable& m_table;
+    DirectionChoice m_choice;
+    MergedDirections m_result;
+};
+
+Result<void> Merger::merge(const Group& group)
+{
+    if (group.both) {
+        m_result.table.columns.push_back(*group.both);
+        return {};
+    }
+    return group.positive && group.negative ? mergePair(group) : takeSingle(group);
+}
+
+Result<void> Merger::takeSingle(const Group& group)
+{
+    const bool isChosen = (m_choice == DirectionChoice::Positive && group.positive)
+        || (m_choice == DirectionChoice::Negative && group.negative);
+    const std::string_view has = directionName(group.first->direction);
+    if (!isChosen)
+        return invalid(targetText(*group.first) + " has values for the " + std::string(has)
+            + " direction only, so that there is no "
+            + (m_choice == DirectionChoice::Mean ? std::string("mean")
+                                                 : std::string(choiceName(m_choice)) + " one")
+            + "; choose the " + std::string(has) + " direction");
+    CompensationColumn column = *group.first;
+    column.direction = Direction::Both;
+    m_result.table.columns.push_back(std::move(column));
+    return {};
+}
+
+Result<void> Merger::mergePair(const Group& group)
+{
+    const std::string what = "values for " + targetText(*group.first);
+    const auto positiveFactor = factorBetween(group.positive->unit, group.first->unit, what);
+    const auto negativeFactor = factorBetween(group.negative->unit, group.first->unit, what);
+    if (!positiveFactor || !negativeFactor)
+        return fail(positiveFactor ? negativeFactor.error() : positiveFactor.error());
+    CompensationColumn column = *group.first;
+    column.direction = Direction::Both;
+    DirectionLoss loss{m_result.table.columns.size(), 0.0, {}};
+    for (std::size_t i = 0; i < column.values.size(); ++i) {
+        const double positive = *positiveFactor * group.positive->values[i];
+        const double negative = *negativeFactor * group.negative->values[i];
+        if (m_choice == DirectionChoice::Mean)
+            column.values[i] = positive / 2.0 + negative / 2.0; // no overflow
+        else
+            column.values[i] = m_choice == DirectionChoice::Positive ? positive : negative;
+        const double half = std::abs(positive / 2.0 - negative / 2.0);
+        if (half > loss.largestHalfDifference) {
+            const Position position = knotPosition(m_table, i);
+            loss.largestHalfDifference = half;
+            loss.position.assign(position.begin(),
+                position.begin() + static_cast<std::ptrdiff_t>(m_table.axes.size()));
+        }
+    }
+    if (m_choice == DirectionChoice::Mean)
+        column.step = 0.0; // a mean of multiples may lie between two of them
+    else if (m_choice == DirectionChoice::Positive)
+        column.step = *positiveFactor * group.positive->step;
+    else
+        column.step = *negativeFactor * group.negative->step;
+    m_result.losses.push_back(std::move(loss));
+    m_result.table.columns.push_back(std::move(column));
+    return {};
+}
+
+} // namespace
+
+std::string_view choiceName(DirectionChoice choice)
+{
+    switch (choice) {
+    case DirectionChoice::Positive:
+        return "positive";
+    case DirectionChoice::Negative:
+        return "negative";
+    case DirectionChoice::Mean:
+        break;
+    }
+    return "mean";
+}
+
+Result<MergedDirections> mergeDirections(const NeutralTable& table, DirectionChoice choice)
+{
+    if (auto fine = checkConsistent(table); !fine)
+        return fail(fine.error());
+    return Merger(table, choice).run();
+}
+
+} // namespace axiscomp

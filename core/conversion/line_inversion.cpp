@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/conversion/line_inversion.h"
+
+#include "core/text/text_file.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace axiscomp {
+
+namespace {
+
+constexpr std::string_view unitHint = "; check the unit of the values";
+
+auto notConvertible(const NeutralTable& table, const Position& position, std::string reason)
+{
+    return fail(ErrorCode::SignNotConvertible,
+        {{"position", positionText(table, position)}, {"reason", std::move(reason)}});
+}
+
+double offsetAt(const NeutralTable& table, const Mover& mover, std::size_t index)
+{
+    double sum = 0.0;
+    for (const Mover::Part& part : mover.parts)
+        sum += part.factor * table.columns[part.column].values[index];
+    return sum;
+}
+
+/// A slope of a mover along an axis.
+struct Slope {
+    double size = 0.0;
+    std::size_t index = 0; ///< the point behind which it is met
+};
+
+Slope largestSlope(const NeutralTable& table, const Mover& mover, std::size_t axis)
+{
+    const std::vector<double>& knots = table.axes[axis].knots;
+    const std::size_t stride = strideOf(table, axis);
+    Slope largest;
+    for (std::size_t index = 0; index < table.pointCount(); ++index) {
+        const std::size_t knot = index / stride % knots.size();
+        if (knot + 1 == knots.size())
+            continue;
+        const double rise = offsetAt(table, mover, index + stride) - offsetAt(table, mover, index);
+        const double size = std::abs(rise) / (knots[knot + 1] - knots[knot]);
+        if (!(size <= largest.size))
+            largest = {size, index};
+    }
+    return largest;
+}
+
+/// On a modulo axis a correction must be the same at both ends, but for rounding: it repeats.
+Result<void> checkClosed(const NeutralTable& table, const Mover& mover, std::size_t axis)
+{
+    if (!table.axes[axis].wrap)
+        return {};
+    const std::size_t stride = strideOf(table, axis);
+    const std::size_t count = table.axes[axis].knots.size();
+    double largest = 0.0;
+    for (std::size_t index = 0; index < table.pointCount(); ++index)
+        largest = std::max(largest, std::abs(offsetAt(table, mover, index)));
+    constexpr double rounding = 1e-9;
+    for (std::size_t first = 0; first < table.pointCount(); ++first) {
+        if (first / stride % count != 0)
+            continue;
+        const double begin = offsetAt(table, mover, first);
+        const double end = offsetAt(table, mover, first + (count - 1) * stride);
+        if (std::abs(end - begin) <= rounding * largest)
+            continue;
+        const std::string& unit = table.axes[mover.axis].unit;
+        return notConvertible(table, knotPosition(table, first),
+            "a full turn of " + axisText(table, axis) + " begins with the correction "
+                + quantityText(begin, unit) + " and ends with " + quantityText(end, unit)
+                + "; make both the same, or leave the modulo out");
+    }
+    return {};
+}
+
+/// The leading principal minors of 1 - slopes.
+bool contracts(const SlopeMatrix& slopes)
+{
+    SlopeMatrix d{};
+    for (std::size_t n = 0; n < 3; ++n)
+        for (std::size_t m = 0; m < 3; ++m)
+            d[n][m] = (n == m ? 1.0 : 0.0) - slopes[n][m];
+    const double second = d[0][0] * d[1][1] - d[0][1] * d[1][0];
+    const double third = d[0][0] * (d[1][1] * d[2][2] - d[1][2] * d[2][1])
+        - d[0][1] * (d[1][0] * d[2][2] - d[1][2] * d[2][0])
+        + d[0][2] * (d[1][0] * d[2][1] - d[1][1] * d[2][0]);
+    return d[0][0] > 0.0 && second > 0.0 && third > 0.0;
+}
+
+} // namespace
+
+LineInversion::LineInversion(const NeutralTable& table, const Mover& mover, std::size_t first)
+    : m_axis(table.axes[mover.axis])
+    , m_first(first)
+    , m_stride(strideOf(table, mover.axis))
+    , m_places(m_axis.knots)
+{
+    for (std::size_t i = 0; i < m_axis.knots.size(); ++i)
+        m_offsets.push_back(offsetAt(table, mover, first + i * m_stride));
+    for (std::size_t i = 0; i < m_places.size(); ++i)
+        m_sums.push_back(m_places[i] + m_offsets[i]);
+    if (m_axis.wrap && !isFullTurn(m_axis)) {
+        m_places.push_back(m_places.front() + *m_axis.wrap);
+        m_sums.push_back(m_places.back() + m_offsets.front());
+    }
+}
+
+std::optional<std::size_t> LineInversion::fault() const
+{
+    for (std::size_t i = 0; i + 1 < m_sums.size(); ++i)
+        if (!(m_sums[i + 1] > m_sums[i]))
+            return i;
+    return std::nullopt;
+}
+
+LineInversion::Place LineInversion::placeOf(double sum) const
+{
+    if (m_axis.wrap) {
+        const double turns = std::floor((sum - m_sums.front()) / *m_axis.wrap);
+        sum -= turns * *m_axis.wrap;
+    }
+    if (sum <= m_sums.front())
+        return {0, 0.0, sum - m_offsets.front()};
+    if (sum >= m_sums.back())
+        return {m_offsets.size() - 1, 0.0, sum - m_offsets.back()};
+    const auto above = std::ranges::upper_bound(m_sums, sum);
+    const auto i = static_cast<std::size_t>(above - m_sums.begin()) - 1;
+    const double fraction = (sum - m_sums[i]) / (m_sums[i + 1] - m_sums[i]);
+    return {i, fraction, m_places[i] + fraction * (m_places[i + 1] - m_places[i])};
+}
+
+double LineInversion::valueAt(const std::vector<double>& values, const Place& place) const
+{
+    const double value = values[m_first + place.knot * m_stride];
+    const bool isBehindLast = place.knot + 1 >= m_offsets.size(); // between two turns
+    if (place.fraction == 0.0 || isBehindLast)
+        return value;
+    return value + place.fraction * (values[m_first + (place.knot + 1) * m_stride] - value);
+}
+
+Result<void> checkInvertible(const NeutralTable& table, const Mover& mover)
+{
+    if (auto fine = checkClosed(table, mover, mover.axis); !fine)
+        return fine;
+    const SourceAxis& axis = table.axes[mover.axis];
+    const std::size_t stride = strideOf(table, mover.axis);
+    const std::size_t count = axis.knots.size();
+    for (std::size_t first = 0; first < table.pointCount(); ++first) {
+        if (first / stride % count != 0)
+            continue;
+        const LineInversion line(table, mover, first);
+        if (const auto knot = line.fault()) {
+            if (!std::isfinite(line.sum(*knot)) || !std::isfinite(line.sum((*knot + 1) % count)))
+                return notConvertible(table, knotPosition(table, first + *knot * stride),
+                    "the numbers are too large to be added to each other");
+            const std::size_t next = (*knot + 1) % count;
+            return notConvertible(table, knotPosition(table, first + *knot * stride),
+                "from there to " + quantityText(axis.knots[next], axis.unit)
+                    + " the correction changes by "
+                    + quantityText(line.offset(next) - line.offset(*knot), axis.unit)
+                    + ", so that positions would change their order" + std::string(unitHint));
+        }
+    }
+    return {};
+}
+
+Result<SlopeMatrix> checkContraction(const NeutralTable& table, const std::vector<Mover>& movers)
+{
+    SlopeMatrix slopes{};
+    Slope steepest;
+    std::size_t row = 0;
+    for (const Mover& mover : movers) {
+        for (const Mover& moved : movers) {
+            if (auto fine = checkClosed(table, mover, moved.axis); !fine)
+                return fail(fine.error());
+            const Slope slope = largestSlope(table, mover, moved.axis);
+            slopes[mover.axis][moved.axis] = slope.size;
+            if (!(slope.size <= steepest.size)) {
+                steepest = slope;
+                row = mover.axis;
+            }
+        }
+    }
+    if (contracts(slopes))
+        return slopes;
+    return notConvertible(table, knotPosition(table, steepest.index),
+        "the correction of " + axisText(table, row) + " changes by "
+            + csv::roundedText(steepest.size)
+            + " for each unit of the way, too much for several axes that are corrected together"
+            + std::string(unitHint));
+}
+
+} // namespace axiscomp

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/conversion/resampling.h"
+
+#include "core/conversion/axis_interpolant.h"
+#include "core/conversion/resampler.h"
+#include "core/neutral/table_motion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace axiscomp {
+
+namespace {
+
+auto impossible(std::string reason)
+{
+    return fail(ErrorCode::ResamplingImpossible, {{"reason", std::move(reason)}});
+}
+
+/// Values over a grid of these sizes, the first axis fastest.
+struct Values {
+    std::vector<std::size_t> sizes;
+    std::vector<double> values;
+};
+
+using Places = std::vector<AxisInterpolant::Place>;
+
+Places placesOf(const AxisInterpolant& interpolant, const std::vector<double>& positions)
+{
+    Places places;
+    places.reserve(positions.size());
+    for (const double position : positions)
+        places.push_back(interpolant.placeOf(position));
+    return places;
+}
+
+void interpolateAlong(
+    Values& data, std::size_t axis, const AxisInterpolant& interpolant, const Places& places)
+{
+    std::size_t stride = 1;
+    for (std::size_t n = 0; n < axis; ++n)
+        stride *= data.sizes[n];
+    const std::size_t count = data.sizes[axis];
+    const std::size_t blocks = data.values.size() / (stride * count);
+    std::vector<double> made(stride * places.size() * blocks);
+    AxisInterpolant::Line line;
+    for (std::size_t block = 0; block < blocks; ++block) {
+        for (std::size_t i = 0; i < stride; ++i) {
+            interpolant.load(&data.values[block * count * stride + i], stride, line);
+            double* const target = &made[block * places.size() * stride + i];
+            for (std::size_t n = 0; n < places.size(); ++n)
+                target[n * stride] = interpolant.at(line, places[n]);
+        }
+    }
+    data.values = std::move(made);
+    data.sizes[axis] = places.size();
+}
+
+std::vector<std::size_t> sizesOf(const NeutralTable& table)
+{
+    std::vector<std::size_t> sizes;
+    for (const SourceAxis& axis : table.axes)
+        sizes.push_back(axis.knots.size());
+    return sizes;
+}
+
+/// The knots of the source within the wanted range count.
+bool isWanted(
+    const NeutralTable& source, const std::vector<PlannedAxis>& plan, const Position& position)
+{
+    for (std::size_t n = 0; n < plan.size(); ++n) {
+        const double rounding =
+            1e-12 * (std::abs(plan[n].from) + std::abs(plan[n].to)); // positions are computed
+        const bool isOutside =
+            position[n] < plan[n].from - rounding || position[n] > plan[n].to + rounding;
+        if (!source.axes[n].wrap && isOutside)
+            return false;
+    }
+    return true;
+}
+
+ColumnDeviation deviationOf(const NeutralTable& source, const std::vector<PlannedAxis>& plan,
+    const std::vector<double>& values, const std::vector<double>& found)
+{
+    ColumnDeviation deviation;
+    double sum = 0.0;
+    std::size_t count = 0;
+    for (std::size_t index = 0; index < values.size(); ++index) {
+        const Position position = knotPosition(source, index);
+        if (!isWanted(source, plan, position))
+            continue;
+        const double size = std::abs(found[index] - values[index]);
+        sum += size * size;
+        ++count;
+        if (size > deviation.largest) {
+            deviation.largest = size;
+            deviation.position.assign(position.begin(),
+                position.begin() + static_cast<std::ptrdiff_t>(source.axes.size()));
+        }
+    }
+    deviation.rms = count == 0 ? 0.0 : std::sqrt(sum / static_cast<double>(count));
+    return deviation;
+}
+
+std::vector<ColumnDeviation> deviationsOf(
+    const NeutralTable& source, const std::vector<PlannedAxis>& plan, const NeutralTable& resampled)
+{
+    std::vector<AxisInterpolant> interpolants;
+    std::vector<Places> places;
+    for (std::size_t n = 0; n < plan.size(); ++n) {
+        interpolants.emplace_back(resampled.axes[n], ResamplingMethod::Linear);
+        places.push_back(placesOf(interpolants[n], source.axes[n].knots));
+    }
+    std::vector<ColumnDeviation> deviations;
+    for (std::size_t i = 0; i < source.columns.size(); ++i) {
+        Values data{sizesOf(resampled), resampled.columns[i].values};
+        for (std::size_t n = 0; n < plan.size(); ++n)
+            if (!plan[n].isKept)
+                interpolateAlong(data, n, interpolants[n], places[n]);
+        deviations.push_back(deviationOf(source, plan, source.columns[i].values, data.values));
+    }
+    return deviations;
+}
+
+/// The first point again, whatever rounding makes of the last place.
+void closeTurn(const SourceAxis& axis, const PlannedAxis& planned, SourceAxis& made, Places& places)
+{
+    if (!axis.wrap || planned.isKept)
+        return;
+    places.back() = places.front();
+    double& last = made.knots.back();
+    last = made.knots.front() + *axis.wrap;
+    if (last - made.knots.front() > *axis.wrap) // not longer than the period, by rounding
+        last = std::nextafter(last, made.knots.front());
+}
+
+} // namespace
+
+Result<void> checkResamplable(const NeutralTable& table)
+{
+    if (auto fine = checkConsistent(table); !fine)
+        return fine;
+    constexpr double rounding = 1e-9;
+    for (std::size_t n = 0; n < table.axes.size(); ++n) {
+        const std::size_t stride = strideOf(table, n);
+        const std::size_t count = table.axes[n].knots.size();
+        if (!isFullTurn(table.axes[n]))
+            continue;
+        for (const CompensationColumn& column : table.columns) {
+            double largest = 0.0;
+            for (const double value : column.values)
+                largest = std::max(largest, std::abs(value));
+            for (std::size_t first = 0; first < column.values.size(); ++first) {
+                if (first / stride % count != 0)
+                    continue;
+                const double begin = column.values[first];
+                const double end = column.values[first + (count - 1) * stride];
+                if (std::abs(begin - end) > rounding * largest)
+                    return impossible("a full turn of " + axisText(table, n) + " begins with "
+                        + quantityText(begin, column.unit) + " and ends with "
+                        + quantityText(end, column.unit)
+                        + "; make both the same, or leave the modulo out");
+            }
+        }
+    }
+    return {};
+}
+
+Result<ResampledTable> resampleOnto(
+    const NeutralTable& table, const std::vector<PlannedAxis>& plan, ResamplingMethod method)
+{
+    ResampledTable result;
+    result.table = table;
+    std::vector<AxisInterpolant> interpolants;
+    std::vector<Places> places;
+    bool isKept = true;
+    for (std::size_t n = 0; n < plan.size(); ++n) {
+        interpolants.emplace_back(table.axes[n], method);
+        places.push_back(placesOf(interpolants[n], plan[n].knots));
+        SourceAxis& made = result.table.axes[n];
+        made.knots = plan[n].knots;
+        made.step = plan[n].isKept ? made.step : 0.0;
+        closeTurn(table.axes[n], plan[n], made, places[n]);
+        isKept = isKept && plan[n].isKept;
+        result.grid.push_back(plan[n].grid);
+        if (!plan[n].remark.empty())
+            result.report.remarks.push_back(plan[n].remark);
+    }
+    for (CompensationColumn& column : result.table.columns) {
+        Values data{sizesOf(table), std::move(column.values)};
+        for (std::size_t n = 0; n < plan.size(); ++n)
+            if (!plan[n].isKept)
+                interpolateAlong(data, n, interpolants[n], places[n]);
+        column.values = std::move(data.values);
+        column.step = isKept ? column.step : 0.0;
+        for (const double value : column.values)
+            if (!std::isfinite(value))
+                return impossible("the values for " + columnText(table, column)
+                    + " are too large to be interpolated");
+    }
+    result.report.columns = deviationsOf(table, plan, result.table);
+    return result;
+}
+
+Result<ResampledTable> resample(const NeutralTable& table, const ResamplingRequest& request)
+{
+    if (auto fine = checkResamplable(table); !fine)
+        return fail(fine.error());
+    if (request.axes.size() != table.axes.size())
+        return fail(ErrorCode::InvalidArgument,
+            {{"reason",
+                "grids for " + std::to_string(request.axes.size()) + " axes are given, the table "
+                    + "has " + std::to_string(table.axes.size())}});
+    std::vector<PlannedAxis> plan;
+    double points = 1.0;
+    for (std::size_t n = 0; n < table.axes.size(); ++n) {
+        auto planned = planAxis(table, n, request.axes[n], request.holdsEnds);
+        if (!planned)
+            return fail(planned.error());
+        points *= static_cast<double>(planned->grid.size);
+        plan.push_back(std::move(*planned));
+    }
+    if (points > static_cast<double>(mostGridPoints))
+        return impossible("the grid would have more than " + std::to_string(mostGridPoints)
+            + " points; take fewer along an axis");
+    return resampleOnto(table, plan, request.method);
+}
+
+} // namespace axiscomp

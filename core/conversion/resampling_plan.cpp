@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/conversion/resampler.h"
+#include "core/neutral/table_motion.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+namespace axiscomp {
+
+namespace {
+
+auto invalid(std::string reason)
+{
+    return fail(ErrorCode::InvalidArgument, {{"reason", std::move(reason)}});
+}
+
+auto impossible(std::string reason)
+{
+    return fail(ErrorCode::ResamplingImpossible, {{"reason", std::move(reason)}});
+}
+
+/// What rounding makes of computed positions within a range.
+double roundingOf(double from, double to)
+{
+    return 8.0 * std::numeric_limits<double>::epsilon() * std::max(std::abs(from), std::abs(to));
+}
+
+/// A grid that meets the source's knots takes them over, so that no number changes.
+void takeOverKnots(PlannedAxis& plan, const SourceAxis& axis)
+{
+    if (plan.knots.size() != axis.knots.size())
+        return;
+    const double rounding = roundingOf(axis.knots.front(), axis.knots.back());
+    for (std::size_t i = 0; i < plan.knots.size(); ++i)
+        if (!(std::abs(plan.knots[i] - axis.knots[i]) <= rounding))
+            return;
+    plan.knots = axis.knots;
+    plan.isKept = true;
+}
+
+class AxisPlanner {
+public:
+    AxisPlanner(const NeutralTable& table, std::size_t axis, const AxisRequest& request)
+        : m_axis(table.axes[axis])
+        , m_name(axisText(table, axis))
+        , m_request(request)
+        , m_from(request.start.value_or(m_axis.knots.front()))
+        , m_to(request.end.value_or(m_axis.wrap ? m_from + *m_axis.wrap : m_axis.knots.back()))
+        , m_rounding(roundingOf(m_axis.knots.front(), m_axis.knots.back()))
+    {
+    }
+
+    [[nodiscard]] Result<PlannedAxis> plan(bool holdsEnds) const
+    {
+        if (auto fine = checkRequest(); !fine)
+            return fail(fine.error());
+        if (m_request.points == 0 && m_request.distance == 0.0)
+            return kept();
+        if (auto fine = checkRange(holdsEnds); !fine)
+            return fail(fine.error());
+        auto planned = m_request.points > 0
+            ? Result<PlannedAxis>(planPoints(m_axis, m_from, m_to, m_request.points))
+            : byDistance(holdsEnds);
+        // as core/table/grid_points.h has it: closer points are one place for a controller
+        if (planned && !(planned->grid.distance > 4.0 * roundingOf(m_from, m_to)))
+            return impossible("the points along " + m_name + " would be so close that positions "
+                + "cannot tell them apart; take fewer");
+        return planned;
+    }
+
+private:
+    [[nodiscard]] std::string text(double position) const
+    {
+        return quantityText(position, m_axis.unit);
+    }
+    [[nodiscard]] Result<void> checkRequest() const;
+    [[nodiscard]] Result<void> checkRange(bool holdsEnds) const;
+    [[nodiscard]] Result<PlannedAxis> kept() const;
+    [[nodiscard]] Result<PlannedAxis> byDistance(bool holdsEnds) const;
+    [[nodiscard]] Result<PlannedAxis> otherEnd(double cells, bool holdsEnds) const;
+
+    const SourceAxis& m_axis;
+    std::string m_name;
+    const AxisRequest& m_request;
+    double m_from;
+    double m_to;
+    double m_rounding;
+};
+
+Result<void> AxisPlanner::checkRequest() const
+{
+    const double distance = m_request.distance;
+    if (m_request.points > 0 && distance != 0.0)
+        return invalid("for " + m_name + " both a number of points and a distance are given");
+    if (m_request.points == 1)
+        return invalid("a grid along " + m_name + " needs at least two points");
+    if (!std::isfinite(distance) || distance < 0.0)
+        return invalid("the distance along " + m_name + " must be a number above 0");
+    if (!std::isfinite(m_from) || !std::isfinite(m_to) || !std::isfinite(m_to - m_from)
+        || !(m_to - m_from > m_rounding))
+        return invalid("the grid along " + m_name + " must end above its start, not go from "
+            + text(m_from) + " to " + text(m_to));
+    if (m_request.points > mostGridPoints)
+        return impossible(std::to_string(m_request.points) + " points along " + m_name
+            + " are more than " + std::to_string(mostGridPoints));
+    const bool asksRange = m_request.start || m_request.end;
+    if (m_request.points == 0 && distance == 0.0 && asksRange)
+        return invalid("for a part of " + m_name + " a number of points or a distance is needed");
+    return {};
+}
+
+Result<void> AxisPlanner::checkRange(bool holdsEnds) const
+{
+    if (m_axis.wrap) {
+        if (std::abs(m_to - m_from - *m_axis.wrap) > m_rounding + roundingOf(m_from, m_to))
+            return invalid("the grid along " + m_name + " must be one full turn, from "
+                + text(m_from) + " to " + text(m_from + *m_axis.wrap));
+        return {};
+    }
+    const std::string wayOut = "; stay within the data, or let the end values be held";
+    if (!holdsEnds && m_from < m_axis.knots.front() - m_rounding)
+        return impossible("the grid along " + m_name + " begins at " + text(m_from)
+            + ", before the data at " + text(m_axis.knots.front()) + wayOut);
+    if (!holdsEnds && m_to > m_axis.knots.back() + m_rounding)
+        return impossible("the grid along " + m_name + " ends at " + text(m_to)
+            + ", behind the data at " + text(m_axis.knots.back()) + wayOut);
+    return {};
+}
+
+Result<PlannedAxis> AxisPlanner::kept() const
+{
+    if (!isEven(m_axis))
+        return invalid("the positions of " + m_name
+            + " are not evenly spaced; give a number of points or a distance");
+    const double first = m_axis.knots.front();
+    const double last = m_axis.knots.back();
+    const std::size_t size = m_axis.knots.size();
+    return PlannedAxis{
+        {first, evenDistance(first, last, size), size}, m_axis.knots, first, last, true, {}};
+}
+
+Result<PlannedAxis> AxisPlanner::byDistance(bool holdsEnds) const
+{
+    constexpr double allowance = 1e-9; // of a distance
+    const double cells = (m_to - m_from) / m_request.distance;
+    if (!(cells < static_cast<double>(mostGridPoints)))
+        return impossible("a distance of " + text(m_request.distance) + " along " + m_name
+            + " makes more than " + std::to_string(mostGridPoints) + " points");
+    const double whole = std::round(cells);
+    if (whole < 1.0 || std::abs(cells - whole) > allowance)
+        return otherEnd(cells, holdsEnds);
+    return planPoints(m_axis, m_from, m_to, static_cast<std::size_t>(whole) + 1);
+}
+
+/// The distance does not divide the range.
+Result<PlannedAxis> AxisPlanner::otherEnd(double cells, bool holdsEnds) const
+{
+    const std::string range = "the range of " + m_name + " from " + text(m_from) + " to "
+        + text(m_to) + " is no whole multiple of " + text(m_request.distance);
+    if (m_axis.wrap) {
+        const double fewer = std::max(1.0, std::floor(cells));
+        return impossible("the full turn of " + m_name + ", " + text(*m_axis.wrap)
+            + ", is no whole multiple of " + text(m_request.distance) + "; possible are "
+            + text(*m_axis.wrap / (fewer + 1.0)) + " or " + text(*m_axis.wrap / fewer));
+    }
+    const double count = holdsEnds ? std::ceil(cells) : std::floor(cells);
+    if (count < 1.0)
+        return impossible("a distance of " + text(m_request.distance) + " is longer than the range "
+            + "of " + m_name + " from " + text(m_from) + " to " + text(m_to)
+            + "; take a shorter one, or let the end values be held");
+    PlannedAxis plan;
+    plan.grid = {m_from, m_request.distance, static_cast<std::size_t>(count) + 1};
+    for (std::size_t i = 0; i < plan.grid.size; ++i)
+        plan.knots.push_back(m_from + static_cast<double>(i) * m_request.distance);
+    plan.from = m_from;
+    plan.to = m_to;
+    const double end = plan.knots.back();
+    plan.remark = range + ": the grid ends at " + text(end) + ", "
+        + (holdsEnds ? text(end - m_to) + " behind it" : text(m_to - end) + " before its end");
+    return plan;
+}
+
+} // namespace
+
+double evenDistance(double from, double to, std::size_t points)
+{
+    const auto cells = static_cast<double>(points - 1);
+    const double distance = (to - from) / cells;
+    // the number that a person would give, where it leads to the same end
+    constexpr int digits = 12;
+    std::array<char, 32> buffer{};
+    const auto written = std::to_chars(
+        buffer.data(), buffer.data() + buffer.size(), distance, std::chars_format::general, digits);
+    double plain = 0.0;
+    std::from_chars(buffer.data(), written.ptr, plain);
+    return std::abs(from + cells * plain - to) <= roundingOf(from, to) / 2.0 ? plain : distance;
+}
+
+PlannedAxis planPoints(const SourceAxis& axis, double from, double to, std::size_t points)
+{
+    PlannedAxis plan;
+    plan.grid = {from, evenDistance(from, to, points), points};
+    plan.from = from;
+    plan.to = to;
+    for (std::size_t i = 0; i + 1 < points; ++i)
+        plan.knots.push_back(from + static_cast<double>(i) * plan.grid.distance);
+    plan.knots.push_back(to);
+    takeOverKnots(plan, axis);
+    return plan;
+}
+
+Result<PlannedAxis> planAxis(
+    const NeutralTable& table, std::size_t axis, const AxisRequest& request, bool holdsEnds)
+{
+    return AxisPlanner(table, axis, request).plan(holdsEnds);
+}
+
+} // namespace axiscomp

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/conversion/sign_conversion.h"
+
+#include "core/conversion/line_inversion.h"
+#include "core/neutral/table_motion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace axiscomp {
+
+namespace {
+
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+/// What the source says between and beyond its knots, whatever its controller does out there.
+constexpr TableBehaviour heldEnds{.outside = Outside::Hold};
+
+auto notConvertible(const NeutralTable& table, std::span<const double> position, std::string reason)
+{
+    return fail(ErrorCode::SignNotConvertible,
+        {{"position", positionText(table, position)}, {"reason", std::move(reason)}});
+}
+
+class SignConverter {
+public:
+    SignConverter(const NeutralTable& source, const TableBehaviour& behaviour)
+        : m_source(source)
+        , m_behaviour(behaviour)
+    {
+        m_result.table = source;
+    }
+
+    [[nodiscard]] Result<SignConversion> run(SignConvention to);
+
+private:
+    [[nodiscard]] Result<void> convert(Direction direction);
+    void negate(const std::vector<std::size_t>& columns);
+    void convertLines(const Mover& mover, const std::vector<std::size_t>& columns);
+    [[nodiscard]] Result<void> convertJointly(
+        const std::vector<Mover>& movers, const std::vector<std::size_t>& columns);
+    [[nodiscard]] Result<Position> fixedPoint(
+        const Motion& motion, const SlopeMatrix& slopes, const Position& knot);
+    void noteEnds(std::size_t axis, double place);
+    [[nodiscard]] Result<double> largestResidual() const;
+
+    const NeutralTable& m_source;
+    TableBehaviour m_behaviour;
+    SignConversion m_result;
+};
+
+Result<SignConversion> SignConverter::run(SignConvention to)
+{
+    if (auto fine = checkConsistent(m_source); !fine)
+        return fail(fine.error());
+    if (m_source.sign == to) {
+        m_result.example = examplePoint(m_source);
+        return std::move(m_result);
+    }
+    for (const Direction direction : {Direction::Both, Direction::Positive, Direction::Negative})
+        if (auto done = convert(direction); !done)
+            return fail(done.error());
+    m_result.table.sign = to;
+    const auto residual = largestResidual();
+    if (!residual)
+        return fail(residual.error());
+    m_result.residual = *residual;
+    const bool toCommand = to == SignConvention::Command;
+    m_result.example =
+        examplePoint(toCommand ? m_source : m_result.table, toCommand ? m_result.table : m_source);
+    return std::move(m_result);
+}
+
+Result<void> SignConverter::convert(Direction direction)
+{
+    std::vector<std::size_t> columns;
+    for (std::size_t i = 0; i < m_source.columns.size(); ++i)
+        if (m_source.columns[i].direction == direction)
+            columns.push_back(i);
+    const auto movers = moversOf(m_source, ownAxesOf(m_source), direction);
+    if (!movers)
+        return fail(movers.error());
+    if (columns.empty())
+        return {};
+    if (movers->empty()) {
+        negate(columns);
+        return {};
+    }
+    for (const std::size_t column : columns)
+        m_result.table.columns[column].step = 0.0;
+    for (const Mover& mover : *movers)
+        if (auto fine = checkInvertible(m_source, mover); !fine)
+            return fine;
+    if (movers->size() > 1)
+        return convertJointly(*movers, columns);
+    convertLines(movers->front(), columns);
+    return {};
+}
+
+void SignConverter::negate(const std::vector<std::size_t>& columns)
+{
+    for (const std::size_t column : columns)
+        for (double& value : m_result.table.columns[column].values)
+            value = 0.0 - value; // no negative zero
+}
+
+void SignConverter::noteEnds(std::size_t axis, double place)
+{
+    const SourceAxis& source = m_source.axes[axis];
+    const double rounding = 8.0 * epsilon * std::abs(place);
+    const bool isBefore = place < source.knots.front() - rounding;
+    const bool isBehind = place > source.knots.back() + rounding;
+    const bool needsZero = m_behaviour.outside != Outside::Hold;
+    if (!source.wrap
+        && ((isBefore && (needsZero || m_behaviour.startsAtFirst)) || (isBehind && needsZero)))
+        m_result.usesHeldEnds = true;
+}
+
+void SignConverter::convertLines(const Mover& mover, const std::vector<std::size_t>& columns)
+{
+    const SourceAxis& axis = m_source.axes[mover.axis];
+    const std::size_t stride = strideOf(m_source, mover.axis);
+    const std::size_t count = axis.knots.size();
+    const bool isClosed = isFullTurn(axis);
+    for (std::size_t first = 0; first < m_source.pointCount(); ++first) {
+        if (first / stride % count != 0)
+            continue;
+        const LineInversion line(m_source, mover, first);
+        for (std::size_t i = 0; i < count; ++i) {
+            const LineInversion::Place place =
+                line.placeOf(axis.knots[isClosed ? i % (count - 1) : i]);
+            noteEnds(mover.axis, place.position);
+            for (const std::size_t column : columns)
+                m_result.table.columns[column].values[first + i * stride] =
+                    0.0 - line.valueAt(m_source.columns[column].values, place);
+        }
+    }
+}
+
+Result<Position> SignConverter::fixedPoint(
+    const Motion& motion, const SlopeMatrix& slopes, const Position& knot)
+{
+    constexpr int mostIterations = 5000;
+    const std::size_t dimensions = m_source.axes.size();
+    Position place = knot;
+    for (int iteration = 1; iteration <= mostIterations; ++iteration) {
+        const Position offset = motion.offset(std::span(place).first(dimensions));
+        bool isSettled = true;
+        for (std::size_t n = 0; n < dimensions; ++n) {
+            const double next = knot[n] - offset[n];
+            double size = std::abs(knot[n]) + std::abs(offset[n]);
+            for (std::size_t m = 0; m < dimensions; ++m)
+                size += slopes[n][m] * (std::abs(knot[m]) + std::abs(offset[m]));
+            const double rounding = 4.0 * epsilon * size;
+            isSettled = isSettled && std::abs(next - place[n]) <= rounding;
+            place[n] = next;
+        }
+        m_result.iterations = std::max(m_result.iterations, iteration);
+        if (isSettled)
+            return place;
+    }
+    return notConvertible(m_source, knot,
+        "the corrections are so steep that " + std::to_string(mostIterations)
+            + " steps do not find the place that belongs to it; check the unit of the values");
+}
+
+Result<void> SignConverter::convertJointly(
+    const std::vector<Mover>& movers, const std::vector<std::size_t>& columns)
+{
+    const auto slopes = checkContraction(m_source, movers);
+    if (!slopes)
+        return fail(slopes.error());
+    const Motion motion(m_source, heldEnds, movers);
+    std::vector<AppliedCompensation> applied;
+    for (const std::size_t column : columns)
+        applied.emplace_back(m_source, column, heldEnds);
+    for (std::size_t index = 0; index < m_source.pointCount(); ++index) {
+        const auto place = fixedPoint(motion, *slopes, knotPosition(m_source, index));
+        if (!place)
+            return fail(place.error());
+        for (const Mover& mover : movers)
+            noteEnds(mover.axis, (*place)[mover.axis]);
+        for (std::size_t i = 0; i < columns.size(); ++i)
+            m_result.table.columns[columns[i]].values[index] =
+                0.0 - applied[i].at(std::span(*place).first(m_source.axes.size()));
+    }
+    return {};
+}
+
+/// Found in another way than the values are: by applying both tables.
+Result<double> SignConverter::largestResidual() const
+{
+    const NeutralTable& table = m_result.table;
+    const OwnAxes ownAxes = ownAxesOf(m_source);
+    double largest = 0.0;
+    for (std::size_t i = 0; i < table.columns.size(); ++i) {
+        const auto movers = moversOf(m_source, ownAxes, table.columns[i].direction);
+        if (!movers)
+            return fail(movers.error());
+        const AppliedCompensation applied(m_source, i, heldEnds);
+        for (std::size_t index = 0; index < table.pointCount(); ++index) {
+            Position place = knotPosition(table, index);
+            for (const Mover& mover : *movers)
+                for (const Mover::Part& part : mover.parts)
+                    place[mover.axis] += part.factor * table.columns[part.column].values[index];
+            const double residual = table.columns[i].values[index]
+                + applied.at(std::span(place).first(table.axes.size()));
+            largest = std::max(largest, std::abs(residual));
+        }
+    }
+    return largest;
+}
+
+} // namespace
+
+Result<SignConversion> convertSign(
+    const NeutralTable& table, SignConvention to, const TableBehaviour& behaviour)
+{
+    return SignConverter(table, behaviour).run(to);
+}
+
+} // namespace axiscomp

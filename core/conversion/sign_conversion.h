@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/result.h"
+#include "core/neutral/controller_lookup.h"
+#include "core/neutral/neutral_table.h"
+
+namespace axiscomp {
+
+/// A table whose numbers mean the other convention (spec/controllers.md, "Sign").
+struct SignConversion {
+    NeutralTable table;
+    int iterations = 0; ///< the most that a point needed; 0: every point is solved exactly
+    /// The largest |r + f(knot + r)| at a knot, with the source f and the result r; in the unit of
+    /// the column.
+    double residual = 0.0;
+    /// Places beyond the knots were needed, where the source's controller applies nothing. There
+    /// the end values were held: at the step no place would belong to the knot.
+    bool usesHeldEnds = false;
+    std::string example; ///< a sentence, see examplePoint
+};
+
+/// The same compensation in the other convention, at the same knots. With the encoder position
+/// x + c(x) for a commanded x, c(x) = -e(x + c(x)); so a table f of either kind becomes -f(z),
+/// where z + f(z) is the knot.
+/// - Every column that acts on a source axis of the table (ownAxis) moves the place z, all of them
+///   together. All columns are taken from that place; those of a table that has only cross
+///   compensations, or of which ownAxis knows nothing, stay where they are and change their sign.
+/// - A direction of motion is converted with the columns of that direction, and those of Both. A
+///   column of Both is moved by the mean of an axis's two directions.
+/// - With one axis that moves, the places are exact: f is linear between knots. With more, they are
+///   the fixed point of z = knot - f(z), which converges because every slope is looked at before.
+/// Numbers are those of the table; TableBehaviour::usesFloat does not round them.
+/// Errors: SignNotConvertible where z + f(z) does not increase strictly, where the corrections of
+/// several axes are so steep that one solution is not certain, and where the two ends of a modulo
+/// axis differ; InvalidArgument for tables that are not consistent, for two columns on one axis,
+/// and for values that are lengths on an axis of angles.
+[[nodiscard]] Result<SignConversion> convertSign(
+    const NeutralTable& table, SignConvention to, const TableBehaviour& behaviour);
+
+/// The point of the largest value in words, so that a person can tell the sign: "where the encoder
+/// reads 40 mm the reference says 40.0021 mm: the feedback file says +0.0021 mm". Looks at the
+/// columns that act on an axis of the table, or at all where there is none. table: consistent.
+[[nodiscard]] std::string examplePoint(const NeutralTable& table);
+
+/// The same for a table in both conventions, with the number of each file at the same knot.
+[[nodiscard]] std::string examplePoint(const NeutralTable& feedback, const NeutralTable& command);
+
+/// How two columns differ in what their controllers make of them, as an error of position in the
+/// unit of a's column. Positions are in the units of a's axes.
+struct ColumnDifference {
+    std::size_t columnA = 0;
+    std::size_t columnB = 0;
+    double largest = 0.0; ///< its size, anywhere
+    std::vector<double> where; ///< empty: there is no difference
+    double largestInside = 0.0; ///< where both tables have values
+    std::vector<double> whereInside;
+};
+
+struct ConversionDifference {
+    std::vector<ColumnDifference> columns; ///< every column of a at least once
+    std::size_t positions = 0; ///< so many were looked at
+    bool isThinned = false; ///< not every knot and midpoint, because there are too many
+};
+
+/// Compares two tables, each under its own controller's rules and sign. In the same convention the
+/// difference is that of the values; otherwise it is c(x) + e(x + c(x)) for commanded positions x.
+/// Looked at are the knots of both tables and, for one axis, the places where x + c(x) meets those
+/// of the feedback table; the middles between these; a hundredth of a cell and a whole cell beyond
+/// the ends of both; three turns of a modulo axis. In 2D and 3D all combinations, thinned evenly to
+/// at most mostPositions.
+/// Axes belong together by their order; columns by target and direction, or by their order when the
+/// other table has as many and no such target, or more and the target is not said. Which axis a
+/// column acts on is taken from the names of a, or of b where a has none. Errors: InvalidArgument
+/// for tables that are not consistent or have different axes, and for a column of a that b lacks.
+[[nodiscard]] Result<ConversionDifference> conversionDifference(const NeutralTable& a,
+    const TableBehaviour& behaviourA, const NeutralTable& b, const TableBehaviour& behaviourB,
+    std::size_t mostPositions = 300'000);
+
+} // namespace axiscomp

@@ -1,0 +1,388 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/conversion/line_inversion.h"
+#include "core/conversion/sign_conversion.h"
+#include "core/neutral/table_motion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace axiscomp {
+
+namespace {
+
+auto invalid(std::string reason)
+{
+    return fail(ErrorCode::InvalidArgument, {{"reason", std::move(reason)}});
+}
+
+/// From the unit of one table's axis to that of the other.
+using AxisFactors = std::array<double, 3>;
+
+struct ColumnPair {
+    std::size_t a = 0;
+    std::size_t b = 0;
+    double factor = 1.0; ///< from the unit of b's column to that of a's
+};
+
+bool sharesDirection(Direction a, Direction b)
+{
+    return a == b || a == Direction::Both || b == Direction::Both;
+}
+
+Result<std::vector<ColumnPair>> pairsOf(const NeutralTable& a, const NeutralTable& b)
+{
+    std::vector<ColumnPair> pairs;
+    for (std::size_t i = 0; i < a.columns.size(); ++i) {
+        const CompensationColumn& column = a.columns[i];
+        const std::size_t before = pairs.size();
+        for (std::size_t j = 0; j < b.columns.size(); ++j)
+            if (b.columns[j].target == column.target
+                && sharesDirection(b.columns[j].direction, column.direction))
+                pairs.push_back({i, j});
+        const bool isByOrder = a.columns.size() == b.columns.size()
+            || (column.target.empty() && a.columns.size() < b.columns.size());
+        if (pairs.size() == before && isByOrder)
+            pairs.push_back({i, i});
+        if (pairs.size() == before)
+            return invalid("the second table has no column for " + columnText(a, column));
+    }
+    for (ColumnPair& pair : pairs) {
+        const CompensationColumn& column = a.columns[pair.a];
+        const auto factor = factorBetween(
+            b.columns[pair.b].unit, column.unit, "values for " + columnText(a, column));
+        if (!factor)
+            return fail(factor.error());
+        pair.factor = *factor;
+    }
+    return pairs;
+}
+
+/// x in another unit; an end of the axis stays one, whatever rounding makes of it.
+double convertedTo(const SourceAxis& axis, double x, double factor)
+{
+    const double converted = x * factor;
+    const double first = axis.knots.front();
+    const double last = axis.knots.back();
+    const double rounding =
+        16.0 * std::numeric_limits<double>::epsilon() * (std::abs(first) + std::abs(last));
+    for (const double end : {first, last})
+        if (std::abs(converted - end) <= rounding)
+            return end;
+    return converted;
+}
+
+/// One of the two tables, with what moves its places.
+struct Side {
+    const NeutralTable& table;
+    const TableBehaviour& behaviour;
+    AxisFactors factors; ///< from a's unit
+
+    [[nodiscard]] Position positionOf(const Position& x) const
+    {
+        Position converted{};
+        for (std::size_t n = 0; n < table.axes.size(); ++n)
+            converted[n] = convertedTo(table.axes[n], x[n], factors[n]);
+        return converted;
+    }
+    [[nodiscard]] std::span<const double> used(const Position& position) const
+    {
+        return std::span(position).first(table.axes.size());
+    }
+    [[nodiscard]] bool contains(const Position& position) const
+    {
+        for (std::size_t n = 0; n < table.axes.size(); ++n) {
+            const SourceAxis& axis = table.axes[n];
+            if (!axis.wrap
+                && !(position[n] >= axis.knots.front() && position[n] <= axis.knots.back()))
+                return false;
+        }
+        return true;
+    }
+};
+
+/// The positions along one axis that are looked at, in a's unit.
+class AxisPositions {
+public:
+    AxisPositions(const SourceAxis& a, const SourceAxis& b, double fromA)
+    {
+        add(a, 1.0);
+        add(b, 1.0 / fromA);
+        if (a.wrap || b.wrap)
+            m_wrap = a.wrap ? *a.wrap : *b.wrap / fromA;
+    }
+
+    void addKnot(double position) { m_positions.push_back(position); }
+
+    [[nodiscard]] std::vector<double> all() const
+    {
+        std::vector<double> sorted = m_positions;
+        std::ranges::sort(sorted);
+        sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
+        std::vector<double> dense;
+        for (std::size_t i = 0; i < sorted.size(); ++i) {
+            if (i > 0)
+                dense.push_back(std::midpoint(sorted[i - 1], sorted[i]));
+            dense.push_back(sorted[i]);
+        }
+        const std::size_t turn = dense.size();
+        for (std::size_t i = 0; i < turn && m_wrap > 0.0; ++i) {
+            dense.push_back(dense[i] - m_wrap);
+            dense.push_back(dense[i] + m_wrap);
+        }
+        return dense;
+    }
+
+private:
+    void add(const SourceAxis& axis, double factor)
+    {
+        constexpr double little = 0.01;
+        const std::vector<double>& knots = axis.knots;
+        for (const double knot : knots)
+            m_positions.push_back(knot * factor);
+        const double firstCell = knots[1] - knots[0];
+        const double lastCell = knots.back() - knots[knots.size() - 2];
+        for (const double cells : {little, 1.0}) {
+            m_positions.push_back((knots.front() - cells * firstCell) * factor);
+            m_positions.push_back((knots.back() + cells * lastCell) * factor);
+        }
+    }
+
+    std::vector<double> m_positions;
+    double m_wrap = 0.0;
+};
+
+/// The positions of each axis.
+using AxisLists = std::vector<std::vector<double>>;
+
+/// All combinations, the first axis fastest.
+template <typename Visit> void forEachPosition(const AxisLists& axes, Visit visit)
+{
+    std::size_t count = 1;
+    for (const std::vector<double>& axis : axes)
+        count *= axis.size();
+    for (std::size_t index = 0; index < count; ++index) {
+        Position x{};
+        std::size_t rest = index;
+        for (std::size_t n = 0; n < axes.size(); ++n) {
+            x[n] = axes[n][rest % axes[n].size()];
+            rest /= axes[n].size();
+        }
+        visit(x);
+    }
+}
+
+/// Evenly chosen, the first and the last among them.
+std::vector<double> thinned(const std::vector<double>& positions, std::size_t count)
+{
+    std::vector<double> kept;
+    for (std::size_t i = 0; i < count; ++i)
+        kept.push_back(positions[i * (positions.size() - 1) / (count - 1)]);
+    return kept;
+}
+
+class Comparison {
+public:
+    Comparison(const Side& a, const Side& b) : m_a(a), m_b(b) { }
+
+    [[nodiscard]] Result<void> prepare();
+    [[nodiscard]] Result<ConversionDifference> run(std::size_t mostPositions);
+
+private:
+    [[nodiscard]] bool isMixed() const { return m_a.table.sign != m_b.table.sign; }
+    [[nodiscard]] const Side& command() const
+    {
+        return m_a.table.sign == SignConvention::Command ? m_a : m_b;
+    }
+    [[nodiscard]] const Side& feedback() const { return &command() == &m_a ? m_b : m_a; }
+    /// The own axes of a side's columns, from the names of a where it has them.
+    [[nodiscard]] OwnAxes rolesOf(const Side& side) const;
+    [[nodiscard]] Result<Motion> motionOf(const Side& side, Direction direction) const;
+    /// Where x + c(x) meets the knots of the feedback table.
+    [[nodiscard]] Result<void> addMetKnots(AxisPositions& positions) const;
+    [[nodiscard]] Result<AxisLists> positions(ConversionDifference& result, std::size_t most) const;
+    /// Where each table is looked up for a position x, and whether both have values there.
+    struct Places {
+        Position a;
+        Position b;
+        bool isInside = false;
+    };
+    [[nodiscard]] Places placesOf(const Position& x, const Motion& motion) const;
+    [[nodiscard]] Result<ColumnDifference> compare(
+        const ColumnPair& pair, const AxisLists& axes) const;
+
+    Side m_a;
+    Side m_b;
+    std::vector<ColumnPair> m_pairs;
+};
+
+Result<void> Comparison::prepare()
+{
+    const NeutralTable& a = m_a.table;
+    const NeutralTable& b = m_b.table;
+    for (const NeutralTable* table : {&a, &b})
+        if (auto fine = checkConsistent(*table); !fine)
+            return fine;
+    if (a.axes.size() != b.axes.size())
+        return invalid("a table of " + std::to_string(a.axes.size())
+            + " source axes cannot be compared with one of " + std::to_string(b.axes.size()));
+    for (std::size_t n = 0; n < a.axes.size(); ++n) {
+        const auto factor =
+            factorBetween(a.axes[n].unit, b.axes[n].unit, "positions of " + axisText(a, n));
+        if (!factor)
+            return fail(factor.error());
+        m_a.factors[n] = 1.0;
+        m_b.factors[n] = *factor;
+    }
+    auto pairs = pairsOf(a, b);
+    if (!pairs)
+        return fail(pairs.error());
+    m_pairs = std::move(*pairs);
+    return {};
+}
+
+OwnAxes Comparison::rolesOf(const Side& side) const
+{
+    const OwnAxes ofA = ownAxesOf(m_a.table);
+    const OwnAxes ofB = ownAxesOf(m_b.table);
+    OwnAxes roles = ownAxesOf(side.table);
+    for (const ColumnPair& pair : m_pairs) {
+        const bool isNamed =
+            !m_a.table.columns[pair.a].target.empty() && !m_a.table.axes.front().name.empty();
+        roles[&side == &m_a ? pair.a : pair.b] = isNamed ? ofA[pair.a] : ofB[pair.b];
+    }
+    return roles;
+}
+
+Result<Motion> Comparison::motionOf(const Side& side, Direction direction) const
+{
+    const auto movers = moversOf(side.table, rolesOf(side), direction);
+    if (!movers)
+        return fail(movers.error());
+    return Motion(side.table, side.behaviour, *movers);
+}
+
+Result<void> Comparison::addMetKnots(AxisPositions& positions) const
+{
+    const double factor = feedback().factors[0] / command().factors[0];
+    for (const Direction direction : {Direction::Positive, Direction::Negative}) {
+        const auto movers = moversOf(command().table, rolesOf(command()), direction);
+        if (!movers)
+            return fail(movers.error());
+        if (movers->empty())
+            continue;
+        const LineInversion line(command().table, movers->front(), 0);
+        if (line.fault())
+            continue;
+        for (const double knot : feedback().table.axes.front().knots)
+            positions.addKnot(line.placeOf(knot / factor).position / command().factors[0]);
+    }
+    return {};
+}
+
+Result<AxisLists> Comparison::positions(ConversionDifference& result, std::size_t most) const
+{
+    AxisLists axes;
+    double count = 1.0;
+    for (std::size_t n = 0; n < m_a.table.axes.size(); ++n) {
+        AxisPositions positions(m_a.table.axes[n], m_b.table.axes[n], m_b.factors[n]);
+        if (isMixed() && m_a.table.axes.size() == 1)
+            if (auto done = addMetKnots(positions); !done)
+                return fail(done.error());
+        axes.push_back(positions.all());
+        count *= static_cast<double>(axes.back().size());
+    }
+    // From the shortest axis to the longest, so that what one does not use is left to the others.
+    std::vector<std::vector<double>*> byLength;
+    for (std::vector<double>& axis : axes)
+        byLength.push_back(&axis);
+    std::ranges::sort(byLength, {}, [](const auto* axis) { return axis->size(); });
+    double left = static_cast<double>(std::max<std::size_t>(most, 8));
+    result.isThinned = count > left;
+    for (std::size_t n = 0; n < byLength.size(); ++n) {
+        const double share = std::pow(left, 1.0 / static_cast<double>(byLength.size() - n));
+        const auto allowed = std::max<std::size_t>(2, static_cast<std::size_t>(share + 1e-9));
+        if (byLength[n]->size() > allowed)
+            *byLength[n] = thinned(*byLength[n], allowed);
+        left /= static_cast<double>(byLength[n]->size());
+    }
+    return axes;
+}
+
+Comparison::Places Comparison::placesOf(const Position& x, const Motion& motion) const
+{
+    Places places{x, m_b.positionOf(x), false};
+    places.isInside = m_a.contains(places.a) && m_b.contains(places.b);
+    if (!isMixed())
+        return places;
+    // the feedback table is looked up where the encoder is moved to
+    const bool isCommandA = &command() == &m_a;
+    const Position offset = motion.offset(command().used(isCommandA ? places.a : places.b));
+    Position moved = x;
+    for (std::size_t n = 0; n < m_a.table.axes.size(); ++n)
+        moved[n] += offset[n] / command().factors[n];
+    (isCommandA ? places.b : places.a) = feedback().positionOf(moved);
+    places.isInside = places.isInside && m_a.contains(places.a) && m_b.contains(places.b);
+    return places;
+}
+
+Result<ColumnDifference> Comparison::compare(const ColumnPair& pair, const AxisLists& axes) const
+{
+    const Direction direction = m_a.table.columns[pair.a].direction == Direction::Both
+        ? m_b.table.columns[pair.b].direction
+        : m_a.table.columns[pair.a].direction;
+    const auto motion = motionOf(command(), direction);
+    if (!motion)
+        return fail(motion.error());
+    const AppliedCompensation a(m_a.table, pair.a, m_a.behaviour);
+    const AppliedCompensation b(m_b.table, pair.b, m_b.behaviour);
+    const double factor = isMixed() ? pair.factor : -pair.factor;
+    ColumnDifference result{pair.a, pair.b, 0.0, {}, 0.0, {}};
+    forEachPosition(axes, [&](const Position& x) {
+        const Places places = placesOf(x, *motion);
+        const double size = std::abs(a.at(m_a.used(places.a)) + factor * b.at(m_b.used(places.b)));
+        const auto end = x.begin() + static_cast<std::ptrdiff_t>(axes.size());
+        if (size > result.largest) {
+            result.largest = size;
+            result.where.assign(x.begin(), end);
+        }
+        if (places.isInside && size > result.largestInside) {
+            result.largestInside = size;
+            result.whereInside.assign(x.begin(), end);
+        }
+    });
+    return result;
+}
+
+Result<ConversionDifference> Comparison::run(std::size_t mostPositions)
+{
+    ConversionDifference result;
+    const auto axes = positions(result, mostPositions);
+    if (!axes)
+        return fail(axes.error());
+    result.positions = 1;
+    for (const std::vector<double>& axis : *axes)
+        result.positions *= axis.size();
+    for (const ColumnPair& pair : m_pairs) {
+        auto difference = compare(pair, *axes);
+        if (!difference)
+            return fail(difference.error());
+        result.columns.push_back(std::move(*difference));
+    }
+    return result;
+}
+
+} // namespace
+
+Result<ConversionDifference> conversionDifference(const NeutralTable& a,
+    const TableBehaviour& behaviourA, const NeutralTable& b, const TableBehaviour& behaviourB,
+    std::size_t mostPositions)
+{
+    Comparison comparison({a, behaviourA, {}}, {b, behaviourB, {}});
+    if (auto fine = comparison.prepare(); !fine)
+        return fail(fine.error());
+    return comparison.run(mostPositions);
+}
+
+} // namespace axiscomp

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/conversion/table_export.h"
+
+#include "core/formats/formats.h"
+#include "core/formats/triamec/triamec_tables.h"
+
+namespace axiscomp {
+
+Result<TableExport> exportTable(const CompensationTable& table, const ImportChoices& choices,
+    const std::string& fileName, const TableLayout& layout)
+{
+    const NeutralTable source = neutralTable(CalibrationData{table.grid, {table}, {}});
+    ConversionRequest request;
+    request.from = &calibrationCsvFamily();
+    request.to = choices.family;
+    request.targetSign = choices.sign;
+    request.writing.layout = &layout;
+    request.writing.settings = choices.settings;
+    request.writing.fileName = fileName;
+    auto resampling = resamplingRequest(choices.resampling, source.axes.size());
+    if (!resampling)
+        return fail(resampling.error());
+    request.resampling = *std::move(resampling);
+    auto conversion = convertTables(std::span(&source, 1), request);
+    if (!conversion)
+        return fail(conversion.error());
+    std::vector<std::string> report = conversionReport(*conversion, request);
+    return TableExport{std::move(conversion->written.bytes), std::move(report)};
+}
+
+} // namespace axiscomp

@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/conversion/table_import.h"
+
+#include "core/formats/formats.h"
+#include "core/formats/triamec/triamec_tables.h"
+#include "core/io/local_file.h"
+#include "core/table/tam_table.h"
+
+#include <algorithm>
+#include <iterator>
+#include <set>
+
+namespace axiscomp {
+
+namespace {
+
+class Import {
+public:
+    explicit Import(const TableImportRequest& request) : m_request(request) { }
+
+    [[nodiscard]] TableImport run()
+    {
+        chooseFamily();
+        if (m_result.refusal)
+            return std::move(m_result);
+        if (m_result.family == &calibrationCsvFamily())
+            readCsv();
+        else if (m_result.family == &tamTableFamily())
+            readTamTable();
+        else
+            readOther();
+        return std::move(m_result);
+    }
+
+private:
+    void chooseFamily();
+    [[nodiscard]] Result<Bytes> bytes(std::uint64_t limit);
+    void readCsv();
+    void readTamTable();
+    void readOther();
+    void take(CalibrationData data);
+    void convert(const std::vector<NeutralTable>& tables);
+    [[nodiscard]] Result<CompensationTable> converted(const NeutralTable& column);
+    void keepName(CompensationTable& table);
+    void refuse(const Error& error) { m_result.refusal = error; }
+    void problem(const Error& error)
+    {
+        m_result.problems.push_back(
+            {Severity::Error, DiagnosticCode::IoError, 0, 0, sentence(error), {}});
+    }
+
+    const TableImportRequest& m_request;
+    TableImport m_result;
+    std::set<std::string> m_names; ///< of the tables so far
+    bool m_isOneOfSeveral = false; ///< the table that is converted
+};
+
+/// A file that could be of another controller is not taken for one on a mere suspicion: its numbers
+/// might have the other sign.
+void Import::chooseFamily()
+{
+    const std::string name = m_request.file.filename().string();
+    const std::string text = beginningOf(m_request.file);
+    m_result.candidates = guessFamily(text, name).families;
+    m_result.family = m_request.choices.family;
+    if (m_result.family != nullptr)
+        return;
+    const auto choice = axiscomp::chooseFamily(text, name, false);
+    // What nobody knows is read as a calibration file: its problems say what one looks like.
+    m_result.family = choice ? choice->family : &calibrationCsvFamily();
+    if (!choice && choice.error().code == ErrorCode::FormatAmbiguous) {
+        m_result.family = m_result.candidates.front();
+        refuse(choice.error());
+        return;
+    }
+    const TableFamily& family = *m_result.family;
+    const bool isSure = isTriamec(family) || family.recognise(text) == Recognition::Certain;
+    const bool isCalibrationName = familyOfExtension(name) == &calibrationCsvFamily();
+    const bool isNamed = !isCalibrationName && familyOfExtension(name) == &family;
+    if (isSure || (isNamed && m_result.candidates.size() == 1))
+        return;
+    if (isCalibrationName)
+        m_result.candidates.push_back(&calibrationCsvFamily());
+    refuse({ErrorCode::FormatAmbiguous,
+        {{"file", name}, {"candidates", familyNames(m_result.candidates)}}, {}});
+}
+
+Result<Bytes> Import::bytes(std::uint64_t limit)
+{
+    auto bytes = loadFile(m_request.file, limit);
+    if (!bytes)
+        problem(bytes.error());
+    return bytes;
+}
+
+void Import::take(CalibrationData data)
+{
+    m_result.sourceAxes = data.grid.dimensions();
+    if (m_request.choices.isConversion())
+        convert(separateColumns(std::vector{neutralTable(data)}));
+    else
+        m_result.data = std::make_shared<const CalibrationData>(std::move(data));
+}
+
+void Import::readCsv()
+{
+    CsvOptions options;
+    options.dimensions = m_request.dimensions;
+    options.stop = m_request.stop;
+    options.progress = m_request.progress;
+    CsvReading reading = readCalibrationCsv(m_request.file, options);
+    const bool isOnlyUneven = reading.hasErrors() && reading.suppressed == 0
+        && std::ranges::all_of(reading.diagnostics, [](const Diagnostic& d) {
+               return d.severity == Severity::Warning || d.code == DiagnosticCode::UnevenSpacing;
+           });
+    m_result.isCancelled = reading.cancelled;
+    m_result.problems = std::move(reading.diagnostics);
+    m_result.suppressedProblems = reading.suppressed;
+    if (reading.data)
+        take(*std::move(reading.data));
+    if (!isOnlyUneven || m_result.isCancelled)
+        return;
+    options.acceptsUneven = true;
+    CsvReading uneven = readCalibrationCsv(m_request.file, options);
+    m_result.isCancelled = uneven.cancelled;
+    if (!uneven.data)
+        return;
+    m_result.sourceAxes = uneven.data->grid.dimensions();
+    convert(separateColumns(std::vector{neutralTable(*uneven.data, uneven.knots)}));
+    if (m_result.data)
+        m_result.problems = std::move(uneven.diagnostics);
+}
+
+void Import::readTamTable()
+{
+    constexpr std::uint64_t largestFile = 64ULL * 1024 * 1024; // far more than any drive holds
+    const auto content = bytes(largestFile);
+    if (!content)
+        return;
+    auto decoded = decodeTamTable(*content, *m_request.layout);
+    if (!decoded) {
+        problem(decoded.error());
+        return;
+    }
+    CalibrationData data;
+    data.grid = decoded->table.grid;
+    if (decoded->table.name.empty())
+        decoded->table.name = m_request.file.stem().string();
+    // The file says no unit.
+    const FormatSettings& settings = m_request.choices.settings;
+    if (const auto given = settings.find("position-unit"); given != settings.end())
+        for (GridAxis& axis : data.grid.axes)
+            axis.unit = given->second;
+    if (const auto given = settings.find("value-unit"); given != settings.end())
+        decoded->table.unit = given->second;
+    decoded->table.grid = data.grid;
+    data.tables.push_back(std::move(decoded->table));
+    take(std::move(data));
+}
+
+void Import::readOther()
+{
+    const TableFamily& family = *m_result.family;
+    if (family.read == nullptr)
+        return refuse({ErrorCode::InvalidArgument,
+            {{"reason",
+                "the format " + std::string(family.facts.name) + " can be written, not read"}},
+            {}});
+    const auto content = bytes(family.facts.mostBytes);
+    if (!content)
+        return;
+    TableReadOptions options;
+    options.settings = m_request.choices.settings;
+    options.layout = m_request.layout;
+    options.stop = m_request.stop;
+    auto reading = family.read(asText(*content), options);
+    if (!reading)
+        return refuse(reading.error());
+    m_result.isCancelled = reading->cancelled;
+    const bool isUsable = !reading->hasErrors() && !reading->tables.empty();
+    m_result.problems = std::move(reading->diagnostics);
+    m_result.suppressedProblems = reading->suppressed;
+    if (isUsable && !m_result.isCancelled)
+        convert(separateColumns(reading->tables));
+}
+
+/// Two columns of a file may have one name, but a table is chosen by its.
+void Import::keepName(CompensationTable& table)
+{
+    const std::string name = table.name;
+    for (int n = 2; !m_names.insert(table.name).second; ++n)
+        table.name = name + " (" + std::to_string(n) + ')';
+}
+
+void Import::convert(const std::vector<NeutralTable>& tables)
+{
+    m_result.sourceAxes = static_cast<int>(tables.front().axes.size());
+    for (const NeutralTable& table : tables) {
+        m_result.hasDirections = m_result.hasDirections
+            || std::ranges::any_of(table.columns,
+                [](const CompensationColumn& c) { return c.direction != Direction::Both; });
+        m_result.hasWrap = m_result.hasWrap
+            || std::ranges::any_of(table.axes, [](const SourceAxis& a) { return !!a.wrap; });
+    }
+    m_isOneOfSeveral = tables.size() > 1;
+    CalibrationData data;
+    data.notes = tables.front().notes;
+    for (const NeutralTable& table : tables) {
+        if (m_request.stop.stop_requested()) {
+            m_result.isCancelled = true;
+            return;
+        }
+        auto one = converted(table);
+        if (!one)
+            return refuse(one.error());
+        data.tables.push_back(*std::move(one));
+    }
+    data.grid = data.tables.front().grid;
+    m_result.data = std::make_shared<const CalibrationData>(std::move(data));
+}
+
+Result<CompensationTable> Import::converted(const NeutralTable& column)
+{
+    const ImportChoices& choices = m_request.choices;
+    ConversionRequest request;
+    request.from = m_result.family;
+    request.to = &calibrationCsvFamily();
+    request.sourceSign = choices.sign;
+    request.direction = choices.direction;
+    request.dropsWrap = choices.dropsWrap;
+    auto resampling = resamplingRequest(choices.resampling, column.axes.size());
+    if (!resampling)
+        return fail(resampling.error());
+    request.resampling = *std::move(resampling);
+    const auto conversion = convertTables(std::span(&column, 1), request);
+    if (!conversion)
+        return fail(conversion.error());
+    auto data = calibrationData(conversion->written.held.front());
+    if (!data)
+        return fail(data.error());
+    CompensationTable& table = data->tables.front();
+    keepName(table);
+    if (m_isOneOfSeveral)
+        m_result.report.push_back(table.name + ':');
+    std::ranges::move(conversionReport(*conversion, request), std::back_inserter(m_result.report));
+    return std::move(table);
+}
+
+} // namespace
+
+TableImport importTables(const TableImportRequest& request)
+{
+    return Import(request).run();
+}
+
+} // namespace axiscomp

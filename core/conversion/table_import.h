@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/conversion/import_choices.h"
+#include "core/csv/calibration_csv.h"
+#include "core/table/table_layout.h"
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <stop_token>
+
+namespace axiscomp {
+
+struct TableImportRequest {
+    std::filesystem::path file;
+    int dimensions = 1; ///< of a calibration file, which does not say
+    ImportChoices choices;
+    const TableLayout* layout = nullptr; ///< of TAM tables
+    std::stop_token stop;
+    std::function<void(double fraction)> progress; ///< may be empty
+};
+
+/// What became of a file of any known format on its way to tables of the drive.
+struct TableImport {
+    const TableFamily* family = nullptr; ///< as which it was read
+    std::vector<const TableFamily*> candidates; ///< that its content allows
+    std::shared_ptr<const CalibrationData> data; ///< only without an error; each column a table
+    std::vector<Diagnostic> problems; ///< of the file, warnings too
+    std::size_t suppressedProblems = 0;
+    /// Why the choices do not suffice: other ones may.
+    std::optional<Error> refusal;
+    std::vector<std::string> report; ///< of conversions: English, for phraseText
+    int sourceAxes = 0; ///< of the tables of the file, 0: there are none
+    bool hasDirections = false;
+    bool hasWrap = false;
+    bool isCancelled = false;
+};
+
+/// Reads the file and converts each of its columns to what the drive adds to the encoder position,
+/// on an even grid. Takes long; to be called off the window's thread.
+[[nodiscard]] TableImport importTables(const TableImportRequest& request);
+
+} // namespace axiscomp

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/csv/calibration_csv.h"
+
+#include "core/csv/grid_reader.h"
+#include "core/io/local_file.h"
+
+#include <algorithm>
+#include <limits>
+#include <new>
+
+namespace axiscomp {
+
+namespace {
+
+/// Places in the text are kept in 32 bits.
+std::size_t maximumBytes(const CsvOptions& options)
+{
+    return std::min<std::size_t>(options.maximumBytes, std::numeric_limits<std::uint32_t>::max());
+}
+
+void reportTooLarge(DiagnosticList& diagnostics, const std::string& bytes, std::size_t limit)
+{
+    diagnostics.error(DiagnosticCode::TooLarge, 0, 0, bytes + " bytes",
+        "at most " + std::to_string(limit) + " bytes");
+}
+
+void reportNoLines(const csv::Scan& scan, DiagnosticList& diagnostics)
+{
+    if (scan.headerLine == 0 && scan.notes.empty())
+        diagnostics.error(DiagnosticCode::EmptyFile, 0, 0, "", "");
+    else if (scan.headerLine == 0)
+        diagnostics.error(DiagnosticCode::NoHeader, 0, 0, "",
+            "a line with the names of the columns, not only comments");
+    else
+        diagnostics.error(DiagnosticCode::TooFewPoints, scan.headerLine, 0,
+            "no data lines after the header",
+            "at least 2 positions in each dimension, one line per grid point");
+}
+
+std::optional<CalibrationData> readData(csv::Scan& scan, const CsvOptions& options,
+    DiagnosticList& diagnostics, std::vector<std::vector<double>>& knots)
+{
+    csv::GridReading grid = csv::readGrid(scan, options.acceptsUneven, diagnostics);
+    const std::vector<std::uint32_t> points = csv::readPoints(scan, grid, diagnostics);
+    if (diagnostics.hasErrors())
+        return std::nullopt;
+    CalibrationData data;
+    data.grid = grid.grid;
+    data.tables = csv::readTables(scan, grid.grid, points, diagnostics);
+    data.notes = std::move(scan.notes);
+    if (options.acceptsUneven)
+        knots = std::move(grid.knots);
+    return data;
+}
+
+void parse(
+    std::string_view text, const CsvOptions& options, DiagnosticList& diagnostics, CsvReading& out)
+{
+    if (text.size() > maximumBytes(options)) {
+        reportTooLarge(diagnostics, std::to_string(text.size()), maximumBytes(options));
+        return;
+    }
+    const csv::TextInspection inspection(text, options.stop, diagnostics);
+    if (diagnostics.hasErrors())
+        return;
+    csv::Scan scan = csv::scan(inspection, options, diagnostics);
+    out.cancelled = scan.cancelled;
+    if (scan.cancelled)
+        return;
+    const bool usable = scan.headerLine == 0 || !diagnostics.hasErrors();
+    if (scan.rows.size() == 0 && usable)
+        reportNoLines(scan, diagnostics);
+    else if (scan.rows.size() > 0 && scan.complete)
+        out.data = readData(scan, options, diagnostics, out.knots);
+    out.cancelled = options.stop.stop_requested();
+    if (out.cancelled)
+        out.data.reset();
+    else if (options.progress)
+        options.progress(1.0);
+}
+
+} // namespace
+
+bool CsvReading::hasErrors() const
+{
+    return suppressed > 0 || std::ranges::any_of(diagnostics, [](const Diagnostic& d) {
+        return d.severity == Severity::Error;
+    });
+}
+
+CsvReading parseCalibrationCsv(std::string_view text, const CsvOptions& options)
+{
+    CsvReading reading;
+    DiagnosticList diagnostics(options.maximumDiagnostics);
+    try {
+        parse(text, options, diagnostics, reading);
+    } catch (const std::bad_alloc&) {
+        reading.data.reset();
+        diagnostics.error(DiagnosticCode::IoError, 0, 0, "there is not enough memory", "");
+    }
+    reading.diagnostics = diagnostics.take();
+    reading.suppressed = diagnostics.suppressed();
+    return reading;
+}
+
+CsvReading readCalibrationCsv(const std::filesystem::path& file, const CsvOptions& options)
+{
+    const Result<Bytes> bytes = loadFile(file, maximumBytes(options));
+    if (bytes)
+        return parseCalibrationCsv(asText(*bytes), options);
+    CsvReading reading;
+    DiagnosticList diagnostics(options.maximumDiagnostics);
+    const ErrorContext& context = bytes.error().context;
+    if (bytes.error().code == ErrorCode::FileTooLarge)
+        reportTooLarge(diagnostics, context.at("size"), maximumBytes(options));
+    else
+        diagnostics.error(DiagnosticCode::IoError, 0, 0, context.at("reason"), "");
+    reading.diagnostics = diagnostics.take();
+    reading.suppressed = diagnostics.suppressed();
+    return reading;
+}
+
+} // namespace axiscomp

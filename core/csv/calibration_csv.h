@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/table/grid.h"
+#include "core/text/diagnostic.h"
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace axiscomp {
+
+/// What a calibration file holds: compensation tables over one grid (spec/csv.md, AN140 2.3).
+struct CalibrationData {
+    Grid grid;
+    std::vector<CompensationTable>
+        tables; ///< at least one, each with the same grid, in column order
+    std::vector<std::string> notes; ///< the comment lines without their slashes
+};
+
+struct CsvOptions {
+    int dimensions = 1; ///< 1, 2 or 3: chosen by the user, never guessed
+    bool acceptsUneven = false; ///< positions that are not evenly spaced are no error: see knots
+    std::size_t maximumCells = 64'000'000; ///< rows x columns; above: TooLarge
+    std::size_t maximumBytes = std::size_t{1}
+        << 30; ///< file size; above: TooLarge, nothing is read
+    std::size_t maximumDiagnostics = 100;
+    std::stop_token stop;
+    std::function<void(double fraction)>
+        progress; ///< 0..1, on the calling thread, a few hundred times
+};
+
+struct CsvReading {
+    std::optional<CalibrationData> data; ///< only without an error
+    /// Of each dimension, only with acceptsUneven and with data. Where they are uneven, the grid of
+    /// the data has their number, their first and their mean distance.
+    std::vector<std::vector<double>> knots;
+    std::vector<Diagnostic> diagnostics; ///< errors and warnings, in the order of the file
+    std::size_t suppressed = 0; ///< further errors above maximumDiagnostics
+    bool cancelled = false;
+
+    [[nodiscard]] bool hasErrors() const;
+};
+
+/// text need not end in a line end; it is not kept.
+[[nodiscard]] CsvReading parseCalibrationCsv(std::string_view text, const CsvOptions& options);
+
+/// Reads and parses; a file that cannot be read gives IoError.
+[[nodiscard]] CsvReading readCalibrationCsv(
+    const std::filesystem::path& file, const CsvOptions& options);
+
+/// A calibration file that parses back to the same data (positions and values in shortest exact
+/// form).
+[[nodiscard]] std::string writeCalibrationCsv(const CalibrationData& data);
+
+/// The example file of AN140 2.3 for 1, 2 or 3 dimensions; parses back without a warning.
+[[nodiscard]] std::string exampleCalibrationCsv(int dimensions, int tables = 2);
+
+} // namespace axiscomp

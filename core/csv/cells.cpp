@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/csv/cells.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace axiscomp::csv {
+
+namespace {
+
+const char* find(const char* begin, const char* end, char c)
+{
+    const void* found =
+        begin == end ? nullptr : std::memchr(begin, c, static_cast<std::size_t>(end - begin));
+    return found == nullptr ? end : static_cast<const char*>(found);
+}
+
+/// Takes one cell off the line; more is false when it was the last.
+Cell takeCell(std::string_view& line, char separator, bool& more)
+{
+    const std::size_t first = line.find_first_not_of(" \t");
+    if (first == std::string_view::npos || line[first] != '"') {
+        const std::size_t end = line.find(separator);
+        const Cell cell{trimmed(line.substr(0, end)), Quoting::None};
+        more = end != std::string_view::npos;
+        line.remove_prefix(more ? end + 1 : line.size());
+        return cell;
+    }
+    line.remove_prefix(first + 1);
+    std::size_t close = line.find('"');
+    while (close != std::string_view::npos && line.substr(close + 1).starts_with('"'))
+        close = line.find('"', close + 2);
+    more = false;
+    if (close == std::string_view::npos)
+        return {line, Quoting::NotClosed};
+    const std::size_t end = line.find(separator, close);
+    const bool clean = trimmed(line.substr(close + 1, end - close - 1)).empty();
+    const Cell cell{
+        line.substr(0, clean ? close : end), clean ? Quoting::Quoted : Quoting::TextBehind};
+    more = end != std::string_view::npos;
+    line.remove_prefix(more ? end + 1 : line.size());
+    return cell;
+}
+
+} // namespace
+
+LineReader::LineReader(std::string_view text)
+    : m_position(text.data())
+    , m_end(text.data() + text.size())
+    , m_nextFeed(find(m_position, m_end, '\n'))
+    , m_nextReturn(find(m_position, m_end, '\r'))
+{
+}
+
+std::string_view LineReader::next()
+{
+    const char* begin = m_position;
+    const char* end = std::min(m_nextFeed, m_nextReturn);
+    const char* following = end;
+    if (following != m_end)
+        ++following;
+    if (end == m_nextReturn && following == m_nextFeed && following != m_end)
+        ++following;
+    skipTo(following, 1);
+    return {begin, static_cast<std::size_t>(end - begin)};
+}
+
+void LineReader::skipTo(const char* position, std::size_t lines)
+{
+    m_position = position;
+    m_lineNumber += lines;
+    // Searched for once each, so that a text without the one or the other is not read to its end
+    // again and again.
+    if (m_nextFeed < position)
+        m_nextFeed = find(position, m_end, '\n');
+    if (m_nextReturn < position)
+        m_nextReturn = find(position, m_end, '\r');
+}
+
+void RowLines::add(std::size_t row, std::size_t line)
+{
+    if (m_runs.empty() || line - row != std::size_t{m_runs.back().line} - m_runs.back().row)
+        m_runs.push_back({static_cast<std::uint32_t>(row), static_cast<std::uint32_t>(line)});
+}
+
+std::size_t RowLines::lineOf(std::size_t row) const
+{
+    const auto after = std::ranges::upper_bound(m_runs, row, {}, &Run::row);
+    if (after == m_runs.begin())
+        return 0;
+    const Run& run = *(after - 1);
+    return run.line + (row - run.row);
+}
+
+std::size_t splitCells(
+    std::string_view line, char separator, std::size_t maximum, std::vector<Cell>& cells)
+{
+    cells.clear();
+    std::size_t count = 0;
+    for (bool more = true; more; ++count) {
+        const Cell cell = takeCell(line, separator, more);
+        if (count < maximum)
+            cells.push_back(cell);
+    }
+    return count;
+}
+
+std::string cellText(const Cell& cell, Encoding encoding)
+{
+    std::string text = toUtf8(cell.text, encoding);
+    // Nobody sees a byte-order mark that stands elsewhere than first, as in files put together.
+    constexpr std::string_view mark = "\xEF\xBB\xBF";
+    for (std::size_t at = 0; (at = text.find(mark, at)) != std::string::npos;)
+        text.erase(at, mark.size());
+    if (cell.quoting != Quoting::Quoted)
+        return text;
+    for (std::size_t at = 0; (at = text.find("\"\"", at)) != std::string::npos; ++at)
+        text.erase(at, 1);
+    return text;
+}
+
+} // namespace axiscomp::csv

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/text/text_file.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+namespace axiscomp::csv {
+
+/// The lines of a text, ended by LF, CRLF or CR.
+class LineReader {
+public:
+    explicit LineReader(std::string_view text);
+
+    [[nodiscard]] bool atEnd() const { return m_position == m_end; }
+    [[nodiscard]] const char* position() const { return m_position; }
+    [[nodiscard]] const char* end() const { return m_end; }
+    /// The number of the line that begins at position(), from 1.
+    [[nodiscard]] std::size_t lineNumber() const { return m_lineNumber; }
+
+    /// The line at position() without its end. Not at the end.
+    [[nodiscard]] std::string_view next();
+    /// After `lines` lines were read by other means, up to the beginning of another line.
+    void skipTo(const char* position, std::size_t lines);
+
+private:
+    const char* m_position;
+    const char* m_end;
+    const char* m_nextFeed; ///< the first LF at or after the position, or the end
+    const char* m_nextReturn;
+    std::size_t m_lineNumber = 1;
+};
+
+/// Which line each data row stands in. Rows follow each other without a gap mostly.
+class RowLines {
+public:
+    void add(std::size_t row, std::size_t line);
+    [[nodiscard]] std::size_t lineOf(std::size_t row) const;
+
+private:
+    struct Run {
+        std::uint32_t row;
+        std::uint32_t line;
+    };
+    std::vector<Run> m_runs;
+};
+
+enum class Quoting {
+    None,
+    Quoted,
+    NotClosed,
+    TextBehind, ///< something other than a separator follows the closing quote
+};
+
+struct Cell {
+    std::string_view text; ///< without blanks round it and without its quotes
+    Quoting quoting = Quoting::None;
+};
+
+/// Splits a line. Returns the number of its cells; the first `maximum` are put into cells.
+std::size_t splitCells(
+    std::string_view line, char separator, std::size_t maximum, std::vector<Cell>& cells);
+
+/// A cell as it may be shown: UTF-8, doubled quotes made single, no byte-order mark.
+[[nodiscard]] std::string cellText(const Cell& cell, Encoding encoding);
+
+} // namespace axiscomp::csv

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/csv/grid_reader.h"
+
+#include "core/csv/header.h"
+#include "core/table/even_spacing.h"
+
+#include <cmath>
+#include <numeric>
+
+namespace axiscomp::csv {
+
+namespace {
+
+constexpr double sameLine = 1e-9; ///< of the range
+
+GridLines gridLines(const std::vector<double>& values)
+{
+    std::vector<std::uint32_t> order(values.size());
+    std::iota(order.begin(), order.end(), 0U);
+    const auto value = [&values](std::uint32_t id) { return values[id]; };
+    if (!std::ranges::is_sorted(values))
+        std::ranges::sort(order, {}, value);
+    const long double range = static_cast<long double>(values[order.back()])
+        - static_cast<long double>(values[order.front()]);
+    GridLines lines;
+    lines.lineOf.resize(values.size());
+    for (const std::uint32_t id : order) {
+        const double next = values[id] + 0.0; // no negative zero
+        if (lines.positions.empty()
+            || (next > lines.positions.back()
+                && static_cast<long double>(next) - static_cast<long double>(lines.positions.back())
+                    >= static_cast<long double>(sameLine) * range))
+            lines.positions.push_back(next);
+        lines.lineOf[id] = static_cast<std::uint32_t>(lines.positions.size() - 1);
+    }
+    return lines;
+}
+
+/// The spacing of one dimension.
+class AxisReader {
+public:
+    AxisReader(
+        const Scan& scan, const GridReading& reading, std::size_t d, DiagnosticList& diagnostics)
+        : m_scan(scan)
+        , m_reading(reading)
+        , m_dimension(d)
+        , m_positions(reading.lines[d].positions)
+        , m_diagnostics(diagnostics)
+    {
+    }
+
+    std::optional<GridAxis> read(bool acceptsUneven);
+    [[nodiscard]] std::vector<double> knots(const GridAxis& axis) const;
+
+private:
+    void reportTooFew();
+    void reportUneven(const EvenSpacing& spacing);
+    void reportStep(std::size_t index, double due);
+    [[nodiscard]] std::size_t fileLine(std::size_t gridLine) const;
+    [[nodiscard]] std::string text(double position) const
+    {
+        return positionText(m_scan.columns[m_dimension], m_dimension, position);
+    }
+    [[nodiscard]] std::string wrongDimensionHint() const;
+
+    const Scan& m_scan;
+    const GridReading& m_reading;
+    std::size_t m_dimension;
+    const std::vector<double>& m_positions;
+    DiagnosticList& m_diagnostics;
+    bool m_isUneven = false;
+};
+
+std::vector<double> AxisReader::knots(const GridAxis& axis) const
+{
+    std::vector<double> knots = m_positions;
+    for (std::size_t i = 0; i < knots.size() && !m_isUneven; ++i)
+        knots[i] = axis.position(i);
+    return knots;
+}
+
+std::optional<GridAxis> AxisReader::read(bool acceptsUneven)
+{
+    if (m_positions.size() < 2) {
+        reportTooFew();
+        return std::nullopt;
+    }
+    if (!std::isfinite(m_positions.back() - m_positions.front())) {
+        m_diagnostics.error(DiagnosticCode::NotFinite, fileLine(m_positions.size() - 1),
+            m_dimension + 1, toText(m_positions.back()), "positions with a finite range");
+        return std::nullopt;
+    }
+    const EvenSpacing spacing =
+        fitEvenSpacing(m_positions, m_scan.positions[m_dimension].lastDecimal());
+    const ColumnName& column = m_scan.columns[m_dimension];
+    GridAxis axis{column.name, column.unit, spacing.start, spacing.distance,
+        static_cast<std::uint32_t>(m_positions.size())};
+    m_isUneven = !spacing.even;
+    if (m_isUneven && acceptsUneven) {
+        axis.start = m_positions.front();
+        axis.distance = (m_positions.back() - m_positions.front())
+            / static_cast<double>(m_positions.size() - 1);
+        return axis;
+    }
+    if (!spacing.even) {
+        reportUneven(spacing);
+        return std::nullopt;
+    }
+    if (!(axis.distance > 0.0) || !std::isfinite(axis.last())) {
+        m_diagnostics.error(DiagnosticCode::NotFinite, fileLine(0), m_dimension + 1,
+            toText(m_positions.back()), "positions whose distance a double can hold");
+        return std::nullopt;
+    }
+    if (spacing.rounded)
+        m_diagnostics.warning(DiagnosticCode::RoundedSpacing, fileLine(spacing.worst),
+            m_dimension + 1, text(m_positions[spacing.worst]),
+            roundedText(axis.position(spacing.worst)) + " (steps of " + roundedText(axis.distance)
+                + ")");
+    return axis;
+}
+
+void AxisReader::reportTooFew()
+{
+    std::string expected = "at least 2 different positions";
+    if (m_dimension > 0)
+        expected += dimensionalityHint(static_cast<int>(m_dimension));
+    m_diagnostics.error(DiagnosticCode::TooFewPoints, fileLine(0), m_dimension + 1,
+        "only " + text(m_positions.front()), std::move(expected));
+}
+
+/// Names the steps that are not like most, or the worst position where none stands out.
+void AxisReader::reportUneven(const EvenSpacing& spacing)
+{
+    constexpr std::size_t mostReported = 5;
+    std::vector<double> steps(m_positions.size() - 1);
+    for (std::size_t i = 0; i < steps.size(); ++i)
+        steps[i] = m_positions[i + 1] - m_positions[i];
+    const auto middle = steps.begin() + static_cast<std::ptrdiff_t>((steps.size() - 1) / 2);
+    std::ranges::nth_element(steps, middle);
+    const double usual = *middle;
+    std::size_t reported = 0;
+    for (std::size_t i = 1; i < m_positions.size(); ++i) {
+        const double due = m_positions[i - 1] + usual;
+        if (std::fabs(m_positions[i] - due) <= 2.0 * spacing.tolerance)
+            continue;
+        if (reported < mostReported)
+            reportStep(i, usual);
+        else
+            m_diagnostics.countErrors(1);
+        ++reported;
+    }
+    if (reported == 0)
+        m_diagnostics.error(DiagnosticCode::UnevenSpacing, fileLine(spacing.worst), m_dimension + 1,
+            text(m_positions[spacing.worst]),
+            roundedText(spacing.start + static_cast<double>(spacing.worst) * spacing.distance)
+                + " on an even line in steps of " + roundedText(spacing.distance)
+                + wrongDimensionHint());
+}
+
+void AxisReader::reportStep(std::size_t index, double usual)
+{
+    const double before = m_positions[index - 1];
+    m_diagnostics.error(DiagnosticCode::UnevenSpacing, fileLine(index), m_dimension + 1,
+        text(m_positions[index]) + " next to " + toText(before),
+        roundedText(before + usual) + " (steps of " + roundedText(usual) + ")"
+            + wrongDimensionHint());
+}
+
+std::size_t AxisReader::fileLine(std::size_t gridLine) const
+{
+    std::size_t found = 0;
+    forEachRow(m_scan, [&](const RowStore::Block& block, std::size_t i, std::size_t row) {
+        const std::size_t id = m_scan.id(block, i, row, m_dimension);
+        found = row;
+        return m_reading.lines[m_dimension].lineOf[id] != gridLine;
+    });
+    return m_scan.rowLines.lineOf(found);
+}
+
+/// Values scatter; positions repeat. A column of positions in which most rows differ is a table.
+std::string AxisReader::wrongDimensionHint() const
+{
+    return m_dimension > 0 && m_positions.size() > m_scan.rows.size() / 2
+        ? dimensionalityHint(static_cast<int>(m_dimension))
+        : "";
+}
+
+} // namespace
+
+std::string positionText(const ColumnName& column, std::size_t dimension, double position)
+{
+    std::string text =
+        column.name.empty() ? "position " + std::to_string(dimension + 1) : column.name;
+    text += " = " + toText(position);
+    return column.unit.empty() ? text : text + ' ' + column.unit;
+}
+
+GridReading readGrid(const Scan& scan, bool acceptsUneven, DiagnosticList& diagnostics)
+{
+    GridReading reading;
+    for (const PositionColumn& column : scan.positions)
+        reading.lines.push_back(gridLines(column.values()));
+    reading.even = true;
+    for (std::size_t d = 0; d < scan.positions.size(); ++d) {
+        AxisReader reader(scan, reading, d, diagnostics);
+        const std::optional<GridAxis> axis = reader.read(acceptsUneven);
+        reading.even = reading.even && axis;
+        if (axis && acceptsUneven)
+            reading.knots.push_back(reader.knots(*axis));
+        reading.grid.axes.push_back(axis.value_or(GridAxis{}));
+    }
+    return reading;
+}
+
+} // namespace axiscomp::csv

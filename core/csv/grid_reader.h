@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/csv/scan.h"
+
+namespace axiscomp::csv {
+
+/// The distinct positions of one dimension.
+struct GridLines {
+    std::vector<double> positions; ///< increasing; closer ones are merged
+    std::vector<std::uint32_t> lineOf; ///< by the id of a position
+};
+
+/// The rows as a grid.
+struct GridReading {
+    Grid grid;
+    std::vector<GridLines> lines; ///< per dimension
+    std::vector<std::vector<double>>
+        knots; ///< per dimension: those of the grid, or the uneven ones
+    bool even = false; ///< every dimension has enough lines and is evenly spaced, or need not be
+};
+
+/// Calls visit(block, index in the block, row) for every row until it returns false.
+template <typename Visit> void forEachRow(const Scan& scan, Visit&& visit)
+{
+    std::size_t row = 0;
+    for (const RowStore::Block& block : scan.rows.blocks())
+        for (std::size_t i = 0; i < block.rows; ++i, ++row)
+            if (!visit(block, i, row))
+                return;
+}
+
+/// "X = 2.5 mm"
+[[nodiscard]] std::string positionText(
+    const ColumnName& column, std::size_t dimension, double position);
+
+/// Finds the grid lines and their spacing. Not for an empty scan. Problems go to diagnostics.
+/// acceptsUneven: as in CsvOptions.
+[[nodiscard]] GridReading readGrid(
+    const Scan& scan, bool acceptsUneven, DiagnosticList& diagnostics);
+
+/// Checks that every grid point occurs once. Returns the place of each row in the tables (dimension
+/// 1 fastest), empty if that is not so.
+[[nodiscard]] std::vector<std::uint32_t> readPoints(
+    const Scan& scan, const GridReading& grid, DiagnosticList& diagnostics);
+
+/// Puts the values in their places and looks at the tables. points: as from readPoints.
+[[nodiscard]] std::vector<CompensationTable> readTables(const Scan& scan, const Grid& grid,
+    const std::vector<std::uint32_t>& points, DiagnosticList& diagnostics);
+
+} // namespace axiscomp::csv

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/csv/header.h"
+
+#include "core/csv/fields.h"
+
+#include <algorithm>
+#include <set>
+
+namespace axiscomp::csv {
+
+namespace {
+
+/// What a spreadsheet can have; keeps a line of separators from taking all memory.
+constexpr std::size_t maximumColumns = 16384;
+
+ColumnName columnName(const std::string& text)
+{
+    const std::string_view all = trimmed(text);
+    const std::size_t open = all.ends_with(']') ? all.rfind('[') : std::string_view::npos;
+    if (open == std::string_view::npos)
+        return {std::string(all), ""};
+    return {std::string(trimmed(all.substr(0, open))),
+        std::string(trimmed(all.substr(open + 1, all.size() - open - 2)))};
+}
+
+bool isNumber(const Cell& cell)
+{
+    Number number;
+    return parseNumber(cell.text, '.', number) != NumberFault::NotANumber
+        || parseNumber(cell.text, ',', number) != NumberFault::NotANumber;
+}
+
+/// An empty or repeated name becomes "Table n": n is the table's own number unless another table
+/// already has that name.
+void nameTables(std::vector<ColumnName>& columns, std::size_t dimensions)
+{
+    std::set<std::string, std::less<>> taken;
+    std::vector<std::size_t> nameless;
+    for (std::size_t i = dimensions; i < columns.size(); ++i)
+        if (columns[i].name.empty() || !taken.insert(columns[i].name).second)
+            nameless.push_back(i);
+    std::size_t next = columns.size() - dimensions + 1;
+    for (const std::size_t i : nameless) {
+        columns[i].name = "Table " + std::to_string(i - dimensions + 1);
+        while (!taken.insert(columns[i].name).second)
+            columns[i].name = "Table " + std::to_string(next++);
+    }
+}
+
+std::string tooFewHint(std::string_view line, std::size_t count)
+{
+    if (line.find('\t') != std::string_view::npos)
+        return "; separate the columns with , or ; instead of tabs";
+    if (count == 1 && line.find('|') != std::string_view::npos)
+        return "; separate the columns with , or ;";
+    return count >= 2 ? dimensionalityHint(static_cast<int>(count) - 1) : "";
+}
+
+bool checkQuotes(const std::vector<Cell>& cells, std::size_t lineNumber, Encoding encoding,
+    DiagnosticList& diagnostics)
+{
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        if (cells[i].quoting == Quoting::None || cells[i].quoting == Quoting::Quoted)
+            continue;
+        diagnostics.error(DiagnosticCode::UnterminatedQuote, lineNumber, i + 1,
+            excerpt(cells[i].text, encoding),
+            cells[i].quoting == Quoting::NotClosed ? "a closing \" in the same line"
+                                                   : "a separator after the closing \"");
+        return false;
+    }
+    return true;
+}
+
+} // namespace
+
+std::string dimensionalityHint(int dimensions)
+{
+    return dimensions >= 1 && dimensions <= 3
+        ? " (or is the dimensionality " + std::to_string(dimensions) + "?)"
+        : "";
+}
+
+std::optional<Header> readHeader(std::string_view line, std::size_t lineNumber, int dimensions,
+    Encoding encoding, DiagnosticList& diagnostics)
+{
+    Header header{csvSeparator(line), {}};
+    std::vector<Cell> cells;
+    const std::size_t count = splitCells(line, header.separator, maximumColumns, cells);
+    if (!checkQuotes(cells, lineNumber, encoding, diagnostics))
+        return std::nullopt;
+    if (count > maximumColumns) {
+        diagnostics.error(DiagnosticCode::TooLarge, lineNumber, 0,
+            std::to_string(count) + " columns",
+            "at most " + std::to_string(maximumColumns) + " columns");
+        return std::nullopt;
+    }
+    if (std::ranges::all_of(cells, isNumber)) {
+        diagnostics.error(DiagnosticCode::NoHeader, lineNumber, 0, excerpt(line, encoding),
+            "the names of the columns, not numbers");
+        return std::nullopt;
+    }
+    const auto positions = static_cast<std::size_t>(dimensions);
+    if (count < positions + 1) {
+        diagnostics.error(DiagnosticCode::TooFewColumns, lineNumber, 0,
+            std::to_string(count) + (count == 1 ? " column" : " columns"),
+            "at least " + std::to_string(positions + 1) + " for dimensionality "
+                + std::to_string(dimensions) + ", " + std::to_string(dimensions)
+                + " of positions and 1 of values" + tooFewHint(line, count));
+        return std::nullopt;
+    }
+    for (const Cell& cell : cells)
+        header.columns.push_back(columnName(cellText(cell, encoding)));
+    nameTables(header.columns, positions);
+    return header;
+}
+
+} // namespace axiscomp::csv

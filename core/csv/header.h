@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/csv/scan.h"
+
+namespace axiscomp::csv {
+
+struct Header {
+    char separator = ',';
+    std::vector<ColumnName> columns; ///< tables have a name, each its own
+};
+
+/// Reads the header line. None: it cannot be used, and diagnostics say why.
+[[nodiscard]] std::optional<Header> readHeader(std::string_view line, std::size_t lineNumber,
+    int dimensions, Encoding encoding, DiagnosticList& diagnostics);
+
+/// " (or is the dimensionality 2?)", nothing when there is no such dimensionality.
+[[nodiscard]] std::string dimensionalityHint(int dimensions);
+
+} // namespace axiscomp::csv

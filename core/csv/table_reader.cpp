@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/csv/grid_reader.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace axiscomp::csv {
+
+namespace {
+
+/// spec/csv.md: 0.01. The rest is for the rounding of float32.
+constexpr double largestGradient = 0.01 * (1.0 + 1e-6);
+constexpr double largestRelativeError = 1e-6; ///< of the largest value
+
+/// The steepest step between neighbours.
+struct Step {
+    double slope = 0.0; ///< >= 0
+    std::size_t from = 0;
+    std::size_t to = 0;
+    std::size_t dimension = 0;
+};
+
+/// The steepest step in one dimension. The runs of neighbouring values are compared as a whole,
+/// because most tables have no step worth finding.
+Step steepestStep(const CompensationTable& table, std::size_t dimension, std::size_t stride)
+{
+    const std::vector<float>& values = table.values;
+    const GridAxis& axis = table.grid.axes[dimension];
+    const std::size_t run = stride * axis.size;
+    Step steepest{0.0, 0, 0, dimension};
+    float largest = 0.0F;
+    for (std::size_t begin = 0; begin < values.size(); begin += run) {
+        const std::size_t end = begin + run - stride;
+        float here = 0.0F;
+        for (std::size_t i = begin; i < end; ++i)
+            here = std::max(here, std::fabs(values[i + stride] - values[i]));
+        if (!(here > largest))
+            continue;
+        largest = here;
+        for (std::size_t i = begin; i < end; ++i)
+            if (std::fabs(values[i + stride] - values[i]) == largest)
+                steepest.from = i;
+        steepest.to = steepest.from + stride;
+    }
+    const double difference =
+        static_cast<double>(values[steepest.to]) - static_cast<double>(values[steepest.from]);
+    steepest.slope = std::fabs(difference) / axis.distance;
+    return steepest;
+}
+
+Step steepestStep(const CompensationTable& table)
+{
+    Step steepest;
+    std::size_t stride = 1;
+    for (std::size_t d = 0; d < table.grid.axes.size(); ++d) {
+        const Step step = steepestStep(table, d, stride);
+        if (step.slope > steepest.slope)
+            steepest = step;
+        stride *= table.grid.axes[d].size;
+    }
+    return steepest;
+}
+
+class TableReader {
+public:
+    TableReader(const Scan& scan, const std::vector<std::uint32_t>& points, std::size_t index,
+        DiagnosticList& diagnostics)
+        : m_scan(scan)
+        , m_points(points)
+        , m_index(index)
+        , m_column(scan.positions.size() + index + 1)
+        , m_diagnostics(diagnostics)
+    {
+    }
+
+    CompensationTable read(const Grid& grid);
+
+private:
+    void warnOfPrecision(const ValueRange& range);
+    void warnOfGradient(const CompensationTable& table);
+
+    const Scan& m_scan;
+    const std::vector<std::uint32_t>& m_points;
+    std::size_t m_index;
+    std::size_t m_column;
+    DiagnosticList& m_diagnostics;
+};
+
+CompensationTable TableReader::read(const Grid& grid)
+{
+    const ColumnName& name = m_scan.columns[m_column - 1];
+    CompensationTable table{name.name, name.unit, grid, std::vector<float>(m_points.size())};
+    const std::uint32_t* point = m_points.data();
+    for (const RowStore::Block& block : m_scan.rows.blocks()) {
+        const float* values = block.values.get() + m_index * m_scan.rows.blockRows();
+        for (std::size_t i = 0; i < block.rows; ++i)
+            table.values[*point++] = values[i];
+    }
+    const auto [smallest, largest] = std::ranges::minmax(table.values);
+    warnOfPrecision(m_scan.ranges[m_index]);
+    if (smallest == largest)
+        m_diagnostics.warning(DiagnosticCode::ConstantTable, m_scan.headerLine, m_column,
+            toText(smallest) + " at every point of " + table.name, "values that differ");
+    else
+        warnOfGradient(table);
+    return table;
+}
+
+void TableReader::warnOfPrecision(const ValueRange& range)
+{
+    if (range.largestError > largestRelativeError * range.largest)
+        m_diagnostics.warning(DiagnosticCode::FloatPrecision,
+            m_scan.rowLines.lineOf(range.errorRow), m_column,
+            "a change of " + roundedText(range.largestError),
+            "at most a millionth of the largest value, " + toText(range.largest));
+}
+
+void TableReader::warnOfGradient(const CompensationTable& table)
+{
+    const Step step = steepestStep(table);
+    if (!(step.slope > largestGradient))
+        return;
+    const GridAxis& axis = table.grid.axes[step.dimension];
+    const auto row = std::ranges::find(m_points, static_cast<std::uint32_t>(step.to));
+    m_diagnostics.warning(DiagnosticCode::LargeGradient,
+        m_scan.rowLines.lineOf(static_cast<std::size_t>(row - m_points.begin())), m_column,
+        "a step from " + toText(table.values[step.from]) + " to " + toText(table.values[step.to])
+            + " over " + roundedText(axis.distance) + (axis.unit.empty() ? "" : ' ' + axis.unit)
+            + " in dimension " + std::to_string(step.dimension + 1),
+        "at most 0.01 per unit of position");
+}
+
+} // namespace
+
+std::vector<CompensationTable> readTables(const Scan& scan, const Grid& grid,
+    const std::vector<std::uint32_t>& points, DiagnosticList& diagnostics)
+{
+    std::vector<CompensationTable> tables;
+    tables.reserve(scan.tables());
+    for (std::size_t index = 0; index < scan.tables(); ++index)
+        tables.push_back(TableReader(scan, points, index, diagnostics).read(grid));
+    return tables;
+}
+
+} // namespace axiscomp::csv

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/drive/drive_profile.h"
+
+#include "core/text/utf8.h"
+
+#include <algorithm>
+
+namespace axiscomp {
+
+namespace {
+
+constexpr std::size_t bytesPerWord = 4;
+
+std::optional<std::string> argument(std::string_view name, const PathArguments& arguments)
+{
+    if (name == "axis" && arguments.axis)
+        return std::to_string(*arguments.axis);
+    if (name == "n" && arguments.n)
+        return std::to_string(*arguments.n);
+    if (name == "slot" && !arguments.slot.empty())
+        return std::string(arguments.slot);
+    return std::nullopt;
+}
+
+} // namespace
+
+const TableSlot* DriveProfile::slotNamed(std::string_view slotName) const
+{
+    const auto slot = std::ranges::find(tableSlots, slotName, &TableSlot::name);
+    return slot == tableSlots.end() ? nullptr : &*slot;
+}
+
+const TableSlot* DriveProfile::slotOfFile(std::string_view file) const
+{
+    const auto slot = std::ranges::find(tableSlots, file, &TableSlot::file);
+    return slot == tableSlots.end() ? nullptr : &*slot;
+}
+
+std::string expandPath(std::string_view pattern, const PathArguments& arguments)
+{
+    std::string result;
+    while (!pattern.empty()) {
+        const std::size_t open = pattern.find('{');
+        const std::size_t close = pattern.find('}', open);
+        if (open == std::string_view::npos || close == std::string_view::npos)
+            return result.append(pattern);
+        result.append(pattern.substr(0, open));
+        const auto value = argument(pattern.substr(open + 1, close - open - 1), arguments);
+        if (value)
+            result.append(*value);
+        else
+            result.append(pattern.substr(open, close - open + 1));
+        pattern.remove_prefix(close + 1);
+    }
+    return result;
+}
+
+std::string unpackName(const std::vector<std::int32_t>& words)
+{
+    std::string packed;
+    packed.reserve(words.size() * bytesPerWord);
+    for (const std::int32_t word : words) {
+        const auto bits = static_cast<std::uint32_t>(word);
+        for (std::size_t byte = 0; byte < bytesPerWord; ++byte)
+            packed.push_back(static_cast<char>(bits >> (8 * byte) & 0xFFU));
+    }
+    return cleanText(packed);
+}
+
+std::vector<std::int32_t> packName(std::string_view name, int words)
+{
+    const std::size_t wordCount = static_cast<std::size_t>(std::max(words, 0));
+    const std::string_view kept = cutAtCharacter(name, wordCount * bytesPerWord);
+    std::vector<std::uint32_t> packed(wordCount);
+    for (std::size_t i = 0; i < kept.size(); ++i)
+        packed[i / bytesPerWord] |= static_cast<std::uint32_t>(static_cast<unsigned char>(kept[i]))
+            << (8 * (i % bytesPerWord));
+    std::vector<std::int32_t> result(wordCount);
+    std::ranges::transform(
+        packed, result.begin(), [](std::uint32_t word) { return static_cast<std::int32_t>(word); });
+    return result;
+}
+
+} // namespace axiscomp

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/drive/drive_search.h"
+
+#include <algorithm>
+#include <atomic>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+namespace axiscomp {
+
+namespace {
+
+/// A machine may have dozens of ports.
+constexpr std::size_t maximumThreads = 16;
+
+Result<DriveIdentity> ask(
+    const std::string& endpoint, std::chrono::milliseconds timeout, const DriveSearch& search)
+{
+    if (search.stop.stop_requested())
+        return fail(ErrorCode::Cancelled);
+    const auto link = search.linkFactory(endpoint);
+    if (!link)
+        return fail(link.error());
+    return (*link)->identify({.timeout = timeout, .stop = search.stop, .progress = {}});
+}
+
+/// Whether the port may still answer at another speed: it is there and may be used, but what came
+/// back was nothing, or nonsense.
+bool mayAnswerOtherwise(const Error& error)
+{
+    return error.code == ErrorCode::Timeout || error.code == ErrorCode::Protocol;
+}
+
+DriveSighting look(const DriveCandidate& candidate, const DriveSearch& search)
+{
+    std::optional<DriveSighting> best;
+    for (const std::string& endpoint : candidate.endpoints) {
+        DriveSighting sighting{
+            endpoint, candidate.description, ask(endpoint, candidate.timeout, search)};
+        if (sighting.drive || !mayAnswerOtherwise(sighting.drive.error()))
+            return sighting;
+        // Nonsense says more than silence: something is there.
+        const bool isNonsense = sighting.drive.error().code == ErrorCode::Protocol;
+        if (!best || (isNonsense && best->drive.error().code != ErrorCode::Protocol))
+            best = std::move(sighting);
+    }
+    return std::move(*best);
+}
+
+} // namespace
+
+std::vector<DriveSighting> findDrives(
+    std::span<const DriveCandidate> candidates, const DriveSearch& search)
+{
+    std::vector<DriveSighting> sightings(
+        candidates.size(), DriveSighting{{}, {}, fail(ErrorCode::Cancelled)});
+    std::atomic<std::size_t> next = 0;
+    std::mutex reporting;
+    {
+        std::vector<std::jthread> threads;
+        for (std::size_t i = 0; i < std::min(candidates.size(), maximumThreads); ++i)
+            threads.emplace_back([&] {
+                for (std::size_t row = next++; row < candidates.size(); row = next++) {
+                    sightings[row] = look(candidates[row], search);
+                    const std::lock_guard lock(reporting);
+                    if (search.sighted)
+                        search.sighted(sightings[row]);
+                }
+            });
+    }
+    return sightings;
+}
+
+} // namespace axiscomp

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/formats/aerotech/aerotech_file.h"
+#include "core/formats/formats.h"
+#include "core/text/text_file.h"
+
+#include <algorithm>
+#include <set>
+
+namespace axiscomp {
+
+namespace {
+
+constexpr std::string_view directive = ":START";
+constexpr std::string_view known[] = {"SAMPLEDIST", "POSUNIT", "CORUNIT", "OFFSET", "HOMEDIRECTION",
+    "HOMEOFFSET", "NEGCOR", "SERIALNUMBER"};
+
+constexpr std::array<std::string_view, 1> extensions{".cal"};
+constexpr std::array settings{aerotech::rotaryAxes, aerotech::primaryUnit, aerotech::units,
+    FormatSetting{.key = "axis",
+        .kind = FormatSetting::Kind::WholeNumber,
+        .meaning = "number of the axis, from 1, instead of the table's name for it",
+        .forWriting = true}};
+
+constexpr std::array<std::string_view, 6> rules{
+    ":START AXIS SAMPLEDIST=d POSUNIT=u CORUNIT=u begins a table, further :START lines add "
+    "options, numbers follow in any arrangement, :END ends it; ; and ' begin comments.",
+    "Axes are numbered from 1.",
+    "A unit may be divided by a number: with METRIC/1000 values are in micrometres.",
+    "Correction k is for the position SAMPLEDIST * k - OFFSET; SAMPLEDIST may be negative.",
+    "The correction is added to the commanded position. Between the points it is linear; outside, "
+    "that at the nearest end is held.",
+    "A file may hold several tables.",
+};
+constexpr std::array<std::string_view, 4> assumptions{
+    "NEGCOR: the corrections count with the opposite sign.",
+    "METRIC is mm, for axes that a setting calls rotary degrees; ENGLISH is inch.",
+    "HOMEDIRECTION and HOMEOFFSET do not move the table.",
+    "SERIALNUMBER says nothing about the table.",
+};
+
+std::optional<NeutralTable> tableOf(aerotech::Block& block, const TextReading& reading)
+{
+    DiagnosticList& diagnostics = reading.diagnostics;
+    aerotech::checkOptions(block, known, diagnostics);
+    const Token first = block.numbers.empty() ? block.start : block.numbers.front();
+    const auto axisNumber = wholeNumberOf(block.numbers.empty() ? "" : first.text);
+    if (block.numbers.size() != 1 || axisNumber.value_or(0) < 1) {
+        diagnostics.error(DiagnosticCode::Syntax, first.line, first.column,
+            csv::excerpt(first.text, csv::Encoding::Utf8),
+            "the number of one axis, from 1, behind :START");
+        return std::nullopt;
+    }
+    const auto distance = aerotech::numberOption(block, "SAMPLEDIST", 0.0, diagnostics);
+    const auto offset = aerotech::numberOption(block, "OFFSET", 0.0, diagnostics);
+    const auto positionUnit = aerotech::unitOption(block, "POSUNIT", reading);
+    const auto valueUnit = aerotech::unitOption(block, "CORUNIT", reading);
+    if (distance && *distance == 0.0)
+        diagnostics.error(DiagnosticCode::Syntax, block.start.line, 0, "",
+            "SAMPLEDIST= and the distance of the corrections, which is not 0");
+    if (block.values.size() < 2)
+        diagnostics.error(DiagnosticCode::TooFewPoints, block.start.line, 0,
+            std::to_string(block.values.size()) + " corrections", "at least 2");
+    if (!distance || !offset || !positionUnit || !valueUnit || diagnostics.hasErrors())
+        return std::nullopt;
+    aerotech::remarkHome(block, diagnostics);
+    NeutralTable table;
+    table.sign = SignConvention::Command;
+    table.notes = std::move(block.notes);
+    const aerotech::Sampling sampling{*distance, *offset, block.values.size()};
+    SourceAxis& axis = table.axes.emplace_back();
+    axis.name = std::to_string(*axisNumber);
+    axis.unit = positionUnit->of(reading.settings, axis.name);
+    axis.knots = sampling.knots(positionUnit->perUnit);
+    const std::size_t line = block.start.line;
+    if (!checkKnots(axis.knots, std::span(&line, 1), "axis " + axis.name, diagnostics))
+        return std::nullopt;
+    CompensationColumn& column = table.columns.emplace_back();
+    column.target = axis.name;
+    column.unit = valueUnit->of(reading.settings, axis.name);
+    column.values = std::move(block.values);
+    const double scale = block.option("NEGCOR") ? -1.0 : 1.0;
+    for (double& value : column.values)
+        value = value == 0.0 ? 0.0 : scale * value / valueUnit->perUnit; // no -0
+    if (sampling.isDownwards())
+        std::ranges::reverse(column.values);
+    return aerotech::areFinite(table, block, diagnostics) ? std::optional(table) : std::nullopt;
+}
+
+std::vector<NeutralTable> parse(TextReading& reading)
+{
+    std::vector<NeutralTable> tables;
+    for (aerotech::Block& block : aerotech::readBlocks(reading, directive))
+        if (auto table = tableOf(block, reading))
+            tables.push_back(std::move(*table));
+    return tables;
+}
+
+Result<TableReading> read(std::string_view text, const TableReadOptions& options)
+{
+    return readText(aerotech1dFamily().facts, text, options, parse);
+}
+
+Recognition recognise(std::string_view text)
+{
+    return aerotech::recogniseFile(text, directive);
+}
+
+std::string tableText(const NeutralTable& table, const std::string& unit)
+{
+    const aerotech::Sampling sampling = aerotech::samplingOf(table.axes[0]);
+    std::string text = noteLines(table, "; ");
+    text += ":START " + table.axes[0].name + " SAMPLEDIST=" + plainNumber(sampling.distance)
+        + " POSUNIT=" + unit + " CORUNIT=" + unit + '\n';
+    text += ":START OFFSET=" + plainNumber(sampling.offset) + '\n';
+    constexpr std::size_t perLine = 10;
+    const std::vector<double>& values = table.columns[0].values;
+    for (std::size_t i = 0; i < values.size(); ++i)
+        text += plainNumber(values[i])
+            + (i % perLine == perLine - 1 || i + 1 == values.size() ? '\n' : ' ');
+    return text + ":END\n";
+}
+
+Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWriteOptions& options)
+{
+    const TableFamily& family = aerotech1dFamily();
+    const auto given = SettingValues::of(family.facts, options.settings, true);
+    if (!given)
+        return fail(given.error());
+    WrittenTables written;
+    std::vector<NeutralTable> prepared;
+    std::set<long> axes;
+    for (const NeutralTable& source : tables) {
+        const CompensationColumn& column = source.columns.front();
+        if (!ownAxis(source, column))
+            return cannotHold(family.facts,
+                "it compensates " + column.target + " by the position of "
+                    + source.axes.front().name,
+                "choose a table of an axis for itself");
+        const auto axis = axisNumber(family.facts, *given, "axis", source.axes.front().name);
+        if (!axis)
+            return fail(axis.error());
+        if (!axes.insert(*axis).second)
+            return cannotHold(family.facts,
+                "there are two tables for axis " + std::to_string(*axis)
+                    + ", and the controller adds their corrections",
+                "choose one of them");
+        auto table = aerotech::inFileUnits(source, *given, written.remarks);
+        if (!table)
+            return fail(table.error());
+        table->axes[0].name = std::to_string(*axis);
+        table->columns[0].target = table->axes[0].name;
+        written.bytes += tableText(*table, aerotech::unitWord(*given));
+        prepared.push_back(std::move(*table));
+    }
+    auto held = readBack(family, written.bytes, aerotech::readingSettings(prepared, *given));
+    if (!held)
+        return fail(held.error());
+    written.held = std::move(*held);
+    return written;
+}
+
+} // namespace
+
+const TableFamily& aerotech1dFamily()
+{
+    static const TableFamily family{.facts = {.name = "aerotech-1d",
+                                        .controller = "Aerotech",
+                                        .description = "calibration file of single axes (:START)",
+                                        .extensions = extensions,
+                                        .knots = KnotRule::Even,
+                                        .mostTables = 0,
+                                        .holdsUnits = true,
+                                        .holdsNotes = true,
+                                        .numbers = "decimal text",
+                                        .sign = SignConvention::Command,
+                                        .signEvidence = Evidence::Published,
+                                        .behaviour = {.outside = Outside::Hold},
+                                        .outsideEvidence = Evidence::Published,
+                                        .settings = settings,
+                                        .rules = rules,
+                                        .assumptions = assumptions},
+        .recognise = recognise,
+        .read = read,
+        .write = write};
+    return family;
+}
+
+} // namespace axiscomp

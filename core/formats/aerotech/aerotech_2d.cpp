@@ -1,0 +1,324 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/formats/aerotech/aerotech_file.h"
+#include "core/formats/formats.h"
+#include "core/text/text_file.h"
+
+#include <algorithm>
+
+namespace axiscomp {
+
+namespace {
+
+constexpr std::string_view directive = ":START2D";
+constexpr std::string_view known[] = {"POSUNIT", "CORUNIT", "OFFSETROW", "OFFSETCOL", "OUTAXIS3",
+    "NEGCOR", "SERIALNUMBER", "HOMEDIRECTION", "HOMEOFFSET"};
+constexpr std::size_t mostOutputs = 3;
+
+constexpr FormatSetting axisNumberSetting(std::string_view key, std::string_view meaning)
+{
+    return {.key = key,
+        .kind = FormatSetting::Kind::WholeNumber,
+        .meaning = meaning,
+        .forWriting = true};
+}
+constexpr std::array<std::string_view, 1> extensions{".cal"};
+constexpr std::array settings{aerotech::rotaryAxes, aerotech::primaryUnit, aerotech::units,
+    axisNumberSetting("column-axis", "number of the axis that changes along a line, from 1"),
+    axisNumberSetting("row-axis", "number of the axis that changes from line to line, from 1"),
+    axisNumberSetting("output-axis-1", "number of the axis of the first corrections, from 1"),
+    axisNumberSetting("output-axis-2", "number of the axis of the second corrections, from 1"),
+    axisNumberSetting("output-axis-3", "number of the axis of the third corrections, from 1")};
+
+constexpr std::array<std::string_view, 7> rules{
+    ":START2D ROW COLUMN OUT1 OUT2 distRow distColumn columns begins a table, further :START2D "
+    "lines add options, numbers follow, :END ends it; ; and ' begin comments.",
+    "Axes are numbered from 1.",
+    "Each point has a pair of corrections, for OUT1 and OUT2; with OUTAXIS3 a triple.",
+    "The lines of the file go along the row axis, the points in a line along the column axis.",
+    "Point k lies at distance * k - OFFSETROW or OFFSETCOL; distances may be negative. Blanks "
+    "round = are allowed.",
+    "A unit may be divided by a number: with METRIC/1000 values are in micrometres.",
+    "The correction is added to the commanded position. Between the points it is bilinear; "
+    "outside, that at the nearest end is held.",
+};
+constexpr std::array<std::string_view, 4> assumptions{
+    "NEGCOR: the corrections count with the opposite sign.",
+    "METRIC is mm, for axes that a setting calls rotary degrees; ENGLISH is inch.",
+    "A table of one column is written with corrections of 0 for one of its sources besides.",
+    "SERIALNUMBER, HOMEDIRECTION and HOMEOFFSET say nothing about the table.",
+};
+
+/// What stands behind the first :START2D.
+struct Head {
+    std::array<long, 2> sources{}; ///< column axis, row axis
+    std::vector<long> outputs;
+    std::array<double, 2> distances{}; ///< likewise
+    long columns = 0;
+};
+
+std::optional<long> axisOf(const Token& token, DiagnosticList& diagnostics)
+{
+    const auto number = readWholeNumber(token, "the number of an axis, from 1", diagnostics);
+    if (!number || *number >= 1)
+        return number;
+    diagnostics.error(DiagnosticCode::LimitExceeded, token.line, token.column,
+        "axis " + std::to_string(*number), "the number of an axis, from 1");
+    return std::nullopt;
+}
+
+std::optional<Head> readHead(const aerotech::Block& block, DiagnosticList& diagnostics)
+{
+    const std::vector<Token>& numbers = block.numbers;
+    if (numbers.size() != 7) {
+        diagnostics.error(DiagnosticCode::Syntax, block.start.line, block.start.column,
+            csv::excerpt(block.start.text, csv::Encoding::Utf8),
+            "7 numbers behind :START2D: row axis, column axis, two output axes, distance along "
+            "rows, distance along columns, number of columns");
+        return std::nullopt;
+    }
+    Head head;
+    const auto row = axisOf(numbers[0], diagnostics);
+    const auto column = axisOf(numbers[1], diagnostics);
+    const auto rowDistance = readNumber(numbers[4], "a distance", diagnostics);
+    const auto columnDistance = readNumber(numbers[5], "a distance", diagnostics);
+    const auto columns = readWholeNumber(numbers[6], "the number of columns", diagnostics);
+    std::vector<Token> outputs{numbers[2], numbers[3]};
+    if (const aerotech::Option* const third = block.option("OUTAXIS3"))
+        outputs.push_back(third->value ? third->value : third->key);
+    for (const Token& output : outputs)
+        if (const auto axis = axisOf(output, diagnostics))
+            head.outputs.push_back(*axis);
+    if (!row || !column || !rowDistance || !columnDistance || !columns
+        || head.outputs.size() != outputs.size())
+        return std::nullopt;
+    head.sources = {*column, *row};
+    head.distances = {*columnDistance, *rowDistance};
+    head.columns = *columns;
+    for (std::size_t n = 0; n < 2; ++n)
+        if (head.distances[n] == 0.0)
+            diagnostics.error(DiagnosticCode::LimitExceeded, numbers[5 - n].line,
+                numbers[5 - n].column, "a distance of 0", "a distance that is not 0");
+    if (*columns < 2)
+        diagnostics.error(DiagnosticCode::LimitExceeded, numbers[6].line, numbers[6].column,
+            std::to_string(*columns) + " columns", "at least 2");
+    if (head.sources[0] == head.sources[1])
+        diagnostics.error(DiagnosticCode::Contradiction, numbers[1].line, numbers[1].column,
+            "axis " + std::to_string(*column) + " for rows and columns", "two axes");
+    return head;
+}
+
+/// How many rows there are; an error names the first line that does not have a whole row.
+std::optional<std::size_t> rowCount(
+    const aerotech::Block& block, const Head& head, DiagnosticList& diagnostics)
+{
+    const std::size_t outputs = head.outputs.size();
+    const std::size_t points = block.values.size() / outputs;
+    const auto columns = static_cast<std::size_t>(head.columns);
+    if (block.values.size() % outputs == 0 && points % columns == 0) {
+        const std::size_t rows = points / columns;
+        if (rows >= 2)
+            return rows;
+        diagnostics.error(DiagnosticCode::TooFewPoints, block.start.line, 0,
+            std::to_string(rows) + " rows", "at least 2");
+        return std::nullopt;
+    }
+    const std::string expected = std::to_string(head.columns) + " points of "
+        + std::to_string(outputs) + " corrections each in a row";
+    const auto odd = std::ranges::find_if(block.lines, [&](const aerotech::Block::Line& line) {
+        return line.count % outputs != 0 || line.count / outputs != columns;
+    });
+    const std::size_t at = odd == block.lines.end() ? block.start.line : odd->line;
+    diagnostics.error(DiagnosticCode::ColumnCount, at, 0,
+        odd == block.lines.end() ? std::to_string(block.values.size()) + " corrections"
+                                 : std::to_string(odd->count) + " corrections in this line, "
+                + std::to_string(block.values.size()) + " in all",
+        expected);
+    return std::nullopt;
+}
+
+/// One output of the table, in the order of ascending positions.
+std::vector<double> valuesOf(const aerotech::Block& block, std::size_t output, std::size_t outputs,
+    const std::array<aerotech::Sampling, 2>& samplings, double factor)
+{
+    const std::size_t width = samplings[0].count;
+    const std::size_t height = samplings[1].count;
+    std::vector<double> values(width * height);
+    for (std::size_t j = 0; j < height; ++j)
+        for (std::size_t i = 0; i < width; ++i) {
+            const std::size_t x = samplings[0].isDownwards() ? width - 1 - i : i;
+            const std::size_t y = samplings[1].isDownwards() ? height - 1 - j : j;
+            const double value = block.values[(j * width + i) * outputs + output];
+            values[y * width + x] = value == 0.0 ? 0.0 : value / factor; // no -0
+        }
+    return values;
+}
+
+std::optional<NeutralTable> tableOf(aerotech::Block& block, const TextReading& reading)
+{
+    DiagnosticList& diagnostics = reading.diagnostics;
+    aerotech::checkOptions(block, known, diagnostics);
+    const auto head = readHead(block, diagnostics);
+    const auto offsetRow = aerotech::numberOption(block, "OFFSETROW", 0.0, diagnostics);
+    const auto offsetColumn = aerotech::numberOption(block, "OFFSETCOL", 0.0, diagnostics);
+    const auto positionUnit = aerotech::unitOption(block, "POSUNIT", reading);
+    const auto valueUnit = aerotech::unitOption(block, "CORUNIT", reading);
+    if (!head || !offsetRow || !offsetColumn || !positionUnit || !valueUnit
+        || diagnostics.hasErrors())
+        return std::nullopt;
+    const auto rows = rowCount(block, *head, diagnostics);
+    if (!rows)
+        return std::nullopt;
+    aerotech::remarkHome(block, diagnostics);
+    const std::array samplings{aerotech::Sampling{head->distances[0], *offsetColumn,
+                                   static_cast<std::size_t>(head->columns)},
+        aerotech::Sampling{head->distances[1], *offsetRow, *rows}};
+    NeutralTable table;
+    table.sign = SignConvention::Command;
+    table.notes = std::move(block.notes);
+    for (std::size_t n = 0; n < 2; ++n) {
+        SourceAxis& axis = table.axes.emplace_back();
+        axis.name = std::to_string(head->sources[n]);
+        axis.unit = positionUnit->of(reading.settings, axis.name);
+        axis.knots = samplings[n].knots(positionUnit->perUnit);
+        const std::size_t line = block.start.line;
+        if (!checkKnots(axis.knots, std::span(&line, 1), "axis " + axis.name, diagnostics))
+            return std::nullopt;
+    }
+    const double factor = (block.option("NEGCOR") ? -1.0 : 1.0) * valueUnit->perUnit;
+    for (std::size_t n = 0; n < head->outputs.size(); ++n) {
+        CompensationColumn& column = table.columns.emplace_back();
+        column.target = std::to_string(head->outputs[n]);
+        column.unit = valueUnit->of(reading.settings, column.target);
+        column.values = valuesOf(block, n, head->outputs.size(), samplings, factor);
+    }
+    return aerotech::areFinite(table, block, diagnostics) ? std::optional(table) : std::nullopt;
+}
+
+std::vector<NeutralTable> parse(TextReading& reading)
+{
+    std::vector<NeutralTable> tables;
+    for (aerotech::Block& block : aerotech::readBlocks(reading, directive))
+        if (auto table = tableOf(block, reading))
+            tables.push_back(std::move(*table));
+    return tables;
+}
+
+Result<TableReading> read(std::string_view text, const TableReadOptions& options)
+{
+    return readText(aerotech2dFamily().facts, text, options, parse);
+}
+
+Recognition recognise(std::string_view text)
+{
+    return aerotech::recogniseFile(text, directive);
+}
+
+/// The table with the numbers of its axes, and with a second column at least.
+Result<NeutralTable> numbered(const NeutralTable& source, const SettingValues& given)
+{
+    const FamilyFacts& facts = aerotech2dFamily().facts;
+    NeutralTable table = source;
+    constexpr std::array<std::string_view, 2> sourceKeys{"column-axis", "row-axis"};
+    for (std::size_t n = 0; n < 2; ++n) {
+        const auto axis = axisNumber(facts, given, sourceKeys[n], source.axes[n].name);
+        if (!axis)
+            return fail(axis.error());
+        table.axes[n].name = std::to_string(*axis);
+    }
+    for (std::size_t n = 0; n < table.columns.size(); ++n) {
+        // A target that is one of the sources has the number of that source.
+        const auto own = ownAxis(source, source.columns[n]);
+        const std::string name = own ? table.axes[*own].name : source.columns[n].target;
+        const auto axis = axisNumber(facts, given, "output-axis-" + std::to_string(n + 1), name);
+        if (!axis)
+            return fail(axis.error());
+        table.columns[n].target = std::to_string(*axis);
+    }
+    if (table.columns.size() > 1)
+        return table;
+    CompensationColumn idle;
+    const bool isFirst = table.columns[0].target == table.axes[0].name;
+    const SourceAxis& other = table.axes[isFirst ? 1 : 0];
+    idle.target = other.name;
+    idle.unit = other.unit;
+    idle.values.assign(table.pointCount(), 0.0);
+    table.columns.push_back(std::move(idle));
+    return table;
+}
+
+std::string tableText(const NeutralTable& table, const std::string& unit)
+{
+    const aerotech::Sampling column = aerotech::samplingOf(table.axes[0]);
+    const aerotech::Sampling row = aerotech::samplingOf(table.axes[1]);
+    std::string text = noteLines(table, "; ");
+    text += ":START2D " + table.axes[1].name + ' ' + table.axes[0].name + ' '
+        + table.columns[0].target + ' ' + table.columns[1].target + ' ' + plainNumber(row.distance)
+        + ' ' + plainNumber(column.distance) + ' ' + std::to_string(column.count) + '\n';
+    text += ":START2D POSUNIT=" + unit + " CORUNIT=" + unit + '\n';
+    text += ":START2D OFFSETROW=" + plainNumber(row.offset)
+        + " OFFSETCOL=" + plainNumber(column.offset) + '\n';
+    if (table.columns.size() == mostOutputs)
+        text += ":START2D OUTAXIS3=" + table.columns[2].target + '\n';
+    for (std::size_t i = 0; i < table.pointCount(); ++i) {
+        for (const CompensationColumn& output : table.columns)
+            text += plainNumber(output.values[i]) + (&output == &table.columns.back() ? "" : " ");
+        text += (i + 1) % column.count == 0 ? "\n" : "  ";
+    }
+    return text + ":END\n";
+}
+
+Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWriteOptions& options)
+{
+    const TableFamily& family = aerotech2dFamily();
+    const auto given = SettingValues::of(family.facts, options.settings, true);
+    if (!given)
+        return fail(given.error());
+    WrittenTables written;
+    std::vector<NeutralTable> prepared;
+    for (const NeutralTable& source : tables) {
+        auto named = numbered(source, *given);
+        if (!named)
+            return fail(named.error());
+        auto table = aerotech::inFileUnits(*named, *given, written.remarks);
+        if (!table)
+            return fail(table.error());
+        written.bytes += tableText(*table, aerotech::unitWord(*given));
+        prepared.push_back(std::move(*table));
+    }
+    auto held = readBack(family, written.bytes, aerotech::readingSettings(prepared, *given));
+    if (!held)
+        return fail(held.error());
+    written.held = std::move(*held);
+    return written;
+}
+
+} // namespace
+
+const TableFamily& aerotech2dFamily()
+{
+    static const TableFamily family{.facts = {.name = "aerotech-2d",
+                                        .controller = "Aerotech",
+                                        .description = "calibration file of two axes (:START2D)",
+                                        .extensions = extensions,
+                                        .fewestDimensions = 2,
+                                        .mostDimensions = 2,
+                                        .knots = KnotRule::Even,
+                                        .mostColumns = mostOutputs,
+                                        .mostTables = 0,
+                                        .holdsUnits = true,
+                                        .holdsNotes = true,
+                                        .numbers = "decimal text",
+                                        .sign = SignConvention::Command,
+                                        .signEvidence = Evidence::Published,
+                                        .behaviour = {.outside = Outside::Hold},
+                                        .outsideEvidence = Evidence::Published,
+                                        .settings = settings,
+                                        .rules = rules,
+                                        .assumptions = assumptions},
+        .recognise = recognise,
+        .read = read,
+        .write = write};
+    return family;
+}
+
+} // namespace axiscomp

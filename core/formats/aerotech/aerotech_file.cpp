@@ -1,0 +1,353 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/formats/aerotech/aerotech_file.h"
+
+#include "core/formats/units.h"
+#include "core/text/text_file.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace axiscomp::aerotech {
+
+namespace {
+
+constexpr std::string_view blanks = " \t,";
+constexpr std::string_view endDirective = ":END";
+
+std::string quoted(std::string_view text)
+{
+    return csv::excerpt(text, csv::Encoding::Utf8);
+}
+
+/// The pieces of a directive: words, and keys with their values, also with blanks round '='.
+void takeDirective(const Token& line, Block& block, DiagnosticList& diagnostics)
+{
+    const std::string_view text = line.text;
+    const auto piece = [&](std::size_t begin, std::size_t end) {
+        return Token{text.substr(begin, end - begin), line.line, line.column + begin};
+    };
+    const auto skip = [&](std::size_t at) {
+        return std::min(text.find_first_not_of(blanks, at), text.size());
+    };
+    std::size_t at = skip(std::min(text.find_first_of(blanks), text.size()));
+    while (at < text.size()) {
+        const std::size_t end = std::min(text.find_first_of(" \t,=", at), text.size());
+        const Token word = piece(at, end);
+        const std::size_t next = skip(end);
+        if (next >= text.size() || text[next] != '=') {
+            if (numberOf(word.text))
+                block.numbers.push_back(word);
+            else
+                block.options.push_back({word, {}});
+            at = next;
+            continue;
+        }
+        const std::size_t begin = skip(next + 1);
+        const std::size_t stop = std::min(text.find_first_of(blanks, begin), text.size());
+        if (!word || begin == stop) {
+            diagnostics.error(DiagnosticCode::Syntax, line.line, line.column + at,
+                quoted(text.substr(at)), "KEY=VALUE");
+            return;
+        }
+        block.options.push_back({word, piece(begin, stop)});
+        at = skip(stop);
+    }
+}
+
+std::string_view firstWord(std::string_view text)
+{
+    return text.substr(0, text.find_first_of(blanks));
+}
+
+/// Makes blocks of lines.
+class BlockReader {
+public:
+    BlockReader(const TextReading& reading, std::string_view directive)
+        : m_reading(reading)
+        , m_directive(directive)
+    {
+    }
+    [[nodiscard]] std::vector<Block> read();
+
+private:
+    void takeStart(const Token& line);
+    void takeEnd(const Token& line);
+    void takeValues(const Token& line);
+    [[nodiscard]] bool isOpen() const { return m_isOpen; }
+
+    const TextReading& m_reading;
+    std::string_view m_directive;
+    std::vector<Block> m_blocks;
+    std::vector<Token> m_tokens;
+    std::vector<std::string> m_notes;
+    bool m_isOpen = false;
+};
+
+void BlockReader::takeStart(const Token& line)
+{
+    DiagnosticList& diagnostics = m_reading.diagnostics;
+    Block further;
+    takeDirective(line, further, diagnostics);
+    const bool isContinued = m_isOpen && m_blocks.back().values.empty() && further.numbers.empty();
+    if (m_isOpen && !isContinued) {
+        diagnostics.error(DiagnosticCode::Syntax, line.line, line.column, quoted(line.text),
+            ":END of the table that begins in line " + std::to_string(m_blocks.back().start.line));
+        m_isOpen = false;
+    }
+    if (isContinued) {
+        Block& block = m_blocks.back();
+        block.options.insert(block.options.end(), further.options.begin(), further.options.end());
+        return;
+    }
+    further.start = line;
+    further.notes = std::exchange(m_notes, {});
+    m_blocks.push_back(std::move(further));
+    m_isOpen = true;
+}
+
+void BlockReader::takeEnd(const Token& line)
+{
+    if (!m_isOpen)
+        m_reading.diagnostics.error(DiagnosticCode::Syntax, line.line, line.column,
+            quoted(line.text), std::string(m_directive) + " before :END");
+    m_isOpen = false;
+}
+
+void BlockReader::takeValues(const Token& line)
+{
+    if (!m_isOpen) {
+        m_reading.diagnostics.error(DiagnosticCode::Syntax, line.line, line.column,
+            quoted(line.text),
+            "a table that begins with " + std::string(m_directive) + " and ends with :END");
+        m_isOpen = true; // one such problem is enough
+        m_blocks.emplace_back();
+        m_blocks.back().start = line;
+    }
+    Block& block = m_blocks.back();
+    splitTokens(line, blanks, m_tokens);
+    for (const Token& token : m_tokens)
+        block.values.push_back(
+            readNumber(token, "a correction", m_reading.diagnostics).value_or(0.0));
+    block.lines.push_back({line.line, m_tokens.size()});
+}
+
+std::vector<Block> BlockReader::read()
+{
+    TextLines lines(m_reading.text);
+    while (const auto whole = lines.next()) {
+        if (m_reading.isStopped())
+            return {};
+        const Token line = trimmedToken(withoutComment(*whole, ";'"));
+        if (!line) {
+            if (const Token comment = trimmedToken(*whole))
+                keepNote(m_notes, comment.text.substr(1));
+            continue;
+        }
+        const std::string_view word = firstWord(line.text);
+        if (sameLetters(word, m_directive)) {
+            takeStart(line);
+        } else if (sameLetters(word, endDirective)) {
+            takeEnd(line);
+        } else if (line.text.front() == ':') {
+            m_reading.diagnostics.error(DiagnosticCode::Syntax, line.line, line.column,
+                quoted(word),
+                std::string(m_directive)
+                    + " or :END; tables of one and of two dimensions are in separate files");
+            return {};
+        } else {
+            takeValues(line);
+        }
+    }
+    if (m_isOpen)
+        m_reading.diagnostics.error(DiagnosticCode::Syntax, 0, 0, "",
+            ":END of the table that begins in line " + std::to_string(m_blocks.back().start.line));
+    if (m_blocks.empty())
+        m_reading.diagnostics.error(DiagnosticCode::Syntax, 0, 0, "",
+            "a table that begins with " + std::string(m_directive));
+    return std::move(m_blocks);
+}
+
+} // namespace
+
+const Option* Block::option(std::string_view key) const
+{
+    const auto found = std::ranges::find_if(
+        options, [&](const Option& option) { return sameLetters(option.key.text, key); });
+    return found == options.end() ? nullptr : &*found;
+}
+
+std::vector<Block> readBlocks(const TextReading& reading, std::string_view directive)
+{
+    return BlockReader(reading, directive).read();
+}
+
+void checkOptions(
+    const Block& block, std::span<const std::string_view> known, DiagnosticList& diagnostics)
+{
+    for (const Option& option : block.options) {
+        const bool isKnown = std::ranges::any_of(
+            known, [&](std::string_view key) { return sameLetters(key, option.key.text); });
+        if (!isKnown)
+            diagnostics.warning(DiagnosticCode::UnknownKey, option.key.line, option.key.column,
+                quoted(option.key.text), "");
+        else if (block.option(option.key.text) != &option)
+            diagnostics.error(DiagnosticCode::Contradiction, option.key.line, option.key.column,
+                quoted(option.key.text) + " a second time", "each option once");
+    }
+}
+
+Recognition recogniseFile(std::string_view text, std::string_view directive)
+{
+    TextLines lines(text);
+    while (const auto whole = lines.next()) {
+        const Token line = trimmedToken(withoutComment(*whole, ";'"));
+        if (!line)
+            continue;
+        const bool isStart = sameLetters(firstWord(line.text), directive);
+        const bool hasMore =
+            line.text.find_first_of("0123456789", directive.size()) != std::string_view::npos;
+        return isStart && hasMore ? Recognition::Certain : Recognition::No;
+    }
+    return Recognition::No;
+}
+
+std::optional<double> numberOption(
+    const Block& block, std::string_view key, double standard, DiagnosticList& diagnostics)
+{
+    const Option* const option = block.option(key);
+    if (!option)
+        return standard;
+    const Token& place = option->value ? option->value : option->key;
+    if (!option->value)
+        diagnostics.error(DiagnosticCode::Syntax, place.line, place.column, quoted(place.text),
+            std::string(key) + "= and a number");
+    else
+        return readNumber(place, "the number of " + std::string(key), diagnostics);
+    return std::nullopt;
+}
+
+void remarkHome(const Block& block, DiagnosticList& diagnostics)
+{
+    for (const std::string_view key : {"HOMEOFFSET", "HOMEDIRECTION"}) {
+        const Option* const option = block.option(key);
+        if (option && numberOf(option->value.text).value_or(1.0) != 0.0)
+            diagnostics.warning(DiagnosticCode::Assumption, option->key.line, option->key.column,
+                std::string(key) + ' ' + quoted(option->value.text),
+                "positions in the coordinates of the axis after homing; it is left out");
+    }
+}
+
+std::string Unit::of(const SettingValues& settings, std::string_view axis) const
+{
+    if (!isMetric)
+        return name;
+    const std::string given = settings.text("rotary-axes");
+    std::vector<Token> rotary;
+    splitTokens({given, 0, 0}, blanks, rotary);
+    return std::ranges::find(rotary, axis, &Token::text) == rotary.end() ? "mm" : "deg";
+}
+
+std::optional<Unit> unitOption(const Block& block, std::string_view key, const TextReading& reading)
+{
+    Unit unit;
+    unit.name = reading.settings.text("primary-unit");
+    const auto warnOfPrimary = [&](const Token& place, const std::string& found) {
+        if (unit.name.empty())
+            reading.diagnostics.warning(DiagnosticCode::UnitNotGiven, place.line, place.column,
+                found, "the setting primary-unit, such as mm, where a unit matters");
+    };
+    const Option* const option = block.option(key);
+    if (!option) {
+        warnOfPrimary(block.start, "a table without " + std::string(key));
+        return unit;
+    }
+    const std::string_view text = option->value.text;
+    const std::size_t slash = std::min(text.find('/'), text.size());
+    const std::string_view word = text.substr(0, slash);
+    if (slash < text.size()) {
+        const auto perUnit = numberOf(text.substr(slash + 1));
+        unit.perUnit = perUnit.value_or(0.0);
+    }
+    const bool isUser = sameLetters(word, "PRIMARY") || sameLetters(word, "SECONDARY")
+        || sameLetters(word, "COUNTS");
+    const bool isEnglish = sameLetters(word, "ENGLISH");
+    unit.isMetric = sameLetters(word, "METRIC");
+    if (!(unit.perUnit > 0.0) || (!isUser && !isEnglish && !unit.isMetric)) {
+        reading.diagnostics.error(DiagnosticCode::Syntax, option->key.line, option->key.column,
+            quoted(text),
+            std::string(key)
+                + "=METRIC, ENGLISH, PRIMARY, SECONDARY or COUNTS, perhaps divided by a number "
+                  "as in METRIC/1000");
+        return std::nullopt;
+    }
+    if (isEnglish)
+        unit.name = "inch";
+    else if (isUser)
+        warnOfPrimary(option->key, std::string(key) + ' ' + quoted(text));
+    return unit;
+}
+
+bool areFinite(const NeutralTable& table, const Block& block, DiagnosticList& diagnostics)
+{
+    for (const CompensationColumn& column : table.columns)
+        for (const double value : column.values)
+            if (!std::isfinite(value)) {
+                diagnostics.error(DiagnosticCode::LimitExceeded, block.start.line, 0,
+                    "a correction that is too large for its unit", "another CORUNIT");
+                return false;
+            }
+    return true;
+}
+
+std::vector<double> Sampling::knots(double perUnit) const
+{
+    std::vector<double> positions = evenKnots(-offset, distance, count);
+    for (double& position : positions)
+        position = position == 0.0 ? 0.0 : position / perUnit; // no -0
+    if (isDownwards())
+        std::ranges::reverse(positions);
+    return positions;
+}
+
+Sampling samplingOf(const SourceAxis& axis)
+{
+    const double span = axis.knots.back() - axis.knots.front();
+    return {
+        span / static_cast<double>(axis.knots.size() - 1), -axis.knots.front(), axis.knots.size()};
+}
+
+Result<NeutralTable> inFileUnits(
+    const NeutralTable& table, const SettingValues& settings, std::vector<std::string>& remarks)
+{
+    if (settings.text("units") == "metric")
+        return inUnits(table, "mm", "deg", remarks);
+    return inSettingUnits(table, settings, remarks);
+}
+
+std::string unitWord(const SettingValues& settings)
+{
+    return settings.text("units") == "metric" ? "METRIC" : "PRIMARY";
+}
+
+FormatSettings readingSettings(std::span<const NeutralTable> written, const SettingValues& settings)
+{
+    FormatSettings reading;
+    const std::string& unit = written.front().axes.front().unit;
+    if (settings.text("units") == "primary" && !unit.empty())
+        reading["primary-unit"] = unit;
+    std::set<std::string> rotary;
+    for (const NeutralTable& table : written) {
+        for (const SourceAxis& axis : table.axes)
+            if (axis.unit == "deg")
+                rotary.insert(axis.name);
+        for (const CompensationColumn& column : table.columns)
+            if (column.unit == "deg")
+                rotary.insert(column.target);
+    }
+    for (const std::string& axis : rotary)
+        reading["rotary-axes"] += (axis == *rotary.begin() ? "" : ",") + axis;
+    return reading;
+}
+
+} // namespace axiscomp::aerotech

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/formats/format_reader.h"
+
+#include "core/text/token_scanner.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace axiscomp {
+
+namespace {
+
+/// Numbers that are read are finite; what is computed from them need not be, nor be different.
+void checkComputed(const NeutralTable& table, DiagnosticList& diagnostics)
+{
+    const auto isFinite = [](double number) { return std::isfinite(number); };
+    for (const SourceAxis& axis : table.axes) {
+        const bool isAscending =
+            std::ranges::adjacent_find(axis.knots, std::greater_equal<>()) == axis.knots.end();
+        if (!isAscending || !std::ranges::all_of(axis.knots, isFinite))
+            diagnostics.error(DiagnosticCode::NotFinite, 0, 0,
+                "positions of " + (axis.name.empty() ? "the axis" : axis.name),
+                "numbers that a computer can tell from each other; check their size");
+    }
+    for (const CompensationColumn& column : table.columns)
+        if (!std::ranges::all_of(column.values, isFinite))
+            diagnostics.error(DiagnosticCode::NotFinite, 0, 0,
+                "values of " + (column.target.empty() ? "the table" : column.target),
+                "numbers that a computer can hold; check their size");
+}
+
+} // namespace
+
+void TextReading::error(std::string_view number, DiagnosticCode code, std::size_t line,
+    std::size_t column, std::string found, std::string expected)
+{
+    diagnostics.error({.severity = Severity::Error,
+        .code = code,
+        .line = line,
+        .column = column,
+        .found = std::move(found),
+        .expected = std::move(expected),
+        .controllerError = std::string(number)});
+}
+
+Result<TableReading> readText(const FamilyFacts& facts, std::string_view text,
+    const TableReadOptions& options, std::vector<NeutralTable> (*parse)(TextReading&))
+{
+    const auto settings = SettingValues::of(facts, options.settings, false);
+    if (!settings)
+        return fail(settings.error());
+    TableReading reading;
+    DiagnosticList diagnostics(options.maximumDiagnostics);
+    if (isReadableText(text, facts.mostBytes, diagnostics)) {
+        TextReading source{text, options, *settings, diagnostics};
+        reading.tables = parse(source);
+        if (!diagnostics.hasErrors())
+            for (const NeutralTable& table : reading.tables)
+                checkComputed(table, diagnostics);
+    }
+    reading.cancelled = options.stop.stop_requested();
+    if (diagnostics.hasErrors() || reading.cancelled)
+        reading.tables.clear();
+    reading.suppressed = diagnostics.suppressed();
+    reading.diagnostics = diagnostics.take();
+    return reading;
+}
+
+} // namespace axiscomp

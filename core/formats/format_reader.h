@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/formats/table_format.h"
+#include "core/text/diagnostic_list.h"
+
+namespace axiscomp {
+
+/// What a reader of a text has at hand.
+struct TextReading {
+    std::string_view text; ///< is text, and not empty
+    const TableReadOptions& options;
+    const SettingValues& settings;
+    DiagnosticList& diagnostics;
+
+    [[nodiscard]] bool isStopped() const { return options.stop.stop_requested(); }
+    /// An error that the controller has a number for.
+    void error(std::string_view number, DiagnosticCode code, std::size_t line, std::size_t column,
+        std::string found, std::string expected);
+};
+
+/// Reads a text with a family's own `parse`, whose tables count unless there was an error or a
+/// stop. What every reader does round it: settings, binary and oversized files, problems. Errors:
+/// InvalidArgument (settings).
+[[nodiscard]] Result<TableReading> readText(const FamilyFacts& facts, std::string_view text,
+    const TableReadOptions& options, std::vector<NeutralTable> (*parse)(TextReading&));
+
+} // namespace axiscomp

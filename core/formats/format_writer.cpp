@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/formats/format_writer.h"
+
+#include "core/text/text_file.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+namespace axiscomp {
+
+namespace {
+
+/// Calls visit(first, last) for the pairs of points that face each other at both ends of an axis.
+template <typename Visit>
+void visitEnds(const NeutralTable& table, std::size_t axis, const Visit& visit)
+{
+    std::size_t stride = 1;
+    for (std::size_t n = 0; n < axis; ++n)
+        stride *= table.axes[n].knots.size();
+    const std::size_t size = table.axes[axis].knots.size();
+    const std::size_t count = table.pointCount();
+    for (std::size_t block = 0; block < count; block += stride * size)
+        for (std::size_t i = 0; i < stride; ++i)
+            visit(block + i, block + i + (size - 1) * stride);
+}
+
+double largestGap(const NeutralTable& table, std::size_t axis)
+{
+    double largest = 0.0;
+    visitEnds(table, axis, [&](std::size_t first, std::size_t last) {
+        for (const CompensationColumn& column : table.columns)
+            largest = std::max(largest, std::abs(column.values[first] - column.values[last]));
+    });
+    return largest;
+}
+
+} // namespace
+
+tl::unexpected<Error> cannotHold(const FamilyFacts& facts, std::string reason, std::string wayOut)
+{
+    return fail(ErrorCode::FormatCannotHold,
+        {{"format", std::string(facts.name)}, {"reason", std::move(reason)},
+            {"wayOut", std::move(wayOut)}});
+}
+
+Result<long> axisNumber(const FamilyFacts& facts, const SettingValues& settings,
+    std::string_view key, const std::string& name)
+{
+    const bool isSet = settings.has(key);
+    const auto number = isSet ? std::optional(settings.whole(key)) : wholeNumberOf(name);
+    if (number && *number >= 1)
+        return *number;
+    return fail(ErrorCode::InvalidArgument,
+        {{"reason",
+            "the format " + std::string(facts.name) + " names its axes by numbers from 1"
+                + (isSet ? "; the setting " + std::string(key) + " is " + settings.text(key)
+                         : " and there is no number in the axis name \"" + name
+                            + "\"; give the setting " + std::string(key))}});
+}
+
+bool isClosed(const NeutralTable& table, std::size_t axis)
+{
+    return largestGap(table, axis) == 0.0;
+}
+
+Result<void> checkOnePeriod(
+    const FamilyFacts& facts, const NeutralTable& table, std::size_t axis, double allowance)
+{
+    const SourceAxis& source = table.axes[axis];
+    const double period = source.wrap.value_or(0.0);
+    const double span = source.knots.back() - source.knots.front();
+    const std::string which = "source " + std::to_string(axis + 1);
+    if (std::abs(span - period) > 1e-9 * period + source.step / 2.0)
+        return cannotHold(facts,
+            "its positions of " + which + " span " + csv::roundedText(span)
+                + ", and a modulo axis needs exactly one period of " + csv::roundedText(period),
+            "resample it over one whole period");
+    if (largestGap(table, axis) > allowance)
+        return cannotHold(facts,
+            "the values at both ends of the modulo axis, " + which + ", differ by "
+                + csv::roundedText(largestGap(table, axis)),
+            "make both ends equal: they are the same place");
+    return {};
+}
+
+Result<DirectionPair> directionPair(const FamilyFacts& facts, const NeutralTable& table)
+{
+    const auto& columns = table.columns;
+    if (columns.size() == 1 && columns[0].direction == Direction::Both)
+        return DirectionPair{&columns[0], nullptr};
+    if (columns.size() == 2 && columns[0].target == columns[1].target) {
+        DirectionPair pair{&columns[0], &columns[1]};
+        if (pair.positive->direction == Direction::Negative)
+            std::swap(pair.positive, pair.negative);
+        if (pair.positive->direction == Direction::Positive
+            && pair.negative->direction == Direction::Negative)
+            return pair;
+    }
+    return cannotHold(facts,
+        "it takes a column for both directions of motion, or one for each direction of one axis",
+        "choose these columns");
+}
+
+std::string plainNumber(double value)
+{
+    std::array<char, 400> buffer{}; // the smallest double has 324 decimals
+    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(),
+        value == 0.0 ? 0.0 : value, std::chars_format::fixed);
+    return end.ec == std::errc{} ? std::string(buffer.data(), end.ptr) : csv::toText(value);
+}
+
+double FileNumbers::inFile(double x) const
+{
+    const double exact = x * perUnit;
+    const double rounded =
+        hasDecimals ? numberOf(csv::roundedText(exact)).value_or(exact) : std::round(exact);
+    return rounded == 0.0 ? 0.0 : rounded; // no -0
+}
+
+double FileNumbers::stepOf(std::span<const double> inFile) const
+{
+    const bool areWhole =
+        std::ranges::all_of(inFile, [](double number) { return number == std::round(number); });
+    return areWhole ? 1.0 / perUnit : 0.0;
+}
+
+std::optional<std::size_t> beyond32Bits(std::span<const double> inFile)
+{
+    constexpr double most = 2147483647.0;
+    const auto found =
+        std::ranges::find_if(inFile, [](double number) { return !(std::abs(number) <= most); });
+    if (found == inFile.end())
+        return std::nullopt;
+    return static_cast<std::size_t>(found - inFile.begin());
+}
+
+std::string noteLines(const NeutralTable& table, std::string_view prefix)
+{
+    std::string text;
+    for (const std::string& note : table.notes) {
+        // A line break in a note would end the comment.
+        std::string_view rest = note;
+        while (!rest.empty()) {
+            const std::size_t end = std::min(rest.find_first_of("\r\n"), rest.size());
+            if (end > 0)
+                text.append(prefix).append(rest.substr(0, end)).append("\n");
+            rest.remove_prefix(std::min(end + 1, rest.size()));
+        }
+    }
+    return text;
+}
+
+void keepNote(std::vector<std::string>& notes, std::string_view comment)
+{
+    constexpr std::size_t mostNotes = 100;
+    const auto isTelling = [](char c) {
+        return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z')
+            || static_cast<unsigned char>(c) >= 0x80;
+    };
+    if (notes.size() < mostNotes && std::ranges::any_of(comment, isTelling))
+        notes.push_back(csv::toUtf8(csv::trimmed(comment), csv::Encoding::Utf8));
+}
+
+Result<std::vector<NeutralTable>> readBack(
+    const TableFamily& family, std::string_view bytes, FormatSettings settings)
+{
+    TableReadOptions options;
+    options.settings = std::move(settings);
+    auto reading = family.read(bytes, options);
+    if (!reading)
+        return fail(reading.error());
+    for (const Diagnostic& diagnostic : reading->diagnostics)
+        if (diagnostic.severity == Severity::Error)
+            return cannotHold(family.facts, message(diagnostic), "choose another format");
+    return std::move(reading->tables);
+}
+
+} // namespace axiscomp

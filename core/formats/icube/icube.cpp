@@ -1,0 +1,363 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/formats/format_reader.h"
+#include "core/formats/format_writer.h"
+#include "core/formats/formats.h"
+#include "core/formats/own_axis.h"
+#include "core/text/text_file.h"
+#include "core/text/token_scanner.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace axiscomp {
+
+namespace {
+
+constexpr std::string_view invalidFormat = "4900";
+constexpr std::string_view wrongRange = "4902";
+constexpr std::string_view twoNumbers = "two numbers such as 0.25,0.001: position and offset";
+constexpr std::string_view wrapKey = "wrap-range";
+
+constexpr std::array<std::string_view, 1> extensions{".csv"};
+constexpr std::array settings{
+    FormatSetting{.key = wrapKey,
+        .kind = FormatSetting::Kind::Number,
+        .meaning = "of a rotary axis: the range after which its position begins again, such as 360",
+        .forReading = true,
+        .forWriting = true},
+};
+constexpr std::array<std::string_view, 9> rules{
+    "Each line is a position and the offset there, both in user units of the axis. The offset is "
+    "added to the commanded position.",
+    "The numbers stand between commas, semicolons, tabs or blanks; a comma is written.",
+    "Leading lines that are not two numbers are headers; there need be none.",
+    "Positions go strictly in one direction, up or down, and need not be evenly spaced; position + "
+    "offset goes in the same direction (otherwise error 4900, invalid format).",
+    "Between the points the offset is linear.",
+    "Outside of the table the offset at that end is held.",
+    "Of a rotary axis the positions span its wrap range exactly, and the first offset is the last "
+    "one (otherwise error 4902).",
+    "The file is smaller than 1 MB.",
+    "Without a path in axis.xml the file is looked for under the name of the axis followed by "
+    "PosComp.CSV, such as Axis1PosComp.CSV; error 4899: it was not found.",
+};
+constexpr std::array<std::string_view, 3> assumptions{
+    "The example on the page of the manual gives an offset at -4.00 that contradicts the rule for "
+    "positions outside of the table: the rule is followed, also at -3.999.",
+    "Two equal values of position + offset are refused as well.",
+    "Empty lines between the points are skipped.",
+};
+
+/// The pieces of a line between semicolons, else commas, else blanks.
+void splitRow(const Token& line, std::vector<Token>& cells)
+{
+    if (line.text.find(';') != std::string_view::npos)
+        splitCells(line, ';', cells);
+    else if (line.text.find(',') != std::string_view::npos)
+        splitCells(line, ',', cells);
+    else
+        splitTokens(line, " \t", cells);
+}
+
+bool isPair(const std::vector<Token>& cells)
+{
+    return cells.size() == 2 && numberOf(cells[0].text) && numberOf(cells[1].text);
+}
+
+/// Whether a header begins as a row would: perhaps it was meant to be one.
+bool looksLikeRow(const Token& line)
+{
+    const Token first = trimmedToken(line);
+    return first && std::string_view("0123456789+-.").find(first.text[0]) != std::string_view::npos;
+}
+
+struct Points {
+    std::vector<double> positions;
+    std::vector<double> offsets;
+    std::vector<std::size_t> lines;
+};
+
+void takeRow(const std::vector<Token>& cells, Points& points, TextReading& source)
+{
+    const Token& first = cells.front();
+    if (cells.size() != 2) {
+        source.error(invalidFormat, DiagnosticCode::ColumnCount, first.line, 0,
+            std::to_string(cells.size()) + (cells.size() == 1 ? " number" : " numbers"),
+            std::string(twoNumbers));
+        return;
+    }
+    const auto position = numberOf(cells[0].text);
+    const auto offset = numberOf(cells[1].text);
+    for (const Token& cell : cells)
+        if (!numberOf(cell.text))
+            source.error(invalidFormat, DiagnosticCode::NotANumber, cell.line, cell.column,
+                csv::excerpt(cell.text, csv::Encoding::Utf8),
+                &cell == &first ? "a position such as 0.25" : "an offset such as 0.001");
+    points.positions.push_back(position.value_or(0.0));
+    points.offsets.push_back(offset.value_or(0.0));
+    points.lines.push_back(first.line);
+}
+
+Points pointsOf(TextReading& source)
+{
+    Points points;
+    TextLines lines(source.text);
+    std::vector<Token> cells;
+    Token rowInHeader;
+    bool isInHeader = true;
+    while (const auto line = lines.next()) {
+        if (trimmedToken(*line).text.empty())
+            continue;
+        if (source.isStopped())
+            return points;
+        splitRow(*line, cells);
+        isInHeader = isInHeader && !isPair(cells);
+        if (!isInHeader)
+            takeRow(cells, points, source);
+        else if (!rowInHeader && looksLikeRow(*line))
+            rowInHeader = *line;
+    }
+    const std::string found = csv::excerpt(rowInHeader.text, csv::Encoding::Utf8);
+    if (isInHeader)
+        source.error(invalidFormat, DiagnosticCode::Syntax, rowInHeader.line, 0, found,
+            "lines of " + std::string(twoNumbers));
+    else if (rowInHeader)
+        source.diagnostics.warning(DiagnosticCode::Assumption, rowInHeader.line, 0,
+            "\"" + found + "\", which is taken to be a header",
+            std::string(twoNumbers) + ", if it is a point");
+    return points;
+}
+
+/// The first point that does not go on in the direction of the first two; 0: all do. Offsets are
+/// added to the positions unless there are none.
+std::size_t turningPoint(const std::vector<double>& positions, const std::vector<double>& offsets)
+{
+    const bool isDown = positions.size() > 1 && positions[1] < positions[0];
+    const auto sum = [&](std::size_t i) {
+        return offsets.empty() ? positions[i] : positions[i] + offsets[i];
+    };
+    for (std::size_t i = 1; i < positions.size(); ++i)
+        if (isDown ? !(sum(i) < sum(i - 1)) : !(sum(i) > sum(i - 1)))
+            return i;
+    return 0;
+}
+
+std::string turnText(const std::vector<double>& positions, std::size_t i)
+{
+    return csv::toText(positions[i]) + " after " + csv::toText(positions[i - 1]);
+}
+
+std::string sumTurnText(
+    const std::vector<double>& positions, const std::vector<double>& offsets, std::size_t i)
+{
+    return "position + offset " + csv::roundedText(positions[i] + offsets[i]) + " after "
+        + csv::roundedText(positions[i - 1] + offsets[i - 1]);
+}
+
+bool checkDirection(const Points& points, TextReading& source)
+{
+    const auto& [positions, offsets, lines] = points;
+    if (positions.size() < 2) {
+        source.error(
+            invalidFormat, DiagnosticCode::TooFewPoints, lines.front(), 0, "1 point", "at least 2");
+        return false;
+    }
+    const bool isDown = positions[1] < positions[0];
+    const std::string direction = isDown ? "strictly decreasing" : "strictly increasing";
+    if (const std::size_t i = turningPoint(positions, {}); i > 0) {
+        source.error(invalidFormat, DiagnosticCode::NotMonotonic, lines[i], 0,
+            turnText(positions, i), direction + " positions");
+        return false;
+    }
+    if (const std::size_t i = turningPoint(positions, offsets); i > 0)
+        source.error(invalidFormat, DiagnosticCode::NotMonotonic, lines[i], 0,
+            sumTurnText(positions, offsets, i), direction + " values, as the positions are");
+    return true;
+}
+
+/// What is wrong with the table of a rotary axis: found and expected; nothing: it closes.
+struct RangeFault {
+    std::string found;
+    std::string expected;
+};
+std::optional<RangeFault> rangeFault(
+    const std::vector<double>& positions, const std::vector<double>& offsets, double wrap)
+{
+    const double span = std::abs(positions.back() - positions.front());
+    const double size = std::abs(positions.front()) + std::abs(positions.back());
+    if (!(std::abs(span - wrap) <= 1e-12 * size))
+        return RangeFault{"positions from " + csv::toText(positions.front()) + " to "
+                + csv::toText(positions.back()),
+            "a span of exactly " + csv::toText(wrap) + ", the wrap range"};
+    if (offsets.front() != offsets.back())
+        return RangeFault{"the offsets " + csv::toText(offsets.front()) + " and "
+                + csv::toText(offsets.back()) + " at the ends",
+            "the same offset at both ends, which are one place"};
+    return std::nullopt;
+}
+
+std::vector<NeutralTable> parse(TextReading& source)
+{
+    Points points = pointsOf(source);
+    if (source.diagnostics.hasErrors() || points.positions.empty()
+        || !checkDirection(points, source))
+        return {};
+    NeutralTable table;
+    table.sign = SignConvention::Command;
+    table.axes.resize(1);
+    table.columns.resize(1);
+    if (source.settings.has(wrapKey)) {
+        const double wrap = source.settings.number(wrapKey);
+        table.axes[0].wrap = wrap;
+        if (auto fault = rangeFault(points.positions, points.offsets, wrap))
+            source.error(wrongRange, DiagnosticCode::NotPeriodic, points.lines.back(), 0,
+                std::move(fault->found), std::move(fault->expected));
+    }
+    if (points.positions[1] < points.positions[0]) {
+        std::ranges::reverse(points.positions);
+        std::ranges::reverse(points.offsets);
+    }
+    table.axes[0].knots = std::move(points.positions);
+    table.columns[0].values = std::move(points.offsets);
+    takeOneUnit(table, source.settings, source.diagnostics);
+    return {std::move(table)};
+}
+
+Result<void> checkWrapSetting(const FormatSettings& given)
+{
+    const auto wrap = given.find(wrapKey);
+    if (wrap == given.end() || numberOf(wrap->second).value_or(1.0) > 0.0)
+        return {};
+    return fail(ErrorCode::InvalidArgument,
+        {{"reason", "the setting wrap-range is " + wrap->second + ", expected more than 0"}});
+}
+
+Result<TableReading> read(std::string_view text, const TableReadOptions& options)
+{
+    if (auto checked = checkWrapSetting(options.settings); !checked)
+        return fail(checked.error());
+    return readText(icubeFamily().facts, text, options, parse);
+}
+
+/// At most a few lines of header and then pairs in one direction.
+Recognition recognise(std::string_view text)
+{
+    constexpr std::size_t mostHeaders = 5;
+    TextLines lines(text);
+    std::vector<Token> cells;
+    Points points;
+    std::size_t headers = 0;
+    auto line = lines.next();
+    for (auto following = lines.next(); line; line = following, following = lines.next()) {
+        if (trimmedToken(*line).text.empty())
+            continue;
+        splitRow(*line, cells);
+        if (isPair(cells)) {
+            points.positions.push_back(*numberOf(cells[0].text));
+            points.offsets.push_back(*numberOf(cells[1].text));
+        } else if (points.positions.empty() && ++headers <= mostHeaders) {
+            continue;
+        } else if (following || points.positions.empty()) { // the last line may be cut off
+            return Recognition::No;
+        }
+    }
+    const bool isTable = points.positions.size() >= 2 && turningPoint(points.positions, {}) == 0
+        && turningPoint(points.positions, points.offsets) == 0;
+    return isTable ? Recognition::Possible : Recognition::No;
+}
+
+auto refuse(std::string reason, std::string wayOut)
+{
+    return cannotHold(icubeFamily().facts, std::move(reason), std::move(wayOut));
+}
+
+/// The wrap range of the table and that of the setting, which must not contradict each other.
+Result<void> takeWrap(SourceAxis& axis, const SettingValues& values)
+{
+    if (!values.has(wrapKey))
+        return {};
+    const double wrap = values.number(wrapKey);
+    if (axis.wrap && std::abs(*axis.wrap - wrap) > 1e-12 * wrap)
+        return fail(ErrorCode::InvalidArgument,
+            {{"reason",
+                "the setting wrap-range is " + csv::toText(wrap) + ", and the table repeats after "
+                    + csv::roundedText(*axis.wrap)}});
+    axis.wrap = wrap;
+    return {};
+}
+
+Result<void> checkWritable(const NeutralTable& table)
+{
+    const std::vector<double>& positions = table.axes[0].knots;
+    const std::vector<double>& offsets = table.columns[0].values;
+    if (const std::size_t i = turningPoint(positions, offsets); i > 0)
+        return refuse("at " + csv::toText(positions[i]) + " " + sumTurnText(positions, offsets, i)
+                + " does not increase (error 4900 of the controller)",
+            "check the unit of the values, or smooth them");
+    if (!table.axes[0].wrap)
+        return {};
+    if (const auto fault = rangeFault(positions, offsets, *table.axes[0].wrap))
+        return refuse("of a rotary axis it wants " + fault->expected + ", and this table has "
+                + fault->found + " (error 4902 of the controller)",
+            "add the point that closes the revolution");
+    return {};
+}
+
+Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWriteOptions& options)
+{
+    const FamilyFacts& facts = icubeFamily().facts;
+    if (auto checked = checkWrapSetting(options.settings); !checked)
+        return fail(checked.error());
+    const auto values = SettingValues::of(facts, options.settings, true);
+    if (!values)
+        return fail(values.error());
+    WrittenTables written;
+    auto table = asOwnAxisTable(facts, tables.front(), *values, written.remarks);
+    if (!table)
+        return fail(table.error());
+    if (auto taken = takeWrap(table->axes[0], *values); !taken)
+        return fail(taken.error());
+    if (auto fits = checkWritable(*table); !fits)
+        return fail(fits.error());
+    for (std::size_t i = 0; i < table->pointCount(); ++i)
+        written.bytes += csv::toText(table->axes[0].knots[i]) + ','
+            + csv::toText(table->columns[0].values[i]) + '\n';
+    if (written.bytes.size() > facts.mostBytes)
+        return refuse(std::to_string(written.bytes.size()) + " bytes are more than the "
+                + std::to_string(facts.mostBytes) + " of a file",
+            "resample it onto a coarser grid");
+    const std::string& name = tables.front().axes[0].name;
+    written.remarks.push_back("the controller looks for the file as "
+        + (name.empty() ? "the name of the axis and " : name)
+        + "PosComp.CSV, unless axis.xml names another one");
+    written.held.push_back(std::move(*table));
+    return written;
+}
+
+} // namespace
+
+const TableFamily& icubeFamily()
+{
+    static const TableFamily family{.facts = {.name = "icube",
+                                        .controller = "Yaskawa iCube Control",
+                                        .description = "CSV file of positions and offsets",
+                                        .extensions = extensions,
+                                        .knots = KnotRule::Any,
+                                        .mostBytes = 999'999,
+                                        .holdsWrap = true,
+                                        .numbers = "decimal text",
+                                        .sign = SignConvention::Command,
+                                        .signEvidence = Evidence::Published,
+                                        .behaviour = {.outside = Outside::Hold},
+                                        .outsideEvidence = Evidence::Published,
+                                        .settings = settings,
+                                        .rules = rules,
+                                        .assumptions = assumptions},
+        .recognise = recognise,
+        .read = read,
+        .write = write};
+    return family;
+}
+
+} // namespace axiscomp

@@ -1,0 +1,377 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/formats/isg/isg_list.h"
+
+#include "core/text/text_file.h"
+
+#include <algorithm>
+
+namespace axiscomp::isg {
+
+namespace {
+
+constexpr std::string_view axisKeys[] = {"kopf.achs_nr", "kopf.log_achs_nr"};
+constexpr std::string_view nameKey = "kopf.log_achs_name";
+constexpr std::string_view sections[] = {"crosscomp", "crosscomp2", "ssfk"};
+constexpr std::string_view blanks = " \t";
+
+std::string quoted(std::string_view text)
+{
+    return csv::excerpt(text, csv::Encoding::Utf8);
+}
+
+/// "crosscomp" of "kw.crosscomp.unit"; empty for other entries.
+std::string_view sectionOf(std::string_view path)
+{
+    constexpr std::string_view body = "kw.";
+    if (!path.starts_with(body))
+        return {};
+    path.remove_prefix(body.size());
+    return path.substr(0, path.find('.'));
+}
+
+/// Of a value: what stands before the first blank.
+Token firstWord(const Token& value)
+{
+    return {value.text.substr(0, value.text.find_first_of(blanks)), value.line, value.column};
+}
+
+} // namespace
+
+std::string List::path(std::string_view key) const
+{
+    return "kw." + std::string(m_section.name) + '.' + std::string(key);
+}
+
+bool List::readName(const Token& line, Name& name) const
+{
+    name.path.clear();
+    name.indices = 0;
+    name.index = {};
+    const std::string_view text = line.text;
+    std::size_t i = 0;
+    while (i < text.size() && blanks.find(text[i]) == std::string_view::npos) {
+        if (text[i] != '[') {
+            name.path += text[i++];
+            continue;
+        }
+        const std::size_t end = text.find(']', i);
+        const auto inside = end == std::string_view::npos
+            ? std::string_view()
+            : csv::trimmed(text.substr(i + 1, end - i - 1));
+        const auto index = wholeNumberOf(inside);
+        if (!index || *index < 0 || name.indices == name.index.size()) {
+            m_diagnostics.error(DiagnosticCode::Syntax, line.line, line.column + i,
+                quoted(text.substr(i)), "an index from 0 such as [3], at most two of them");
+            return false;
+        }
+        name.index[name.indices++] = *index;
+        name.path += "[]";
+        i = end + 1;
+    }
+    name.length = i;
+    return true;
+}
+
+void List::takeForeign(std::string_view path, const Token& name)
+{
+    const std::string section(sectionOf(path));
+    const bool isSection = std::ranges::find(sections, section) != std::end(sections);
+    if (!isSection) {
+        m_diagnostics.warning(
+            DiagnosticCode::UnknownKey, name.line, name.column, quoted(name.text), "");
+        return;
+    }
+    if (std::ranges::find(m_foreign, section) != m_foreign.end())
+        return;
+    m_foreign.push_back(section);
+    m_diagnostics.warning(DiagnosticCode::Assumption, name.line, name.column,
+        "a table kw." + section + " besides kw." + std::string(m_section.name),
+        "the format isg-" + section + " to read it; it is left out here");
+}
+
+void List::takeCell(std::string_view field, const Name& name, const Entry& entry)
+{
+    if (field == "sollw") // the older name
+        field = "setpoint";
+    const auto found = std::ranges::find(m_section.fields, field);
+    if (found == m_section.fields.end()) {
+        m_diagnostics.warning(DiagnosticCode::UnknownKey, entry.name.line, entry.name.column,
+            quoted(entry.name.text), "");
+        return;
+    }
+    Cell cell{
+        static_cast<std::size_t>(found - m_section.fields.begin()), {}, entry.name, entry.value};
+    cell.index = m_section.indices == 2 ? name.index : std::array<long, 2>{0, name.index[0]};
+    m_cells.push_back(cell);
+}
+
+void List::takeLine(const Token& line, Name& name)
+{
+    if (!readName(line, name))
+        return;
+    const Entry entry{{line.text.substr(0, name.length), line.line, line.column},
+        trimmedToken({line.text.substr(name.length), line.line, line.column + name.length})};
+    if (m_hasEnded) {
+        m_diagnostics.error(DiagnosticCode::Syntax, line.line, line.column, quoted(entry.name.text),
+            "nothing after End");
+        m_hasEnded = false;
+        return;
+    }
+    if (sameLetters(name.path, "end")) {
+        m_hasEnded = true;
+        return;
+    }
+    const bool isHead =
+        name.path == nameKey || std::ranges::find(axisKeys, name.path) != std::end(axisKeys);
+    const bool isOwn = sectionOf(name.path) == m_section.name;
+    if (!isHead && !isOwn) {
+        takeForeign(name.path, entry.name);
+        return;
+    }
+    if (!entry.value) {
+        m_diagnostics.error(DiagnosticCode::Syntax, line.line, line.column, quoted(entry.name.text),
+            "a value behind the name and a blank");
+        return;
+    }
+    std::string_view key = name.path;
+    if (isOwn)
+        key.remove_prefix(std::min(key.size(), path("").size()));
+    const std::string_view point = m_section.indices == 2 ? "table[][]." : "table[].";
+    if (isOwn && key.starts_with(point)) {
+        takeCell(key.substr(point.size()), name, entry);
+        return;
+    }
+    if (isOwn && key.starts_with("table[")) {
+        m_diagnostics.error(DiagnosticCode::Syntax, line.line, line.column, quoted(entry.name.text),
+            "a point kw." + std::string(m_section.name) + '.' + std::string(point) + " with "
+                + (m_section.indices == 2 ? "two indices" : "one index"));
+        return;
+    }
+    if (isOwn && std::ranges::find(m_section.keys, key) == m_section.keys.end()) {
+        takeForeign("", entry.name);
+        return;
+    }
+    const auto [place, isNew] = m_entries.emplace(key, entry);
+    if (!isNew)
+        m_diagnostics.error(DiagnosticCode::Contradiction, line.line, line.column,
+            name.path + " a second time",
+            "each entry once; the first is in line " + std::to_string(place->second.name.line));
+}
+
+bool List::parse(std::string_view text, const std::stop_token& stop)
+{
+    TextLines lines(text);
+    Name name;
+    while (const auto whole = lines.next()) {
+        const Token line = trimmedToken(*whole);
+        if (!line)
+            continue;
+        if (stop.stop_requested())
+            return false;
+        if (line.text.front() != '#')
+            takeLine(line, name);
+        else if (const auto note = line.text.find_first_not_of("#* \t"); note != line.text.npos)
+            keepNote(m_notes, line.text.substr(note));
+    }
+    const bool isEmpty = m_cells.empty() && std::ranges::none_of(m_entries, [](const auto& entry) {
+        return !entry.first.starts_with("kopf.");
+    });
+    if (isEmpty)
+        m_diagnostics.error(DiagnosticCode::Syntax, 0, 0, "",
+            "a table kw." + std::string(m_section.name) + ", of which there is no entry");
+    return !isEmpty;
+}
+
+const List::Entry* List::find(std::string_view key) const
+{
+    const auto found = m_entries.find(key);
+    return found == m_entries.end() ? nullptr : &found->second;
+}
+
+bool List::has(std::string_view key) const
+{
+    return find(key) != nullptr;
+}
+
+bool List::hasField(std::string_view field) const
+{
+    return std::ranges::any_of(
+        m_cells, [&](const Cell& cell) { return m_section.fields[cell.field] == field; });
+}
+
+std::size_t List::line(std::string_view key) const
+{
+    const Entry* const entry = find(key);
+    return entry ? entry->name.line : 0;
+}
+
+std::string List::text(std::string_view key) const
+{
+    const Entry* const entry = find(key);
+    if (!entry)
+        return {};
+    const std::string_view value = entry->value.text;
+    return csv::toUtf8(csv::trimmed(value.substr(0, value.find('('))), csv::Encoding::Utf8);
+}
+
+void List::missing(std::string_view key) const
+{
+    m_diagnostics.error(
+        DiagnosticCode::Syntax, 0, 0, "", "the entry " + path(key) + ", which is missing");
+}
+
+std::optional<long> List::whole(std::string_view key, long least, long most) const
+{
+    const Entry* const entry = find(key);
+    if (!entry) {
+        missing(key);
+        return std::nullopt;
+    }
+    const std::string range = std::to_string(least) + " to " + std::to_string(most);
+    const Token word = firstWord(entry->value);
+    const auto number = readWholeNumber(word, "a whole number, " + range, m_diagnostics);
+    if (!number || (*number >= least && *number <= most))
+        return number;
+    m_diagnostics.error(DiagnosticCode::LimitExceeded, word.line, word.column,
+        path(key) + ' ' + std::to_string(*number), range);
+    return std::nullopt;
+}
+
+std::optional<double> List::number(std::string_view key) const
+{
+    const Entry* const entry = find(key);
+    if (entry)
+        return readNumber(firstWord(entry->value), "the number of " + path(key), m_diagnostics);
+    missing(key);
+    return std::nullopt;
+}
+
+std::optional<bool> List::flag(std::string_view key, bool standard) const
+{
+    if (!has(key)) {
+        m_diagnostics.warning(DiagnosticCode::Assumption, 0, 0, "no entry " + path(key),
+            std::string("0 or 1; ") + (standard ? "1" : "0") + " is assumed");
+        return standard;
+    }
+    const auto number = whole(key, 0, 1);
+    return number ? std::optional(*number == 1) : std::nullopt;
+}
+
+std::string List::axisNumber() const
+{
+    const Entry* const first = find(axisKeys[0]);
+    const Entry* const second = find(axisKeys[1]);
+    const Entry* const entry = first ? first : second;
+    if (!entry)
+        return {};
+    const Token word = firstWord(entry->value);
+    const auto number =
+        readWholeNumber(word, "the logical number of the axis, from 1", m_diagnostics);
+    if (first && second && word.text != firstWord(second->value).text)
+        m_diagnostics.error(DiagnosticCode::Contradiction, second->name.line, 0,
+            "kopf.log_achs_nr " + quoted(firstWord(second->value).text),
+            quoted(word.text) + ", as kopf.achs_nr says");
+    return number ? std::to_string(*number) : std::string();
+}
+
+bool List::checkMostPoints(std::size_t points, std::size_t standard) const
+{
+    auto most = static_cast<long>(standard);
+    if (has("max_points")) {
+        const auto given = whole("max_points", 0, 2147483647);
+        if (!given)
+            return false;
+        if (*given > 0) // 0 means the standard value
+            most = *given;
+    }
+    if (points <= static_cast<std::size_t>(most))
+        return true;
+    m_diagnostics.error(DiagnosticCode::LimitExceeded, line("max_points"), 0,
+        std::to_string(points) + " points",
+        "at most " + std::to_string(most) + ", which is "
+            + (has("max_points") ? "" : "the standard value of ") + path("max_points"));
+    return false;
+}
+
+std::optional<Field> List::field(std::string_view name, std::array<std::size_t, 2> sizes) const
+{
+    const auto at = static_cast<std::size_t>(
+        std::ranges::find(m_section.fields, name) - m_section.fields.begin());
+    const std::size_t total = sizes[0] * sizes[1];
+    const auto given = static_cast<std::size_t>(std::ranges::count(m_cells, at, &Cell::field));
+    // No more than the file has is ever allocated: one of the first given + 1 points is missing.
+    const std::size_t seenSize = std::min(total, given + 1);
+    std::vector<bool> seen(seenSize, false);
+    Field field;
+    field.numbers.resize(seenSize);
+    field.lines.resize(seenSize);
+    bool isGood = true;
+    for (const Cell& cell : m_cells) {
+        if (cell.field != at)
+            continue;
+        const auto j = static_cast<std::size_t>(cell.index[0]);
+        const auto i = static_cast<std::size_t>(cell.index[1]);
+        const std::size_t offset = j * sizes[1] + i;
+        const bool isBeyond = j >= sizes[0] || i >= sizes[1];
+        if (isBeyond || (offset < seenSize && seen[offset])) {
+            isGood = false;
+            m_diagnostics.error(
+                isBeyond ? DiagnosticCode::Contradiction : DiagnosticCode::DuplicatePoint,
+                cell.name.line, cell.name.column,
+                quoted(cell.name.text) + (isBeyond ? "" : " a second time"),
+                isBeyond ? "indices within the size that the list says" : "each point once");
+            continue;
+        }
+        const auto number = readNumber(firstWord(cell.value), "a number", m_diagnostics);
+        isGood = isGood && number;
+        if (offset >= seenSize)
+            continue;
+        seen[offset] = true;
+        field.numbers[offset] = number.value_or(0.0);
+        field.lines[offset] = cell.name.line;
+    }
+    const auto hole = std::ranges::find(seen, false);
+    if (hole == seen.end())
+        return isGood ? std::optional(std::move(field)) : std::nullopt;
+    const auto offset = static_cast<std::size_t>(hole - seen.begin());
+    const std::string j =
+        m_section.indices == 2 ? '[' + std::to_string(offset / sizes[1]) + ']' : "";
+    m_diagnostics.error(DiagnosticCode::MissingPoint, 0, 0,
+        "no " + path("table") + j + '[' + std::to_string(offset % sizes[1]) + "]."
+            + std::string(name),
+        std::to_string(total) + " of them; there are " + std::to_string(given));
+    return std::nullopt;
+}
+
+std::vector<NeutralTable> readSection(
+    const TextReading& reading, const Section& section, Build build)
+{
+    List list(section, reading.diagnostics);
+    if (!list.parse(reading.text, reading.options.stop))
+        return {};
+    auto table = build(list, reading.settings);
+    if (!table)
+        return {};
+    table->name = list.text(nameKey);
+    table->notes = list.takeNotes();
+    return {std::move(*table)};
+}
+
+Recognition recogniseList(const Section& section, std::string_view text)
+{
+    bool hasOwn = false;
+    bool hasOther = false;
+    TextLines lines(text);
+    while (const auto whole = lines.next()) {
+        const std::string_view name = sectionOf(trimmedToken(*whole).text);
+        if (name == section.name)
+            hasOwn = true;
+        else if (std::ranges::find(sections, name) != std::end(sections))
+            hasOther = true;
+    }
+    if (!hasOwn)
+        return Recognition::No;
+    return hasOther ? Recognition::Possible : Recognition::Certain;
+}
+
+} // namespace axiscomp::isg

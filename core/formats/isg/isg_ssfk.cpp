@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/formats/formats.h"
+#include "core/formats/isg/isg_list.h"
+#include "core/text/text_file.h"
+
+namespace axiscomp {
+
+namespace {
+
+constexpr std::size_t mostPoints = 1500;
+
+constexpr std::string_view keys[] = {"unit", "interval", "kw_startpos", "kw_nr_max", "bilateral",
+    "modulo", "n_cycles", "max_points"};
+constexpr std::string_view fields[] = {"setpoint", "pos", "neg"};
+constexpr isg::Section section{"ssfk", 1, keys, fields};
+
+constexpr std::array<std::string_view, 1> extensions{".lis"};
+constexpr std::array settings{isg::listUnit, isg::incrementsPerUnit, isg::decimals,
+    isg::axisSetting,
+    isg::kindSetting("axis-kind", "whether the axis is linear (mm) or rotary (deg)")};
+
+constexpr std::array<std::string_view, 8> rules{
+    "Lines are a name, a blank and a value; # begins a comment line; behind a number anything "
+    "after a blank is comment, behind a text what follows '('. A final End is accepted.",
+    "A value is the measured position less the commanded one, by which the commanded position is "
+    "corrected: +e.",
+    "unit 0: encoder increments; unit 1: 0.1 um or 0.0001 deg.",
+    "There are kw_nr_max points, at most max_points, 1500 without that entry.",
+    "interval above 0: the points lie at kw_startpos + i * interval; interval 0: each point has a "
+    "setpoint of its own, ascending.",
+    "bilateral 1: pos holds for motion in positive, neg in negative direction.",
+    "modulo 1: the values at both ends must be the same.",
+    "Between the points the correction is linear; outside, that at the nearest end is held. Newer "
+    "kernels take decimals: they are read, and written with the setting decimals.",
+};
+constexpr std::array<std::string_view, 4> assumptions{
+    "bilateral 0: pos holds for both directions, and neg is left out.",
+    "A list without the entries unit, bilateral or modulo has 0 there.",
+    "The list does not say whether the axis is linear or rotary: linear, unless a setting says "
+    "otherwise.",
+    "The period of a modulo axis is from its first to its last point.",
+};
+
+/// The positions in numbers of the file.
+std::optional<isg::Field> positions(const isg::List& list, std::size_t count)
+{
+    const auto interval = list.number("interval");
+    if (!interval)
+        return std::nullopt;
+    if (*interval == 0.0)
+        return list.field("setpoint", {1, count});
+    if (*interval < 0.0) {
+        list.diagnostics().error(DiagnosticCode::LimitExceeded, list.line("interval"), 0,
+            list.path("interval") + ' ' + csv::toText(*interval), "0, or a distance above 0");
+        return std::nullopt;
+    }
+    if (list.hasField("setpoint"))
+        list.diagnostics().error(DiagnosticCode::Contradiction, list.line("interval"), 0,
+            list.path("interval") + ' ' + csv::toText(*interval) + " and setpoints of each point",
+            "an interval of 0 with setpoints, or an interval without");
+    const auto start = list.number("kw_startpos");
+    if (!start)
+        return std::nullopt;
+    return isg::Field{evenKnots(*start, *interval, count), {list.line("interval")}};
+}
+
+void addColumn(NeutralTable& table, const isg::Field& field, const isg::Scale& scale,
+    Direction direction, const std::string& axis)
+{
+    CompensationColumn& column = table.columns.emplace_back();
+    column.target = axis;
+    column.unit = table.axes.front().unit;
+    column.direction = direction;
+    column.values = isg::scaled(scale, field.numbers, column.step);
+}
+
+std::optional<NeutralTable> build(const isg::List& list, const SettingValues& settingValues)
+{
+    const auto scale = isg::scaleOf(list, settingValues);
+    const auto size = list.whole("kw_nr_max", 2, 2147483647);
+    const auto isBilateral = list.flag("bilateral", false);
+    const auto isModulo =
+        list.has("modulo") ? list.flag("modulo", false) : std::optional<bool>(false);
+    if (!scale || !size || !isBilateral || !isModulo)
+        return std::nullopt;
+    const auto count = static_cast<std::size_t>(*size);
+    if (!list.checkMostPoints(count, mostPoints))
+        return std::nullopt;
+    const auto positive = list.field("pos", {1, count});
+    const auto negative =
+        *isBilateral && positive ? list.field("neg", {1, count}) : std::optional<isg::Field>();
+    if (!positive || (*isBilateral && !negative))
+        return std::nullopt;
+    if (!*isBilateral && list.hasField("neg"))
+        list.diagnostics().warning(DiagnosticCode::Assumption, list.line("bilateral"), 0,
+            "values neg without bilateral 1", "values pos only; neg is left out");
+    const auto knots = positions(list, count);
+    if (!knots)
+        return std::nullopt;
+    NeutralTable table;
+    table.sign = SignConvention::Feedback;
+    SourceAxis& axis = table.axes.emplace_back();
+    axis.name = list.axisNumber();
+    axis.unit = scale->unit(settingValues, "axis-kind", list);
+    axis.knots = isg::scaled(*scale, knots->numbers, axis.step);
+    if (!checkKnots(axis.knots, knots->lines, "the points", list.diagnostics()))
+        return std::nullopt;
+    addColumn(
+        table, *positive, *scale, *isBilateral ? Direction::Positive : Direction::Both, axis.name);
+    if (negative)
+        addColumn(table, *negative, *scale, Direction::Negative, axis.name);
+    if (*isModulo) {
+        table.axes[0].wrap = table.axes[0].knots.back() - table.axes[0].knots.front();
+        if (!isClosed(table, 0))
+            list.diagnostics().error(DiagnosticCode::NotPeriodic, positive->lines.back(), 0,
+                "different values at both ends", "the same values, since modulo is 1");
+    }
+    return table;
+}
+
+std::vector<NeutralTable> parse(TextReading& reading)
+{
+    return isg::readSection(reading, section, build);
+}
+
+Result<TableReading> read(std::string_view text, const TableReadOptions& options)
+{
+    return readText(isgSsfkFamily().facts, text, options, parse);
+}
+
+Recognition recognise(std::string_view text)
+{
+    return isg::recogniseList(section, text);
+}
+
+/// The numbers of one direction; a modulo axis stays closed when they are rounded.
+Result<std::vector<double>> valuesOf(const isg::Draft& draft, const CompensationColumn& column)
+{
+    auto values = isg::inFile(isgSsfkFamily().facts, draft, column.values, "the value");
+    if (values && draft.table.axes[0].wrap)
+        values->back() = values->front();
+    return values;
+}
+
+/// The head and the positions: an interval where they are even in the file, otherwise setpoints.
+Result<void> addPositions(isg::Draft& draft)
+{
+    const FamilyFacts& facts = isgSsfkFamily().facts;
+    const SourceAxis& axis = draft.table.axes[0];
+    const auto knots = isg::inFile(facts, draft, axis.knots, "the position");
+    if (!knots)
+        return fail(knots.error());
+    for (std::size_t i = 1; i < knots->size(); ++i)
+        if ((*knots)[i] <= (*knots)[i - 1])
+            return cannotHold(facts,
+                "the position " + csv::roundedText(axis.knots[i])
+                    + " is the same as the one before when it is rounded",
+                "resample it onto a coarser grid");
+    std::vector<double> exact = axis.knots;
+    for (double& knot : exact)
+        knot *= draft.scale.numbers.perUnit;
+    const double distance = (*knots)[1] - (*knots)[0];
+    const bool hasInterval = isg::isEvenInFile((*knots)[0], distance, exact);
+    draft.add("interval", hasInterval ? draft.numberText(distance) : "0");
+    draft.add("kw_startpos", draft.numberText((*knots)[0]));
+    draft.add("kw_nr_max", knots->size());
+    for (std::size_t i = 0; !hasInterval && i < knots->size(); ++i)
+        draft.addPoint('[' + std::to_string(i) + ']', "setpoint", (*knots)[i]);
+    return {};
+}
+
+Result<void> addTable(isg::Draft& draft, const DirectionPair& pair)
+{
+    const auto positive = valuesOf(draft, *pair.positive);
+    const auto negative = pair.negative ? valuesOf(draft, *pair.negative) : positive;
+    if (!positive || !negative)
+        return fail(positive ? negative.error() : positive.error());
+    draft.add("bilateral", std::size_t{pair.negative ? 1U : 0U});
+    draft.add("modulo", std::size_t{draft.table.axes[0].wrap ? 1U : 0U});
+    if (auto added = addPositions(draft); !added)
+        return added;
+    for (std::size_t i = 0; i < positive->size(); ++i) {
+        const std::string index = '[' + std::to_string(i) + ']';
+        draft.addPoint(index, "pos", (*positive)[i]);
+        if (pair.negative)
+            draft.addPoint(index, "neg", (*negative)[i]);
+    }
+    return {};
+}
+
+Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWriteOptions& options)
+{
+    const FamilyFacts& facts = isgSsfkFamily().facts;
+    const auto given = SettingValues::of(facts, options.settings, true);
+    if (!given)
+        return fail(given.error());
+    const NeutralTable& source = tables.front();
+    const std::string& name = source.axes[0].name;
+    const std::string& target = source.columns[0].target;
+    if (!target.empty() && !name.empty() && target != name)
+        return cannotHold(facts,
+            "it compensates " + target + " by the position of " + name
+                + ", and the format compensates an axis by its own position",
+            "write it as isg-crosscomp");
+    const auto axis = axisNumber(facts, *given, "axis", name.empty() ? target : name);
+    if (!axis)
+        return fail(axis.error());
+    std::vector<std::string> remarks;
+    auto draft = isg::beginDraft(section, source, *given, *axis, remarks);
+    if (!draft)
+        return fail(draft.error());
+    const auto pair = directionPair(facts, draft->table);
+    if (!pair)
+        return fail(pair.error());
+    if (draft->table.axes[0].wrap)
+        if (auto fits = checkOnePeriod(facts, draft->table, 0, 0.5 / draft->scale.numbers.perUnit);
+            !fits)
+            return fail(fits.error());
+    if (auto added = addTable(*draft, *pair); !added)
+        return fail(added.error());
+    remarks.push_back(
+        "activate it in the axis list of axis " + std::to_string(*axis) + ": lr_param.ssfk 1");
+    const std::string kind = isg::kindOf(draft->table.axes[0].unit);
+    return isg::finish(
+        isgSsfkFamily(), std::move(*draft), *given, {{"axis-kind", kind}}, std::move(remarks));
+}
+
+} // namespace
+
+const TableFamily& isgSsfkFamily()
+{
+    static const TableFamily family{
+        .facts = {.name = "isg-ssfk",
+            .controller = "ISG kernel, TwinCAT CNC",
+            .description = "leadscrew error compensation in a compensation list (kw.ssfk)",
+            .extensions = extensions,
+            .knots = KnotRule::Any,
+            .mostPoints = mostPoints,
+            .holdsUnits = true,
+            .holdsNotes = true,
+            .holdsDirections = true,
+            .holdsWrap = true,
+            .numbers = "whole numbers of 0.1 um, 0.0001 deg or one increment",
+            .sign = SignConvention::Feedback,
+            .signEvidence = Evidence::Published,
+            .behaviour = {.outside = Outside::Hold},
+            .outsideEvidence = Evidence::Published,
+            .settings = settings,
+            .rules = rules,
+            .assumptions = assumptions},
+        .recognise = recognise,
+        .read = read,
+        .write = write};
+    return family;
+}
+
+} // namespace axiscomp

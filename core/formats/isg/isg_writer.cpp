@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/formats/isg/isg_list.h"
+
+#include "core/formats/units.h"
+#include "core/text/text_file.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace axiscomp::isg {
+
+namespace {
+
+constexpr double perMetricUnit = 10000.0; // 0.1 um for 1 mm, 0.0001 deg for 1 deg
+constexpr std::string_view increments = "increments";
+
+Error wrongSetting(std::string reason)
+{
+    return Error{ErrorCode::InvalidArgument, {{"reason", std::move(reason)}}, {}};
+}
+
+bool isInIncrements(const NeutralTable& table)
+{
+    return std::ranges::all_of(
+               table.axes, [](const SourceAxis& axis) { return axis.unit == increments; })
+        && std::ranges::all_of(table.columns,
+            [](const CompensationColumn& column) { return column.unit == increments; });
+}
+
+} // namespace
+
+std::string kindOf(const std::string& unit)
+{
+    return unit == "deg" ? "rotary" : "linear";
+}
+
+std::string Scale::unit(
+    const SettingValues& settings, std::string_view kindKey, const List& list) const
+{
+    if (!isMetric && !isConverted)
+        return std::string(increments);
+    if (!settings.has(kindKey))
+        list.diagnostics().warning(DiagnosticCode::Assumption, list.line("unit"), 0,
+            isMetric ? "numbers of 0.1 um or 0.0001 deg" : "increments for one mm or degree",
+            "the setting " + std::string(kindKey)
+                + ", linear or rotary; linear is assumed, so that it is mm");
+    return settings.text(kindKey) == "rotary" ? "deg" : "mm";
+}
+
+std::optional<Scale> scaleOf(const List& list, const SettingValues& settings)
+{
+    const auto isMetric = list.flag("unit", false);
+    if (!isMetric)
+        return std::nullopt;
+    Scale scale;
+    scale.isMetric = *isMetric;
+    scale.isConverted = settings.has("increments-per-unit");
+    scale.numbers.perUnit = perMetricUnit;
+    if (*isMetric)
+        return scale;
+    scale.numbers.perUnit = scale.isConverted ? settings.number("increments-per-unit") : 1.0;
+    if (!scale.isConverted)
+        list.diagnostics().warning(DiagnosticCode::UnitNotGiven, list.line("unit"), 0,
+            "numbers in encoder increments",
+            "the setting increments-per-unit, where millimetres or degrees matter");
+    if (scale.numbers.perUnit > 0.0)
+        return scale;
+    list.diagnostics().error(DiagnosticCode::LimitExceeded, 0, 0,
+        "increments-per-unit " + csv::toText(scale.numbers.perUnit), "a number above 0");
+    return std::nullopt;
+}
+
+Result<Scale> scaleForWriting(const SettingValues& settings)
+{
+    Scale scale;
+    scale.isMetric = settings.text("list-unit") == "metric";
+    scale.isConverted = settings.has("increments-per-unit");
+    scale.numbers.perUnit = perMetricUnit;
+    if (!scale.isMetric)
+        scale.numbers.perUnit = scale.isConverted ? settings.number("increments-per-unit") : 1.0;
+    scale.numbers.hasDecimals = settings.yes("decimals");
+    if (!(scale.numbers.perUnit > 0.0))
+        return fail(wrongSetting("the setting increments-per-unit is not above 0"));
+    return scale;
+}
+
+std::vector<double> scaled(const Scale& scale, const std::vector<double>& numbers, double& step)
+{
+    std::vector<double> inUnits(numbers.size());
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+        inUnits[i] = scale.numbers.fromFile(numbers[i]);
+    step = scale.numbers.stepOf(numbers);
+    return inUnits;
+}
+
+void Draft::add(std::string_view key, std::string_view value)
+{
+    text.append(section).append(key).append(" ").append(value).append("\n");
+}
+
+void Draft::addPoint(std::string_view index, std::string_view field, double inFile)
+{
+    text.append(section).append("table").append(index).append(".").append(field).append(" ");
+    text.append(numberText(inFile)).append("\n");
+}
+
+std::string Draft::numberText(double inFile) const
+{
+    return plainNumber(inFile);
+}
+
+Result<Draft> beginDraft(const Section& section, const NeutralTable& table,
+    const SettingValues& settings, long axis, std::vector<std::string>& remarks)
+{
+    auto scale = scaleForWriting(settings);
+    if (!scale)
+        return fail(scale.error());
+    Draft draft{table, *scale, {}, "kw." + std::string(section.name) + '.'};
+    const bool needsUnits = scale->isMetric || scale->isConverted;
+    if (!needsUnits && !isInIncrements(table))
+        return fail(wrongSetting("numbers in mm or degrees become increments only with the "
+                                 "setting increments-per-unit"));
+    if (needsUnits) {
+        auto converted = inUnits(table, "mm", "deg", remarks);
+        if (!converted)
+            return fail(converted.error());
+        draft.table = std::move(*converted);
+    }
+    draft.text = noteLines(table, "# ");
+    draft.text += "kopf.achs_nr " + std::to_string(axis) + '\n';
+    std::string name = draft.table.name;
+    std::erase_if(name, [](char c) { return c == '(' || c == '\n' || c == '\r'; });
+    if (!csv::trimmed(name).empty())
+        draft.text += "kopf.log_achs_name " + name + '\n';
+    draft.add("unit", std::size_t{scale->isMetric ? 1U : 0U});
+    return draft;
+}
+
+Result<std::vector<double>> inFile(const FamilyFacts& facts, const Draft& draft,
+    std::span<const double> numbers, std::string_view what)
+{
+    std::vector<double> rounded(numbers.size());
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+        rounded[i] = draft.scale.numbers.inFile(numbers[i]);
+    if (const auto at = beyond32Bits(rounded))
+        return cannotHold(facts,
+            std::string(what) + ' ' + csv::roundedText(numbers[*at])
+                + " is beyond the 32 bits of its numbers",
+            "check the unit of the table");
+    return rounded;
+}
+
+Result<WrittenTables> finish(const TableFamily& family, Draft draft, const SettingValues& settings,
+    FormatSettings readSettings, std::vector<std::string> remarks)
+{
+    draft.text += "End\n";
+    if (!draft.scale.isMetric && draft.scale.isConverted)
+        readSettings["increments-per-unit"] = settings.text("increments-per-unit");
+    auto held = readBack(family, draft.text, std::move(readSettings));
+    if (!held)
+        return fail(held.error());
+    return WrittenTables{std::move(draft.text), std::move(*held), std::move(remarks)};
+}
+
+bool isEvenInFile(double start, double distance, std::span<const double> exact)
+{
+    for (std::size_t i = 0; i < exact.size(); ++i) {
+        const double even = start + static_cast<double>(i) * distance;
+        if (!(std::abs(even - exact[i]) <= 0.5 + 1e-6))
+            return false;
+    }
+    return distance > 0.0;
+}
+
+} // namespace axiscomp::isg

@@ -1,0 +1,352 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/formats/format_reader.h"
+#include "core/formats/formats.h"
+#include "core/text/text_file.h"
+#include "core/text/token_scanner.h"
+
+#include <algorithm>
+#include <array>
+
+namespace axiscomp {
+
+namespace {
+
+constexpr std::string_view sectionPrefix = "bed_mesh ";
+constexpr std::string_view autosavePrefix = "#*#";
+
+constexpr std::array<std::string_view, 1> extensions{".cfg"};
+constexpr std::array<std::string_view, 8> rules{
+    "Each section [bed_mesh NAME] of printer.cfg, which may stand behind #*# as SAVE_CONFIG writes "
+    "it, is a profile: one table. The section [bed_mesh] holds settings and no table.",
+    "points has a line for each of the y_count positions of Y, beginning at min_y, with x_count "
+    "heights each, beginning at min_x.",
+    "The positions are evenly spaced from min_x to max_x and from min_y to max_y; older files add "
+    "x_offset and y_offset.",
+    "The height is added to the commanded Z.",
+    "Between the probed points the mesh is refined first, with mesh_x_pps and mesh_y_pps further "
+    "points by the method algo (lagrange or bicubic); then it is bilinear.",
+    "Outside of the mesh the heights at its edge are held.",
+    "With fade the correction becomes less with Z, towards the mean height or fade_target.",
+    "Profiles of another version than 1 are not used.",
+};
+constexpr std::array<std::string_view, 3> assumptions{
+    "A height of the bed is not an error of the Z axis. It is understood as the offset that the "
+    "firmware adds to the commanded Z, so that the nozzle follows the bed; as a value for the "
+    "feedback it is the opposite.",
+    "The table holds the probed points; between them it is bilinear here, without the refinement "
+    "and without fade.",
+    "Positions and heights are in mm.",
+};
+
+/// One section [bed_mesh NAME].
+struct Profile {
+    Token section;
+    std::string name;
+    std::map<std::string, Token, std::less<>> entries;
+    std::vector<Token> rows; ///< of points
+};
+
+bool isKnownKey(std::string_view key)
+{
+    constexpr std::array<std::string_view, 14> keys{"version", "points", "x_count", "y_count",
+        "mesh_x_pps", "mesh_y_pps", "algo", "tension", "min_x", "max_x", "min_y", "max_y",
+        "x_offset", "y_offset"};
+    return std::ranges::find(keys, key) != keys.end();
+}
+
+/// The line as the firmware sees it: without #*# in front, or without comments.
+Token configLine(const Token& line)
+{
+    if (!line.text.starts_with(autosavePrefix))
+        return withoutComment(line, "#;");
+    const std::size_t length = std::min<std::size_t>(autosavePrefix.size() + 1, line.text.size());
+    return {line.text.substr(length), line.line, line.column + length};
+}
+
+/// "[bed_mesh default]": what stands in the brackets; nothing when this is no section.
+std::optional<Token> sectionOf(const Token& line)
+{
+    const Token content = trimmedToken(line);
+    const std::size_t end = content.text.find(']');
+    if (!content.text.starts_with('[') || end == std::string_view::npos)
+        return std::nullopt;
+    return trimmedToken({content.text.substr(1, end - 1), content.line, content.column + 1});
+}
+
+/// Reads the sections of a configuration, and looks into those of profiles only.
+class Sections {
+public:
+    explicit Sections(TextReading& source) : m_source(source) { }
+
+    void take(const Token& line);
+    [[nodiscard]] std::vector<Profile> profiles() && { return std::move(m_profiles); }
+
+private:
+    void begin(const Token& section);
+    void takeEntry(const Token& line);
+
+    TextReading& m_source;
+    std::vector<Profile> m_profiles;
+    bool m_isInProfile = false;
+    bool m_isInPoints = false;
+};
+
+void Sections::begin(const Token& section)
+{
+    m_isInPoints = false;
+    m_isInProfile = section.text.starts_with(sectionPrefix);
+    if (!m_isInProfile)
+        return;
+    Profile profile;
+    profile.section = section;
+    profile.name =
+        csv::toUtf8(csv::trimmed(section.text.substr(sectionPrefix.size())), csv::Encoding::Utf8);
+    if (std::ranges::find(m_profiles, profile.name, &Profile::name) != m_profiles.end())
+        m_source.diagnostics.error(DiagnosticCode::Contradiction, section.line, section.column,
+            "a second section for the profile " + profile.name, "each profile once");
+    m_profiles.push_back(std::move(profile));
+}
+
+void Sections::takeEntry(const Token& line)
+{
+    const std::size_t equals = line.text.find_first_of("=:");
+    const Token key = trimmedToken({line.text.substr(0, equals), line.line, line.column});
+    m_isInPoints = key.text == "points";
+    if (equals == std::string_view::npos) {
+        m_source.diagnostics.error(DiagnosticCode::Syntax, key.line, key.column,
+            csv::excerpt(key.text, csv::Encoding::Utf8), "an entry such as min_x = 10");
+        return;
+    }
+    if (!isKnownKey(key.text)) {
+        m_source.diagnostics.warning(DiagnosticCode::UnknownKey, key.line, key.column,
+            csv::excerpt(key.text, csv::Encoding::Utf8), "");
+        return;
+    }
+    const Token value =
+        trimmedToken({line.text.substr(equals + 1), line.line, line.column + equals + 1});
+    Profile& profile = m_profiles.back();
+    if (!profile.entries.emplace(std::string(key.text), value).second)
+        m_source.diagnostics.error(DiagnosticCode::Contradiction, key.line, key.column,
+            "a second " + std::string(key.text), "each entry once in a section");
+    if (m_isInPoints && value)
+        profile.rows.push_back(value);
+}
+
+void Sections::take(const Token& line)
+{
+    const Token content = trimmedToken(line);
+    if (!content)
+        return;
+    if (const auto section = sectionOf(line)) {
+        begin(*section);
+        return;
+    }
+    if (!m_isInProfile)
+        return;
+    const bool isContinued = line.text.front() == ' ' || line.text.front() == '\t';
+    if (!isContinued)
+        takeEntry(line);
+    else if (m_isInPoints)
+        m_profiles.back().rows.push_back(content);
+    else
+        m_source.diagnostics.error(DiagnosticCode::Syntax, content.line, content.column,
+            csv::excerpt(content.text, csv::Encoding::Utf8), "an entry such as min_x = 10");
+}
+
+/// The numbers of one profile.
+class ProfileReader {
+public:
+    ProfileReader(const Profile& profile, TextReading& source)
+        : m_profile(profile)
+        , m_source(source)
+    {
+    }
+
+    [[nodiscard]] NeutralTable table();
+
+private:
+    [[nodiscard]] const Token* entry(const std::string& key);
+    [[nodiscard]] SourceAxis axis(const std::string& name, const std::string& small, long points);
+    [[nodiscard]] long pointsOf(const std::string& key);
+    [[nodiscard]] std::vector<double> heights(long columns, long rows);
+    void checkVersion();
+
+    const Profile& m_profile;
+    TextReading& m_source;
+};
+
+const Token* ProfileReader::entry(const std::string& key)
+{
+    const auto found = m_profile.entries.find(key);
+    if (found != m_profile.entries.end())
+        return &found->second;
+    m_source.diagnostics.error(DiagnosticCode::Syntax, m_profile.section.line, 0,
+        std::string(m_profile.section.text), "an entry " + key + " in this section");
+    return nullptr;
+}
+
+void ProfileReader::checkVersion()
+{
+    const auto version = m_profile.entries.find("version");
+    if (version != m_profile.entries.end() && version->second.text != "1")
+        m_source.diagnostics.error(DiagnosticCode::Contradiction, version->second.line,
+            version->second.column,
+            "version " + csv::excerpt(version->second.text, csv::Encoding::Utf8),
+            "1; the firmware does not use other versions");
+}
+
+/// The number of points along an axis; 0 after an error.
+long ProfileReader::pointsOf(const std::string& key)
+{
+    const Token* const token = entry(key);
+    const auto points =
+        token ? readWholeNumber(*token, "a number of points", m_source.diagnostics) : std::nullopt;
+    if (!points)
+        return 0;
+    if (*points >= 2)
+        return *points;
+    m_source.diagnostics.error(DiagnosticCode::TooFewPoints, token->line, token->column,
+        key + " = " + std::to_string(*points), "at least 2");
+    return 0;
+}
+
+std::vector<double> ProfileReader::heights(long columns, long rows)
+{
+    std::vector<double> values;
+    std::vector<Token> cells;
+    for (const Token& row : m_profile.rows) {
+        if (m_source.isStopped())
+            return {};
+        splitCells(row, ',', cells);
+        if (static_cast<long>(cells.size()) != columns)
+            m_source.diagnostics.error(DiagnosticCode::ColumnCount, row.line, 0,
+                std::to_string(cells.size()) + " heights",
+                std::to_string(columns) + ", as x_count says");
+        for (const Token& cell : cells)
+            values.push_back(
+                readNumber(cell, "a height in mm", m_source.diagnostics).value_or(0.0));
+    }
+    const auto found = static_cast<long>(m_profile.rows.size());
+    if (found != rows)
+        m_source.diagnostics.error(
+            found < rows ? DiagnosticCode::MissingPoint : DiagnosticCode::Contradiction,
+            m_profile.section.line, 0, std::to_string(found) + " lines of points",
+            std::to_string(rows) + ", as y_count says");
+    return values;
+}
+
+SourceAxis ProfileReader::axis(const std::string& name, const std::string& small, long points)
+{
+    SourceAxis axis;
+    axis.name = name;
+    axis.unit = "mm";
+    std::array<double, 2> ends{};
+    const std::array<std::string, 2> keys{"min_" + small, "max_" + small};
+    bool isKnown = true;
+    for (std::size_t n = 0; n < ends.size(); ++n) {
+        const Token* const token = entry(keys[n]);
+        const auto number =
+            token ? readNumber(*token, "a position in mm", m_source.diagnostics) : std::nullopt;
+        isKnown = isKnown && number.has_value();
+        ends[n] = number.value_or(0.0);
+    }
+    const auto offset = m_profile.entries.find(small + "_offset");
+    if (offset != m_profile.entries.end())
+        for (double& end : ends)
+            end +=
+                readNumber(offset->second, "an offset in mm", m_source.diagnostics).value_or(0.0);
+    if (isKnown && !(ends[1] > ends[0]))
+        m_source.diagnostics.error(DiagnosticCode::NotMonotonic, entry(keys[1])->line, 0,
+            keys[1] + " = " + csv::toText(ends[1]) + " after " + keys[0] + " = "
+                + csv::toText(ends[0]),
+            "a maximum above the minimum");
+    if (m_source.diagnostics.hasErrors())
+        return axis;
+    // The number of points is that of the heights, which are there.
+    const auto count = static_cast<std::size_t>(points);
+    axis.knots = evenKnots(ends[0], (ends[1] - ends[0]) / static_cast<double>(count - 1), count);
+    axis.knots.back() = ends[1];
+    return axis;
+}
+
+NeutralTable ProfileReader::table()
+{
+    NeutralTable table;
+    table.name = m_profile.name;
+    table.sign = SignConvention::Command;
+    checkVersion();
+    const long columns = pointsOf("x_count");
+    const long rows = pointsOf("y_count");
+    CompensationColumn column;
+    column.target = "Z";
+    column.unit = "mm";
+    if (entry("points") && columns > 0 && rows > 0)
+        column.values = heights(columns, rows);
+    table.axes = {axis("X", "x", columns), axis("Y", "y", rows)};
+    table.columns.push_back(std::move(column));
+    return table;
+}
+
+std::vector<NeutralTable> parse(TextReading& source)
+{
+    Sections sections(source);
+    TextLines lines(source.text);
+    while (const auto line = lines.next()) {
+        if (source.isStopped())
+            return {};
+        sections.take(configLine(*line));
+    }
+    const std::vector<Profile> profiles = std::move(sections).profiles();
+    if (profiles.empty())
+        source.diagnostics.error(DiagnosticCode::Syntax, 0, 0, "",
+            "a section [bed_mesh NAME] with the points of a mesh");
+    std::vector<NeutralTable> tables;
+    for (const Profile& profile : profiles)
+        tables.push_back(ProfileReader(profile, source).table());
+    return tables;
+}
+
+Result<TableReading> read(std::string_view text, const TableReadOptions& options)
+{
+    return readText(klipperFamily().facts, text, options, parse);
+}
+
+Recognition recognise(std::string_view text)
+{
+    TextLines lines(text);
+    while (const auto line = lines.next()) {
+        const auto section = sectionOf(configLine(*line));
+        if (section && section->text.starts_with(sectionPrefix))
+            return Recognition::Certain;
+    }
+    return Recognition::No;
+}
+
+} // namespace
+
+const TableFamily& klipperFamily()
+{
+    static const TableFamily family{
+        .facts = {.name = "klipper",
+            .controller = "Klipper",
+            .description = "[bed_mesh NAME] sections of printer.cfg: heights of the bed",
+            .extensions = extensions,
+            .fewestDimensions = 2,
+            .mostDimensions = 2,
+            .knots = KnotRule::Even,
+            .mostTables = 0,
+            .holdsNames = true,
+            .holdsUnits = true,
+            .numbers = "decimal text",
+            .sign = SignConvention::Command,
+            .signEvidence = Evidence::Code,
+            .behaviour = {.outside = Outside::Hold},
+            .outsideEvidence = Evidence::Code,
+            .rules = rules,
+            .assumptions = assumptions},
+        .recognise = recognise,
+        .read = read};
+    return family;
+}
+
+} // namespace axiscomp

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/formats/own_axis.h"
+
+#include "core/formats/format_writer.h"
+#include "core/formats/units.h"
+#include "core/table/position_unit.h"
+
+namespace axiscomp {
+
+namespace {
+
+constexpr std::string_view positionKey = "position-unit";
+constexpr std::string_view valueKey = "value-unit";
+
+bool isContradictory(const SettingValues& settings)
+{
+    return settings.has(positionKey) && settings.has(valueKey)
+        && !isSameUnit(settings.text(positionKey), settings.text(valueKey));
+}
+
+std::string contradiction(const SettingValues& settings)
+{
+    return "positions in " + settings.text(positionKey) + " and values in "
+        + settings.text(valueKey);
+}
+
+/// What positions and values are written in; empty when nobody says it.
+std::string chosenUnit(const NeutralTable& table, const SettingValues& settings)
+{
+    for (const std::string& unit : {settings.text(positionKey), settings.text(valueKey),
+             table.axes.front().unit, table.columns.front().unit})
+        if (!unit.empty())
+            return unit;
+    return {};
+}
+
+} // namespace
+
+void takeOneUnit(NeutralTable& table, const SettingValues& settings, DiagnosticList& diagnostics)
+{
+    const std::string unit = settings.text(settings.has(positionKey) ? positionKey : valueKey);
+    for (SourceAxis& axis : table.axes)
+        axis.unit = unit;
+    for (CompensationColumn& column : table.columns)
+        column.unit = unit;
+    if (isContradictory(settings))
+        diagnostics.error(DiagnosticCode::Contradiction, 0, 0, contradiction(settings),
+            "one unit, since the controller adds the values to the positions");
+    if (unit.empty())
+        diagnostics.warning(DiagnosticCode::UnitNotGiven, 0, 0, "numbers without a unit",
+            "the setting position-unit, such as mm, where a unit matters");
+}
+
+Result<NeutralTable> asOwnAxisTable(const FamilyFacts& facts, const NeutralTable& table,
+    const SettingValues& settings, std::vector<std::string>& remarks)
+{
+    for (const CompensationColumn& column : table.columns)
+        if (!ownAxis(table, column))
+            return cannotHold(facts,
+                "it corrects an axis by its own position, and this table goes from "
+                    + columnText(table, column),
+                "choose a format for cross compensation");
+    if (isContradictory(settings))
+        return fail(ErrorCode::InvalidArgument,
+            {{"reason",
+                contradiction(settings) + ": the format " + std::string(facts.name)
+                    + " has one unit for both"}});
+    NeutralTable own = table;
+    const std::string unit = chosenUnit(own, settings);
+    own.name.clear();
+    own.notes.clear();
+    for (SourceAxis& axis : own.axes) {
+        axis.name.clear();
+        axis.unit = axis.unit.empty() ? unit : axis.unit;
+    }
+    for (CompensationColumn& column : own.columns) {
+        column.name.clear();
+        column.target.clear();
+        column.unit = column.unit.empty() ? unit : column.unit;
+    }
+    remarks.push_back("positions and values are in " + (unit.empty() ? "no known unit" : unit));
+    return unit.empty() ? own : inUnits(own, unit, unit, remarks);
+}
+
+} // namespace axiscomp

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/formats/table_format.h"
+#include "core/text/diagnostic_list.h"
+
+namespace axiscomp {
+
+// Formats of one axis that corrects itself: nothing in them names an axis, and the position and the
+// correction, which the controller adds to it, have one unit, which they do not say either.
+
+/// Reading: the unit is what position-unit or value-unit says, or a warning that nobody says it;
+/// a Contradiction when they say different units.
+void takeOneUnit(NeutralTable& table, const SettingValues& settings, DiagnosticList& diagnostics);
+
+/// Writing: the table as such a format holds it, without names, in the unit of the settings or
+/// else that of its positions, which is added to remarks. Errors: FormatCannotHold for a table that
+/// corrects another axis than its source; InvalidArgument for units that cannot be converted.
+[[nodiscard]] Result<NeutralTable> asOwnAxisTable(const FamilyFacts& facts,
+    const NeutralTable& table, const SettingValues& settings, std::vector<std::string>& remarks);
+
+} // namespace axiscomp

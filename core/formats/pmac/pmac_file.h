@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/formats/format_reader.h"
+#include "core/formats/format_writer.h"
+#include "core/text/token_scanner.h"
+
+#include <array>
+
+namespace axiscomp::pmac {
+
+// Compensation tables of PMAC: DEFINE COMP says sizes, motors and spans in counts, whole numbers of
+// 1/16 count follow. They begin at position 0, whose entry is left out, and roll over.
+
+/// The tables of one or of two dimensions in a file.
+[[nodiscard]] std::vector<NeutralTable> readTables(TextReading& reading, std::size_t dimensions);
+[[nodiscard]] Recognition recogniseFile(std::string_view text, std::size_t dimensions);
+
+/// The keys of settings for each source motor and for the target.
+struct Keys {
+    std::span<const std::string_view> motors; ///< of the sources
+    std::span<const std::string_view> counts; ///< counts per unit of these
+};
+[[nodiscard]] Result<WrittenTables> writeTable(const TableFamily& family, const Keys& keys,
+    const NeutralTable& source, const FormatSettings& settings);
+/// Errors: InvalidArgument for counts per unit that are not above 0.
+[[nodiscard]] Result<void> checkCounts(const FamilyFacts& facts, const FormatSettings& settings);
+
+inline constexpr std::array<std::string_view, 4> assumptions{
+    "The correction is added to the commanded position; the documentation gives no sign.",
+    "An entry has 24 bits.",
+    "A table that does not close is written with one more interval that leads back to its first "
+    "value; negative positions are written behind the positive ones.",
+    "One table is written to a file, for its target motor; a file that is read may hold several.",
+};
+
+inline constexpr FormatSetting countsForWriting{.key = "counts-per-unit",
+    .kind = FormatSetting::Kind::Number,
+    .meaning = "encoder counts for one unit, of every motor without a setting of its own",
+    .forWriting = true,
+    .isNeeded = true};
+inline constexpr FormatSetting countsForReading{.key = "counts-per-unit",
+    .kind = FormatSetting::Kind::Number,
+    .meaning = "encoder counts for one unit; without it tables are in counts",
+    .forReading = true};
+[[nodiscard]] constexpr FormatSetting countsSetting(std::string_view key, std::string_view meaning)
+{
+    return {.key = key,
+        .kind = FormatSetting::Kind::Number,
+        .meaning = meaning,
+        .forReading = true,
+        .forWriting = true};
+}
+[[nodiscard]] constexpr FormatSetting motorSetting(std::string_view key, std::string_view meaning)
+{
+    return {.key = key,
+        .kind = FormatSetting::Kind::WholeNumber,
+        .meaning = meaning,
+        .forWriting = true};
+}
+inline constexpr FormatSetting usesActual{.key = "position",
+    .kind = FormatSetting::Kind::Choice,
+    .meaning = "position of the sources that counts: desired (written with D) or actual",
+    .choices = "desired, actual",
+    .standard = "desired",
+    .forWriting = true};
+
+} // namespace axiscomp::pmac

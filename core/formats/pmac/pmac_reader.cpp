@@ -1,0 +1,383 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/formats/pmac/pmac_file.h"
+#include "core/formats/units.h"
+#include "core/text/text_file.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace axiscomp::pmac {
+
+namespace {
+
+constexpr double perCount = 16.0;
+constexpr std::array<std::string_view, 2> sourceCounts{
+    "source-counts-per-unit", "column-counts-per-unit"};
+
+std::string quoted(std::string_view text)
+{
+    return csv::excerpt(text, csv::Encoding::Utf8);
+}
+
+/// The rest behind a word in capital or small letters; nothing when the token begins otherwise.
+std::optional<Token> behindWord(const Token& token, std::string_view word)
+{
+    if (token.text.size() < word.size() || !sameLetters(token.text.substr(0, word.size()), word))
+        return std::nullopt;
+    return trimmedToken({token.text.substr(word.size()), token.line, token.column + word.size()});
+}
+
+/// What follows DEFINE COMP or DEF COMP.
+std::optional<Token> behindDefineComp(const Token& line)
+{
+    for (const std::string_view word : {"DEFINE", "DEF"})
+        if (const auto rest = behindWord(line, word))
+            if (const auto arguments = behindWord(*rest, "COMP"))
+                return arguments;
+    return std::nullopt;
+}
+
+Token withoutComments(const Token& whole)
+{
+    Token line = withoutComment(whole, ";");
+    line.text = line.text.substr(0, line.text.find("//"));
+    return trimmedToken(line);
+}
+
+/// "#1" in front of a line addresses a motor; what is left of the line.
+Token takeAddress(Token line, std::string& addressed)
+{
+    if (!line.text.starts_with('#'))
+        return line;
+    const std::size_t end =
+        std::min(line.text.find_first_not_of("0123456789", 1), line.text.size());
+    if (end < 2) // no number, and so no motor
+        return line;
+    addressed = line.text.substr(1, end - 1);
+    return trimmedToken({line.text.substr(end), line.line, line.column + end});
+}
+
+/// One DEFINE COMP with its entries.
+struct Definition {
+    Token place;
+    std::array<std::size_t, 2> sizes{1, 0}; ///< intervals along the first and second source
+    std::array<long, 2> spans{}; ///< in counts
+    std::array<std::string, 2> sources;
+    std::string target;
+    std::size_t entryCount = 0;
+    std::vector<double> entries;
+    std::vector<std::string> notes;
+};
+
+std::optional<std::size_t> readSize(const Token& cell, DiagnosticList& diagnostics)
+{
+    constexpr long most = 1'000'000;
+    const auto size = readWholeNumber(cell, "a number of entries", diagnostics);
+    if (!size || (*size >= 1 && *size <= most))
+        return size;
+    diagnostics.error(DiagnosticCode::LimitExceeded, cell.line, cell.column,
+        std::to_string(*size) + " entries", "1 to " + std::to_string(most));
+    return std::nullopt;
+}
+
+/// "#3" or "#3D"
+std::optional<std::string> readMotor(const Token& cell, DiagnosticList& diagnostics)
+{
+    std::string_view digits = csv::trimmed(cell.text.substr(1));
+    if (digits.ends_with('D') || digits.ends_with('d'))
+        digits.remove_suffix(1);
+    const auto motor = wholeNumberOf(csv::trimmed(digits));
+    if (motor && *motor >= 1 && *motor <= 32)
+        return std::to_string(*motor);
+    diagnostics.error(DiagnosticCode::Syntax, cell.line, cell.column, quoted(cell.text),
+        "the number of a motor, #1 to #32, perhaps with a D");
+    return std::nullopt;
+}
+
+class Reader {
+public:
+    Reader(TextReading& reading, std::size_t dimensions)
+        : m_reading(reading)
+        , m_dimensions(dimensions)
+    {
+    }
+    [[nodiscard]] std::vector<Definition> read();
+
+private:
+    void begin(const Token& line, const Token& arguments);
+    [[nodiscard]] bool readArguments(Definition& definition, std::vector<Token> cells);
+    void takeEntries(const Token& line);
+    void takeCommand(const Token& line);
+    void finish();
+
+    TextReading& m_reading;
+    std::size_t m_dimensions;
+    std::string m_addressed;
+    std::vector<Definition> m_definitions;
+    std::vector<Token> m_tokens;
+    std::vector<std::string> m_notes;
+    bool m_isOpen = false; ///< entries belong to the last definition
+    bool m_isForeign = false; ///< entries belong to something that is left out
+};
+
+bool Reader::readArguments(Definition& definition, std::vector<Token> cells)
+{
+    DiagnosticList& diagnostics = m_reading.diagnostics;
+    std::vector<std::string> motors;
+    while (cells.size() > 1 && cells[1].text.starts_with('#')) {
+        const auto motor = readMotor(cells[1], diagnostics);
+        if (!motor)
+            return false;
+        motors.push_back(*motor);
+        cells.erase(cells.begin() + 1);
+    }
+    if (cells.size() != 1 + m_dimensions || motors.size() > 1 + m_dimensions) {
+        diagnostics.error(DiagnosticCode::Syntax, definition.place.line, definition.place.column,
+            quoted(definition.place.text),
+            m_dimensions == 1 ? "DEFINE COMP entries,#source,#target,span"
+                              : "DEFINE COMP rows.columns,#row,#column,#target,span,span");
+        return false;
+    }
+    for (std::size_t n = 0; n < m_dimensions; ++n) {
+        const auto span = readWholeNumber(cells[1 + n], "a span in counts", diagnostics);
+        if (span && *span < 1)
+            diagnostics.error(DiagnosticCode::LimitExceeded, cells[1 + n].line, cells[1 + n].column,
+                "a span of " + std::to_string(*span), "at least 1 count");
+        definition.spans[n] = span.value_or(0);
+    }
+    if (motors.size() <= m_dimensions && m_addressed.empty())
+        diagnostics.warning(DiagnosticCode::Assumption, definition.place.line, 0,
+            "motors that are not named",
+            "the motor that is addressed when the file is loaded; name it with #");
+    motors.resize(std::max(motors.size(), m_dimensions + 1), m_addressed);
+    for (std::size_t n = 0; n < m_dimensions; ++n)
+        definition.sources[n] = motors[n];
+    definition.target = motors[m_dimensions];
+    return true;
+}
+
+void Reader::begin(const Token& line, const Token& arguments)
+{
+    finish();
+    DiagnosticList& diagnostics = m_reading.diagnostics;
+    std::vector<Token> cells;
+    splitCells(arguments, ',', cells);
+    const std::size_t dot = cells.front().text.find('.');
+    const bool isPlane = dot != std::string_view::npos;
+    if (isPlane != (m_dimensions == 2)) {
+        m_isForeign = true;
+        diagnostics.warning(DiagnosticCode::Assumption, line.line, line.column,
+            isPlane ? "a table of two dimensions" : "a table of one dimension",
+            std::string("the format ") + (isPlane ? "pmac-2d" : "pmac-1d")
+                + " to read it; it is left out here");
+        return;
+    }
+    Definition definition;
+    definition.place = line;
+    const Token& size = cells.front();
+    const auto columns = readSize(
+        isPlane ? Token{size.text.substr(dot + 1), size.line, size.column + dot + 1} : size,
+        diagnostics);
+    const auto rows = isPlane
+        ? readSize({size.text.substr(0, dot), size.line, size.column}, diagnostics)
+        : std::optional<std::size_t>(0);
+    m_isForeign = !columns || !rows || !readArguments(definition, cells);
+    if (m_isForeign)
+        return;
+    definition.sizes = {*columns, *rows};
+    definition.entryCount = (*columns + 1) * (*rows + 1) - 1;
+    definition.notes = std::exchange(m_notes, {});
+    m_definitions.push_back(std::move(definition));
+    m_isOpen = true;
+}
+
+void Reader::finish()
+{
+    if (m_isOpen && m_definitions.back().entries.size() < m_definitions.back().entryCount) {
+        const Definition& last = m_definitions.back();
+        m_reading.diagnostics.error(DiagnosticCode::MissingPoint, last.place.line, 0,
+            std::to_string(last.entries.size()) + " entries",
+            std::to_string(last.entryCount) + ", as DEFINE COMP says");
+    }
+    m_isOpen = false;
+    m_isForeign = false;
+}
+
+void Reader::takeEntries(const Token& line)
+{
+    DiagnosticList& diagnostics = m_reading.diagnostics;
+    if (m_isForeign)
+        return;
+    if (!m_isOpen || m_definitions.back().entries.size() == m_definitions.back().entryCount) {
+        diagnostics.error(DiagnosticCode::Contradiction, line.line, line.column,
+            "further entries: " + quoted(line.text),
+            m_isOpen ? std::to_string(m_definitions.back().entryCount) + ", as DEFINE COMP says"
+                     : "DEFINE COMP in front of them");
+        finish();
+        m_isForeign = true; // one such problem is enough
+        return;
+    }
+    splitTokens(line, " \t,", m_tokens);
+    Definition& definition = m_definitions.back();
+    for (const Token& token : m_tokens) {
+        const auto entry = readWholeNumber(token, "a whole number of 1/16 count", diagnostics);
+        definition.entries.push_back(static_cast<double>(entry.value_or(0)));
+    }
+    if (definition.entries.size() > definition.entryCount) {
+        diagnostics.error(DiagnosticCode::Contradiction, line.line, 0,
+            std::to_string(definition.entries.size()) + " entries",
+            std::to_string(definition.entryCount) + ", as DEFINE COMP says");
+        definition.entries.resize(definition.entryCount);
+    }
+}
+
+void Reader::takeCommand(const Token& line)
+{
+    finish();
+    const bool isDefine = behindWord(line, "DEF").has_value();
+    const bool isExpected = std::ranges::any_of(std::array{"CLOSE", "DELETE", "DEL", "I51", "END"},
+        [&](std::string_view word) { return behindWord(line, word).has_value(); });
+    if (!isExpected)
+        m_reading.diagnostics.warning(
+            DiagnosticCode::UnknownKey, line.line, line.column, quoted(line.text), "");
+    m_isForeign = isDefine; // its entries
+}
+
+std::vector<Definition> Reader::read()
+{
+    TextLines lines(m_reading.text);
+    while (const auto whole = lines.next()) {
+        if (m_reading.isStopped())
+            return {};
+        Token line = withoutComments(*whole);
+        if (!line) {
+            const Token comment = trimmedToken(*whole);
+            if (const auto at = comment.text.find_first_not_of("; \t/"); at != comment.text.npos)
+                keepNote(m_notes, comment.text.substr(at));
+            continue;
+        }
+        line = takeAddress(line, m_addressed);
+        if (!line)
+            continue;
+        const char first = line.text.front();
+        const bool isCommand = (first >= 'A' && first <= 'Z') || (first >= 'a' && first <= 'z');
+        if (const auto arguments = behindDefineComp(line))
+            begin(line, *arguments);
+        else if (isCommand)
+            takeCommand(line);
+        else
+            takeEntries(line);
+    }
+    finish();
+    if (m_definitions.empty() && !m_reading.diagnostics.hasErrors())
+        m_reading.diagnostics.error(DiagnosticCode::Syntax, 0, 0, "",
+            std::string("DEFINE COMP for a table of ") + (m_dimensions == 1 ? "one" : "two")
+                + (m_dimensions == 1 ? " dimension" : " dimensions"));
+    return std::move(m_definitions);
+}
+
+double countsOf(const SettingValues& settings, std::string_view key)
+{
+    if (settings.has(key))
+        return settings.number(key);
+    return settings.has("counts-per-unit") ? settings.number("counts-per-unit") : 1.0;
+}
+
+NeutralTable tableOf(Definition& definition, const TextReading& reading, std::size_t dimensions)
+{
+    NeutralTable table;
+    table.sign = SignConvention::Command;
+    table.notes = std::move(definition.notes);
+    const SettingValues& settings = reading.settings;
+    for (std::size_t n = 0; n < dimensions; ++n) {
+        SourceAxis& axis = table.axes.emplace_back();
+        axis.name = definition.sources[n];
+        const double counts = countsOf(settings, sourceCounts[n]);
+        const auto span = static_cast<double>(definition.spans[n]);
+        const auto size = static_cast<double>(definition.sizes[n]);
+        for (std::size_t i = 0; i <= definition.sizes[n]; ++i)
+            axis.knots.push_back(static_cast<double>(i) * span / size / counts);
+        axis.wrap = axis.knots.back();
+    }
+    CompensationColumn& column = table.columns.emplace_back();
+    column.target = definition.target;
+    const FileNumbers numbers{perCount * countsOf(settings, "target-counts-per-unit"), false};
+    column.values.push_back(0.0); // the entry that is left out
+    for (const double entry : definition.entries)
+        column.values.push_back(numbers.fromFile(entry));
+    column.step = 1.0 / numbers.perUnit;
+    if (settings.has("counts-per-unit")) {
+        takeUnits(table, settings, reading.diagnostics);
+    } else {
+        for (SourceAxis& axis : table.axes)
+            axis.unit = "counts";
+        column.unit = "counts";
+        reading.diagnostics.warning(DiagnosticCode::UnitNotGiven, definition.place.line, 0,
+            "a table in counts", "the setting counts-per-unit, where a unit matters");
+    }
+    for (std::size_t n = 0; n < dimensions; ++n) {
+        const std::size_t line = definition.place.line;
+        const std::string motor = "motor " + table.axes[n].name;
+        static_cast<void>(
+            checkKnots(table.axes[n].knots, std::span(&line, 1), motor, reading.diagnostics));
+        if (!isClosed(table, n))
+            reading.diagnostics.warning(DiagnosticCode::NotPeriodic, definition.place.line, 0,
+                "different entries at 0 and at the span of motor " + table.axes[n].name,
+                "the same: the table rolls over there");
+    }
+    const bool areFinite =
+        std::ranges::all_of(column.values, [](double value) { return std::isfinite(value); });
+    if (!areFinite)
+        reading.diagnostics.error(DiagnosticCode::LimitExceeded, definition.place.line, 0,
+            "entries that are too large in these units", "another counts-per-unit");
+    return table;
+}
+
+} // namespace
+
+std::vector<NeutralTable> readTables(TextReading& reading, std::size_t dimensions)
+{
+    std::vector<NeutralTable> tables;
+    std::vector<Definition> definitions = Reader(reading, dimensions).read();
+    if (reading.diagnostics.hasErrors())
+        return {};
+    for (Definition& definition : definitions)
+        tables.push_back(tableOf(definition, reading, dimensions));
+    return tables;
+}
+
+Recognition recogniseFile(std::string_view text, std::size_t dimensions)
+{
+    bool hasOwn = false;
+    bool hasOther = false;
+    std::string addressed;
+    TextLines lines(text);
+    while (const auto whole = lines.next()) {
+        const auto arguments = behindDefineComp(takeAddress(withoutComments(*whole), addressed));
+        if (!arguments || arguments->text.find(',') == std::string_view::npos)
+            continue;
+        const std::string_view size = arguments->text.substr(0, arguments->text.find(','));
+        if (!numberOf(size))
+            continue;
+        const bool isPlane = size.find('.') != std::string_view::npos;
+        (isPlane == (dimensions == 2) ? hasOwn : hasOther) = true;
+    }
+    if (!hasOwn)
+        return Recognition::No;
+    return hasOther ? Recognition::Possible : Recognition::Certain;
+}
+
+Result<void> checkCounts(const FamilyFacts& facts, const FormatSettings& settings)
+{
+    for (const auto& [key, value] : settings) {
+        const auto number = numberOf(value);
+        if (key.ends_with("counts-per-unit") && number && !(*number > 0.0))
+            return fail(ErrorCode::InvalidArgument,
+                {{"reason",
+                    "the setting " + key + " of the format " + std::string(facts.name) + " is "
+                        + value + ", expected a number above 0"}});
+    }
+    return {};
+}
+
+} // namespace axiscomp::pmac

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/formats/pmac/pmac_file.h"
+#include "core/formats/units.h"
+#include "core/text/text_file.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace axiscomp::pmac {
+
+namespace {
+
+constexpr double perCount = 16.0;
+constexpr double largestEntry = 8388607.0; // 24 bits
+constexpr double largestSpan = 2147483647.0;
+
+/// How an axis lies on the circle of a table that begins at 0 and rolls over.
+struct Circle {
+    long first = 0; ///< the first knot, counted from position 0
+    std::size_t size = 0; ///< knots of one round
+    long span = 0; ///< of one round, in counts
+
+    [[nodiscard]] std::size_t place(std::size_t knot) const
+    {
+        const auto round = static_cast<long>(size);
+        const long at = (first + static_cast<long>(knot)) % round;
+        return static_cast<std::size_t>(at < 0 ? at + round : at);
+    }
+};
+
+Result<Circle> circleOf(const FamilyFacts& facts, const NeutralTable& table, std::size_t n,
+    double counts, double allowance)
+{
+    const SourceAxis& axis = table.axes[n];
+    const auto intervals = static_cast<double>(axis.knots.size() - 1);
+    const double distance = (axis.knots.back() - axis.knots.front()) / intervals;
+    const double first = axis.knots.front() / distance;
+    if (!(std::abs(first) < 1e9) || std::abs(first - std::round(first)) > 1e-6)
+        return cannotHold(facts,
+            "position 0, where its tables begin, is no point of source " + std::to_string(n + 1),
+            "resample it with a point at 0");
+    Circle circle{std::lround(first), axis.knots.size() - 1, 0};
+    if (axis.wrap) {
+        if (auto fits = checkOnePeriod(facts, table, n, allowance); !fits)
+            return fail(fits.error());
+    } else if (circle.first > 0 || circle.first + static_cast<long>(circle.size) < 0) {
+        return cannotHold(facts,
+            "its tables begin at position 0, which source " + std::to_string(n + 1)
+                + " does not reach",
+            "resample it over a range with 0");
+    } else if (!isClosed(table, n)) {
+        ++circle.size; // one interval more leads from the last value to the first
+    }
+    const double span = static_cast<double>(circle.size) * distance * counts;
+    if (!(span <= largestSpan) || !(span >= 0.5))
+        return cannotHold(facts, "a span of " + csv::roundedText(span) + " counts",
+            "check counts-per-unit and the unit of the positions");
+    circle.span = std::lround(span);
+    return circle;
+}
+
+double countsFor(const SettingValues& settings, std::string_view key)
+{
+    return settings.number(settings.has(key) ? key : "counts-per-unit");
+}
+
+/// The entries on the circle; [0] is that of position 0.
+Result<std::vector<double>> entriesOf(const FamilyFacts& facts, const NeutralTable& table,
+    const std::vector<Circle>& circles, const FileNumbers& numbers)
+{
+    const std::vector<double>& values = table.columns[0].values;
+    const std::size_t width = table.axes[0].knots.size();
+    const std::size_t height = circles.size() == 2 ? circles[1].size : 1;
+    std::vector<double> entries(circles[0].size * height, 0.0);
+    // Backwards, so that of two knots at one place the first counts.
+    for (std::size_t i = values.size(); i-- > 0;) {
+        const double entry = numbers.inFile(values[i]);
+        if (!(std::abs(entry) <= largestEntry))
+            return cannotHold(facts,
+                "the value " + csv::roundedText(values[i]) + " is beyond the 24 bits of an entry",
+                "check counts-per-unit and the unit of the values");
+        const std::size_t row = circles.size() == 2 ? circles[1].place(i / width) : 0;
+        entries[row * circles[0].size + circles[0].place(i % width)] = entry;
+    }
+    if (entries[0] != 0.0)
+        return cannotHold(facts,
+            "its value at position 0 is " + csv::roundedText(numbers.fromFile(entries[0]))
+                + ", and the controller takes it to be 0 there",
+            "subtract this value from all values");
+    return entries;
+}
+
+std::string entryLines(const std::vector<double>& entries, const std::vector<Circle>& circles)
+{
+    constexpr std::size_t perLine = 10;
+    const std::size_t columns = circles[0].size;
+    const std::size_t rows = circles.size() == 2 ? circles[1].size : 0;
+    std::string text;
+    for (std::size_t j = 0; j <= rows; ++j)
+        for (std::size_t i = j == 0 ? 1 : 0; i <= columns; ++i) {
+            const std::size_t row = rows == 0 ? 0 : j % rows;
+            text += plainNumber(entries[row * columns + i % columns]);
+            text += i == columns || (i > 0 && i % perLine == 0) ? '\n' : ' ';
+        }
+    return text;
+}
+
+/// The numbers of the motors: the sources, then the target.
+Result<std::vector<std::string>> motorsOf(const FamilyFacts& facts, const Keys& keys,
+    const NeutralTable& table, const SettingValues& settings)
+{
+    std::vector<std::string> motors;
+    const auto add = [&](std::string_view key, const std::string& name) -> Result<void> {
+        const auto motor = axisNumber(facts, settings, key, name);
+        if (!motor)
+            return fail(motor.error());
+        if (*motor > 32)
+            return cannotHold(
+                facts, "there is no motor " + std::to_string(*motor), "choose one from 1 to 32");
+        motors.push_back(std::to_string(*motor));
+        return {};
+    };
+    for (std::size_t n = 0; n < table.axes.size(); ++n)
+        if (auto added = add(keys.motors[n], table.axes[n].name); !added)
+            return fail(added.error());
+    const auto own = ownAxis(table, table.columns[0]);
+    const std::string target = own ? motors[*own] : table.columns[0].target;
+    if (auto added = add("target-motor", target); !added)
+        return fail(added.error());
+    return motors;
+}
+
+std::string header(const std::vector<std::string>& motors, const std::vector<Circle>& circles,
+    const std::string& mark)
+{
+    std::string text = '#' + motors.back() + "\nDEFINE COMP ";
+    if (circles.size() == 2)
+        text += std::to_string(circles[1].size) + '.';
+    text += std::to_string(circles[0].size);
+    for (std::size_t n = 0; n < circles.size(); ++n)
+        text += ",#" + motors[n] + mark;
+    text += ",#" + motors.back();
+    for (const Circle& circle : circles)
+        text += ',' + std::to_string(circle.span);
+    return text + '\n';
+}
+
+} // namespace
+
+Result<WrittenTables> writeTable(const TableFamily& family, const Keys& keys,
+    const NeutralTable& source, const FormatSettings& settings)
+{
+    const FamilyFacts& facts = family.facts;
+    if (auto fits = checkCounts(facts, settings); !fits)
+        return fail(fits.error());
+    const auto given = SettingValues::of(facts, settings, true);
+    if (!given)
+        return fail(given.error());
+    WrittenTables written;
+    const auto table = inSettingUnits(source, *given, written.remarks);
+    if (!table)
+        return fail(table.error());
+    const auto motors = motorsOf(facts, keys, *table, *given);
+    if (!motors)
+        return fail(motors.error());
+    const FileNumbers numbers{perCount * countsFor(*given, "target-counts-per-unit"), false};
+    std::vector<Circle> circles;
+    for (std::size_t n = 0; n < table->axes.size(); ++n) {
+        const double counts = countsFor(*given, keys.counts[n]);
+        const auto circle = circleOf(facts, *table, n, counts, 0.5 / numbers.perUnit);
+        if (!circle)
+            return fail(circle.error());
+        circles.push_back(*circle);
+    }
+    const auto entries = entriesOf(facts, *table, circles, numbers);
+    if (!entries)
+        return fail(entries.error());
+    written.bytes = noteLines(*table, "; ")
+        + header(*motors, circles, given->text("position") == "desired" ? "D" : "")
+        + entryLines(*entries, circles);
+    FormatSettings reading;
+    for (const auto& [key, value] : settings)
+        if (key.ends_with("counts-per-unit"))
+            reading[key] = value;
+    if (!table->axes[0].unit.empty())
+        reading["position-unit"] = table->axes[0].unit;
+    if (!table->columns[0].unit.empty())
+        reading["value-unit"] = table->columns[0].unit;
+    auto held = readBack(family, written.bytes, std::move(reading));
+    if (!held)
+        return fail(held.error());
+    written.held = std::move(*held);
+    written.remarks.push_back("switch the table on with I51=1; outside of its span it rolls over");
+    return written;
+}
+
+} // namespace axiscomp::pmac

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/formats/rapidcode/rapidcode_table.h"
+
+#include "core/formats/format_writer.h"
+#include "core/formats/units.h"
+#include "core/table/even_spacing.h"
+#include "core/table/position_unit.h"
+#include "core/text/text_file.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace axiscomp {
+
+namespace {
+
+/// The unit of the values when no setting says it: that of the first input, where it can be.
+std::string usualValueUnit(const NeutralTable& table, const std::string& positionUnit)
+{
+    const std::string& input = positionUnit.empty() ? table.axes.front().unit : positionUnit;
+    const std::string& own = table.columns.front().unit;
+    return own.empty() || isSameUnit(own, input) || unitFactor(own, input) ? input : own;
+}
+
+Result<NeutralTable> withUnits(
+    const NeutralTable& table, const SettingValues& settings, std::vector<std::string>& remarks)
+{
+    FormatSettings units;
+    const std::string positionUnit = settings.text("position-unit");
+    std::string valueUnit = settings.text("value-unit");
+    if (valueUnit.empty())
+        valueUnit = usualValueUnit(table, positionUnit);
+    if (!positionUnit.empty())
+        units["position-unit"] = positionUnit;
+    if (!valueUnit.empty())
+        units["value-unit"] = valueUnit;
+    const auto values = SettingValues::of(FamilyFacts{}, units, true);
+    if (!values)
+        return fail(values.error());
+    return inSettingUnits(table, *values, remarks);
+}
+
+RapidCodeInput inputOf(const SourceAxis& axis)
+{
+    constexpr int noDecimals = -30;
+    const double delta = fitEvenSpacing(axis.knots, noDecimals).distance;
+    return {axis.knots.front(), axis.knots.back(), delta, axis.knots.size()};
+}
+
+Result<std::vector<std::int64_t>> countsOf(
+    const FamilyFacts& facts, const std::vector<double>& values, double countsPerUnit)
+{
+    constexpr double largest = std::numeric_limits<std::int32_t>::max();
+    std::vector<std::int64_t> counts;
+    counts.reserve(values.size());
+    for (const double value : values) {
+        const double count = std::round(value * countsPerUnit);
+        if (!(std::abs(count) <= largest))
+            return cannotHold(facts,
+                "the value " + csv::toText(value) + " is " + csv::toText(count)
+                    + " counts, and at most 2147483647 can be held",
+                "check counts-per-unit and the unit of the values");
+        counts.push_back(static_cast<std::int64_t>(count));
+    }
+    return counts;
+}
+
+} // namespace
+
+std::vector<double> RapidCodeInput::knots() const
+{
+    std::vector<double> positions = evenKnots(minimum, delta, points);
+    positions.back() = maximum;
+    return positions;
+}
+
+std::optional<std::size_t> rapidCodePoints(double minimum, double maximum, double delta)
+{
+    const double cells = (maximum - minimum) / delta;
+    if (!(cells >= 0.5 && cells < static_cast<double>(rapidCodeMostPoints)))
+        return std::nullopt;
+    if (std::abs(cells - std::round(cells)) > 1e-9 * cells)
+        return std::nullopt;
+    return static_cast<std::size_t>(std::llround(cells)) + 1;
+}
+
+Result<RapidCodeTable> rapidCodeTable(const FamilyFacts& facts, const NeutralTable& table,
+    const SettingValues& settings, std::vector<std::string>& remarks)
+{
+    auto converted = withUnits(table, settings, remarks);
+    if (!converted)
+        return fail(converted.error());
+    RapidCodeTable result;
+    result.countsPerUnit = settings.number("counts-per-unit");
+    if (result.countsPerUnit == 0.0)
+        return fail(ErrorCode::InvalidArgument,
+            {{"reason", "the setting counts-per-unit is 0, expected a number of counts"}});
+    CompensationColumn& column = converted->columns.front();
+    auto counts = countsOf(facts, column.values, result.countsPerUnit);
+    if (!counts)
+        return fail(counts.error());
+    result.counts = std::move(*counts);
+    for (std::size_t i = 0; i < result.counts.size(); ++i)
+        column.values[i] = static_cast<double>(result.counts[i]) / result.countsPerUnit;
+    column.step = 1.0 / std::abs(result.countsPerUnit);
+    result.actsOnInput = ownAxis(table, table.columns.front()).has_value();
+    if (converted->name.empty())
+        converted->name = column.name;
+    column.name.clear();
+    for (SourceAxis& axis : converted->axes) {
+        result.inputs.push_back(inputOf(axis));
+        axis.knots = result.inputs.back().knots();
+        axis.step = 0.0;
+    }
+    converted->notes.clear();
+    result.held = std::move(*converted);
+    remarks.push_back("counts-per-unit is understood as " + csv::toText(result.countsPerUnit)
+        + " counts for 1 " + (column.unit.empty() ? "unit of the values" : column.unit));
+    remarks.push_back(rapidCodeInputAdvice(result));
+    return result;
+}
+
+std::string rapidCodeInputAdvice(const RapidCodeTable& table)
+{
+    return table.actsOnInput
+        ? "an input axis is the output axis: its command position must be the input, the actual "
+          "position is not possible"
+        : "the inputs are other axes: their command or their actual positions can be the inputs";
+}
+
+std::string oneLine(std::string_view text)
+{
+    const std::string clean = csv::toUtf8(text, csv::Encoding::Utf8);
+    return std::string(csv::trimmed(clean));
+}
+
+} // namespace axiscomp

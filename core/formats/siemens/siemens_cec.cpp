@@ -1,0 +1,376 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/formats/formats.h"
+#include "core/formats/siemens/siemens_program.h"
+#include "core/formats/units.h"
+#include "core/text/text_file.h"
+
+#include <algorithm>
+
+namespace axiscomp {
+
+namespace {
+
+constexpr std::string_view prefix = "$AN_CEC";
+constexpr std::string_view otherPrefix = "$AA_ENC_COMP";
+constexpr std::string_view inputSuffix = "_INPUT_AXIS";
+constexpr std::string_view outputSuffix = "_OUTPUT_AXIS";
+constexpr long mostTables = 1000; // twice as many as a control has axes, and more
+
+constexpr std::array<std::string_view, 3> extensions{".ini", ".mpf", ".spf"};
+constexpr std::array settings{siemens::rotaryAxes,
+    FormatSetting{.key = "first-table",
+        .kind = FormatSetting::Kind::WholeNumber,
+        .meaning = "index of the first table that is written",
+        .standard = "0",
+        .forWriting = true},
+    FormatSetting{.key = "input-axis",
+        .kind = FormatSetting::Kind::Text,
+        .meaning = "name of the axis whose position counts, instead of the table's name for it",
+        .forWriting = true},
+    FormatSetting{.key = "output-axis",
+        .kind = FormatSetting::Kind::Text,
+        .meaning = "name of the axis that is compensated, instead of the table's name for it",
+        .forWriting = true}};
+
+constexpr std::array<std::string_view, 7> rules{
+    "A part program assigns $AN_CEC[table,point], with _INPUT_AXIS, _OUTPUT_AXIS, _STEP, _MIN, "
+    "_MAX, _DIRECTION, _IS_MODULO and _MULT_BY_TABLE[table]; CHANDATA(1) in front, M17 at the end, "
+    "; begins a comment.",
+    "Point 0 lies at MIN, the last one at MAX; there are (MAX - MIN) / STEP + 1 of them.",
+    "Positions and values are in mm, of rotary axes in degrees.",
+    "The value is taken at the commanded position of the input axis and compensates the output "
+    "axis, which may be the same.",
+    "DIRECTION 0: the table holds for both directions of motion of the input axis, 1: for the "
+    "positive one, -1: for the negative one.",
+    "Between the points the value is linear; outside, that at the nearest end is held.",
+    "IS_MODULO 1: MIN follows MAX, and both values should be the same.",
+};
+constexpr std::array<std::string_view, 5> assumptions{
+    "The value is added to the commanded position of the output axis.",
+    "The basic system is metric.",
+    "A program without IS_MODULO, DIRECTION or MULT_BY_TABLE has 0.",
+    "MULT_BY_TABLE adds a product of two tables, which no single table can say: such a table is "
+    "read without it, with a warning.",
+    "Two tables that differ only in direction and values are read as one.",
+};
+
+struct Entry {
+    long index = 0;
+    siemens::Curve curve;
+    std::string input;
+    std::string output;
+};
+
+/// What the assignments of a program say, table by table.
+class Collector {
+public:
+    explicit Collector(DiagnosticList& diagnostics) : m_diagnostics(diagnostics) { }
+
+    void take(const siemens::Assignment& said);
+    [[nodiscard]] std::map<long, Entry>& entries() { return m_entries; }
+
+private:
+    void takeOther(const Token& name);
+    [[nodiscard]] Entry* entryOf(const Token& index);
+    void takeAxis(std::string& axis, const siemens::Assignment& said);
+
+    DiagnosticList& m_diagnostics;
+    std::map<long, Entry> m_entries;
+    bool m_hasOther = false;
+};
+
+Entry* Collector::entryOf(const Token& index)
+{
+    const std::string expected = "the index of a table, 0 to " + std::to_string(mostTables - 1);
+    const auto number = readWholeNumber(index, expected, m_diagnostics);
+    if (!number)
+        return nullptr;
+    if (*number < 0 || *number >= mostTables) {
+        m_diagnostics.error(DiagnosticCode::LimitExceeded, index.line, index.column,
+            "table " + std::to_string(*number), expected);
+        return nullptr;
+    }
+    Entry& entry = m_entries[*number];
+    if (entry.curve.prefix.empty()) {
+        entry.index = *number;
+        entry.curve.prefix = prefix;
+        entry.curve.label = "table " + std::to_string(*number);
+    }
+    return &entry;
+}
+
+void Collector::takeAxis(std::string& axis, const siemens::Assignment& said)
+{
+    if (!axis.empty())
+        m_diagnostics.error(DiagnosticCode::Contradiction, said.name.line, said.name.column,
+            std::string(said.name.text) + " a second time", "each variable once");
+    axis = csv::toUtf8(said.value.text, csv::Encoding::Utf8);
+}
+
+void Collector::takeOther(const Token& name)
+{
+    const bool isOther = name.text.size() >= otherPrefix.size()
+        && sameLetters(name.text.substr(0, otherPrefix.size()), otherPrefix);
+    if (isOther && !m_hasOther)
+        m_diagnostics.warning(DiagnosticCode::Assumption, name.line, name.column,
+            "tables $AA_ENC_COMP besides $AN_CEC",
+            "the format siemens-eec to read them; they are left out here");
+    else if (!isOther)
+        m_diagnostics.warning(DiagnosticCode::UnknownKey, name.line, name.column,
+            csv::excerpt(name.text, csv::Encoding::Utf8), "");
+    m_hasOther = m_hasOther || isOther;
+}
+
+void Collector::take(const siemens::Assignment& said)
+{
+    const std::string_view name = said.name.text;
+    const bool isOwn =
+        name.size() >= prefix.size() && sameLetters(name.substr(0, prefix.size()), prefix);
+    const std::string_view suffix = isOwn ? name.substr(prefix.size()) : std::string_view();
+    const bool isInput = sameLetters(suffix, inputSuffix);
+    const bool isOutput = sameLetters(suffix, outputSuffix);
+    const bool isPoint = isOwn && suffix.empty();
+    const auto variable = siemens::variableOf(suffix);
+    if (!isPoint && !isInput && !isOutput && variable == siemens::Curve::variableCount) {
+        takeOther(said.name);
+        return;
+    }
+    if (said.arguments.size() != (isPoint ? 2U : 1U)) {
+        m_diagnostics.error(DiagnosticCode::Syntax, said.name.line, said.name.column,
+            csv::excerpt(name, csv::Encoding::Utf8),
+            isPoint ? "two indices: [table,point]" : "one index: [table]");
+        return;
+    }
+    Entry* const entry = entryOf(said.arguments.front());
+    if (!entry)
+        return;
+    if (isPoint)
+        siemens::addPoint(entry->curve, said.arguments[1], said.value, m_diagnostics);
+    else if (isInput || isOutput)
+        takeAxis(isInput ? entry->input : entry->output, said);
+    else
+        siemens::setVariable(entry->curve, variable, said, m_diagnostics);
+}
+
+std::optional<Direction> directionOf(const siemens::Curve& curve, DiagnosticList& diagnostics)
+{
+    const double value = curve.value(siemens::Curve::Direction);
+    if (value == 0.0)
+        return Direction::Both;
+    if (value == 1.0 || value == -1.0)
+        return value > 0.0 ? Direction::Positive : Direction::Negative;
+    diagnostics.error(DiagnosticCode::LimitExceeded, curve.lines[siemens::Curve::Direction], 0,
+        "$AN_CEC_DIRECTION " + csv::toText(value), "0, 1 or -1");
+    return std::nullopt;
+}
+
+std::optional<NeutralTable> tableOf(const Entry& entry, const TextReading& reading)
+{
+    DiagnosticList& diagnostics = reading.diagnostics;
+    for (const auto& [axis, suffix] :
+        {std::pair(&entry.input, inputSuffix), std::pair(&entry.output, outputSuffix)})
+        if (axis->empty())
+            diagnostics.error(DiagnosticCode::Syntax, 0, 0, "",
+                "$AN_CEC" + std::string(suffix) + " of " + entry.curve.label
+                    + ", which is missing");
+    const auto direction = directionOf(entry.curve, diagnostics);
+    auto sampled = siemens::sample(entry.curve, diagnostics);
+    if (!direction || !sampled)
+        return std::nullopt;
+    if (entry.curve.value(siemens::Curve::MultBy) != 0.0)
+        diagnostics.warning(DiagnosticCode::Assumption, entry.curve.lines[siemens::Curve::MultBy],
+            0, "a product with another table", "a table by itself; the product is left out");
+    NeutralTable table;
+    table.sign = SignConvention::Command;
+    table.name = entry.curve.label;
+    SourceAxis& axis = table.axes.emplace_back(std::move(sampled->axis));
+    axis.name = entry.input;
+    axis.unit = siemens::unitOf(reading.settings, axis.name, axis.wrap.has_value());
+    CompensationColumn& column = table.columns.emplace_back();
+    column.target = entry.output;
+    column.unit = sameLetters(entry.input, entry.output)
+        ? axis.unit
+        : siemens::unitOf(reading.settings, entry.output, false);
+    column.direction = *direction;
+    column.values = std::move(sampled->values);
+    return table;
+}
+
+/// Adds a table, or its column to the one that holds the other direction.
+void add(std::vector<NeutralTable>& tables, NeutralTable table)
+{
+    const Direction direction = table.columns.front().direction;
+    for (NeutralTable& other : tables) {
+        const bool isPair = direction != Direction::Both && other.columns.size() == 1
+            && other.columns.front().direction != Direction::Both
+            && other.columns.front().direction != direction && other.axes == table.axes
+            && other.columns.front().target == table.columns.front().target;
+        if (!isPair)
+            continue;
+        other.name += ", " + table.name;
+        other.columns.push_back(std::move(table.columns.front()));
+        if (direction == Direction::Positive)
+            std::swap(other.columns[0], other.columns[1]);
+        return;
+    }
+    tables.push_back(std::move(table));
+}
+
+std::vector<NeutralTable> parse(TextReading& reading)
+{
+    Collector collector(reading.diagnostics);
+    std::vector<std::string> notes;
+    if (!siemens::readProgram(
+            reading, notes, [&](const siemens::Assignment& said) { collector.take(said); }))
+        return {};
+    if (collector.entries().empty())
+        reading.diagnostics.error(
+            DiagnosticCode::Syntax, 0, 0, "", "variables $AN_CEC, of which there are none");
+    std::vector<NeutralTable> tables;
+    for (const auto& [index, entry] : collector.entries())
+        if (auto table = tableOf(entry, reading))
+            add(tables, std::move(*table));
+    if (!tables.empty())
+        tables.front().notes = std::move(notes);
+    return tables;
+}
+
+Result<TableReading> read(std::string_view text, const TableReadOptions& options)
+{
+    return readText(siemensCecFamily().facts, text, options, parse);
+}
+
+Recognition recognise(std::string_view text)
+{
+    return siemens::recogniseProgram(text, prefix, otherPrefix);
+}
+
+/// The lines of one column as the table of this index.
+std::string columnLines(const NeutralTable& table, const CompensationColumn& column,
+    const std::string& index, const std::string& input, const std::string& output)
+{
+    constexpr std::string_view directions[] = {"0", "1", "-1"};
+    const std::string subject = '[' + index + "]=";
+    std::string text;
+    for (std::size_t i = 0; i < column.values.size(); ++i)
+        text.append(prefix)
+            .append('[' + index + ',' + std::to_string(i) + "]=")
+            .append(plainNumber(column.values[i]) + '\n');
+    const auto add = [&](std::string_view suffix, std::string_view value) {
+        text.append(prefix).append(suffix).append(subject).append(value).append("\n");
+    };
+    add(inputSuffix, '(' + input + ')');
+    add(outputSuffix, '(' + output + ')');
+    text += siemens::gridLines(table.axes[0], prefix, index);
+    add("_DIRECTION", directions[static_cast<std::size_t>(column.direction)]);
+    add("_MULT_BY_TABLE", "0");
+    return text;
+}
+
+/// Collects what the tables of one file become.
+class Writer {
+public:
+    explicit Writer(const SettingValues& given)
+        : m_given(given)
+        , m_index(given.whole("first-table"))
+    {
+    }
+
+    [[nodiscard]] Result<void> add(const NeutralTable& source);
+    [[nodiscard]] Result<WrittenTables> finish();
+
+private:
+    const SettingValues& m_given;
+    long m_index = 0;
+    WrittenTables m_written{.bytes = "CHANDATA(1)\n", .held = {}, .remarks = {}};
+    std::string m_rotary;
+};
+
+Result<void> Writer::add(const NeutralTable& source)
+{
+    const FamilyFacts& facts = siemensCecFamily().facts;
+    const std::string& target = source.columns.front().target;
+    const auto input = siemens::axisName(facts, m_given, "input-axis", source.axes[0].name);
+    const auto output = siemens::axisName(
+        facts, m_given, "output-axis", target.empty() ? source.axes[0].name : target);
+    if (!input || !output)
+        return fail(input ? output.error() : input.error());
+    const auto table = inUnits(source, "mm", "deg", m_written.remarks);
+    if (!table)
+        return fail(table.error());
+    if (auto fits = siemens::checkModulo(facts, *table); !fits)
+        return fits;
+    if (table->axes[0].unit == "deg")
+        m_rotary += *input + ',';
+    if (table->columns[0].unit == "deg")
+        m_rotary += *output + ',';
+    m_written.bytes += noteLines(*table, "; ");
+    for (const CompensationColumn& column : table->columns) {
+        if (m_index < 0 || m_index >= mostTables)
+            return cannotHold(facts, "there is no table " + std::to_string(m_index),
+                "choose fewer tables, or another first-table");
+        const std::string index = std::to_string(m_index++);
+        m_written.bytes += columnLines(*table, column, index, *input, *output);
+        m_written.remarks.push_back("table " + index + " needs $MN_MM_CEC_MAX_POINTS[" + index
+            + "] (MD18342) of at least " + std::to_string(column.values.size())
+            + "; switch it on with $SN_CEC_TABLE_ENABLE[" + index
+            + "] (SD41300) 1 and $MA_CEC_ENABLE (MD32710) 1 of axis " + *output);
+    }
+    return {};
+}
+
+Result<WrittenTables> Writer::finish()
+{
+    m_written.bytes += "M17\n";
+    FormatSettings reading;
+    if (!m_rotary.empty())
+        reading["rotary-axes"] = m_rotary;
+    auto held = readBack(siemensCecFamily(), m_written.bytes, std::move(reading));
+    if (!held)
+        return fail(held.error());
+    m_written.held = std::move(*held);
+    return std::move(m_written);
+}
+
+Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWriteOptions& options)
+{
+    const auto given = SettingValues::of(siemensCecFamily().facts, options.settings, true);
+    if (!given)
+        return fail(given.error());
+    Writer writer(*given);
+    for (const NeutralTable& table : tables)
+        if (auto added = writer.add(table); !added)
+            return fail(added.error());
+    return writer.finish();
+}
+
+} // namespace
+
+const TableFamily& siemensCecFamily()
+{
+    static const TableFamily family{.facts = {.name = "siemens-cec",
+                                        .controller = "Siemens SINUMERIK",
+                                        .description = "sag and angularity compensation ($AN_CEC)",
+                                        .extensions = extensions,
+                                        .knots = KnotRule::Even,
+                                        .mostTables = 0,
+                                        .holdsNames = true,
+                                        .holdsUnits = true,
+                                        .holdsNotes = true,
+                                        .holdsDirections = true,
+                                        .holdsWrap = true,
+                                        .numbers = "decimal text",
+                                        .sign = SignConvention::Command,
+                                        .signEvidence = Evidence::Assumed,
+                                        .behaviour = {.outside = Outside::Hold},
+                                        .outsideEvidence = Evidence::Published,
+                                        .settings = settings,
+                                        .rules = rules,
+                                        .assumptions = assumptions},
+        .recognise = recognise,
+        .read = read,
+        .write = write};
+    return family;
+}
+
+} // namespace axiscomp

@@ -1,0 +1,350 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/formats/siemens/siemens_program.h"
+
+#include "core/text/text_file.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace axiscomp::siemens {
+
+namespace {
+
+std::string quoted(std::string_view text)
+{
+    return csv::excerpt(text, csv::Encoding::Utf8);
+}
+
+bool isNameCharacter(char c)
+{
+    return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_';
+}
+
+Token rest(const Token& token, std::size_t from)
+{
+    const std::size_t at = std::min(from, token.text.size());
+    return trimmedToken({token.text.substr(at), token.line, token.column + at});
+}
+
+/// Without a block number "N10 " in front.
+Token withoutBlockNumber(const Token& line)
+{
+    const std::string_view text = line.text;
+    if (text.size() < 2 || (text[0] != 'N' && text[0] != 'n'))
+        return line;
+    const std::size_t end = text.find_first_not_of("0123456789", 1);
+    const bool isNumber = end != std::string_view::npos && end > 1
+        && (text[end] == ' ' || text[end] == '\t' || text[end] == '$');
+    return isNumber ? rest(line, end) : line;
+}
+
+/// The name of an axis stands alone, in brackets or in quotation marks.
+Token bare(Token value)
+{
+    for (const std::string_view pair : {"()", "\"\""}) {
+        const std::string_view text = value.text;
+        if (text.size() >= 2 && text.front() == pair[0] && text.back() == pair[1])
+            value = trimmedToken({text.substr(1, text.size() - 2), value.line, value.column + 1});
+    }
+    return value;
+}
+
+/// False: not of this form; the problem is reported.
+bool readAssignment(const Token& line, Assignment& said, DiagnosticList& diagnostics)
+{
+    const auto refuse = [&](std::size_t at, std::string expected) {
+        const Token found = rest(line, at);
+        diagnostics.error(DiagnosticCode::Syntax, found.line, found.column, quoted(found.text),
+            std::move(expected));
+        return false;
+    };
+    std::size_t i = 1;
+    while (i < line.text.size() && isNameCharacter(line.text[i]))
+        ++i;
+    said.name = {line.text.substr(0, i), line.line, line.column};
+    const Token behindName = rest(line, i);
+    if (!behindName.text.starts_with('['))
+        return refuse(i, "an index in [ ] behind the name");
+    const std::size_t close = behindName.text.find(']');
+    if (close == std::string_view::npos)
+        return refuse(i, "an index that ends in ]");
+    splitCells({behindName.text.substr(1, close - 1), line.line, behindName.column + 1}, ',',
+        said.arguments);
+    for (Token& argument : said.arguments)
+        argument = bare(argument);
+    const Token behindIndex = rest(behindName, close + 1);
+    if (!behindIndex.text.starts_with('='))
+        return refuse(behindIndex.column - line.column, "= and a value behind the index");
+    said.value = bare(rest(behindIndex, 1));
+    if (!said.value)
+        return refuse(line.text.size(), "a value behind =");
+    return true;
+}
+
+bool isEnd(std::string_view text)
+{
+    return std::ranges::any_of(std::array{"M17", "M30", "M02", "M2"},
+        [&](std::string_view end) { return sameLetters(text, end); });
+}
+
+bool isFrame(std::string_view text)
+{
+    constexpr std::string_view channel = "CHANDATA";
+    const bool isChannel = text.size() > channel.size()
+        && sameLetters(text.substr(0, channel.size()), channel) && text.back() == ')';
+    return isChannel || text.front() == '%';
+}
+
+} // namespace
+
+bool readProgram(const TextReading& reading, std::vector<std::string>& notes,
+    const std::function<void(const Assignment&)>& visit)
+{
+    TextLines lines(reading.text);
+    Assignment said;
+    bool hasEnded = false;
+    while (const auto whole = lines.next()) {
+        if (reading.isStopped())
+            return false;
+        const Token line = withoutBlockNumber(trimmedToken(withoutComment(*whole, ";")));
+        if (!line && trimmedToken(*whole).text.starts_with(';'))
+            keepNote(notes, trimmedToken(*whole).text.substr(1));
+        if (!line)
+            continue;
+        if (isFrame(line.text)) {
+            hasEnded = false; // an archive may hold several programs
+        } else if (hasEnded) {
+            reading.diagnostics.error(DiagnosticCode::Syntax, line.line, line.column,
+                quoted(line.text), "nothing behind the end of the program, M17");
+            return true;
+        } else if (line.text.front() == '$') {
+            if (readAssignment(line, said, reading.diagnostics))
+                visit(said);
+        } else if (isEnd(line.text)) {
+            hasEnded = true;
+        } else {
+            reading.diagnostics.error(DiagnosticCode::Syntax, line.line, line.column,
+                quoted(line.text), "an assignment such as $NAME[0,1]=0.5, CHANDATA(1) or M17");
+        }
+    }
+    return true;
+}
+
+Recognition recogniseProgram(std::string_view text, std::string_view own, std::string_view other)
+{
+    const auto begins = [](std::string_view line, std::string_view name) {
+        return line.size() > name.size() && sameLetters(line.substr(0, name.size()), name)
+            && (line[name.size()] == '[' || line[name.size()] == '_' || line[name.size()] == ' ');
+    };
+    bool hasOwn = false;
+    bool hasOther = false;
+    TextLines lines(text);
+    while (const auto whole = lines.next()) {
+        const Token line = withoutBlockNumber(trimmedToken(*whole));
+        hasOwn = hasOwn || begins(line.text, own);
+        hasOther = hasOther || begins(line.text, other);
+    }
+    if (!hasOwn)
+        return Recognition::No;
+    return hasOther ? Recognition::Possible : Recognition::Certain;
+}
+
+Curve::Variable variableOf(std::string_view suffix)
+{
+    for (std::size_t i = 0; i < std::size(variableNames); ++i)
+        if (sameLetters(suffix, variableNames[i]))
+            return static_cast<Curve::Variable>(i);
+    return Curve::variableCount;
+}
+
+void setVariable(
+    Curve& curve, Curve::Variable variable, const Assignment& said, DiagnosticList& diagnostics)
+{
+    const auto number = readNumber(said.value, "a number", diagnostics);
+    if (curve.variables[variable]) {
+        diagnostics.error(DiagnosticCode::Contradiction, said.name.line, said.name.column,
+            std::string(said.name.text) + " of " + curve.label + " a second time",
+            "each variable once; the first is in line " + std::to_string(curve.lines[variable]));
+        return;
+    }
+    curve.variables[variable] = number.value_or(0.0);
+    curve.lines[variable] = said.name.line;
+}
+
+void addPoint(Curve& curve, const Token& index, const Token& value, DiagnosticList& diagnostics)
+{
+    const auto n = readWholeNumber(index, "the number of a point, from 0", diagnostics);
+    const auto number = readNumber(value, "a compensation value", diagnostics);
+    if (n && *n < 0)
+        diagnostics.error(DiagnosticCode::Syntax, index.line, index.column, quoted(index.text),
+            "the number of a point, from 0");
+    else if (n)
+        curve.points.push_back({*n, number.value_or(0.0), index.line, index.column});
+}
+
+namespace {
+
+/// The number of points that MIN, MAX and STEP say.
+std::optional<std::size_t> pointCount(const Curve& curve, DiagnosticList& diagnostics)
+{
+    bool isComplete = true;
+    for (const auto variable : {Curve::Step, Curve::Min, Curve::Max}) {
+        if (curve.variables[variable])
+            continue;
+        isComplete = false;
+        diagnostics.error(DiagnosticCode::Syntax, 0, 0, "",
+            curve.prefix + std::string(variableNames[variable]) + " of " + curve.label
+                + ", which is missing");
+    }
+    if (!isComplete)
+        return std::nullopt;
+    const double min = curve.value(Curve::Min);
+    const double max = curve.value(Curve::Max);
+    const double step = curve.value(Curve::Step);
+    const double last = (max - min) / step;
+    const std::string found = "MIN " + csv::toText(min) + ", MAX " + csv::toText(max) + " and STEP "
+        + csv::toText(step) + " of " + curve.label;
+    if (!(step > 0.0) || !(max > min) || !(last < 1e9)) {
+        diagnostics.error(DiagnosticCode::LimitExceeded, curve.lines[Curve::Step], 0, found,
+            "a STEP above 0 and a MAX above MIN");
+        return std::nullopt;
+    }
+    if (std::abs(last - std::round(last)) > 1e-9 + 1e-6 * last || last < 0.5) {
+        diagnostics.error(DiagnosticCode::Contradiction, curve.lines[Curve::Max], 0, found,
+            "a whole number of steps from MIN to MAX");
+        return std::nullopt;
+    }
+    return static_cast<std::size_t>(std::llround(last)) + 1;
+}
+
+/// Every point once, in order.
+std::optional<std::vector<double>> pointValues(
+    const Curve& curve, std::size_t count, DiagnosticList& diagnostics)
+{
+    // No more than the file has is ever allocated: one of the first points is missing.
+    const std::size_t seenSize = std::min(count, curve.points.size() + 1);
+    std::vector<bool> seen(seenSize, false);
+    std::vector<double> values(seenSize);
+    bool isGood = true;
+    for (const Curve::Point& point : curve.points) {
+        const auto n = static_cast<std::size_t>(point.index);
+        if (n >= count) {
+            isGood = false;
+            diagnostics.error(DiagnosticCode::Contradiction, point.line, point.column,
+                "point " + std::to_string(point.index) + " of " + curve.label,
+                "points up to " + std::to_string(count - 1) + ", which MIN, MAX and STEP give");
+        } else if (n < seenSize && seen[n]) {
+            isGood = false;
+            diagnostics.error(DiagnosticCode::DuplicatePoint, point.line, point.column,
+                "point " + std::to_string(point.index) + " of " + curve.label + " a second time",
+                "each point once");
+        } else if (n < seenSize) {
+            seen[n] = true;
+            values[n] = point.value;
+        }
+    }
+    const auto hole = std::ranges::find(seen, false);
+    if (hole != seen.end()) {
+        diagnostics.error(DiagnosticCode::MissingPoint, 0, 0,
+            "no point " + std::to_string(hole - seen.begin()) + " of " + curve.label,
+            std::to_string(count) + " points, which MIN, MAX and STEP give; there are "
+                + std::to_string(curve.points.size()));
+        return std::nullopt;
+    }
+    return isGood ? std::optional(std::move(values)) : std::nullopt;
+}
+
+std::optional<bool> isModulo(const Curve& curve, DiagnosticList& diagnostics)
+{
+    const std::string name = curve.prefix + std::string(variableNames[Curve::IsModulo]);
+    if (!curve.variables[Curve::IsModulo])
+        diagnostics.warning(DiagnosticCode::Assumption, 0, 0, "no " + name + " of " + curve.label,
+            "0 or 1; 0 is assumed");
+    const double value = curve.value(Curve::IsModulo);
+    if (value == 0.0 || value == 1.0)
+        return value == 1.0;
+    diagnostics.error(DiagnosticCode::LimitExceeded, curve.lines[Curve::IsModulo], 0,
+        name + ' ' + csv::toText(value), "0 or 1");
+    return std::nullopt;
+}
+
+} // namespace
+
+std::optional<Sampled> sample(const Curve& curve, DiagnosticList& diagnostics)
+{
+    const auto count = pointCount(curve, diagnostics);
+    const auto wraps = isModulo(curve, diagnostics);
+    if (!count || !wraps)
+        return std::nullopt;
+    auto values = pointValues(curve, *count, diagnostics);
+    if (!values)
+        return std::nullopt;
+    Sampled sampled;
+    const double min = curve.value(Curve::Min);
+    sampled.axis.knots = evenKnots(min, curve.value(Curve::Step), *count);
+    sampled.axis.knots.back() = curve.value(Curve::Max);
+    sampled.values = std::move(*values);
+    if (*wraps) {
+        sampled.axis.wrap = curve.value(Curve::Max) - min;
+        if (sampled.values.front() != sampled.values.back())
+            diagnostics.warning(DiagnosticCode::NotPeriodic, curve.lines[Curve::IsModulo], 0,
+                csv::toText(sampled.values.back()) + " at MAX of " + curve.label,
+                csv::toText(sampled.values.front()) + ", as at MIN, which follows it");
+    }
+    if (!checkKnots(sampled.axis.knots, {}, curve.label, diagnostics))
+        return std::nullopt;
+    return sampled;
+}
+
+std::string unitOf(const SettingValues& settings, const std::string& axis, bool isModulo)
+{
+    const std::string names = settings.text("rotary-axes");
+    std::vector<Token> rotary;
+    splitTokens({names, 0, 0}, ", ", rotary);
+    const bool isRotary = std::ranges::any_of(
+        rotary, [&](const Token& name) { return sameLetters(name.text, axis); });
+    return isModulo || isRotary ? "deg" : "mm";
+}
+
+Result<std::string> axisName(const FamilyFacts& facts, const SettingValues& settings,
+    std::string_view key, const std::string& name)
+{
+    const std::string wanted = settings.has(key) ? settings.text(key) : name;
+    const bool isName = !wanted.empty() && wanted.size() <= 32
+        && std::ranges::all_of(wanted, isNameCharacter) && !(wanted[0] >= '0' && wanted[0] <= '9');
+    if (isName)
+        return wanted;
+    return fail(ErrorCode::InvalidArgument,
+        {{"reason",
+            '"' + wanted + "\" is no axis name for the format " + std::string(facts.name)
+                + ", such as X1; give the setting " + std::string(key)}});
+}
+
+std::string gridLines(const SourceAxis& axis, std::string_view prefix, std::string_view subject)
+{
+    const double span = axis.knots.back() - axis.knots.front();
+    const double step = span / static_cast<double>(axis.knots.size() - 1);
+    const std::array values{plainNumber(step), plainNumber(axis.knots.front()),
+        plainNumber(axis.knots.back()), std::string(axis.wrap ? "1" : "0")};
+    std::string text;
+    for (std::size_t i = 0; i < values.size(); ++i)
+        text.append(prefix)
+            .append(variableNames[i])
+            .append("[")
+            .append(subject)
+            .append("]=")
+            .append(values[i])
+            .append("\n");
+    return text;
+}
+
+Result<void> checkModulo(const FamilyFacts& facts, const NeutralTable& table)
+{
+    if (!table.axes.front().wrap)
+        return {};
+    if (table.axes.front().unit != "deg")
+        return cannotHold(facts, "its modulo axis is not rotary", "leave the modulo out");
+    return checkOnePeriod(facts, table, 0, 0.0);
+}
+
+} // namespace axiscomp::siemens

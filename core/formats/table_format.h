@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/result.h"
+#include "core/neutral/controller_lookup.h"
+#include "core/neutral/neutral_table.h"
+#include "core/text/diagnostic.h"
+
+#include <filesystem>
+#include <map>
+#include <span>
+#include <stop_token>
+
+namespace axiscomp {
+
+struct TableLayout;
+
+/// Where a statement about a controller comes from (the marks of spec/controllers.md).
+enum class Evidence {
+    Published, ///< the manufacturer's documentation
+    Code, ///< public program code
+    Assumed, ///< not published, or not found: our assumption
+};
+[[nodiscard]] std::string_view evidenceName(Evidence evidence);
+
+enum class KnotRule {
+    Any, ///< ascending
+    Even, ///< start + i * distance, a distance for each axis
+    SquareCells, ///< even, with one distance for all axes
+};
+
+/// What a file does not say, or a choice in writing it: --set KEY=VALUE.
+struct FormatSetting {
+    enum class Kind { Text, WholeNumber, Number, Choice, YesNo };
+    std::string_view key = {}; ///< "counts-per-unit"
+    Kind kind = Kind::Text;
+    std::string_view meaning = {}; ///< a phrase for help and dialogs: "counts per unit of position"
+    std::string_view choices = {}; ///< "increments, metric": of Kind::Choice
+    std::string_view standard = {}; ///< the value without a setting; empty: as the meaning says
+    bool forReading = false;
+    bool forWriting = false;
+    bool isNeeded = false; ///< an error without it
+};
+using FormatSettings = std::map<std::string, std::string, std::less<>>;
+
+/// What a family's tables are and can hold. Lists, dialogs, documentation and checks are made from
+/// this.
+struct FamilyFacts {
+    std::string_view name = {}; ///< "softmc": for --from, --to and --as
+    std::string_view controller = {}; ///< "softMC (Danaher, Servotronix, Kollmorgen)"
+    std::string_view description = {}; ///< "text table, first source fastest"
+    std::span<const std::string_view> extensions = {}; ///< ".txt", the usual one first
+    int fewestDimensions = 1;
+    int mostDimensions = 1;
+    KnotRule knots = KnotRule::Even;
+    std::size_t mostPoints = 0; ///< of one table; 0: no limit is known
+    std::size_t mostColumns = 1; ///< of one table; 0: no limit. A pair of directions is one
+    std::size_t mostTables = 1; ///< of one file; 0: no limit
+    std::size_t mostBytes = 64U << 20U; ///< of a file
+    bool holdsNames = false; ///< of axes
+    bool holdsUnits = false;
+    bool holdsNotes = false;
+    bool holdsDirections = false; ///< a value for each direction of motion
+    bool holdsWrap = false; ///< modulo axes
+    bool holdsPersistency = false;
+    bool isText = true;
+    std::string_view numbers = {}; ///< "decimal text", "float32", "whole numbers of 0.1 um"
+    SignConvention sign = SignConvention::Command;
+    Evidence signEvidence = Evidence::Assumed;
+    TableBehaviour behaviour = {}; ///< what the controller makes of a table
+    Evidence outsideEvidence = Evidence::Assumed;
+    std::span<const FormatSetting> settings = {};
+    std::span<const std::string_view> rules = {}; ///< sentences for docs/formats.md, published
+    std::span<const std::string_view> assumptions = {}; ///< likewise; ours
+};
+
+struct TableReadOptions {
+    int dimensions = 0; ///< of a calibration CSV file, which does not say; 0: not given
+    const TableLayout* layout = nullptr; ///< of a TAM table
+    FormatSettings settings; ///< "position-unit" and "value-unit" for every family that lacks them
+    std::size_t maximumDiagnostics = 100;
+    std::stop_token stop;
+};
+
+struct TableReading {
+    std::vector<NeutralTable> tables; ///< empty with an error
+    std::vector<Diagnostic> diagnostics; ///< in the order of the file
+    std::size_t suppressed = 0; ///< further errors
+    bool cancelled = false;
+
+    [[nodiscard]] bool hasErrors() const;
+};
+
+struct TableWriteOptions {
+    const TableLayout* layout = nullptr; ///< of a TAM table
+    FormatSettings settings;
+    std::string fileName; ///< without folder; where a text names its own file
+};
+
+struct WrittenTables {
+    std::string bytes; ///< of the file
+    std::vector<NeutralTable> held; ///< what the file says, rounded as it is there
+    std::vector<std::string> remarks; ///< what else a person must do or know: activation lines
+};
+
+/// How sure a family is that a text is one of its files.
+enum class Recognition { No, Possible, Certain };
+
+/// One format of one controller. One that cannot be read has no read; one that cannot be written
+/// has no write.
+struct TableFamily {
+    FamilyFacts facts;
+    /// text: the first bytes of the file, at most 64 KiB; may end in the middle of a line. None
+    /// for a format that only the file's name tells.
+    Recognition (*recognise)(std::string_view text) = nullptr;
+    /// The whole file. Problems of the file are diagnostics; settings that cannot be are errors
+    /// (InvalidArgument).
+    Result<TableReading> (*read)(std::string_view text, const TableReadOptions& options) = nullptr;
+    /// tables: what checkHolds accepts, with the family's sign. Errors: InvalidArgument
+    /// (settings), FormatCannotHold (numbers that the format has no room for).
+    Result<WrittenTables> (*write)(
+        std::span<const NeutralTable> tables, const TableWriteOptions& options) = nullptr;
+};
+
+/// All of them, those of the product itself first.
+[[nodiscard]] std::span<const TableFamily* const> tableFamilies();
+
+/// "csv, tamtbl": their names, for sentences.
+[[nodiscard]] std::string familyNames(std::span<const TableFamily* const> families);
+
+/// By name, upper or lower case. Errors: UnknownFormat.
+[[nodiscard]] Result<const TableFamily*> familyNamed(std::string_view name);
+
+/// The bytes at the beginning of a file that tell its format; fewer of a shorter file, and none of
+/// one that cannot be read, which its reader says.
+[[nodiscard]] std::string beginningOf(const std::filesystem::path& file);
+
+/// What a file is, from its content; the extension decides among those that are possible.
+struct FormatGuess {
+    std::vector<const TableFamily*> families; ///< the most likely first; empty: none
+    bool isCertain = false; ///< exactly one fits
+};
+[[nodiscard]] FormatGuess guessFamily(std::string_view text, std::string_view fileName);
+
+/// The format that a file's name stands for; null when none or several do.
+[[nodiscard]] const TableFamily* familyOfExtension(std::string_view fileName);
+
+/// Which format a file is read as, when nobody says it.
+struct FormatChoice {
+    const TableFamily* family = nullptr;
+    std::vector<const TableFamily*> others; ///< that the content would allow as well
+};
+/// text: the first bytes. isCalibration: the user said something that only calibration files need
+/// (the number of dimensions). Errors: UnknownFormat, FormatAmbiguous with the candidates.
+[[nodiscard]] Result<FormatChoice> chooseFamily(
+    std::string_view text, const std::string& fileName, bool isCalibration);
+
+/// The format to write a file in: by its name when one is given, else by the file's extension.
+/// Errors: UnknownFormat, FormatAmbiguous, InvalidArgument for one that cannot be written.
+[[nodiscard]] Result<const TableFamily*> outputFamily(
+    const std::string& fileName, const std::string& formatName);
+
+/// Checks dimensions, knots, points, columns, directions and modulo against the facts. Errors:
+/// FormatCannotHold with the limit and the way out; InvalidArgument for what is no table
+/// (checkConsistent).
+[[nodiscard]] Result<void> checkHolds(
+    const FamilyFacts& facts, std::span<const NeutralTable> tables);
+
+/// The settings that a format has for reading or for writing, those of missing units among them.
+[[nodiscard]] std::vector<FormatSetting> formatSettings(const FamilyFacts& facts, bool isWriting);
+
+/// The value of a setting, or its standard value. Errors: InvalidArgument for a value that is not
+/// of the setting's kind, for one that is needed and missing, and for keys that the family does not
+/// have.
+class SettingValues {
+public:
+    [[nodiscard]] static Result<SettingValues> of(
+        const FamilyFacts& facts, const FormatSettings& settings, bool isWriting);
+
+    [[nodiscard]] bool has(std::string_view key) const; ///< given, or with a standard value
+    [[nodiscard]] std::string text(std::string_view key) const; ///< empty: not given
+    [[nodiscard]] double number(std::string_view key) const; ///< has(key)
+    [[nodiscard]] long whole(std::string_view key) const; ///< has(key)
+    [[nodiscard]] bool yes(std::string_view key) const;
+
+private:
+    FormatSettings m_values;
+};
+
+} // namespace axiscomp

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/csv/calibration_csv.h"
+#include "core/formats/formats.h"
+#include "core/formats/triamec/triamec_tables.h"
+#include "core/text/token_scanner.h"
+
+#include <algorithm>
+#include <array>
+
+namespace axiscomp {
+
+namespace {
+
+constexpr std::array<std::string_view, 1> extensions{".csv"};
+constexpr std::array<std::string_view, 3> rules{
+    "A header line, then one line for each grid point: the first 1, 2 or 3 columns are reference "
+    "positions, each further one is a compensation table (AN140 2.3).",
+    "The number of dimensions is chosen by the user, since the file does not say it.",
+    "Values are x_ref - x_enc, in the unit of the positions, and are added to the encoder position "
+    "(AN140 3.1).",
+};
+constexpr std::array<std::string_view, 1> assumptions{
+    "Outside of the table the drive holds the values at the ends.",
+};
+
+Result<TableReading> read(std::string_view text, const TableReadOptions& options)
+{
+    if (auto known = SettingValues::of(calibrationCsvFamily().facts, options.settings, false);
+        !known)
+        return fail(known.error());
+    if (options.dimensions < 1 || options.dimensions > 3)
+        return fail(ErrorCode::InvalidArgument,
+            {{"reason", "a calibration file needs the number of its dimensions: 1, 2 or 3"}});
+    CsvOptions csv;
+    csv.dimensions = options.dimensions;
+    csv.acceptsUneven = true;
+    csv.maximumDiagnostics = options.maximumDiagnostics;
+    csv.stop = options.stop;
+    CsvReading parsed = parseCalibrationCsv(text, csv);
+    TableReading reading;
+    reading.diagnostics = std::move(parsed.diagnostics);
+    reading.suppressed = parsed.suppressed;
+    reading.cancelled = parsed.cancelled;
+    if (parsed.data)
+        reading.tables.push_back(neutralTable(*parsed.data, parsed.knots));
+    return reading;
+}
+
+bool isNumber(const Token& token)
+{
+    return numberOf(token.text).has_value();
+}
+
+/// A header of at least two names, and a line of as many numbers.
+Recognition recognise(std::string_view text)
+{
+    TextLines lines(text);
+    std::vector<Token> header;
+    std::vector<Token> row;
+    for (const char separator : {';', ',', '\t'}) {
+        lines = TextLines(text);
+        header.clear();
+        while (const auto line = lines.next()) {
+            if (line->text.starts_with("//") || trimmedToken(*line).text.empty())
+                continue;
+            splitCells(*line, separator, header.empty() ? header : row);
+            if (!row.empty())
+                break;
+        }
+        const bool isHeader = header.size() >= 2 && std::ranges::none_of(header, isNumber)
+            && !header.back().text.empty();
+        if (isHeader && row.size() == header.size()
+            && (separator == ';' || std::ranges::all_of(row, isNumber)))
+            return Recognition::Possible;
+        row.clear();
+    }
+    return Recognition::No;
+}
+
+Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWriteOptions& options)
+{
+    if (auto known = SettingValues::of(calibrationCsvFamily().facts, options.settings, true);
+        !known)
+        return fail(known.error());
+    auto data = calibrationData(tables.front());
+    if (!data)
+        return fail(data.error());
+    for (std::size_t n = 0; n < data->grid.axes.size(); ++n) {
+        std::string& name = data->grid.axes[n].name;
+        if (name.empty())
+            name = "Dim " + std::to_string(n + 1);
+    }
+    for (CompensationTable& table : data->tables)
+        table.grid = data->grid;
+    WrittenTables written;
+    written.bytes = writeCalibrationCsv(*data);
+    written.held.push_back(neutralTable(*data));
+    return written;
+}
+
+} // namespace
+
+const TableFamily& calibrationCsvFamily()
+{
+    static const TableFamily family{
+        .facts = {.name = "csv",
+            .controller = "Triamec",
+            .description = "calibration file: reference positions and compensation values",
+            .extensions = extensions,
+            .mostDimensions = 3,
+            .knots = KnotRule::Even,
+            .mostColumns = 0,
+            .mostBytes = std::size_t{1} << 30U,
+            .holdsNames = true,
+            .holdsUnits = true,
+            .holdsNotes = true,
+            .numbers = "decimal text",
+            .sign = SignConvention::Feedback,
+            .signEvidence = Evidence::Published,
+            .behaviour = {.outside = Outside::Hold, .usesFloat = true},
+            .outsideEvidence = Evidence::Assumed,
+            .rules = rules,
+            .assumptions = assumptions},
+        .recognise = recognise,
+        .read = read,
+        .write = write};
+    return family;
+}
+
+} // namespace axiscomp

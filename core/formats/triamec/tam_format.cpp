@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/formats/formats.h"
+#include "core/formats/triamec/triamec_tables.h"
+#include "core/table/tam_table.h"
+
+#include <array>
+
+namespace axiscomp {
+
+namespace {
+
+constexpr std::array<std::string_view, 1> extensions{".TAMtbl"};
+constexpr std::array settings{
+    FormatSetting{.key = "persistent",
+        .kind = FormatSetting::Kind::YesNo,
+        .meaning = "the drive stores the table in its flash",
+        .standard = "no",
+        .forWriting = true},
+};
+constexpr std::array<std::string_view, 1> rules{
+    "The drive adds the value, x_ref - x_enc, to the encoder position (AN140 3.1).",
+};
+constexpr std::array<std::string_view, 2> assumptions{
+    "The layout of the bytes is not published: it is ours, and data of the drive profile.",
+    "Outside of the table the drive holds the values at the ends.",
+};
+
+Result<const TableLayout*> layoutOf(const TableLayout* layout)
+{
+    if (layout != nullptr)
+        return layout;
+    return fail(ErrorCode::InvalidArgument,
+        {{"reason", "a TAM table needs the table layout of a drive profile"}});
+}
+
+Result<TableReading> read(std::string_view text, const TableReadOptions& options)
+{
+    const auto layout = layoutOf(options.layout);
+    if (!layout)
+        return fail(layout.error());
+    if (auto known = SettingValues::of(tamTableFamily().facts, options.settings, false); !known)
+        return fail(known.error());
+    auto table = decodeTamTable(asBytes(text), **layout);
+    if (!table)
+        return fail(table.error());
+    const int dimensions = table->table.grid.dimensions();
+    if (options.dimensions != 0 && options.dimensions != dimensions)
+        return fail(ErrorCode::DimensionMismatch,
+            {{"table", std::to_string(dimensions)},
+                {"chosen", std::to_string(options.dimensions)}});
+    TableReading reading;
+    CalibrationData data{table->table.grid, {std::move(table->table)}, {}};
+    reading.tables.push_back(neutralTable(data));
+    return reading;
+}
+
+Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWriteOptions& options)
+{
+    const auto layout = layoutOf(options.layout);
+    if (!layout)
+        return fail(layout.error());
+    const auto values = SettingValues::of(tamTableFamily().facts, options.settings, true);
+    if (!values)
+        return fail(values.error());
+    auto data = calibrationData(tables.front());
+    if (!data)
+        return fail(data.error());
+    const CompensationTable& table = data->tables.front();
+    const auto bytes = encodeTamTable(table, values->yes("persistent"), **layout);
+    if (!bytes)
+        return fail(bytes.error());
+    WrittenTables written;
+    written.bytes = asText(*bytes);
+    written.held.push_back(neutralTable(*data));
+    return written;
+}
+
+} // namespace
+
+const TableFamily& tamTableFamily()
+{
+    static const TableFamily family{
+        .facts = {.name = "tamtbl",
+            .controller = "Triamec",
+            .description = "table file of the drive, laid out as the drive profile says",
+            .extensions = extensions,
+            .mostDimensions = 3,
+            .knots = KnotRule::Even,
+            .holdsPersistency = true,
+            .isText = false,
+            .numbers = "float32",
+            .sign = SignConvention::Feedback,
+            .signEvidence = Evidence::Published,
+            .behaviour = {.outside = Outside::Hold, .usesFloat = true},
+            .outsideEvidence = Evidence::Assumed,
+            .settings = settings,
+            .rules = rules,
+            .assumptions = assumptions},
+        .recognise = nullptr,
+        .read = read,
+        .write = write};
+    return family;
+}
+
+} // namespace axiscomp

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/formats/triamec/triamec_tables.h"
+
+#include "core/formats/format_writer.h"
+#include "core/formats/formats.h"
+#include "core/table/even_spacing.h"
+#include "core/text/text_file.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace axiscomp {
+
+namespace {
+
+auto refuse(std::string reason, std::string wayOut)
+{
+    return cannotHold(calibrationCsvFamily().facts, std::move(reason), std::move(wayOut));
+}
+
+GridAxis gridAxis(const SourceAxis& axis)
+{
+    const EvenSpacing spacing = fitEvenSpacing(axis.knots, noDecimals);
+    return {axis.name, axis.unit, spacing.start, spacing.distance,
+        static_cast<std::uint32_t>(axis.knots.size())};
+}
+
+/// The number that a person would write for a float32: 0.0021 and not 0.0020999999046325684. Made
+/// a float32 again it is the same.
+double plainValue(float value)
+{
+    const std::string text = csv::toText(value);
+    return numberOf(text).value_or(static_cast<double>(value));
+}
+
+std::string columnName(const NeutralTable& table, std::size_t index)
+{
+    const CompensationColumn& column = table.columns[index];
+    for (const std::string* name : {&column.name, &column.target, &table.name})
+        if (!name->empty() && (name != &table.name || table.columns.size() == 1))
+            return *name;
+    return "Table " + std::to_string(index + 1);
+}
+
+Result<std::vector<float>> floatValues(const CompensationColumn& column)
+{
+    std::vector<float> values;
+    values.reserve(column.values.size());
+    for (const double value : column.values) {
+        values.push_back(static_cast<float>(value));
+        if (!std::isfinite(values.back()))
+            return refuse(
+                "a value is beyond what a float32 can be", "check the unit of the values");
+    }
+    return values;
+}
+
+} // namespace
+
+NeutralTable neutralTable(
+    const CalibrationData& data, const std::vector<std::vector<double>>& knots)
+{
+    NeutralTable neutral;
+    neutral.notes = data.notes;
+    for (std::size_t n = 0; n < data.grid.axes.size(); ++n) {
+        const GridAxis& from = data.grid.axes[n];
+        SourceAxis axis;
+        axis.name = from.name;
+        axis.unit = from.unit;
+        axis.knots = knots.empty() ? evenKnots(from.start, from.distance, from.size) : knots[n];
+        neutral.axes.push_back(std::move(axis));
+    }
+    for (const CompensationTable& table : data.tables) {
+        CompensationColumn column;
+        column.name = table.name;
+        column.unit = table.unit;
+        const auto named = std::ranges::find_if(neutral.axes, [&](const SourceAxis& axis) {
+            return !axis.name.empty() && sameLetters(axis.name, table.name);
+        });
+        if (named != neutral.axes.end())
+            column.target = named->name;
+        column.values.reserve(table.values.size());
+        for (const float value : table.values)
+            column.values.push_back(plainValue(value));
+        neutral.columns.push_back(std::move(column));
+    }
+    return neutral;
+}
+
+Result<CalibrationData> calibrationData(const NeutralTable& table)
+{
+    if (table.sign != SignConvention::Feedback)
+        return refuse("its values are offsets of the command", "convert the sign");
+    const NeutralTable tables[] = {table};
+    if (auto fits = checkHolds(calibrationCsvFamily().facts, tables); !fits)
+        return fail(fits.error());
+    CalibrationData data;
+    data.notes = table.notes;
+    for (const SourceAxis& axis : table.axes)
+        data.grid.axes.push_back(gridAxis(axis));
+    for (std::size_t n = 0; n < table.columns.size(); ++n) {
+        auto values = floatValues(table.columns[n]);
+        if (!values)
+            return fail(values.error());
+        data.tables.push_back(
+            {columnName(table, n), table.columns[n].unit, data.grid, std::move(*values)});
+    }
+    return data;
+}
+
+} // namespace axiscomp

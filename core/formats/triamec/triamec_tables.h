@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/result.h"
+#include "core/csv/calibration_csv.h"
+#include "core/neutral/neutral_table.h"
+
+namespace axiscomp {
+
+// Between the neutral value and what the rest of the program works with: even grids of float32.
+
+/// knots: of the data's axes where they are not even, see CsvReading; empty: even. A column whose
+/// name is that of an axis has it as its target.
+[[nodiscard]] NeutralTable neutralTable(
+    const CalibrationData& data, const std::vector<std::vector<double>>& knots = {});
+
+/// Each column becomes a compensation table; values are rounded to float32. Errors:
+/// FormatCannotHold for uneven positions, values for one direction of motion, or of the command
+/// side, and numbers that no float32 is.
+[[nodiscard]] Result<CalibrationData> calibrationData(const NeutralTable& table);
+
+} // namespace axiscomp

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/formats/units.h"
+
+#include "core/table/position_unit.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace axiscomp {
+
+namespace {
+
+/// A factor between two units. A whole one is exactly that, and so is the reciprocal of one: 2.3 um
+/// are 0.0023 mm, and no digits more.
+struct Factor {
+    double multiplier = 1.0;
+    double divisor = 1.0;
+
+    [[nodiscard]] double operator()(double number) const { return number * multiplier / divisor; }
+};
+
+double wholeIfNearly(double number)
+{
+    const double whole = std::round(number);
+    return std::abs(number - whole) <= 1e-12 * whole ? whole : number;
+}
+
+void scale(std::vector<double>& numbers, const Factor& factor)
+{
+    for (double& number : numbers)
+        number = factor(number);
+}
+
+Result<Factor> factorBetween(const std::string& from, const std::string& to)
+{
+    if (isSameUnit(from, to))
+        return Factor{};
+    if (const auto factor = unitFactor(from, to))
+        return *factor < 1.0 ? Factor{1.0, wholeIfNearly(1.0 / *factor)}
+                             : Factor{wholeIfNearly(*factor), 1.0};
+    return fail(ErrorCode::InvalidArgument,
+        {{"reason", "numbers in " + from + " cannot be given in " + to}});
+}
+
+Result<void> convertAxis(SourceAxis& axis, const std::string& unit)
+{
+    const auto factor = factorBetween(axis.unit, unit);
+    if (!factor)
+        return fail(factor.error());
+    scale(axis.knots, *factor);
+    if (axis.wrap)
+        axis.wrap = (*factor)(*axis.wrap);
+    axis.unit = unit;
+    axis.step = (*factor)(axis.step);
+    return {};
+}
+
+Result<void> convertColumn(CompensationColumn& column, const std::string& unit)
+{
+    const auto factor = factorBetween(column.unit, unit);
+    if (!factor)
+        return fail(factor.error());
+    scale(column.values, *factor);
+    column.unit = unit;
+    column.step = (*factor)(column.step);
+    return {};
+}
+
+/// The one of two units that can hold numbers in another; the first for an unknown one.
+std::string fittingUnit(const std::string& unit, std::string_view length, std::string_view angle)
+{
+    const bool isAngle = !unit.empty() && !angle.empty() && !unitFactor(unit, length)
+        && unitFactor(unit, angle).has_value();
+    return std::string(isAngle ? angle : length);
+}
+
+std::string unitWords(const std::string& unit)
+{
+    return unit.empty() ? "a unit that is not said" : unit;
+}
+
+} // namespace
+
+void remarkOnce(std::vector<std::string>& remarks, std::string remark)
+{
+    if (std::ranges::find(remarks, remark) == remarks.end())
+        remarks.push_back(std::move(remark));
+}
+
+void takeUnits(NeutralTable& table, const SettingValues& settings, DiagnosticList& diagnostics)
+{
+    for (SourceAxis& axis : table.axes)
+        axis.unit = settings.text("position-unit");
+    for (CompensationColumn& column : table.columns)
+        column.unit = settings.text("value-unit");
+    if (!settings.has("position-unit"))
+        diagnostics.warning(DiagnosticCode::UnitNotGiven, 0, 0, "positions without a unit",
+            "the setting position-unit, such as mm, where a unit matters");
+    if (!settings.has("value-unit"))
+        diagnostics.warning(DiagnosticCode::UnitNotGiven, 0, 0, "values without a unit",
+            "the setting value-unit, such as um, where a unit matters");
+}
+
+Result<NeutralTable> inUnits(const NeutralTable& table, std::string_view lengthUnit,
+    std::string_view angleUnit, std::vector<std::string>& remarks)
+{
+    NeutralTable converted = table;
+    const auto assume = [&](std::string& unit, std::string_view what) {
+        if (!unit.empty())
+            return;
+        unit = lengthUnit;
+        remarkOnce(
+            remarks, "the " + std::string(what) + " have no unit; they are taken to be " + unit);
+    };
+    for (SourceAxis& axis : converted.axes) {
+        assume(axis.unit, "positions");
+        if (auto done = convertAxis(axis, fittingUnit(axis.unit, lengthUnit, angleUnit)); !done)
+            return fail(done.error());
+    }
+    for (CompensationColumn& column : converted.columns) {
+        assume(column.unit, "values");
+        const std::string unit = fittingUnit(column.unit, lengthUnit, angleUnit);
+        if (auto done = convertColumn(column, unit); !done)
+            return fail(done.error());
+    }
+    return converted;
+}
+
+Result<NeutralTable> inSettingUnits(
+    const NeutralTable& table, const SettingValues& settings, std::vector<std::string>& remarks)
+{
+    NeutralTable converted = table;
+    const std::string positionUnit = settings.text("position-unit");
+    const std::string valueUnit = settings.text("value-unit");
+    for (SourceAxis& axis : converted.axes) {
+        if (positionUnit.empty())
+            continue;
+        if (axis.unit.empty())
+            axis.unit = positionUnit;
+        if (auto done = convertAxis(axis, positionUnit); !done)
+            return fail(done.error());
+    }
+    for (CompensationColumn& column : converted.columns) {
+        const auto own = ownAxis(converted, column);
+        const std::string ownUnit = own ? converted.axes[*own].unit : std::string();
+        const std::string wanted = valueUnit.empty() ? ownUnit : valueUnit;
+        if (wanted.empty())
+            continue;
+        if (column.unit.empty())
+            column.unit = wanted;
+        if (auto done = convertColumn(column, wanted); !done)
+            return fail(done.error());
+    }
+    for (const SourceAxis& axis : converted.axes)
+        remarkOnce(remarks, "the positions are in " + unitWords(axis.unit));
+    for (const CompensationColumn& column : converted.columns)
+        remarkOnce(remarks, "the values are in " + unitWords(column.unit));
+    return converted;
+}
+
+Result<NeutralTable> inPositionUnits(const NeutralTable& table, std::vector<std::string>& remarks)
+{
+    NeutralTable converted = table;
+    for (CompensationColumn& column : converted.columns) {
+        const std::string unit = converted.axes[ownAxis(converted, column).value_or(0)].unit;
+        if (unit.empty() || column.unit.empty()) {
+            remarkOnce(remarks,
+                "not all units are said: the values are taken to be in the unit of the positions");
+            continue;
+        }
+        if (isSameUnit(column.unit, unit))
+            continue;
+        const std::string before = column.unit;
+        if (auto done = convertColumn(column, unit); !done)
+            return fail(done.error());
+        remarkOnce(remarks,
+            "the values were in " + before + " and are now in " + unit
+                + ", the unit of the positions");
+    }
+    return converted;
+}
+
+void roundToSteps(NeutralTable& table)
+{
+    const auto round = [](std::vector<double>& numbers, double step) {
+        if (step > 0.0)
+            for (double& number : numbers)
+                number = std::round(number / step) * step;
+    };
+    for (SourceAxis& axis : table.axes)
+        round(axis.knots, axis.step);
+    for (CompensationColumn& column : table.columns)
+        round(column.values, column.step);
+}
+
+} // namespace axiscomp

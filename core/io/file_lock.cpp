@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/io/file_lock.h"
+
+#include "core/io/local_file.h"
+
+#include <cerrno>
+#include <thread>
+#include <utility>
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+namespace axiscomp {
+
+namespace {
+
+// flock has no time-out of its own; a store operation takes a few milliseconds.
+constexpr std::chrono::milliseconds pollInterval{10};
+
+} // namespace
+
+Result<FileLock> FileLock::acquire(const std::filesystem::path& lockFile,
+    std::chrono::milliseconds longestWait, const std::filesystem::path& what)
+{
+    const auto failed = [&](const std::string& reason) {
+        return fail(ErrorCode::FileNotWritable, {{"file", what.string()}, {"reason", reason}});
+    };
+    const int descriptor =
+        ::open(lockFile.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0600);
+    if (descriptor < 0)
+        return failed(fileErrorReason(errno));
+    FileLock lock{descriptor};
+
+    const auto end = std::chrono::steady_clock::now() + longestWait;
+    while (::flock(descriptor, LOCK_EX | LOCK_NB) != 0) {
+        if (errno != EWOULDBLOCK && errno != EINTR)
+            return failed("it cannot be locked: " + fileErrorReason(errno));
+        if (std::chrono::steady_clock::now() >= end)
+            return failed("another program is using it; try again when that one has finished");
+        std::this_thread::sleep_for(pollInterval);
+    }
+    return lock;
+}
+
+FileLock::FileLock(FileLock&& other) noexcept : m_descriptor(std::exchange(other.m_descriptor, -1))
+{
+}
+
+FileLock& FileLock::operator=(FileLock&& other) noexcept
+{
+    std::swap(m_descriptor, other.m_descriptor);
+    return *this;
+}
+
+FileLock::~FileLock()
+{
+    if (m_descriptor >= 0)
+        ::close(m_descriptor);
+}
+
+} // namespace axiscomp

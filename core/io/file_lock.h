@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/result.h"
+
+#include <chrono>
+#include <filesystem>
+
+namespace axiscomp {
+
+/// Holds a lock file against other programs, and against other holders in this one, until it is
+/// destroyed; the system lets go of it when a program dies. The file stays: deleting it would let
+/// two holders in.
+class FileLock {
+public:
+    /// Waits until the lock is free, at most this long. `what` is the file or folder that the error
+    /// names. Errors: FileNotWritable.
+    [[nodiscard]] static Result<FileLock> acquire(const std::filesystem::path& lockFile,
+        std::chrono::milliseconds longestWait, const std::filesystem::path& what);
+
+    FileLock(FileLock&& other) noexcept;
+    FileLock& operator=(FileLock&& other) noexcept;
+    ~FileLock();
+
+private:
+    explicit FileLock(int descriptor) : m_descriptor(descriptor) { }
+    int m_descriptor;
+};
+
+} // namespace axiscomp

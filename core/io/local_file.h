@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/bytes.h"
+#include "core/base/result.h"
+
+#include <cstdint>
+#include <filesystem>
+
+namespace axiscomp {
+
+/// Writes a file so that after a crash or a full disk the old file is whole or the new one is: a
+/// temporary file beside it, fsync, rename, fsync of the folder. A symbolic link is followed and
+/// stays; the old file's mode is kept, a new file gets what the umask gives; a read-only file is
+/// refused. Devices and pipes ("/dev/stdout") are written to directly. Errors: FileNotWritable.
+[[nodiscard]] Result<void> saveFile(const std::filesystem::path& file, ByteView bytes);
+
+/// Errors: FileNotReadable, FileTooLarge.
+[[nodiscard]] Result<Bytes> loadFile(const std::filesystem::path& file, std::uint64_t maximumSize);
+
+/// Deletes a file so that it is gone after a crash too; one that does not exist is no error.
+/// Errors: FileNotWritable.
+[[nodiscard]] Result<void> removeFile(const std::filesystem::path& file);
+
+/// Whether this is the name of a temporary file of saveFile: those that a crash left behind may be
+/// deleted when nobody else writes to the folder.
+[[nodiscard]] bool isTemporaryFile(const std::filesystem::path& file);
+
+/// The reason in words, for the context of FileNotReadable and FileNotWritable.
+[[nodiscard]] std::string fileErrorReason(int errorNumber);
+
+} // namespace axiscomp

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/wall_time.h"
+#include "core/store/store_folder.h"
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+namespace axiscomp {
+
+/// A name that no file has yet: "2026-11-21T08-02-23.5Z-axis0.json", "...-axis0-2.json"; without an
+/// axis "...-file.json".
+[[nodiscard]] std::filesystem::path newBackupFile(
+    const StoreFolder& folder, WallTime time, std::optional<int> axis);
+
+/// The backups of the axis, newest first.
+[[nodiscard]] std::vector<std::filesystem::path> backupFiles(
+    const StoreFolder& folder, std::optional<int> axis);
+
+/// Deletes what a crash left behind, and the backups of the axis beyond the newest 50; not the one
+/// that was just made, nor the one that the axis's journal names. What cannot be deleted stays.
+void pruneBackups(
+    const StoreFolder& folder, std::optional<int> axis, const std::filesystem::path& justMade);
+
+} // namespace axiscomp

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/result.h"
+#include "core/base/wall_time.h"
+#include "core/drive/flash_wear.h"
+#include "core/drive/register_value.h"
+#include "core/io/file_lock.h"
+#include "core/io/local_file.h"
+#include "core/store/backup.h"
+
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace axiscomp {
+
+/// A write that has begun: kept from before its first change until it has ended.
+struct JournalEntry {
+    std::int32_t serialNumber = 0;
+    int axis = 0;
+    WallTime time{};
+    std::string step; ///< the last step that was begun: "upload", "switch", "commit", ...
+    std::filesystem::path backup; ///< the AxisBackup file
+    std::vector<RegisterWrite> newRegisters; ///< what the axis has when the write is complete
+    std::string newSlot;
+    std::uint32_t newCrc = 0; ///< of the new table's elements
+    bool persistent = false;
+    /// The new table's file, kept beside the journal: with it the write can be finished.
+    struct KeptTable {
+        std::filesystem::path file;
+        std::uint64_t size = 0; ///< bytes
+        std::uint32_t crc = 0; ///< CRC-32 of all bytes
+        friend bool operator==(const KeptTable&, const KeptTable&) = default;
+    };
+    std::optional<KeptTable>
+        newTable{}; ///< none: the write keeps the table, or did not keep a file
+
+    friend bool operator==(const JournalEntry&, const JournalEntry&) = default;
+};
+
+/// What the program remembers about drives across runs and programs: backups, journal, flash
+/// history, which table it put into which slot, and what the saved parameters name. One folder per
+/// drive serial number, made when something is kept in it; readable JSON, saved atomically, shared
+/// by several programs under a lock file. Times come from the caller.
+///
+/// Errors of all: FileNotReadable, FileNotWritable (also when another program holds the lock). A
+/// file that cannot be understood does not stop the program: see the functions.
+class DriveStore {
+public:
+    /// lockWait: how long an operation waits for another program's.
+    explicit DriveStore(
+        std::filesystem::path root, std::chrono::milliseconds lockWait = std::chrono::seconds{5});
+    /// $XDG_STATE_HOME/axiscomp, ~/.local/state/axiscomp
+    [[nodiscard]] static std::filesystem::path defaultRoot();
+
+    /// One dated file per call, parsed back before it counts. The newest 50 of the axis are kept,
+    /// and always this one and the one that the axis's journal names.
+    [[nodiscard]] Result<std::filesystem::path> saveBackup(const AxisBackup& backup);
+    /// The same for a file that no axis uses: a DriveBackup with that file alone.
+    [[nodiscard]] Result<std::filesystem::path> saveBackup(
+        const DriveIdentity& drive, WallTime time, const AxisBackup::File& file);
+    /// The files that saveBackup left for the axis, newest first; empty when there are none.
+    [[nodiscard]] std::vector<std::filesystem::path> backups(
+        std::int32_t serialNumber, int axis) const;
+
+    /// Keeps a table file for the axis's journal, until that is closed.
+    [[nodiscard]] Result<JournalEntry::KeptTable> keepTable(
+        std::int32_t serialNumber, int axis, ByteView bytes);
+    /// Errors: FileNotReadable, also when it is not what was kept.
+    [[nodiscard]] Result<Bytes> keptTable(const JournalEntry::KeptTable& table) const;
+    /// Replaces the axis's entry.
+    [[nodiscard]] Result<void> openJournal(const JournalEntry& entry);
+    /// Removes the tables that were kept for it too.
+    [[nodiscard]] Result<void> closeJournal(std::int32_t serialNumber, int axis);
+    /// A broken journal is FileNotReadable with what to do about it: what it knew about a write
+    /// that did not end must not be lost unnoticed.
+    [[nodiscard]] Result<std::optional<JournalEntry>> journal(std::int32_t serialNumber, int axis);
+
+    /// The drive's last 1000 flash operations in the order in which they were recorded (which of
+    /// them still count is for FlashWearGuard to say), and the number ever recorded.
+    struct FlashHistory {
+        std::vector<WallTime> recent;
+        std::uint64_t total = 0;
+        /// The last time that the drive itself reported wear.
+        struct Refusal {
+            WallTime time{};
+            std::chrono::seconds wait{0};
+            friend bool operator==(const Refusal&, const Refusal&) = default;
+        };
+        std::optional<Refusal> refusal{};
+        friend bool operator==(const FlashHistory&, const FlashHistory&) = default;
+    };
+    /// A broken file is moved aside to *.broken and counts as empty.
+    [[nodiscard]] Result<FlashHistory> flashHistory(std::int32_t serialNumber);
+    [[nodiscard]] Result<void> recordFlash(std::int32_t serialNumber, WallTime now, int operations);
+    /// So that neither another program nor the next start runs into it again.
+    [[nodiscard]] Result<void> recordFlashRefusal(
+        std::int32_t serialNumber, WallTime now, std::chrono::seconds wait);
+
+    /// The slot and element CRC of tables that this program wrote for an axis, newest first: such a
+    /// slot may be taken again when its content is still the same (DESIGN, "Slots are taken in
+    /// turn"). The last 4 of each slot are remembered, so that a slot is still known when a write
+    /// was undone; the same table in the same slot belongs to the axis that wrote it last.
+    struct OwnTable {
+        std::string slot;
+        std::uint32_t crc = 0;
+        friend bool operator==(const OwnTable&, const OwnTable&) = default;
+    };
+    /// A broken file is moved aside to *.broken and counts as empty.
+    [[nodiscard]] Result<std::vector<OwnTable>> ownTables(std::int32_t serialNumber, int axis);
+    [[nodiscard]] Result<void> recordOwnTable(
+        std::int32_t serialNumber, int axis, const OwnTable& table);
+
+    /// What a drive does not tell about what a reboot brings back, as far as the programs of this
+    /// computer have brought it about.
+    struct SavedState {
+        /// A slot that the saved parameters of an axis name, or may name.
+        struct Use {
+            int axis = 0;
+            std::string slot;
+            std::uint32_t crc = 0; ///< of the elements that the slot held when they were saved
+            friend bool operator==(const Use&, const Use&) = default;
+        };
+        bool isKnown = false; ///< a program has saved the parameters of this drive
+        std::vector<Use> uses;
+        /// Slots where flash may hold another table than the volatile one that lies over it.
+        std::vector<std::string> covered;
+        friend bool operator==(const SavedState&, const SavedState&) = default;
+
+        [[nodiscard]] bool isCovered(std::string_view slot) const;
+        /// The first axis but this one whose saved parameters name the slot.
+        [[nodiscard]] std::optional<int> otherUser(std::string_view slot, int axis) const;
+        /// To put this table into the slot's flash would give an axis the table of one write and
+        /// the saved sources of another.
+        [[nodiscard]] bool isInTheWay(std::string_view slot, int axis, std::uint32_t crc) const;
+    };
+    /// A broken file is moved aside to *.broken and counts as empty.
+    [[nodiscard]] Result<SavedState> savedState(std::int32_t serialNumber);
+    /// The parameters are about to be saved: what they named before stays until recordSaved.
+    [[nodiscard]] Result<void> recordSaving(
+        std::int32_t serialNumber, const std::vector<SavedState::Use>& uses);
+    [[nodiscard]] Result<void> recordSaved(
+        std::int32_t serialNumber, const std::vector<SavedState::Use>& uses);
+    [[nodiscard]] Result<void> recordCovered(
+        std::int32_t serialNumber, const std::string& slot, bool isCovered);
+
+    /// For the time of a whole write: keeps two programs from writing to one drive at once. None of
+    /// the functions above waits for it.
+    [[nodiscard]] Result<FileLock> lockWrites(std::int32_t serialNumber);
+
+private:
+    template <typename Change>
+    [[nodiscard]] Result<void> changeFlashHistory(std::int32_t serialNumber, const Change& change);
+    template <typename Change>
+    [[nodiscard]] Result<void> changeSavedState(std::int32_t serialNumber, const Change& change);
+
+    std::filesystem::path m_root;
+    std::chrono::milliseconds m_lockWait;
+};
+
+/// What the history says about now.
+[[nodiscard]] FlashWearGuard wearGuard(
+    const FlashWearLimits& limits, const DriveStore::FlashHistory& history);
+
+} // namespace axiscomp

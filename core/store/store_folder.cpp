@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/store/store_folder.h"
+
+#include "core/store/backup_json.h"
+
+#include <cerrno>
+#include <system_error>
+
+#include <sys/stat.h>
+
+namespace axiscomp {
+
+namespace {
+
+constexpr const char* keptTableEnding = ".TAMtbl";
+
+} // namespace
+
+Result<void> makePrivateFolder(const std::filesystem::path& folder)
+{
+    std::error_code error;
+    if (folder.empty() || std::filesystem::is_directory(folder, error))
+        return {};
+    if (auto parent = makePrivateFolder(folder.parent_path()); !parent)
+        return parent;
+    if (::mkdir(folder.c_str(), 0700) != 0 && errno != EEXIST)
+        return fail(ErrorCode::FileNotWritable,
+            {{"file", folder.string()}, {"reason", fileErrorReason(errno)}});
+    return {};
+}
+
+bool isMissing(const std::filesystem::path& file)
+{
+    std::error_code error;
+    return std::filesystem::symlink_status(file, error).type()
+        == std::filesystem::file_type::not_found;
+}
+
+std::vector<std::filesystem::path> filesIn(const std::filesystem::path& folder)
+{
+    std::vector<std::filesystem::path> files;
+    std::error_code error;
+    for (std::filesystem::directory_iterator i{folder, error}, end; i != end && !error;
+         i.increment(error))
+        files.push_back(i->path());
+    return files;
+}
+
+StoreFolder::StoreFolder(const std::filesystem::path& root, std::int32_t serialNumber,
+    std::chrono::milliseconds lockWait)
+    : m_path(root / std::to_string(serialNumber))
+    , m_lockWait(lockWait)
+{
+}
+
+std::filesystem::path StoreFolder::journal(int axis) const
+{
+    return m_path / ("journal-axis" + std::to_string(axis) + ".json");
+}
+
+std::filesystem::path StoreFolder::keptTable(int axis, std::uint32_t crc) const
+{
+    return m_path / ("journal-axis" + std::to_string(axis) + "-" + crcText(crc) + keptTableEnding);
+}
+
+std::vector<std::filesystem::path> StoreFolder::keptTables(int axis) const
+{
+    const std::string beginning = "journal-axis" + std::to_string(axis) + "-";
+    std::vector<std::filesystem::path> tables = filesIn(m_path);
+    std::erase_if(tables, [&](const std::filesystem::path& file) {
+        const std::string name = file.filename().string();
+        return !name.starts_with(beginning) || !name.ends_with(keptTableEnding);
+    });
+    return tables;
+}
+
+Result<FileLock> StoreFolder::lock(const char* name) const
+{
+    if (auto made = makePrivateFolder(m_path); !made)
+        return fail(made.error());
+    return FileLock::acquire(m_path / name, m_lockWait, m_path);
+}
+
+/// nullopt: there is something that can never be one of the store's files.
+Result<std::optional<Bytes>> StoreFolder::load(const std::filesystem::path& file)
+{
+    auto bytes = loadFile(file, maximumDocumentSize);
+    if (bytes)
+        return *std::move(bytes);
+    std::error_code ignored;
+    if (bytes.error().code == ErrorCode::FileTooLarge
+        || std::filesystem::is_directory(file, ignored))
+        return std::nullopt;
+    return fail(bytes.error());
+}
+
+Result<void> StoreFolder::moveAside(const std::filesystem::path& file)
+{
+    std::filesystem::path aside = file;
+    aside += ".broken";
+    std::error_code error;
+    std::filesystem::remove_all(aside, error);
+    std::filesystem::rename(file, aside, error);
+    if (!error)
+        return {};
+    return fail(ErrorCode::FileNotWritable,
+        {{"file", file.string()},
+            {"reason",
+                "it is damaged and cannot be moved aside (" + fileErrorReason(error.value())
+                    + "); delete it"}});
+}
+
+} // namespace axiscomp

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/drive/register_value.h"
+#include "core/table/field_codec.h"
+#include "core/table/grid_points.h"
+#include "core/table/tam_table.h"
+#include "core/text/utf8.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace axiscomp {
+
+namespace {
+
+/// A grid point may move by this part of the distance when start and distance are rounded to f32.
+constexpr double largestShift = 1e-3;
+
+tl::unexpected<Error> refused(std::string reason)
+{
+    return fail(ErrorCode::InvalidArgument, {{"reason", std::move(reason)}});
+}
+
+std::string ofDimension(std::string_view what, std::size_t index)
+{
+    return "the " + std::string(what) + " of dimension " + std::to_string(index + 1);
+}
+
+std::string text(double value)
+{
+    return toText(RegisterValue{value});
+}
+
+Result<void> checkAxis(const GridAxis& axis, std::size_t index)
+{
+    if (axis.size < 2)
+        return refused(ofDimension("size", index) + " is " + std::to_string(axis.size)
+            + ", at least 2 is needed");
+    if (!std::isfinite(axis.start))
+        return refused(ofDimension("start value", index) + " is " + text(axis.start)
+            + ", a finite number is needed");
+    if (!(axis.distance > 0.0) || !std::isfinite(axis.distance))
+        return refused(ofDimension("distance", index) + " is " + text(axis.distance)
+            + ", a finite number above 0 is needed");
+    if (!std::isfinite(axis.last()))
+        return refused(ofDimension("last position", index) + " is too large to be a number");
+    if (!pointsAreDistinct(axis))
+        return refused(ofDimension("distance", index) + " is " + text(axis.distance)
+            + ", too little to tell positions such as " + text(axis.last()) + " apart");
+    return {};
+}
+
+Result<void> checkTable(const CompensationTable& table)
+{
+    if (table.grid.axes.empty() || table.grid.axes.size() > 3)
+        return refused("the table has " + std::to_string(table.grid.axes.size())
+            + " dimensions, 1 to 3 are possible");
+    // the product is compared by division, so that it cannot overflow
+    std::size_t remaining = table.values.size();
+    bool matches = true;
+    for (std::size_t i = 0; i < table.grid.axes.size(); ++i) {
+        const GridAxis& axis = table.grid.axes[i];
+        if (auto checked = checkAxis(axis, i); !checked)
+            return checked;
+        matches = matches && remaining % axis.size == 0;
+        remaining /= axis.size;
+    }
+    if (!matches || remaining != 1)
+        return refused("the table has " + std::to_string(table.values.size())
+            + " values, which is not the product of its sizes");
+    if (table.values.size() > std::numeric_limits<std::uint32_t>::max())
+        return refused("the table has more values than a file can count");
+    // one pass without a branch: an exponent of all ones is infinite or not a number
+    std::uint32_t notFinite = 0;
+    for (const float value : table.values)
+        notFinite |= static_cast<std::uint32_t>(
+            (std::bit_cast<std::uint32_t>(value) & 0x7F800000U) == 0x7F800000U);
+    if (notFinite != 0) {
+        const auto found = std::ranges::find_if_not(
+            table.values, [](float value) { return std::isfinite(value); });
+        return refused("value " + std::to_string(found - table.values.begin() + 1) + " is "
+            + text(static_cast<double>(*found)) + ", a finite number is needed");
+    }
+    return {};
+}
+
+/// Writes the header of one file, field by field; keeps the first fault.
+class HeaderWriter {
+public:
+    HeaderWriter(std::span<std::byte> header, const TableLayout& layout)
+        : m_header(header)
+        , m_layout(layout)
+    {
+    }
+
+    void integer(TableField field, std::int64_t value, std::uint32_t index = 0)
+    {
+        const auto& place = m_layout.place(field);
+        if (place && !storeInteger(m_header, *place, index, value, m_layout.littleEndian)
+            && m_fault.empty())
+            m_fault = std::to_string(value) + " does not fit into the field "
+                + std::string(tableFieldName(field)) + ", which is of type "
+                + std::string(fieldTypeName(place->type));
+    }
+
+    void characters(TableField field, std::string_view content)
+    {
+        if (const auto& place = m_layout.place(field))
+            std::ranges::copy(asBytes(cutAtCharacter(content, place->count)),
+                m_header.subspan(place->offset).begin());
+    }
+
+    void position(const GridAxis& axis, std::uint32_t index)
+    {
+        const FieldPlace& start = *m_layout.place(TableField::Start);
+        const FieldPlace& distance = *m_layout.place(TableField::Distance);
+        GridAxis stored = axis;
+        if (!rounds(stored.start, start.type) || !rounds(stored.distance, distance.type)
+            || !isSameGrid(axis, stored)) {
+            if (m_fault.empty())
+                m_fault = ofDimension("grid", index) + ", start " + text(axis.start)
+                    + " and distance " + text(axis.distance)
+                    + ", cannot be held by fields of the types "
+                    + std::string(fieldTypeName(start.type)) + " and "
+                    + std::string(fieldTypeName(distance.type));
+            return;
+        }
+        storeNumber(m_header, start, index, stored.start, m_layout.littleEndian);
+        storeNumber(m_header, distance, index, stored.distance, m_layout.littleEndian);
+    }
+
+    [[nodiscard]] const std::string& fault() const { return m_fault; }
+
+private:
+    static bool rounds(double& value, FieldType type)
+    {
+        if (type != FieldType::F32)
+            return true;
+        if (std::abs(value) > static_cast<double>(std::numeric_limits<float>::max()))
+            return false;
+        value = static_cast<double>(static_cast<float>(value));
+        return true;
+    }
+
+    static bool isSameGrid(const GridAxis& wanted, const GridAxis& stored)
+    {
+        const double shift = std::max(
+            std::abs(stored.start - wanted.start), std::abs(stored.last() - wanted.last()));
+        return stored.distance > 0.0 && shift <= largestShift * wanted.distance;
+    }
+
+    std::span<std::byte> m_header;
+    const TableLayout& m_layout;
+    std::string m_fault;
+};
+
+void writeElements(
+    std::span<std::byte> file, const CompensationTable& table, const TableLayout& layout)
+{
+    const std::span<std::byte> elements = file.subspan(layout.headerSize);
+    const auto store = [&](std::size_t fileIndex, std::size_t tableIndex) {
+        storeAt(elements.subspan(fileIndex * sizeof(float)), table.values[tableIndex],
+            layout.littleEndian);
+    };
+    if (layout.dimension1Fastest && isNativeOrder(layout.littleEndian)) {
+        std::memcpy(elements.data(), table.values.data(), elements.size());
+    } else if (layout.dimension1Fastest) {
+        for (std::size_t i = 0; i < table.values.size(); ++i)
+            store(i, i);
+    } else {
+        visitLastDimensionFastest(table.grid, store);
+    }
+}
+
+} // namespace
+
+Result<Bytes> encodeTamTable(
+    const CompensationTable& table, bool persistent, const TableLayout& layout)
+{
+    if (auto checked = checkLayout(layout); !checked)
+        return fail(checked.error());
+    if (auto checked = checkTable(table); !checked)
+        return fail(checked.error());
+
+    Bytes file(tamTableSize(table.grid, layout));
+    writeElements(file, table, layout);
+
+    const std::span<std::byte> header = std::span(file).first(layout.headerSize);
+    HeaderWriter writer(header, layout);
+    writer.characters(TableField::Magic, layout.magic);
+    writer.integer(TableField::Version, layout.version);
+    writer.integer(TableField::HeaderSize, layout.headerSize);
+    writer.integer(TableField::ElementType, layout.elementTypeFloat32);
+    writer.integer(TableField::Dimensions, table.grid.dimensions());
+    for (std::uint32_t i = 0; i < 3; ++i) {
+        const bool isUsed = i < table.grid.axes.size();
+        writer.integer(TableField::Size, isUsed ? table.grid.axes[i].size : 1, i);
+        if (isUsed)
+            writer.position(table.grid.axes[i], i);
+    }
+    writer.integer(TableField::ElementCount, static_cast<std::int64_t>(table.values.size()));
+    if (layout.place(TableField::ElementCrc))
+        writer.integer(TableField::ElementCrc, crc32(std::span(file).subspan(layout.headerSize)));
+    writer.characters(TableField::Name, cleanText(table.name));
+    // last, and while Persistent is still 0, which is what the CRC covers
+    if (const auto& place = layout.place(TableField::HeaderCrc))
+        writer.integer(TableField::HeaderCrc, crc32(header.first(place->offset)));
+    if (!writer.fault().empty())
+        return refused("the table cannot be kept in this drive's table file: " + writer.fault());
+    setPersistent(file, persistent, layout);
+    return file;
+}
+
+std::size_t tamTableSize(const Grid& grid, const TableLayout& layout)
+{
+    return layout.headerSize + grid.pointCount() * sizeof(float);
+}
+
+} // namespace axiscomp

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/text/diagnostic_list.h"
+
+#include <stop_token>
+#include <string_view>
+
+namespace axiscomp::csv {
+
+enum class Encoding { Utf8, Windows1252 };
+
+/// Looks at the bytes of a whole file before anything is read from it. Adds NotText when they are
+/// no text, and the warning Encoding when they are not UTF-8.
+class TextInspection {
+public:
+    TextInspection(std::string_view text, const std::stop_token& stop, DiagnosticList& diagnostics);
+
+    /// Without the byte-order mark.
+    [[nodiscard]] std::string_view body() const { return m_body; }
+    [[nodiscard]] Encoding encoding() const { return m_encoding; }
+
+private:
+    bool refuse(const std::string& what, std::size_t line = 0);
+    bool refuseForeignFormat(std::string_view text);
+    bool refuseNul(const std::stop_token& stop);
+    void decideEncoding();
+
+    DiagnosticList& m_diagnostics;
+    std::string_view m_body;
+    bool m_ascii = true;
+    Encoding m_encoding = Encoding::Utf8;
+};
+
+/// Text of the file as it may be shown: UTF-8 without control characters.
+[[nodiscard]] std::string toUtf8(std::string_view bytes, Encoding encoding);
+
+/// What a diagnostic quotes of the file: UTF-8, one line, at most about 40 characters.
+[[nodiscard]] std::string excerpt(std::string_view bytes, Encoding encoding);
+
+/// Blanks are space and tab.
+[[nodiscard]] std::string_view trimmed(std::string_view text);
+
+/// A number in its shortest exact form.
+[[nodiscard]] std::string toText(double value);
+[[nodiscard]] std::string toText(float value);
+
+/// A computed number without the rounding of doubles: 12 digits.
+[[nodiscard]] std::string roundedText(double value);
+
+} // namespace axiscomp::csv

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/text/token_scanner.h"
+
+#include "core/text/number_parser.h"
+#include "core/text/text_file.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <span>
+
+namespace axiscomp {
+
+namespace {
+
+constexpr std::string_view blanks = " \t";
+constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
+
+std::string quoted(const Token& token)
+{
+    return csv::excerpt(token.text, csv::Encoding::Utf8);
+}
+
+char lower(char c)
+{
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
+}
+
+} // namespace
+
+TextLines::TextLines(std::string_view text)
+    : m_lines(text.starts_with(byteOrderMark) ? text.substr(byteOrderMark.size()) : text)
+{
+}
+
+std::optional<Token> TextLines::next()
+{
+    if (m_lines.atEnd())
+        return std::nullopt;
+    const std::size_t number = m_lines.lineNumber();
+    return Token{m_lines.next(), number, 1};
+}
+
+void splitTokens(const Token& line, std::string_view separators, std::vector<Token>& tokens)
+{
+    tokens.clear();
+    std::size_t begin = line.text.find_first_not_of(separators);
+    while (begin != std::string_view::npos) {
+        const std::size_t end =
+            std::min(line.text.find_first_of(separators, begin), line.text.size());
+        tokens.push_back({line.text.substr(begin, end - begin), line.line, line.column + begin});
+        begin = line.text.find_first_not_of(separators, end);
+    }
+}
+
+void splitCells(const Token& line, char separator, std::vector<Token>& cells)
+{
+    cells.clear();
+    std::size_t begin = 0;
+    while (begin <= line.text.size()) {
+        const std::size_t end = std::min(line.text.find(separator, begin), line.text.size());
+        cells.push_back(
+            trimmedToken({line.text.substr(begin, end - begin), line.line, line.column + begin}));
+        begin = end + 1;
+    }
+}
+
+Token trimmedToken(const Token& token)
+{
+    const std::size_t first = std::min(token.text.find_first_not_of(blanks), token.text.size());
+    return {csv::trimmed(token.text), token.line, token.column + first};
+}
+
+Token withoutComment(const Token& line, std::string_view commentCharacters)
+{
+    const std::size_t end = std::min(line.text.find_first_of(commentCharacters), line.text.size());
+    return {line.text.substr(0, end), line.line, line.column};
+}
+
+std::optional<double> numberOf(std::string_view text)
+{
+    csv::Number number;
+    const csv::NumberFault fault = csv::parseNumber(text, '.', number);
+    if (fault == csv::NumberFault::TooSmall)
+        return 0.0;
+    return fault == csv::NumberFault::None ? std::optional(number.value) : std::nullopt;
+}
+
+std::optional<long> wholeNumberOf(std::string_view text)
+{
+    if (text.starts_with('+') && !text.starts_with("+-"))
+        text.remove_prefix(1);
+    long number = 0;
+    const char* const end = text.data() + text.size();
+    const auto read = std::from_chars(text.data(), end, number);
+    const bool isWhole = read.ec == std::errc{} && read.ptr == end;
+    return isWhole ? std::optional(number) : std::nullopt;
+}
+
+std::optional<double> readNumber(
+    const Token& token, std::string_view expected, DiagnosticList& diagnostics)
+{
+    const auto number = numberOf(token.text);
+    if (!number)
+        diagnostics.error(DiagnosticCode::NotANumber, token.line, token.column, quoted(token),
+            std::string(expected));
+    return number;
+}
+
+std::optional<long> readWholeNumber(
+    const Token& token, std::string_view expected, DiagnosticList& diagnostics)
+{
+    const auto number = wholeNumberOf(token.text);
+    if (!number)
+        diagnostics.error(DiagnosticCode::NotANumber, token.line, token.column, quoted(token),
+            std::string(expected));
+    return number;
+}
+
+bool sameLetters(std::string_view a, std::string_view b)
+{
+    return std::ranges::equal(a, b, {}, lower, lower);
+}
+
+bool isReadableText(std::string_view text, std::size_t mostBytes, DiagnosticList& diagnostics)
+{
+    if (text.size() > mostBytes) {
+        diagnostics.error(DiagnosticCode::TooLarge, 0, 0, std::to_string(text.size()) + " bytes",
+            "at most " + std::to_string(mostBytes) + " bytes");
+        return false;
+    }
+    const csv::TextInspection inspection(text, {}, diagnostics);
+    if (!diagnostics.hasErrors()
+        && inspection.body().find_first_not_of(" \t\r\n") == std::string_view::npos)
+        diagnostics.error(DiagnosticCode::EmptyFile, 0, 0, "", "");
+    return !diagnostics.hasErrors();
+}
+
+bool checkKnots(std::span<const double> knots, std::span<const std::size_t> lines,
+    std::string_view axis, DiagnosticList& diagnostics)
+{
+    const auto lineOf = [&](std::size_t i) {
+        return lines.empty() ? 0 : lines[std::min(i, lines.size() - 1)];
+    };
+    const std::string positions = "positions of " + std::string(axis);
+    if (knots.size() < 2) {
+        diagnostics.error(DiagnosticCode::TooFewPoints, lineOf(0), 0,
+            std::to_string(knots.size()) + " " + positions, "at least 2");
+        return false;
+    }
+    for (std::size_t i = 1; i < knots.size(); ++i) {
+        if (knots[i] > knots[i - 1] && std::isfinite(knots[i] - knots.front()))
+            continue;
+        diagnostics.error(DiagnosticCode::NotMonotonic, lineOf(i), 0,
+            csv::toText(knots[i]) + " after " + csv::toText(knots[i - 1]),
+            "strictly increasing " + positions);
+        return false;
+    }
+    return true;
+}
+
+std::vector<double> evenKnots(double start, double distance, std::size_t count)
+{
+    std::vector<double> knots(count);
+    for (std::size_t i = 0; i < count; ++i)
+        knots[i] = start + static_cast<double>(i) * distance;
+    return knots;
+}
+
+} // namespace axiscomp

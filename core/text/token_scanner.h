@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/csv/cells.h"
+#include "core/text/diagnostic_list.h"
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace axiscomp {
+
+/// A piece of a line and where it stands.
+struct Token {
+    std::string_view text;
+    std::size_t line = 0; ///< from 1
+    std::size_t column = 0; ///< of its first character, from 1
+
+    explicit operator bool() const { return !text.empty(); }
+};
+
+/// The lines of a text, ended by LF, CRLF or CR, with their numbers. A byte-order mark is left out.
+class TextLines {
+public:
+    explicit TextLines(std::string_view text);
+    /// The next line without its end; nothing at the end of the text.
+    [[nodiscard]] std::optional<Token> next();
+
+private:
+    csv::LineReader m_lines;
+};
+
+/// The pieces of a line between any of the separators; empty pieces are left out.
+void splitTokens(const Token& line, std::string_view separators, std::vector<Token>& tokens);
+/// The pieces between single separators, blanks round them cut off; empty pieces stay.
+void splitCells(const Token& line, char separator, std::vector<Token>& cells);
+/// Without blanks (space, tab) at both ends; the column moves with the text.
+[[nodiscard]] Token trimmedToken(const Token& token);
+/// What is left of the line before the comment character.
+[[nodiscard]] Token withoutComment(const Token& line, std::string_view commentCharacters);
+
+/// The number that the whole token is, with a decimal point; nothing when it is none.
+[[nodiscard]] std::optional<double> numberOf(std::string_view text);
+[[nodiscard]] std::optional<long> wholeNumberOf(std::string_view text);
+/// The same; a token that is no finite number becomes an error that says what was expected.
+[[nodiscard]] std::optional<double> readNumber(
+    const Token& token, std::string_view expected, DiagnosticList& diagnostics);
+[[nodiscard]] std::optional<long> readWholeNumber(
+    const Token& token, std::string_view expected, DiagnosticList& diagnostics);
+
+/// The same letters, upper or lower case (ASCII).
+[[nodiscard]] bool sameLetters(std::string_view a, std::string_view b);
+
+/// Refuses what is no text (binary files, UTF-16), or larger than the family's limit, before
+/// anything is read.
+[[nodiscard]] bool isReadableText(
+    std::string_view text, std::size_t mostBytes, DiagnosticList& diagnostics);
+
+/// Knots as a file has them: at least two, finite, strictly ascending; otherwise an error at the
+/// line. lines: of each knot, or one for all, or none.
+[[nodiscard]] bool checkKnots(std::span<const double> knots, std::span<const std::size_t> lines,
+    std::string_view axis, DiagnosticList& diagnostics);
+
+/// start + i * distance, i = 0 .. count - 1.
+[[nodiscard]] std::vector<double> evenKnots(double start, double distance, std::size_t count);
+
+} // namespace axiscomp

@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/write/backup_restore.h"
+
+#include "core/axis/verified_transfer.h"
+#include "core/store/backup_json.h"
+#include "core/table/tam_table.h"
+
+#include <algorithm>
+#include <charconv>
+
+namespace axiscomp {
+
+namespace {
+
+constexpr int mostDimensions = 3;
+
+std::string hexAddress(std::uint32_t address)
+{
+    char digits[8];
+    const auto end = std::to_chars(digits, digits + 8, address, 16).ptr;
+    return "0x" + std::string(digits, end);
+}
+
+const RegisterWrite* registerAt(const AxisBackup& backup, const std::string& path)
+{
+    const auto found = std::ranges::find(backup.registers, path, &RegisterWrite::path);
+    return found == backup.registers.end() ? nullptr : &*found;
+}
+
+/// 0: none is set
+std::uint32_t sourceAddress(
+    const DriveAccess& access, const std::vector<RegisterWrite>& registers, int axis, int n)
+{
+    const auto source = std::ranges::find(
+        registers, access.axisPath(access.registers().source, axis, n), &RegisterWrite::path);
+    const double address = source == registers.end() ? 0.0 : toDouble(source->value);
+    return address >= 1.0 && address <= 4294967295.0 ? static_cast<std::uint32_t>(address) : 0;
+}
+
+/// The table file that the axis used when the backup was made.
+const AxisBackup::File* usedFile(const DriveAccess& access, const AxisBackup& backup)
+{
+    const RegisterWrite* table =
+        registerAt(backup, access.axisPath(access.registers().table, backup.axis));
+    if (!table)
+        return nullptr;
+    const auto file =
+        std::ranges::find(backup.files, toText(table->value), &AxisBackup::File::slot);
+    return file == backup.files.end() || file->bytes.empty() ? nullptr : &*file;
+}
+
+Result<AxisBackup> readAxisBackup(
+    const DriveAccess& access, const DriveIdentity& drive, const AxisInfo& info, WallTime now)
+{
+    AxisBackup backup;
+    backup.drive = drive;
+    backup.axis = info.index;
+    backup.axisName = info.name;
+    backup.time = now;
+    auto registers = readAxisRegisters(access, info.index);
+    if (!registers)
+        return fail(registers.error());
+    backup.registers = std::move(*registers);
+    const TableSlot* slot = access.profile().slotNamed(toText(backup.registers.front().value));
+    if (!slot)
+        return backup;
+    auto file = readSlotFile(access, *slot);
+    if (!file)
+        return fail(file.error());
+    backup.files.push_back(std::move(*file));
+    // Another program may have written in between: registers and file must be of one state.
+    auto same = compareRegisters(access, backup.registers);
+    if (!same && same.error().code == ErrorCode::VerifyMismatch) {
+        const auto& context = same.error().context;
+        return fail(ErrorCode::ChangedMeanwhile,
+            {{"what", context.at("what")}, {"before", context.at("expected")},
+                {"now", context.at("found")}});
+    }
+    if (!same)
+        return fail(same.error());
+    return backup;
+}
+
+bool isUsedBy(const DriveBackup& backup, const std::string& slot)
+{
+    return std::ranges::any_of(backup.axes, [&](const AxisBackup& axis) {
+        return std::ranges::find(axis.files, slot, &AxisBackup::File::slot) != axis.files.end();
+    });
+}
+
+/// The elements, which are the end of every table file, are what the drive says that it has.
+bool hasElements(
+    const DriveAccess& access, const Readings& readings, const TableSlot& slot, const Bytes& bytes)
+{
+    const RegisterPaths& registers = access.registers();
+    const std::string crc = access.slotPath(registers.tableCrc, slot.name);
+    if (!readings.contains(crc))
+        return true;
+    const std::size_t size =
+        sizeof(float) * unsignedAt(readings, access.slotPath(registers.tableElements, slot.name));
+    return size <= bytes.size() && crc32(ByteView(bytes).last(size)) == unsignedAt(readings, crc);
+}
+
+Result<bool> holdsRegisters(const DriveAccess& access, const std::vector<RegisterWrite>& wanted)
+{
+    auto same = compareRegisters(access, wanted);
+    if (!same && same.error().code != ErrorCode::VerifyMismatch)
+        return fail(same.error());
+    return same.has_value();
+}
+
+} // namespace
+
+Result<AxisBackup::File> readSlotFile(const DriveAccess& access, const TableSlot& slot)
+{
+    return readSlotFile(access, slot, access.exchange());
+}
+
+Result<AxisBackup::File> readSlotFile(
+    const DriveAccess& access, const TableSlot& slot, const Exchange& exchange)
+{
+    AxisBackup::File file;
+    file.slot = slot.name;
+    file.path = slot.file;
+    const RegisterPaths& registers = access.registers();
+    Bytes first;
+    // Not every way to a drive notices a byte that changes on it: then the file is read again.
+    for (const bool isAgain : {false, true}) {
+        auto bytes = access.link().download(slot.file, exchange);
+        if (!bytes && bytes.error().code != ErrorCode::UnknownFile)
+            return fail(bytes.error());
+        const bool isSame = isAgain && bytes && *bytes == file.bytes;
+        first = std::move(file.bytes);
+        file.bytes = bytes ? std::move(*bytes) : Bytes{};
+        file.persistent = false;
+        if (file.bytes.empty())
+            return file;
+        auto readings = access.readAvailable({access.slotPath(registers.tablePersistent, slot.name),
+            access.slotPath(registers.tableElements, slot.name),
+            access.slotPath(registers.tableCrc, slot.name)});
+        if (!readings)
+            return fail(readings.error());
+        file.persistent =
+            numberAt(*readings, access.slotPath(registers.tablePersistent, slot.name)) == 1.0;
+        if (isSame || hasElements(access, *readings, slot, file.bytes))
+            return file;
+    }
+    return fail(ErrorCode::ChangedMeanwhile,
+        {{"what", "the table in " + slot.name}, {"before", "CRC " + crcText(crc32(first))},
+            {"now", "CRC " + crcText(crc32(file.bytes))}});
+}
+
+Result<DriveBackup> readBackupOf(
+    const DriveAccess& access, const DriveIdentity& drive, WallTime now)
+{
+    auto axes = readAxes(access, drive);
+    if (!axes)
+        return fail(axes.error());
+    DriveBackup backup;
+    for (const AxisInfo& info : *axes) {
+        if (info.state.empty())
+            continue;
+        access.report("backup",
+            static_cast<double>(info.index) / static_cast<double>(std::max(drive.axes, 1)));
+        auto axis = readAxisBackup(access, drive, info, now);
+        if (!axis)
+            return fail(axis.error());
+        backup.axes.push_back(std::move(*axis));
+    }
+    if (backup.axes.empty())
+        backup.drive = drive;
+    for (const TableSlot& slot : access.profile().tableSlots) {
+        if (isUsedBy(backup, slot.name))
+            continue;
+        auto file = readSlotFile(access, slot);
+        if (!file)
+            return fail(file.error());
+        if (!file->bytes.empty())
+            backup.otherFiles.push_back(std::move(*file));
+    }
+    return backup;
+}
+
+Result<void> checkRestorable(
+    const DriveAccess& access, const DriveBackup& backup, const DriveIdentity& drive, bool force)
+{
+    const auto isOther = [&](const DriveIdentity& kept) {
+        return kept.serialNumber != drive.serialNumber && !force;
+    };
+    const auto other = [&](const DriveIdentity& kept) {
+        return fail(ErrorCode::OtherDrive,
+            {{"expected", std::to_string(kept.serialNumber)},
+                {"found", std::to_string(drive.serialNumber)}});
+    };
+    if (backup.drive && isOther(*backup.drive))
+        return other(*backup.drive);
+    for (const AxisBackup& axis : backup.axes) {
+        if (isOther(axis.drive))
+            return other(axis.drive);
+        if (axis.axis < 0 || axis.axis >= drive.axes)
+            return fail(ErrorCode::AxisNotFound,
+                {{"axis", std::to_string(axis.axis)},
+                    {"known", "0 to " + std::to_string(drive.axes - 1)}});
+        if (!registerAt(axis, access.axisPath(access.registers().table, axis.axis)))
+            return fail(ErrorCode::InvalidBackup,
+                {{"file", "the backup"},
+                    {"reason", "axis " + std::to_string(axis.axis) + " has no Table register"}});
+    }
+    return {};
+}
+
+Result<WriteRequest> restoreRequest(const DriveAccess& access, const AxisBackup& backup)
+{
+    WriteRequest request;
+    const AxisBackup::File* file = usedFile(access, backup);
+    if (file) {
+        auto decoded = decodeTamTable(file->bytes, access.profile().layout);
+        if (!decoded)
+            return fail(decoded.error());
+        request.dimensionality = decoded->table.grid.dimensions();
+        request.table = std::move(decoded->table);
+        request.persistency = file->persistent ? Persistency::Persistent : Persistency::Volatile;
+    } else {
+        // The slot that the axis named held nothing, and may hold somebody else's table by now.
+        request.withoutTable = true;
+        request.dimensionality = mostDimensions;
+    }
+    request.sources = sourceTexts(access, backup.registers, backup.axis, request.dimensionality);
+    const auto missing = std::ranges::find(request.sources, std::string());
+    if (file && missing != request.sources.end())
+        return fail(ErrorCode::SourceMissing,
+            {{"dimension", std::to_string(missing - request.sources.begin() + 1)}});
+    return request;
+}
+
+std::vector<std::string> sourceTexts(
+    const DriveAccess& access, const std::vector<RegisterWrite>& registers, int axis, int count)
+{
+    std::vector<std::string> texts;
+    for (int n = 1; n <= count; ++n) {
+        const std::uint32_t address = sourceAddress(access, registers, axis, n);
+        texts.push_back(address == 0 ? "" : hexAddress(address));
+    }
+    return texts;
+}
+
+Result<AxisCompensator::UnfinishedOutcome> unfinishedOutcome(const DriveAccess& access,
+    const DriveIdentity& drive, const JournalEntry& entry, SourceDirectory& sources)
+{
+    using Outcome = AxisCompensator::UnfinishedOutcome;
+    auto status = readStatus(access, drive, entry.axis, sources);
+    if (!status)
+        return fail(status.error());
+    const bool hasNewTable = status->setup.slot == entry.newSlot
+        && status->setup.tableCrc == entry.newCrc
+        && (status->setup.persistency == Persistency::Persistent) == entry.persistent;
+    auto hasNewRegisters = holdsRegisters(access, entry.newRegisters);
+    if (!hasNewRegisters)
+        return fail(hasNewRegisters.error());
+    if (hasNewTable && *hasNewRegisters)
+        return entry.persistent ? Outcome::NewUnsaved : Outcome::New;
+
+    auto text = loadFile(entry.backup, maximumBackupSize);
+    if (!text)
+        return fail(text.error());
+    auto backup = readBackup(asText(*text), entry.backup.string());
+    if (!backup)
+        return fail(backup.error());
+    if (backup->axes.empty())
+        return Outcome::Neither;
+    auto hasOldRegisters = holdsRegisters(access, backup->axes.front().registers);
+    if (!hasOldRegisters)
+        return fail(hasOldRegisters.error());
+    if (!*hasOldRegisters)
+        return Outcome::Neither;
+    const AxisBackup::File* old = usedFile(access, backup->axes.front());
+    if (!old)
+        return Outcome::Old;
+    auto bytes = access.link().download(old->path, access.exchange());
+    if (!bytes && bytes.error().code != ErrorCode::UnknownFile)
+        return fail(bytes.error());
+    return bytes && compareFiles(old->path, *bytes, old->bytes) ? Outcome::Old : Outcome::Neither;
+}
+
+} // namespace axiscomp

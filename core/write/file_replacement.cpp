@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/write/file_replacement.h"
+
+#include "core/axis/verified_transfer.h"
+#include "core/table/tam_table.h"
+#include "core/write/backup_restore.h"
+
+#include <algorithm>
+
+namespace axiscomp {
+
+namespace {
+
+constexpr int noAxis = -1;
+
+bool isPersistent(ByteView file, const TableLayout& layout)
+{
+    const auto decoded = decodeTamTable(file, layout);
+    return decoded && decoded->persistent;
+}
+
+std::uint32_t elementCrc(ByteView file, const TableLayout& layout)
+{
+    const auto decoded = decodeTamTable(file, layout);
+    return decoded ? crc32(file.last(decoded->table.values.size() * sizeof(float))) : 0;
+}
+
+} // namespace
+
+Result<std::filesystem::path> FileReplacement::run(ByteView bytes, Users users)
+{
+    auto seen = look();
+    if (!seen)
+        return fail(seen.error());
+    auto old = readSlotFile(m_access, m_slot);
+    if (!old)
+        return fail(old.error());
+    m_old = std::move(*old);
+    if (std::ranges::equal(m_old.bytes, bytes))
+        return std::filesystem::path();
+    if (users == Users::Refused && !seen->state.otherUser.empty())
+        return fail(ErrorCode::SlotInUse, {{"slot", m_slot.name}, {"user", seen->state.otherUser}});
+    // Emptying a slot spends flash when the drive has the table there.
+    const bool needsFlash =
+        bytes.empty() ? m_old.persistent : isPersistent(bytes, m_access.profile().layout);
+    if (users == Users::Refused && needsFlash) {
+        if (auto out = checkSavedUse(bytes); !out)
+            return fail(out.error());
+    }
+    if (needsFlash) {
+        // Putting back deletes the new file from flash, or stores the old one again.
+        const int reserve = m_old.bytes.empty() || m_old.persistent ? 1 : 0;
+        if (auto possible = checkBudget(1, reserve); !possible)
+            return fail(possible.error());
+    }
+    if (auto kept = keepOldFile(*seen); !kept)
+        return fail(kept.error());
+    if (auto same = checkUnchanged(*seen); !same)
+        return fail(same.error());
+
+    if (m_old.persistent && !needsFlash) {
+        if (auto noted = m_store.recordCovered(m_drive.serialNumber, m_slot.name, true); !noted)
+            return fail(noted.error());
+    }
+    auto done = put(m_access, bytes);
+    const bool isRefused =
+        !done && !isUncertain(done.error().code) && done.error().code != ErrorCode::VerifyMismatch;
+    FlashAccount account(m_store, m_drive.serialNumber, m_clock);
+    if (!done)
+        account.noteRefusal(done.error());
+    Result<std::filesystem::path> outcome = m_backup;
+    if (!done)
+        outcome = fail(isRefused ? done.error() : putBack(done.error()));
+    if (!isRefused || mayHaveSpentFlash(done.error())) {
+        const auto counts = readEraseCounts(m_access.withoutStop(), {m_slot.name});
+        account.record(seen->counts, counts.value_or(EraseCounts{}), needsFlash ? 1 : 0);
+    }
+    return outcome;
+}
+
+Result<FileReplacement::Look> FileReplacement::look() const
+{
+    std::vector<std::string> paths = slotStatePaths(m_access, m_drive, noAxis, m_slot.name);
+    const std::string count = m_access.slotPath(m_access.registers().tableEraseCount, m_slot.name);
+    paths.push_back(count);
+    auto readings = m_access.readAvailable(std::move(paths));
+    if (!readings)
+        return fail(readings.error());
+    Look seen;
+    seen.state = slotState(m_access, m_drive, noAxis, m_slot.name, *readings);
+    if (readings->contains(count))
+        seen.counts[m_slot.name] = unsignedAt(*readings, count);
+    for (int axis = m_drive.axes - 1; axis >= 0; --axis) {
+        const std::string table = m_access.axisPath(m_access.registers().table, axis);
+        if (textAt(*readings, table) == m_slot.name)
+            seen.user = axis;
+    }
+    return seen;
+}
+
+Result<void> FileReplacement::keepOldFile(const Look& seen)
+{
+    const WallTime now = m_clock();
+    if (seen.user == noAxis) {
+        auto saved = m_store.saveBackup(m_drive, now, m_old);
+        if (!saved)
+            return fail(saved.error());
+        m_backup = std::move(*saved);
+        return {};
+    }
+    // The file is the axis's table: restoring it must bring that axis back.
+    AxisBackup backup{m_drive, seen.user, {}, now, {}, {m_old}};
+    auto registers = readAxisRegisters(m_access, seen.user);
+    if (!registers)
+        return fail(registers.error());
+    backup.registers = std::move(*registers);
+    auto saved = m_store.saveBackup(backup);
+    if (!saved)
+        return fail(saved.error());
+    m_backup = std::move(*saved);
+    return {};
+}
+
+/// The last question before the change, as in a write.
+Result<void> FileReplacement::checkUnchanged(const Look& seen) const
+{
+    auto drive = m_access.link().identify(m_access.exchange());
+    if (!drive)
+        return fail(drive.error());
+    if (drive->serialNumber != m_drive.serialNumber)
+        return fail(ErrorCode::OtherDrive,
+            {{"expected", std::to_string(m_drive.serialNumber)},
+                {"found", std::to_string(drive->serialNumber)}});
+    auto now = look();
+    if (!now)
+        return fail(now.error());
+    const std::size_t elementBytes = now->state.elements * sizeof(float);
+    const bool isWhatWasKept = m_old.bytes.size() >= elementBytes
+        && (now->state.isEmpty()
+            || crc32(ByteView(m_old.bytes).last(elementBytes)) == now->state.crc);
+    if (now->state == seen.state && isWhatWasKept)
+        return {};
+    return fail(ErrorCode::ChangedMeanwhile,
+        {{"what", "slot " + m_slot.name}, {"before", slotStateText(seen.state)},
+            {"now", slotStateText(now->state)}});
+}
+
+/// A reboot must not bring an axis this table with the sources of another.
+Result<void> FileReplacement::checkSavedUse(ByteView bytes) const
+{
+    auto saved = m_store.savedState(m_drive.serialNumber);
+    if (!saved)
+        return fail(saved.error());
+    const std::uint32_t crc = elementCrc(bytes, m_access.profile().layout);
+    for (const DriveStore::SavedState::Use& use : saved->uses)
+        if (use.slot == m_slot.name && use.crc != crc)
+            return fail(ErrorCode::SlotInUse,
+                {{"slot", m_slot.name},
+                    {"user", "axis " + std::to_string(use.axis) + " after a reboot"}});
+    return {};
+}
+
+/// The cost, and what putting back may cost beyond that.
+Result<void> FileReplacement::checkBudget(int cost, int reserve) const
+{
+    auto history = m_store.flashHistory(m_drive.serialNumber);
+    if (!history)
+        return fail(history.error());
+    return checkFlashBudget(
+        wearGuard(m_access.profile().flashWear, *history), m_clock(), cost, reserve);
+}
+
+Result<void> FileReplacement::put(const DriveAccess& access, ByteView bytes) const
+{
+    if (bytes.empty())
+        return deleteTable(access, m_slot.name);
+    return uploadSurely(access, m_slot.file, bytes,
+        [&](std::string_view step, double fraction) { access.report(step, fraction); });
+}
+
+/// Gives the error to report.
+Error FileReplacement::putBack(const Error& reason) const
+{
+    auto restored = put(m_access.withoutStop(), m_old.bytes);
+    if (restored)
+        return reason;
+    return Error{ErrorCode::RollbackFailed,
+        {{"reason", sentence(reason)}, {"rollback", sentence(restored.error())},
+            {"backup", m_backup.string()}},
+        std::string(errorName(reason.code)) + ": " + reason.detail};
+}
+
+} // namespace axiscomp

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/axis/axis_reader.h"
+#include "core/axis/slot_state.h"
+#include "core/write/flash_account.h"
+
+namespace axiscomp {
+
+/// Puts a file into a slot as it is, with what belongs to every change of a drive: a backup first,
+/// a last look for changes of somebody else, verification, the old file back when that fails. The
+/// write lock is held by the caller. Used once.
+class FileReplacement {
+public:
+    FileReplacement(const DriveAccess& access, DriveStore& store, const DriveIdentity& drive,
+        std::function<WallTime()> clock, const TableSlot& slot)
+        : m_access(access)
+        , m_store(store)
+        , m_drive(drive)
+        , m_clock(std::move(clock))
+        , m_slot(slot)
+    {
+    }
+
+    /// Whether an axis or a cogging compensation may use the slot, or an axis after a reboot.
+    enum class Users { Allowed, Refused };
+    /// No bytes: the slot is emptied. Gives the backup, or an empty path when the slot held exactly
+    /// this already. Errors: SlotInUse, ChangedMeanwhile, FlashWear, those of DriveLink::upload,
+    /// VerifyMismatch, RollbackFailed.
+    [[nodiscard]] Result<std::filesystem::path> run(ByteView bytes, Users users);
+
+private:
+    /// The slot and what counts its cycles, at one instant.
+    struct Look {
+        SlotState state;
+        EraseCounts counts;
+        int user = -1; ///< an axis whose table this is; -1: none
+    };
+    [[nodiscard]] Result<Look> look() const;
+    [[nodiscard]] Result<void> keepOldFile(const Look& seen);
+    [[nodiscard]] Result<void> checkUnchanged(const Look& seen) const;
+    [[nodiscard]] Result<void> checkSavedUse(ByteView bytes) const;
+    [[nodiscard]] Result<void> checkBudget(int cost, int reserve) const;
+    [[nodiscard]] Result<void> put(const DriveAccess& access, ByteView bytes) const;
+    [[nodiscard]] Error putBack(const Error& reason) const;
+
+    const DriveAccess& m_access;
+    DriveStore& m_store;
+    const DriveIdentity& m_drive;
+    std::function<WallTime()> m_clock;
+    const TableSlot& m_slot;
+    AxisBackup::File m_old;
+    std::filesystem::path m_backup;
+};
+
+} // namespace axiscomp

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/write/flash_account.h"
+
+#include <algorithm>
+#include <charconv>
+#include <limits>
+
+namespace axiscomp {
+
+Result<EraseCounts> readEraseCounts(
+    const DriveAccess& access, const std::vector<std::string>& slots)
+{
+    std::vector<std::string> paths;
+    for (const std::string& slot : slots)
+        paths.push_back(access.slotPath(access.registers().tableEraseCount, slot));
+    auto readings = access.readAvailable(paths);
+    if (!readings)
+        return fail(readings.error());
+    EraseCounts counts;
+    for (std::size_t n = 0; n < slots.size(); ++n) {
+        if (readings->contains(paths[n]))
+            counts[slots[n]] = unsignedAt(*readings, paths[n]);
+    }
+    return counts;
+}
+
+Result<FlashUse> readFlashUse(
+    const DriveAccess& access, DriveStore& store, const DriveIdentity& drive, WallTime now)
+{
+    auto history = store.flashHistory(drive.serialNumber);
+    if (!history)
+        return fail(history.error());
+    std::vector<std::string> slots;
+    for (const TableSlot& slot : access.profile().tableSlots)
+        slots.push_back(slot.name);
+    auto counts = readEraseCounts(access, slots);
+    if (!counts)
+        return fail(counts.error());
+    const FlashWearLimits& limits = access.profile().flashWear;
+    FlashUse use;
+    use.budget = wearGuard(limits, *history).budget(now);
+    use.operationsRecorded = history->total;
+    use.ratedCycles = limits.ratedCycles;
+    for (const std::string& slot : slots) { // the first of several with the same count
+        const auto count = counts->find(slot);
+        if (count == counts->end())
+            continue;
+        use.allCycles += count->second;
+        if (use.mostUsedSlot.empty() || count->second > use.mostCycles) {
+            use.mostUsedSlot = slot;
+            use.mostCycles = count->second;
+        }
+    }
+    return use;
+}
+
+Result<void> checkFlashBudget(
+    const FlashWearGuard& guard, WallTime now, int operations, int reserve)
+{
+    const FlashBudget budget = guard.budget(now, operations + reserve);
+    if (operations + reserve <= budget.left)
+        return {};
+    ErrorContext context{{"seconds", std::to_string(budget.wait.count())}};
+    if (operations <= budget.left)
+        context.emplace("reserve", std::to_string(reserve));
+    return fail(ErrorCode::FlashWear, std::move(context));
+}
+
+bool mayHaveSpentFlash(const Error& error)
+{
+    // What was asked before the connection was found to be gone may have arrived.
+    return isUncertain(error.code) || isUnreachable(error.code)
+        || error.code == ErrorCode::VerifyMismatch;
+}
+
+void FlashAccount::record(const EraseCounts& before, const EraseCounts& after, int assumed)
+{
+    std::int64_t operations = before.empty() ? assumed : 0;
+    for (const auto& [slot, count] : before) {
+        const auto now = after.find(slot);
+        if (now == after.end())
+            operations += assumed;
+        else if (now->second > count)
+            operations += now->second - count;
+    }
+    record(static_cast<int>(std::min<std::int64_t>(operations, std::numeric_limits<int>::max())));
+}
+
+void FlashAccount::record(int operations)
+{
+    m_recorded += operations;
+    // A write that has reached flash is not undone because of a full disk here.
+    (void)m_store.recordFlash(m_serialNumber, m_clock(), operations);
+}
+
+void FlashAccount::noteRefusal(const Error& error)
+{
+    const auto text = error.context.find("seconds");
+    if (error.code != ErrorCode::FlashWear || text == error.context.end())
+        return;
+    int seconds = 0;
+    const char* const end = text->second.data() + text->second.size();
+    const auto parsed = std::from_chars(text->second.data(), end, seconds);
+    if (parsed.ec == std::errc{} && parsed.ptr == end && seconds > 0)
+        (void)m_store.recordFlashRefusal(m_serialNumber, m_clock(), std::chrono::seconds(seconds));
+}
+
+} // namespace axiscomp

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/axis/verified_transfer.h"
+#include "core/write/backup_restore.h"
+#include "core/write/parameter_saving.h"
+#include "core/write/unfinished_write.h"
+#include "core/write/write_procedure.h"
+
+#include <algorithm>
+
+namespace axiscomp {
+
+namespace {
+
+Bytes bytesOf(const AxisBackup& backup, const std::string& slot)
+{
+    const auto file = std::ranges::find(backup.files, slot, &AxisBackup::File::slot);
+    return file == backup.files.end() ? Bytes{} : file->bytes;
+}
+
+} // namespace
+
+Result<WriteReport> WriteProcedure::undoEarlier(const UnfinishedWrite& unfinished)
+{
+    m_backup = unfinished.before();
+    const int step = stepRank(unfinished.entry().step);
+    m_slotTouched = isNewTable() && step >= stepRank("upload");
+    m_flashTouched = changesPersistency() && step >= stepRank(isNewTable() ? "commit" : "switch");
+    m_savedTouched = step >= stepRank("save") || (overwritesOwn() && wantsPersistent());
+    auto saved = m_store.savedState(m_write.plan.drive.serialNumber);
+    if (!saved)
+        return fail(saved.error());
+    // It is switched off in the saved parameters as well, by this write or by the next of another
+    // axis.
+    const bool isSavedOff = saved->isKnown
+        && std::ranges::find(saved->uses, m_write.plan.axis, &DriveStore::SavedState::Use::axis)
+            == saved->uses.end();
+    const bool wasPersistent = unfinished.oldFile() && unfinished.oldFile()->persistent;
+    m_savedTouched = m_savedTouched || (isSavedOff && (m_flashTouched || wasPersistent));
+    if (auto possible = checkFlash(); !possible)
+        return fail(possible.error());
+    auto status = lookBeforeUndo(unfinished);
+    if (!status)
+        return fail(status.error());
+
+    // Half of the way back is no better than half of the way there: it cannot be stopped.
+    const DriveAccess access = m_access.withoutStop();
+    access.report("putting back", 0.3);
+    auto undone = undo(access);
+    // Half-way the axis may be switched off: what went wrong once is tried again.
+    if (!undone && !isUnreachable(undone.error().code))
+        undone = undo(access);
+    accountForUndo(access, undone);
+    if (!undone && !hasOldState(access))
+        return fail(undone.error());
+    WritePlan& plan = m_write.plan;
+    plan.before = status->setup;
+    auto now = readStatus(access, plan.drive, plan.axis, m_sources);
+    if (!now)
+        return fail(now.error());
+    plan.after = now->setup;
+    plan.flashOperations = m_flash.recorded();
+    if (auto same = compareRegisters(access, m_backup.registers); !same)
+        return fail(same.error());
+    if (auto closed = m_store.closeJournal(plan.drive.serialNumber, plan.axis); !closed)
+        return fail(closed.error());
+    access.report("done", 1.0);
+    return WriteReport{plan, std::move(*now), m_backupFile};
+}
+
+/// What reached flash has to leave it again: better not to begin than to stop half-way, with the
+/// axis switched off.
+Result<void> WriteProcedure::checkFlash()
+{
+    int operations = m_flashTouched ? 1 : 0;
+    if (m_savedTouched) {
+        auto cost = costOfSaving(m_access, m_store, m_write.plan.drive);
+        if (!cost)
+            return fail(cost.error());
+        operations += *cost;
+    }
+    // Then the axis has its volatile table again, which is saved as well.
+    const std::string& slot = m_write.plan.before.slot;
+    const AxisBackup::File* old = backupOf(slot);
+    auto saved = m_store.savedState(m_write.plan.drive.serialNumber);
+    if (!saved)
+        return fail(saved.error());
+    if (m_savedTouched && !overwritesOwn() && old && !old->persistent && saved->isCovered(slot))
+        ++operations;
+    auto history = m_store.flashHistory(m_write.plan.drive.serialNumber);
+    if (!history)
+        return fail(history.error());
+    return checkFlashBudget(
+        wearGuard(m_access.profile().flashWear, *history), m_clock(), operations);
+}
+
+/// Keeps what there is now, and looks who uses the slots: what somebody else has put there
+/// meanwhile stays.
+Result<AxisStatus> WriteProcedure::lookBeforeUndo(const UnfinishedWrite& unfinished)
+{
+    const WritePlan& plan = m_write.plan;
+    const std::vector<std::string> slots = touchedSlots();
+    auto present = keepPresent(slots);
+    if (!present)
+        return fail(present.error());
+    auto reading = readStatusWith(m_access, plan.drive, plan.axis, m_sources, lastLookPaths());
+    if (!reading)
+        return fail(reading.error());
+    if (isOn(m_access, reading->status))
+        return fail(compensationActive(reading->status));
+    noteEraseCounts(reading->readings);
+    for (const std::string& slot : slots) {
+        const SlotState state = slotState(m_access, plan.drive, plan.axis, slot, reading->readings);
+        const bool isOld = slot == plan.before.slot;
+        if (isOld && !state.otherUser.empty())
+            return fail(ErrorCode::SlotInUse, {{"slot", slot}, {"user", state.otherUser}});
+        const bool isTheirs = !state.otherUser.empty() || !unfinished.isKnown(state, slot);
+        if (!isOld && (isTheirs || bytesOf(*present, slot) == bytesOf(m_backup, slot)))
+            m_slotTouched = false;
+    }
+    return std::move(reading->status);
+}
+
+/// The slots' tables, and that of the axis where a reboot has given it another one.
+Result<AxisBackup> WriteProcedure::keepPresent(std::vector<std::string> slots)
+{
+    m_access.report("backup", 0.05);
+    AxisBackup present{m_write.plan.drive, m_write.plan.axis, {}, m_clock(), {}, {}};
+    auto registers = readAxisRegisters(m_access, present.axis);
+    if (!registers)
+        return fail(registers.error());
+    present.registers = std::move(*registers);
+    const std::string used = toText(present.registers.front().value);
+    if (std::ranges::find(slots, used) == slots.end())
+        slots.push_back(used);
+    for (const std::string& name : slots) {
+        const TableSlot* slot = m_access.profile().slotNamed(name);
+        if (!slot)
+            continue;
+        auto file = readSlotFile(m_access, *slot);
+        if (!file)
+            return fail(file.error());
+        present.files.push_back(std::move(*file));
+    }
+    auto saved = m_store.saveBackup(present);
+    if (!saved)
+        return fail(saved.error());
+    m_backupFile = std::move(*saved);
+    return present;
+}
+
+} // namespace axiscomp

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/axis/verified_transfer.h"
+#include "core/table/tam_table.h"
+#include "core/write/write_procedure.h"
+
+#include <algorithm>
+
+namespace axiscomp {
+
+const AxisBackup::File* WriteProcedure::backupOf(const std::string& slot) const
+{
+    const auto file = std::ranges::find(m_backup.files, slot, &AxisBackup::File::slot);
+    return file == m_backup.files.end() ? nullptr : &*file;
+}
+
+Error WriteProcedure::outcome(
+    ErrorCode code, const Error& reason, const std::string& rollback) const
+{
+    return Error{code,
+        {{"reason", sentence(reason)}, {"rollback", rollback}, {"backup", m_backupFile.string()}},
+        std::string(errorName(reason.code)) + ": " + reason.detail};
+}
+
+/// Undoes what was changed and gives the error to report. The journal stays open unless the old
+/// state is known to be back.
+Error WriteProcedure::putBack(const Error& reason)
+{
+    const DriveAccess access = m_access.withoutStop();
+    access.report("putting back", 0.95);
+    auto undone = undo(access);
+    accountForUndo(access, undone);
+    if (!undone && isUnreachable(undone.error().code)) {
+        // As long as the axis was not touched it has its old state, whatever the other slot holds.
+        if (!m_registersTouched)
+            return reason;
+        // Registers that are written one by one may have left it switched off.
+        if (!switchesOff() && access.profile().writesAtOneInstant)
+            return outcome(ErrorCode::OutcomeUnknown, reason, {});
+    }
+    if (!undone && !hasOldState(access))
+        return outcome(ErrorCode::RollbackFailed, reason, sentence(undone.error()));
+    (void)closeJournal();
+    return reason;
+}
+
+void WriteProcedure::accountForUndo(const DriveAccess& access, const Result<void>& undone)
+{
+    if (!undone)
+        m_flash.noteRefusal(undone.error());
+    const bool mayAsk = undone || !isUnreachable(undone.error().code);
+    if (!mayAsk || (!m_slotTouched && !m_flashTouched))
+        return;
+    if (auto after = readEraseCounts(access, touchedSlots()))
+        m_flash.record(m_eraseCounts, *after, 0);
+}
+
+/// Brings the drive back to the backup, whatever it holds now: it may have restarted in between and
+/// have lost what this write never touched.
+Result<void> WriteProcedure::undo(const DriveAccess& access)
+{
+    if (overwritesOwn() && m_slotTouched) {
+        // While its file is put back the axis must not be able to start, not even after a reboot.
+        const std::string table = access.axisPath(access.registers().table, m_write.plan.axis);
+        if (auto off = writeSurely(access, {{table, access.enums().tableDisabled}}); !off)
+            return off;
+        if (m_savedTouched)
+            if (auto saved = save(access); !saved)
+                return saved;
+    }
+    if (auto restored = undoTable(access); !restored)
+        return restored;
+    if (auto restored = undoRegisters(access); !restored)
+        return restored;
+    return undoOtherSlot(access);
+}
+
+Result<void> WriteProcedure::undoTable(const DriveAccess& access)
+{
+    const AxisBackup::File* old = backupOf(m_write.plan.before.slot);
+    if (!old || old->bytes.empty())
+        return overwritesOwn() && m_slotTouched ? deleteTable(access, m_write.slot.name)
+                                                : Result<void>{};
+    auto bytes = access.link().download(old->path, access.exchange());
+    if (!bytes && bytes.error().code != ErrorCode::UnknownFile)
+        return fail(bytes.error());
+    // Persistency alone is put back with the registers.
+    if (bytes && sameTable(*bytes, old->bytes, access.profile().layout))
+        return {};
+    return uploadSurely(access, old->path, old->bytes);
+}
+
+Result<void> WriteProcedure::undoRegisters(const DriveAccess& access)
+{
+    std::vector<RegisterWrite> values = m_backup.registers;
+    std::vector<RegisterWrite> commands;
+    const AxisBackup::File* old = backupOf(m_write.plan.before.slot);
+    if (m_flashTouched && old && !old->bytes.empty() && (!isNewTable() || overwritesOwn())) {
+        values.push_back(
+            {access.slotPath(access.registers().tablePersistent, old->slot), old->persistent});
+        commands.push_back({access.slotPath(access.registers().tableCommand, old->slot),
+            access.enums().tableCommandCommit});
+    }
+    auto unchanged = compareRegisters(access, values);
+    if (!unchanged && unchanged.error().code != ErrorCode::VerifyMismatch)
+        return unchanged;
+    if (!unchanged) {
+        std::vector<RegisterWrite> last;
+        if (!access.profile().writesAtOneInstant) {
+            if (auto off = writeSurely(access, {{values[0].path, access.enums().tableDisabled}});
+                !off)
+                return off;
+            last = {values[0]};
+            values.erase(values.begin());
+        }
+        if (auto written = writeSurely(access, values, commands); !written)
+            return written;
+        if (auto written = last.empty() ? Result<void>() : writeSurely(access, last); !written)
+            return written;
+        values.insert(values.begin(), last.begin(), last.end());
+        if (auto same = compareRegisters(access, values); !same)
+            return same;
+    }
+    return m_savedTouched ? save(access) : Result<void>{};
+}
+
+/// Taking the new table out of the flash of its slot costs an operation. The axis has its old state
+/// without that: when none is left, the table stays where it is.
+bool WriteProcedure::mustStay(const DriveAccess& access) const
+{
+    if (!m_flashTouched || m_flash.recorded() == 0)
+        return false;
+    const auto history = m_store.flashHistory(m_write.plan.drive.serialNumber);
+    return history && wearGuard(access.profile().flashWear, *history).budget(m_clock()).left == 0;
+}
+
+Result<void> WriteProcedure::undoOtherSlot(const DriveAccess& access)
+{
+    if (!m_slotTouched || overwritesOwn() || mustStay(access))
+        return {};
+    const AxisBackup::File* old = backupOf(m_write.slot.name);
+    if (!old || old->bytes.empty())
+        return deleteTable(access, m_write.slot.name);
+    if (m_flashTouched && !old->persistent)
+        (void)m_store.recordCovered(m_write.plan.drive.serialNumber, m_write.slot.name, true);
+    return uploadSurely(access, old->path, old->bytes);
+}
+
+/// The last resort when undoing failed somewhere: does the axis have its old state all the same?
+bool WriteProcedure::hasOldState(const DriveAccess& access)
+{
+    if (!compareRegisters(access, m_backup.registers))
+        return false;
+    const AxisBackup::File* old = backupOf(m_write.plan.before.slot);
+    if (!old || old->bytes.empty())
+        return true;
+    auto bytes = access.link().download(old->path, access.exchange());
+    return bytes && compareFiles(old->path, *bytes, old->bytes).has_value();
+}
+
+} // namespace axiscomp

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/write/slot_choice.h"
+
+#include <algorithm>
+
+namespace axiscomp {
+
+namespace {
+
+tl::unexpected<Error> tooLarge(std::size_t tableBytes, const TableSlot& slot)
+{
+    return fail(ErrorCode::TableTooLarge,
+        {{"size", std::to_string(tableBytes)}, {"slot", slot.name},
+            {"largest", std::to_string(slot.maximumSize)}});
+}
+
+Result<SlotChoice> namedSlot(
+    std::size_t tableBytes, const std::string& name, const std::vector<SlotFacts>& slots)
+{
+    const auto found = std::ranges::find_if(
+        slots, [&](const SlotFacts& facts) { return facts.slot.name == name; });
+    if (found == slots.end()) {
+        std::string known;
+        for (const SlotFacts& facts : slots)
+            known += (known.empty() ? "" : ", ") + facts.slot.name;
+        return fail(ErrorCode::SlotNotFound, {{"slot", name}, {"known", known}});
+    }
+    if (tableBytes > found->slot.maximumSize)
+        return tooLarge(tableBytes, found->slot);
+    if (!found->otherUser.empty())
+        return fail(ErrorCode::SlotInUse, {{"slot", name}, {"user", found->otherUser}});
+    return SlotChoice{
+        found->slot, found->isCurrent ? SlotReason::OverwriteOwn : SlotReason::Named, found->state};
+}
+
+std::string whyNot(const SlotFacts& facts, std::size_t tableBytes)
+{
+    if (facts.slot.maximumSize < tableBytes)
+        return facts.slot.name + " holds only " + std::to_string(facts.slot.maximumSize) + " bytes";
+    if (!facts.otherUser.empty())
+        return facts.slot.name + " is used by " + facts.otherUser;
+    return facts.slot.name + " holds a table that is not this axis's";
+}
+
+} // namespace
+
+void markKept(
+    std::vector<SlotFacts>& slots, const std::vector<DriveStore::OwnTable>& own, bool isPersistent)
+{
+    for (const DriveStore::OwnTable& table : own) {
+        const auto facts = std::ranges::find_if(
+            slots, [&](const SlotFacts& each) { return each.slot.name == table.slot; });
+        if (facts == slots.end() || !(facts->isOwnPrevious || facts->isCurrent))
+            continue;
+        facts->isKept = facts->state.persistent;
+        if (facts->isKept && isPersistent)
+            return;
+    }
+}
+
+Result<SlotChoice> chooseSlot(std::size_t tableBytes, const std::optional<std::string>& named,
+    const std::vector<SlotFacts>& slots)
+{
+    if (named)
+        return namedSlot(tableBytes, *named, slots);
+
+    const auto largest = std::ranges::max_element(
+        slots, {}, [](const SlotFacts& facts) { return facts.slot.maximumSize; });
+    if (largest == slots.end() || tableBytes > largest->slot.maximumSize)
+        return tooLarge(tableBytes, largest == slots.end() ? TableSlot{} : largest->slot);
+
+    const auto smallest = [&](auto&& isWanted) {
+        const SlotFacts* best = nullptr;
+        for (const SlotFacts& facts : slots) {
+            const bool fits = facts.slot.maximumSize >= tableBytes && facts.otherUser.empty();
+            if (fits && isWanted(facts)
+                && (!best || facts.slot.maximumSize < best->slot.maximumSize))
+                best = &facts;
+        }
+        return best;
+    };
+    const auto isPrevious = [](const SlotFacts& facts) {
+        return facts.isOwnPrevious && !facts.isCurrent;
+    };
+    for (const bool mayBeKept : {false, true}) {
+        if (const SlotFacts* own = smallest([&](const SlotFacts& facts) {
+                return isPrevious(facts) && (mayBeKept || !facts.isKept);
+            }))
+            return SlotChoice{own->slot, SlotReason::OwnPrevious, own->state};
+        if (const SlotFacts* empty = smallest(
+                [](const SlotFacts& facts) { return facts.size == 0 && !facts.isCurrent; }))
+            return SlotChoice{empty->slot, SlotReason::Empty, empty->state};
+        if (const SlotFacts* current = smallest([&](const SlotFacts& facts) {
+                return facts.isCurrent && (mayBeKept || !facts.isKept);
+            }))
+            return SlotChoice{current->slot, SlotReason::OverwriteOwn, current->state};
+    }
+
+    std::string reasons;
+    for (const SlotFacts& facts : slots)
+        reasons += (reasons.empty() ? "" : "; ") + whyNot(facts, tableBytes);
+    return fail(ErrorCode::NoFreeSlot, {{"size", std::to_string(tableBytes)}, {"slots", reasons}});
+}
+
+} // namespace axiscomp

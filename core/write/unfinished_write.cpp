@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/write/unfinished_write.h"
+
+#include "core/table/tam_table.h"
+#include "core/write/backup_restore.h"
+
+#include <algorithm>
+#include <array>
+
+namespace axiscomp {
+
+namespace {
+
+/// The elements are the end of every table file.
+std::uint32_t elementCrc(const Bytes& file, std::size_t elements)
+{
+    const std::size_t bytes = elements * sizeof(float);
+    return bytes <= file.size() ? crc32(ByteView(file).last(bytes)) : 0;
+}
+
+} // namespace
+
+int stepRank(std::string_view step)
+{
+    constexpr std::array<std::string_view, 6> steps{
+        "switch off", "release", "upload", "commit", "switch", "save"};
+    const auto found = std::ranges::find(steps, step);
+    return static_cast<int>(std::min<std::ptrdiff_t>(found - steps.begin(), steps.size() - 1));
+}
+
+Result<UnfinishedWrite> UnfinishedWrite::load(const DriveAccess& access, const JournalEntry& entry)
+{
+    auto text = loadFile(entry.backup, maximumBackupSize);
+    if (!text)
+        return fail(text.error());
+    auto backup = readBackup(asText(*text), entry.backup.string());
+    if (!backup)
+        return fail(backup.error());
+    UnfinishedWrite write(access, entry);
+    for (AxisBackup& axis : backup->axes) {
+        if (axis.axis != entry.axis || axis.drive.serialNumber != entry.serialNumber)
+            continue;
+        write.m_before = std::move(axis);
+        return write;
+    }
+    return fail(ErrorCode::InvalidBackup,
+        {{"file", entry.backup.string()},
+            {"reason", "it is not of axis " + std::to_string(entry.axis) + " of this drive"}});
+}
+
+std::string UnfinishedWrite::oldSlot() const
+{
+    const std::string path = m_access.axisPath(m_access.registers().table, m_entry.axis);
+    const auto table = std::ranges::find(m_before.registers, path, &RegisterWrite::path);
+    const std::string slot = table == m_before.registers.end() ? "" : toText(table->value);
+    return slot == m_access.enums().tableDisabled ? "" : slot;
+}
+
+const AxisBackup::File* UnfinishedWrite::fileOf(const std::string& slot) const
+{
+    const auto file = std::ranges::find(m_before.files, slot, &AxisBackup::File::slot);
+    return file == m_before.files.end() || file->bytes.empty() ? nullptr : &*file;
+}
+
+std::uint32_t UnfinishedWrite::oldCrc() const
+{
+    const AxisBackup::File* file = oldFile();
+    if (!file)
+        return 0;
+    const auto decoded = decodeTamTable(file->bytes, m_access.profile().layout);
+    return decoded ? elementCrc(file->bytes, decoded->table.values.size()) : 0;
+}
+
+bool UnfinishedWrite::isNewTable() const
+{
+    return !m_entry.newSlot.empty()
+        && (m_entry.newTable || m_entry.newSlot != oldSlot() || m_entry.newCrc != oldCrc());
+}
+
+bool UnfinishedWrite::isKnown(const SlotState& state, const std::string& slot) const
+{
+    if (state.isEmpty())
+        return true;
+    if (slot == m_entry.newSlot && state.crc == m_entry.newCrc)
+        return true;
+    const AxisBackup::File* found = fileOf(slot);
+    return found && elementCrc(found->bytes, state.elements) == state.crc;
+}
+
+Result<Bytes> UnfinishedWrite::newFile(const DriveStore& store) const
+{
+    if (m_entry.newTable)
+        return store.keptTable(*m_entry.newTable);
+    if (const AxisBackup::File* file = oldFile(); file && !isNewTable())
+        return file->bytes;
+    return fail(ErrorCode::TableNotKept, {{"axis", std::to_string(m_entry.axis)}});
+}
+
+/// The slot that the write had chosen, unless somebody else has come to use it.
+Result<std::optional<std::string>> UnfinishedWrite::slotFor(
+    DriveStore& store, const DriveIdentity& drive) const
+{
+    const std::string& slot = m_entry.newSlot;
+    auto readings = m_access.readAvailable(slotStatePaths(m_access, drive, m_entry.axis, slot));
+    if (!readings)
+        return fail(readings.error());
+    const SlotState state = slotState(m_access, drive, m_entry.axis, slot, *readings);
+    auto saved = store.savedState(drive.serialNumber);
+    if (!saved)
+        return fail(saved.error());
+    const bool isOurs =
+        state.otherUser.empty() && !saved->otherUser(slot, m_entry.axis) && isKnown(state, slot);
+    return isOurs ? std::optional(slot) : std::nullopt;
+}
+
+Result<WriteRequest> UnfinishedWrite::request(DriveStore& store, const DriveIdentity& drive) const
+{
+    WriteRequest request;
+    request.withoutTable = m_entry.newSlot.empty();
+    request.dimensionality = 3;
+    if (!request.withoutTable) {
+        auto file = newFile(store);
+        if (!file)
+            return fail(file.error());
+        auto decoded = decodeTamTable(*file, m_access.profile().layout);
+        if (!decoded)
+            return fail(decoded.error());
+        request.dimensionality = decoded->table.grid.dimensions();
+        request.table = std::move(decoded->table);
+        request.persistency = m_entry.persistent ? Persistency::Persistent : Persistency::Volatile;
+        auto slot = slotFor(store, drive);
+        if (!slot)
+            return fail(slot.error());
+        request.slot = std::move(*slot);
+    }
+    auto sources =
+        sourceTexts(m_access, m_entry.newRegisters, m_entry.axis, request.dimensionality);
+    if (!request.withoutTable) {
+        const auto missing = std::ranges::find(sources, std::string());
+        if (missing != sources.end())
+            return fail(ErrorCode::SourceMissing,
+                {{"dimension", std::to_string(missing - sources.begin() + 1)}});
+    }
+    request.sources = std::move(sources);
+    return request;
+}
+
+PreparedWrite UnfinishedWrite::prepared(const DriveIdentity& drive) const
+{
+    PreparedWrite write;
+    WritePlan& plan = write.plan;
+    plan.drive = drive;
+    plan.axis = m_entry.axis;
+    plan.before.slot = oldSlot();
+    plan.after.slot = m_entry.newSlot;
+    plan.after.persistency = m_entry.persistent ? Persistency::Persistent : Persistency::Volatile;
+    const AxisBackup::File* old = oldFile();
+    const bool wasPersistent = old && old->persistent;
+    plan.flashOperations = isNewTable() ? m_entry.persistent : wasPersistent != m_entry.persistent;
+    if (m_entry.newSlot.empty())
+        plan.flashOperations = 0;
+    if (isNewTable()) {
+        write.file.resize(1); // that there is one is all that undoing needs
+        if (const TableSlot* slot = m_access.profile().slotNamed(m_entry.newSlot))
+            write.slot = *slot;
+    }
+    write.elementCrc = m_entry.newCrc;
+    return write;
+}
+
+} // namespace axiscomp

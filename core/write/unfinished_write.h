@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/axis/axis_reader.h"
+#include "core/axis/slot_state.h"
+#include "core/write/write_planner.h"
+
+namespace axiscomp {
+
+/// A write that did not end, with what was kept before its first change.
+class UnfinishedWrite {
+public:
+    /// Errors: FileNotReadable, InvalidBackup.
+    [[nodiscard]] static Result<UnfinishedWrite> load(
+        const DriveAccess& access, const JournalEntry& entry);
+
+    [[nodiscard]] const JournalEntry& entry() const { return m_entry; }
+    [[nodiscard]] const AxisBackup& before() const { return m_before; }
+    [[nodiscard]] std::string oldSlot() const; ///< empty: the axis had no table
+    /// The old table; null: the axis had none.
+    [[nodiscard]] const AxisBackup::File* oldFile() const { return fileOf(oldSlot()); }
+    [[nodiscard]] std::uint32_t oldCrc() const; ///< of its elements
+    /// Otherwise the axis keeps its table, or loses it.
+    [[nodiscard]] bool isNewTable() const;
+
+    /// The write that brings the complete new state about, from whatever there is now. Errors:
+    /// TableNotKept, FileNotReadable, InvalidTable, SourceMissing.
+    [[nodiscard]] Result<WriteRequest> request(DriveStore& store, const DriveIdentity& drive) const;
+    /// What that write had decided, as far as undoing it needs.
+    [[nodiscard]] PreparedWrite prepared(const DriveIdentity& drive) const;
+
+    /// Whether a slot holds what this write found there or put there, or nothing.
+    [[nodiscard]] bool isKnown(const SlotState& state, const std::string& slot) const;
+
+private:
+    UnfinishedWrite(const DriveAccess& access, const JournalEntry& entry)
+        : m_access(access)
+        , m_entry(entry)
+    {
+    }
+    [[nodiscard]] const AxisBackup::File* fileOf(const std::string& slot) const;
+    [[nodiscard]] Result<Bytes> newFile(const DriveStore& store) const;
+    [[nodiscard]] Result<std::optional<std::string>> slotFor(
+        DriveStore& store, const DriveIdentity& drive) const;
+
+    const DriveAccess& m_access;
+    JournalEntry m_entry;
+    AxisBackup m_before;
+};
+
+/// The steps of a write in their order; a journal's step that is not known counts as the last.
+[[nodiscard]] int stepRank(std::string_view step);
+
+} // namespace axiscomp

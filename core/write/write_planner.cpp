@@ -1,0 +1,371 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/write/write_planner.h"
+
+#include "core/store/backup_json.h"
+#include "core/table/tam_table.h"
+
+#include <algorithm>
+
+namespace axiscomp {
+
+namespace {
+
+std::string numberText(double value)
+{
+    return toText(RegisterValue{value});
+}
+
+/// "5 x 4 points, X 0 .. 40, Y 0 .. 30": enough to recognise a table.
+std::string gridText(const Grid& grid)
+{
+    std::string sizes;
+    std::string ranges;
+    for (std::size_t n = 0; n < grid.axes.size(); ++n) {
+        const GridAxis& axis = grid.axes[n];
+        sizes += (n == 0 ? "" : " x ") + std::to_string(axis.size);
+        ranges += ", " + (axis.name.empty() ? "dim " + std::to_string(n + 1) : axis.name) + " "
+            + numberText(axis.start) + " .. " + numberText(axis.last());
+    }
+    return sizes + " points" + ranges;
+}
+
+std::string tableText(const std::string& slot, const Grid& grid, std::uint32_t crc)
+{
+    return slot + ": " + gridText(grid) + " (CRC " + crcText(crc) + ")";
+}
+
+const char* persistencyText(Persistency persistency)
+{
+    return persistency == Persistency::Persistent ? "persistent" : "volatile";
+}
+
+std::string hexText(std::uint32_t number)
+{
+    return "0x" + crcText(number);
+}
+
+std::string sourceText(const std::string& drive, const DimSource& source)
+{
+    if (!source.isSet())
+        return "none";
+    return source.path.empty() ? hexText(source.address) : sourceUri(drive, source.path);
+}
+
+/// The elements are the end of every table file.
+std::uint32_t elementCrcOf(ByteView file, const CompensationTable& table)
+{
+    return crc32(file.last(table.values.size() * sizeof(float)));
+}
+
+} // namespace
+
+std::string setupText(const CompensationSetup& setup)
+{
+    std::string text = setup.slot.empty() ? "no table" : setup.slot;
+    text += " (CRC " + crcText(setup.tableCrc) + "), ";
+    for (const DimSource& source : setup.sources) {
+        if (source.isSet())
+            text += (source.path.empty() ? hexText(source.address) : source.path) + ", ";
+    }
+    return text + persistencyText(setup.persistency);
+}
+
+std::string axisText(int index, const std::string& name)
+{
+    return "axis " + std::to_string(index) + (name.empty() ? "" : " (" + name + ")");
+}
+
+Result<PreparedWrite> WritePlanner::prepare(int axis, const WriteRequest& request)
+{
+    m_axis = axis;
+    auto status = readStatus(m_access, m_drive, axis, m_sources);
+    if (!status)
+        return fail(status.error());
+    m_status = *status;
+    if (isOn(m_access, m_status))
+        return fail(compensationActive(m_status));
+    if (request.expected && !(*request.expected == m_status.setup))
+        return fail(ErrorCode::ChangedMeanwhile,
+            {{"what", "the settings of " + axisText(axis, m_status.axis.name)},
+                {"before", setupText(*request.expected)}, {"now", setupText(m_status.setup)}});
+
+    auto saved = m_store.savedState(m_drive.serialNumber);
+    if (!saved)
+        return fail(saved.error());
+    m_saved = std::move(*saved);
+    m_write = {};
+    WritePlan& plan = m_write.plan;
+    plan.drive = m_drive;
+    plan.axis = axis;
+    plan.before = m_status.setup;
+    plan.after = m_status.setup;
+    plan.after.dimensionality = request.dimensionality;
+    auto decided = decideSources(request);
+    if (decided)
+        decided = request.withoutTable ? decideNoTable() : decideTable(request);
+    if (!decided)
+        return fail(decided.error());
+    decided = decideSaving();
+    if (decided)
+        decided = decideFlash();
+    if (!decided)
+        return fail(decided.error());
+    listChanges();
+    warn();
+    if (request.table)
+        warnOfUnit(*request.table);
+    return m_write;
+}
+
+Result<void> WritePlanner::decideSources(const WriteRequest& request)
+{
+    auto& sources = m_write.plan.after.sources;
+    const auto dimensions = static_cast<std::size_t>(request.dimensionality);
+    if (dimensions < 1 || dimensions > sources.size())
+        return fail(ErrorCode::InvalidArgument, {{"reason", "the dimensionality is 1, 2 or 3"}});
+    if (!request.sources.empty()) {
+        sources = {};
+        if (request.sources.size() > dimensions)
+            return fail(ErrorCode::SourceSurplus,
+                {{"dimension", std::to_string(dimensions + 1)},
+                    {"dimensions", std::to_string(dimensions)}});
+        for (std::size_t n = 0; n < request.sources.size(); ++n) {
+            if (request.withoutTable && request.sources[n].empty())
+                continue;
+            auto source = m_sources.resolve(m_access, request.sources[n]);
+            if (!source)
+                return fail(source.error());
+            sources[n] = *source;
+        }
+    }
+    for (std::size_t n = 0; n < sources.size(); ++n) {
+        if (n < dimensions && !sources[n].isSet() && !request.withoutTable)
+            return fail(ErrorCode::SourceMissing, {{"dimension", std::to_string(n + 1)}});
+        if (n >= dimensions && sources[n].isSet())
+            return fail(ErrorCode::SourceSurplus,
+                {{"dimension", std::to_string(n + 1)}, {"dimensions", std::to_string(dimensions)}});
+        const auto first = std::ranges::find(sources, sources[n]);
+        if (sources[n].isSet() && first < sources.begin() + static_cast<std::ptrdiff_t>(n))
+            return fail(ErrorCode::SourceRepeated,
+                {{"source", sources[n].path},
+                    {"first", std::to_string(first - sources.begin() + 1)},
+                    {"second", std::to_string(n + 1)}});
+    }
+    return {};
+}
+
+Result<void> WritePlanner::decideNoTable()
+{
+    WritePlan& plan = m_write.plan;
+    plan.slotReason = SlotReason::KeepTable;
+    plan.after.slot.clear();
+    plan.after.tableCrc = 0;
+    plan.after.persistency = Persistency::Volatile;
+    // As an axis without a table shows it.
+    const auto set = std::ranges::count_if(plan.after.sources, &DimSource::isSet);
+    plan.after.dimensionality = std::max(1, static_cast<int>(set));
+    if (!plan.before.slot.empty())
+        plan.changes.push_back({"Table", currentTable(), "none"});
+    return {};
+}
+
+std::string WritePlanner::currentTable() const
+{
+    return m_status.table
+        ? tableText(m_status.setup.slot, m_status.table->grid, m_status.table->crc)
+        : "none";
+}
+
+Result<void> WritePlanner::decideTable(const WriteRequest& request)
+{
+    if (!request.table) {
+        if (!m_status.table)
+            return fail(ErrorCode::NoTable, {{"axis", std::to_string(m_axis)}});
+        if (m_status.table->grid.dimensions() != request.dimensionality)
+            return fail(ErrorCode::DimensionMismatch,
+                {{"table", std::to_string(m_status.table->grid.dimensions())},
+                    {"chosen", std::to_string(request.dimensionality)}});
+        m_write.plan.slotReason = SlotReason::KeepTable;
+        m_write.elementCrc = m_status.table->crc;
+        m_write.plan.after.persistency = request.persistency.value_or(m_status.setup.persistency);
+        return {};
+    }
+    const CompensationTable& table = *request.table;
+    if (table.grid.dimensions() != request.dimensionality)
+        return fail(ErrorCode::DimensionMismatch,
+            {{"table", std::to_string(table.grid.dimensions())},
+                {"chosen", std::to_string(request.dimensionality)}});
+    auto file = encodeTamTable(table, false, m_access.profile().layout);
+    if (!file)
+        return fail(file.error());
+    m_write.elementCrc = elementCrcOf(*file, table);
+    m_write.plan.tableBytes = file->size();
+    m_write.plan.after.tableCrc = m_write.elementCrc;
+    m_write.plan.after.persistency = request.persistency.value_or(Persistency::Volatile);
+    const bool alreadyThere = m_status.table && m_status.table->crc == m_write.elementCrc
+        && sameSpans(m_status.table->grid, table.grid)
+        && request.slot.value_or(m_status.setup.slot) == m_status.setup.slot;
+    if (alreadyThere) {
+        m_write.plan.slotReason = SlotReason::KeepTable;
+        m_write.plan.after.persistency = request.persistency.value_or(m_status.setup.persistency);
+        return {};
+    }
+    return decideNewTable(request, std::move(*file));
+}
+
+Result<void> WritePlanner::decideNewTable(const WriteRequest& request, Bytes file)
+{
+    auto slots = slotFacts();
+    if (!slots)
+        return fail(slots.error());
+    auto choice = chooseSlot(file.size(), request.slot, *slots);
+    if (!choice)
+        return fail(choice.error());
+    m_write.slot = choice->slot;
+    m_write.slotBefore = choice->state;
+    m_write.file = std::move(file);
+    m_write.plan.slotReason = choice->reason;
+    m_write.plan.after.slot = choice->slot.name;
+    m_write.plan.changes.push_back({"Table", currentTable(),
+        tableText(choice->slot.name, request.table->grid, m_write.elementCrc)});
+    return noteStored(request.table->grid);
+}
+
+/// Whether flash holds this table in the chosen slot already: storing it again costs nothing.
+Result<void> WritePlanner::noteStored(const Grid& grid)
+{
+    const SlotState& there = m_write.slotBefore;
+    if (!there.persistent || there.elements != grid.pointCount() || there.crc != m_write.elementCrc)
+        return {};
+    auto readings = m_access.readAvailable(headerPaths(m_access, m_write.slot.name));
+    if (!readings)
+        return fail(readings.error());
+    const auto header = headerFrom(m_access, *readings, m_write.slot.name);
+    m_isStored = header && header->persistent && header->crc == m_write.elementCrc
+        && sameSpans(header->grid, grid);
+    return {};
+}
+
+Result<std::vector<SlotFacts>> WritePlanner::slotFacts()
+{
+    auto files = m_access.link().listFiles(m_access.exchange());
+    if (!files)
+        return fail(files.error());
+    std::vector<SlotFacts> slots;
+    for (const DriveFile& file : *files) {
+        const TableSlot* slot = m_access.profile().slotOfFile(file.path);
+        if (!slot)
+            continue;
+        SlotFacts facts;
+        facts.slot = *slot;
+        // The drive knows its own limits better than the profile does.
+        if (file.maximumSize > 0)
+            facts.slot.maximumSize = std::min(slot->maximumSize, file.maximumSize);
+        facts.size = file.size;
+        facts.isCurrent = slot->name == m_status.setup.slot;
+        slots.push_back(facts);
+    }
+    if (auto looked = lookInto(slots); !looked)
+        return fail(looked.error());
+    return slots;
+}
+
+/// Contents and users of all slots, at one instant where the profile allows.
+Result<void> WritePlanner::lookInto(std::vector<SlotFacts>& slots)
+{
+    auto own = m_store.ownTables(m_drive.serialNumber, m_axis);
+    if (!own)
+        return fail(own.error());
+    std::vector<std::string> paths;
+    for (const SlotFacts& facts : slots) {
+        const auto more = slotStatePaths(m_access, m_drive, m_axis, facts.slot.name);
+        paths.insert(paths.end(), more.begin(), more.end());
+    }
+    auto readings = m_access.readAvailable(std::move(paths));
+    if (!readings)
+        return fail(readings.error());
+    for (SlotFacts& facts : slots) {
+        facts.state = slotState(m_access, m_drive, m_axis, facts.slot.name, *readings);
+        facts.otherUser = facts.state.otherUser;
+        // Filled since the directory was read.
+        if (facts.size == 0 && !facts.state.isEmpty())
+            facts.size = facts.slot.maximumSize;
+        facts.isOwnPrevious =
+            facts.size > 0 && std::ranges::any_of(*own, [&](const DriveStore::OwnTable& table) {
+                return table.slot == facts.slot.name && table.crc == facts.state.crc;
+            });
+    }
+    const bool isPersistent = m_write.plan.after.persistency == Persistency::Persistent;
+    const bool usesSaved = m_status.table && m_status.table->persistent;
+    // Otherwise it is known what the saved parameters name, or that they name the table in use.
+    if (!isPersistent || !(usesSaved || m_saved.isKnown))
+        markKept(slots, *own, isPersistent);
+    for (SlotFacts& facts : slots) {
+        const auto other = m_saved.otherUser(facts.slot.name, m_axis);
+        if (other && facts.otherUser.empty())
+            facts.otherUser = "axis " + std::to_string(*other) + " after a reboot";
+        facts.isKept = facts.isKept
+            || (isPersistent && m_saved.isInTheWay(facts.slot.name, m_axis, m_write.elementCrc));
+    }
+    return {};
+}
+
+/// What has to be done around saving the parameters.
+Result<void> WritePlanner::decideSaving()
+{
+    const WritePlan& plan = m_write.plan;
+    m_others.clear();
+    if (plan.after.persistency != Persistency::Persistent)
+        return {};
+    if (auto read = readOthers(); !read)
+        return read;
+    const auto isCovering = [&](const AxisStatus& status) {
+        return status.table && !status.table->persistent && m_saved.isCovered(status.setup.slot);
+    };
+    m_write.uncovered = static_cast<int>(std::ranges::count_if(m_others, isCovering));
+    const bool isCommitted = plan.slotReason != SlotReason::KeepTable
+        || plan.before.persistency != Persistency::Persistent;
+    m_write.releases =
+        isCommitted && m_saved.isInTheWay(plan.after.slot, m_axis, m_write.elementCrc);
+    if (m_write.releases && plan.after.slot != plan.before.slot && isCovering(m_status))
+        ++m_write.uncovered;
+    return {};
+}
+
+Result<void> WritePlanner::readOthers()
+{
+    for (int axis = 0; axis < m_drive.axes; ++axis) {
+        if (axis == m_axis)
+            continue;
+        auto other = readStatus(m_access, m_drive, axis, m_sources);
+        if (!other && other.error().code == ErrorCode::NoCompensation)
+            continue;
+        if (!other)
+            return fail(other.error());
+        m_others.push_back(std::move(*other));
+    }
+    return {};
+}
+
+void WritePlanner::listChanges()
+{
+    WritePlan& plan = m_write.plan;
+    if (plan.before.dimensionality != plan.after.dimensionality)
+        plan.changes.push_back({"Dimensionality", std::to_string(plan.before.dimensionality) + "D",
+            std::to_string(plan.after.dimensionality) + "D"});
+    for (std::size_t n = 0; n < plan.after.sources.size(); ++n) {
+        const DimSource& before = plan.before.sources[n];
+        const DimSource& after = plan.after.sources[n];
+        if (!(before == after))
+            plan.changes.push_back({"Dim" + std::to_string(n + 1) + "Source",
+                sourceText(m_drive.name, before), sourceText(m_drive.name, after)});
+    }
+    if (plan.after.slot.empty())
+        return;
+    if (plan.before.persistency != plan.after.persistency || !m_status.table)
+        plan.changes.push_back(
+            {"Persistency", m_status.table ? persistencyText(plan.before.persistency) : "none",
+                persistencyText(plan.after.persistency)});
+}
+
+} // namespace axiscomp

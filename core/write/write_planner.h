@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/axis/axis_reader.h"
+#include "core/axis/slot_state.h"
+#include "core/write/slot_choice.h"
+
+namespace axiscomp {
+
+/// A plan with what carrying it out needs and what its reader does not.
+struct PreparedWrite {
+    WritePlan plan;
+    Bytes file; ///< the new table file, volatile; empty: the table stays
+    TableSlot slot; ///< where it goes
+    SlotState slotBefore; ///< what that slot held when it was chosen
+    std::uint32_t elementCrc = 0; ///< of the table that the axis has afterwards
+    int uncovered = 0; ///< of the plan's flash operations: tables that saving deletes
+    /// Saved parameters name the slot that is to be committed, with another table: they are saved
+    /// without it first.
+    bool releases = false;
+};
+
+/// Everything that is decided before a write, without changing anything.
+class WritePlanner {
+public:
+    WritePlanner(const DriveAccess& access, DriveStore& store, SourceDirectory& sources,
+        const DriveIdentity& drive, WallTime now)
+        : m_access(access)
+        , m_store(store)
+        , m_sources(sources)
+        , m_drive(drive)
+        , m_now(now)
+    {
+    }
+
+    [[nodiscard]] Result<PreparedWrite> prepare(int axis, const WriteRequest& request);
+
+private:
+    [[nodiscard]] Result<void> decideSources(const WriteRequest& request);
+    [[nodiscard]] Result<void> decideTable(const WriteRequest& request);
+    [[nodiscard]] Result<void> decideNewTable(const WriteRequest& request, Bytes file);
+    [[nodiscard]] Result<void> noteStored(const Grid& grid);
+    [[nodiscard]] Result<void> decideNoTable();
+    [[nodiscard]] std::string currentTable() const;
+    [[nodiscard]] Result<void> decideFlash();
+    [[nodiscard]] int flashReserve(bool isStoring) const;
+    [[nodiscard]] Result<void> decideSaving();
+    [[nodiscard]] Result<void> readOthers();
+    [[nodiscard]] Result<std::vector<SlotFacts>> slotFacts();
+    [[nodiscard]] Result<void> lookInto(std::vector<SlotFacts>& slots);
+    void listChanges();
+    void warn();
+    void warnOfSaving();
+    void warnOfUnit(const CompensationTable& table);
+
+    const DriveAccess& m_access;
+    DriveStore& m_store;
+    SourceDirectory& m_sources;
+    const DriveIdentity& m_drive;
+    WallTime m_now;
+    int m_axis = 0;
+    AxisStatus m_status;
+    std::vector<AxisStatus> m_others; ///< the other axes, when the parameters will be saved
+    DriveStore::SavedState m_saved;
+    PreparedWrite m_write;
+    bool m_isStored = false; ///< the new table is in the flash of its slot already
+};
+
+/// For errors: "Small1 (CRC 00c0ffee), Axes[0]/..., volatile"
+[[nodiscard]] std::string setupText(const CompensationSetup& setup);
+/// "axis 0 (X)"
+[[nodiscard]] std::string axisText(int index, const std::string& name);
+
+} // namespace axiscomp

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/write/flash_account.h"
+#include "core/write/write_planner.h"
+
+namespace axiscomp {
+
+class UnfinishedWrite;
+
+/// Carries a prepared write out in the safe order and puts everything back when a step fails or the
+/// user stops (DESIGN.md, "The safe order of a write"; DECISIONS.md, 3). Used once.
+class WriteProcedure {
+public:
+    /// earlier: the axis's journal, when a write before did not end. This one takes its place, and
+    /// gives it back when it has to be undone.
+    WriteProcedure(const DriveAccess& access, DriveStore& store, SourceDirectory& sources,
+        std::function<WallTime()> clock, PreparedWrite prepared,
+        std::optional<JournalEntry> earlier = {});
+
+    [[nodiscard]] Result<WriteReport> run();
+    /// The same, as the end of the earlier write: undoing still leads to the state before that.
+    [[nodiscard]] Result<WriteReport> finishEarlier();
+    /// Only the way back of the earlier write, whose decisions the prepared write has.
+    [[nodiscard]] Result<WriteReport> undoEarlier(const UnfinishedWrite& unfinished);
+
+private:
+    // In the order in which they run.
+    [[nodiscard]] Result<void> keepOldState();
+    [[nodiscard]] Result<void> checkUnchanged();
+    [[nodiscard]] std::vector<std::string> lastLookPaths() const;
+    void noteEraseCounts(const Readings& now);
+    [[nodiscard]] Result<void> checkSlot(const Readings& now) const;
+    [[nodiscard]] Result<void> checkBackup(const Readings& now) const;
+    [[nodiscard]] Result<void> change();
+    [[nodiscard]] Result<void> release();
+    [[nodiscard]] Result<void> switchOff();
+    [[nodiscard]] Result<void> uploadTable();
+    [[nodiscard]] Result<void> commitTable();
+    [[nodiscard]] Result<void> commitWith(const std::vector<RegisterWrite>& values);
+    [[nodiscard]] Result<void> reachFlash(
+        const std::vector<RegisterWrite>& values, bool& isCommitted);
+    [[nodiscard]] Result<void> switchOver();
+    [[nodiscard]] Result<void> switchOverOneByOne(const std::vector<RegisterWrite>& values);
+    [[nodiscard]] Result<AxisStatus> confirm();
+    [[nodiscard]] Result<WriteReport> finish(AxisStatus now);
+
+    // Putting back, in reverse order.
+    [[nodiscard]] Error putBack(const Error& reason);
+    [[nodiscard]] Result<void> undo(const DriveAccess& access);
+    void accountForUndo(const DriveAccess& access, const Result<void>& undone);
+    [[nodiscard]] Result<void> undoTable(const DriveAccess& access);
+    [[nodiscard]] Result<void> undoRegisters(const DriveAccess& access);
+    [[nodiscard]] Result<void> undoOtherSlot(const DriveAccess& access);
+    [[nodiscard]] bool mustStay(const DriveAccess& access) const;
+    [[nodiscard]] bool hasOldState(const DriveAccess& access);
+    [[nodiscard]] Result<void> checkFlash();
+    [[nodiscard]] Result<AxisStatus> lookBeforeUndo(const UnfinishedWrite& unfinished);
+    [[nodiscard]] Result<AxisBackup> keepPresent(std::vector<std::string> slots);
+
+    [[nodiscard]] Result<void> save(const DriveAccess& access);
+    [[nodiscard]] Result<void> note(const std::string& step, double progress);
+    [[nodiscard]] Result<void> closeJournal();
+    [[nodiscard]] std::vector<std::string> touchedSlots() const;
+    [[nodiscard]] bool isNewTable() const { return !m_write.file.empty(); }
+    [[nodiscard]] bool overwritesOwn() const;
+    [[nodiscard]] bool switchesOff() const;
+    [[nodiscard]] bool wantsPersistent() const;
+    [[nodiscard]] bool changesPersistency() const;
+    [[nodiscard]] std::vector<RegisterWrite> persistencyWrites() const;
+    [[nodiscard]] const AxisBackup::File* backupOf(const std::string& slot) const;
+    [[nodiscard]] Error outcome(
+        ErrorCode code, const Error& reason, const std::string& rollback) const;
+
+    DriveAccess m_access;
+    DriveStore& m_store;
+    SourceDirectory& m_sources;
+    std::function<WallTime()> m_clock;
+    PreparedWrite m_write;
+    AxisBackup m_backup;
+    std::filesystem::path m_backupFile;
+    JournalEntry m_journal;
+    std::optional<JournalEntry> m_earlier;
+    bool m_finishesEarlier = false;
+    FlashAccount m_flash;
+    EraseCounts m_eraseCounts; ///< of the touched slots, before the first change
+
+    // What may have been changed on the drive so far, and so has to be put back.
+    bool m_slotTouched = false;
+    bool m_flashTouched = false;
+    bool m_registersTouched = false;
+    bool m_savedTouched = false;
+};
+
+} // namespace axiscomp

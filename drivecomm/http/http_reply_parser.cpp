@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "drivecomm/http/http_reply_parser.h"
+
+#include "drivecomm/http/media_type.h"
+
+#include <algorithm>
+#include <charconv>
+
+namespace axiscomp::drivecomm {
+
+namespace {
+
+constexpr std::size_t mostHead = 64 * 1024;
+constexpr std::size_t mostFound = 256;
+constexpr std::string_view version = "HTTP/1.";
+
+bool isDigit(char c)
+{
+    return c >= '0' && c <= '9';
+}
+
+std::string lowerCase(std::string_view text)
+{
+    std::string result(text);
+    std::ranges::transform(result, result.begin(),
+        [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+    return result;
+}
+
+std::string_view trimmed(std::string_view text)
+{
+    constexpr std::string_view blanks = " \t";
+    const std::size_t begin = text.find_first_not_of(blanks);
+    if (begin == std::string_view::npos)
+        return {};
+    return text.substr(begin, text.find_last_not_of(blanks) - begin + 1);
+}
+
+std::optional<std::uint64_t> number(std::string_view text, int base)
+{
+    std::uint64_t value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, base);
+    return error == std::errc() && end == text.data() + text.size() ? std::optional(value)
+                                                                    : std::nullopt;
+}
+
+/// What a line may begin with, as long as it is not complete.
+bool mayBeStatusLine(std::string_view begun)
+{
+    return begun.substr(0, version.size()) == version.substr(0, begun.size());
+}
+
+} // namespace
+
+HttpReplyParser::HttpReplyParser(std::uint64_t bodyLimit) : m_bodyLimit(bodyLimit) { }
+
+void HttpReplyParser::fail(std::string expected, std::string_view found)
+{
+    m_state = State::Failed;
+    m_expected = std::move(expected);
+    m_found = found.substr(0, mostFound);
+}
+
+void HttpReplyParser::feed(std::string_view bytes)
+{
+    while (!bytes.empty() && m_state == State::Incomplete) {
+        if (m_step == Step::Body || m_step == Step::ChunkData) {
+            bytes.remove_prefix(takeBody(bytes));
+            continue;
+        }
+        const std::size_t end = bytes.find('\n');
+        const std::string_view piece = bytes.substr(0, end);
+        m_headSize += piece.size() + (end == std::string_view::npos ? 0 : 1);
+        m_line += piece.substr(0, mostHead);
+        if (m_step == Step::StatusLine && !mayBeStatusLine(m_line))
+            return fail(
+                "an HTTP reply", m_line + std::string(bytes.substr(piece.size(), mostFound)));
+        if (m_headSize > mostHead)
+            return fail("a head of at most 64 KiB", m_line);
+        if (end == std::string_view::npos)
+            return;
+        bytes.remove_prefix(end + 1);
+        std::string line;
+        line.swap(m_line);
+        if (line.ends_with('\r'))
+            line.pop_back();
+        takeLine(line);
+    }
+    m_hasSurplus |= !bytes.empty();
+}
+
+void HttpReplyParser::takeLine(std::string_view line)
+{
+    switch (m_step) {
+    case Step::StatusLine:
+        return takeStatusLine(line);
+    case Step::Field:
+        return line.empty() ? endHead() : takeField(line);
+    case Step::ChunkSize:
+        return takeChunkSize(line);
+    case Step::ChunkEnd:
+        m_step = Step::ChunkSize;
+        return line.empty() ? void() : fail("the end of a chunk", line);
+    case Step::Trailer:
+        if (line.empty())
+            m_state = State::Complete;
+        return;
+    case Step::Body:
+    case Step::ChunkData:
+        return;
+    }
+}
+
+void HttpReplyParser::takeStatusLine(std::string_view line)
+{
+    // "HTTP/1.1 200" and perhaps a reason
+    const std::string_view rest = line.substr(std::min(version.size(), line.size()));
+    const bool isStatusLine = rest.size() >= 5 && isDigit(rest[0]) && rest[1] == ' '
+        && std::ranges::all_of(rest.substr(2, 3), isDigit) && rest[2] != '0'
+        && (rest.size() == 5 || rest[5] == ' ');
+    if (!isStatusLine)
+        return fail("the status line of an HTTP reply", line);
+    m_reply = {};
+    m_length.reset();
+    m_isChunked = false;
+    m_keepsConnection = rest[0] != '0';
+    m_reply.status = static_cast<int>(number(rest.substr(2, 3), 10).value_or(0));
+    m_step = Step::Field;
+}
+
+void HttpReplyParser::takeField(std::string_view line)
+{
+    if (line.front() == ' ' || line.front() == '\t')
+        return; // goes on with a field that matters to nobody here, or is given up anyway
+    const std::size_t colon = line.find(':');
+    if (colon == 0 || colon == std::string_view::npos)
+        return fail("a header field of an HTTP reply", line);
+    const std::string name = lowerCase(line.substr(0, colon));
+    const std::string_view value = trimmed(line.substr(colon + 1));
+    if (name == "content-length") {
+        const auto length = number(value, 10);
+        if (!length || (m_length && m_length != length))
+            return fail("one Content-Length", line);
+        m_length = length;
+    } else if (name == "transfer-encoding") {
+        if (lowerCase(value) != "chunked")
+            return fail("no Transfer-Encoding but chunked", line);
+        m_isChunked = true;
+    } else if (name == "connection") {
+        m_keepsConnection =
+            m_keepsConnection && lowerCase(value).find("close") == std::string::npos;
+    } else if (name == "content-type") {
+        m_reply.contentType = mediaType(value);
+    } else if (name == "location") {
+        m_reply.location = value;
+    } else if (name == "retry-after") {
+        m_reply.retryAfter = value;
+    }
+}
+
+void HttpReplyParser::endHead()
+{
+    const int status = m_reply.status;
+    const bool isInterim = status >= 100 && status < 200 && status != 101;
+    if (isInterim) {
+        m_step = Step::StatusLine;
+        m_headSize = 0;
+        return;
+    }
+    m_inBody = true;
+    if (m_isChunked)
+        m_length.reset();
+    const bool hasNoBody = status == 204 || status == 304 || status == 101;
+    m_reply.hasEnd = hasNoBody || m_isChunked || m_length;
+    m_left = m_length.value_or(0);
+    if (m_length.value_or(0) > m_bodyLimit && !hasNoBody)
+        return fail("at most " + std::to_string(m_bodyLimit) + " bytes",
+            "Content-Length: " + std::to_string(*m_length));
+    if (hasNoBody || m_length == std::uint64_t{0})
+        m_state = State::Complete;
+    else
+        m_step = m_isChunked ? Step::ChunkSize : Step::Body;
+    m_headSize = 0;
+}
+
+void HttpReplyParser::takeChunkSize(std::string_view line)
+{
+    const auto size = number(trimmed(line.substr(0, line.find(';'))), 16);
+    if (!size)
+        return fail("the size of a chunk", line);
+    m_headSize = 0;
+    m_left = *size;
+    m_step = *size == 0 ? Step::Trailer : Step::ChunkData;
+}
+
+std::size_t HttpReplyParser::takeBody(std::string_view bytes)
+{
+    const bool endsWithConnection = m_step == Step::Body && !m_length;
+    const std::size_t count = endsWithConnection
+        ? bytes.size()
+        : static_cast<std::size_t>(std::min<std::uint64_t>(bytes.size(), m_left));
+    if (count > m_bodyLimit - m_reply.body.size()) {
+        fail("at most " + std::to_string(m_bodyLimit) + " bytes",
+            m_reply.body + std::string(bytes.substr(0, mostFound)));
+        return count;
+    }
+    m_reply.body.append(bytes.substr(0, count));
+    if (endsWithConnection)
+        return count;
+    m_left -= count;
+    if (m_left == 0 && m_step == Step::Body)
+        m_state = State::Complete;
+    else if (m_left == 0)
+        m_step = Step::ChunkEnd;
+    return count;
+}
+
+void HttpReplyParser::end()
+{
+    if (m_state == State::Incomplete && m_step == Step::Body && !m_length) {
+        m_keepsConnection = false;
+        m_state = State::Complete;
+    }
+}
+
+} // namespace axiscomp::drivecomm

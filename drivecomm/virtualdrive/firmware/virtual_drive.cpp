@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "drivecomm/virtualdrive/firmware/virtual_drive.h"
+
+#include "drivecomm/virtualdrive/firmware/virtual_drive_p.h"
+
+#include <algorithm>
+#include <cassert>
+
+namespace axiscomp::drivecomm {
+
+namespace {
+
+constexpr std::size_t maximumAxes = 64;
+
+std::function<DriveTime()> timeSinceNow()
+{
+    return [start = std::chrono::steady_clock::now()] {
+        return std::chrono::duration_cast<DriveTime>(std::chrono::steady_clock::now() - start);
+    };
+}
+
+} // namespace
+
+VirtualDrive::Private::Private(const DriveProfile& usedProfile, VirtualDriveOptions usedOptions)
+    : profile(usedProfile)
+    , options(std::move(usedOptions))
+    , memory(usedProfile)
+{
+    if (!options.clock)
+        options.clock = timeSinceNow();
+    if (!options.wallClock)
+        options.wallClock = [] { return std::chrono::system_clock::now(); };
+    options.axes.resize(std::clamp<std::size_t>(options.axes.size(), 1, maximumAxes));
+    int index = 0;
+    for (const VirtualAxis& axis : options.axes)
+        axes.push_back({AxisMotion(axis, index++), Homing(axis.homed), {}});
+    defineRegisters();
+    advance();
+}
+
+VirtualDrive::VirtualDrive(std::unique_ptr<Private> made) : d(std::move(made)) { }
+
+VirtualDrive::VirtualDrive(const DriveProfile& profile, VirtualDriveOptions options)
+    : d(std::make_unique<Private>(profile, std::move(options)))
+{
+    assert(d->options.stateFolder.empty());
+    (void)d->applyParameters();
+}
+
+VirtualDrive::~VirtualDrive() = default;
+
+Result<std::unique_ptr<VirtualDrive>> VirtualDrive::create(
+    const DriveProfile& profile, VirtualDriveOptions options)
+{
+    if (options.axes.size() > maximumAxes)
+        return fail(ErrorCode::InvalidArgument,
+            {{"reason",
+                "a virtual drive has at most " + std::to_string(maximumAxes) + " axes, not "
+                    + std::to_string(options.axes.size())}});
+    for (const VirtualAxis& axis : options.axes)
+        if (!(axis.low < axis.high) || !(axis.periodSeconds > 0.0))
+            return fail(ErrorCode::InvalidArgument,
+                {{"reason", "an axis needs a range with low below high, and a period above 0 s"}});
+    auto made = std::make_unique<Private>(profile, std::move(options));
+    if (const Result<void> applied = made->applyParameters(); !applied)
+        return fail(ErrorCode::InvalidArgument,
+            {{"reason", "a parameter does not fit: " + sentence(applied.error())}});
+    if (!made->options.stateFolder.empty())
+        if (const Result<void> opened = made->openState(); !opened)
+            return fail(opened.error());
+    return std::unique_ptr<VirtualDrive>(new VirtualDrive(std::move(made)));
+}
+
+const DriveProfile& VirtualDrive::profile() const
+{
+    return d->profile;
+}
+
+DriveIdentity VirtualDrive::identity() const
+{
+    const std::scoped_lock lock(d->mutex);
+    std::vector<std::int32_t> words;
+    for (const Register* word : d->deviceName)
+        words.push_back(std::get<std::int32_t>(word->value));
+    return {unpackName(words), d->options.serialNumber, static_cast<int>(d->axes.size())};
+}
+
+Result<std::vector<RegisterReading>> VirtualDrive::readRegisters(
+    const std::vector<std::string>& paths)
+{
+    if (paths.size() > DriveLink::maximumReads)
+        return fail(ErrorCode::DriveRejected,
+            {{"reason",
+                "a request reads at most " + std::to_string(DriveLink::maximumReads)
+                    + " registers, not " + std::to_string(paths.size())}});
+    const std::scoped_lock lock(d->mutex);
+    d->advance();
+    std::vector<RegisterReading> result;
+    result.reserve(paths.size());
+    for (const std::string& path : paths) {
+        const Register* found = d->tree.find(path);
+        if (found == nullptr)
+            return fail(
+                ErrorCode::UnknownRegister, {{"path", path}, {"nearest", d->tree.nearest(path)}});
+        result.push_back(found->reading());
+    }
+    return result;
+}
+
+std::vector<RegisterReading> VirtualDrive::readTree(const std::string& prefix)
+{
+    const std::scoped_lock lock(d->mutex);
+    d->advance();
+    std::vector<RegisterReading> result;
+    for (const Register* found : d->tree.under(prefix))
+        result.push_back(found->reading());
+    return result;
+}
+
+Result<void> VirtualDrive::writeRegisters(const std::vector<RegisterWrite>& writes)
+{
+    const std::scoped_lock lock(d->mutex);
+    d->advance();
+    return d->write(writes);
+}
+
+std::vector<DriveFile> VirtualDrive::listFiles()
+{
+    const std::scoped_lock lock(d->mutex);
+    std::vector<DriveFile> result;
+    for (std::size_t i = 0; i < d->memory.slotCount(); ++i) {
+        const TableSlot& slot = d->profile.tableSlots[i];
+        const auto& ram = d->memory.slot(i).ram;
+        result.push_back(
+            {slot.file, static_cast<std::uint32_t>(ram ? ram->bytes.size() : 0), slot.maximumSize});
+    }
+    return result;
+}
+
+Result<Bytes> VirtualDrive::download(const std::string& path)
+{
+    const std::scoped_lock lock(d->mutex);
+    const auto slot = std::ranges::find(d->profile.tableSlots, path, &TableSlot::file);
+    if (slot == d->profile.tableSlots.end())
+        return fail(ErrorCode::UnknownFile, {{"path", path}});
+    const auto& ram =
+        d->memory.slot(static_cast<std::size_t>(slot - d->profile.tableSlots.begin())).ram;
+    return ram ? ram->bytes : Bytes{};
+}
+
+Result<void> VirtualDrive::upload(const std::string& path, ByteView bytes)
+{
+    const std::scoped_lock lock(d->mutex);
+    d->advance();
+    return d->upload(path, bytes);
+}
+
+void VirtualDrive::reboot()
+{
+    const std::scoped_lock lock(d->mutex);
+    d->advance();
+    d->reboot();
+}
+
+void VirtualDrive::storeNextWrong()
+{
+    const std::scoped_lock lock(d->mutex);
+    d->storeWrong = true;
+}
+
+} // namespace axiscomp::drivecomm

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "drivecomm/virtualdrive/serial/command_handler.h"
+
+#include "drivecomm/serial/serial_codec.h"
+
+#include <algorithm>
+
+namespace axiscomp::drivecomm {
+
+namespace {
+
+tl::unexpected<Error> wrong(std::string reason)
+{
+    return fail(ErrorCode::DriveRejected, {{"reason", std::move(reason)}});
+}
+
+std::string counted(std::size_t count)
+{
+    return "ok " + std::to_string(count);
+}
+
+SerialReplyLines linesOf(Result<SerialReplyLines> lines)
+{
+    return lines ? *std::move(lines) : SerialService::refused(lines.error());
+}
+
+} // namespace
+
+bool SerialService::isWrite(const std::vector<std::string>& words)
+{
+    return words.front() == "set" || words.front() == "put";
+}
+
+SerialReplyLines SerialService::refused(const Error& error)
+{
+    return {serialError(error)};
+}
+
+SerialReplyLines SerialService::rejected(const std::string& reason)
+{
+    return refused({ErrorCode::DriveRejected, {{"reason", reason}}, {}});
+}
+
+SerialReplyLines SerialService::garbled(const std::string& message)
+{
+    return {"error " + std::string(serialBadCrc) + " " + serialQuoted(message)};
+}
+
+std::string SerialService::bootLine() const
+{
+    const DriveIdentity identity = m_drive.identity();
+    return std::string(serialBootWord) + " " + serialQuoted(identity.name) + " "
+        + std::to_string(identity.serialNumber);
+}
+
+SerialReplyLines SerialService::answer(const std::vector<std::string>& words) const
+{
+    const std::string& request = words.front();
+    const auto arguments = std::span(words).subspan(1);
+    if (request == "identify" && arguments.empty())
+        return {"ok " + serialIdentity(m_drive.identity(), m_drive.profile().name)};
+    if (request == "get")
+        return linesOf(get(arguments));
+    if (request == "set") {
+        const auto done = set(arguments);
+        return done ? SerialReplyLines{"ok"} : refused(done.error());
+    }
+    if (request == "list" && arguments.empty())
+        return list();
+    if (request == "tree")
+        return linesOf(tree(arguments));
+    if (request == "address")
+        return linesOf(addresses(arguments));
+    return rejected(request
+        + " is not a request; these are: identify, get PATH..., set PATH VALUE..., list, "
+          "put PATH SIZE CRC32, take PATH, tree PREFIX [FIRST], address PATH...");
+}
+
+Result<std::vector<RegisterReading>> SerialService::read(std::span<const std::string> paths) const
+{
+    if (paths.empty() || paths.size() > mostSerialReads)
+        return wrong("name 1 to " + std::to_string(mostSerialReads) + " registers, not "
+            + std::to_string(paths.size()));
+    return m_drive.readRegisters({paths.begin(), paths.end()});
+}
+
+Result<SerialReplyLines> SerialService::get(std::span<const std::string> paths) const
+{
+    const auto readings = read(paths);
+    if (!readings)
+        return fail(readings.error());
+    SerialReplyLines lines{counted(readings->size())};
+    for (const RegisterReading& reading : *readings)
+        lines.push_back(serialReading(reading));
+    return lines;
+}
+
+Result<SerialReplyLines> SerialService::addresses(std::span<const std::string> paths) const
+{
+    const auto readings = read(paths);
+    if (!readings)
+        return fail(readings.error());
+    SerialReplyLines lines{counted(readings->size())};
+    for (const RegisterReading& reading : *readings)
+        lines.push_back(std::to_string(reading.address));
+    return lines;
+}
+
+Result<void> SerialService::set(std::span<const std::string> words) const
+{
+    if (words.empty() || words.size() % 2 != 0 || words.size() / 2 > mostSerialWrites)
+        return wrong(
+            "name 1 to " + std::to_string(mostSerialWrites) + " registers, each with its value");
+    std::vector<std::string> paths;
+    for (std::size_t i = 0; i < words.size(); i += 2)
+        paths.push_back(words[i]);
+    const auto readings = m_drive.readRegisters(paths);
+    if (!readings)
+        return fail(readings.error());
+    std::vector<RegisterWrite> writes;
+    for (std::size_t i = 0; i < readings->size(); ++i) {
+        const RegisterReading& reading = (*readings)[i];
+        auto value = registerValueFromText(reading.type, words[2 * i + 1]);
+        if (!value)
+            return wrong(reading.path + ": " + sentence(value.error()));
+        writes.push_back({reading.path, *std::move(value)});
+    }
+    return m_drive.writeRegisters(writes);
+}
+
+SerialReplyLines SerialService::list() const
+{
+    const auto files = m_drive.listFiles();
+    SerialReplyLines lines{counted(files.size())};
+    for (const DriveFile& file : files)
+        lines.push_back(serialFile(file));
+    return lines;
+}
+
+Result<SerialReplyLines> SerialService::tree(std::span<const std::string> words) const
+{
+    const auto first = words.size() == 2 ? parseSerialNumber(words[1]) : std::optional(0U);
+    if (words.empty() || words.size() > 2 || !first)
+        return wrong("write tree PREFIX [FIRST]; \"\" is everything");
+    const auto readings = m_drive.readTree(normalisedPath(words[0]));
+    const std::size_t begin = std::min<std::size_t>(*first, readings.size());
+    const std::size_t count = std::min(readings.size() - begin, serialTreePage);
+    SerialReplyLines lines{counted(count) + " " + std::to_string(readings.size())};
+    for (std::size_t i = begin; i < begin + count; ++i)
+        lines.push_back(serialTreeLine(readings[i]));
+    return lines;
+}
+
+Result<SerialService::Put> SerialService::beginPut(const std::vector<std::string>& words) const
+{
+    const auto size = words.size() == 4 ? parseSerialNumber(words[2]) : std::nullopt;
+    const auto crc = words.size() == 4 ? parseSerialNumber(words[3], 16) : std::nullopt;
+    if (!size || !crc)
+        return wrong("write put PATH SIZE CRC32, the CRC in hexadecimal digits");
+    const auto files = m_drive.listFiles();
+    const auto file = std::ranges::find(files, words[1], &DriveFile::path);
+    if (file == files.end())
+        return fail(ErrorCode::UnknownFile, {{"path", words[1]}});
+    if (*size > file->maximumSize)
+        return fail(ErrorCode::TooLargeForSlot,
+            {{"reason",
+                file->path + " holds " + std::to_string(file->maximumSize) + " bytes, not "
+                    + std::to_string(*size)}});
+    return Put{file->path, *size, *crc, file->maximumSize};
+}
+
+SerialReplyLines SerialService::endPut(const Put& put, ByteView file) const
+{
+    if (file.size() != put.size)
+        return garbled("announced were " + std::to_string(put.size) + " bytes, "
+            + std::to_string(file.size()) + " came; nothing was stored");
+    if (crc32(file) != put.crc)
+        return garbled("the CRC-32 of what came is " + serialCrc32(crc32(file)) + ", announced was "
+            + serialCrc32(put.crc) + "; nothing was stored");
+    const auto done = m_drive.upload(put.path, file);
+    return done ? SerialReplyLines{"ok"} : refused(done.error());
+}
+
+Result<Bytes> SerialService::take(const std::vector<std::string>& words) const
+{
+    if (words.size() != 2)
+        return wrong("write take PATH");
+    return m_drive.download(words[1]);
+}
+
+} // namespace axiscomp::drivecomm

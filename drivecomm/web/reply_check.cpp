@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "drivecomm/web/reply_check.h"
+
+#include "drivecomm/codec/error_json.h"
+#include "drivecomm/codec/json_parsing.h"
+#include "drivecomm/web/html_table.h"
+
+#include <algorithm>
+#include <charconv>
+#include <string_view>
+
+namespace axiscomp::drivecomm {
+
+namespace {
+
+std::string secondsOf(std::string_view retryAfter)
+{
+    int seconds = 0;
+    const auto [end, error] =
+        std::from_chars(retryAfter.data(), retryAfter.data() + retryAfter.size(), seconds);
+    const bool isNumber =
+        error == std::errc() && end == retryAfter.data() + retryAfter.size() && seconds >= 0;
+    return isNumber ? std::to_string(seconds) : std::string();
+}
+
+std::string statusText(int status)
+{
+    return "HTTP status " + std::to_string(status);
+}
+
+tl::unexpected<Error> redirected(const HttpReply& reply)
+{
+    std::string quote = "a redirect to " + quoteOf(reply.location);
+    if (reply.location.starts_with("https://"))
+        quote += "; give its address with https://";
+    return fail(
+        ErrorCode::Protocol, {{"expected", "the answer itself"}, {"quote", std::move(quote)}});
+}
+
+/// A refusal as a page or without any body: only its status is certain.
+Error plainError(const HttpReply& reply, const AskedFor& asked)
+{
+    const std::string seconds = secondsOf(reply.retryAfter);
+    const auto code = [&] {
+        switch (reply.status) {
+        case 401:
+            return ErrorCode::Unauthorized;
+        case 404:
+            return asked.unknown;
+        case 409:
+            return ErrorCode::NotAllowedNow;
+        case 413:
+            return ErrorCode::TooLargeForSlot;
+        case 422:
+            return ErrorCode::TableRefused;
+        case 503:
+            return seconds.empty() ? ErrorCode::Protocol : ErrorCode::FlashWear;
+        default:
+            return reply.status >= 400 && reply.status < 500 ? ErrorCode::DriveRejected
+                                                             : ErrorCode::Protocol;
+        }
+    }();
+    Error error{code, {}, statusText(reply.status)};
+    const std::string text = htmlText(std::string_view(reply.body).substr(0, 4096));
+    if (code == ErrorCode::Protocol) {
+        error.context["expected"] = "success or a refusal";
+        error.context["quote"] = statusText(reply.status) + " and " + quoteOf(text);
+    } else if (code == ErrorCode::FlashWear) {
+        error.context["seconds"] = seconds;
+    } else {
+        error.context["reason"] =
+            statusText(reply.status) + (text.empty() ? "" : ", " + quoteOf(text));
+    }
+    return error;
+}
+
+} // namespace
+
+Result<void> checkStatus(const HttpReply& reply, const AskedFor& asked)
+{
+    if (reply.status >= 200 && reply.status < 300)
+        return {};
+    if (reply.status >= 300 && reply.status < 400)
+        return redirected(reply);
+    Error error = parseErrorJson(reply.body).value_or(plainError(reply, asked));
+    if (error.code == ErrorCode::FlashWear && !error.context.contains("seconds"))
+        error.context["seconds"] = secondsOf(reply.retryAfter);
+    const bool isUnknown =
+        error.code == ErrorCode::UnknownRegister || error.code == ErrorCode::UnknownFile;
+    if (isUnknown && !error.context.contains("path"))
+        error.context["path"] = asked.path;
+    return fail(std::move(error));
+}
+
+Result<void> checkJson(const HttpReply& reply, const std::string& expected)
+{
+    if (reply.contentType == "application/json")
+        return {};
+    return notExpected(expected, reply.body);
+}
+
+Error addEndpoint(Error error, const std::string& endpoint)
+{
+    error.context.try_emplace("endpoint", endpoint);
+    return error;
+}
+
+} // namespace axiscomp::drivecomm

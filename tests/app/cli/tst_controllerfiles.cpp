@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/app/program_run.h"
+
+#include "tests/support/test_registry.h"
+#include "tests/support/verify.h"
+
+#include <QFile>
+#include <QJsonArray>
+#include <QTest>
+
+namespace tst_controllerfiles {
+
+using namespace axiscomp;
+using test::ProgramRun;
+using test::Sandbox;
+
+namespace {
+
+/// A linear error of 0.1 um per mm: what the command must be moved by is known in closed form.
+const QByteArray linearError = "X [mm],Table 1 [mm]\n0,0\n100,0.01\n200,0.02\n";
+const QByteArray unevenError = "X [mm],Table 1 [um]\n0,0\n1,0.5\n2.5,1.5\n10,-1\n";
+const QByteArray softmcTable = "1 3\n0 0\n100 -0.01\n200 -0.02\n";
+const QStringList unitsIn{"--set-in", "position-unit=mm", "--set-in", "value-unit=mm"};
+
+double firstValue(const ProgramRun& run)
+{
+    return run.json().value("results").toArray().at(0).toObject().value("value").toDouble();
+}
+
+} // namespace
+
+class tst_ControllerFiles : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { test::failOnWarnings(); }
+
+    void theSignIsConvertedExactly()
+    {
+        const Sandbox box;
+        box.file("x.csv", linearError);
+        const ProgramRun run =
+            box.run({"convert", "x.csv", "x.txt", "--dims", "1", "--to", "softmc"});
+        VERIFY_CODE(run, 0);
+        // c = -e / (1 + slope): 100 mm - 0.01 / 1.0001
+        const QList<QByteArray> lines = box.content("x.txt").split('\n');
+        QCOMPARE(lines.at(0), QByteArray("1 3"));
+        QCOMPARE(lines.at(2).split(' ').at(0), QByteArray("100"));
+        const double offset = lines.at(2).split(' ').at(1).toDouble();
+        QVERIFY2(std::abs(offset + 0.01 / 1.0001) < 1e-9, lines.at(2).constData());
+        QVERIFY2(run.out.contains("sign: csv holds feedback values, softmc holds command values"),
+            run.out.constData());
+        QVERIFY2(run.out.contains("where the encoder reads"), run.out.constData());
+        QVERIFY2(run.out.contains("they differ by at most"), run.out.constData());
+    }
+
+    void theSignCanBeOverruled()
+    {
+        const Sandbox box;
+        box.file("x.txt", softmcTable);
+        const ProgramRun run =
+            box.run(QStringList{"convert", "x.txt", "x.csv", "--sign", "feedback"} + unitsIn);
+        VERIFY_CODE(run, 0);
+        QVERIFY2(box.content("x.csv").contains("100,-0.01"), box.content("x.csv").constData());
+        QVERIFY2(run.out.contains("as you say"), run.out.constData());
+    }
+
+    void aFormatWithOneMoreColumnIsComparedByTheOrder()
+    {
+        // Aerotech's 2D tables hold a pair of corrections; the second one is 0 here.
+        const Sandbox box;
+        box.file("p.csv", "1 [mm],2 [mm],T [mm]\n0,0,0\n10,0,0.001\n0,10,-0.002\n10,10,0.003\n");
+        const ProgramRun run = box.run({"convert", "p.csv", "p.cal", "--dims", "2", "--to",
+            "aerotech-2d", "--set-out", "output-axis-1=1"});
+        VERIFY_CODE(run, 0);
+        QVERIFY2(run.out.contains("compared at"), run.out.constData());
+    }
+
+    void aFileOfAnotherControllerIsInspected()
+    {
+        const Sandbox box;
+        box.file("x.txt", softmcTable);
+        const ProgramRun run = box.run(QStringList{"inspect", "x.txt", "--json"} + unitsIn);
+        VERIFY_CODE(run, 0);
+        const QJsonObject document = run.json();
+        QCOMPARE(document.value("format").toString(), "softmc");
+        const QJsonObject table = document.value("tables").toArray().at(0).toObject();
+        QCOMPARE(table.value("sign").toString(), "command");
+        QCOMPARE(table.value("axes").toArray().at(0).toObject().value("unit").toString(), "mm");
+        QCOMPARE(table.value("columns").toArray().at(0).toObject().value("min").toDouble(), -0.02);
+    }
+
+    void aProblemOfSuchAFileNamesItsPlace()
+    {
+        const Sandbox box;
+        box.file("x.txt", "1 3\n0 0\n100 -0.01\n200 x\n");
+        const ProgramRun run = box.run({"inspect", "x.txt", "--from", "softmc"});
+        VERIFY_CODE(run, 3);
+        QVERIFY2(run.err.contains("x.txt:4:5: error: "), run.err.constData());
+    }
+
+    void lookupAnswersAsTheControllerDoes()
+    {
+        const Sandbox box;
+        box.file("x.txt", "1 3\n10 1\n20 2\n30 3\n");
+        const auto at = [&](const char* position) {
+            const ProgramRun run =
+                box.run(QStringList{"lookup", "x.txt", position, "--json"} + unitsIn);
+            return run.code == 0 ? firstValue(run) : std::nan("");
+        };
+        QCOMPARE(at("15"), 1.5);
+        QCOMPARE(at("40"), 3.0); // held
+        QCOMPARE(at("9.9"), 0.0); // softMC has not begun yet
+    }
+
+    void lookupAsAnotherControllerConvertsFirst()
+    {
+        const Sandbox box;
+        box.file("x.csv", linearError);
+        const ProgramRun run =
+            box.run({"lookup", "x.csv", "100", "--dims", "1", "--as", "softmc", "--json"});
+        VERIFY_CODE(run, 0);
+        QVERIFY(std::abs(firstValue(run) + 0.01 / 1.0001) < 1e-9);
+        const ProgramRun before =
+            box.run({"lookup", "x.csv", "-1", "--dims", "1", "--as", "softmc", "--json"});
+        QCOMPARE(firstValue(before), 0.0);
+    }
+
+    void unevenPositionsAreResampledWithinADeviation()
+    {
+        const Sandbox box;
+        box.file("uneven.csv", unevenError);
+        const ProgramRun refused = box.run({"convert", "uneven.csv", "even.TAMtbl", "--dims", "1"});
+        VERIFY_CODE(refused, 3);
+        QVERIFY2(refused.err.contains("UnevenSpacing"), refused.err.constData());
+        const ProgramRun run = box.run(
+            {"convert", "uneven.csv", "even.csv", "--dims", "1", "--within", "0.05", "--json"});
+        VERIFY_CODE(run, 0);
+        const QJsonObject table = run.json().value("tables").toArray().at(0).toObject();
+        QVERIFY(table.value("points").toInt() > 4);
+        const QJsonArray report = run.json().value("report").toArray();
+        bool hasDeviation = false;
+        for (const QJsonValue& line : report)
+            hasDeviation = hasDeviation || line.toString().contains("rms");
+        QVERIFY2(hasDeviation, run.out.constData());
+        VERIFY_CODE(box.run({"inspect", "even.csv", "--dims", "1"}), 0);
+    }
+
+    void pointsAndDistancesAreAskedFor_data()
+    {
+        QTest::addColumn<QStringList>("options");
+        QTest::addColumn<int>("points");
+        QTest::newRow("points") << QStringList{"--points", "21"} << 21;
+        QTest::newRow("distance") << QStringList{"--distance", "0.5"} << 21;
+        QTest::newRow("cubic") << QStringList{"--points", "11", "--method", "cubic"} << 11;
+    }
+    void pointsAndDistancesAreAskedFor()
+    {
+        QFETCH(const QStringList, options);
+        QFETCH(int, points);
+        const Sandbox box;
+        box.file("uneven.csv", unevenError);
+        const ProgramRun run = box.run(
+            QStringList{"convert", "uneven.csv", "even.csv", "--dims", "1", "--json"} + options);
+        VERIFY_CODE(run, 0);
+        QCOMPARE(
+            run.json().value("tables").toArray().at(0).toObject().value("points").toInt(), points);
+    }
+
+    void whatAFormatCannotHoldIsRefusedWithTheWayOut()
+    {
+        const Sandbox box;
+        box.file("x.csv", "X,A,B\n0,1,2\n1,2,3\n3,1,1\n");
+        const ProgramRun run =
+            box.run({"convert", "x.csv", "x.txt", "--dims", "1", "--table", "A", "--to", "softmc"});
+        QVERIFY(run.code != 0);
+        QVERIFY2(run.err.contains("resample"), run.err.constData());
+        QVERIFY(!QFile::exists(box.path("x.txt")));
+    }
+
+    void settingsAreCheckedByName()
+    {
+        const Sandbox box;
+        box.file("x.csv", linearError);
+        const ProgramRun run = box.run({"convert", "x.csv", "x.txt", "--dims", "1", "--to",
+            "softmc", "--set-out", "colour=red"});
+        VERIFY_CODE(run, 2);
+        QVERIFY2(run.err.contains("has no setting colour"), run.err.constData());
+        const ProgramRun malformed = box.run(
+            {"convert", "x.csv", "x.txt", "--dims", "1", "--to", "softmc", "--set-out", "colour"});
+        VERIFY_CODE(malformed, 2);
+    }
+
+    void aFileOfAnotherControllerIsWrittenToADrive()
+    {
+        const Sandbox box;
+        box.file("x.txt", softmcTable);
+        const test::VirtualDriveProcess drive(box);
+        const QStringList axis{"--drive", drive.url(), "--axis", "0"};
+        const ProgramRun run =
+            box.run(QStringList{"write", "--data", "x.txt", "--source1", test::positionSource(0)}
+                + unitsIn + axis);
+        VERIFY_CODE(run, 0);
+        QVERIFY2(run.err.contains("softmc holds command values"), run.err.constData());
+        const ProgramRun read = box.run(QStringList{"read", "-o", "read.csv", "--json"} + axis);
+        VERIFY_CODE(read, 0);
+        const QJsonObject table = read.json().value("table").toObject();
+        QVERIFY(table.value("max").toDouble() > 0.0199); // the sign of the drive
+        QVERIFY(table.value("min").toDouble() >= -1e-9);
+        const ProgramRun other =
+            box.run(QStringList{"read", "-o", "again.txt", "--to", "softmc"} + axis);
+        VERIFY_CODE(other, 0);
+        QVERIFY2(other.err.contains("softmc holds command values"), other.err.constData());
+        const QByteArray last = box.content("again.txt").split('\n').at(3);
+        QVERIFY2(std::abs(last.split(' ').at(1).toDouble() + 0.02) < 1e-5, last.constData());
+    }
+
+    void theColumnsOfOneFileAreWrittenToTheirAxes()
+    {
+        const Sandbox box;
+        box.file("plane.csv",
+            "X,Y,Cold,Warm\n0,0,0.001,0.01\n50,0,0.002,0.02\n"
+            "0,50,0.003,0.03\n50,50,0.004,0.04\n");
+        const test::VirtualDriveProcess drive(box, {"--axes", "2"});
+        const QStringList write{"write", "--drive", drive.url(), "--data", "plane.csv", "--dims",
+            "2", "--source1", test::positionSource(0), "--source2", test::positionSource(1)};
+        const ProgramRun run =
+            box.run(write + QStringList{"--map", "Cold=X", "--map", "Warm=1", "--json"});
+        VERIFY_CODE(run, 0);
+        QCOMPARE(run.json().value("writes").toArray().size(), 2);
+        const auto largest = [&](const char* axis) {
+            const ProgramRun read = box.run(
+                {"read", "--drive", drive.url(), "--axis", axis, "-o", "read.csv", "--json"});
+            return read.json().value("table").toObject().value("max").toDouble();
+        };
+        QCOMPARE(static_cast<float>(largest("0")), 0.004F);
+        QCOMPARE(static_cast<float>(largest("1")), 0.04F);
+    }
+
+    void nothingIsWrittenWhenOneOfTheAxesCannotBe()
+    {
+        const Sandbox box;
+        box.file("plane.csv", "X,Cold,Warm\n0,0.001,0.01\n50,0.002,0.02\n");
+        const test::VirtualDriveProcess drive(box, {"--axes", "2"});
+        const QStringList write{"write", "--drive", drive.url(), "--data", "plane.csv", "--dims",
+            "1", "--source1", test::positionSource(0)};
+        const ProgramRun twice = box.run(write + QStringList{"--map", "Cold=X", "--map", "Warm=0"});
+        VERIFY_CODE(twice, 2);
+        QVERIFY2(twice.err.contains("is named twice"), twice.err.constData());
+        const ProgramRun unknown =
+            box.run(write + QStringList{"--map", "Cold=X", "--map", "Hot=1"});
+        VERIFY_CODE(unknown, 2);
+        QVERIFY2(unknown.err.startsWith("error: TableNotFound: "), unknown.err.constData());
+        const ProgramRun status =
+            box.run({"status", "--drive", drive.url(), "--axis", "0", "--json"});
+        QVERIFY(status.json().value("slot").isNull());
+    }
+
+    void oneFormatIsDescribedInFull()
+    {
+        const Sandbox box;
+        const ProgramRun run = box.run({"formats", "softmc"});
+        VERIFY_CODE(run, 0);
+        QVERIFY2(run.out.contains("the first source fastest"), run.out.constData());
+        QVERIFY2(run.out.contains("Assumptions"), run.out.constData());
+    }
+
+    void completionKnowsEveryFormat()
+    {
+        const Sandbox box;
+        const ProgramRun completed = box.runProgram("bash",
+            {"-c",
+                "source " AXISCOMP_SOURCE_FOLDER "/packaging/completion/axiscomp.bash; "
+                "echo $_axiscomp_formats"});
+        VERIFY_CODE(completed, 0);
+        QStringList names;
+        for (const QJsonValue& format :
+            box.run({"formats", "--json"}).json().value("formats").toArray())
+            names += format.toObject().value("name").toString();
+        QCOMPARE(QString::fromUtf8(completed.out).simplified().split(' '), names);
+    }
+
+    void thePageOfTheDocumentationIsUpToDate()
+    {
+        const Sandbox box;
+        const ProgramRun run = box.run({"formats", "--markdown"});
+        VERIFY_CODE(run, 0);
+        QFile page(QStringLiteral(AXISCOMP_SOURCE_FOLDER "/docs/formats.md"));
+        QVERIFY(page.open(QIODevice::ReadOnly));
+        QVERIFY2(page.readAll() == run.out,
+            "docs/formats.md differs: axiscomp formats --markdown > docs/formats.md");
+    }
+};
+
+AXISCOMP_TEST(tst_ControllerFiles)
+
+} // namespace tst_controllerfiles
+
+#include "tst_controllerfiles.moc"

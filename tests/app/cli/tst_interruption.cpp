@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/app/program_run.h"
+
+#include "tests/support/test_registry.h"
+#include "tests/support/verify.h"
+
+#include <QJsonArray>
+#include <QTest>
+#include <QUrl>
+
+#include <csignal>
+
+namespace tst_interruption {
+
+using namespace axiscomp;
+using test::ProgramRun;
+using test::Sandbox;
+using test::VirtualDriveProcess;
+
+namespace {
+
+constexpr int deadlineMs = 60'000;
+const QByteArray oldTable = "X,T\n0,0\n50,0.001\n100,0.003\n";
+const QByteArray newTable = "X,T\n0,0\n50,0.002\n100,0.001\n";
+const QString newSource = QStringLiteral("Axes[0]/Signals/PositionController/MasterPosition");
+
+/// What a write must leave whole: the table, its source and its persistency.
+struct AxisState {
+    qint64 crc = 0;
+    QString source;
+    bool persistent = false;
+
+    friend bool operator==(const AxisState&, const AxisState&) = default;
+};
+
+AxisState stateOf(const QJsonObject& status)
+{
+    return {status.value("table").toObject().value("crc").toInteger(),
+        status.value("sources").toArray().at(0).toString(), status.value("persistent").toBool()};
+}
+
+/// An axis with an old, stored table and a slow drive, so that a write can be met in the middle.
+struct Bench {
+    Sandbox box;
+    AxisState before;
+    AxisState after;
+
+    Bench()
+    {
+        box.file("old.csv", oldTable);
+        box.file("new.csv", newTable);
+    }
+
+    /// Learns how the axis looks before and after, and leaves it in the old state.
+    [[nodiscard]] bool prepare(const QString& url)
+    {
+        const bool isNew = write(url, "new.csv", newSource).code == 0;
+        after = stateOf(status(url).json());
+        const bool isOld = write(url, "old.csv", test::positionSource(0)).code == 0;
+        before = stateOf(status(url).json());
+        return isNew && isOld && before.crc != after.crc && before.source != after.source;
+    }
+
+    [[nodiscard]] static QStringList writeArguments(
+        const QString& url, const QString& file, const QString& source)
+    {
+        return {"write", "--drive", url, "--axis", "0", "--data", file, "--dims", "1", "--source1",
+            source, "--persistent"};
+    }
+    [[nodiscard]] ProgramRun write(
+        const QString& url, const QString& file, const QString& source) const
+    {
+        return box.run(writeArguments(url, file, source));
+    }
+    [[nodiscard]] ProgramRun status(const QString& url) const
+    {
+        return box.run({"status", "--drive", url, "--axis", "0", "--json"});
+    }
+    /// Starts the new write and returns when so many of its steps have ended.
+    [[nodiscard]] std::unique_ptr<QProcess> startWrite(const QString& url, int steps) const
+    {
+        auto process =
+            box.start(test::axiscompProgram(), writeArguments(url, "new.csv", newSource));
+        QByteArray said;
+        while (said.count("  ok ") < steps && process->waitForReadyRead(deadlineMs))
+            said += process->readAllStandardOutput();
+        return process;
+    }
+};
+
+/// The same drive with the same flash at the same address, quick or slow.
+QStringList driveOptions(const QString& url, const char* fault)
+{
+    QStringList options{"--state", "flash"};
+    if (!url.isEmpty())
+        options << "--http" << QStringLiteral("127.0.0.1:%1").arg(QUrl(url).port());
+    if (fault)
+        options << "--fault" << fault;
+    return options;
+}
+
+void addSteps()
+{
+    QTest::addColumn<int>("steps");
+    QTest::newRow("plan made") << 1;
+    QTest::newRow("backup kept") << 2;
+    QTest::newRow("table uploaded") << 3;
+    QTest::newRow("table verified") << 4;
+    QTest::newRow("table stored") << 5;
+    QTest::newRow("switched over") << 6;
+}
+
+} // namespace
+
+class tst_Interruption : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { test::failOnWarnings(); }
+
+    void interruptLeavesTheOldStateOrTheNewOne_data() { addSteps(); }
+    void interruptLeavesTheOldStateOrTheNewOne()
+    {
+        QFETCH(const int, steps);
+        Bench bench;
+        QString url;
+        {
+            const VirtualDriveProcess quick(bench.box, driveOptions({}, nullptr));
+            url = quick.url();
+            QVERIFY(bench.prepare(url));
+        }
+        const VirtualDriveProcess slow(bench.box, driveOptions(url, "slow=15"));
+        QVERIFY(slow.isReady());
+        const auto process = bench.startWrite(url, steps);
+        ::kill(static_cast<pid_t>(process->processId()), SIGINT);
+        ::kill(static_cast<pid_t>(process->processId()), SIGINT);
+        QVERIFY(process->waitForFinished(deadlineMs));
+        QCOMPARE(process->exitStatus(), QProcess::NormalExit);
+        const QByteArray err = process->readAllStandardError();
+        const ProgramRun status = bench.status(url);
+        VERIFY_CODE(status, 0);
+        const AxisState now = stateOf(status.json());
+        // Only a write that was complete already may end as if nothing had happened.
+        if (process->exitCode() == 0) {
+            QCOMPARE(steps, 6);
+            QVERIFY(now == bench.after);
+            return;
+        }
+        QVERIFY2(process->exitCode() == 130, err.constData());
+        QVERIFY2(err.contains("stopping: what was changed is being put back"), err.constData());
+        QVERIFY2(err.contains("error: Cancelled: stopped by the user"), err.constData());
+        QVERIFY2(err.contains("the drive holds the complete old state"), err.constData());
+        QVERIFY(now == bench.before);
+        QVERIFY(!status.json().contains("unfinishedWrite"));
+    }
+
+    void killedProgramIsExplainedByTheNextRun_data() { addSteps(); }
+    void killedProgramIsExplainedByTheNextRun()
+    {
+        QFETCH(const int, steps);
+        Bench bench;
+        QString url;
+        {
+            const VirtualDriveProcess quick(bench.box, driveOptions({}, nullptr));
+            url = quick.url();
+            QVERIFY(bench.prepare(url));
+        }
+        const VirtualDriveProcess slow(bench.box, driveOptions(url, "slow=15"));
+        QVERIFY(slow.isReady());
+        const auto process = bench.startWrite(url, steps);
+        process->kill();
+        QVERIFY(process->waitForFinished(deadlineMs));
+        checkNextRun(bench, url, steps == 6);
+    }
+
+    void killedWriteIsFinishedOrUndone_data()
+    {
+        QTest::addColumn<int>("steps");
+        QTest::addColumn<QString>("option");
+        for (const int steps : {3, 4, 5, 6}) {
+            for (const char* option : {"--finish", "--undo"})
+                QTest::addRow("after step %d, %s", steps, option) << steps << option;
+        }
+    }
+    void killedWriteIsFinishedOrUndone()
+    {
+        QFETCH(const int, steps);
+        QFETCH(const QString, option);
+        Bench bench;
+        QString url;
+        {
+            const VirtualDriveProcess quick(bench.box, driveOptions({}, nullptr));
+            url = quick.url();
+            QVERIFY(bench.prepare(url));
+        }
+        const VirtualDriveProcess slow(bench.box, driveOptions(url, "slow=15"));
+        QVERIFY(slow.isReady());
+        const auto process = bench.startWrite(url, steps);
+        process->kill();
+        QVERIFY(process->waitForFinished(deadlineMs));
+        const QStringList recover{QStringLiteral("recover"), QStringLiteral("--drive"), url,
+            QStringLiteral("--axis"), QStringLiteral("0"), QStringLiteral("--json")};
+        const ProgramRun said = bench.box.run(recover);
+        VERIFY_CODE(said, 0);
+        if (said.json().value("unfinishedWrite").isNull()
+            || said.json().value("unfinishedWrite").toObject().value("driveHolds") == "New")
+            return; // it had ended before the program was killed
+        QVERIFY2(said.json().value("finishObstacle").isNull(), said.text().constData());
+        QVERIFY2(said.json().value("undoObstacle").isNull(), said.text().constData());
+        const ProgramRun done = bench.box.run(recover + QStringList{option});
+        VERIFY_CODE(done, 0);
+        const ProgramRun status = bench.status(url);
+        QVERIFY2(status.err.isEmpty(), status.err.constData());
+        const AxisState wanted = option == QStringLiteral("--finish") ? bench.after : bench.before;
+        QVERIFY2(stateOf(status.json()) == wanted, status.text().constData());
+        const ProgramRun again = bench.box.run(recover + QStringList{option});
+        VERIFY_CODE(again, 0);
+        QVERIFY2(again.json().value("unfinishedWrite").isNull(), again.text().constData());
+    }
+
+    void killedDriveIsExplainedByTheNextRun_data() { addSteps(); }
+    void killedDriveIsExplainedByTheNextRun()
+    {
+        QFETCH(const int, steps);
+        Bench bench;
+        QString url;
+        {
+            const VirtualDriveProcess quick(bench.box, driveOptions({}, nullptr));
+            url = quick.url();
+            QVERIFY(bench.prepare(url));
+        }
+        int code = -1;
+        QByteArray err;
+        {
+            VirtualDriveProcess slow(bench.box, driveOptions(url, "slow=15"));
+            QVERIFY(slow.isReady());
+            const auto process = bench.startWrite(url, steps);
+            slow.process().kill();
+            QVERIFY(process->waitForFinished(deadlineMs));
+            code = process->exitCode();
+            err = process->readAllStandardError();
+        }
+        // After the last step the write may have ended before the drive was killed.
+        const bool hasEnded = steps == 6 && code == 0;
+        QVERIFY2(hasEnded || code == 5 || code == 6, err.constData());
+        const VirtualDriveProcess quick(bench.box, driveOptions(url, nullptr));
+        checkNextRun(bench, url, hasEnded);
+    }
+
+private:
+    /// `status` says which of the two states the drive holds, and a new write succeeds.
+    void checkNextRun(const Bench& bench, const QString& url, bool mayHaveEnded)
+    {
+        const ProgramRun status = bench.status(url);
+        VERIFY_CODE(status, 0);
+        const AxisState now = stateOf(status.json());
+        const QString held =
+            status.json().value("unfinishedWrite").toObject().value("driveHolds").toString();
+        QVERIFY2(now == bench.before || now == bench.after, status.text().constData());
+        if (held == "Old")
+            QVERIFY2(now == bench.before, status.text().constData());
+        else if (held == "New" || held == "NewUnsaved")
+            QVERIFY2(now == bench.after, status.text().constData());
+        else // nothing had been begun, or all was done
+            QVERIFY2(
+                held.isEmpty() && (now == bench.before || (mayHaveEnded && now == bench.after)),
+                status.text().constData());
+        if (!held.isEmpty())
+            QVERIFY2(status.err.startsWith("warning: a write to axis 0 that began at "),
+                status.err.constData());
+        VERIFY_CODE(
+            bench.write(url, "new.csv", newSource), 0); // 0 also when there is nothing to do
+        const ProgramRun after = bench.status(url);
+        QVERIFY2(stateOf(after.json()) == bench.after, after.text().constData());
+        QVERIFY2(after.err.isEmpty(), after.err.constData());
+    }
+};
+
+AXISCOMP_TEST(tst_Interruption)
+
+} // namespace tst_interruption
+
+#include "tst_interruption.moc"

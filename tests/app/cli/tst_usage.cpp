@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/app/program_run.h"
+
+#include "tests/support/test_registry.h"
+#include "tests/support/verify.h"
+
+#include <QFile>
+#include <QRegularExpression>
+#include <QSet>
+#include <QTest>
+
+namespace tst_usage {
+
+using namespace axiscomp;
+using test::ProgramRun;
+using test::Sandbox;
+
+namespace {
+
+const QStringList commands{"example", "inspect", "convert", "lookup", "formats", "axes", "status",
+    "write", "persist", "unpersist", "evaluate", "activate", "deactivate", "read", "files",
+    "upload", "download", "monitor", "backup", "restore", "recover"};
+
+QString sourceFile(const QString& name)
+{
+    QFile file(QStringLiteral(AXISCOMP_SOURCE_FOLDER "/") + name);
+    return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
+}
+
+QSet<QString> longOptions(const QString& text)
+{
+    static const QRegularExpression option(QStringLiteral("--[a-z][a-z0-9-]*"));
+    QSet<QString> found;
+    for (auto matches = option.globalMatch(text); matches.hasNext();)
+        found.insert(matches.next().captured());
+    return found;
+}
+
+/// The options that a help text offers: those that begin a line of it.
+QSet<QString> offeredOptions(const QByteArray& help)
+{
+    static const QRegularExpression option(
+        QStringLiteral("^  (?:-[a-z], )?(--[a-z0-9-]+)"), QRegularExpression::MultilineOption);
+    QSet<QString> found;
+    for (auto matches = option.globalMatch(QString::fromUtf8(help)); matches.hasNext();)
+        found.insert(matches.next().captured(1));
+    return found;
+}
+
+/// Set comparison with a readable failure.
+QByteArray difference(const QSet<QString>& a, const QSet<QString>& b)
+{
+    const QSet<QString> all = (a - b) + (b - a);
+    return QStringList(all.begin(), all.end()).join(u' ').toUtf8();
+}
+
+QSet<QString> manOptions(const QString& page)
+{
+    QString text = sourceFile(QStringLiteral("packaging/man/") + page);
+    return longOptions(text.replace(QStringLiteral("\\-"), QStringLiteral("-")));
+}
+
+QSet<QString> completedOptions(const Sandbox& box, const QString& words)
+{
+    const QString script =
+        QStringLiteral("source '" AXISCOMP_SOURCE_FOLDER "/packaging/completion/axiscomp.bash'; ")
+        + words;
+    const ProgramRun run = box.runProgram(QStringLiteral("/bin/bash"), {"-c", script});
+    return longOptions(QString::fromUtf8(run.out));
+}
+
+} // namespace
+
+class tst_Usage : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { test::failOnWarnings(); }
+
+    void versionNamesTheProgram()
+    {
+        const Sandbox box;
+        const ProgramRun run = box.run({"--version"});
+        VERIFY_CODE(run, 0);
+        QVERIFY(QRegularExpression("^axiscomp \\d+\\.\\d+\\.\\d+\n$").match(run.out).hasMatch());
+        const ProgramRun drive = box.runProgram(test::virtualDriveProgram(), {"--version"});
+        VERIFY_CODE(drive, 0);
+        QVERIFY(drive.out.startsWith("axiscomp-virtualdrive "));
+    }
+
+    void helpListsEveryCommand()
+    {
+        const Sandbox box;
+        const ProgramRun run = box.run({"--help"});
+        VERIFY_CODE(run, 0);
+        for (const QString& command : commands)
+            QVERIFY2(run.out.contains("\n  " + command.toUtf8() + " "), qPrintable(command));
+    }
+
+    void helpFitsTheScreen()
+    {
+        const Sandbox box;
+        for (const QString& command : commands) {
+            const ProgramRun run = box.run({command, "--help"});
+            VERIFY_CODE(run, 0);
+            QCOMPARE(run.err, QByteArray());
+            QVERIFY2(run.out.contains("usage: axiscomp " + command.toUtf8()), run.out.constData());
+            for (const QByteArray& line : run.out.split('\n'))
+                QVERIFY2(line.size() <= 100, line.constData());
+        }
+    }
+
+    void wrongUsageIsOneSentenceWithAHint_data()
+    {
+        QTest::addColumn<QStringList>("arguments");
+        QTest::addColumn<QByteArray>("hint");
+        QTest::newRow("nothing") << QStringList{} << QByteArray("(see axiscomp --help)");
+        QTest::newRow("unknown command")
+            << QStringList{"burn"} << QByteArray("no command burn (see axiscomp --help)");
+        QTest::newRow("unknown option")
+            << QStringList{"axes", "--fast"} << QByteArray("--fast (see axiscomp axes --help)");
+        QTest::newRow("missing argument")
+            << QStringList{"inspect"} << QByteArray("(see axiscomp inspect --help)");
+        QTest::newRow("missing value")
+            << QStringList{"axes", "--drive"} << QByteArray("(see axiscomp axes --help)");
+        QTest::newRow("not a number") << QStringList{"axes", "--drive", "demo:", "--timeout",
+            "soon"} << QByteArray("(see axiscomp axes --help)");
+        QTest::newRow("out of range") << QStringList{"axes", "--drive", "demo:", "--timeout", "-1"}
+                                      << QByteArray("(see axiscomp axes --help)");
+        QTest::newRow("dimensions")
+            << QStringList{"example", "--dims", "4"} << QByteArray("(see axiscomp example --help)");
+        QTest::newRow("both") << QStringList{"write", "--persistent", "--volatile"}
+                              << QByteArray("(see axiscomp write --help)");
+        QTest::newRow("no drive") << QStringList{"status"}
+                                  << QByteArray("(see axiscomp status --help)");
+        QTest::newRow("two drives") << QStringList{"status", "--drive", "demo:", "--drive", "demo:"}
+                                    << QByteArray("(see axiscomp status --help)");
+        QTest::newRow("nothing to write") << QStringList{"write", "--drive", "demo:"}
+                                          << QByteArray("(see axiscomp write --help)");
+        QTest::newRow("rate") << QStringList{"monitor", "--drive", "demo:", "--rate", "101"}
+                              << QByteArray("(see axiscomp monitor --help)");
+    }
+    void wrongUsageIsOneSentenceWithAHint()
+    {
+        QFETCH(const QStringList, arguments);
+        QFETCH(const QByteArray, hint);
+        const Sandbox box;
+        const ProgramRun run = box.run(arguments);
+        VERIFY_CODE(run, 2);
+        QVERIFY2(run.err.startsWith("error: InvalidArgument: "), run.err.constData());
+        QVERIFY2(run.err.contains(hint), run.err.constData());
+        QCOMPARE(run.err.count('\n'), 1);
+        QCOMPARE(run.out, QByteArray());
+
+        const ProgramRun json =
+            box.run(arguments.mid(0, 1) + QStringList{"--json"} + arguments.mid(1));
+        VERIFY_CODE(json, 2);
+        const QJsonObject error = json.json().value("error").toObject();
+        QCOMPARE(error.value("code").toString(), "InvalidArgument");
+        QVERIFY(!error.value("message").toString().isEmpty());
+    }
+
+    void wrongEndpointsAreNamedWithoutThePassword_data()
+    {
+        QTest::addColumn<QString>("endpoint");
+        QTest::newRow("scheme") << "ftp://user:secret@drive";
+        QTest::newRow("path") << "http://user:secret@drive/x";
+        QTest::newRow("nothing") << "http://";
+        QTest::newRow("serial") << "serial:ttyUSB0";
+    }
+    void wrongEndpointsAreNamedWithoutThePassword()
+    {
+        QFETCH(const QString, endpoint);
+        const Sandbox box;
+        const ProgramRun run = box.run({"axes", "--drive", endpoint});
+        VERIFY_CODE(run, 2);
+        QVERIFY2(run.err.startsWith("error: InvalidEndpoint: "), run.err.constData());
+        QVERIFY2(!run.err.contains("secret"), run.err.constData());
+    }
+
+    void completionAndManPageHaveTheOptionsOfEveryCommand()
+    {
+        const Sandbox box;
+        QSet<QString> all = offeredOptions(box.run({"--help"}).out);
+        QCOMPARE(difference(completedOptions(box, "_axiscomp_options ''"), all), QByteArray());
+        for (const QString& command : commands) {
+            const QSet<QString> offered = offeredOptions(box.run({command, "--help"}).out);
+            QVERIFY(offered.contains("--help"));
+            QVERIFY(offered.contains("--json"));
+            const QByteArray wrong =
+                difference(completedOptions(box, "_axiscomp_options " + command), offered);
+            QVERIFY2(wrong.isEmpty(), qPrintable(command + ": " + wrong));
+            all += offered;
+        }
+        QCOMPARE(difference(manOptions("axiscomp.1"), all), QByteArray());
+    }
+
+    void completionKnowsTheCommands()
+    {
+        const Sandbox box;
+        const ProgramRun run = box.runProgram(QStringLiteral("/bin/bash"),
+            {"-c",
+                "source '" AXISCOMP_SOURCE_FOLDER "/packaging/completion/axiscomp.bash'; "
+                "echo $_axiscomp_commands"});
+        QCOMPARE(run.out.trimmed(), commands.join(u' ').toUtf8());
+        const QString page = sourceFile("packaging/man/axiscomp.1");
+        for (const QString& command : commands)
+            QVERIFY2(page.contains(QRegularExpression("\n\\.(B|BI|BR) \"?[^\n]*\\b" + command)),
+                qPrintable(command));
+    }
+
+    void completionAndManPageHaveTheOptionsOfTheVirtualDrive()
+    {
+        const Sandbox box;
+        const QSet<QString> offered =
+            offeredOptions(box.runProgram(test::virtualDriveProgram(), {"--help"}).out);
+        QVERIFY(offered.contains("--http"));
+        QCOMPARE(difference(completedOptions(box, "echo $_axiscomp_virtualdrive_options"), offered),
+            QByteArray());
+        QCOMPARE(difference(manOptions("axiscomp-virtualdrive.1"), offered), QByteArray());
+    }
+};
+
+AXISCOMP_TEST(tst_Usage)
+
+} // namespace tst_usage
+
+#include "tst_usage.moc"

@@ -1,0 +1,371 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/app/program_run.h"
+
+#include "tests/support/test_registry.h"
+#include "tests/support/verify.h"
+
+#include <QFile>
+#include <QJsonArray>
+#include <QTest>
+
+namespace tst_writecommand {
+
+using namespace axiscomp;
+using test::ProgramRun;
+using test::Sandbox;
+using test::VirtualDriveProcess;
+
+namespace {
+
+const QByteArray first1D = "X [mm],Error [mm]\n0,0\n40,0.0021\n80,-0.001\n";
+const QByteArray second1D = "X [mm],Error [mm]\n0,0\n40,0.0011\n80,-0.003\n";
+const QByteArray plane = "X,Y,T\n0,0,0\n50,0,0.001\n0,50,0.002\n50,50,-0.003\n";
+
+const QStringList planKeys{"after", "axis", "before", "changes", "drive", "flashOperations",
+    "flashOperationsLeft", "flashWaitSeconds", "serialNumber", "slotReason", "tableBytes",
+    "warnings"};
+
+/// A drive, and the files of this test.
+struct Bench {
+    Sandbox box;
+    VirtualDriveProcess drive;
+
+    explicit Bench(const QStringList& options = {}) : drive(box, options)
+    {
+        box.file("first.csv", first1D);
+        box.file("second.csv", second1D);
+        box.file("plane.csv", plane);
+    }
+
+    [[nodiscard]] ProgramRun run(const QStringList& arguments) const
+    {
+        return box.run(arguments + QStringList{"--drive", drive.url(), "--axis", "0"});
+    }
+    [[nodiscard]] ProgramRun write(const QString& file, const QStringList& more = {}) const
+    {
+        return run(QStringList{
+                       "write", "--data", file, "--dims", "1", "--source1", test::positionSource(0)}
+            + more);
+    }
+    [[nodiscard]] QJsonObject status() const { return run({"status", "--json"}).json(); }
+};
+
+} // namespace
+
+class tst_WriteCommand : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { test::failOnWarnings(); }
+
+    void theWholeWriteIsShown()
+    {
+        const Bench bench;
+        const ProgramRun run = bench.write("first.csv", {"--persistent"});
+        VERIFY_CODE(run, 0);
+        for (const char* const part : {"Plan for axis 0 (X) of Virtual-1 (serial number 100001)",
+                 "what", "on the drive now", "will be written", "Small1: 3 points, X 0 .. 80",
+                 "tam://mc/Virtual-1/Axes[0]/Signals/PathPlanner/Position",
+                 "Small1, the smallest empty one that is large enough",
+                 "3 values from -0.001 mm to +0.0021 mm, 140 bytes",
+                 "where the encoder reads 40.0000 the reference says 40.0021: the drive will add "
+                 "+0.0021 mm",
+                 "1 operation; 8 operations possible now", "  ok      upload the table\n",
+                 "  ok      read the table back and compare every byte\n",
+                 "  ok      store the table in flash\n", "Written and verified: ",
+                 "Backup of the old state  ", "axiscomp activate --drive http://127.0.0.1:"})
+            QVERIFY2(run.out.contains(part), (part + ("\n" + run.out)).constData());
+        QCOMPARE(run.err, QByteArray());
+    }
+
+    void theDocumentHasPlanAndReport()
+    {
+        const Bench bench;
+        const ProgramRun run = bench.write("first.csv", {"--persistent", "--json"});
+        VERIFY_CODE(run, 0);
+        QCOMPARE(run.json().keys(), (QStringList{"plan", "report"}));
+        const QJsonObject plan = run.json().value("plan").toObject();
+        QCOMPARE(plan.keys(), planKeys);
+        QCOMPARE(plan.value("slotReason").toString(), "Empty");
+        QCOMPARE(plan.value("flashOperations").toInt(), 1);
+        QCOMPARE(plan.value("before").toObject().value("slot"), QJsonValue());
+        QCOMPARE(plan.value("after").toObject().keys(),
+            (QStringList{"crc", "dimensions", "persistent", "slot", "sources"}));
+        QCOMPARE(plan.value("after").toObject().value("slot").toString(), "Small1");
+        const QJsonObject change = plan.value("changes").toArray().at(0).toObject();
+        QCOMPARE(change.keys(), (QStringList{"after", "before", "field"}));
+        const QJsonObject report = run.json().value("report").toObject();
+        QCOMPARE(report.keys(), (QStringList{"backup", "status"}));
+        QVERIFY(QFile::exists(report.value("backup").toString()));
+        QJsonObject status = bench.status();
+        QCOMPARE(status.take("flash").toObject().value("cycles").toInt(), 1);
+        QCOMPARE(report.value("status").toObject(), status);
+    }
+
+    void aDryRunChangesNothing()
+    {
+        const Bench bench;
+        const QJsonObject before = bench.status();
+        const ProgramRun run = bench.write("first.csv", {"--dry-run", "--json"});
+        VERIFY_CODE(run, 0);
+        QVERIFY(run.json().value("report").isNull());
+        QVERIFY(!run.json().value("plan").toObject().value("changes").toArray().isEmpty());
+        QCOMPARE(bench.status(), before);
+        const ProgramRun text = bench.write("first.csv", {"--dry-run"});
+        QVERIFY2(text.out.endsWith("Nothing was written (--dry-run).\n"), text.out.constData());
+        QVERIFY(!text.out.contains("  ok "));
+    }
+
+    void writingTheSameAgainIsDoneAtOnce()
+    {
+        const Bench bench;
+        VERIFY_CODE(bench.write("first.csv", {"--persistent"}), 0);
+        const QJsonObject before = bench.status();
+        const ProgramRun again = bench.write("first.csv", {"--persistent"});
+        VERIFY_CODE(again, 0);
+        QVERIFY2(again.out.contains("Nothing had to be written."), again.out.constData());
+        const ProgramRun json = bench.write("first.csv", {"--persistent", "--json"});
+        VERIFY_CODE(json, 0);
+        QVERIFY(json.json().value("report").isNull());
+        QCOMPARE(bench.status(), before);
+    }
+
+    void slotsAreTakenInTurn()
+    {
+        const Bench bench;
+        VERIFY_CODE(bench.write("first.csv"), 0);
+        QCOMPARE(bench.status().value("slot").toString(), "Small1");
+        VERIFY_CODE(bench.write("second.csv"), 0);
+        QCOMPARE(bench.status().value("slot").toString(), "Small2");
+        const ProgramRun third = bench.write("first.csv");
+        VERIFY_CODE(third, 0);
+        QVERIFY2(third.out.contains("Small1, which holds a table that this axis used before"),
+            third.out.constData());
+        QCOMPARE(bench.status().value("slot").toString(), "Small1");
+    }
+
+    void aSlotCanBeNamed_data()
+    {
+        QTest::addColumn<QString>("slot");
+        QTest::addColumn<int>("code");
+        QTest::addColumn<QString>("used");
+        QTest::newRow("name") << "Large1" << 0 << "Large1";
+        QTest::newRow("small letters") << "small3" << 0 << "Small3";
+        QTest::newRow("path") << "tables/small4.TAMtbl" << 0 << "Small4";
+        QTest::newRow("unknown") << "small9" << 2 << "";
+    }
+    void aSlotCanBeNamed()
+    {
+        QFETCH(const QString, slot);
+        QFETCH(const int, code);
+        const Bench bench;
+        const ProgramRun run = bench.write("first.csv", {"--slot", slot});
+        VERIFY_CODE(run, code);
+        QTEST(bench.status().value("slot").toString(), "used");
+        if (code != 0)
+            QVERIFY2(run.err.startsWith("error: SlotNotFound: "), run.err.constData());
+    }
+
+    void aTableFileNeedsNoDimensions()
+    {
+        const Bench bench;
+        VERIFY_CODE(bench.box.run({"convert", "plane.csv", "p.TAMtbl", "--dims", "2"}), 0);
+        const ProgramRun run = bench.run({"write", "--data", "p.TAMtbl", "--source1",
+            test::positionSource(0), "--source2", test::positionSource(1)});
+        VERIFY_CODE(run, 0);
+        QCOMPARE(bench.status().value("dimensions").toInt(), 2);
+        QCOMPARE(bench.status().value("sources").toArray().size(), 2);
+    }
+
+    void sourcesAreKeptUnlessGiven()
+    {
+        const Bench bench;
+        VERIFY_CODE(bench.write("first.csv"), 0);
+        const QJsonValue sources = bench.status().value("sources");
+        VERIFY_CODE(bench.run({"write", "--data", "second.csv", "--dims", "1"}), 0);
+        QCOMPARE(bench.status().value("sources"), sources);
+        VERIFY_CODE(bench.run({"write", "--source1", "Axes[1].Signals.PathPlanner.Position"}), 0);
+        QCOMPARE(bench.status().value("sources").toArray().at(0).toString(),
+            "tam://mc/Virtual-1/Axes[1]/Signals/PathPlanner/Position");
+    }
+
+    void wrongSourcesAreNamed_data()
+    {
+        QTest::addColumn<QStringList>("sources");
+        QTest::addColumn<QByteArray>("error");
+        QTest::addColumn<QByteArray>("part");
+        QTest::newRow("missing") << QStringList{} << QByteArray("error: SourceMissing: ")
+                                 << QByteArray("dimension 1");
+        QTest::newRow("gap") << QStringList{"--source2", test::positionSource(0)}
+                             << QByteArray("error: SourceMissing: ") << QByteArray("dimension 1");
+        QTest::newRow("surplus") << QStringList{"--source1", test::positionSource(0), "--source2",
+            test::positionSource(1)}
+                                 << QByteArray("error: SourceSurplus: ")
+                                 << QByteArray("dimension 2");
+        QTest::newRow("misspelt") << QStringList{"--source1", "Axes[0]/Signals/PathPlaner/Position"}
+                                  << QByteArray("error: SourceNotFound: ")
+                                  << QByteArray("PathPlanner/Position");
+        QTest::newRow("no number")
+            << QStringList{"--source1", "Axes[0]/Signals/Homing/State"}
+            << QByteArray("error: SourceWrongType: ") << QByteArray("Single");
+        QTest::newRow("other drive")
+            << QStringList{"--source1", "tam://mc/Other/Axes[0]/Signals/PathPlanner/Position"}
+            << QByteArray("error: SourceOtherDrive: ") << QByteArray("Other");
+    }
+    void wrongSourcesAreNamed()
+    {
+        QFETCH(const QStringList, sources);
+        QFETCH(const QByteArray, error);
+        QFETCH(const QByteArray, part);
+        const Bench bench;
+        const QJsonObject before = bench.status();
+        const ProgramRun run =
+            bench.run(QStringList{"write", "--data", "first.csv", "--dims", "1"} + sources);
+        VERIFY_CODE(run, 2);
+        QVERIFY2(run.err.startsWith(error), run.err.constData());
+        QVERIFY2(run.err.contains(part), run.err.constData());
+        QCOMPARE(bench.status(), before);
+    }
+
+    void aBadFileIsRefusedBeforeTheDriveIsAsked()
+    {
+        const Sandbox box;
+        box.file("bad.csv", "X,T\n0,0\n1,x\n");
+        const ProgramRun run = box.run({"write", "--drive", "http://127.0.0.1:1", "--data",
+            "bad.csv", "--dims", "1", "--json"});
+        VERIFY_CODE(run, 3);
+        QVERIFY2(run.err.startsWith("bad.csv:3:2: error: "), run.err.constData());
+        const QJsonObject error = run.json().value("error").toObject();
+        QCOMPARE(error.keys(), (QStringList{"code", "context", "diagnostics", "message"}));
+        QCOMPARE(error.value("code").toString(), "InvalidCalibration");
+        const QJsonObject diagnostic = error.value("diagnostics").toArray().at(0).toObject();
+        QCOMPARE(diagnostic.keys(), (QStringList{"code", "column", "file", "line", "message"}));
+    }
+
+    void aTableThatFitsNoSlotNamesItsSize()
+    {
+        const Bench bench;
+        QByteArray csv = "X,Y,T\n";
+        for (int y = 0; y < 800; ++y)
+            for (int x = 0; x < 800; ++x)
+                csv += QByteArray::number(x) + ',' + QByteArray::number(y) + ",0."
+                    + (x == 0 && y == 0 ? "0001\n" : "0\n");
+        bench.box.file("huge.csv", csv);
+        const ProgramRun run = bench.run({"write", "--data", "huge.csv", "--dims", "2", "--source1",
+            test::positionSource(0), "--source2", test::positionSource(1)});
+        VERIFY_CODE(run, 4);
+        QVERIFY2(run.err.contains("error: TableTooLarge: "), run.err.constData());
+        QVERIFY2(run.err.contains("2560128"), run.err.constData());
+        QVERIFY2(run.err.contains("2096976"), run.err.constData());
+    }
+
+    void anotherUnitIsWarnedOf()
+    {
+        const Bench bench;
+        bench.box.file("um.csv", "X [mm],T [um]\n0,0\n1000,0.5\n2000,1\n");
+        const ProgramRun run = bench.write("um.csv", {"--dry-run", "--json"});
+        VERIFY_CODE(run, 0);
+        QVERIFY2(run.err.contains("the values are in um, but axis 0 (X) counts in mm"),
+            run.err.constData());
+        QCOMPARE(run.json().value("plan").toObject().value("warnings").toArray().size(), 1);
+    }
+
+    void anActiveAxisIsNotWritten()
+    {
+        const Bench bench;
+        VERIFY_CODE(bench.write("first.csv"), 0);
+        VERIFY_CODE(bench.run({"activate"}), 0);
+        const QJsonValue table = bench.status().value("table");
+        const ProgramRun run = bench.write("second.csv");
+        VERIFY_CODE(run, 4);
+        QVERIFY2(run.err.startsWith("error: CompensationActive: "), run.err.constData());
+        QCOMPARE(bench.status().value("table"), table);
+    }
+
+    void persistencyIsChangedBothWays()
+    {
+        const Bench bench;
+        VERIFY_CODE(bench.write("first.csv"), 0);
+        QCOMPARE(bench.status().value("persistent").toBool(true), false);
+        const ProgramRun persisted = bench.run({"persist", "--json"});
+        VERIFY_CODE(persisted, 0);
+        QCOMPARE(persisted.json().keys(), (QStringList{"plan", "report"}));
+        QCOMPARE(bench.status().value("persistent").toBool(), true);
+        VERIFY_CODE(bench.run({"unpersist"}), 0);
+        QCOMPARE(bench.status().value("persistent").toBool(true), false);
+    }
+
+    void persistencyNeedsATable()
+    {
+        const Bench bench;
+        const ProgramRun run = bench.run({"persist"});
+        VERIFY_CODE(run, 4);
+        QVERIFY2(run.err.startsWith("error: NoTable: "), run.err.constData());
+    }
+
+    void wornFlashIsRefusedBeforehandAndTheLastOperationKeptForPuttingBack()
+    {
+        const Bench bench;
+        VERIFY_CODE(bench.write("first.csv"), 0);
+        ProgramRun run;
+        int operations = 0;
+        for (; operations <= 8; ++operations) {
+            run = bench.run({operations % 2 == 0 ? "persist" : "unpersist"});
+            if (run.code != 0)
+                break;
+        }
+        QCOMPARE(operations, 7);
+        VERIFY_CODE(run, 7);
+        QVERIFY2(run.err.startsWith("error: FlashWear: "), run.err.constData());
+        QVERIFY2(run.err.contains("not for putting everything back"), run.err.constData());
+        QVERIFY2(bench.run({"status"}).out.contains("1 operation possible now"), "none is left");
+        // What takes another slot is put back without flash.
+        VERIFY_CODE(bench.write("second.csv", {"--persistent"}), 0);
+        run = bench.run({"unpersist"});
+        VERIFY_CODE(run, 7);
+        QVERIFY2(run.err.startsWith("error: FlashWear: "), run.err.constData());
+        QVERIFY2(!run.err.contains("putting everything back"), run.err.constData());
+        QVERIFY2(bench.run({"status"}).out.contains("none possible for "), "no waiting time");
+    }
+
+    void whatWasStoredWronglyIsFoundAndPutBack()
+    {
+        const Bench bench({"--fault", "stores-wrong=1"});
+        const ProgramRun run = bench.write("first.csv", {"--json"});
+        VERIFY_CODE(run, 6);
+        QVERIFY2(run.err.contains("error: VerifyMismatch: "), run.err.constData());
+        QVERIFY2(
+            run.err.contains("note: the drive holds the complete old state"), run.err.constData());
+        const QJsonObject context =
+            run.json().value("error").toObject().value("context").toObject();
+        QCOMPARE(context.value("driveHolds").toString(), "old");
+        QVERIFY(bench.status().value("table").isNull());
+    }
+
+    void whatTheDriveRefusesIsPutBack()
+    {
+        const Bench bench({"--fault", "reject=TableRefused"});
+        const ProgramRun run = bench.write("first.csv");
+        VERIFY_CODE(run, 4);
+        QVERIFY2(run.out.contains("  failed  upload the table\n"), run.out.constData());
+        QVERIFY(bench.status().value("table").isNull());
+    }
+
+    void theDemoIsANewDriveEachTime()
+    {
+        const Sandbox box;
+        box.file("first.csv", first1D);
+        for (int i = 0; i < 10; ++i) {
+            const ProgramRun run = box.run({"write", "--drive", "demo:", "--axis", "Y", "--data",
+                "first.csv", "--dims", "1", "--source1", test::positionSource(1), "--persistent"});
+            VERIFY_CODE(run, 0);
+        }
+        QVERIFY(!QFile::exists(box.path("state/axiscomp")));
+    }
+};
+
+AXISCOMP_TEST(tst_WriteCommand)
+
+} // namespace tst_writecommand
+
+#include "tst_writecommand.moc"

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/error.h"
+#include "core/base/result.h"
+#include "tests/support/test_registry.h"
+#include "tests/support/verify.h"
+
+#include <QFile>
+#include <QRegularExpression>
+#include <QTest>
+
+#include <set>
+
+namespace tst_error {
+
+using namespace axiscomp;
+
+namespace {
+
+/// The codes of core/base/error.h with the context keys that their comments name.
+struct Documented {
+    std::string name;
+    std::set<std::string> keys;
+};
+
+std::vector<Documented> documentedCodes()
+{
+    QFile header(QStringLiteral(AXISCOMP_SOURCE_FOLDER "/core/base/error.h"));
+    if (!header.open(QIODevice::ReadOnly))
+        return {};
+    const QString text = QString::fromUtf8(header.readAll());
+    const qsizetype begin = text.indexOf(QLatin1String("enum class ErrorCode {"));
+    QString body = text.mid(begin, text.indexOf(QLatin1String("};"), begin) - begin);
+    // a comment that goes on in the next line
+    static const QRegularExpression continued(QStringLiteral("\\n\\s*///<"));
+    body.replace(continued, QStringLiteral(" "));
+    static const QRegularExpression row(
+        QStringLiteral("^\\s+(\\w+),\\s*///< (.*)$"), QRegularExpression::MultilineOption);
+    static const QRegularExpression explanation(QStringLiteral("\\([^)]*\\)|:.*$"));
+    std::vector<Documented> result;
+    for (auto matches = row.globalMatch(body); matches.hasNext();) {
+        const auto match = matches.next();
+        Documented code{match.captured(1).toStdString(), {}};
+        const QString keys = match.captured(2).remove(explanation);
+        for (const QString& key : keys.split(QLatin1Char(','), Qt::SkipEmptyParts))
+            code.keys.insert(key.trimmed().toStdString());
+        result.push_back(std::move(code));
+    }
+    return result;
+}
+
+std::set<std::string> placeholdersOf(std::string_view text)
+{
+    std::set<std::string> result;
+    for (std::size_t open = text.find('{'); open != text.npos; open = text.find('{', open + 1))
+        result.emplace(text.substr(open + 1, text.find('}', open) - open - 1));
+    return result;
+}
+
+} // namespace
+
+class TestError : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { test::failOnWarnings(); }
+
+    void everyDocumentedCodeHasItsRowInOrder()
+    {
+        const auto documented = documentedCodes();
+        QVERIFY(!documented.empty());
+        QCOMPARE(allErrorCodes().size(), documented.size());
+        for (std::size_t i = 0; i < documented.size(); ++i) {
+            QCOMPARE(allErrorCodes()[i], static_cast<ErrorCode>(i));
+            QCOMPARE(errorName(static_cast<ErrorCode>(i)), documented[i].name);
+        }
+    }
+
+    void everyPlaceholderIsADocumentedKey()
+    {
+        for (const Documented& code : documentedCodes()) {
+            const auto found = std::ranges::find(allErrorCodes(), code.name, errorName);
+            QVERIFY2(found != allErrorCodes().end(), code.name.c_str());
+            for (const std::string& placeholder : placeholdersOf(errorTemplate(*found)))
+                QVERIFY2(code.keys.contains(placeholder),
+                    (code.name + " does not document " + placeholder).c_str());
+        }
+    }
+
+    void namesAreDifferentAndTemplatesAreWhole()
+    {
+        std::set<std::string_view> names;
+        for (const ErrorCode code : allErrorCodes()) {
+            QVERIFY(names.insert(errorName(code)).second);
+            const std::string_view text = errorTemplate(code);
+            QVERIFY(!text.empty());
+            QVERIFY(!text.ends_with('.'));
+            QCOMPARE(std::ranges::count(text, '{'), std::ranges::count(text, '}'));
+        }
+    }
+
+    void aTemplateIsFilled_data()
+    {
+        QTest::addColumn<std::string>("text");
+        QTest::addColumn<std::string>("expected");
+        const auto row = [](const char* text, const char* expected) {
+            QTest::newRow(text) << std::string(text) << std::string(expected);
+        };
+        row("{a}", "1");
+        row("x {a} y {b} z", "x 1 y {a} z");
+        row("{a}{a}", "11");
+        row("{missing}", "?");
+        row("no placeholder", "no placeholder");
+        row("", "");
+        row("open {a", "open {a");
+        row("a} {b", "a} {b");
+    }
+    void aTemplateIsFilled()
+    {
+        QFETCH(std::string, text);
+        QFETCH(std::string, expected);
+        // a value that looks like a placeholder is not filled again
+        QCOMPARE(fillTemplate(text, {{"a", "1"}, {"b", "{a}"}}), expected);
+    }
+
+    void aSentenceHasTheValuesOfItsContext()
+    {
+        const Error error{ErrorCode::Timeout, {{"endpoint", "http://drive"}, {"seconds", "5"}}, {}};
+        QCOMPARE(sentence(error), "http://drive did not answer within 5 s");
+    }
+
+    void failMakesAnErrorAndHandsOneOn()
+    {
+        const auto first = []() -> Result<int> {
+            return fail(ErrorCode::UnknownFile, {{"path", "a"}}, "detail");
+        };
+        const auto second = [&]() -> Result<std::string> { return fail(first().error()); };
+        const auto result = second();
+        VERIFY_ERROR(result, ErrorCode::UnknownFile);
+        QCOMPARE(result.error().context.find("path")->second, "a");
+        QCOMPARE(result.error().detail, "detail");
+    }
+};
+
+AXISCOMP_TEST(TestError)
+
+} // namespace tst_error
+
+#include "tst_error.moc"

@@ -1,0 +1,494 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/compensator_fixture.h"
+#include "tests/support/test_registry.h"
+#include "tests/support/verify.h"
+
+#include <QTest>
+
+namespace tst_axiscompensator {
+
+using namespace axiscomp;
+using axiscomp::test::DriveFixture;
+using axiscomp::test::exampleRequest;
+using axiscomp::test::exampleTable;
+using axiscomp::test::masterX;
+using axiscomp::test::masterY;
+
+namespace {
+
+const std::string activation = "Axes[0]/Commands/Compensations/Axis/Activation";
+const std::string tableRegister = "Axes[0]/Parameters/Compensations/Axis/Table";
+
+} // namespace
+
+class TestAxisCompensator : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { test::failOnWarnings(); }
+
+    void axesAreListedWithNameUnitAndHoming()
+    {
+        DriveFixture f;
+        const auto axes = f.compensator.axes();
+        VERIFY_RESULT(axes);
+        QCOMPARE(axes->size(), std::size_t{2});
+        QCOMPARE(axes->at(1).name, "Y");
+        QCOMPARE(axes->at(1).unit, "Millimeter");
+        QCOMPARE(axes->at(1).homing, "HomingDone");
+        QCOMPARE(axes->at(1).state, "Disabled");
+    }
+
+    void anAxisIsFoundByIndexOrName()
+    {
+        DriveFixture f;
+        QCOMPARE(f.compensator.findAxis("1").value_or(-1), 1);
+        QCOMPARE(f.compensator.findAxis("Y").value_or(-1), 1);
+        const auto missing = f.compensator.findAxis("Z");
+        VERIFY_ERROR(missing, ErrorCode::AxisNotFound);
+        QCOMPARE(
+            sentence(missing.error()), "the drive has no axis Z; it has: axis 0 (X), axis 1 (Y)");
+    }
+
+    void aWriteLeavesExactlyWhatWasAskedFor()
+    {
+        DriveFixture f;
+        const auto report = f.compensator.write(0, exampleRequest());
+        VERIFY_RESULT(report);
+        QCOMPARE(report->now.setup.slot, report->plan.after.slot);
+        QCOMPARE(report->now.setup.dimensionality, 2);
+        QCOMPARE(report->now.setup.sources[0].path, masterX);
+        QCOMPARE(report->now.setup.sources[1].path, masterY);
+        QCOMPARE(report->now.setup.persistency, Persistency::Volatile);
+        QVERIFY(std::filesystem::exists(report->backup));
+        const auto table = f.compensator.readTable(0);
+        VERIFY_RESULT(table);
+        QCOMPARE(table->values, exampleTable(2).values);
+        QCOMPARE(f.text(activation), "Disabled");
+    }
+
+    void aVolatileWriteCostsNoFlashAndIsGoneAfterAReboot()
+    {
+        DriveFixture f;
+        const auto report = f.compensator.write(0, exampleRequest());
+        VERIFY_RESULT(report);
+        QCOMPARE(report->plan.flashOperations, 0);
+        f.drive.reboot();
+        const auto status = f.compensator.status(0);
+        VERIFY_RESULT(status);
+        QVERIFY(!status->table);
+    }
+
+    void aPersistentWriteCostsOneFlashOperationAndSurvivesAReboot()
+    {
+        DriveFixture f;
+        const auto report = f.compensator.write(0, exampleRequest(1, Persistency::Persistent));
+        VERIFY_RESULT(report);
+        QCOMPARE(report->plan.flashOperations, 1);
+        const auto before = f.state();
+        f.drive.reboot();
+        QVERIFY(f.state() == before);
+        const std::string slot = report->plan.after.slot;
+        QCOMPARE(f.text("Application/Tables/" + slot + "/EraseCount"), "1");
+    }
+
+    void anAxisTakesTwoSlotsInTurn()
+    {
+        DriveFixture f;
+        std::vector<std::string> slots;
+        for (int seed = 1; seed <= 4; ++seed) {
+            const auto report =
+                f.compensator.write(0, exampleRequest(seed, Persistency::Persistent));
+            VERIFY_RESULT(report);
+            slots.push_back(report->now.setup.slot);
+        }
+        QVERIFY(slots[0] != slots[1]);
+        QCOMPARE(slots[2], slots[0]);
+        QCOMPARE(slots[3], slots[1]);
+    }
+
+    void theSameAgainIsNothingToWrite()
+    {
+        DriveFixture f;
+        VERIFY_RESULT(f.compensator.write(0, exampleRequest()));
+        VERIFY_ERROR(f.compensator.write(0, exampleRequest()), ErrorCode::NothingToWrite);
+    }
+
+    void sourcesAloneCanBeChanged()
+    {
+        DriveFixture f;
+        VERIFY_RESULT(f.compensator.write(0, exampleRequest()));
+        const auto slot = f.state().registers[0];
+        WriteRequest request;
+        request.dimensionality = 2;
+        request.sources = {masterY, masterX};
+        const auto report = f.compensator.write(0, request);
+        VERIFY_RESULT(report);
+        QCOMPARE(report->plan.changes.size(), std::size_t{2});
+        QCOMPARE(report->plan.changes[0].field, "Dim1Source");
+        QCOMPARE(report->plan.changes[0].after, "tam://mc/Test-1/" + masterY);
+        QCOMPARE(f.state().registers[0], slot);
+    }
+
+    void persistencyOfTheTableOnTheDriveCanBeChanged()
+    {
+        DriveFixture f;
+        VERIFY_RESULT(f.compensator.write(0, exampleRequest()));
+        const auto persisted = f.compensator.setPersistency(0, Persistency::Persistent);
+        VERIFY_RESULT(persisted);
+        QCOMPARE(persisted->plan.flashOperations, 1);
+        const auto state = f.state();
+        f.drive.reboot();
+        QVERIFY(f.state() == state);
+        VERIFY_RESULT(f.compensator.setPersistency(0, Persistency::Volatile));
+        f.drive.reboot();
+        QVERIFY(f.state().table.empty());
+    }
+
+    void whatFlashHoldsIsNotCommittedAgain()
+    {
+        DriveFixture f;
+        VERIFY_RESULT(f.compensator.write(0, exampleRequest(1, Persistency::Persistent)));
+        const auto again = f.compensator.setPersistency(0, Persistency::Persistent);
+        VERIFY_RESULT(again);
+        QCOMPARE(again->plan.flashOperations, 0);
+        QCOMPARE(f.text("Application/Tables/" + again->plan.after.slot + "/EraseCount"), "1");
+    }
+
+    void aTableThatTheOtherSlotStillHoldsCostsNothing()
+    {
+        DriveFixture f;
+        VERIFY_RESULT(f.compensator.write(0, exampleRequest(1, Persistency::Persistent)));
+        VERIFY_RESULT(f.compensator.write(0, exampleRequest(2, Persistency::Persistent)));
+        const auto back = f.compensator.write(0, exampleRequest(1, Persistency::Persistent));
+        VERIFY_RESULT(back);
+        QCOMPARE(back->plan.flashOperations, 0);
+        const auto state = f.state();
+        f.drive.reboot();
+        QVERIFY(f.state() == state);
+        const auto use = f.compensator.flashUse();
+        VERIFY_RESULT(use);
+        QCOMPARE(use->mostCycles, 1U);
+        QCOMPARE(use->allCycles, std::uint64_t{2});
+        QCOMPARE(use->operationsRecorded, std::uint64_t{2});
+        QCOMPARE(use->budget.left, 6);
+    }
+
+    /// Operations of others are not in the history of this computer.
+    void whatTheDriveRefusesIsRememberedByTheNextProgram()
+    {
+        DriveFixture f;
+        const auto& layout = drivecomm::genericProfile().layout;
+        for (int seed = 1; seed <= 8; ++seed)
+            VERIFY_RESULT(f.drive.upload(
+                "tables/large2.TAMtbl", *encodeTamTable(exampleTable(1, seed), true, layout)));
+        const auto old = f.state();
+        VERIFY_ERROR(f.compensator.write(0, exampleRequest(1, Persistency::Persistent)),
+            ErrorCode::FlashWear);
+        QVERIFY(f.state() == old);
+
+        AxisCompensator next(
+            f.link, drivecomm::genericProfile(), f.store, [&f] { return f.wallTime(); });
+        f.link.forgetChange();
+        VERIFY_ERROR(
+            next.write(0, exampleRequest(1, Persistency::Persistent)), ErrorCode::FlashWear);
+        VERIFY_ERROR(
+            next.upload("tables/large1.TAMtbl", *encodeTamTable(exampleTable(1, 9), true, layout)),
+            ErrorCode::FlashWear);
+        QCOMPARE(f.link.firstChange(), 0);
+        VERIFY_RESULT(next.write(0, exampleRequest(1, Persistency::Volatile)));
+        f.pass(std::chrono::minutes(10));
+        VERIFY_RESULT(next.write(0, exampleRequest(2, Persistency::Persistent)));
+    }
+
+    void aPlainUploadKeepsTheOldFile()
+    {
+        DriveFixture f;
+        const auto& layout = drivecomm::genericProfile().layout;
+        const auto first = encodeTamTable(exampleTable(1, 1), false, layout);
+        const auto second = encodeTamTable(exampleTable(1, 2), false, layout);
+        const std::string path = "tables/large1.TAMtbl";
+        VERIFY_RESULT(f.compensator.upload(path, *first));
+        const auto kept = f.compensator.upload(path, *second);
+        VERIFY_RESULT(kept);
+        const auto text = loadFile(*kept, maximumBackupSize);
+        VERIFY_RESULT(text);
+        const auto backup = readBackup(asText(*text), kept->string());
+        VERIFY_RESULT(backup);
+        VERIFY_RESULT(f.compensator.restore(*backup, false));
+        QCOMPARE(f.drive.download(path).value_or(Bytes{}), *first);
+        const auto same = f.compensator.upload(path, *first);
+        VERIFY_RESULT(same);
+        QVERIFY(same->empty());
+    }
+
+    void aWornFlashIsSaidBeforeTheWrite()
+    {
+        DriveFixture f;
+        for (int seed = 1; seed <= 8; ++seed)
+            VERIFY_RESULT(f.compensator.write(0, exampleRequest(seed, Persistency::Persistent)));
+        const auto state = f.state();
+        const auto refused = f.compensator.write(0, exampleRequest(9, Persistency::Persistent));
+        VERIFY_ERROR(refused, ErrorCode::FlashWear);
+        QVERIFY(f.state() == state);
+        VERIFY_RESULT(f.compensator.write(0, exampleRequest(9, Persistency::Volatile)));
+        f.pass(std::chrono::minutes(10));
+        VERIFY_RESULT(f.compensator.setPersistency(0, Persistency::Persistent));
+    }
+
+    void activationIsProvedByTheDrivesOwnOutput_data()
+    {
+        QTest::addColumn<int>("dimensions");
+        QTest::newRow("1D") << 1;
+        QTest::newRow("2D") << 2;
+        QTest::newRow("3D") << 3;
+    }
+    void activationIsProvedByTheDrivesOwnOutput()
+    {
+        QFETCH(int, dimensions);
+        DriveFixture f;
+        WriteRequest request;
+        request.dimensionality = dimensions;
+        request.sources = {masterX, masterY, "Axes[0]/Signals/General/MotorTemperature"};
+        request.sources.resize(static_cast<std::size_t>(dimensions));
+        request.table = exampleTable(dimensions);
+        VERIFY_RESULT(f.compensator.write(0, request));
+        const auto active = f.compensator.activate(0);
+        VERIFY_RESULT(active);
+        QCOMPARE(active->axis.state, "Active");
+        const auto proof = f.compensator.prove(0);
+        VERIFY_RESULT(proof);
+        QCOMPARE(proof->samples.size(), std::size_t{5});
+        QVERIFY(proof->samples[0].output != 0.0);
+        QVERIFY(proof->largestDifference <= proof->tolerance);
+        const auto off = f.compensator.deactivate(0);
+        VERIFY_RESULT(off);
+        QCOMPARE(off->axis.state, "Disabled");
+        QCOMPARE(off->output, 0.0);
+    }
+
+    void evaluationLooksUpAndAddsNothing()
+    {
+        DriveFixture f;
+        VERIFY_RESULT(f.compensator.write(0, exampleRequest()));
+        const auto status = f.compensator.evaluate(0);
+        VERIFY_RESULT(status);
+        QCOMPARE(status->axis.state, "Evaluating");
+        QCOMPARE(status->output, 0.0);
+        VERIFY_RESULT(f.compensator.prove(0));
+    }
+
+    void aDriveThatRestartsWhileItIsSwitchedIsNotWaitedFor()
+    {
+        int restarts = 0;
+        bool isDone = false;
+        for (int exchange = 1; !isDone; ++exchange) {
+            DriveFixture f;
+            VERIFY_RESULT(f.compensator.write(0, exampleRequest(1, Persistency::Persistent)));
+            f.link.actBefore(exchange, [&f] { f.drive.reboot(); });
+            const int before = f.link.exchanges();
+            const auto active = f.compensator.activate(0);
+            isDone = f.link.exchanges() - before < exchange;
+            if (active)
+                continue;
+            const std::string said = sentence(active.error());
+            QVERIFY2(said.find("in time") == std::string::npos, said.c_str());
+            restarts += said.find("has restarted") != std::string::npos ? 1 : 0;
+        }
+        QVERIFY(restarts > 0);
+    }
+
+    void anAxisThatIsNotHomedIsNotActivated()
+    {
+        DriveFixture f;
+        VERIFY_RESULT(f.compensator.write(0, exampleRequest(1, Persistency::Persistent)));
+        f.drive.reboot();
+        VERIFY_ERROR(f.compensator.activate(0), ErrorCode::NotHomed);
+        QCOMPARE(f.text(activation), "Disabled");
+    }
+
+    void anAxisWithoutATableIsNotActivated()
+    {
+        DriveFixture f;
+        VERIFY_ERROR(f.compensator.activate(0), ErrorCode::NoTable);
+        VERIFY_ERROR(f.compensator.evaluate(0), ErrorCode::NoTable);
+        VERIFY_ERROR(f.compensator.setPersistency(0, Persistency::Persistent), ErrorCode::NoTable);
+        VERIFY_ERROR(f.compensator.readTable(0), ErrorCode::NoTable);
+    }
+
+    void anActiveCompensationIsNotWritten()
+    {
+        DriveFixture f;
+        VERIFY_RESULT(f.compensator.write(0, exampleRequest()));
+        VERIFY_RESULT(f.compensator.activate(0));
+        const auto state = f.state();
+        VERIFY_ERROR(f.compensator.write(0, exampleRequest(2)), ErrorCode::CompensationActive);
+        QVERIFY(f.state() == state);
+    }
+
+    void badRequestsAreNamedBeforeAnythingIsWritten_data()
+    {
+        QTest::addColumn<WriteRequest>("request");
+        QTest::addColumn<ErrorCode>("code");
+        QTest::addColumn<QString>("says");
+        const auto with = [](auto&& change) {
+            WriteRequest request = exampleRequest();
+            change(request);
+            return request;
+        };
+        QTest::newRow("too few sources") << with([](WriteRequest& r) { r.sources.pop_back(); })
+                                         << ErrorCode::SourceMissing << "dimension 2";
+        QTest::newRow("too many sources")
+            << with([](WriteRequest& r) { r.sources.push_back(masterX); })
+            << ErrorCode::SourceSurplus << "dimension 3";
+        QTest::newRow("the same source twice")
+            << with([](WriteRequest& r) { r.sources[1] = r.sources[0]; })
+            << ErrorCode::SourceRepeated << "dimension 1 and dimension 2";
+        QTest::newRow("a source that does not exist") << with([](WriteRequest& r) {
+            r.sources[0] = "Axes[0]/Signals/PositionController/MasterPositon";
+        }) << ErrorCode::SourceNotFound << QString::fromStdString(masterX);
+        QTest::newRow("a source of another type")
+            << with([](WriteRequest& r) { r.sources[0] = tableRegister; })
+            << ErrorCode::SourceWrongType << "SourceTable";
+        QTest::newRow("a source of another drive")
+            << with([](WriteRequest& r) { r.sources[0] = "tam://mc/Other/" + masterX; })
+            << ErrorCode::SourceOtherDrive << "Other";
+        QTest::newRow("an address that no register has")
+            << with([](WriteRequest& r) { r.sources[0] = "0xfffffff0"; })
+            << ErrorCode::SourceNotFound << "0xfffffff0";
+        QTest::newRow("a table of other dimensions")
+            << with([](WriteRequest& r) { r.table = exampleTable(1); })
+            << ErrorCode::DimensionMismatch << "1 dimension";
+        QTest::newRow("a table that fits no slot")
+            << with([](WriteRequest& r) { r.table = exampleTable(2, 1, 725); })
+            << ErrorCode::TableTooLarge << "2096976";
+        QTest::newRow("an unknown slot") << with([](WriteRequest& r) { r.slot = "Medium1"; })
+                                         << ErrorCode::SlotNotFound << "Small1";
+        QTest::newRow("no table anywhere")
+            << with([](WriteRequest& r) { r.table.reset(); }) << ErrorCode::NoTable << "axis 0";
+    }
+    void badRequestsAreNamedBeforeAnythingIsWritten()
+    {
+        QFETCH(WriteRequest, request);
+        QFETCH(ErrorCode, code);
+        QFETCH(QString, says);
+        DriveFixture f;
+        const auto state = f.state();
+        const auto report = f.compensator.write(0, request);
+        VERIFY_ERROR(report, code);
+        const QString text = QString::fromStdString(sentence(report.error()));
+        QVERIFY2(text.contains(says), qPrintable(text));
+        QVERIFY2(!text.contains(u'?'), qPrintable(text));
+        QVERIFY(f.state() == state);
+        const auto files = f.drive.listFiles();
+        QVERIFY(std::ranges::all_of(files, [](const DriveFile& file) { return file.size == 0; }));
+    }
+
+    void aSourceIsGivenByPathUriOrAddress()
+    {
+        DriveFixture f;
+        const auto byPath = f.compensator.resolveSource(masterX);
+        VERIFY_RESULT(byPath);
+        std::string dotted = masterX;
+        std::ranges::replace(dotted, '/', '.');
+        char hex[16];
+        std::snprintf(hex, sizeof hex, "0x%X", byPath->address);
+        for (const std::string& text : {dotted, "tam://mc/Test-1/" + masterX, std::string(hex)}) {
+            const auto source = f.compensator.resolveSource(text);
+            VERIFY_RESULT(source);
+            QCOMPARE(source->address, byPath->address);
+            QCOMPARE(source->path, masterX);
+        }
+    }
+
+    void whatSomebodyElseChangedIsNotOverwritten()
+    {
+        DriveFixture f;
+        VERIFY_RESULT(f.compensator.write(0, exampleRequest()));
+        const auto seen = f.compensator.status(0);
+        VERIFY_RESULT(seen);
+        f.set("Axes[0]/Parameters/Compensations/Axis/Dim2Source", std::uint32_t{0});
+        WriteRequest request = exampleRequest(2);
+        request.expected = seen->setup;
+        const auto report = f.compensator.write(0, request);
+        VERIFY_ERROR(report, ErrorCode::ChangedMeanwhile);
+        QVERIFY(sentence(report.error()).find(masterY) != std::string::npos);
+    }
+
+    void slotsOfOthersAreLeftAlone()
+    {
+        DriveFixture f;
+        f.set("Axes[1]/Parameters/Compensations/Cogging/Table", std::string("Small1"));
+        const auto file =
+            encodeTamTable(exampleTable(1, 5), false, drivecomm::genericProfile().layout);
+        VERIFY_RESULT(f.drive.upload("tables/small2.TAMtbl", *file));
+        const auto report = f.compensator.write(0, exampleRequest());
+        VERIFY_RESULT(report);
+        QCOMPARE(report->plan.after.slot, "Small3");
+        QCOMPARE(f.drive.download("tables/small2.TAMtbl").value_or(Bytes{}), *file);
+    }
+
+    void savingAllParametersWarnsOfVolatileTablesOfOtherAxes()
+    {
+        DriveFixture f;
+        VERIFY_RESULT(f.compensator.write(1, exampleRequest(3)));
+        const auto report = f.compensator.write(0, exampleRequest(1, Persistency::Persistent));
+        VERIFY_RESULT(report);
+        QCOMPARE(report->plan.warnings.size(), std::size_t{1});
+        QVERIFY(report->plan.warnings[0].find("axis 1 (Y)") != std::string::npos);
+    }
+
+    void plainFilesAreVerifiedAndPutBackWhenTheyDiffer()
+    {
+        DriveFixture f;
+        const auto& layout = drivecomm::genericProfile().layout;
+        const auto first = encodeTamTable(exampleTable(1, 1), false, layout);
+        const auto second = encodeTamTable(exampleTable(1, 2), false, layout);
+        const std::string path = "tables/large1.TAMtbl";
+        VERIFY_RESULT(f.compensator.upload(path, *first));
+        f.drive.storeNextWrong();
+        VERIFY_ERROR(f.compensator.upload(path, *second), ErrorCode::VerifyMismatch);
+        QCOMPARE(f.drive.download(path).value_or(Bytes{}), *first);
+        VERIFY_ERROR(f.compensator.upload("tables/medium.TAMtbl", *first), ErrorCode::UnknownFile);
+    }
+
+    void aBackupBringsAllAxesBack()
+    {
+        DriveFixture f;
+        VERIFY_RESULT(f.compensator.write(0, exampleRequest(1, Persistency::Persistent)));
+        WriteRequest other = exampleRequest(2);
+        VERIFY_RESULT(f.compensator.write(1, other));
+        const auto backup = f.compensator.backup();
+        VERIFY_RESULT(backup);
+        const auto reread = readBackup(writeBackup(*backup), "test");
+        VERIFY_RESULT(reread);
+
+        VERIFY_RESULT(f.compensator.write(0, exampleRequest(7)));
+        f.drive.reboot();
+        const auto restored = f.compensator.restore(*reread, false);
+        VERIFY_RESULT(restored);
+        QCOMPARE(f.compensator.readTable(0)->values, exampleTable(2, 1).values);
+        QCOMPARE(f.compensator.readTable(1)->values, exampleTable(2, 2).values);
+        const auto status = f.compensator.status(0);
+        QCOMPARE(status->setup.persistency, Persistency::Persistent);
+        QCOMPARE(status->setup.sources[1].path, masterY);
+    }
+
+    void aBackupOfAnotherDriveIsRefused()
+    {
+        DriveFixture f;
+        VERIFY_RESULT(f.compensator.write(0, exampleRequest()));
+        auto backup = f.compensator.backup();
+        VERIFY_RESULT(backup);
+        for (AxisBackup& axis : backup->axes)
+            axis.drive.serialNumber = 1;
+        VERIFY_ERROR(f.compensator.restore(*backup, false), ErrorCode::OtherDrive);
+        VERIFY_RESULT(f.compensator.restore(*backup, true));
+    }
+};
+
+AXISCOMP_TEST(TestAxisCompensator)
+
+} // namespace tst_axiscompensator
+
+#include "tst_axiscompensator.moc"

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/compensator/several_writes.h"
+#include "tests/support/compensator_fixture.h"
+#include "tests/support/test_registry.h"
+#include "tests/support/verify.h"
+
+#include <QTest>
+
+namespace tst_multiaxiswrite {
+
+using namespace axiscomp;
+using test::DriveFixture;
+using test::exampleRequest;
+
+class TestSeveralWrites : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { test::failOnWarnings(); }
+
+    void planningChangesNothing()
+    {
+        DriveFixture fixture;
+        const auto before = fixture.state(0);
+        const std::vector<AxisWrite> writes{{0, exampleRequest(1)}, {1, exampleRequest(2)}};
+        const auto plans = planSeveral(fixture.compensator, writes);
+        VERIFY_RESULT(plans);
+        QCOMPARE(plans->size(), std::size_t(2));
+        QCOMPARE(plans->at(1).axis, 1);
+        QVERIFY(fixture.state(0) == before);
+    }
+
+    void plannedWritesGetASlotEach()
+    {
+        DriveFixture fixture;
+        const std::vector<AxisWrite> writes{{0, exampleRequest(1)}, {1, exampleRequest(2)}};
+        VERIFY_RESULT(planSeveral(fixture.compensator, writes));
+        for (const AxisWrite& write : writes)
+            VERIFY_RESULT(fixture.compensator.write(write.axis, write.request));
+        QVERIFY(fixture.state(0).registers[0] != fixture.state(1).registers[0]);
+        QVERIFY(fixture.state(0).table != fixture.state(1).table);
+    }
+
+    void anAxisIsNotNamedTwice()
+    {
+        DriveFixture fixture;
+        const std::vector<AxisWrite> writes{{1, exampleRequest(1)}, {1, exampleRequest(2)}};
+        VERIFY_ERROR(planSeveral(fixture.compensator, writes), ErrorCode::InvalidArgument);
+    }
+
+    void theErrorOfOneAxisIsThatOfAllAndNamesIt()
+    {
+        DriveFixture fixture;
+        WriteRequest wrong = exampleRequest(2);
+        wrong.sources.pop_back();
+        const std::vector<AxisWrite> writes{{0, exampleRequest(1)}, {1, wrong}};
+        const auto plans = planSeveral(fixture.compensator, writes);
+        VERIFY_ERROR(plans, ErrorCode::SourceMissing);
+        QCOMPARE(plans.error().context.at("ofAxis"), std::string("1"));
+    }
+
+    void theFlashOperationsOfAllAreCountedTogether()
+    {
+        DriveFixture fixture;
+        const int limit = drivecomm::genericProfile().flashWear.operations;
+        for (int n = 0; n + 1 < limit; ++n)
+            VERIFY_RESULT(
+                fixture.compensator.write(0, exampleRequest(10 + n, Persistency::Persistent)));
+        const std::vector<AxisWrite> one{{0, exampleRequest(1, Persistency::Persistent)}};
+        VERIFY_RESULT(planSeveral(fixture.compensator, one));
+        const std::vector<AxisWrite> two{{0, exampleRequest(1, Persistency::Persistent)},
+            {1, exampleRequest(2, Persistency::Persistent)}};
+        const auto plans = planSeveral(fixture.compensator, two);
+        VERIFY_ERROR(plans, ErrorCode::InvalidArgument);
+        QVERIFY(sentence(plans.error()).find("volatile") != std::string::npos);
+    }
+};
+
+AXISCOMP_TEST(TestSeveralWrites)
+
+} // namespace tst_multiaxiswrite
+
+#include "tst_multiaxiswrite.moc"

@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/conversion/conversion.h"
+#include "core/table/position_unit.h"
+#include "core/table/table_layout.h"
+#include "tests/core/formats/format_checks.h"
+#include "tests/support/test_registry.h"
+
+#include <algorithm>
+
+namespace tst_conversion {
+
+using namespace axiscomp;
+
+namespace {
+
+const TableLayout& layout()
+{
+    static const TableLayout generic = genericTableLayout();
+    return generic;
+}
+
+/// A closed table over one or two axes that every format can hold, within a revolution: the first
+/// value and the last are 0, and so is the one at position 0.
+NeutralTable exampleTable(int dimensions, SignConvention sign)
+{
+    NeutralTable table;
+    table.sign = sign;
+    table.axes.push_back(test::evenAxis("X1", "mm", 0, 10, 5));
+    if (dimensions == 2)
+        table.axes.push_back(test::evenAxis("Y2", "mm", 0, 10, 4));
+    CompensationColumn column;
+    column.target = "X1";
+    column.unit = "mm";
+    for (std::size_t i = 0; i < table.pointCount(); ++i) {
+        const double x = table.axes[0].knots[i % 5];
+        column.values.push_back(0.004 * std::sin(x / 40.0 * 6.283185307179586));
+    }
+    table.columns = {column};
+    return table;
+}
+
+/// Some formats have names for axes, most have numbers.
+void nameAxes(NeutralTable& table, const TableFamily& family)
+{
+    const bool hasNames = family.facts.name.starts_with("siemens");
+    table.axes[0].name = hasNames ? "X1" : "1";
+    table.columns[0].target = table.axes[0].name;
+    if (table.axes.size() == 2)
+        table.axes[1].name = hasNames ? "Y2" : "2";
+}
+
+/// What a format must be told to write such a table.
+FormatSettings writeSettings(const FamilyFacts& facts)
+{
+    FormatSettings settings;
+    for (const FormatSetting& setting : facts.settings)
+        if (setting.isNeeded && setting.forWriting)
+            settings[std::string(setting.key)] =
+                setting.kind == FormatSetting::Kind::Text ? "X" : "100000";
+    return settings;
+}
+
+TableReadOptions readOptions(const FamilyFacts& facts, int dimensions)
+{
+    TableReadOptions options;
+    options.layout = &layout();
+    options.dimensions = dimensions;
+    for (const FormatSetting& setting : facts.settings)
+        if ((setting.isNeeded || setting.key == "counts-per-unit") && setting.forReading)
+            options.settings[std::string(setting.key)] = "100000";
+    if (!facts.holdsUnits && facts.name != "tamtbl") {
+        options.settings["position-unit"] = "mm";
+        options.settings["value-unit"] = "mm";
+    }
+    return options;
+}
+
+ConversionRequest requestFor(const TableFamily& from, const TableFamily& to)
+{
+    ConversionRequest request;
+    request.from = &from;
+    request.to = &to;
+    request.writing.layout = &layout();
+    request.writing.settings = writeSettings(to.facts);
+    request.writing.fileName = "table.txt";
+    return request;
+}
+
+bool takes(const TableFamily& family, int dimensions)
+{
+    return family.facts.fewestDimensions <= dimensions && dimensions <= family.facts.mostDimensions;
+}
+
+bool contains(const std::vector<std::string>& lines, std::string_view part)
+{
+    return std::ranges::any_of(
+        lines, [&](const std::string& line) { return line.find(part) != std::string::npos; });
+}
+
+} // namespace
+
+class TestConversion : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { test::failOnWarnings(); }
+
+    void everyFormatIsConvertedIntoEveryOther_data()
+    {
+        QTest::addColumn<int>("dimensions");
+        QTest::addColumn<int>("source");
+        QTest::addColumn<int>("target");
+        const auto families = tableFamilies();
+        for (int dimensions = 1; dimensions <= 2; ++dimensions)
+            for (std::size_t s = 0; s < families.size(); ++s)
+                for (std::size_t t = 0; t < families.size(); ++t)
+                    if (families[s]->read && families[s]->write && families[t]->write
+                        && takes(*families[s], dimensions) && takes(*families[t], dimensions))
+                        QTest::addRow("%dD %s to %s", dimensions, families[s]->facts.name.data(),
+                            families[t]->facts.name.data())
+                            << dimensions << static_cast<int>(s) << static_cast<int>(t);
+    }
+    void everyFormatIsConvertedIntoEveryOther()
+    {
+        QFETCH(int, dimensions);
+        QFETCH(int, source);
+        QFETCH(int, target);
+        const TableFamily& from = *tableFamilies()[static_cast<std::size_t>(source)];
+        const TableFamily& to = *tableFamilies()[static_cast<std::size_t>(target)];
+        std::array original{exampleTable(dimensions, from.facts.sign)};
+        nameAxes(original[0], from);
+        const auto file =
+            convertTables(original, requestFor(from, from)); // as the source's format holds it
+        VERIFY_RESULT(file);
+        const auto reading = from.read(file->written.bytes, readOptions(from.facts, dimensions));
+        VERIFY_RESULT(reading);
+        QVERIFY2(!reading->tables.empty(), test::problemLines(*reading).c_str());
+        std::vector<NeutralTable> tables = separateColumns(reading->tables);
+        tables.resize(1); // some formats add columns of zeros
+        if (tables.front().columns.size() > 1)
+            tables.front().columns.resize(1);
+        tables.front().columns.front().direction = Direction::Both;
+        nameAxes(tables.front(), to);
+        ConversionRequest request = requestFor(from, to);
+        request.dropsWrap = true;
+        const auto conversion = convertTables(tables, request);
+        VERIFY_RESULT(conversion);
+        const TableConversion& result = conversion->tables.front();
+        QCOMPARE(result.difference.columns.size(), std::size_t(1));
+        // Of steps of the target, and of the slope times the rounding of positions.
+        const std::string& unit = result.source.columns.front().unit;
+        const double factor = unit.empty() ? 1.0 : unitFactor("mm", unit).value_or(1.0);
+        const double largest = result.difference.columns.front().largestInside;
+        QVERIFY2(largest <= 2e-4 * factor,
+            qPrintable(QString::number(largest) + QString::fromStdString(" " + unit)));
+        QVERIFY(!conversionReport(*conversion, request).empty());
+    }
+
+    void theStepsAreTakenInTheirOrder()
+    {
+        // Two directions, uneven knots, the other convention: all of it in one conversion.
+        NeutralTable table;
+        table.axes = {test::evenAxis("1", "mm", 0, 10, 3)};
+        table.axes[0].knots = {0, 5, 20};
+        CompensationColumn positive = test::waveColumn("1", "um", 3, 2.0);
+        CompensationColumn negative = positive;
+        positive.direction = Direction::Positive;
+        negative.direction = Direction::Negative;
+        negative.values[1] += 1.0;
+        table.columns = {positive, negative};
+        ConversionRequest request = requestFor(calibrationCsvFamily(), softmcFamily());
+        request.direction = DirectionChoice::Mean;
+        request.resampling = WantedDeviation{0.01, ResamplingMethod::Linear};
+        const std::array tables{table};
+        const auto conversion = convertTables(tables, request);
+        VERIFY_RESULT(conversion);
+        const TableConversion& result = conversion->tables.front();
+        QCOMPARE(result.directionLosses.size(), std::size_t(1));
+        QCOMPARE(result.directionLosses[0].largestHalfDifference, 0.5);
+        QVERIFY(result.resampling.has_value());
+        QVERIFY(result.resampling->columns[0].largest <= 0.01);
+        QCOMPARE(result.result.sign, SignConvention::Command);
+        QVERIFY(isEven(result.result));
+        const auto lines = conversionReport(*conversion, request);
+        QVERIFY(contains(lines, "csv holds feedback values, softmc holds command values"));
+        QVERIFY(contains(lines, "resampled from 3 points to 5 points"));
+        QVERIFY(contains(lines, "half their difference is up to 0.5 um"));
+        QVERIFY(contains(lines, "compared at"));
+    }
+
+    void directionsThatTheTargetCannotHoldMustBeChosen()
+    {
+        NeutralTable table = exampleTable(1, SignConvention::Feedback);
+        table.columns.push_back(table.columns[0]);
+        table.columns[0].direction = Direction::Positive;
+        table.columns[1].direction = Direction::Negative;
+        const std::array tables{table};
+        const auto conversion =
+            convertTables(tables, requestFor(isgSsfkFamily(), calibrationCsvFamily()));
+        VERIFY_ERROR(conversion, ErrorCode::FormatCannotHold);
+        QVERIFY(sentence(conversion.error()).find("mean") != std::string::npos);
+    }
+
+    void aTableWithoutValuesIsRefusedBeforeAnythingIsMadeOfIt()
+    {
+        NeutralTable table = exampleTable(1, SignConvention::Feedback);
+        table.columns.clear();
+        const std::array tables{table};
+        for (const TableFamily* family : tableFamilies()) {
+            if (!family->write)
+                continue;
+            VERIFY_ERROR(convertTables(tables, requestFor(calibrationCsvFamily(), *family)),
+                ErrorCode::InvalidArgument);
+            if (family->facts.fewestDimensions == 1)
+                VERIFY_ERROR(checkHolds(family->facts, tables), ErrorCode::InvalidArgument);
+        }
+    }
+
+    void anOverruledSignIsUsedAndSaid()
+    {
+        const std::array tables{exampleTable(1, SignConvention::Command)};
+        ConversionRequest request = requestFor(softmcFamily(), calibrationCsvFamily());
+        request.sourceSign = SignConvention::Feedback;
+        const auto conversion = convertTables(tables, request);
+        VERIFY_RESULT(conversion);
+        const auto& values = conversion->tables.front().result.columns.front().values;
+        QVERIFY(test::largestDifference(values, tables[0].columns[0].values) < 1e-9);
+        QVERIFY(contains(conversionReport(*conversion, request), "as you say"));
+    }
+
+    void anAssumedSignIsARemark()
+    {
+        const std::array tables{exampleTable(1, SignConvention::Feedback)};
+        const auto conversion =
+            convertTables(tables, requestFor(calibrationCsvFamily(), siemensCecFamily()));
+        VERIFY_RESULT(conversion);
+        QVERIFY(contains(conversion->remarks, "is an assumption"));
+    }
+
+    void aDriveGetsValuesInTheUnitOfThePositions()
+    {
+        NeutralTable table = exampleTable(1, SignConvention::Feedback);
+        table.columns[0].unit = "um";
+        const std::array tables{table};
+        const auto conversion =
+            convertTables(tables, requestFor(isgSsfkFamily(), calibrationCsvFamily()));
+        VERIFY_RESULT(conversion);
+        const CompensationColumn& column = conversion->tables.front().result.columns.front();
+        QCOMPARE(column.unit, std::string("mm"));
+        QVERIFY(std::abs(column.values[1] - table.columns[0].values[1] / 1000.0) < 1e-9);
+        QVERIFY(contains(conversion->remarks, "the values were in um and are now in mm"));
+    }
+
+    void aModuloAxisBecomesAPlainOneWhenAsked()
+    {
+        NeutralTable table = exampleTable(1, SignConvention::Feedback);
+        table.axes[0].wrap = 40.0;
+        const std::array tables{table};
+        ConversionRequest request = requestFor(isgSsfkFamily(), calibrationCsvFamily());
+        VERIFY_ERROR(convertTables(tables, request), ErrorCode::FormatCannotHold);
+        request.dropsWrap = true;
+        VERIFY_RESULT(convertTables(tables, request));
+    }
+
+    void roundingIsReported()
+    {
+        std::array tables{exampleTable(1, SignConvention::Feedback)};
+        nameAxes(tables[0], isgSsfkFamily());
+        tables[0].columns[0].values[1] += 0.00003; // the file has steps of 0.0001 mm
+        ConversionRequest request = requestFor(calibrationCsvFamily(), isgSsfkFamily());
+        const auto conversion = convertTables(tables, request);
+        VERIFY_RESULT(conversion);
+        const double rounding = conversion->tables.front().valueRounding;
+        QVERIFY2(rounding > 0.0 && rounding <= 0.5e-4, qPrintable(QString::number(rounding)));
+        QVERIFY(contains(conversionReport(*conversion, request), "rounded"));
+    }
+};
+
+AXISCOMP_TEST(TestConversion)
+
+} // namespace tst_conversion
+
+#include "tst_conversion.moc"

@@ -1,0 +1,302 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/conversion/sign_conversion.h"
+
+#include "tests/core/conversion/numeric_tables.h"
+#include "tests/support/test_registry.h"
+
+#include <numbers>
+
+namespace tst_tablecomparison {
+
+using namespace axiscomp;
+using test::addColumn;
+using test::axisX;
+using test::evenAxis;
+using test::held;
+using test::tableOver;
+using test::zeroOutside;
+using Values = std::vector<double>;
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+double wave(const Values& p)
+{
+    return 0.01 * std::sin(p[0] / 9.0);
+}
+
+/// The table of the other convention.
+NeutralTable converted(const NeutralTable& table)
+{
+    const auto to =
+        table.sign == SignConvention::Feedback ? SignConvention::Command : SignConvention::Feedback;
+    const auto result = convertSign(table, to, held);
+    return result ? result->table : NeutralTable{};
+}
+
+} // namespace
+
+class TestConversionDifference : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { test::failOnWarnings(); }
+
+    void aTableDoesNotDifferFromItself()
+    {
+        const auto table = tableOver({axisX({0, 7, 9, 30})}, "X", wave);
+        const auto difference = conversionDifference(table, held, table, held);
+        VERIFY_RESULT(difference);
+        QCOMPARE(difference->columns.size(), std::size_t(1));
+        QCOMPARE(difference->columns[0].largest, 0.0);
+        QVERIFY(difference->columns[0].where.empty());
+        QVERIFY(!difference->isThinned);
+    }
+
+    void oneChangedValueIsFoundAtItsPlace()
+    {
+        const auto a =
+            tableOver({evenAxis("X", "mm", 0, 10, 9), evenAxis("Y", "mm", 0, 5, 4)}, "Z", wave);
+        auto b = a;
+        b.columns[0].values[4 + 9 * 2] += 0.25;
+        const auto difference = conversionDifference(a, held, b, held);
+        VERIFY_RESULT(difference);
+        const ColumnDifference& column = difference->columns[0];
+        QVERIFY(std::abs(column.largest - 0.25) < 1e-15);
+        QCOMPARE(column.where, (Values{40, 10}));
+        QCOMPARE(column.largestInside, column.largest);
+        QCOMPARE(column.whereInside, column.where);
+    }
+
+    void aConvertedTableDiffersBySecondOrderTermsOnly()
+    {
+        const auto e = tableOver({evenAxis("X", "mm", 0, 5, 21)}, "X", wave);
+        const double bound = 2.0 * test::largestKink(e) * test::largestSize(e.columns[0].values);
+        for (const bool toCommand : {true, false}) {
+            NeutralTable a = e;
+            a.sign = toCommand ? SignConvention::Feedback : SignConvention::Command;
+            const auto difference = conversionDifference(a, held, converted(a), held);
+            VERIFY_RESULT(difference);
+            const double found = difference->columns[0].largest;
+            QVERIFY2(found > 0.0 && found <= bound, std::to_string(found).c_str());
+            QVERIFY(bound < 0.01 * 0.2);
+        }
+    }
+
+    /// The kinks of e are met between the knots of c: there the difference is largest.
+    void theLargestDifferenceIsNotMissedBetweenKnots()
+    {
+        const auto e = tableOver(
+            {evenAxis("X", "mm", 0, 5, 21)}, "X", [](const Values& p) { return 30 * wave(p); });
+        const NeutralTable c = converted(e);
+        const auto difference = conversionDifference(e, held, c, held);
+        VERIFY_RESULT(difference);
+        const AppliedCompensation feedback(e, 0, held);
+        const AppliedCompensation command(c, 0, held);
+        double largest = 0.0;
+        for (int i = 0; i <= 100000; ++i) {
+            const double x = 0.001 * i;
+            const double shift = command.at(std::vector{x});
+            largest = std::max(largest, std::abs(shift + feedback.at(std::vector{x + shift})));
+        }
+        QVERIFY(difference->columns[0].largest >= largest - 1e-12);
+        QVERIFY(difference->columns[0].largest <= 1.01 * largest);
+    }
+
+    void theWrongSignIsTwiceTheError()
+    {
+        const auto e =
+            tableOver({evenAxis("X", "mm", 0, 10, 9)}, "X", [](const Values&) { return 0.003; });
+        auto wrong = e;
+        wrong.sign = SignConvention::Command;
+        const auto difference = conversionDifference(e, held, wrong, held);
+        VERIFY_RESULT(difference);
+        QVERIFY(std::abs(difference->columns[0].largest - 0.006) < 1e-15);
+    }
+
+    void whatControllersDoOutsideIsADifferenceOutside()
+    {
+        const auto table =
+            tableOver({axisX({0, 10, 20})}, "X", [](const Values& p) { return 0.1 + 0.01 * p[0]; });
+        const auto difference = conversionDifference(table, held, table, zeroOutside);
+        VERIFY_RESULT(difference);
+        const ColumnDifference& column = difference->columns[0];
+        QVERIFY(std::abs(column.largest - 0.3) < 1e-15);
+        QVERIFY(column.where[0] > 20);
+        QCOMPARE(column.largestInside, 0.0);
+        const TableBehaviour late{.outside = Outside::Hold, .startsAtFirst = true};
+        const auto begin = conversionDifference(table, held, table, late);
+        VERIFY_RESULT(begin);
+        QVERIFY(std::abs(begin->columns[0].largest - 0.1) < 1e-15);
+        QVERIFY(begin->columns[0].where[0] < 0);
+    }
+
+    void anEndThatTheShiftLeavesIsNotInside()
+    {
+        // at the first knot the encoder is moved to -0.1, where e is not applied
+        const auto e = tableOver({axisX({0, 10, 20})}, "X", [](const Values&) { return 0.1; });
+        const auto difference = conversionDifference(e, zeroOutside, converted(e), held);
+        VERIFY_RESULT(difference);
+        QVERIFY(std::abs(difference->columns[0].largest - 0.1) < 1e-15);
+        QVERIFY(difference->columns[0].largestInside < 1e-15);
+    }
+
+    void aTableThatEndsEarlierDiffersOutsideTheCommonRange()
+    {
+        const auto a = tableOver({axisX({0, 10, 20})}, "X", [](const Values& p) { return p[0]; });
+        const auto b = tableOver({axisX({0, 10})}, "X", [](const Values& p) { return p[0]; });
+        const auto difference = conversionDifference(a, held, b, held);
+        VERIFY_RESULT(difference);
+        QCOMPARE(difference->columns[0].largest, 10.0);
+        QCOMPARE(difference->columns[0].largestInside, 0.0);
+    }
+
+    void unitsMayDiffer()
+    {
+        const auto a = tableOver({axisX({0, 0.3, 10.7})}, "X", wave);
+        auto b = a;
+        b.axes[0].unit = "m";
+        b.columns[0].unit = "um";
+        for (double& knot : b.axes[0].knots)
+            knot /= 1000;
+        for (double& value : b.columns[0].values)
+            value *= 1000;
+        // with a step at the ends, which rounding must not cross
+        const auto same = conversionDifference(a, zeroOutside, b, zeroOutside);
+        VERIFY_RESULT(same);
+        QVERIFY(same->columns[0].largestInside < 1e-15);
+        const auto reversed = conversionDifference(converted(a), held, b, held);
+        VERIFY_RESULT(reversed);
+        // slopes of 0.0012 at most, values of 0.01: a unit mistaken would show as 0.01 or more
+        QVERIFY(reversed->columns[0].largest < 1.2e-5);
+        b.columns[0].values[1] += 7;
+        const auto changed = conversionDifference(a, zeroOutside, b, zeroOutside);
+        VERIFY_RESULT(changed);
+        QVERIFY(std::abs(changed->columns[0].largest - 0.007) < 1e-15); // in a's unit
+        QVERIFY(std::abs(changed->columns[0].where[0] - 0.3) < 1e-12);
+    }
+
+    void aModuloAxisIsComparedOverThreeTurns()
+    {
+        auto a = tableOver({test::turningAxis(13)}, "C",
+            [](const Values& p) { return std::sin(p[0] * pi / 180); });
+        a.columns[0].values.back() = a.columns[0].values.front();
+        const auto same = conversionDifference(a, held, converted(a), held);
+        VERIFY_RESULT(same);
+        QVERIFY(same->columns[0].largest < 0.01);
+        auto b = a;
+        b.axes[0].wrap.reset();
+        const auto open = conversionDifference(a, held, b, held);
+        VERIFY_RESULT(open);
+        QVERIFY(open->columns[0].largest > 0.99); // the second and third turn
+        QVERIFY(open->columns[0].largestInside < 1e-12);
+    }
+
+    void directionsAreComparedWithTheirLike()
+    {
+        NeutralTable a;
+        a.axes = {axisX({0, 10, 20})};
+        addColumn(
+            a, "X", [](const Values&) { return 0.1; }, Direction::Positive);
+        addColumn(
+            a, "X", [](const Values&) { return -0.1; }, Direction::Negative);
+        auto swapped = a;
+        std::swap(swapped.columns[0], swapped.columns[1]);
+        const auto same = conversionDifference(a, held, swapped, held);
+        VERIFY_RESULT(same);
+        QCOMPARE(same->columns.size(), std::size_t(2));
+        QCOMPARE(same->columns[0].columnB, std::size_t(1));
+        QCOMPARE(same->columns[0].largest, 0.0);
+        const auto mean = tableOver({axisX({0, 10, 20})}, "X", [](const Values&) { return 0.0; });
+        for (const bool isFirst : {true, false}) {
+            const auto merged = isFirst ? conversionDifference(a, held, mean, held)
+                                        : conversionDifference(mean, held, a, held);
+            VERIFY_RESULT(merged);
+            QCOMPARE(merged->columns.size(), std::size_t(2));
+            QCOMPARE(merged->columns[0].largest, 0.1);
+            QCOMPARE(merged->columns[1].largest, 0.1);
+        }
+        const auto command = conversionDifference(a, held, converted(a), held);
+        VERIFY_RESULT(command);
+        QVERIFY(command->columns[1].largest < 1e-15);
+    }
+
+    void namesThatAFormatLostAreTakenFromTheOtherTable()
+    {
+        // straightness: nothing moves, although a table without names would seem to
+        const auto e =
+            tableOver({axisX({0, 1, 2})}, "Y", [](const Values& p) { return 0.3 * p[0]; });
+        auto c = converted(e);
+        c.axes[0].name.clear();
+        c.columns[0].target.clear();
+        for (const bool isFirst : {true, false}) {
+            const auto difference = isFirst ? conversionDifference(e, held, c, held)
+                                            : conversionDifference(c, held, e, held);
+            VERIFY_RESULT(difference);
+            QCOMPARE(difference->columns[0].largest, 0.0);
+        }
+    }
+
+    void manyPositionsAreThinnedToTheLimit()
+    {
+        NeutralTable a;
+        a.axes = {evenAxis("X", "mm", 0, 1, 60), evenAxis("Y", "mm", 0, 1, 50),
+            evenAxis("Z", "mm", 0, 1, 3)};
+        addColumn(a, "X", wave);
+        const auto all = conversionDifference(a, held, a, held, 1'000'000);
+        VERIFY_RESULT(all);
+        QVERIFY(!all->isThinned);
+        QCOMPARE(all->positions, std::size_t(127) * 107 * 13);
+        auto b = a;
+        for (double& value : b.columns[0].values)
+            value += 0.5;
+        const auto thin = conversionDifference(a, held, b, held, 5000);
+        VERIFY_RESULT(thin);
+        QVERIFY(thin->isThinned);
+        QVERIFY(thin->positions <= 5000);
+        QVERIFY(thin->positions > 3000);
+        QVERIFY(std::abs(thin->columns[0].largest - 0.5) < 1e-12);
+    }
+
+    void tablesThatCannotBeComparedAreRefused_data()
+    {
+        QTest::addColumn<int>("kind");
+        QTest::addColumn<QByteArray>("reason");
+        QTest::addRow("dimensions")
+            << 0 << QByteArray("a table of 1 source axes cannot be compared with one of 2");
+        QTest::addRow("units") << 1 << QByteArray("the positions of X are in mm");
+        QTest::addRow("column") << 2 << QByteArray("the second table has no column for X to X");
+        QTest::addRow("values") << 3 << QByteArray("the values for X to X are in deg");
+        QTest::addRow("inconsistent") << 4 << QByteArray("X has fewer than two positions");
+    }
+    void tablesThatCannotBeComparedAreRefused()
+    {
+        QFETCH(int, kind);
+        QFETCH(QByteArray, reason);
+        const auto a = tableOver({axisX({0, 10})}, "X", wave);
+        auto b = a;
+        if (kind == 0)
+            b = tableOver({axisX({0, 10}), evenAxis("Y", "mm", 0, 1, 2)}, "X", wave);
+        if (kind == 1)
+            b.axes[0].unit = "deg";
+        if (kind == 2) {
+            b.columns[0].target = "Y";
+            addColumn(b, "Z", wave);
+        }
+        if (kind == 3)
+            b.columns[0].unit = "deg";
+        if (kind == 4)
+            b.axes[0].knots = {0};
+        const auto result = conversionDifference(a, held, b, held);
+        VERIFY_ERROR(result, ErrorCode::InvalidArgument);
+        const std::string text = sentence(result.error());
+        QVERIFY2(text.find(reason.toStdString()) != std::string::npos, text.c_str());
+    }
+};
+
+AXISCOMP_TEST(TestConversionDifference)
+
+} // namespace tst_tablecomparison
+
+#include "tst_tablecomparison.moc"

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/formats/triamec/triamec_tables.h"
+#include "core/table/tam_table.h"
+#include "tests/core/formats/format_checks.h"
+#include "tests/support/test_registry.h"
+
+#include <set>
+
+namespace tst_triamec {
+
+using namespace axiscomp;
+
+namespace {
+
+TableReadOptions oneDimension()
+{
+    TableReadOptions options;
+    options.dimensions = 1;
+    return options;
+}
+
+constexpr const char* unevenText = "X [mm],Table 1 [um]\n0,0\n1,0.5\n2.5,1.5\n10,-1\n";
+
+} // namespace
+
+class TestCalibrationTables : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { test::failOnWarnings(); }
+
+    void unevenPositionsAreReadForResampling()
+    {
+        READ_TABLE(table, calibrationCsvFamily(), unevenText, oneDimension());
+        QCOMPARE(table.axes[0].knots, (std::vector<double>{0, 1, 2.5, 10}));
+        QCOMPARE(table.axes[0].unit, std::string("mm"));
+        QCOMPARE(table.columns[0].name, std::string("Table 1"));
+        QCOMPARE(table.columns[0].unit, std::string("um"));
+        QVERIFY(!isEven(table));
+    }
+
+    void evenPositionsAreThoseOfTheGrid()
+    {
+        // 0.1 + 0.2 and the like: the file's texts and the grid differ by the rounding of doubles.
+        READ_TABLE(
+            table, calibrationCsvFamily(), "X,T\n0.1,1\n0.2,2\n0.3,3\n0.4,5\n", oneDimension());
+        QVERIFY(isEven(table));
+        const auto data = calibrationData(table);
+        VERIFY_RESULT(data);
+        QCOMPARE(data->grid.axes[0].start, 0.1);
+        QCOMPARE(data->grid.axes[0].distance, 0.1);
+    }
+
+    void unevenPositionsAreNotWritten()
+    {
+        READ_TABLE(table, calibrationCsvFamily(), unevenText, oneDimension());
+        const std::array tables{table};
+        VERIFY_ERROR(checkHolds(calibrationCsvFamily().facts, tables), ErrorCode::FormatCannotHold);
+        VERIFY_ERROR(calibrationData(table), ErrorCode::FormatCannotHold);
+    }
+
+    void aColumnWithTheNameOfAnAxisIsForThatAxis()
+    {
+        TableReadOptions options;
+        options.dimensions = 2;
+        READ_TABLE(table, calibrationCsvFamily(),
+            "X,Y,X error,Y\n0,0,1,2\n1,0,1,2\n0,1,1,3\n1,1,2,3\n", options);
+        QCOMPARE(table.columns[0].target, std::string());
+        QCOMPARE(table.columns[1].target, std::string("Y"));
+        QCOMPARE(ownAxis(table, table.columns[1]), std::optional<std::size_t>(1));
+        QCOMPARE(ownAxis(table, table.columns[0]), std::optional<std::size_t>());
+    }
+
+    void aCalibrationFileComesBackAsItWas()
+    {
+        TableReadOptions options;
+        options.dimensions = 2;
+        const std::string text = exampleCalibrationCsv(2);
+        READ_TABLE(table, calibrationCsvFamily(), text, options);
+        const std::array tables{table};
+        const auto written = calibrationCsvFamily().write(tables, {});
+        VERIFY_RESULT(written);
+        READ_TABLE(again, calibrationCsvFamily(), written->bytes, options);
+        QCOMPARE(again, table);
+        QCOMPARE(written->held.front(), table);
+    }
+
+    void valuesAreTheNumbersThatThePersonWrote()
+    {
+        READ_TABLE(
+            table, calibrationCsvFamily(), "X,T\n0,0.0021\n1,-3.4\n2,1e-12\n", oneDimension());
+        QCOMPARE(table.columns[0].values, (std::vector<double>{0.0021, -3.4, 1e-12}));
+    }
+
+    void offsetsOfTheCommandAreNotTakenForErrors()
+    {
+        READ_TABLE(read, calibrationCsvFamily(), "X,T\n0,1\n1,2\n", oneDimension());
+        NeutralTable table = read;
+        table.sign = SignConvention::Command;
+        VERIFY_ERROR(calibrationData(table), ErrorCode::FormatCannotHold);
+    }
+
+    void theNumberOfDimensionsMustBeSaid()
+    {
+        VERIFY_ERROR(calibrationCsvFamily().read(unevenText, {}), ErrorCode::InvalidArgument);
+    }
+
+    void aTamTableNeedsALayout()
+    {
+        VERIFY_ERROR(tamTableFamily().read("TAM", {}), ErrorCode::InvalidArgument);
+    }
+
+    void everyFormatHasItsFacts()
+    {
+        std::set<std::string_view> names;
+        for (const TableFamily* family : tableFamilies()) {
+            const FamilyFacts& facts = family->facts;
+            const std::string name(facts.name);
+            QVERIFY2(names.insert(facts.name).second, name.c_str());
+            QVERIFY2(family->read || family->write, name.c_str());
+            QVERIFY2(!facts.controller.empty() && !facts.description.empty()
+                    && !facts.extensions.empty() && !facts.numbers.empty(),
+                name.c_str());
+            QVERIFY2(facts.fewestDimensions >= 1 && facts.mostDimensions <= 3
+                    && facts.fewestDimensions <= facts.mostDimensions,
+                name.c_str());
+            QVERIFY2(!facts.rules.empty(), name.c_str());
+            const bool hasAssumption = facts.signEvidence == Evidence::Assumed
+                || facts.outsideEvidence == Evidence::Assumed;
+            QVERIFY2(!hasAssumption || !facts.assumptions.empty(), name.c_str());
+            QVERIFY2(familyNamed(facts.name).value() == family, name.c_str());
+        }
+    }
+
+    void unknownNamesListTheKnownOnes()
+    {
+        const auto family = familyNamed("tamtable");
+        VERIFY_ERROR(family, ErrorCode::UnknownFormat);
+        QVERIFY(sentence(family.error()).find("csv, tamtbl") != std::string::npos);
+    }
+
+    void aFileIsReadAsWhatItsContentIs()
+    {
+        const auto choice = chooseFamily("1 2\n0 0.1\n1 0.2\n", "table.dat", false);
+        VERIFY_RESULT(choice);
+        QCOMPARE(choice->family, &softmcFamily());
+        const auto csv = chooseFamily("X,T\n0,1\n1,2\n", "x.csv", true);
+        VERIFY_RESULT(csv);
+        QCOMPARE(csv->family, &calibrationCsvFamily());
+        const auto tam = chooseFamily("anything", "X.TAMTBL", false);
+        VERIFY_RESULT(tam);
+        QCOMPARE(tam->family, &tamTableFamily());
+        VERIFY_ERROR(chooseFamily("?", "x.bin", false), ErrorCode::UnknownFormat);
+    }
+};
+
+AXISCOMP_TEST(TestCalibrationTables)
+
+} // namespace tst_triamec
+
+#include "tst_triamec.moc"

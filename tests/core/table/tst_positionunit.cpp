@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/table/position_unit.h"
+#include "tests/support/compensator_fixture.h"
+#include "tests/support/test_registry.h"
+#include "tests/support/verify.h"
+
+#include <QTest>
+
+namespace tst_positionunit {
+
+using namespace axiscomp;
+using test::DriveFixture;
+using test::exampleRequest;
+
+class TestPositionUnit : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { test::failOnWarnings(); }
+
+    void aDrivesUnitHasASymbol()
+    {
+        QCOMPARE(unitSymbol("Millimeter"), "mm");
+        QCOMPARE(unitSymbol("Degree"), "deg");
+        QCOMPARE(unitSymbol("None"), "");
+        QCOMPARE(unitSymbol("Furlong"), "Furlong");
+    }
+
+    void unitsOfOneKindHaveAFactor_data()
+    {
+        QTest::addColumn<QByteArray>("from");
+        QTest::addColumn<QByteArray>("to");
+        QTest::addColumn<double>("factor"); // 0: none
+        const auto row = [](const char* from, const char* to, double factor) {
+            QTest::addRow("%s to %s", from, to) << QByteArray(from) << QByteArray(to) << factor;
+        };
+        row("um", "mm", 0.001);
+        row("mm", "um", 1000.0);
+        row("µm", "Millimeter", 0.001);
+        row("\u03bcm", "nm", 1000.0);
+        row("Inch", "mm", 25.4);
+        row("m", "um", 1e6);
+        row("deg", "Radian", 0.017453292519943295);
+        row("arcsec", "°", 1.0 / 3600.0);
+        row("mm", "deg", 0.0);
+        row("mm", "Furlong", 0.0);
+        row("", "mm", 0.0);
+    }
+    void unitsOfOneKindHaveAFactor()
+    {
+        QFETCH(QByteArray, from);
+        QFETCH(QByteArray, to);
+        QFETCH(double, factor);
+        const auto found = unitFactor(from.constData(), to.constData());
+        QCOMPARE(found.has_value(), factor != 0.0);
+        if (found)
+            QVERIFY2(std::abs(*found / factor - 1.0) < 1e-12, qPrintable(QString::number(*found)));
+    }
+
+    void spellingsOfAUnitAreTheSame()
+    {
+        QVERIFY(isSameUnit("um", "µm"));
+        QVERIFY(isSameUnit("MM", "Millimeter"));
+        QVERIFY(isSameUnit("°", "Degree"));
+        QVERIFY(isSameUnit("Furlong", "furlong"));
+        QVERIFY(!isSameUnit("um", "mm"));
+        QVERIFY(!isSameUnit("mrad", "mm"));
+        QVERIFY(!isSameUnit("", "mm"));
+    }
+
+    void aPlanWarnsOfValuesInAnotherUnit_data()
+    {
+        QTest::addColumn<QByteArray>("unit");
+        QTest::addColumn<QByteArray>("warning");
+        const QByteArray begin = "The file says that the values are in ";
+        const QByteArray end =
+            ", but axis 0 (X) counts in mm: the numbers are written as they are, not converted";
+        QTest::newRow("um") << QByteArray("um") << begin + "um" + end + ", 1000 times too large.";
+        QTest::newRow("nm") << QByteArray("nm")
+                            << begin + "nm" + end + ", 1000000 times too large.";
+        QTest::newRow("inch") << QByteArray("inch")
+                              << begin + "inch" + end + ", 25.4 times too small.";
+        QTest::newRow("m") << QByteArray("m") << begin + "m" + end + ", 1000 times too small.";
+        QTest::newRow("another kind") << QByteArray("deg") << begin + "deg" + end + '.';
+        QTest::newRow("unheard of") << QByteArray("ticks") << begin + "ticks" + end + '.';
+        QTest::newRow("the drive's") << QByteArray("mm") << QByteArray();
+        QTest::newRow("the drive's name of it") << QByteArray("millimeter") << QByteArray();
+        QTest::newRow("none") << QByteArray() << QByteArray();
+    }
+    void aPlanWarnsOfValuesInAnotherUnit()
+    {
+        QFETCH(QByteArray, unit);
+        QFETCH(QByteArray, warning);
+        DriveFixture fixture;
+        WriteRequest request = exampleRequest(1);
+        request.table->unit = unit.toStdString();
+        const auto plan = fixture.compensator.plan(0, request);
+        VERIFY_RESULT(plan);
+        QCOMPARE(plan->warnings.size(), warning.isEmpty() ? std::size_t{0} : std::size_t{1});
+        if (!warning.isEmpty())
+            QCOMPARE(QByteArray::fromStdString(plan->warnings.front()), warning);
+    }
+};
+
+AXISCOMP_TEST(TestPositionUnit)
+
+} // namespace tst_positionunit
+
+#include "tst_positionunit.moc"

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Putting back what has reached flash costs flash operations too: a write that could not be put
+// back does not begin, and one that needs none for that may use the last.
+#include "tests/support/compensator_fixture.h"
+#include "tests/support/test_registry.h"
+#include "tests/support/verify.h"
+
+#include <QTest>
+
+#include <functional>
+
+namespace tst_flashreserve {
+
+using namespace axiscomp;
+using namespace axiscomp::test;
+
+namespace {
+
+WriteRequest into(WriteRequest request, const char* slot)
+{
+    request.slot = slot;
+    return request;
+}
+
+WriteRequest persistent(int seed, const char* slot)
+{
+    return into(exampleRequest(seed, Persistency::Persistent), slot);
+}
+
+WriteRequest trial(int seed, const char* slot)
+{
+    return into(exampleRequest(seed, Persistency::Volatile), slot);
+}
+
+int operationsLeft(DriveFixture& f)
+{
+    const auto use = f.compensator.flashUse();
+    return use ? use->budget.left : -1;
+}
+
+/// Spends operations, by the drive's count and by the store's, until this many are left.
+void leave(DriveFixture& f, int left)
+{
+    const auto& layout = drivecomm::genericProfile().layout;
+    for (int seed = 100; operationsLeft(f) > left; ++seed) {
+        VERIFY_RESULT(f.drive.upload(
+            "tables/large2.TAMtbl", *encodeTamTable(exampleTable(1, seed), true, layout)));
+        VERIFY_RESULT(f.store.recordFlash(4711, f.wallTime(), 1));
+    }
+    QCOMPARE(operationsLeft(f), left);
+}
+
+using Step = std::function<Result<WriteReport>(DriveFixture&)>;
+
+/// A write, and the operations that must be possible before it begins.
+struct Kind {
+    std::function<void(DriveFixture&)> prepare;
+    Step write;
+    int needed = 0;
+};
+
+Step writing(const WriteRequest& request)
+{
+    return [request](DriveFixture& f) { return f.compensator.write(0, request); };
+}
+
+Step making(Persistency persistency)
+{
+    return [persistency](DriveFixture& f) { return f.compensator.setPersistency(0, persistency); };
+}
+
+std::function<void(DriveFixture&)> having(const std::vector<WriteRequest>& requests)
+{
+    return [requests](DriveFixture& f) {
+        for (const WriteRequest& request : requests)
+            VERIFY_RESULT(f.compensator.write(0, request));
+    };
+}
+
+} // namespace
+
+class TestFlashReserve : public QObject {
+    Q_OBJECT
+
+private:
+    static void kinds()
+    {
+        QTest::addColumn<Kind>("kind");
+        QTest::newRow("first, to an empty slot")
+            << Kind{[](DriveFixture&) {}, writing(exampleRequest(1, Persistency::Persistent)), 1};
+        QTest::newRow("in turn") << Kind{having({persistent(1, "Small1"), persistent(2, "Small2")}),
+            writing(exampleRequest(3, Persistency::Persistent)), 1};
+        QTest::newRow("in place") << Kind{
+            having({persistent(1, "Small1")}), writing(persistent(2, "Small1")), 2};
+        QTest::newRow("in place, volatile before")
+            << Kind{having({trial(1, "Small1")}), writing(persistent(2, "Small1")), 2};
+        QTest::newRow("in place, volatile before over another one in flash")
+            << Kind{having({persistent(1, "Small1"), trial(2, "Small1")}),
+                   writing(persistent(3, "Small1")), 2};
+        QTest::newRow("named, persistent there")
+            << Kind{having({persistent(1, "Small1"), persistent(2, "Small2")}),
+                   writing(persistent(3, "Small1")), 2};
+        QTest::newRow("elsewhere, volatile before over another one in flash")
+            << Kind{having({persistent(1, "Small1"), trial(2, "Small1")}),
+                   writing(persistent(3, "Small2")), 2};
+        QTest::newRow("made persistent")
+            << Kind{having({trial(1, "Small1")}), making(Persistency::Persistent), 2};
+        QTest::newRow("made volatile")
+            << Kind{having({persistent(1, "Small1")}), making(Persistency::Volatile), 2};
+        QTest::newRow("volatile, in place")
+            << Kind{having({persistent(1, "Small1")}), writing(trial(2, "Small1")), 0};
+    }
+
+private Q_SLOTS:
+    void init() { failOnWarnings(); }
+
+    void aWriteThatCouldNotBePutBackDoesNotBegin_data() { kinds(); }
+    void aWriteThatCouldNotBePutBackDoesNotBegin()
+    {
+        QFETCH(Kind, kind);
+        DriveFixture f;
+        kind.prepare(f);
+        if (kind.needed > 0) {
+            leave(f, kind.needed - 1);
+            const DriveFixture::State old = f.state();
+            f.link.forgetChange();
+            const auto refused = kind.write(f);
+            VERIFY_ERROR(refused, ErrorCode::FlashWear);
+            QCOMPARE(f.link.firstChange(), 0);
+            QVERIFY(f.state() == old);
+            const bool isForReserve =
+                sentence(refused.error()).find("putting everything back") != std::string::npos;
+            QCOMPARE(isForReserve, kind.needed > 1);
+            f.pass(std::chrono::seconds(std::stoi(refused.error().context.at("seconds"))));
+        } else {
+            leave(f, 0);
+        }
+        VERIFY_RESULT(kind.write(f));
+    }
+
+    void aWriteThatBeginsCanBePutBackFromEveryExchange_data() { kinds(); }
+    void aWriteThatBeginsCanBePutBackFromEveryExchange()
+    {
+        QFETCH(Kind, kind);
+        DriveFixture whole;
+        kind.prepare(whole);
+        leave(whole, kind.needed);
+        const int begin = whole.link.exchanges();
+        VERIFY_RESULT(kind.write(whole));
+        const int exchanges = whole.link.exchanges() - begin;
+        const DriveFixture::State wanted = whole.state();
+        int putBack = 0;
+        for (int exchange = 1; exchange <= exchanges; ++exchange) {
+            for (const LinkFault fault : {LinkFault::Refused, LinkFault::ReplyLost,
+                     LinkFault::StoresWrong, LinkFault::RequestLost}) {
+                DriveFixture f;
+                kind.prepare(f);
+                leave(f, kind.needed);
+                const DriveFixture::State old = f.state();
+                f.link.failAt(exchange, fault);
+                const auto written = kind.write(f);
+                const std::string place = std::to_string(exchange) + " of "
+                    + std::to_string(exchanges) + ", fault "
+                    + std::to_string(static_cast<int>(fault)) + ": "
+                    + (written ? "done" : describe(written.error()));
+                QVERIFY2(f.state() == (written ? wanted : old), place.c_str());
+                QVERIFY2(
+                    written || written.error().code != ErrorCode::RollbackFailed, place.c_str());
+                QVERIFY2(f.text("General/Signals/DriveError") == "None", place.c_str());
+                putBack += written ? 0 : 1;
+            }
+        }
+        QVERIFY(putBack > 0);
+    }
+
+    void aFileThatCouldNotBePutBackIsNotUploaded()
+    {
+        const auto& layout = drivecomm::genericProfile().layout;
+        const std::string path = "tables/small5.TAMtbl";
+        DriveFixture f;
+        VERIFY_RESULT(
+            f.compensator.upload(path, *encodeTamTable(exampleTable(1, 1), true, layout)));
+        leave(f, 1);
+        const Bytes next = *encodeTamTable(exampleTable(1, 2), true, layout);
+        const auto refused = f.compensator.upload(path, next);
+        VERIFY_ERROR(refused, ErrorCode::FlashWear);
+        QCOMPARE(refused.error().context.at("reserve"), std::string("1"));
+        f.pass(std::chrono::seconds(std::stoi(refused.error().context.at("seconds"))));
+        VERIFY_RESULT(f.compensator.upload(path, next));
+    }
+};
+
+AXISCOMP_TEST(TestFlashReserve)
+
+} // namespace tst_flashreserve
+
+#include "tst_flashreserve.moc"

@@ -1,0 +1,345 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/compensator_fixture.h"
+#include "tests/support/test_registry.h"
+#include "tests/support/verify.h"
+
+#include <QTest>
+
+namespace tst_recovery {
+
+using namespace axiscomp;
+using axiscomp::test::DriveFixture;
+using axiscomp::test::exampleRequest;
+using axiscomp::test::exampleTable;
+using axiscomp::test::LinkFault;
+
+namespace {
+
+/// A write of a persistent table that was interrupted: exchange counts from its first change.
+struct Interrupted : DriveFixture {
+    explicit Interrupted(int exchange = 2)
+    {
+        QVERIFY(compensator.write(0, exampleRequest(1, Persistency::Persistent)).has_value());
+        old = state();
+        DriveFixture whole;
+        QVERIFY(whole.compensator.write(0, exampleRequest(1, Persistency::Persistent)).has_value());
+        const int begin = whole.link.exchanges();
+        whole.link.forgetChange();
+        QVERIFY(whole.compensator.write(0, exampleRequest(2, Persistency::Persistent)).has_value());
+        wanted = whole.state();
+        link.failAt(whole.link.firstChange() - begin + exchange, LinkFault::DriveGone);
+        QVERIFY(!compensator.write(0, exampleRequest(2, Persistency::Persistent)).has_value());
+        link.heal();
+        entry = *store.journal(4711, 0).value();
+    }
+    [[nodiscard]] bool isUnfinished() { return store.journal(4711, 0).value().has_value(); }
+
+    State old;
+    State wanted;
+    JournalEntry entry;
+};
+
+struct Scenario {
+    const char* name;
+    Persistency before; ///< of the old table
+    Persistency after;
+    bool hasOldTable;
+    bool isSlotFree;
+    bool keepsTable; ///< only persistency and sources change
+};
+
+constexpr std::array scenarios{
+    Scenario{"first, volatile", Persistency::Volatile, Persistency::Volatile, false, true, false},
+    Scenario{
+        "first, persistent", Persistency::Volatile, Persistency::Persistent, false, true, false},
+    Scenario{"replace, volatile by volatile", Persistency::Volatile, Persistency::Volatile, true,
+        true, false},
+    Scenario{"replace, persistent by persistent", Persistency::Persistent, Persistency::Persistent,
+        true, true, false},
+    Scenario{"replace, persistent by volatile", Persistency::Persistent, Persistency::Volatile,
+        true, true, false},
+    Scenario{"overwrite in place, volatile", Persistency::Volatile, Persistency::Volatile, true,
+        false, false},
+    Scenario{"overwrite in place, persistent", Persistency::Persistent, Persistency::Persistent,
+        true, false, false},
+    Scenario{"make persistent", Persistency::Volatile, Persistency::Persistent, true, true, true},
+    Scenario{"make volatile", Persistency::Persistent, Persistency::Volatile, true, true, true},
+};
+
+/// A drive in the state before the write, and the write.
+struct Begun : DriveFixture {
+    explicit Begun(const Scenario& chosen)
+    {
+        if (!chosen.isSlotFree)
+            fillOtherSlots();
+        if (chosen.hasOldTable) {
+            const auto written = compensator.write(0, exampleRequest(1, chosen.before));
+            QVERIFY2(written.has_value(), "the old table could not be written");
+        }
+        request = exampleRequest(2, chosen.after);
+        if (chosen.keepsTable) {
+            request.table.reset();
+            std::swap(request.sources[0], request.sources[1]);
+        }
+        old = state();
+    }
+
+    /// Tables of a drive program: with them there the axis has only one slot.
+    void fillOtherSlots()
+    {
+        const auto file =
+            encodeTamTable(exampleTable(1, 9), false, drivecomm::genericProfile().layout);
+        for (const TableSlot& slot : drivecomm::genericProfile().tableSlots) {
+            if (slot.name != "Small1")
+                QVERIFY(drive.upload(slot.file, *file).has_value());
+        }
+    }
+
+    Result<WriteReport> write() { return compensator.write(0, request); }
+
+    State old;
+    WriteRequest request;
+};
+
+using Recover = Result<WriteReport> (AxisCompensator::*)(
+    const JournalEntry&, const OperationOptions&);
+constexpr std::array ways{&AxisCompensator::finishUnfinished, &AxisCompensator::undoUnfinished};
+
+} // namespace
+
+class TestRecovery : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { test::failOnWarnings(); }
+
+    void anInterruptedWriteIsFinishedOrUndone_data()
+    {
+        QTest::addColumn<int>("scenario");
+        QTest::addColumn<int>("fault");
+        QTest::addColumn<bool>("finishes");
+        for (std::size_t s = 0; s < scenarios.size(); ++s) {
+            for (const LinkFault fault : {LinkFault::DriveGone, LinkFault::DriveGoneAfter}) {
+                for (const bool finishes : {true, false})
+                    QTest::addRow("%s: drive gone%s, %s", scenarios[s].name,
+                        fault == LinkFault::DriveGone ? "" : " after", finishes ? "finish" : "undo")
+                        << static_cast<int>(s) << static_cast<int>(fault) << finishes;
+            }
+        }
+    }
+
+    void anInterruptedWriteIsFinishedOrUndone()
+    {
+        QFETCH(int, scenario);
+        QFETCH(int, fault);
+        QFETCH(bool, finishes);
+        const Scenario& chosen = scenarios[static_cast<std::size_t>(scenario)];
+        Begun whole(chosen);
+        const int begin = whole.link.exchanges();
+        VERIFY_RESULT(whole.write());
+        const int exchanges = whole.link.exchanges() - begin;
+        const DriveFixture::State wanted = whole.state();
+        whole.drive.reboot();
+        const DriveFixture::State wantedAfterReboot = whole.state();
+
+        int unfinished = 0;
+        for (int exchange = 1; exchange <= exchanges; ++exchange) {
+            Begun c(chosen);
+            c.link.failAt(exchange, static_cast<LinkFault>(fault));
+            (void)c.write();
+            c.link.heal();
+            const QByteArray where = "exchange " + QByteArray::number(exchange);
+            const auto status = c.compensator.status(0);
+            VERIFY_RESULT(status);
+            if (!status->unfinishedWrite)
+                continue;
+            ++unfinished;
+            const JournalEntry entry = *status->unfinishedWrite;
+            const auto recovery = c.compensator.recovery(entry);
+            VERIFY_RESULT(recovery);
+            QVERIFY2(!recovery->finishObstacle && !recovery->undoObstacle, where);
+            const auto report = finishes ? c.compensator.finishUnfinished(entry)
+                                         : c.compensator.undoUnfinished(entry);
+            QVERIFY2(report.has_value(),
+                where + ": " + (report ? "" : test::describe(report.error()).c_str()));
+            QVERIFY2(c.state() == (finishes ? wanted : c.old),
+                where + ": Table is " + c.state().registers[0].c_str() + ", begun with "
+                    + entry.step.c_str());
+            QVERIFY2(!c.compensator.status(0)->unfinishedWrite, where + ": still unfinished");
+            QVERIFY2(keptTables(c).isEmpty(), where + ": the kept table is still there");
+            if (finishes && chosen.after == Persistency::Persistent) {
+                c.drive.reboot();
+                QVERIFY2(c.state() == wantedAfterReboot, where + ": gone after a reboot");
+            }
+            WriteRequest next = exampleRequest(3);
+            const auto following = c.compensator.write(0, next);
+            QVERIFY2(following.has_value(),
+                where + ": " + (following ? "" : test::describe(following.error()).c_str()));
+        }
+        QVERIFY2(unfinished > 0, "no interruption left anything to do");
+    }
+
+    void anotherDriveIsLeftAlone()
+    {
+        Interrupted c;
+        JournalEntry other = c.entry;
+        other.serialNumber = 1;
+        c.link.forgetChange();
+        for (const Recover way : ways)
+            VERIFY_ERROR((c.compensator.*way)(other, {}), ErrorCode::OtherDrive);
+        VERIFY_ERROR(c.compensator.recovery(other), ErrorCode::OtherDrive);
+        QCOMPARE(c.link.firstChange(), 0);
+    }
+
+    void anActiveCompensationIsLeftAlone()
+    {
+        Interrupted c;
+        c.set("Axes[0]/Commands/Compensations/Axis/Activation", std::string("AddToEncoders"));
+        const auto recovery = c.compensator.recovery(c.entry);
+        VERIFY_RESULT(recovery);
+        QVERIFY(recovery->finishObstacle->code == ErrorCode::CompensationActive);
+        QVERIFY(recovery->undoObstacle->code == ErrorCode::CompensationActive);
+        c.link.forgetChange();
+        for (const Recover way : ways)
+            VERIFY_ERROR((c.compensator.*way)(c.entry, {}), ErrorCode::CompensationActive);
+        QCOMPARE(c.link.firstChange(), 0);
+        QVERIFY(c.isUnfinished());
+    }
+
+    void anotherProgramThatWritesIsNotDisturbed()
+    {
+        Interrupted c;
+        DriveStore impatient(std::filesystem::path(c.folder.path().toStdString()) / "axiscomp", {});
+        AxisCompensator second(c.link, drivecomm::genericProfile(), impatient);
+        const auto lock = c.store.lockWrites(4711);
+        VERIFY_RESULT(lock);
+        c.link.forgetChange();
+        for (const Recover way : ways)
+            VERIFY_ERROR((second.*way)(c.entry, {}), ErrorCode::FileNotWritable);
+        QCOMPARE(c.link.firstChange(), 0);
+        QVERIFY(c.isUnfinished());
+    }
+
+    void whatSomebodyElseHasSettledIsSaid()
+    {
+        Interrupted c;
+        JournalEntry next = c.entry;
+        next.step = "save";
+        VERIFY_RESULT(c.store.openJournal(next));
+        VERIFY_ERROR(c.compensator.finishUnfinished(c.entry), ErrorCode::ChangedMeanwhile);
+        VERIFY_RESULT(c.store.closeJournal(4711, 0));
+        VERIFY_ERROR(c.compensator.undoUnfinished(c.entry), ErrorCode::NothingUnfinished);
+    }
+
+    void aJournalWithoutATableCanOnlyBeUndone()
+    {
+        Interrupted c;
+        c.entry.newTable.reset(); // as older versions kept it
+        VERIFY_RESULT(c.store.openJournal(c.entry));
+        const auto recovery = c.compensator.recovery(c.entry);
+        VERIFY_RESULT(recovery);
+        QVERIFY(recovery->finishObstacle->code == ErrorCode::TableNotKept);
+        QVERIFY(!recovery->undoObstacle);
+        VERIFY_ERROR(c.compensator.finishUnfinished(c.entry), ErrorCode::TableNotKept);
+        VERIFY_RESULT(c.compensator.undoUnfinished(c.entry));
+        QVERIFY(c.state() == c.old);
+    }
+
+    void aKeptTableThatIsDamagedIsNotWritten()
+    {
+        Interrupted c;
+        const auto file =
+            encodeTamTable(exampleTable(2, 7), false, drivecomm::genericProfile().layout);
+        VERIFY_RESULT(saveFile(c.entry.newTable->file, *file));
+        VERIFY_ERROR(c.compensator.finishUnfinished(c.entry), ErrorCode::FileNotReadable);
+        VERIFY_RESULT(c.compensator.undoUnfinished(c.entry));
+        QVERIFY(c.state() == c.old);
+    }
+
+    /// Whatever becomes of finishing: the way back still leads to the state before the write.
+    void finishingThatIsInterruptedCanStillBeUndone()
+    {
+        Interrupted whole;
+        const int begin = whole.link.exchanges();
+        VERIFY_RESULT(whole.compensator.finishUnfinished(whole.entry));
+        const int exchanges = whole.link.exchanges() - begin;
+        for (const LinkFault fault :
+            {LinkFault::DriveGone, LinkFault::DriveGoneAfter, LinkFault::Refused}) {
+            for (int exchange = 1; exchange <= exchanges; ++exchange) {
+                Interrupted c;
+                c.link.failAt(exchange, fault);
+                const auto finished = c.compensator.finishUnfinished(c.entry);
+                c.link.heal();
+                const QByteArray where = "exchange " + QByteArray::number(exchange);
+                if (finished)
+                    continue;
+                QVERIFY2(c.isUnfinished(), where);
+                const auto now = c.store.journal(4711, 0).value();
+                const auto undone = c.compensator.undoUnfinished(*now);
+                QVERIFY2(undone.has_value(),
+                    where + (undone ? "" : test::describe(undone.error()).c_str()));
+                QVERIFY2(c.state() == c.old, where);
+            }
+        }
+    }
+
+    void undoingThatIsInterruptedCanBeRepeatedOrFinished()
+    {
+        Interrupted whole(6);
+        const int begin = whole.link.exchanges();
+        VERIFY_RESULT(whole.compensator.undoUnfinished(whole.entry));
+        const int exchanges = whole.link.exchanges() - begin;
+        for (const bool finishes : {false, true}) {
+            for (int exchange = 1; exchange <= exchanges; ++exchange) {
+                Interrupted c(6);
+                c.link.failAt(exchange, LinkFault::DriveGone);
+                VERIFY_ERROR(c.compensator.undoUnfinished(c.entry), ErrorCode::NotConnected);
+                c.link.heal();
+                VERIFY_RESULT(finishes ? c.compensator.finishUnfinished(c.entry)
+                                       : c.compensator.undoUnfinished(c.entry));
+                QVERIFY(c.state() == (finishes ? c.wanted : c.old));
+                QVERIFY(!c.isUnfinished());
+            }
+        }
+    }
+
+    void aSlotThatAnotherAxisHasTakenStaysItsOwn()
+    {
+        for (const bool finishes : {true, false}) {
+            Interrupted c;
+            const TableSlot* slot = drivecomm::genericProfile().slotNamed(c.entry.newSlot);
+            const auto theirs =
+                encodeTamTable(exampleTable(1, 9), false, drivecomm::genericProfile().layout);
+            VERIFY_RESULT(c.drive.upload(slot->file, *theirs));
+            c.set("Axes[1]/Parameters/Compensations/Axis/Table", slot->name);
+            VERIFY_RESULT(finishes ? c.compensator.finishUnfinished(c.entry)
+                                   : c.compensator.undoUnfinished(c.entry));
+            QCOMPARE(c.drive.download(slot->file).value_or(Bytes{}), *theirs);
+            QCOMPARE(c.compensator.readTable(0)->values, exampleTable(2, finishes ? 2 : 1).values);
+        }
+    }
+
+    void aFailedWriteOverAnUnfinishedOneForgetsNothing()
+    {
+        Interrupted c;
+        c.drive.storeNextWrong();
+        VERIFY_ERROR(c.compensator.write(0, exampleRequest(5)), ErrorCode::VerifyMismatch);
+        QVERIFY(c.isUnfinished());
+        QVERIFY(*c.store.journal(4711, 0).value() == c.entry);
+        VERIFY_RESULT(c.compensator.finishUnfinished(c.entry));
+        QVERIFY(c.state() == c.wanted);
+    }
+
+private:
+    static QStringList keptTables(const Begun& c)
+    {
+        const QDir folder(c.folder.path() + QStringLiteral("/axiscomp/4711"));
+        return folder.entryList({QStringLiteral("*.TAMtbl")});
+    }
+};
+
+AXISCOMP_TEST(TestRecovery)
+
+} // namespace tst_recovery
+
+#include "tst_recovery.moc"

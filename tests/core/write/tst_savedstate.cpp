@@ -1,0 +1,444 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What a reboot brings back: the parameters that were saved last, with the tables that are in
+// flash. The two must belong together whichever axis was written last, and how.
+#include "tests/support/compensator_fixture.h"
+#include "tests/support/test_registry.h"
+#include "tests/support/verify.h"
+
+#include <QTest>
+
+#include <algorithm>
+#include <functional>
+
+namespace tst_savedstate {
+
+using namespace axiscomp;
+using namespace axiscomp::test;
+
+namespace {
+
+/// Other sources than exampleRequest's.
+WriteRequest swapped(int seed, Persistency persistency)
+{
+    WriteRequest request = exampleRequest(seed, persistency);
+    std::swap(request.sources[0], request.sources[1]);
+    return request;
+}
+
+WriteRequest into(WriteRequest request, const char* slot)
+{
+    request.slot = slot;
+    return request;
+}
+
+/// Runs act with the drive gone after each of its exchanges in turn, and off and on again: what an
+/// axis has then must satisfy isRight.
+void interruptEverywhere(const std::function<void(DriveFixture&)>& prepare,
+    const std::function<void(DriveFixture&)>& act,
+    const std::function<bool(const DriveFixture::State&)>& isRight)
+{
+    DriveFixture whole;
+    prepare(whole);
+    const int begin = whole.link.exchanges();
+    act(whole);
+    const int exchanges = whole.link.exchanges() - begin;
+    QVERIFY(exchanges > 10);
+    for (int exchange = 1; exchange <= exchanges; ++exchange) {
+        DriveFixture f;
+        prepare(f);
+        f.link.failAt(exchange, LinkFault::DriveGoneAfter);
+        act(f);
+        f.drive.reboot();
+        const DriveFixture::State now = f.state();
+        QVERIFY2(isRight(now),
+            qPrintable(QStringLiteral("exchange %1 of %2: %3")
+                           .arg(exchange)
+                           .arg(exchanges)
+                           .arg(QString::fromStdString(now.registers[0]))));
+    }
+}
+
+/// What a reboot leaves of what prepare does.
+DriveFixture::State rebooted(const std::function<void(DriveFixture&)>& prepare)
+{
+    DriveFixture f;
+    prepare(f);
+    f.drive.reboot();
+    return f.state();
+}
+
+bool contains(const std::vector<std::string>& texts, const std::string& part)
+{
+    return std::ranges::any_of(
+        texts, [&](const std::string& text) { return text.find(part) != std::string::npos; });
+}
+
+} // namespace
+
+class TestSavedState : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { failOnWarnings(); }
+
+    void savingAnAxisBringsNoEarlierTableBackToAnother()
+    {
+        DriveFixture f;
+        VERIFY_RESULT(f.compensator.write(1, exampleRequest(1, Persistency::Persistent)));
+        const DriveFixture::State saved = f.state(1);
+        VERIFY_RESULT(f.compensator.write(1, exampleRequest(2, Persistency::Volatile)));
+        VERIFY_RESULT(f.compensator.write(1, swapped(3, Persistency::Volatile)));
+        VERIFY_RESULT(f.compensator.write(0, exampleRequest(4, Persistency::Persistent)));
+        f.drive.reboot();
+        // Its table was volatile, so that there is none now; above all not the first.
+        const DriveFixture::State now = f.state(1);
+        QVERIFY(now.table.empty());
+        QVERIFY(now.registers != saved.registers);
+    }
+
+    void aPersistentWriteLeavesTheSavedTableUntilItIsSavedItself()
+    {
+        const auto prepare = [](DriveFixture& f) {
+            VERIFY_RESULT(f.compensator.write(0, exampleRequest(1, Persistency::Persistent)));
+            VERIFY_RESULT(f.compensator.write(0, exampleRequest(2, Persistency::Volatile)));
+        };
+        DriveFixture whole;
+        prepare(whole);
+        const int begin = whole.link.exchanges();
+        VERIFY_RESULT(whole.compensator.write(0, swapped(3, Persistency::Persistent)));
+        const int exchanges = whole.link.exchanges() - begin;
+        QVERIFY(exchanges > 10);
+        whole.drive.reboot();
+        const DriveFixture::State wanted = whole.state();
+
+        for (int exchange = 1; exchange <= exchanges; ++exchange) {
+            DriveFixture f;
+            prepare(f);
+            f.link.failAt(exchange, LinkFault::DriveGoneAfter);
+            (void)f.compensator.write(0, swapped(3, Persistency::Persistent));
+            f.drive.reboot();
+            DriveFixture old;
+            prepare(old);
+            old.drive.reboot();
+            const DriveFixture::State now = f.state();
+            QVERIFY2(now == old.state() || now == wanted,
+                qPrintable(QStringLiteral("exchange %1 of %2").arg(exchange).arg(exchanges)));
+        }
+    }
+
+    void savingDeletesWhatAVolatileTableCoversInFlash()
+    {
+        DriveFixture f;
+        VERIFY_RESULT(
+            f.compensator.write(1, into(exampleRequest(1, Persistency::Persistent), "Small3")));
+        VERIFY_RESULT(f.compensator.write(1, into(swapped(2, Persistency::Volatile), "Small3")));
+        const auto plan = f.compensator.plan(0, exampleRequest(4, Persistency::Persistent));
+        VERIFY_RESULT(plan);
+        QCOMPARE(plan->flashOperations, 2);
+        QVERIFY(contains(plan->warnings, "after a reboot that axis has no table"));
+        QVERIFY(contains(plan->warnings, "it is deleted before the parameters are saved"));
+        const auto counted = [&f] { return f.compensator.flashUse()->allCycles; };
+        const std::uint64_t before = counted();
+        VERIFY_RESULT(f.compensator.write(0, exampleRequest(4, Persistency::Persistent)));
+        QCOMPARE(counted(), before + 2);
+        QCOMPARE(f.store.flashHistory(4711)->total, std::uint64_t{3});
+        f.drive.reboot();
+        QCOMPARE(f.state(1).registers[0], std::string("Small3"));
+        QVERIFY(f.state(1).table.empty());
+        VERIFY_RESULT(f.compensator.write(0, exampleRequest(5, Persistency::Persistent)));
+    }
+
+    void aVolatileTableThatCoversAnotherIsAnnounced()
+    {
+        DriveFixture f;
+        VERIFY_RESULT(
+            f.compensator.write(0, into(exampleRequest(1, Persistency::Persistent), "Small1")));
+        VERIFY_RESULT(
+            f.compensator.write(0, into(exampleRequest(2, Persistency::Persistent), "Small2")));
+        const auto plan = f.compensator.plan(0, into(swapped(3, Persistency::Volatile), "Small1"));
+        VERIFY_RESULT(plan);
+        QVERIFY(contains(plan->warnings, "covers an older one that flash holds in Small1"));
+    }
+
+    void makingACoveringTablePersistentBringsNoMixture()
+    {
+        const auto prepare = [](DriveFixture& f) {
+            VERIFY_RESULT(
+                f.compensator.write(0, into(exampleRequest(1, Persistency::Persistent), "Small1")));
+            VERIFY_RESULT(
+                f.compensator.write(0, into(swapped(2, Persistency::Volatile), "Small1")));
+        };
+        const auto act = [](DriveFixture& f) {
+            (void)f.compensator.setPersistency(0, Persistency::Persistent);
+        };
+        const DriveFixture::State old = rebooted(prepare);
+        const DriveFixture::State wanted = rebooted([&](DriveFixture& f) {
+            prepare(f);
+            act(f);
+        });
+        QVERIFY(!wanted.table.empty() && wanted.registers != old.registers);
+        interruptEverywhere(prepare, act, [&](const DriveFixture::State& now) {
+            return now == old || now == wanted || now.table.empty();
+        });
+    }
+
+    void aPersistentTableForTheSlotThatIsSavedBringsNoMixture()
+    {
+        const auto prepare = [](DriveFixture& f) {
+            VERIFY_RESULT(
+                f.compensator.write(0, into(exampleRequest(1, Persistency::Persistent), "Small1")));
+            VERIFY_RESULT(
+                f.compensator.write(0, into(exampleRequest(2, Persistency::Volatile), "Small2")));
+        };
+        const WriteRequest request = into(swapped(3, Persistency::Persistent), "Small1");
+        const auto act = [&](DriveFixture& f) { (void)f.compensator.write(0, request); };
+        DriveFixture planned;
+        prepare(planned);
+        const auto plan = planned.compensator.plan(0, request);
+        VERIFY_RESULT(plan);
+        QVERIFY(contains(plan->warnings, "the axis may have no table after a reboot"));
+        const DriveFixture::State old = rebooted(prepare);
+        const DriveFixture::State wanted = rebooted([&](DriveFixture& f) {
+            prepare(f);
+            act(f);
+        });
+        QVERIFY(!wanted.table.empty() && wanted.registers != old.registers);
+        interruptEverywhere(prepare, act, [&](const DriveFixture::State& now) {
+            return now == old || now == wanted || now.table.empty();
+        });
+    }
+
+    void aSlotThatAnotherAxisNamesAfterARebootIsNotTaken()
+    {
+        DriveFixture f;
+        VERIFY_RESULT(f.compensator.write(1, into(exampleRequest(1), "Small1")));
+        VERIFY_RESULT(
+            f.compensator.write(0, into(exampleRequest(2, Persistency::Persistent), "Small2")));
+        f.drive.reboot(); // axis 1 names an empty slot now
+        VERIFY_RESULT(f.compensator.write(1, into(swapped(3, Persistency::Volatile), "Small3")));
+        const auto named = f.compensator.write(0, into(exampleRequest(4), "Small1"));
+        VERIFY_ERROR(named, ErrorCode::SlotInUse);
+        QCOMPARE(named.error().context.at("user"), std::string("axis 1 after a reboot"));
+        const auto chosen = f.compensator.write(0, exampleRequest(4));
+        VERIFY_RESULT(chosen);
+        QVERIFY(chosen->now.setup.slot != "Small1");
+        // Saved once more, the parameters do not name it any more.
+        VERIFY_RESULT(f.compensator.write(0, exampleRequest(5, Persistency::Persistent)));
+        VERIFY_RESULT(f.compensator.write(0, into(exampleRequest(4), "Small1")));
+    }
+
+    void aSavingThatDidNotEndForgetsNoSlot()
+    {
+        DriveFixture f;
+        VERIFY_RESULT(f.compensator.write(1, into(exampleRequest(1), "Small1")));
+        VERIFY_RESULT(
+            f.compensator.write(0, into(exampleRequest(2, Persistency::Persistent), "Small2")));
+        VERIFY_RESULT(f.compensator.write(1, into(exampleRequest(3), "Small3")));
+        const WriteRequest request = into(exampleRequest(4, Persistency::Persistent), "Small4");
+        DriveFixture counting;
+        const int begin = counting.link.exchanges();
+        VERIFY_RESULT(counting.compensator.write(0, request));
+        for (int exchange = 1; exchange <= counting.link.exchanges() - begin; ++exchange) {
+            f.link.failAt(exchange, LinkFault::ProgramDies);
+            try {
+                (void)f.compensator.write(0, request);
+            } catch (const ProgramDied&) {
+            }
+            f.link.heal();
+            const auto saved = f.store.savedState(4711);
+            VERIFY_RESULT(saved);
+            QVERIFY(saved->otherUser("Small1", 0) || saved->otherUser("Small3", 0));
+        }
+    }
+
+    void restoringLeavesASlotThatAnAxisNamesAfterAReboot()
+    {
+        DriveFixture f;
+        VERIFY_RESULT(
+            f.compensator.write(0, into(exampleRequest(1, Persistency::Persistent), "Small1")));
+        VERIFY_RESULT(
+            f.compensator.write(0, into(exampleRequest(2, Persistency::Persistent), "Small2")));
+        const auto backup = f.compensator.backup(); // Small1 is nobody's
+        VERIFY_RESULT(backup);
+        VERIFY_RESULT(f.compensator.write(0, into(swapped(3, Persistency::Persistent), "Small1")));
+        VERIFY_RESULT(
+            f.compensator.write(0, into(exampleRequest(2, Persistency::Volatile), "Small3")));
+        DriveBackup files = *backup;
+        files.axes.clear();
+        const auto restored = f.compensator.restore(files, false);
+        VERIFY_ERROR(restored, ErrorCode::SlotInUse);
+        QCOMPARE(restored.error().context.at("user"), std::string("axis 0 after a reboot"));
+        f.drive.reboot();
+        const DriveFixture::State now = f.state();
+        DriveFixture saved;
+        VERIFY_RESULT(
+            saved.compensator.write(0, into(swapped(3, Persistency::Persistent), "Small1")));
+        QVERIFY(now == saved.state());
+    }
+
+    void aRestoreThatTheDriveForgotInBetweenIsNotDone()
+    {
+        const auto prepare = [](DriveFixture& f) {
+            VERIFY_RESULT(f.compensator.write(0, exampleRequest(1)));
+            VERIFY_RESULT(f.compensator.write(1, exampleRequest(2)));
+        };
+        DriveFixture source;
+        prepare(source);
+        const auto backup = source.compensator.backup();
+        VERIFY_RESULT(backup);
+        const int begin = source.link.exchanges();
+        VERIFY_RESULT(source.compensator.write(0, exampleRequest(3)));
+        VERIFY_RESULT(source.compensator.restore(*backup, false));
+        const int exchanges = source.link.exchanges() - begin;
+        int notDone = 0;
+        for (int exchange = 1; exchange <= exchanges; ++exchange) {
+            DriveFixture f;
+            f.link.actBefore(exchange, [&f] { f.drive.reboot(); });
+            const auto restored = f.compensator.restore(*backup, false);
+            notDone += restored ? 0 : 1;
+            for (int axis = 0; restored && axis < 2; ++axis)
+                QVERIFY2(f.state(axis).table == source.state(axis).table,
+                    qPrintable(QStringLiteral("exchange %1, axis %2").arg(exchange).arg(axis)));
+        }
+        QVERIFY(notDone > 10);
+    }
+
+    void aFlashOperationIsRecordedAlsoWhenTheDriveIsGoneAfterIt()
+    {
+        const auto counted = [](DriveFixture& f) {
+            std::uint64_t cycles = 0;
+            for (const TableSlot& slot : drivecomm::genericProfile().tableSlots)
+                cycles += std::stoul(f.text("Application/Tables/" + slot.name + "/EraseCount"));
+            return cycles;
+        };
+        const WriteRequest request = exampleRequest(1, Persistency::Persistent);
+        DriveFixture whole;
+        VERIFY_RESULT(whole.compensator.write(0, request));
+        QCOMPARE(whole.store.flashHistory(4711)->total, std::uint64_t{1});
+        for (int exchange = 1; exchange <= whole.link.exchanges(); ++exchange) {
+            for (const LinkFault fault : {LinkFault::DriveGone, LinkFault::DriveGoneAfter}) {
+                DriveFixture f;
+                f.link.failAt(exchange, fault);
+                (void)f.compensator.write(0, request);
+                QVERIFY2(f.store.flashHistory(4711)->total >= counted(f),
+                    qPrintable(QStringLiteral("exchange %1").arg(exchange)));
+            }
+        }
+    }
+
+    void anUndoingKeepsTheTableThatARebootHasBroughtBack()
+    {
+        DriveFixture f;
+        VERIFY_RESULT(f.compensator.write(0, exampleRequest(1, Persistency::Persistent)));
+        VERIFY_RESULT(f.compensator.write(0, swapped(2, Persistency::Volatile)));
+        f.link.failAt(17, LinkFault::ProgramDies);
+        QVERIFY_THROWS_EXCEPTION(
+            ProgramDied, (void)f.compensator.write(0, into(exampleRequest(3), "Small5")));
+        f.link.heal();
+        f.drive.reboot();
+        const DriveFixture::State present = f.state();
+        QVERIFY(!present.table.empty());
+        const auto journal = f.store.journal(4711, 0);
+        VERIFY_RESULT(journal);
+        QVERIFY(journal->has_value());
+        const auto undone = f.compensator.undoUnfinished(**journal);
+        VERIFY_RESULT(undone);
+        QVERIFY(f.state() != present);
+        const auto text = loadFile(undone->backup, maximumBackupSize);
+        VERIFY_RESULT(text);
+        const auto backup = readBackup(asText(*text), "backup");
+        VERIFY_RESULT(backup);
+        VERIFY_RESULT(f.compensator.restore(*backup, false));
+        QVERIFY(f.state().table == present.table);
+    }
+
+    void anUndoingThatIsRefusedOnceIsDoneAllTheSame_data()
+    {
+        QTest::addColumn<int>("fault");
+        QTest::newRow("refused") << static_cast<int>(LinkFault::Refused);
+        QTest::newRow("stores wrong") << static_cast<int>(LinkFault::StoresWrong);
+    }
+    void anUndoingThatIsRefusedOnceIsDoneAllTheSame()
+    {
+        QFETCH(int, fault);
+        const auto interrupted = [](DriveFixture& f) {
+            VERIFY_RESULT(
+                f.compensator.write(0, into(exampleRequest(1, Persistency::Persistent), "Small1")));
+            f.link.failAt(27, LinkFault::ProgramDies);
+            QVERIFY_THROWS_EXCEPTION(ProgramDied,
+                (void)f.compensator.write(0, into(swapped(2, Persistency::Persistent), "Small1")));
+            f.link.heal();
+        };
+        DriveFixture whole;
+        interrupted(whole);
+        const auto journal = whole.store.journal(4711, 0);
+        VERIFY_RESULT(journal);
+        QVERIFY(journal->has_value());
+        const DriveFixture::State present = whole.state();
+        whole.link.forgetChange();
+        const int begin = whole.link.exchanges();
+        VERIFY_RESULT(whole.compensator.undoUnfinished(**journal));
+        const int first = whole.link.firstChange() - begin;
+        const int last = whole.link.exchanges() - begin;
+        const DriveFixture::State old = whole.state();
+        QVERIFY(old != present);
+        QVERIFY(0 < first && first < last);
+        for (int exchange = first; exchange < last; ++exchange) {
+            DriveFixture f;
+            interrupted(f);
+            f.link.failAt(exchange, static_cast<LinkFault>(fault));
+            (void)f.compensator.undoUnfinished(*f.store.journal(4711, 0).value());
+            const DriveFixture::State now = f.state();
+            QVERIFY2(now == old || now == present,
+                qPrintable(QStringLiteral("exchange %1 of %2: %3")
+                               .arg(exchange)
+                               .arg(last)
+                               .arg(QString::fromStdString(now.registers[0]))));
+        }
+    }
+
+    void anUndoingThatFlashIsTooWornForDoesNotBegin()
+    {
+        DriveFixture f;
+        VERIFY_RESULT(
+            f.compensator.write(0, into(exampleRequest(1, Persistency::Persistent), "Small1")));
+        f.link.failAt(27, LinkFault::ProgramDies);
+        QVERIFY_THROWS_EXCEPTION(ProgramDied,
+            (void)f.compensator.write(0, into(swapped(2, Persistency::Persistent), "Small1")));
+        f.link.heal();
+        VERIFY_RESULT(f.store.recordFlash(4711, f.wallTime(), 8));
+        const DriveFixture::State present = f.state();
+        const auto journal = f.store.journal(4711, 0);
+        VERIFY_ERROR(f.compensator.undoUnfinished(**journal), ErrorCode::FlashWear);
+        QVERIFY(f.state() == present);
+        f.pass(drivecomm::genericProfile().flashWear.window);
+        VERIFY_RESULT(f.compensator.undoUnfinished(**journal));
+    }
+
+    void whatIsUndoneIsSavedAgainWhenAnotherAxisHasSavedItSwitchedOff()
+    {
+        DriveFixture f;
+        VERIFY_RESULT(
+            f.compensator.write(0, into(exampleRequest(1, Persistency::Persistent), "Small1")));
+        const DriveFixture::State old = f.state();
+        f.link.failAt(17, LinkFault::ProgramDies);
+        QVERIFY_THROWS_EXCEPTION(ProgramDied,
+            (void)f.compensator.write(0, into(swapped(2, Persistency::Volatile), "Small1")));
+        f.link.heal();
+        QCOMPARE(f.state().registers[0], std::string("Disabled"));
+        VERIFY_RESULT(f.compensator.write(1, exampleRequest(3, Persistency::Persistent)));
+        const auto journal = f.store.journal(4711, 0);
+        VERIFY_RESULT(journal);
+        VERIFY_RESULT(f.compensator.undoUnfinished(**journal));
+        QVERIFY(f.state() == old);
+        f.drive.reboot();
+        QVERIFY(f.state() == old);
+    }
+};
+
+AXISCOMP_TEST(TestSavedState)
+
+} // namespace tst_savedstate
+
+#include "tst_savedstate.moc"

@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Two programs on two computers, which share no lock. An operation is run once to find its first
+// change of the drive; then again for every exchange before that, with a second program that
+// changes something just before it. Nothing of what the second one did may be lost.
+#include "tests/support/compensator_fixture.h"
+#include "tests/support/test_registry.h"
+#include "tests/support/verify.h"
+
+#include <QTest>
+
+namespace tst_secondprogram {
+
+using namespace axiscomp;
+using axiscomp::test::DriveFixture;
+using axiscomp::test::exampleRequest;
+using axiscomp::test::exampleTable;
+
+namespace {
+
+const std::string axis0 = "Axes[0]/Parameters/Compensations/Axis/";
+const std::string axis1 = "Axes[1]/Parameters/Compensations/";
+
+/// Everything that programs change: parameters, and the files of all slots.
+struct Contents {
+    std::vector<std::string> parameters;
+    std::vector<Bytes> files;
+    friend bool operator==(const Contents&, const Contents&) = default;
+};
+
+Contents contentsOf(drivecomm::VirtualDrive& drive)
+{
+    Contents contents;
+    for (const char* prefix : {"Axes[0]/Parameters", "Axes[1]/Parameters"}) {
+        for (const RegisterReading& reading : drive.readTree(prefix))
+            contents.parameters.push_back(reading.path + " = " + toText(reading.value));
+    }
+    for (const TableSlot& slot : drivecomm::genericProfile().tableSlots)
+        contents.files.push_back(drive.download(slot.file).value_or(Bytes{}));
+    return contents;
+}
+
+Bytes tableFile(int seed)
+{
+    return *encodeTamTable(exampleTable(1, seed), false, drivecomm::genericProfile().layout);
+}
+
+/// An axis with one table; the write of another one takes `target`.
+struct Case : DriveFixture {
+    explicit Case(Persistency before)
+    {
+        const auto written = compensator.write(0, exampleRequest(1, before));
+        QVERIFY2(written.has_value(), "the old table could not be written");
+        const auto status = compensator.status(0);
+        QVERIFY(status.has_value());
+        seen = status->setup;
+    }
+
+    void upload(const std::string& slot, int seed)
+    {
+        QVERIFY(drive.upload(drivecomm::genericProfile().slotNamed(slot)->file, tableFile(seed))
+                    .has_value());
+    }
+
+    CompensationSetup seen;
+};
+
+struct Operation {
+    const char* name;
+    Persistency before;
+    std::function<Result<void>(Case&)> run;
+};
+
+template <typename T> Result<void> asVoid(const Result<T>& result)
+{
+    return result ? Result<void>{} : Result<void>(fail(result.error()));
+}
+
+Result<void> write(Case& c, WriteRequest request)
+{
+    request.expected = c.seen;
+    return asVoid(c.compensator.write(0, request));
+}
+
+WriteRequest inPlace(Persistency persistency)
+{
+    WriteRequest request = exampleRequest(2, persistency);
+    request.slot = "Small1";
+    return request;
+}
+
+WriteRequest keepingTable(Persistency persistency)
+{
+    WriteRequest request = exampleRequest(1, persistency);
+    request.table.reset();
+    std::swap(request.sources[0], request.sources[1]);
+    return request;
+}
+
+const std::vector<Operation> operations{
+    {"replace, volatile", Persistency::Volatile,
+        [](Case& c) { return write(c, exampleRequest(2, Persistency::Volatile)); }},
+    {"replace, persistent", Persistency::Persistent,
+        [](Case& c) { return write(c, exampleRequest(2, Persistency::Persistent)); }},
+    {"in place", Persistency::Volatile,
+        [](Case& c) { return write(c, inPlace(Persistency::Volatile)); }},
+    {"other sources", Persistency::Volatile,
+        [](Case& c) { return write(c, keepingTable(Persistency::Volatile)); }},
+    {"make persistent", Persistency::Volatile,
+        [](Case& c) { return write(c, keepingTable(Persistency::Persistent)); }},
+    {"make volatile", Persistency::Persistent,
+        [](Case& c) { return write(c, keepingTable(Persistency::Volatile)); }},
+    {"plain upload", Persistency::Volatile,
+        [](Case& c) { return asVoid(c.compensator.upload("tables/small2.TAMtbl", tableFile(5))); }},
+    {"restore of a file", Persistency::Volatile,
+        [](Case& c) {
+            DriveBackup backup;
+            backup.drive = c.drive.identity();
+            backup.otherFiles = {{"Small2", "tables/small2.TAMtbl", tableFile(6), false}};
+            return asVoid(c.compensator.restore(backup, false));
+        }},
+};
+
+/// What the second program does.
+struct Deed {
+    const char* name;
+    bool isOfAxis; ///< of the axis that is written; otherwise of the slot that the write takes
+    std::function<void(Case&)> act;
+};
+
+const std::vector<Deed> deeds{
+    {"another source", true, [](Case& c) { c.set(axis0 + "Dim2Source", std::uint32_t{0}); }},
+    {"no table", true, [](Case& c) { c.set(axis0 + "Table", std::string("Disabled")); }},
+    {"another table in its slot", true, [](Case& c) { c.upload("Small1", 8); }},
+    {"a table in the other slot", false, [](Case& c) { c.upload("Small2", 9); }},
+    {"another axis uses the other slot", false,
+        [](Case& c) { c.set(axis1 + "Axis/Table", std::string("Small2")); }},
+    {"a cogging compensation uses the other slot", false,
+        [](Case& c) { c.set(axis1 + "Cogging/Table", std::string("Small2")); }},
+    {"the compensation is activated", true,
+        [](Case& c) {
+            c.set("Axes[0]/Commands/Compensations/Axis/Activation", std::string("AddToEncoders"));
+        }},
+};
+
+bool isRefusal(ErrorCode code)
+{
+    return code == ErrorCode::ChangedMeanwhile || code == ErrorCode::CompensationActive
+        || code == ErrorCode::SlotInUse || code == ErrorCode::NoTable
+        || code == ErrorCode::DimensionMismatch || code == ErrorCode::NotAllowedNow;
+}
+
+} // namespace
+
+class TestSecondProgram : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { test::failOnWarnings(); }
+
+    void whatItDidIsNeverOverwritten_data()
+    {
+        QTest::addColumn<int>("operation");
+        QTest::addColumn<int>("deed");
+        for (std::size_t o = 0; o < operations.size(); ++o) {
+            for (std::size_t d = 0; d < deeds.size(); ++d)
+                QTest::addRow("%s: %s", operations[o].name, deeds[d].name)
+                    << static_cast<int>(o) << static_cast<int>(d);
+        }
+    }
+
+    void whatItDidIsNeverOverwritten()
+    {
+        QFETCH(int, operation);
+        QFETCH(int, deed);
+        const Operation& first = operations[static_cast<std::size_t>(operation)];
+        const Deed& second = deeds[static_cast<std::size_t>(deed)];
+
+        Case whole(first.before);
+        const int begin = whole.link.exchanges();
+        whole.link.forgetChange();
+        VERIFY_RESULT(first.run(whole));
+        const int firstChange = whole.link.firstChange() - begin;
+        QVERIFY(firstChange > 3);
+
+        Case alone(first.before);
+        second.act(alone);
+        const Contents others = contentsOf(alone.drive);
+
+        int noticed = 0;
+        for (int exchange = 1; exchange < firstChange; ++exchange) {
+            Case c(first.before);
+            c.link.actBefore(exchange, [&] { second.act(c); });
+            const auto outcome = first.run(c);
+            const Contents now = contentsOf(c.drive);
+            const std::string said = outcome ? "success" : test::describe(outcome.error());
+            const QByteArray where = "exchange " + QByteArray::number(exchange) + " of "
+                + QByteArray::number(firstChange) + ": " + said.c_str();
+            if (!outcome) {
+                ++noticed;
+                QVERIFY2(isRefusal(outcome.error().code), where);
+                QVERIFY2(now == others, where + "; but something was changed");
+                if (outcome.error().code == ErrorCode::ChangedMeanwhile) {
+                    QVERIFY2(said.find('?') == std::string::npos, where);
+                    QVERIFY2(
+                        outcome.error().context.at("before") != outcome.error().context.at("now"),
+                        where);
+                }
+                continue;
+            }
+            // It came in time to be planned for, or concerns nothing that this operation changes.
+            QVERIFY2(isKept(first, second, others, now),
+                where + "; what the second program did is lost");
+        }
+        if (mustBeNoticed(first, second))
+            QVERIFY2(second.isOfAxis ? noticed == firstChange - 1 : noticed > 0,
+                QByteArray::number(noticed) + " times noticed");
+    }
+
+    void aBackupIsOfOneState()
+    {
+        Case whole(Persistency::Volatile);
+        const int begin = whole.link.exchanges();
+        const auto old = whole.compensator.backup();
+        VERIFY_RESULT(old);
+        const int exchanges = whole.link.exchanges() - begin;
+        const auto sameAs = [](const AxisBackup& a, const Result<DriveBackup>& b) {
+            return a.registers == b->axes.front().registers && a.files == b->axes.front().files;
+        };
+
+        int noticed = 0;
+        for (int exchange = 1; exchange <= exchanges; ++exchange) {
+            Case c(Persistency::Volatile);
+            WriteRequest request = inPlace(Persistency::Volatile);
+            std::swap(request.sources[0], request.sources[1]);
+            c.link.actBefore(exchange, [&] {
+                const auto link = drivecomm::makeDirectLink(c.drive);
+                AxisCompensator second(*link, drivecomm::genericProfile(), c.store);
+                VERIFY_RESULT(second.write(0, request));
+            });
+            const auto backup = c.compensator.backup();
+            const QByteArray where = "exchange " + QByteArray::number(exchange);
+            if (!backup) {
+                ++noticed;
+                QVERIFY2(backup.error().code == ErrorCode::ChangedMeanwhile, where);
+                continue;
+            }
+            const auto now = c.compensator.backup();
+            VERIFY_RESULT(now);
+            QVERIFY2(sameAs(backup->axes.front(), old) || sameAs(backup->axes.front(), now), where);
+        }
+        QVERIFY(noticed > 0);
+    }
+
+private:
+    static bool changesTheAxis(const Operation& operation)
+    {
+        return std::string_view(operation.name) != "plain upload"
+            && std::string_view(operation.name) != "restore of a file";
+    }
+    static bool usesTheOtherSlot(const Operation& operation)
+    {
+        const std::string_view name = operation.name;
+        return name.starts_with("replace") || !changesTheAxis(operation);
+    }
+    static bool mustBeNoticed(const Operation& operation, const Deed& deed)
+    {
+        return deed.isOfAxis ? changesTheAxis(operation) : usesTheOtherSlot(operation);
+    }
+    /// The slot that the second program uses is still its own. Who names a slot may overwrite a
+    /// table there that was seen in time, as a copy of it is kept.
+    static bool isKept(
+        const Operation& operation, const Deed& deed, const Contents& others, const Contents& now)
+    {
+        const std::string_view name = operation.name;
+        const bool isNamed = name == "plain upload"
+            || (name == "restore of a file" && std::string_view(deed.name).starts_with("a table"));
+        if (deed.isOfAxis || isNamed)
+            return true;
+        const bool hasRegisters =
+            std::ranges::all_of(others.parameters, [&](const auto& parameter) {
+                const bool isTheirs = parameter.starts_with("Axes[1]/");
+                return !isTheirs
+                    || std::ranges::find(now.parameters, parameter) != now.parameters.end();
+            });
+        return hasRegisters && now.files.at(1) == others.files.at(1);
+    }
+};
+
+AXISCOMP_TEST(TestSecondProgram)
+
+} // namespace tst_secondprogram
+
+#include "tst_secondprogram.moc"

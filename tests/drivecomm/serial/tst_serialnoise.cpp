@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A bad cable, and the speed of a good one. Set AXISCOMP_NOISE_RUNS=200 for more writes, and
+// AXISCOMP_SERIAL_SPEED=1 for the figures of docs/performance.md.
+#include "tests/drivecomm/serial/serial_link_fixture.h"
+#include "tests/support/test_registry.h"
+
+#include <QElapsedTimer>
+
+namespace tst_serialnoise {
+
+using namespace axiscomp;
+using namespace axiscomp::drivecomm;
+using namespace axiscomp::test;
+
+namespace {
+
+int runsAskedFor(int usual)
+{
+    const int runs = qEnvironmentVariableIntValue("AXISCOMP_NOISE_RUNS");
+    return runs > 0 ? runs : usual;
+}
+
+} // namespace
+
+class SerialNoiseTest final : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { failOnWarnings(); }
+
+    void aWriteEndsCorrectOrWithAnErrorAndTheOldTable();
+    void readsAreRightOrAnError();
+    void theSameRegisterIsNotSetTwice();
+    void fillsTheLine_data();
+    void fillsTheLine();
+    void monitorsEightRegisters();
+};
+
+void SerialNoiseTest::aWriteEndsCorrectOrWithAnErrorAndTheOldTable()
+{
+    constexpr std::uint32_t oneIn = 2000;
+    const int runs = runsAskedFor(8);
+    int correct = 0;
+    int flips = 0;
+    SerialDrive served;
+    Bytes before = fullTable(1.0F);
+    VERIFY_RESULT(served.drive.upload(small1, before));
+    for (int run = 0; run < runs; ++run) {
+        const NoisyCable cable(served.front->device(), oneIn, static_cast<std::uint32_t>(run));
+        const auto link = linkTo(cable.url());
+        const Bytes file = fullTable(0.001F * static_cast<float>(run + 2));
+        const std::vector<RegisterWrite> writes{{variable0, static_cast<float>(run)}};
+        auto written = link->upload(small1, file, within(60s));
+        if (written)
+            written = link->writeRegisters(writes, within(60s));
+        const bool isCorrect = served.file(small1) == file;
+        QVERIFY2(isCorrect || (!written && served.file(small1) == before),
+            qPrintable(QStringLiteral("run %1").arg(run)));
+        if (!written)
+            QVERIFY2(written.error().code == ErrorCode::ConnectionLost
+                    || written.error().code == ErrorCode::Timeout,
+                describe(written.error()).c_str());
+        else
+            QCOMPARE(served.drive.readRegisters({variable0})->front().value, writes[0].value);
+        const auto readBack = link->download(small1, within(60s));
+        if (readBack)
+            QVERIFY(*readBack == served.file(small1));
+        if (!written)
+            qInfo("run %d: %s", run, describe(written.error()).c_str());
+        correct += written ? 1 : 0;
+        flips += cable.flips();
+        before = served.file(small1);
+    }
+    qInfo("%d of %d writes correct, %d bytes garbled", correct, runs, flips);
+    QVERIFY(correct >= runs * 3 / 4);
+}
+
+void SerialNoiseTest::readsAreRightOrAnError()
+{
+    SerialDrive served;
+    std::vector<std::string> paths;
+    std::vector<RegisterWrite> writes;
+    for (int n = 0; n < 16; ++n) {
+        paths.push_back("Application/Variables/Floats[" + std::to_string(n) + "]");
+        writes.push_back({paths.back(), static_cast<float>(n) * 1.1F});
+    }
+    VERIFY_RESULT(served.drive.writeRegisters(writes));
+    const NoisyCable cable(served.front->device(), 2000, 99);
+    const auto link = linkTo(cable.url());
+    int right = 0;
+    for (int run = 0; run < 40; ++run) {
+        const auto readings = link->readRegisters(paths, within(20s));
+        if (!readings)
+            continue;
+        ++right;
+        for (std::size_t i = 0; i < paths.size(); ++i)
+            QCOMPARE(readings->at(i).value, writes[i].value);
+    }
+    QVERIFY2(right >= 38, qPrintable(QString::number(right)));
+    QVERIFY(cable.flips() > 0);
+}
+
+void SerialNoiseTest::theSameRegisterIsNotSetTwice()
+{
+    // The reply is lost; meanwhile somebody else sets the register. Asked again, the drive answers
+    // and does not act.
+    SerialDrive served;
+    const auto link = linkTo(served.front->url());
+    VERIFY_RESULT(link->identify({}));
+    served.faults.clear();
+    served.faults.add(parseFault("no-reply=1").value());
+    served.faults.add(parseFault("stores-wrong=2").value());
+    const std::vector<RegisterWrite> writes{{variable0, 1.0F}};
+    VERIFY_RESULT(link->writeRegisters(writes, {}));
+    QCOMPARE(served.drive.readRegisters({variable0})->front().value, RegisterValue(1.0F));
+}
+
+void SerialNoiseTest::fillsTheLine_data()
+{
+    QTest::addColumn<int>("baud");
+    QTest::addColumn<int>("points");
+    QTest::addColumn<double>("least");
+    QTest::newRow("921600 baud") << 921'600 << (2'096'976 - 128) / 4 << 0.90;
+    // Qt Test ends a test function after five minutes.
+    QTest::newRow("115200 baud") << 115'200 << 100'000 << 0.93;
+}
+
+void SerialNoiseTest::fillsTheLine()
+{
+    if (!qEnvironmentVariableIsSet("AXISCOMP_SERIAL_SPEED"))
+        QSKIP("a measurement, not a test");
+    QFETCH(int, baud);
+    QFETCH(int, points);
+    QFETCH(double, least);
+    SerialFrontOptions options;
+    options.baud = baud;
+    SerialDrive served(options);
+    const auto link = linkTo(served.front->url());
+    VERIFY_RESULT(link->identify({}));
+    const Bytes file = tableFile(static_cast<std::uint32_t>(points));
+    QElapsedTimer timer;
+    timer.start();
+    VERIFY_RESULT(link->upload(large1, file, {}));
+    const double up = static_cast<double>(timer.restart()) / 1000.0;
+    VERIFY_RESULT(link->download(large1, {}));
+    const double down = static_cast<double>(timer.elapsed()) / 1000.0;
+    const double whole = static_cast<double>(file.size()) * 10.0 / baud;
+    qInfo("%zu bytes: upload %.2f s = %.1f %%, download %.2f s = %.1f %%", file.size(), up,
+        100.0 * whole / up, down, 100.0 * whole / down);
+    QVERIFY(whole / up >= least);
+}
+
+void SerialNoiseTest::monitorsEightRegisters()
+{
+    if (!qEnvironmentVariableIsSet("AXISCOMP_SERIAL_SPEED"))
+        QSKIP("a measurement, not a test");
+    SerialFrontOptions options;
+    options.baud = 115'200;
+    SerialDrive served(options);
+    const auto link = linkTo(served.front->url());
+    const std::string axis = "Axes[0]/Signals/Compensations/Axis/";
+    const std::vector<std::string> paths{axis + "State", axis + "Error", axis + "Output",
+        axis + "Dim1Index", axis + "Dim2Index", axis + "Dim3Index",
+        "Axes[0]/Signals/PositionController/MasterPosition",
+        "Axes[0]/Signals/PositionController/Encoders[0]/Position"};
+    VERIFY_RESULT(link->readRegisters(paths, {}));
+    QElapsedTimer timer;
+    timer.start();
+    constexpr int times = 50;
+    for (int n = 0; n < times; ++n)
+        VERIFY_RESULT(link->readRegisters(paths, {}));
+    const double each = static_cast<double>(timer.elapsed()) / times;
+    qInfo("eight registers at 115200 baud: %.1f ms", each);
+    QVERIFY(each < 100.0);
+}
+
+AXISCOMP_TEST(SerialNoiseTest)
+
+} // namespace tst_serialnoise
+
+#include "tst_serialnoise.moc"

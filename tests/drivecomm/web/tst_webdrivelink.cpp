@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "drivecomm/link_factory.h"
+#include "drivecomm/virtualdrive/web/web_server.h"
+#include "tests/drivecomm/web/web_link_fixture.h"
+#include "tests/support/test_registry.h"
+
+#include <QTest>
+
+#include <thread>
+
+namespace tst_webdrivelink {
+
+using namespace axiscomp;
+using namespace axiscomp::drivecomm;
+using namespace axiscomp::test;
+using namespace std::chrono_literals;
+
+namespace {
+
+/// A drive for tests that need no special answers.
+struct ServedDrive {
+    explicit ServedDrive(const WebFrontOptions& options = {}, std::vector<FaultSpec> specs = {})
+        : faults(std::move(specs))
+        , front(WebFront::start(drive, genericProfile(), faults, options).value())
+        , link(linkTo(front->url()))
+    {
+    }
+
+    static VirtualDriveOptions options()
+    {
+        VirtualDriveOptions options;
+        options.name = "Web-1";
+        options.serialNumber = 616;
+        options.axes = {{.name = "X"}, {.name = "Y"}};
+        return options;
+    }
+
+    VirtualDrive drive{genericProfile(), options()};
+    FaultPlan faults;
+    std::unique_ptr<WebFront> front;
+    std::unique_ptr<DriveLink> link;
+};
+
+} // namespace
+
+class WebDriveLinkTest final : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { failOnWarnings(); }
+
+    void reportsWhyThereIsNoConnection_data();
+    void reportsWhyThereIsNoConnection();
+    void keepsThePasswordOutOfErrors();
+    void sendsThePasswordWithEveryRequest();
+    void countsAxesWithFewRequests();
+    void countsAxesOfADriveThatDoesNotNameWhatIsMissing();
+    void stopsWhileItWaits();
+    void stopsWhileItUploads();
+    void worksOnAnyThread();
+    void servesSeveralLinksAtOnce();
+    void makesLinksFromEndpoints();
+};
+
+void WebDriveLinkTest::reportsWhyThereIsNoConnection_data()
+{
+    QTest::addColumn<QString>("url");
+    QTest::addColumn<QString>("reason");
+    QTest::newRow("nothing listens") << "http://127.0.0.1:1"
+                                     << "is the drive switched on";
+    QTest::newRow("unknown name") << "http://no-such-host.invalid"
+                                  << "no-such-host.invalid";
+}
+
+void WebDriveLinkTest::reportsWhyThereIsNoConnection()
+{
+    QFETCH(QString, url);
+    QFETCH(QString, reason);
+    const auto result = linkTo(url.toStdString())->identify({});
+    VERIFY_ERROR(result, ErrorCode::NotConnected);
+    QCOMPARE(result.error().context.at("endpoint"), url.toStdString());
+    QVERIFY(QString::fromStdString(sentence(result.error())).contains(reason));
+}
+
+void WebDriveLinkTest::keepsThePasswordOutOfErrors()
+{
+    WebFrontOptions options;
+    options.user = "anna";
+    options.password = "right";
+    const ServedDrive served(options);
+    const std::string wrong =
+        "http://anna:s3cret@127.0.0.1:" + std::to_string(served.front->port());
+    const auto result = linkTo(wrong)->identify({});
+    VERIFY_ERROR(result, ErrorCode::Unauthorized);
+    for (const auto& [key, value] : result.error().context)
+        QVERIFY(value.find("s3cret") == std::string::npos);
+    QVERIFY(describe(result.error()).find("s3cret") == std::string::npos);
+    VERIFY_ERROR(served.link->identify({}), ErrorCode::Unauthorized);
+}
+
+void WebDriveLinkTest::sendsThePasswordWithEveryRequest()
+{
+    WebFrontOptions options;
+    options.user = "anna";
+    options.password = "pa:ss wörd";
+    ServedDrive served(options);
+    const auto link =
+        linkTo("http://anna:pa%3Ass%20w%C3%B6rd@127.0.0.1:" + std::to_string(served.front->port()));
+    VERIFY_RESULT(link->identify({}));
+    VERIFY_RESULT(link->writeRegisters(oneWrite, {}));
+    VERIFY_RESULT(link->listFiles({}));
+    VERIFY_RESULT(link->download("tables/small1.TAMtbl", {}));
+    QVERIFY(link->endpoint().find("anna") == std::string::npos);
+}
+
+void WebDriveLinkTest::countsAxesWithFewRequests()
+{
+    for (const auto& [axes, requests] :
+        {std::pair(1, 2), std::pair(2, 2), std::pair(63, 2), std::pair(64, 3), std::pair(100, 3)}) {
+        const RawResponder responder(driveWithAxes(axes, Missing::Named));
+        const auto identity = linkTo(responder.url())->identify({});
+        VERIFY_RESULT(identity);
+        QCOMPARE(identity->axes, axes);
+        QCOMPARE(responder.requests(), requests);
+    }
+}
+
+void WebDriveLinkTest::countsAxesOfADriveThatDoesNotNameWhatIsMissing()
+{
+    for (const int axes : {0, 1, 2, 31, 63, 64, 65, 100}) {
+        const RawResponder responder(driveWithAxes(axes, Missing::Unnamed));
+        const auto identity = linkTo(responder.url())->identify({});
+        VERIFY_RESULT(identity);
+        QCOMPARE(identity->axes, axes);
+        QVERIFY(responder.requests() <= 10);
+    }
+}
+
+void WebDriveLinkTest::stopsWhileItWaits()
+{
+    std::stop_source source;
+    const RawResponder responder([&source](RawConnection& c) {
+        c.readRequest();
+        source.request_stop(); // from another thread, with the request on its way
+        c.waitUntilGone();
+    });
+    Exchange exchange = within(60s);
+    exchange.stop = source.get_token();
+    VERIFY_ERROR(linkTo(responder.url())->readRegisters(twoStates, exchange), ErrorCode::Cancelled);
+}
+
+void WebDriveLinkTest::stopsWhileItUploads()
+{
+    std::stop_source source;
+    const RawResponder responder([](RawConnection& c) {
+        while (c.isStillThereAfter(1ms))
+            continue;
+        c.waitUntilGone();
+    });
+    Exchange exchange = within(60s);
+    exchange.stop = source.get_token();
+    exchange.progress = [&source](auto, auto) { source.request_stop(); };
+    const Bytes file(std::size_t{15} << 20);
+    VERIFY_ERROR(linkTo(responder.url())->upload("tables/large1.TAMtbl", file, exchange),
+        ErrorCode::Cancelled);
+}
+
+void WebDriveLinkTest::worksOnAnyThread()
+{
+    const ServedDrive served;
+    Result<DriveIdentity> identity = fail(ErrorCode::Cancelled);
+    std::thread plain([&] { // no QThread, no event loop
+        const auto link = linkTo(served.front->url());
+        identity = link->identify({});
+    });
+    plain.join();
+    VERIFY_RESULT(identity);
+    QCOMPARE(identity->axes, 2);
+}
+
+void WebDriveLinkTest::servesSeveralLinksAtOnce()
+{
+    const ServedDrive served({}, {parseFault("no-reply=1").value()});
+    VERIFY_ERROR(served.link->listFiles(within(100ms)), ErrorCode::Timeout);
+    std::atomic<int> good = 0;
+    std::vector<std::jthread> clients;
+    for (int n = 0; n < 12; ++n) {
+        clients.emplace_back([&served, &good, n] {
+            const auto link = linkTo(served.front->url());
+            const std::string path = "Application/Variables/Floats[" + std::to_string(n) + "]";
+            for (int i = 0; i < 20; ++i) {
+                const std::vector<RegisterWrite> writes{{path, static_cast<float>(i)}};
+                const std::vector<std::string> paths{path};
+                if (!link->writeRegisters(writes, within(60s)))
+                    return;
+                const auto readings = link->readRegisters(paths, within(60s));
+                if (!readings || readings->front().value != writes.front().value)
+                    return;
+            }
+            ++good;
+        });
+    }
+    clients.clear();
+    QCOMPARE(good.load(), 12);
+}
+
+void WebDriveLinkTest::makesLinksFromEndpoints()
+{
+    const ServedDrive served;
+    const auto web = makeLink(parseEndpoint(served.front->url()).value(), genericProfile());
+    VERIFY_RESULT(web);
+    QCOMPARE((*web)->endpoint(), served.front->url());
+    VERIFY_RESULT((*web)->identify({}));
+    const auto demo = makeLink(parseEndpoint("demo:").value(), genericProfile());
+    VERIFY_RESULT(demo);
+    QCOMPARE((*demo)->endpoint(), std::string("demo:"));
+    const auto identity = (*demo)->identify({});
+    VERIFY_RESULT(identity);
+    QCOMPARE(identity->axes, 2);
+    VERIFY_RESULT((*demo)->listFiles({}));
+}
+
+AXISCOMP_TEST(WebDriveLinkTest)
+
+} // namespace tst_webdrivelink
+
+#include "tst_webdrivelink.moc"

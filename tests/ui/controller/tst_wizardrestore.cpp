@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/test_registry.h"
+#include "tests/support/verify.h"
+#include "tests/ui/support/unfinished_write.h"
+#include "tests/ui/support/write_outcomes.h"
+
+#include <QTest>
+
+namespace tst_wizardrestore {
+
+using namespace axiscomp;
+using namespace axiscomp::ui;
+using test::ControllerBench;
+using test::DriveGate;
+using test::written;
+
+class TestWizardRestore : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { test::failOnWarnings(); }
+
+    void restorePreviousGoesBackAndForth()
+    {
+        ControllerBench bench;
+        QVERIFY(bench.connect());
+        QVERIFY(!bench->action(Action::RestorePrevious).isEnabled);
+        QVERIFY(bench.prepare2D(1));
+        QVERIFY(bench.planAndWrite());
+        const std::uint32_t first = bench->setup().baseline().tableCrc;
+        QVERIFY(bench.prepare2D(2));
+        QVERIFY(bench.planAndWrite());
+        const std::uint32_t second = bench->setup().baseline().tableCrc;
+        QVERIFY(first != second);
+        QVERIFY(bench->action(Action::RestorePrevious).isEnabled);
+        bench->setup().setPersistency(Persistency::Persistent);
+        bench->restorePrevious();
+        QVERIFY(bench.idle());
+        QVERIFY2(
+            bench->outcome().startsWith(QStringLiteral("Restored")), qPrintable(bench->outcome()));
+        QCOMPARE(bench->setup().baseline().tableCrc, first);
+        QVERIFY(!bench->setup().isChanged());
+        bench->restorePrevious();
+        QVERIFY(bench.idle());
+        QCOMPARE(bench->setup().baseline().tableCrc, second);
+    }
+
+    void restorePreviousPassesOverTheBackupOfAWriteThatFailed()
+    {
+        ControllerBench bench;
+        QVERIFY(bench.connect());
+        QVERIFY(bench.prepare2D(1));
+        QVERIFY(bench.planAndWrite());
+        const std::uint32_t first = bench->setup().baseline().tableCrc;
+        QVERIFY(bench.prepare2D(2));
+        QVERIFY(bench.planAndWrite());
+        QVERIFY(bench.prepare2D(3));
+        bench->planWrite();
+        QVERIFY(bench.idle());
+        const std::size_t backups = bench.store().backups(4711, 0).size();
+        bench.drive().gate.setAt(16, DriveGate::Mode::Silent);
+        bench->write();
+        QTRY_COMPARE(bench.drive().gate.waiting(), 1);
+        bench->cancel();
+        bench.drive().gate.set(DriveGate::Mode::Open);
+        QVERIFY(bench.idle());
+        QCOMPARE(bench.store().backups(4711, 0).size(), backups + 1);
+        bench->restorePrevious();
+        QVERIFY(bench.idle());
+        QVERIFY2(
+            bench->outcome().startsWith(QStringLiteral("Restored")), qPrintable(bench->outcome()));
+        QCOMPARE(bench->setup().baseline().tableCrc, first);
+    }
+
+    void anEarlierWriteThatDidNotEndIsSaidAndCanBeFinished()
+    {
+        ControllerBench bench;
+        QVERIFY(bench.connect());
+        QVERIFY(bench.prepare2D());
+        bench->setup().setPersistency(Persistency::Persistent);
+        QVERIFY(bench.planAndWrite());
+        QVERIFY2(bench->outcome().startsWith(written), qPrintable(bench->outcome()));
+        VERIFY_RESULT(test::reopenWrite(bench));
+        bench.endController();
+
+        QVERIFY(bench.connect());
+        QVERIFY(bench->isOutcomeAnError());
+        QCOMPARE(bench->unfinishedWrite(), bench->outcome());
+        QVERIFY2(bench->outcome().contains(QStringLiteral("its parameters may not be saved")),
+            qPrintable(bench->outcome()));
+        QVERIFY(!bench->setup().isChanged());
+        QVERIFY(bench->action(Action::Write).isEnabled);
+        QCOMPARE(bench->action(Action::Write).reason,
+            QStringLiteral("Finishes an earlier write: saves the parameters of the drive."));
+        QVERIFY(bench.planAndWrite());
+        QVERIFY2(bench->outcome().startsWith(written), qPrintable(bench->outcome()));
+        QCOMPARE(bench->action(Action::Write).reason, QStringLiteral("Nothing has changed."));
+        QVERIFY(!isUnfinished(bench));
+    }
+
+    void anUnfinishedWriteIsFinishedOrUndone_data()
+    {
+        QTest::addColumn<bool>("finishes");
+        QTest::newRow("finish") << true;
+        QTest::newRow("undo") << false;
+    }
+    void anUnfinishedWriteIsFinishedOrUndone()
+    {
+        QFETCH(bool, finishes);
+        ControllerBench bench;
+        QVERIFY(bench.connect());
+        QCOMPARE(bench->action(Action::FinishWrite).reason,
+            QStringLiteral("No write to this axis is unfinished."));
+        QVERIFY(bench.prepare2D());
+        bench->setup().setPersistency(Persistency::Persistent);
+        QVERIFY(bench.planAndWrite());
+        VERIFY_RESULT(test::reopenWrite(bench));
+        bench.endController();
+
+        QVERIFY(bench.connect());
+        QVERIFY(!bench->unfinishedWrite().isEmpty());
+        QVERIFY(bench->action(Action::FinishWrite).isEnabled);
+        QVERIFY(bench->action(Action::UndoWrite).isEnabled);
+        if (finishes)
+            bench->finishWrite();
+        else
+            bench->undoWrite();
+        QVERIFY(bench.idle());
+        QVERIFY2(bench->outcome().startsWith(finishes ? QStringLiteral("Finished, read back")
+                                                      : QStringLiteral("Undone, read back")),
+            qPrintable(bench->outcome()));
+        QVERIFY(bench->unfinishedWrite().isEmpty());
+        QVERIFY(!bench->action(Action::UndoWrite).isEnabled);
+        QVERIFY(!isUnfinished(bench));
+        QCOMPARE(bench->setup().baseline().slot.empty(), !finishes);
+    }
+
+    void anUnfinishedWriteWaitsWhileTheCompensationIsActive()
+    {
+        ControllerBench bench;
+        QVERIFY(bench.connect());
+        QVERIFY(bench.prepare2D());
+        bench->setup().setPersistency(Persistency::Persistent);
+        QVERIFY(bench.planAndWrite());
+        bench->activate();
+        QVERIFY(bench.idle());
+        VERIFY_RESULT(test::reopenWrite(bench));
+        bench.endController();
+
+        QVERIFY(bench.connect());
+        QVERIFY(!bench->unfinishedWrite().isEmpty());
+        for (const Action action : {Action::FinishWrite, Action::UndoWrite}) {
+            QVERIFY(!bench->action(action).isEnabled);
+            QCOMPARE(bench->action(action).reason,
+                QStringLiteral("The compensation is active: deactivate it first."));
+        }
+        bench->finishWrite();
+        QVERIFY(!bench->busy().isBusy);
+        bench->deactivate();
+        QVERIFY(bench.idle());
+        QVERIFY(bench->action(Action::FinishWrite).isEnabled);
+    }
+
+private:
+    static bool isUnfinished(ControllerBench& bench)
+    {
+        const auto journal = bench.store().journal(4711, 0);
+        return !journal || journal->has_value();
+    }
+};
+
+AXISCOMP_TEST(TestWizardRestore)
+
+} // namespace tst_wizardrestore
+
+#include "tst_wizardrestore.moc"

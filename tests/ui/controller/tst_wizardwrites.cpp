@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/test_registry.h"
+#include "tests/support/verify.h"
+#include "tests/ui/support/controller_fixture.h"
+#include "tests/ui/support/write_outcomes.h"
+
+#include <QSignalSpy>
+#include <QTest>
+
+namespace tst_wizardwrites {
+
+using namespace axiscomp;
+using namespace axiscomp::ui;
+using test::ControllerBench;
+using test::DriveGate;
+using test::oldState;
+using test::tableX;
+using test::written;
+
+class TestWizardWrites : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { test::failOnWarnings(); }
+
+    void fromAFileToAnActiveCompensation()
+    {
+        ControllerBench bench;
+        QVERIFY(bench.connect());
+        QVERIFY(bench.prepare2D());
+        QCOMPARE(bench->hint(), QStringLiteral("Parameters must be written."));
+        QVERIFY(!bench->action(Action::Activate).isEnabled);
+        QCOMPARE(bench->selectedTableBytes(), std::size_t{128 + 36 * 4});
+
+        QSignalSpy ready(&bench.controller(), &WizardController::planReady);
+        bench->planWrite();
+        QVERIFY(bench->busy().isBusy);
+        QVERIFY(!bench->isWriting());
+        QTRY_COMPARE(ready.count(), 1);
+        QVERIFY(bench->plan().has_value());
+        QCOMPARE(bench->plan()->tableBytes, bench->selectedTableBytes());
+        QVERIFY(!bench->plan()->changes.empty());
+        QCOMPARE(bench.drive().text(tableX), "Disabled");
+
+        bench->write();
+        QVERIFY(bench->isWriting());
+        QVERIFY(!bench->action(Action::Write).isEnabled);
+        QVERIFY(bench.idle());
+        QVERIFY2(bench->outcome().startsWith(written), qPrintable(bench->outcome()));
+        QVERIFY(!bench->isOutcomeAnError());
+        QVERIFY(!bench->setup().isChanged());
+        QVERIFY(!bench->setup().edited().table.fileTable); // it is the drive's now
+        QCOMPARE(bench->setup().baseline().dimensionality, 2);
+        QCOMPARE(bench.drive().text(tableX), bench->setup().baseline().slot);
+
+        bench->activate();
+        QVERIFY(bench.idle());
+        QCOMPARE(bench->status()->axis.state, "Active");
+        QVERIFY(bench->proof().has_value());
+        QCOMPARE(bench->proof()->samples.size(), std::size_t{5});
+        QVERIFY2(bench->outcome().startsWith(
+                     QStringLiteral("The compensation is active. Proved: largest difference ")),
+            qPrintable(bench->outcome()));
+        QVERIFY(bench->outcome().endsWith(QStringLiteral(" in 5 samples.")));
+        QCOMPARE(bench->action(Action::Activate).reason,
+            QStringLiteral("The compensation is active already."));
+
+        bench->deactivate();
+        QVERIFY(bench.idle());
+        QCOMPARE(bench->status()->axis.state, "Disabled");
+        QCOMPARE(bench->outcome(), QStringLiteral("The compensation is off."));
+    }
+
+    void theTableOnTheDriveIsTheFilesOneWithItsNamesAndComesBackOnceOnly()
+    {
+        ControllerBench bench;
+        QVERIFY(bench.connect());
+        QVERIFY(bench.prepare2D());
+        const auto table = bench->selectedTable();
+        QSignalSpy selected(&bench.controller(), &WizardController::selectedTableChanged);
+        QVERIFY(bench.planAndWrite());
+        QCOMPARE(bench->selectedTable(), table); // not an empty picture in between
+        QVERIFY(bench.readLive());
+        QCOMPARE(bench->driveTable(), table);
+        QCOMPARE(bench->driveTable()->grid.axes.at(0).name, "X");
+        QCOMPARE(selected.count(), 0);
+        const int exchanges = bench.drive().gate.exchanges();
+        QVERIFY(bench.readLive());
+        QVERIFY(bench.readLive());
+        // identify and two readings each: no more downloads
+        QCOMPARE(bench.drive().gate.exchanges(), exchanges + 6);
+    }
+
+    void evaluatingProvesTheIndicesAndAddsNothing()
+    {
+        ControllerBench bench;
+        QVERIFY(bench.connect());
+        QVERIFY(bench.prepare2D());
+        QVERIFY(bench.planAndWrite());
+        bench->evaluate();
+        QVERIFY(bench.idle());
+        QCOMPARE(bench->status()->axis.state, "Evaluating");
+        QVERIFY(bench->outcome().startsWith(
+            QStringLiteral("The compensation is being evaluated: the drive adds nothing. Proved")));
+        QVERIFY(bench->action(Action::Deactivate).isEnabled);
+        QVERIFY(bench->action(Action::Activate).isEnabled);
+    }
+
+    void whatTheUserChangesWhileAWriteIsPlannedStopsIt()
+    {
+        ControllerBench bench;
+        QVERIFY(bench.connect());
+        QVERIFY(bench.prepare2D());
+        QSignalSpy ready(&bench.controller(), &WizardController::planReady);
+        bench->planWrite();
+        bench->setup().setPersistency(Persistency::Persistent);
+        QVERIFY(bench.idle());
+        QCOMPARE(ready.count(), 0);
+        QVERIFY(bench->isOutcomeAnError());
+        QVERIFY(!bench->plan().has_value());
+    }
+
+    void aPlanDiesWithTheFirstChangeAfterIt()
+    {
+        ControllerBench bench;
+        QVERIFY(bench.connect());
+        QVERIFY(bench.prepare2D());
+        bench->planWrite();
+        QVERIFY(bench.idle());
+        QVERIFY(bench->plan().has_value());
+        bench->setup().setTable({1});
+        QVERIFY(!bench->plan().has_value());
+        bench->write();
+        QVERIFY(!bench->busy().isBusy);
+        QVERIFY(bench->outcome().contains(QStringLiteral("since the write was planned")));
+        QCOMPARE(bench.drive().text(tableX), "Disabled");
+    }
+
+    void whatSomebodyElseChangesBetweenPlanAndWriteIsNotOverwritten()
+    {
+        ControllerBench bench;
+        QVERIFY(bench.connect());
+        QVERIFY(bench.prepare2D());
+        bench->planWrite();
+        QVERIFY(bench.idle());
+        const auto y = bench.drive().drive.readRegisters({test::masterY});
+        bench.drive().set("Axes[0]/Parameters/Compensations/Axis/Dim1Source", y->front().address);
+        bench->write();
+        QVERIFY(bench.idle());
+        QVERIFY(bench->isOutcomeAnError());
+        QVERIFY2(bench->outcome().startsWith(QStringLiteral("Somebody else changed")),
+            qPrintable(bench->outcome()));
+        QCOMPARE(bench.drive().text(tableX), "Disabled");
+        // What the drive has is shown; the user's choice stays.
+        QCOMPARE(bench->setup().baseline().sources[0].path, test::masterY);
+        QCOMPARE(bench->setup().edited().sources[0].path, test::masterX);
+        QVERIFY(bench->setup().edited().table.fileTable.has_value());
+    }
+
+    void aWriteThatIsCancelledLeavesTheOldState()
+    {
+        ControllerBench bench;
+        QVERIFY(bench.connect());
+        QVERIFY(bench.prepare2D());
+        bench->planWrite();
+        QVERIFY(bench.idle());
+        bench.drive().gate.setAt(9, DriveGate::Mode::Silent);
+        bench->write();
+        QTRY_COMPARE(bench.drive().gate.waiting(), 1);
+        QVERIFY(bench->action(Action::Cancel).isEnabled);
+        QCOMPARE(bench->action(Action::Cancel).reason,
+            QStringLiteral("Stops the write and puts the old state back."));
+        bench->cancel();
+        QVERIFY(!bench->action(Action::Cancel).isEnabled);
+        bench.drive().gate.set(DriveGate::Mode::Open);
+        QVERIFY(bench.idle());
+        QCOMPARE(bench->outcome(), QStringLiteral("The write was stopped. ") + oldState);
+        QCOMPARE(bench.drive().text(tableX), "Disabled");
+        QVERIFY(bench->setup().isChanged(Field::Table));
+        QVERIFY(bench->action(Action::Write).isEnabled);
+        QVERIFY(bench.planAndWrite());
+        QVERIFY(bench->outcome().startsWith(written));
+    }
+
+    /// Another program has run into it, or this one before its last start.
+    void aRefusalOfTheDriveIsRememberedAcrossStarts()
+    {
+        ControllerBench bench;
+        DriveStore store = bench.store();
+        VERIFY_RESULT(store.recordFlashRefusal(
+            4711, std::chrono::system_clock::now(), std::chrono::seconds(300)));
+        QVERIFY(bench.connect());
+        QCOMPARE(bench->flashOperationsLeft(), 0);
+        QVERIFY(bench->flashWaitSeconds() > 290);
+        QVERIFY(bench.prepare2D());
+        bench->setup().setPersistency(Persistency::Persistent);
+        QVERIFY2(
+            bench->action(Action::Write).reason.startsWith(QStringLiteral("Flash wear: wait ")),
+            qPrintable(bench->action(Action::Write).reason));
+        bench->setup().setPersistency(Persistency::Volatile);
+        QVERIFY(bench.planAndWrite());
+        QVERIFY2(bench->outcome().startsWith(written), qPrintable(bench->outcome()));
+        QVERIFY(bench->flashUse().has_value());
+        QCOMPARE(bench->flashUse()->mostCycles, 0U);
+    }
+
+    void flashWearIsKnownBeforehand()
+    {
+        ControllerBench bench;
+        QVERIFY(bench.connect());
+        DriveStore store = bench.store();
+        VERIFY_RESULT(store.recordFlash(4711, std::chrono::system_clock::now(), 7));
+        QVERIFY(bench.prepare2D());
+        bench->setup().setPersistency(Persistency::Persistent);
+        QVERIFY(bench.planAndWrite());
+        QCOMPARE(bench->flashOperationsLeft(), 0);
+        QVERIFY(bench->flashWaitSeconds() > 590);
+        QVERIFY(bench.prepare2D(2) == false); // persistent as the table before
+        QVERIFY2(
+            bench->action(Action::Write).reason.startsWith(QStringLiteral("Flash wear: wait ")),
+            qPrintable(bench->action(Action::Write).reason));
+        const QString reason = bench->action(Action::Write).reason;
+        QTRY_VERIFY(bench->action(Action::Write).reason != reason); // it counts down
+        bench->setup().setPersistency(Persistency::Volatile);
+        QVERIFY(bench->action(Action::Write).isEnabled);
+    }
+
+    void anAxisThatIsNotHomedSaysSo()
+    {
+        ControllerBench bench;
+        drivecomm::VirtualDriveOptions options = ControllerBench::xyDrive();
+        options.axes.front().homed = false;
+        bench.addDrive("http://x", options);
+        QVERIFY(bench.connect());
+        QVERIFY(bench.prepare2D());
+        QVERIFY(bench.planAndWrite());
+        QCOMPARE(bench->hint(), QStringLiteral("The axis must be homed first."));
+        bench->activate();
+        QVERIFY(!bench->busy().isBusy);
+        QCOMPARE(bench->outcome(), QStringLiteral("The axis must be homed first."));
+        QVERIFY(bench->action(Action::Evaluate).isEnabled);
+    }
+
+    void persistencyOfTheTableOnTheDriveChangesWithoutAFile()
+    {
+        ControllerBench bench;
+        QVERIFY(bench.connect());
+        QVERIFY(bench.prepare2D());
+        QVERIFY(bench.planAndWrite());
+        bench->closeData();
+        QVERIFY(!bench->dataFile().data);
+        bench->setup().setPersistency(Persistency::Persistent);
+        QCOMPARE(bench->hint(), QStringLiteral("Parameters must be written."));
+        QVERIFY(bench.planAndWrite());
+        QVERIFY(bench->outcome().endsWith(QStringLiteral("It is stored in flash.")));
+        QVERIFY(bench->status()->table->persistent);
+        QCOMPARE(bench->flashOperationsLeft(), 7);
+    }
+
+    void anotherAxisCannotBeChosenWhileSomethingRuns()
+    {
+        ControllerBench bench;
+        QVERIFY(bench.connect());
+        QVERIFY(bench.prepare2D());
+        bench->planWrite();
+        QSignalSpy current(&bench.controller(), &WizardController::currentAxisChanged);
+        bench->selectAxis(1);
+        QCOMPARE(bench->currentAxis(), 0);
+        QCOMPARE(current.count(), 1); // the field goes back
+        QVERIFY(bench.idle());
+    }
+};
+
+AXISCOMP_TEST(TestWizardWrites)
+
+} // namespace tst_wizardwrites
+
+#include "tst_wizardwrites.moc"

@@ -1,0 +1,320 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/conversion/controller_preview.h"
+#include "core/conversion/table_export.h"
+#include "core/conversion/table_import.h"
+#include "core/formats/formats.h"
+#include "tests/support/test_registry.h"
+#include "tests/support/verify.h"
+#include "tests/ui/support/controller_fixture.h"
+#include "ui/async/background_job.h"
+#include "ui/dialogs/file_filters.h"
+#include "ui/text/language.h"
+#include "ui/text/phrase_book.h"
+
+#include <QSignalSpy>
+#include <QTest>
+
+#include <algorithm>
+#include <atomic>
+#include <thread>
+
+namespace tst_importedfile {
+
+using namespace axiscomp;
+using namespace axiscomp::ui;
+using test::ControllerBench;
+
+namespace {
+
+/// Corrections of the command: the axis is 2 um short at 10 mm.
+const QByteArray softmc = "1 5\n0 0\n10 -0.002\n20 -0.004\n30 -0.002\n40 0\n";
+const QByteArray uneven = "X [mm],first [mm],second [mm]\n0,0,0\n10,0.001,-0.001\n15,0.004,-0.004\n"
+                          "30,0.002,-0.002\n40,0,0\n";
+
+ImportChoices onGrid(ResamplingChoice::Kind kind, double number)
+{
+    ImportChoices choices;
+    choices.resampling.kind = kind;
+    choices.resampling.numbers = {number};
+    return choices;
+}
+
+std::string joined(const std::vector<std::string>& lines)
+{
+    std::string text;
+    for (const std::string& line : lines)
+        text += line + '\n';
+    return text;
+}
+
+} // namespace
+
+/// Files of other controllers, and uneven ones, as compensation data.
+class TestImportedFile : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { test::failOnWarnings(); }
+
+    void aCommandSideFileGetsTheSignOfTheDrive()
+    {
+        ControllerBench bench;
+        QVERIFY(bench.connect());
+        bench->openData(bench.file(QStringLiteral("comp.txt"), softmc));
+        QVERIFY(bench.fileRead());
+        const DataFile& file = bench->dataFile();
+        for (const Diagnostic& problem : file.problems)
+            QVERIFY2(problem.severity == Severity::Warning, qPrintable(problemText(problem)));
+        QCOMPARE(file.family, &softmcFamily());
+        const auto table = bench->selectedTable();
+        QVERIFY(table);
+        QCOMPARE(table->values.size(), std::size_t{5});
+        // e(x) = -c(z) with z + c(z) = x, so a bit more than the 2 um of the file.
+        QVERIFY(table->values[1] > 0.002F);
+        QVERIFY(table->values[1] < 0.00201F);
+        QVERIFY2(joined(file.report).find("softmc holds command values") != std::string::npos,
+            joined(file.report).c_str());
+    }
+
+    void anImportedTableIsWrittenToTheDrive()
+    {
+        ControllerBench bench;
+        QVERIFY(bench.connect());
+        bench.chooseMasterSources(1);
+        bench->openData(bench.file(QStringLiteral("comp.txt"), softmc));
+        QVERIFY(bench.fileRead());
+        const auto table = bench->selectedTable();
+        QTRY_VERIFY2(bench->action(Action::Write).isEnabled,
+            qPrintable(bench->action(Action::Write).reason));
+        QVERIFY(bench.planAndWrite());
+        QVERIFY2(!bench->isOutcomeAnError(), qPrintable(bench->outcome()));
+        QTRY_VERIFY(bench->driveTable());
+        QCOMPARE(bench->driveTable()->values, table->values);
+        QVERIFY(bench->driveTable()->values[1] > 0.0F);
+    }
+
+    void theSignCanBeOverruled()
+    {
+        ControllerBench bench;
+        const QString path = bench.file(QStringLiteral("comp.txt"), softmc);
+        ImportChoices choices;
+        choices.sign = SignConvention::Feedback;
+        bench->importData(path, choices);
+        QVERIFY(bench.fileRead());
+        QCOMPARE(bench->selectedTable()->values[1], -0.002F);
+        QCOMPARE(bench->importChoices(path), choices);
+        // Read again, the choice stays; opened anew, it does not.
+        bench->readDataAgain();
+        QVERIFY(bench.fileRead());
+        QCOMPARE(bench->selectedTable()->values[1], -0.002F);
+        bench->openData(path);
+        QVERIFY(bench.fileRead());
+        QVERIFY(bench->selectedTable()->values[1] > 0.0F);
+    }
+
+    void anUnevenFileNeedsAChoiceAndKeepsWhatThereWas()
+    {
+        ControllerBench bench;
+        bench->openData(bench.file(QStringLiteral("comp.txt"), softmc));
+        QVERIFY(bench.fileRead());
+        const auto before = bench->selectedTable();
+        QSignalSpy needed(&bench.controller(), &WizardController::importChoiceNeeded);
+        const QString path = bench.file(QStringLiteral("uneven.csv"), uneven);
+        bench->openData(path);
+        QVERIFY(bench.fileRead());
+        QCOMPARE(needed.count(), 1);
+        QCOMPARE(needed.front().front().toString(), path);
+        QCOMPARE(bench->selectedTable(), before);
+        QVERIFY(!bench->dataFile().problems.empty());
+        QCOMPARE(bench->dataFile().problems.front().code, DiagnosticCode::UnevenSpacing);
+        QVERIFY(bench->dataFile().problems.front().line > 0);
+    }
+
+    void anUnevenFileBecomesEvenAndSaysItsDeviation()
+    {
+        ControllerBench bench;
+        const QString path = bench.file(QStringLiteral("uneven.csv"), uneven);
+        bench->importData(path, onGrid(ResamplingChoice::Kind::Distance, 10.0));
+        QVERIFY(bench.fileRead());
+        QVERIFY(bench->dataFile().data);
+        QVERIFY(bench->dataFile().problems.empty());
+        QCOMPARE(bench->dataFile().data->tables.size(), std::size_t{2});
+        QCOMPARE(bench->selectedTable()->grid.axes[0].size, 5U);
+        // At 15 the grid has the middle of 0.001 and 0.0033333, the file 0.004.
+        const std::string report = joined(bench->dataFile().report);
+        QVERIFY2(report.find("resampled from 5 points to 5 points") != std::string::npos,
+            report.c_str());
+        QVERIFY2(report.find("0.00183 mm") != std::string::npos, report.c_str());
+    }
+
+    void aDeviationToKeepIsAnsweredWithANumberOfPoints()
+    {
+        ControllerBench bench;
+        const QString path = bench.file(QStringLiteral("uneven.csv"), uneven);
+        bench->importData(path, onGrid(ResamplingChoice::Kind::Within, 1e-6));
+        QVERIFY(bench.fileRead());
+        QVERIFY(bench->dataFile().data);
+        // Steps of 5 meet every position of the file.
+        QCOMPARE(bench->selectedTable()->grid.axes[0].size, 9U);
+    }
+
+    void twoColumnsWithoutAHeaderAreNotTakenForAnOffsetUnasked()
+    {
+        ControllerBench bench;
+        QSignalSpy needed(&bench.controller(), &WizardController::importChoiceNeeded);
+        const QString path =
+            bench.file(QStringLiteral("axis.csv"), "0,0\n10,0.002\n20,0.003\n30,0.001\n");
+        bench->openData(path);
+        QVERIFY(bench.fileRead());
+        QVERIFY(!bench->dataFile().data);
+        QCOMPARE(needed.count(), 1);
+        ImportChoices choices;
+        choices.family = &icubeFamily();
+        bench->importData(path, choices);
+        QVERIFY(bench.fileRead());
+        QVERIFY(bench->dataFile().data);
+        QVERIFY(bench->selectedTable()->values[1] < 0.0F);
+        QCOMPARE(needed.count(), 1);
+    }
+
+    void aFileOfAnotherControllerKeepsItsOwnDimensions()
+    {
+        ControllerBench bench;
+        bench->openData(bench.file(QStringLiteral("comp.txt"), softmc));
+        QVERIFY(bench.fileRead());
+        bench->setup().setDimensionality(2);
+        QVERIFY(!bench->dataFile().isReading);
+        QCOMPARE(bench->selectedTable()->grid.dimensions(), 1);
+    }
+
+    void aTableThatIsExportedIsReadBack()
+    {
+        CompensationTable table = test::exampleTable(1);
+        table.unit = "mm";
+        table.grid.axes[0].unit = "mm";
+        for (float& value : table.values)
+            value *= 1e-4F;
+        ImportChoices choices;
+        choices.family = &softmcFamily();
+        const auto exported = exportTable(table, choices, "x.txt", genericTableLayout());
+        VERIFY_RESULT(exported);
+        const auto reading = softmcFamily().read(exported->bytes, {});
+        VERIFY_RESULT(reading);
+        QVERIFY(!reading->hasErrors());
+        QCOMPARE(reading->tables.front().pointCount(), table.values.size());
+    }
+
+    void softmcAppliesNothingBeforeTheFirstPosition()
+    {
+        CompensationTable table{"first", "mm", {{{"X", "mm", 10.0, 10.0, 4}}}, {}};
+        table.values = {0.002F, 0.003F, 0.001F, 0.004F};
+        const auto applied = appliedTable(table, softmcFamily().facts);
+        VERIFY_RESULT(applied);
+        QCOMPARE(applied->grid.axes[0].start, 0.0);
+        QCOMPARE(applied->grid.axes[0].size, 6U);
+        QCOMPARE(applied->values.front(), 0.0F); // the drive would hold 0.002
+        QVERIFY(applied->values[1] < -0.0019F); // of the command
+        QVERIFY(applied->values[5] < -0.0039F); // held above the last one
+        const auto ofDrive = appliedTable(table, calibrationCsvFamily().facts);
+        VERIFY_RESULT(ofDrive);
+        QCOMPARE(
+            ofDrive->values, (std::vector<float>{0.002F, 0.002F, 0.003F, 0.001F, 0.004F, 0.004F}));
+    }
+
+    void ofManyRequestsOnlyTheNewestIsReported()
+    {
+        std::vector<int> reported;
+        std::atomic<int> run = 0;
+        const auto window = std::this_thread::get_id();
+        NewestJob<int> job([&reported](int value) { reported.push_back(value); });
+        job.start([&run](const std::stop_token& stop) {
+            ++run;
+            while (!stop.stop_requested())
+                std::this_thread::yield();
+            return 1;
+        });
+        std::atomic<bool> isElsewhere = false;
+        for (int value = 2; value <= 5; ++value) {
+            job.start([&run, &isElsewhere, window, value](const std::stop_token&) {
+                ++run;
+                isElsewhere = std::this_thread::get_id() != window;
+                return value;
+            });
+        }
+        QTRY_VERIFY(!reported.empty());
+        QCOMPARE(reported, std::vector<int>{5});
+        QCOMPARE(run.load(), 2); // those between were never begun
+        QVERIFY(isElsewhere);
+        job.start([](const std::stop_token&) { return 6; });
+        job.cancel();
+        job.start([](const std::stop_token&) { return 7; });
+        QTRY_COMPARE(reported, (std::vector<int>{5, 7}));
+    }
+
+    void theOpenDialogKnowsEveryFormatThatCanBeRead()
+    {
+        const QString filter = openFilter();
+        const QStringList entries = filter.split(QStringLiteral(";;"));
+        const auto readable = std::ranges::count_if(
+            tableFamilies(), [](const TableFamily* family) { return family->read != nullptr; });
+        QCOMPARE(entries.size(), readable + 2);
+        for (const char* pattern : {"*.csv", "*.TAMtbl", "*.txt", "*.lis"})
+            QVERIFY2(entries.front().contains(QLatin1StringView(pattern)), pattern);
+        for (const QString& entry : entries)
+            QCOMPARE(entry.count(u'('), 1);
+    }
+
+    void whatTheRegistrySaysIsKnownToTheTranslations()
+    {
+        const Language language(QStringLiteral("de"));
+        QStringList unknown;
+        const auto check = [&unknown](std::string_view text) {
+            const std::string english(text);
+            if (translatedPhrase(english) == QString::fromStdString(english))
+                unknown += QString::fromStdString(english);
+        };
+        for (const TableFamily* family : tableFamilies()) {
+            check(family->facts.description);
+            for (const bool isWriting : {false, true}) {
+                for (const FormatSetting& setting : formatSettings(family->facts, isWriting)) {
+                    check(setting.meaning);
+                    QString key = QString::fromUtf8(
+                        setting.key.data(), static_cast<qsizetype>(setting.key.size()));
+                    key.replace(u'-', u' ');
+                    const bool isNamed = std::ranges::any_of(settingPhrases(),
+                        [&](const char* name) { return key == QLatin1String(name); });
+                    if (!isNamed)
+                        unknown += key;
+                }
+            }
+        }
+        unknown.removeDuplicates();
+        QVERIFY2(unknown.isEmpty(),
+            qPrintable(QStringLiteral("ui/text/format_phrases.cpp does not have:\n")
+                + unknown.join(u'\n')));
+    }
+
+    void theReportIsGerman()
+    {
+        ControllerBench bench;
+        const QString path = bench.file(QStringLiteral("uneven.csv"), uneven);
+        ImportChoices choices = onGrid(ResamplingChoice::Kind::Points, 9.0);
+        choices.sign = SignConvention::Command;
+        bench->importData(path, choices);
+        QVERIFY(bench.fileRead());
+        const std::vector<std::string> report = bench->dataFile().report;
+        QVERIFY(report.size() >= 3);
+        const Language language(QStringLiteral("de"));
+        for (const std::string& line : report) {
+            const QString german = phraseText(line);
+            for (const char* english : {" the ", " at ", " by ", " holds ", " from "})
+                QVERIFY2(!german.contains(QLatin1StringView(english)), qPrintable(german));
+        }
+    }
+};
+
+AXISCOMP_TEST(TestImportedFile)
+
+} // namespace tst_importedfile
+
+#include "tst_importedfile.moc"

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/formats/formats.h"
+#include "tests/ui/support/page_states.h"
+#include "tests/ui/support/window_test.h"
+
+#include <QFile>
+#include <QPlainTextEdit>
+#include <QTest>
+
+namespace tst_conversiondialogs {
+
+using namespace axiscomp;
+using namespace axiscomp::ui;
+using test::PageBench;
+using test::page_states::chooseAt;
+using test::page_states::unevenFile;
+
+namespace {
+
+QString reason(PageBench& bench)
+{
+    const auto& label = bench.user.the<QLabel>("conversionReason");
+    return label.isVisible() ? label.text() : QString();
+}
+
+QString report(PageBench& bench)
+{
+    return bench.user.the<QPlainTextEdit>("conversionReport").toPlainText();
+}
+
+bool mayAccept(PageBench& bench)
+{
+    return bench.user.the("acceptConversion").isEnabled();
+}
+
+/// A 1D table in millimetres is chosen.
+bool open1D(PageBench& bench)
+{
+    bench.picked = bench.file(QStringLiteral("line.csv"),
+        "X [mm],first [mm],second [mm]\n0,0,1\n10,0.001,2\n20,0.003,3\n30,0.002,4\n");
+    return bench.open() && bench.user.click("openButton")
+        && test::PageUser::waitFor([&] { return bench.controller().selectedTable() != nullptr; });
+}
+
+bool openExport(PageBench& bench, const QString& format)
+{
+    bench.user.the<QAction>("exportAction").trigger();
+    return test::PageUser::waitFor([&] { return bench.user.sees("exportDialog"); })
+        && bench.user.choose("conversionFormat", format);
+}
+
+} // namespace
+
+/// The dialogs about files of other controllers.
+class TestConversionDialogs : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { test::failOnWindowWarnings(); }
+
+    void anUnevenFileAsksByItselfAndSaysTheDeviationFirst()
+    {
+        PageBench bench;
+        auto& user = bench.user;
+        QVERIFY(bench.open());
+        bench.picked = unevenFile(bench);
+        QVERIFY(user.click("openButton"));
+        QTRY_VERIFY(user.sees("importDialog"));
+        QTRY_VERIFY2(
+            reason(bench).contains(QStringLiteral("not evenly spaced")), qPrintable(reason(bench)));
+        QVERIFY(!mayAccept(bench));
+        QCOMPARE(user.the("acceptConversion").toolTip(), reason(bench));
+        QVERIFY(chooseAt(bench, "gridField", 2));
+        QVERIFY(!mayAccept(bench)); // the distance is missing
+        QCOMPARE(reason(bench), QStringLiteral("Enter the number for the even grid."));
+        QVERIFY(user.click("gridNumberField"));
+        user.type(QStringLiteral("10"));
+        QTRY_VERIFY(mayAccept(bench));
+        QVERIFY2(report(bench).contains(QStringLiteral("off by at most 0.00183 mm")),
+            qPrintable(report(bench)));
+        QVERIFY(!bench.controller().dataFile().data); // nothing has been taken yet
+        QVERIFY(user.click("acceptConversion"));
+        QTRY_VERIFY(bench.controller().dataFile().data);
+        QCOMPARE(bench.controller().selectedTable()->grid.axes[0].size, 5U);
+        QVERIFY(!user.sees("importDialog"));
+    }
+
+    void aCancelledDialogLeavesEverything()
+    {
+        PageBench bench;
+        QVERIFY(test::page_states::unwritten(bench));
+        const auto table = bench.controller().selectedTable();
+        bench.picked = bench.file(QStringLiteral("offsets.csv"), "0,0\n10,0.002\n20,0.003\n");
+        QVERIFY(bench.user.click("openButton"));
+        QTRY_VERIFY(bench.user.sees("importDialog"));
+        QTRY_VERIFY(!reason(bench).isEmpty());
+        QVERIFY(bench.user.click("cancelConversion"));
+        QTRY_VERIFY(!bench.user.sees("importDialog"));
+        QCOMPARE(bench.controller().selectedTable(), table);
+        QVERIFY(bench.controller().dataFile().path.endsWith(QStringLiteral("super-1.csv")));
+    }
+
+    void theOptionsOfAnOpenFileCanBeChanged()
+    {
+        PageBench bench;
+        auto& user = bench.user;
+        QVERIFY(bench.open());
+        bench.picked = bench.file(
+            QStringLiteral("comp.txt"), "1 5\n0 0\n10 -0.002\n20 -0.004\n30 -0.002\n40 0\n");
+        QVERIFY(user.click("openButton"));
+        QTRY_VERIFY(bench.controller().dataFile().data);
+        QVERIFY(!user.sees("importDialog")); // nothing to ask
+        QVERIFY(user.note("dataField").contains(QStringLiteral("softmc")));
+        QVERIFY(user.pickFromMenu("recentButton", "recentMenu", Qt::Key_O));
+        QTRY_VERIFY(user.sees("importDialog"));
+        QTRY_VERIFY(mayAccept(bench));
+        QVERIFY(report(bench).contains(QStringLiteral("softmc holds command values")));
+        QVERIFY(chooseAt(bench, "signField", 1));
+        QTRY_VERIFY(mayAccept(bench)
+            && report(bench).contains(QStringLiteral("softmc holds feedback values, as you say")));
+        QVERIFY(user.click("acceptConversion"));
+        QTRY_VERIFY(bench.controller().selectedTable()->values[1] < 0.0F);
+    }
+
+    void whatIsNeededAndMissingIsSaid()
+    {
+        PageBench bench;
+        QVERIFY(open1D(bench));
+        QVERIFY(openExport(bench, QStringLiteral("CSV file of this program")));
+        QTRY_VERIFY2(
+            reason(bench).contains(QStringLiteral("counts-per-unit")), qPrintable(reason(bench)));
+        QVERIFY(!mayAccept(bench));
+        QVERIFY(bench.user.click("setting_counts-per-unit"));
+        bench.user.type(QStringLiteral("10000"));
+        QTRY_VERIFY(mayAccept(bench));
+        QVERIFY(reason(bench).isEmpty());
+        QVERIFY(!report(bench).isEmpty());
+    }
+
+    void anExportedFileIsReadByCore()
+    {
+        PageBench bench;
+        QVERIFY(open1D(bench));
+        QVERIFY(openExport(bench, QStringLiteral("text table of positions")));
+        QTRY_VERIFY(mayAccept(bench));
+        bench.picked = bench.path(QStringLiteral("out.txt"));
+        QVERIFY(bench.user.click("acceptConversion"));
+        QTRY_VERIFY(QFile::exists(bench.picked));
+        QVERIFY(bench.questions.back().filter.contains(QStringLiteral("*.txt")));
+        QVERIFY(bench.questions.back().start.endsWith(QStringLiteral("first.txt")));
+        QFile file(bench.picked);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const auto reading = softmcFamily().read(file.readAll().toStdString(), {});
+        VERIFY_RESULT(reading);
+        QVERIFY(!reading->hasErrors());
+        const NeutralTable& table = reading->tables.front();
+        QCOMPARE(table.axes[0].knots, (std::vector<double>{0, 10, 20, 30}));
+        QVERIFY(table.columns[0].values[1] < 0.0); // the command is moved the other way
+        QVERIFY(std::abs(table.columns[0].values[1] + 0.001) < 1e-5);
+    }
+
+    void anExportThatCannotBeWrittenSaysWhy()
+    {
+        PageBench bench;
+        QVERIFY(open1D(bench));
+        QVERIFY(openExport(bench, QStringLiteral("text table of positions")));
+        QTRY_VERIFY(mayAccept(bench));
+        bench.picked = bench.path(QStringLiteral("no-such-folder/out.txt"));
+        QVERIFY(bench.user.click("acceptConversion"));
+        QTRY_VERIFY(
+            bench.user.message("failureMessage").contains(QStringLiteral("no-such-folder")));
+    }
+
+    void thePictureShowsWhatAnotherControllerWouldApply()
+    {
+        PageBench bench;
+        QVERIFY(open1D(bench));
+        auto& facts = bench.user.the<QLabel>("tableFacts");
+        const QString ofDrive = facts.text();
+        QVERIFY(ofDrive.contains(QStringLiteral("4 points")));
+        QVERIFY(bench.user.choose("appliedBy", QStringLiteral("softMC")));
+        QTRY_VERIFY2(facts.text().contains(QStringLiteral("6 points")), qPrintable(facts.text()));
+        // What is written is not touched by what is looked at.
+        QCOMPARE(bench.controller().selectedTable()->values.size(), std::size_t{4});
+        QVERIFY(bench.user.choose("appliedBy", QStringLiteral("the drive")));
+        QTRY_COMPARE(facts.text(), ofDrive);
+    }
+
+    void withoutATableThereIsNothingToExport()
+    {
+        PageBench bench;
+        QVERIFY(bench.open());
+        QVERIFY(!bench.user.the<QAction>("exportAction").isEnabled());
+        QVERIFY(!bench.user.the<QAction>("exportAction").toolTip().isEmpty());
+    }
+};
+
+AXISCOMP_WINDOW_TEST(TestConversionDialogs)
+
+} // namespace tst_conversiondialogs
+
+#include "tst_conversiondialogs.moc"

@@ -1,0 +1,386 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/table/tam_table.h"
+#include "tests/support/verify.h"
+#include "tests/ui/support/controller_fixture.h"
+#include "tests/ui/support/page_fixture.h"
+#include "tests/ui/support/window_test.h"
+#include "ui/controller/column_mapping.h"
+#include "ui/dialogs/multi_axis_dialog.h"
+#include "ui/session/axis_list.h"
+
+#include <QComboBox>
+#include <QLabel>
+#include <QPointer>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTableWidget>
+
+#include <algorithm>
+
+namespace tst_multiaxis {
+
+using namespace axiscomp;
+using namespace axiscomp::ui;
+using test::BenchDrive;
+using test::ControllerBench;
+using test::DriveFixture;
+using test::DriveGate;
+using test::LinkFault;
+
+namespace {
+
+constexpr int columns = 5;
+constexpr int rows = 4;
+constexpr float largestOfX = 0.003F;
+constexpr float largestOfY = -0.007F;
+
+/// Two columns of errors over X and Y, each with one value that the other does not have.
+QByteArray errorsOfXAndY()
+{
+    QByteArray text = "X [mm],Y [mm],X error [mm],Y error [mm]\n";
+    for (int y = 0; y < rows; ++y) {
+        for (int x = 0; x < columns; ++x) {
+            const bool isPeak = x == 2 && y == 1;
+            text += QByteArray::number(10 * x) + ',' + QByteArray::number(10 * y) + ','
+                + (isPeak ? "0.003" : "0.001") + ',' + (isPeak ? "-0.007" : "0.002") + '\n';
+        }
+    }
+    return text;
+}
+
+/// The dialog on a controller that has such a file, 2D and both sources in its page.
+class Stage {
+public:
+    [[nodiscard]] bool open(bool withSources = true)
+    {
+        if (!bench.connect())
+            return false;
+        if (withSources)
+            bench.chooseMasterSources();
+        else
+            bench->setup().setDimensionality(2);
+        bench->openData(bench.file(QStringLiteral("plane.csv"), errorsOfXAndY()));
+        const bool isReady = bench.fileRead() && QTest::qWaitFor([this] {
+            return bench->action(Action::WriteSeveral).isEnabled && !bench->isSourceBeingChecked(1)
+                && !bench->isSourceBeingChecked(2);
+        });
+        if (!isReady)
+            return false;
+        dialog = new SeveralAxesDialog(bench.controller());
+        dialog->QDialog::show();
+        return true;
+    }
+    ~Stage() { delete dialog; }
+
+    template <typename T> T& the(const char* name)
+    {
+        auto* found = dialog->findChild<T*>(QLatin1StringView(name));
+        if (!found)
+            qFatal("there is no %s", name);
+        return *found;
+    }
+    QPushButton& write() { return the<QPushButton>("writeSeveralButton"); }
+    QString reason() { return the<QLabel>("severalReason").text(); }
+    void choose(int column, const QString& axis)
+    {
+        auto& combo = the<QComboBox>(column == 1 ? "axisOfColumn1" : "axisOfColumn2");
+        combo.setCurrentIndex(combo.findText(axis));
+    }
+    [[nodiscard]] bool mayWrite()
+    {
+        return QTest::qWaitFor([this] { return write().isEnabled(); }, 20'000);
+    }
+    [[nodiscard]] bool ended()
+    {
+        return QTest::qWaitFor([this] { return !write().isVisible(); }, 30'000) && bench.idle();
+    }
+    /// Something happens at the beginning of an upload, on the session's thread.
+    void atUpload(int number, const std::function<void(test::FaultyLink&)>& act)
+    {
+        test::FaultyLink* link = bench.drive().faults;
+        link->beginning = [link, number, act, count = 0](std::string_view what) mutable {
+            if (what == "upload" && ++count == number)
+                act(*link);
+        };
+    }
+    DriveFixture::State state(int axis) { return DriveFixture::stateOf(bench.drive().drive, axis); }
+    /// Whether the table of an axis on the drive has a value.
+    [[nodiscard]] bool holds(int axis, float value)
+    {
+        const auto file = decodeTamTable(state(axis).table, drivecomm::genericProfile().layout);
+        return file && std::ranges::count(file->table.values, value) == 1;
+    }
+
+    ControllerBench bench;
+    QPointer<SeveralAxesDialog> dialog;
+};
+
+} // namespace
+
+class TestSeveralAxes : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { test::failOnWindowWarnings(); }
+
+    void aColumnIsProposedForTheAxisThatItsNameSays_data();
+    void aColumnIsProposedForTheAxisThatItsNameSays();
+    void theActionSaysWhatIsMissing();
+    void theMenuOpensTheDialog();
+    void whatIsProposedIsPlannedAndNothingIsChanged();
+    void noAxisAndTheSameAxisTwiceCannotBeWritten();
+    void eachAxisGetsItsOwnColumn();
+    void theRefusalOfOneAxisNamesItAndPreventsAll();
+    void whatChangedSinceThePlanIsNotWrittenToAnyAxis();
+    void aFailureInTheSecondWriteSaysWhichAxisHoldsWhat();
+    void stoppedWritesSayWhichAxisHoldsWhat();
+    void cancelledBeforeTheWriteNothingIsChanged();
+};
+
+void TestSeveralAxes::aColumnIsProposedForTheAxisThatItsNameSays_data()
+{
+    QTest::addColumn<QString>("names");
+    QTest::addColumn<QList<int>>("proposed"); // -1: none
+    const auto row = [](const char* title, const char* names, const QList<int>& proposed) {
+        QTest::newRow(title) << QString::fromLatin1(names) << proposed;
+    };
+    row("names of axes", "Y,X", {1, 0});
+    row("errors of axes", "X error,y ERROR", {0, 1});
+    row("exact first", "X error,X", {-1, 0});
+    row("once only", "X,X", {0, -1});
+    row("other names", "table 1,error", {-1, -1});
+    row("of two axes", "Z,Z error", {-1, -1});
+}
+
+void TestSeveralAxes::aColumnIsProposedForTheAxisThatItsNameSays()
+{
+    QFETCH(QString, names);
+    QFETCH(QList<int>, proposed);
+    std::vector<CompensationTable> tables;
+    for (const QString& name : names.split(u',')) {
+        tables.emplace_back();
+        tables.back().name = name.toStdString();
+    }
+    DriveAxes drive;
+    drive.isConnected = true;
+    for (const char* name : {"X", "Y", "Z", "Z", ""}) {
+        const auto index = static_cast<int>(drive.axes.size());
+        drive.axes.push_back({index, name, "Millimeter", "HomingDone", "Inactive"});
+    }
+    const std::vector<DriveAxes> drives{drive};
+    const auto choices = proposedAxes(tables, axisEntries(drives));
+    QList<int> found;
+    for (const AxisChoice& choice : choices)
+        found += choice.value_or(-1);
+    QCOMPARE(found, proposed);
+}
+
+void TestSeveralAxes::theActionSaysWhatIsMissing()
+{
+    ControllerBench bench;
+    drivecomm::VirtualDriveOptions one = ControllerBench::xyDrive();
+    one.axes.resize(1);
+    QVERIFY(bench.connect());
+    QVERIFY(!bench->action(Action::WriteSeveral).isEnabled);
+    QCOMPARE(bench->action(Action::WriteSeveral).reason,
+        QStringLiteral("Open a file with several columns of values first."));
+    bench->setup().setDimensionality(2);
+    bench->openData(bench.file(QStringLiteral("plane.csv"), errorsOfXAndY()));
+    QVERIFY(bench.fileRead());
+    QVERIFY(bench->action(Action::WriteSeveral).isEnabled);
+
+    ControllerBench single;
+    single.addDrive("http://x", one);
+    QVERIFY(single.connect());
+    single->setup().setDimensionality(2);
+    single->openData(single.file(QStringLiteral("plane.csv"), errorsOfXAndY()));
+    QVERIFY(single.fileRead());
+    QCOMPARE(single->action(Action::WriteSeveral).reason,
+        QStringLiteral("The drive has no second axis with compensation registers."));
+}
+
+void TestSeveralAxes::theMenuOpensTheDialog()
+{
+    test::PageBench bench;
+    QVERIFY(bench.open());
+    auto& entry = bench.user.the<QAction>("writeSeveralAction");
+    QVERIFY(!entry.isEnabled());
+    QCOMPARE(entry.toolTip(), bench.controller().action(Action::WriteSeveral).reason);
+    QVERIFY(bench.choose2D());
+    QVERIFY(entry.isEnabled());
+    entry.trigger();
+    QTRY_VERIFY(bench.user.sees("severalAxesDialog"));
+    QCOMPARE(bench.user.the<QLabel>("severalReason").text(),
+        QStringLiteral("No axis is chosen: choose at least one."));
+}
+
+void TestSeveralAxes::whatIsProposedIsPlannedAndNothingIsChanged()
+{
+    Stage stage;
+    QVERIFY(stage.open());
+    const auto before = stage.state(0);
+    QVERIFY(stage.mayWrite());
+    auto& plan = stage.the<QTableWidget>("severalPlanRows");
+    QCOMPARE(plan.rowCount(), 2);
+    QCOMPARE(plan.item(0, 0)->text(), QStringLiteral("X"));
+    QCOMPARE(plan.item(1, 0)->text(), QStringLiteral("Y"));
+    QCOMPARE(plan.item(1, 1)->text(), QStringLiteral("no table"));
+    QVERIFY2(plan.item(1, 2)->text().startsWith(QStringLiteral("Y error")),
+        qPrintable(plan.item(1, 2)->text()));
+    QVERIFY2(plan.item(1, 2)->text().contains(QStringLiteral("MasterPosition")),
+        qPrintable(plan.item(1, 2)->text()));
+    QCOMPARE(plan.item(1, 3)->text(), QStringLiteral("chosen when its turn comes"));
+    QCOMPARE(stage.reason(), QStringLiteral("Costs no flash operation."));
+    QTRY_VERIFY(stage.the<QTableWidget>("columnAxes").item(0, 1)->text()
+        == QStringLiteral("+0.001 … +0.003 mm"));
+    QVERIFY(stage.state(0) == before);
+}
+
+void TestSeveralAxes::noAxisAndTheSameAxisTwiceCannotBeWritten()
+{
+    Stage stage;
+    QVERIFY(stage.open());
+    QVERIFY(stage.mayWrite());
+    stage.choose(2, QStringLiteral("X"));
+    QVERIFY(!stage.write().isEnabled());
+    QCOMPARE(stage.reason(), QStringLiteral("X is chosen twice: an axis has one table only."));
+    QCOMPARE(stage.write().toolTip(), stage.reason());
+    QCOMPARE(stage.the<QTableWidget>("severalPlanRows").rowCount(), 0);
+    stage.choose(1, QStringLiteral("none"));
+    QVERIFY(stage.mayWrite());
+    stage.choose(2, QStringLiteral("none"));
+    QVERIFY(!stage.write().isEnabled());
+    QCOMPARE(stage.reason(), QStringLiteral("No axis is chosen: choose at least one."));
+}
+
+void TestSeveralAxes::eachAxisGetsItsOwnColumn()
+{
+    Stage stage;
+    QVERIFY(stage.open());
+    stage.bench->setup().setPersistency(Persistency::Volatile);
+    QVERIFY(stage.mayWrite());
+    stage.write().click();
+    QVERIFY(stage.ended());
+    QVERIFY2(!stage.bench->isOutcomeAnError(), qPrintable(stage.reason()));
+    QVERIFY2(stage.reason().contains(QStringLiteral("the new state is on: X, Y.")),
+        qPrintable(stage.reason()));
+    QVERIFY(stage.state(0).table != stage.state(1).table);
+    QVERIFY(stage.holds(0, largestOfX));
+    QVERIFY(stage.holds(1, largestOfY));
+    QCOMPARE(stage.bench.store().backups(4711, 0).size(), std::size_t(1));
+    QCOMPARE(stage.bench.store().backups(4711, 1).size(), std::size_t(1));
+    // The page has read back what its axis has now.
+    QVERIFY(!stage.bench->setup().isChanged());
+    QVERIFY(stage.bench->setup().baseline().tableCrc != 0);
+}
+
+void TestSeveralAxes::theRefusalOfOneAxisNamesItAndPreventsAll()
+{
+    Stage stage;
+    QVERIFY(stage.open());
+    QVERIFY(stage.mayWrite());
+    stage.write().click();
+    QVERIFY(stage.ended());
+    delete stage.dialog;
+    // Now X has sources of its own; Y's are taken away.
+    const std::string base = "Axes[1]/Parameters/Compensations/Axis/";
+    stage.bench.drive().set(base + "Table", std::string("Disabled"));
+    for (const char* source : {"Dim1Source", "Dim2Source"})
+        stage.bench.drive().set(base + source, std::uint32_t{0});
+    stage.bench->openData(
+        stage.bench.file(QStringLiteral("new.csv"), errorsOfXAndY().replace("0.003", "0.004")));
+    QVERIFY(stage.bench.fileRead());
+    const auto before = stage.state(0);
+    stage.dialog = new SeveralAxesDialog(stage.bench.controller());
+    stage.dialog->QDialog::show();
+    auto& sources = stage.the<QComboBox>("severalSources");
+    sources.setCurrentIndex(0);
+    Q_EMIT sources.activated(0);
+    QTRY_VERIFY2(stage.reason().startsWith(QStringLiteral("Y: ")), qPrintable(stage.reason()));
+    QVERIFY(!stage.write().isEnabled());
+    QCOMPARE(stage.write().toolTip(), stage.reason());
+    QVERIFY(stage.state(0) == before);
+}
+
+void TestSeveralAxes::whatChangedSinceThePlanIsNotWrittenToAnyAxis()
+{
+    Stage stage;
+    QVERIFY(stage.open());
+    QVERIFY(stage.mayWrite());
+    stage.bench.drive().set("Axes[1]/Parameters/Compensations/Axis/Dim1Source",
+        stage.bench->sourcesForSeveral().front().address);
+    const auto before = stage.state(0);
+    stage.write().click();
+    QVERIFY(stage.ended());
+    QVERIFY(stage.bench->isOutcomeAnError());
+    QVERIFY2(stage.reason().startsWith(QStringLiteral("Y: ")), qPrintable(stage.reason()));
+    QVERIFY2(stage.reason().endsWith(
+                 QStringLiteral("No axis has the new state. The complete old state is on: X, Y.")),
+        qPrintable(stage.reason()));
+    QVERIFY(stage.state(0) == before);
+    QVERIFY(stage.bench->setup().isChanged());
+}
+
+void TestSeveralAxes::aFailureInTheSecondWriteSaysWhichAxisHoldsWhat()
+{
+    Stage stage;
+    QVERIFY(stage.open());
+    QVERIFY(stage.mayWrite());
+    const auto before = stage.state(1);
+    stage.atUpload(2, [](test::FaultyLink& link) { link.failAt(0, LinkFault::Refused); });
+    stage.write().click();
+    QVERIFY(stage.ended());
+    QVERIFY(stage.bench->isOutcomeAnError());
+    QVERIFY2(stage.reason().startsWith(QStringLiteral("Y: ")), qPrintable(stage.reason()));
+    QVERIFY2(stage.reason().endsWith(
+                 QStringLiteral("The new state is on: X. The complete old state is on: Y.")),
+        qPrintable(stage.reason()));
+    QVERIFY(stage.holds(0, largestOfX));
+    QCOMPARE(stage.state(1).registers, before.registers);
+    QVERIFY(!stage.bench->setup().isChanged()); // the page's axis is X
+}
+
+void TestSeveralAxes::stoppedWritesSayWhichAxisHoldsWhat()
+{
+    Stage stage;
+    QVERIFY(stage.open());
+    QVERIFY(stage.mayWrite());
+    const auto before = stage.state(1);
+    DriveGate& gate = stage.bench.drive().gate;
+    stage.atUpload(2, [&gate](test::FaultyLink&) { gate.setAt(1, DriveGate::Mode::Silent); });
+    stage.write().click();
+    QTRY_COMPARE(gate.waiting(), 1);
+    QVERIFY(stage.bench->isWriting());
+    QTRY_VERIFY2(stage.reason().contains(QStringLiteral("Y")), qPrintable(stage.reason()));
+    QTest::keyClick(stage.dialog, Qt::Key_Escape);
+    QVERIFY(stage.dialog && stage.dialog->isVisible());
+    gate.set(DriveGate::Mode::Open);
+    QVERIFY(stage.ended());
+    QCOMPARE(stage.reason(),
+        QStringLiteral("The writes were stopped at Y. The new state is on: X. The complete old "
+                       "state is on: Y."));
+    QVERIFY(stage.holds(0, largestOfX));
+    QCOMPARE(stage.state(1).registers, before.registers);
+    QTest::keyClick(stage.dialog, Qt::Key_Escape);
+    QTRY_VERIFY(!stage.dialog);
+}
+
+void TestSeveralAxes::cancelledBeforeTheWriteNothingIsChanged()
+{
+    Stage stage;
+    QVERIFY(stage.open());
+    const auto before = std::pair(stage.state(0), stage.state(1));
+    const auto edited = stage.bench->setup().edited();
+    QVERIFY(stage.mayWrite());
+    stage.the<QPushButton>("closeSeveralButton").click();
+    QTRY_VERIFY(!stage.dialog);
+    QVERIFY(std::pair(stage.state(0), stage.state(1)) == before);
+    QVERIFY(stage.bench->setup().edited() == edited);
+    QVERIFY(!stage.bench->busy().isBusy);
+}
+
+AXISCOMP_WINDOW_TEST(TestSeveralAxes)
+
+} // namespace tst_multiaxis
+
+#include "tst_multiaxis.moc"

@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/ui/support/page_fixture.h"
+#include "tests/ui/support/window_test.h"
+
+#include <QFileInfo>
+#include <QTableWidget>
+#include <QTest>
+#include <QTreeWidget>
+
+namespace tst_compensationwizard {
+
+using namespace axiscomp;
+using namespace axiscomp::ui;
+using test::PageBench;
+
+namespace {
+
+const std::string stateX = "Axes[0]/Signals/Compensations/Axis/State";
+const std::string tableX = "Axes[0]/Parameters/Compensations/Axis/Table";
+
+/// The second column of the list before a write, by the first.
+QString rowOf(const QTableWidget& rows, const QString& field, int column)
+{
+    for (int row = 0; row < rows.rowCount(); ++row) {
+        if (rows.item(row, 0)->text() == field)
+            return rows.item(row, column)->text();
+    }
+    return QStringLiteral("no such row");
+}
+
+} // namespace
+
+/// The page as a person uses it: what is shown, keys and clicks, against a drive behind its web
+/// server.
+class TestCompensationWizard : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { test::failOnWindowWarnings(); }
+
+    void fromTheFirstStartToAnActiveCompensation()
+    {
+        PageBench bench;
+        auto& user = bench.user;
+        QVERIFY(user.isThere());
+
+        // Without settings there is the demo drive, and it is called that everywhere.
+        QTRY_VERIFY(bench.controller().status().has_value());
+        QVERIFY(user.message("demoMessage").contains(QStringLiteral("demo drive")));
+        QVERIFY(bench.window.windowTitle().contains(QStringLiteral("(demo)")));
+        QVERIFY(user.the<QComboBox>("axisField").currentText().contains(QStringLiteral("(demo)")));
+
+        // A drive is added by its address and the demo drive removed.
+        QVERIFY(user.click("setUpDrivesButton"));
+        QTRY_VERIFY(user.sees("connectionsDialog"));
+        auto& dialog = user.the<QDialog>("connectionsDialog");
+        QVERIFY(QTest::qWaitForWindowActive(&dialog));
+        user.type(bench.served.url());
+        user.press(Qt::Key_Return);
+        auto& list = user.the<QTreeWidget>("connections");
+        QTRY_COMPARE(list.topLevelItemCount(), 2);
+        QTRY_VERIFY(list.topLevelItem(1)->text(2).contains(QStringLiteral("1559")));
+        list.setCurrentItem(list.topLevelItem(0));
+        QVERIFY(user.click("removeConnection"));
+        QCOMPARE(list.topLevelItemCount(), 1);
+        QTest::keyClick(dialog.windowHandle(), Qt::Key_Return);
+        QTRY_VERIFY(!user.find("connectionsDialog"));
+        QVERIFY(user.isThere()); // a window manager would give it the keyboard back
+        QTRY_VERIFY(bench.controller().status().has_value()
+            && bench.controller().status()->drive.serialNumber == 1559);
+        QCOMPARE(bench.controller().endpoints(), QStringList(bench.served.url()));
+        QVERIFY(user.message("demoMessage").isEmpty());
+        QVERIFY(!bench.window.windowTitle().contains(QStringLiteral("(demo)")));
+        QTRY_COMPARE(user.the<QLabel>("driveState").text(), QStringLiteral("connected"));
+
+        // Everything of AN140 2.4.
+        QVERIFY(user.choose("axisField", QStringLiteral("Y · Stage-7")));
+        QTRY_COMPARE(bench.controller().currentAxis(), 1);
+        QVERIFY(user.choose("axisField", QStringLiteral("X · Stage-7")));
+        QTRY_VERIFY(
+            bench.controller().currentAxis() == 0 && bench.controller().status().has_value());
+        QVERIFY(bench.choose2D());
+        QCOMPARE(bench.questions.size(), std::size_t{1});
+        QCOMPARE(bench.questions[0].purpose, FileQuestion::Purpose::OpenData);
+        QVERIFY(user.choose("tableField", QStringLiteral("second")));
+        QVERIFY(user.click("persistencyField"));
+        QCOMPARE(bench.controller().setup().edited().persistency, Persistency::Persistent);
+        QVERIFY(bench.window.isWindowModified());
+        QVERIFY(user.note("tableField").contains(QStringLiteral("on the drive: none")));
+        QVERIFY(
+            user.the<QLabel>("signSentence").text().contains(QStringLiteral("the drive will add")));
+
+        // The list of what will be written, then the write.
+        const auto before = bench.state();
+        QVERIFY(user.click("writeButton"));
+        QTRY_VERIFY(user.sees("confirmWriteButton"));
+        const auto& rows = user.the<QTableWidget>("previewRows");
+        QCOMPARE(rowOf(rows, QStringLiteral("Dimensionality"), 2), QStringLiteral("2D"));
+        QVERIFY(rowOf(rows, QStringLiteral("Dim1 Source"), 2).contains(QStringLiteral("X")));
+        QCOMPARE(rowOf(rows, QStringLiteral("Persistency"), 2), QStringLiteral("persistent"));
+        QTRY_VERIFY(
+            rowOf(rows, QStringLiteral("Largest change"), 2).contains(QStringLiteral("µm")));
+        QVERIFY(user.the<QLabel>("previewCost").text().contains(QStringLiteral("costs 1")));
+        QVERIFY(bench.state() == before);
+        user.press(Qt::Key_Return);
+        QVERIFY(bench.saysOutcome(QStringLiteral("the drive holds the new state")));
+        QVERIFY(!bench.window.isWindowModified());
+        QVERIFY(!(bench.state() == before));
+        QVERIFY(!bench.state().table.empty());
+        QVERIFY(user.the<QComboBox>("tableField")
+                    .currentText()
+                    .startsWith(QStringLiteral("On the drive")));
+
+        // Active, and proved.
+        QVERIFY(user.click("activateButton"));
+        QVERIFY(bench.saysOutcome(QStringLiteral("Proved: largest difference")));
+        QTRY_COMPARE(bench.served.text(stateX), std::string("Active"));
+        QTRY_COMPARE(
+            user.the<QLabel>("compensationState").text(), QStringLiteral("compensation active"));
+        QVERIFY(user.the<QLabel>("liveValues").text().contains(QStringLiteral("µm")));
+        QVERIFY(!user.the("writeButton").isEnabled());
+        QCOMPARE(user.hint(), QStringLiteral("The compensation is active."));
+    }
+
+    void evaluatedActiveAndOffAgain()
+    {
+        PageBench bench;
+        auto& user = bench.user;
+        QVERIFY(bench.open());
+        QVERIFY(bench.choose2D());
+        QVERIFY(bench.write());
+        QVERIFY(user.pickFromMenu("activateMenuButton", "activateMenu", Qt::Key_E));
+        QVERIFY(bench.saysOutcome(QStringLiteral("the drive adds nothing")));
+        QTRY_COMPARE(user.the<QLabel>("compensationState").text(),
+            QStringLiteral("compensation evaluating"));
+        QVERIFY(user.click("activateButton"));
+        QVERIFY(bench.saysOutcome(QStringLiteral("Proved")));
+        QVERIFY(user.click("deactivateButton"));
+        QVERIFY(bench.saysOutcome(QStringLiteral("The compensation is off.")));
+        QTRY_COMPARE(
+            user.the<QLabel>("compensationState").text(), QStringLiteral("compensation off"));
+        QTRY_COMPARE(bench.served.text(stateX), std::string("Disabled"));
+    }
+
+    void oneFieldIsRevertedAndThenAll()
+    {
+        PageBench bench;
+        auto& user = bench.user;
+        QVERIFY(bench.open());
+        QVERIFY(bench.choose2D());
+        const SetupModel& setup = bench.controller().setup();
+        QVERIFY(setup.isChanged(Field::Source2));
+        QVERIFY(user.click("source2FieldRevert"));
+        QVERIFY(!setup.isChanged(Field::Source2));
+        QVERIFY(setup.isChanged(Field::Source1));
+        QVERIFY(!user.sees("source2FieldRevert"));
+        QCOMPARE(user.hint(), QStringLiteral("Dim2 Source is missing."));
+        // Ctrl+R reverts where the cursor is.
+        QVERIFY(user.click("source1Field"));
+        user.press(Qt::Key_R, Qt::ControlModifier);
+        QVERIFY(!setup.isChanged(Field::Source1));
+        QVERIFY(setup.isChanged(Field::Table));
+        QVERIFY(user.click("revertAllButton"));
+        QVERIFY(!setup.isChanged());
+        QCOMPARE(user.the<QComboBox>("dimensionalityField").currentText(), QStringLiteral("1D"));
+        QVERIFY(!bench.window.isWindowModified());
+        QVERIFY(!user.the("revertAllButton").isEnabled());
+    }
+
+    void thePreviousStateIsRestored()
+    {
+        PageBench bench;
+        auto& user = bench.user;
+        QVERIFY(bench.open());
+        QVERIFY(bench.choose2D());
+        QVERIFY(bench.write());
+        const auto first = bench.state();
+        QVERIFY(user.choose("tableField", QStringLiteral("second")));
+        QVERIFY(bench.write());
+        QVERIFY(!(bench.state().table == first.table));
+        QVERIFY(user.pickFromMenu("activateMenuButton", "activateMenu", Qt::Key_P));
+        QVERIFY(bench.saysOutcome(QStringLiteral("Restored")));
+        QCOMPARE(bench.state().table, first.table);
+        QVERIFY(!bench.controller().setup().isChanged());
+    }
+
+    void theExampleIsAFileThatCanBeOpened()
+    {
+        PageBench bench;
+        auto& user = bench.user;
+        QVERIFY(bench.open());
+        QVERIFY(user.choose("dimensionalityField", QStringLiteral("3D")));
+        bench.picked = bench.path(QStringLiteral("example.csv"));
+        QVERIFY(user.click("saveExampleButton"));
+        QCOMPARE(bench.questions.back().purpose, FileQuestion::Purpose::SaveExample);
+        QVERIFY(bench.questions.back().start.endsWith(QStringLiteral("example-3d.csv")));
+        QTRY_VERIFY(QFile::exists(bench.picked));
+        QTRY_VERIFY(QFileInfo(bench.picked).size() > 0);
+        QVERIFY(user.click("openButton"));
+        QTRY_VERIFY(bench.controller().dataFile().data);
+        QCOMPARE(bench.controller().dataFile().data->grid.dimensions(), 3);
+        QVERIFY(user.note("dataField").startsWith(QStringLiteral("tables: ")));
+    }
+
+    void theListBeforeAWriteCanBeLeftAndSwitchedOff()
+    {
+        PageBench bench;
+        auto& user = bench.user;
+        QVERIFY(bench.open());
+        QVERIFY(bench.choose2D());
+        const auto before = bench.state();
+        QVERIFY(user.click("writeButton"));
+        QTRY_VERIFY(user.sees("writePreview"));
+        QVERIFY(!user.the("writeButton").isEnabled());
+        user.press(Qt::Key_Escape);
+        QTRY_VERIFY(!user.sees("writePreview"));
+        QVERIFY(bench.state() == before);
+        QVERIFY(bench.controller().setup().isChanged());
+        QVERIFY(user.the("writeButton").isEnabled());
+
+        QVERIFY(user.click("writeButton"));
+        QVERIFY(user.click("skipPreviewForVolatile"));
+        QVERIFY(user.click("confirmWriteButton"));
+        QVERIFY(bench.saysOutcome(QStringLiteral("the drive holds the new state")));
+        QVERIFY(user.choose("tableField", QStringLiteral("second")));
+        const auto first = bench.state();
+        QVERIFY(user.click("writeButton"));
+        QTRY_VERIFY(!(bench.state() == first));
+        QVERIFY(bench.idle());
+        // A persistent write always shows its list.
+        QVERIFY(user.choose("tableField", QStringLiteral("first")));
+        QVERIFY(user.click("persistencyField"));
+        QVERIFY(user.click("writeButton"));
+        QTRY_VERIFY(user.sees("writePreview"));
+        QVERIFY(!user.sees("skipPreviewForVolatile"));
+    }
+
+    void persistencyOfTheTableOnTheDriveIsChangedWithoutAFile()
+    {
+        PageBench bench;
+        auto& user = bench.user;
+        QVERIFY(bench.open());
+        QVERIFY(bench.choose2D());
+        QVERIFY(bench.write());
+        QVERIFY(user.pickFromMenu("recentButton", "recentMenu", Qt::Key_C)); // Close File
+        QTRY_VERIFY(!bench.controller().dataFile().data);
+        QVERIFY(user.click("persistencyField"));
+        QVERIFY(bench.write());
+        QVERIFY(bench.saysOutcome(QStringLiteral("stored in flash")));
+        bench.served.drive.reboot();
+        QVERIFY(bench.served.text(tableX) != "Disabled");
+    }
+
+    void anotherAxisIsChosenOnlyAfterAQuestionWhenSomethingIsUnwritten()
+    {
+        PageBench bench;
+        auto& user = bench.user;
+        QVERIFY(bench.open());
+        QVERIFY(user.choose("dimensionalityField", QStringLiteral("2D")));
+        QVERIFY(user.choose("axisField", QStringLiteral("Y · ")));
+        QVERIFY(user.message("leaveQuestion").contains(QStringLiteral("not written")));
+        QCOMPARE(user.the<QComboBox>("axisField").currentIndex(), 0);
+        QVERIFY(user.click("stayButton"));
+        QVERIFY(user.message("leaveQuestion").isEmpty());
+        QCOMPARE(bench.controller().setup().edited().dimensionality, 2);
+        QVERIFY(user.choose("axisField", QStringLiteral("Y · ")));
+        QVERIFY(user.click("loseChangesButton"));
+        QTRY_COMPARE(user.the<QComboBox>("axisField").currentIndex(), 1);
+        QVERIFY(!bench.controller().setup().isChanged());
+    }
+
+    void anAxisThatIsNotHomedSaysSo()
+    {
+        PageBench bench(PageBench::twoAxes(false));
+        QVERIFY(bench.open());
+        QVERIFY(bench.choose2D());
+        QVERIFY(bench.write());
+        QCOMPARE(bench.user.hint(), QStringLiteral("The axis must be homed first."));
+        QVERIFY(!bench.user.the("activateButton").isEnabled());
+        QVERIFY(bench.user.note("axisField").contains(QStringLiteral("not homed")));
+    }
+};
+
+AXISCOMP_WINDOW_TEST(TestCompensationWizard)
+
+} // namespace tst_compensationwizard
+
+#include "tst_compensationwizard.moc"

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/ui/support/page_fixture.h"
+#include "tests/ui/support/window_test.h"
+
+#include <QTest>
+
+namespace tst_wizardconnection {
+
+using namespace axiscomp;
+using namespace axiscomp::ui;
+using drivecomm::FaultSpec;
+using test::PageBench;
+
+namespace {
+
+const std::string activationX = "Axes[0]/Commands/Compensations/Axis/Activation";
+const std::string sourceX = "Axes[0]/Parameters/Compensations/Axis/Dim1Source";
+const std::string tableX = "Axes[0]/Parameters/Compensations/Axis/Table";
+
+} // namespace
+
+/// What comes from outside while the page is open: lost connections, other clients, refusals, and
+/// a write that is stopped.
+class TestWizardConnection : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { test::failOnWindowWarnings(); }
+
+    void aLostConnectionIsSaidEditsAreKeptAndItComesBack()
+    {
+        PageBench bench;
+        auto& user = bench.user;
+        QVERIFY(bench.open());
+        QVERIFY(bench.choose2D());
+        const EditedSetup edited = bench.controller().setup().edited();
+        bench.served.stop();
+        QTRY_VERIFY(!user.message("connectionMessage").isEmpty());
+        QVERIFY(user.message("connectionMessage")
+                    .contains(QStringLiteral("What you have changed is kept")));
+        QCOMPARE(
+            user.the<QLabel>("driveState").text(), QStringLiteral("connection lost, trying again"));
+        QCOMPARE(user.hint(), QStringLiteral("The drive is not connected."));
+        QVERIFY(!user.the("writeButton").isEnabled());
+        QVERIFY(!user.sees("liveValues"));
+        QVERIFY(bench.controller().setup().edited() == edited);
+        // It can be worked on: what needs no drive goes on.
+        QVERIFY(user.choose("tableField", QStringLiteral("second")));
+        bench.served.start();
+        QTRY_COMPARE(user.the<QLabel>("driveState").text(), QStringLiteral("connected"));
+        QVERIFY(user.message("connectionMessage").isEmpty());
+        QCOMPARE(bench.controller().setup().edited().table.fileTable, std::optional(1));
+        QTRY_VERIFY(user.the("writeButton").isEnabled());
+        QVERIFY(bench.write());
+        QVERIFY(bench.saysOutcome(QStringLiteral("the drive holds the new state")));
+    }
+
+    void aConnectionLostWhileWritingSaysWhatIsKnownAndLaterWhatTheDriveHolds()
+    {
+        PageBench bench;
+        auto& user = bench.user;
+        QVERIFY(bench.open());
+        QVERIFY(bench.choose2D());
+        const auto before = bench.state();
+        bench.served.faults.add({FaultSpec::Kind::Slow, 40, {}});
+        QVERIFY(user.click("writeButton"));
+        QVERIFY(user.click("confirmWriteButton"));
+        QTRY_VERIFY(bench.controller().isWriting()
+            && bench.controller().busy().step.contains(QStringLiteral("writing:")));
+        bench.served.stop();
+        QVERIFY(bench.idle());
+        QVERIFY(!bench.outcome().isEmpty());
+        QVERIFY(bench.controller().isOutcomeAnError());
+        bench.served.faults.clear();
+        bench.served.start();
+        QTRY_COMPARE(user.the<QLabel>("driveState").text(), QStringLiteral("connected"));
+        QTRY_VERIFY(bench.controller().status().has_value());
+        QTRY_VERIFY(bench.controller().action(Action::Write).isEnabled
+            || !bench.controller().setup().isChanged());
+        const auto after = bench.state();
+        QVERIFY(after.registers == before.registers || !after.table.empty());
+    }
+
+    void aSecondClientsChangesAreShownAndAnUnwrittenEditIsKept()
+    {
+        PageBench bench;
+        auto& user = bench.user;
+        QVERIFY(bench.open());
+        QVERIFY(bench.choose2D());
+        QVERIFY(bench.write());
+        QVERIFY(user.choose("tableField", QStringLiteral("second")));
+        const auto written =
+            bench.served.drive.writeRegisters({{activationX, std::string("Evaluate")}});
+        VERIFY_RESULT(written);
+        QTRY_COMPARE(user.the<QLabel>("compensationState").text(),
+            QStringLiteral("compensation evaluating"));
+        QCOMPARE(bench.controller().setup().edited().table.fileTable, std::optional(1));
+        VERIFY_RESULT(
+            bench.served.drive.writeRegisters({{activationX, std::string("AddToEncoders")}}));
+        QTRY_COMPARE(
+            user.hint(), QStringLiteral("The compensation is active: deactivate it first."));
+        VERIFY_RESULT(bench.served.drive.writeRegisters({{activationX, std::string("Disabled")}}));
+        QTRY_VERIFY(user.the("writeButton").isEnabled());
+
+        // The table is taken away from the axis: the field shows it.
+        QVERIFY(user.click("tableFieldRevert"));
+        VERIFY_RESULT(bench.served.drive.writeRegisters({{tableX, std::string("Disabled")}}));
+        QTRY_COMPARE(
+            user.the<QComboBox>("tableField").currentText(), QStringLiteral("none on the drive"));
+    }
+
+    void aWriteStopsWhenTheDriveHasChangedAfterTheListWasShown()
+    {
+        PageBench bench;
+        auto& user = bench.user;
+        QVERIFY(bench.open());
+        QVERIFY(bench.choose2D());
+        QVERIFY(bench.write());
+        QVERIFY(user.choose("tableField", QStringLiteral("second")));
+        // From here on the page hears of nothing by itself before the write.
+        QVERIFY(user.click("writeButton"));
+        QTRY_VERIFY(user.sees("writePreview"));
+        VERIFY_RESULT(bench.served.drive.writeRegisters({{sourceX, std::uint32_t{0}}}));
+        const auto changed = bench.state();
+        if (user.sees("confirmWriteButton"))
+            user.press(Qt::Key_Return);
+        QVERIFY(bench.idle());
+        QTRY_VERIFY(!user.sees("writePreview"));
+        QVERIFY2(bench.controller().isOutcomeAnError(), qPrintable(bench.outcome()));
+        QCOMPARE(bench.state().registers, changed.registers);
+        QCOMPARE(bench.state().table, changed.table);
+        QCOMPARE(bench.controller().setup().edited().table.fileTable, std::optional(1));
+        QTRY_COMPARE(user.the<QComboBox>("source1Field").currentText(), QString());
+    }
+
+    void aDriveThatRefusesIsQuotedAndItsValuesComeBack()
+    {
+        PageBench bench;
+        auto& user = bench.user;
+        QVERIFY(bench.open());
+        QVERIFY(bench.choose2D());
+        QVERIFY(bench.write());
+        const auto before = bench.state();
+        QVERIFY(user.choose("tableField", QStringLiteral("second")));
+        QVERIFY(user.click("writeButton"));
+        QTRY_VERIFY(user.sees("confirmWriteButton"));
+        bench.served.faults.add({FaultSpec::Kind::Reject, 0, "TableRefused"});
+        QVERIFY(user.click("confirmWriteButton"));
+        QVERIFY(bench.saysOutcome(QStringLiteral("a fault was asked for")));
+        QVERIFY(bench.outcome().contains(QStringLiteral("The drive holds the complete old state")));
+        QVERIFY(user.the("outcomeMessage").isVisible());
+        QVERIFY(bench.state() == before);
+        bench.served.faults.clear();
+        // The edit is still there, and what the drive has is shown as the drive's.
+        QVERIFY(bench.controller().setup().isChanged(Field::Table));
+        QVERIFY(user.note("tableField").contains(QStringLiteral("on the drive: ")));
+        QVERIFY(bench.write());
+        QVERIFY(!(bench.state() == before));
+    }
+
+    void aSourceThatTheDriveDoesNotKnowIsRefusedWithASentence()
+    {
+        PageBench bench;
+        auto& user = bench.user;
+        QVERIFY(bench.open());
+        QVERIFY(user.enter("source1Field", QStringLiteral("Axes[0]/Signals/NoSuchThing")));
+        QTRY_VERIFY(user.note("source1Field").contains(QStringLiteral("NoSuchThing")));
+        QVERIFY(!bench.controller().setup().isChanged());
+        user.press(Qt::Key_Escape);
+        QCOMPARE(user.the<QComboBox>("source1Field").currentText(), QString());
+        QVERIFY(user.choose("dimensionalityField", QStringLiteral("2D")));
+        QVERIFY(user.enter("source1Field", QString::fromStdString(test::masterX)));
+        QTRY_VERIFY(bench.controller().setup().edited().sources[0].isSet());
+        QVERIFY(user.enter("source2Field", QString::fromStdString(test::masterX)));
+        QTRY_VERIFY(!bench.controller().sourceProblem(2).isEmpty());
+        QCOMPARE(user.note("source2Field"), bench.controller().sourceProblem(2));
+        QVERIFY(!bench.controller().setup().edited().sources[1].isSet());
+    }
+
+    void aWriteIsStoppedAndTheDriveKeepsItsOldState()
+    {
+        PageBench bench;
+        auto& user = bench.user;
+        QVERIFY(bench.open());
+        QVERIFY(bench.choose2D());
+        QVERIFY(bench.write());
+        const auto before = bench.state();
+        QVERIFY(user.choose("tableField", QStringLiteral("second")));
+        QVERIFY(user.click("writeButton"));
+        QTRY_VERIFY(user.sees("confirmWriteButton"));
+        bench.served.faults.add({FaultSpec::Kind::Slow, 60, {}});
+        QVERIFY(user.click("confirmWriteButton"));
+        QTRY_VERIFY(bench.controller().isWriting() && user.sees("cancelButton"));
+        QVERIFY(user.click("cancelButton"));
+        QVERIFY(!user.the("cancelButton").isEnabled());
+        QVERIFY(bench.saysOutcome(QStringLiteral("The write was stopped.")));
+        bench.served.faults.clear();
+        QVERIFY(bench.state() == before);
+        QVERIFY(bench.controller().setup().isChanged(Field::Table));
+        QTRY_VERIFY(user.the("writeButton").isEnabled());
+    }
+};
+
+AXISCOMP_WINDOW_TEST(TestWizardConnection)
+
+} // namespace tst_wizardconnection
+
+#include "tst_wizardconnection.moc"

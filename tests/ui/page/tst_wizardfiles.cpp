@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/ui/support/page_states.h"
+#include "tests/ui/support/window_test.h"
+
+#include <QDir>
+#include <QDragEnterEvent>
+#include <QMimeData>
+#include <QTableView>
+#include <QTest>
+#include <QTreeWidget>
+
+namespace tst_wizardfiles {
+
+using namespace axiscomp;
+using namespace axiscomp::ui;
+using test::PageBench;
+
+namespace {
+
+/// What a drag is told, and whether its drop was taken.
+struct Drop {
+    bool isWelcome = false;
+    bool showsFrame = false;
+    bool isTaken = false;
+};
+
+Drop drop(PageBench& bench, const QMimeData& data)
+{
+    Drop result;
+    const QPoint place(300, 300);
+    QDragEnterEvent enter(place, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    enter.ignore();
+    QApplication::sendEvent(&bench.wizard, &enter);
+    result.isWelcome = enter.isAccepted();
+    result.showsFrame = bench.user.sees("dropFrame");
+    // A platform delivers a drop only where the drag was welcome.
+    if (!result.isWelcome)
+        return result;
+    QDropEvent dropped(place, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    dropped.ignore();
+    QApplication::sendEvent(&bench.wizard, &dropped);
+    result.isTaken = dropped.isAccepted();
+    return result;
+}
+
+QStringList cellsOf(const QAbstractItemModel& model)
+{
+    QStringList cells;
+    for (int row = 0; row < model.rowCount(); ++row) {
+        for (int column = 0; column < model.columnCount(); ++column)
+            cells += model.index(row, column).data().toString();
+    }
+    return cells;
+}
+
+QMimeData* urls(const QList<QUrl>& list, QMimeData& data)
+{
+    data.setUrls(list);
+    return &data;
+}
+
+} // namespace
+
+/// Files: dropped, bad, changed on disk, remembered.
+class TestWizardFiles : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { test::failOnWindowWarnings(); }
+
+    void aDroppedFileIsOpened()
+    {
+        PageBench bench;
+        QVERIFY(bench.open());
+        QVERIFY(bench.user.choose("dimensionalityField", QStringLiteral("2D")));
+        QMimeData data;
+        const QString file = bench.superData();
+        const Drop result = drop(bench, *urls({QUrl::fromLocalFile(file)}, data));
+        QVERIFY(result.isWelcome);
+        QVERIFY(result.showsFrame);
+        QVERIFY(result.isTaken);
+        QVERIFY(!bench.user.sees("dropFrame"));
+        QTRY_VERIFY(bench.controller().dataFile().data);
+        QCOMPARE(bench.controller().dataFile().path, file);
+        QCOMPARE(bench.user.the<QLineEdit>("dataFile").text(), QStringLiteral("super-1.csv"));
+    }
+
+    void whatIsNotOneFileIsNotWelcome()
+    {
+        PageBench bench;
+        QVERIFY(bench.open());
+        const QUrl first = QUrl::fromLocalFile(bench.superData(1));
+        const QUrl second = QUrl::fromLocalFile(bench.superData(2));
+        QMimeData text;
+        text.setText(QStringLiteral("0,0,1\n"));
+        QVERIFY(!drop(bench, text).isWelcome);
+        QMimeData two;
+        QVERIFY(!drop(bench, *urls({first, second}, two)).isWelcome);
+        QMimeData folder;
+        QVERIFY(!drop(bench, *urls({QUrl::fromLocalFile(bench.folder.path())}, folder)).isWelcome);
+        QMimeData missing;
+        QVERIFY(!drop(
+            bench, *urls({QUrl::fromLocalFile(bench.path(QStringLiteral("none.csv")))}, missing))
+                     .isWelcome);
+        QMimeData remote;
+        QVERIFY(!drop(bench, *urls({QUrl(QStringLiteral("http://example.org/a.csv"))}, remote))
+                     .isWelcome);
+        QVERIFY(!bench.user.sees("dropFrame"));
+        QVERIFY(!bench.controller().dataFile().isReading);
+        QVERIFY(bench.controller().dataFile().path.isEmpty());
+    }
+
+    void whileTheDriveIsWrittenNothingIsWelcome()
+    {
+        PageBench bench;
+        QVERIFY(test::page_states::writing(bench));
+        QMimeData data;
+        QVERIFY(!drop(bench, *urls({QUrl::fromLocalFile(bench.superData(2))}, data)).isWelcome);
+        bench.served.faults.clear();
+        QVERIFY(bench.idle());
+    }
+
+    void aDragThatGoesAwayLeavesNothing()
+    {
+        PageBench bench;
+        QVERIFY(bench.open());
+        QMimeData data;
+        data.setUrls({QUrl::fromLocalFile(bench.superData())});
+        QDragEnterEvent enter({300, 300}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QApplication::sendEvent(&bench.wizard, &enter);
+        QVERIFY(bench.user.sees("dropFrame"));
+        QDragLeaveEvent leave;
+        QApplication::sendEvent(&bench.wizard, &leave);
+        QVERIFY(!bench.user.sees("dropFrame"));
+        QVERIFY(!bench.controller().dataFile().isReading);
+    }
+
+    void aBadFileIsAListOfProblemsAndTheOldTableStays()
+    {
+        PageBench bench;
+        auto& user = bench.user;
+        QVERIFY(test::page_states::unwritten(bench));
+        const auto table = bench.controller().selectedTable();
+        QVERIFY(test::page_states::openBadFile(bench));
+        auto& list = user.the<QTreeWidget>("problems");
+        QVERIFY(list.topLevelItemCount() >= 3);
+        QCOMPARE(list.topLevelItem(0)->text(0), QStringLiteral("3"));
+        QVERIFY(list.topLevelItem(0)->text(2).contains(QStringLiteral("0.0O2")));
+        QVERIFY(user.note("dataField").startsWith(QStringLiteral("problems: ")));
+        QVERIFY(bench.controller().selectedTable() == table);
+        QVERIFY(user.the<QComboBox>("tableField").currentText().contains(QStringLiteral("first")));
+        QVERIFY(user.the("writeButton").isEnabled());
+        // A click leads to the file's line.
+        const QRect row = list.visualItemRect(list.topLevelItem(0));
+        QTest::mouseClick(list.viewport(), Qt::LeftButton, {}, row.center());
+        QTRY_VERIFY(user.sees("fileLines"));
+        const auto& lines = *user.the<QTableView>("fileLines").model();
+        QTRY_VERIFY(cellsOf(lines).contains(QStringLiteral("0.0O2")));
+        // A good file takes the list away.
+        bench.picked = bench.superData(2);
+        QVERIFY(user.click("openButton"));
+        QTRY_VERIFY(user.note("dataField").startsWith(QStringLiteral("tables: ")));
+        QTRY_VERIFY(!user.sees("problems"));
+    }
+
+    void theFirstFileMayBeTheBadOne()
+    {
+        PageBench bench;
+        auto& user = bench.user;
+        QVERIFY(bench.open());
+        bench.picked = bench.file(QStringLiteral("nonsense.csv"), "hello\nworld\n");
+        QVERIFY(user.click("openButton"));
+        QTRY_VERIFY(user.sees("problems"));
+        QCOMPARE(
+            user.the<QComboBox>("tableField").currentText(), QStringLiteral("none on the drive"));
+        QVERIFY(!bench.controller().setup().isChanged(Field::Table));
+        QVERIFY(!user.the("writeButton").isEnabled());
+    }
+
+    void aFileThatHasChangedIsOfferedToBeReadAgain()
+    {
+        PageBench bench;
+        auto& user = bench.user;
+        QVERIFY(test::page_states::unwritten(bench));
+        QVERIFY(user.choose("tableField", QStringLiteral("second")));
+        bench.picked = bench.file(QStringLiteral("super-1.csv"),
+            "X [mm],Y [mm],other [mm],second [mm]\n"
+            "0,0,1,2\n10,0,1,2\n0,10,1,2\n10,10,1,2\n");
+        QTRY_VERIFY(user.message("fileChangedMessage").contains(QStringLiteral("super-1.csv")));
+        QVERIFY(user.click("readAgainButton"));
+        QTRY_COMPARE(bench.controller().dataFile().data->grid.pointCount(), std::size_t{4});
+        QVERIFY(user.message("fileChangedMessage").isEmpty());
+        // The table of that name stays chosen.
+        QVERIFY(user.the<QComboBox>("tableField").currentText().contains(QStringLiteral("second")));
+    }
+
+    void filesAndFolderAreRemembered()
+    {
+        PageBench bench;
+        auto& user = bench.user;
+        QVERIFY(test::page_states::unwritten(bench));
+        bench.picked.clear(); // given up this time
+        QVERIFY(user.click("openButton"));
+        QCOMPARE(QDir(bench.questions.back().start), QDir(bench.folder.path()));
+        const QString second = bench.superData(2);
+        bench.picked = second;
+        QVERIFY(user.click("openButton"));
+        QTRY_COMPARE(bench.controller().dataFile().path, second);
+        // The newest is the first of the menu.
+        QVERIFY(user.pickFromMenu("recentButton", "recentMenu", Qt::Key_2));
+        QTRY_COMPARE(bench.controller().dataFile().path, bench.superData(1));
+    }
+};
+
+AXISCOMP_WINDOW_TEST(TestWizardFiles)
+
+} // namespace tst_wizardfiles
+
+#include "tst_wizardfiles.moc"

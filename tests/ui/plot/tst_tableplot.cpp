@@ -1,0 +1,371 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/csv/calibration_csv.h"
+#include "core/table/lookup.h"
+#include "core/table/table_math.h"
+#include "tests/ui/support/table_samples.h"
+#include "tests/ui/support/window_test.h"
+#include "ui/plot/table_plot.h"
+#include "ui/text/value_text.h"
+
+#include <QComboBox>
+#include <QLabel>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QToolButton>
+
+#include <qcustomplot.h>
+
+namespace tst_tableplot {
+
+using namespace axiscomp;
+using namespace axiscomp::ui;
+using test::namedTable;
+using test::sharedTable;
+
+namespace {
+
+/// The picture of a table in a window of its own.
+struct Bench {
+    explicit Bench(ShownTable::Table selected, ShownTable::Table onDrive = {})
+    {
+        shown.setTables(std::move(selected), std::move(onDrive));
+        view = std::make_unique<TablePlot>(shown);
+        view->resize(640, 480);
+        view->show();
+        plot = view->findChild<QCustomPlot*>(QStringLiteral("plotCanvas"));
+        plot->replot(QCustomPlot::rpImmediateRefresh);
+    }
+    [[nodiscard]] QString readout() const
+    {
+        return view->findChild<QLabel*>(QStringLiteral("plotReadout"))->text();
+    }
+    [[nodiscard]] QCPColorMap& map() const
+    {
+        return *qobject_cast<QCPColorMap*>(plot->plottable(plot->plottableCount() - 1));
+    }
+    [[nodiscard]] QPoint pixelOf(const GridPoint& point) const
+    {
+        const Grid& grid = shown.drawn()->grid;
+        const double y = grid.dimensions() == 2 ? grid.axes[1].position(point.j)
+                                                : static_cast<double>(shown.valueAt(point));
+        return QPointF(
+            plot->xAxis->coordToPixel(grid.axes[0].position(point.i)), plot->yAxis->coordToPixel(y))
+            .toPoint();
+    }
+    void press(Qt::Key key) { QTest::keyClick(plot, key); }
+    void showCursors()
+    {
+        view->findChild<QToolButton*>(QStringLiteral("plotCursors"))->setChecked(true);
+    }
+    [[nodiscard]] QString save(const QString& path)
+    {
+        QFuture<QString> done = view->exportTo(path);
+        done.waitForFinished();
+        return done.result();
+    }
+
+    ShownTable shown;
+    std::unique_ptr<TablePlot> view;
+    QCustomPlot* plot = nullptr;
+};
+
+QByteArray contentOf(const QString& path)
+{
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+} // namespace
+
+class TestTablePlot : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init()
+    {
+        test::failOnWindowWarnings();
+        QLocale::setDefault(QLocale::c());
+    }
+
+    void theCrosshairSaysWhatTheDriveLooksUp_data()
+    {
+        QTest::addColumn<QList<int>>("sizes");
+        QTest::newRow("1D") << QList<int>{9};
+        QTest::newRow("2D") << QList<int>{8, 7};
+        QTest::newRow("3D") << QList<int>{6, 5, 4};
+    }
+    void theCrosshairSaysWhatTheDriveLooksUp()
+    {
+        QFETCH(QList<int>, sizes);
+        const auto table = sharedTable({sizes.begin(), sizes.end()});
+        Bench bench(table);
+        bench.shown.setSlice(2, 3); // Y is cut, in 3D
+        bench.plot->replot(QCustomPlot::rpImmediateRefresh);
+        const Lookup lookup(*table);
+        const Grid& drawn = bench.shown.drawn()->grid;
+        for (std::size_t i = 0; i < drawn.axes[0].size; ++i) {
+            const GridPoint point{i, drawn.dimensions() == 2 ? i % drawn.axes[1].size : 0};
+            QTest::mouseMove(bench.plot, bench.pixelOf(point));
+            std::array<double, 3> position{};
+            if (bench.shown.isCut())
+                position[1] = table->grid.axes[1].position(3);
+            position[bench.shown.dimensionOf(0)] = drawn.axes[0].position(point.i);
+            if (drawn.dimensions() == 2)
+                position[bench.shown.dimensionOf(1)] = drawn.axes[1].position(point.j);
+            const double value =
+                lookup.at(std::span(position).first(static_cast<std::size_t>(sizes.size())));
+            const QString text = bench.readout();
+            QVERIFY2(text.endsWith(valueText(static_cast<float>(value)) + QStringLiteral(" mm")),
+                qPrintable(text + QStringLiteral(" is not ") + QString::number(value)));
+            QVERIFY2(
+                text.startsWith(QStringLiteral("X ") + numberText(position[0])), qPrintable(text));
+        }
+        QEvent leave(QEvent::Leave);
+        QCoreApplication::sendEvent(bench.plot, &leave);
+        QCOMPARE(bench.readout(), QString());
+    }
+
+    void aClickHoldsTheCrosshair()
+    {
+        Bench bench(sharedTable({8, 7}));
+        QTest::mouseClick(bench.plot, Qt::LeftButton, {}, bench.pixelOf({5, 2}));
+        QCOMPARE(bench.shown.current(), std::optional(GridPoint{5, 2}));
+        QEvent leave(QEvent::Leave);
+        QCoreApplication::sendEvent(bench.plot, &leave);
+        QCOMPARE(bench.readout(), bench.shown.pointText({5, 2}));
+        bench.press(Qt::Key_Escape);
+        QVERIFY(!bench.shown.current());
+        QCOMPARE(bench.readout(), QString());
+    }
+
+    void theColoursAreSymmetricAboutZero()
+    {
+        CompensationTable table = namedTable({4, 3, 5});
+        table.values.assign(table.values.size(), 0.001F);
+        table.values[7] = -0.005F;
+        Bench bench(std::make_shared<const CompensationTable>(table));
+        // The slice in the middle lacks the extreme: all slices share one scale.
+        QCOMPARE(bench.map().dataRange().lower, static_cast<double>(-0.005F));
+        QCOMPARE(bench.map().dataRange().upper, static_cast<double>(0.005F));
+        QCPColorGradient gradient = bench.map().gradient();
+        const QCPRange range = bench.map().dataRange();
+        const QColor zero = gradient.color(0.0, range);
+        QVERIFY2(zero.saturation() < 20, qPrintable(zero.name()));
+        for (const double part : {0.25, 0.5, 1.0}) {
+            const QColor above = gradient.color(part * range.upper, range);
+            const QColor below = gradient.color(-part * range.upper, range);
+            QVERIFY2(above.red() > above.blue() && below.blue() > below.red(),
+                qPrintable(above.name() + u' ' + below.name()));
+            // Equal amounts look equally strong, also to eyes that see no red.
+            QVERIFY2(std::abs(qGray(above.rgb()) - qGray(below.rgb())) < 32,
+                qPrintable(above.name() + u' ' + below.name()));
+        }
+    }
+
+    void theCursorsSayTheirDifference()
+    {
+        const auto table = sharedTable({8, 7});
+        Bench bench(table);
+        bench.showCursors();
+        QTest::mouseClick(bench.plot, Qt::LeftButton, {}, bench.pixelOf({1, 2}));
+        bench.press(Qt::Key_Space); // B
+        QTest::mouseClick(bench.plot, Qt::LeftButton, {}, bench.pixelOf({5, 5}));
+        bench.press(Qt::Key_Right);
+        bench.press(Qt::Key_Down);
+        const double difference = static_cast<double>(table->values[4 * 8 + 6])
+            - static_cast<double>(table->values[2 * 8 + 1]);
+        QCOMPARE(bench.readout(),
+            QStringLiteral("A: %1     B: %2\nB - A: X +12.5 mm, Y +5 mm, %3 mm")
+                .arg(bench.shown.pointText({1, 2}), bench.shown.pointText({6, 4}),
+                    valueText(static_cast<float>(difference))));
+        QCOMPARE(bench.shown.current(), std::optional(GridPoint{6, 4}));
+        // The values' current cell moves the cursor that is active.
+        bench.shown.setCurrent(GridPoint{0, 0});
+        QVERIFY(bench.readout().contains(QStringLiteral("B: ") + bench.shown.pointText({0, 0})));
+    }
+
+    void theKeyboardZoomsAndMovesAndGoesBack()
+    {
+        Bench bench(sharedTable({50, 40}));
+        const QCPRange whole = bench.plot->xAxis->range();
+        bench.press(Qt::Key_Plus);
+        QVERIFY(bench.plot->xAxis->range().size() < whole.size());
+        const QCPRange zoomed = bench.plot->xAxis->range();
+        bench.press(Qt::Key_Right);
+        QVERIFY(bench.plot->xAxis->range().center() > zoomed.center());
+        bench.press(Qt::Key_Minus);
+        bench.press(Qt::Key_Home);
+        QCOMPARE(bench.plot->xAxis->range(), whole);
+    }
+
+    void theMouseZoomsAndMoves()
+    {
+        Bench bench(sharedTable({50, 40}));
+        const QCPRange whole = bench.plot->xAxis->range();
+        const QPoint centre = bench.plot->axisRect()->center();
+        QWheelEvent wheel(centre, bench.plot->mapToGlobal(centre), {}, {0, 120}, Qt::NoButton,
+            Qt::NoModifier, Qt::NoScrollPhase, false);
+        QCoreApplication::sendEvent(bench.plot, &wheel);
+        const QCPRange zoomed = bench.plot->xAxis->range();
+        QVERIFY(zoomed.size() < whole.size());
+        QTest::mousePress(bench.plot, Qt::LeftButton, {}, centre);
+        QTest::mouseMove(bench.plot, centre + QPoint(60, 0));
+        QTest::mouseRelease(bench.plot, Qt::LeftButton, {}, centre + QPoint(60, 0));
+        QVERIFY(bench.plot->xAxis->range().center() < zoomed.center());
+        QVERIFY(!bench.shown.current()); // dragging is no click
+        QTest::mouseClick(
+            bench.view->findChild<QToolButton*>(QStringLiteral("plotResetZoom")), Qt::LeftButton);
+        QCOMPARE(bench.plot->xAxis->range(), whole);
+    }
+
+    void theZoomStaysFromSliceToSlice()
+    {
+        Bench bench(sharedTable({20, 20, 5}), sharedTable({20, 20, 5}, 1.0));
+        bench.press(Qt::Key_Plus);
+        const QCPRange zoomed = bench.plot->xAxis->range();
+        bench.shown.setSlice(3, 0);
+        bench.shown.setContent(TableContent::Drive);
+        QCOMPARE(bench.plot->xAxis->range(), zoomed);
+        QCOMPARE(bench.shown.sliceIndex(), 0);
+        // A point that is out of sight is brought into it.
+        bench.shown.setCurrent(GridPoint{0, 0});
+        QVERIFY(bench.plot->xAxis->range().contains(0.0));
+        QCOMPARE(bench.plot->xAxis->range().size(), zoomed.size());
+        bench.shown.setSlice(1, 0);
+        QVERIFY(
+            bench.plot->xAxis->range().contains(100.0) && bench.plot->xAxis->label() == u"Y [mm]");
+    }
+
+    void theDrivesCurveStandsBesideTheSelectedOne()
+    {
+        Bench bench(sharedTable({9}), sharedTable({9}, 1.0));
+        QVERIFY(bench.plot->legend->visible());
+        int drawn = 0;
+        for (int i = 0; i < bench.plot->graphCount(); ++i)
+            drawn += bench.plot->graph(i)->dataCount() == 9 ? 1 : 0;
+        QCOMPARE(drawn, 2);
+        bench.shown.setContent(TableContent::Difference);
+        QTRY_VERIFY(!bench.plot->legend->visible());
+        QCOMPARE(bench.plot->yAxis->label(), QStringLiteral("difference [mm]"));
+    }
+
+    void theMarkerStandsWhereTheAxisIs()
+    {
+        Bench bench(sharedTable({8, 7, 6}));
+        bench.shown.setSlice(2, 1); // X and Z are drawn
+        bench.view->setMarker(TablePlot::Marker{{3.0, 101.0, 204.5}, 0.001});
+        const auto markers = [&] {
+            QList<QPointF> places;
+            for (int i = 0; i < bench.plot->graphCount(); ++i) {
+                const QCPGraph& graph = *bench.plot->graph(i);
+                if (graph.lineStyle() == QCPGraph::lsNone && graph.dataCount() == 1)
+                    places += QPointF(graph.dataMainKey(0), graph.dataMainValue(0));
+            }
+            return places;
+        };
+        QCOMPARE(markers(), QList<QPointF>{QPointF(3.0, 204.5)});
+        bench.shown.setTables(sharedTable({9}), nullptr);
+        QCOMPARE(markers(), QList<QPointF>{QPointF(3.0, 0.001)});
+        bench.view->setMarker(std::nullopt);
+        QVERIFY(markers().isEmpty());
+    }
+
+    void aPictureIsSavedOnWhite()
+    {
+        const QTemporaryDir folder;
+        const auto table = sharedTable({8, 7});
+        Bench bench(table);
+        QPalette dark;
+        dark.setColor(QPalette::Base, Qt::black);
+        dark.setColor(QPalette::Text, Qt::white);
+        bench.view->setPalette(dark);
+        const QString path = folder.filePath(QStringLiteral("map.PNG"));
+        QCOMPARE(bench.save(path), QString());
+        const QImage image(path);
+        QCOMPARE(image.size(), QSize(2000, 1300));
+        QCOMPARE(image.pixelColor(3, 3), QColor(Qt::white));
+        const auto largest = std::ranges::max_element(table->values) - table->values.begin();
+        QCPColorGradient gradient = bench.map().gradient(); // the window is dark again
+        QVERIFY(gradient.color(0.0, bench.map().dataRange()) != qRgb(247, 247, 247));
+        bench.view->setPalette(QPalette(Qt::white));
+        gradient = bench.map().gradient();
+        const QRgb wanted =
+            gradient.color(static_cast<double>(table->values[static_cast<std::size_t>(largest)]),
+                bench.map().dataRange());
+        qsizetype found = 0;
+        for (int y = 0; y < image.height(); ++y) {
+            for (int x = 0; x < image.width(); ++x)
+                found += image.pixel(x, y) == wanted ? 1 : 0;
+        }
+        QVERIFY2(found > 5000, qPrintable(QString::number(found))); // a cell of 56
+    }
+
+    void aDocumentHasOnePageOfThePicturesSize_data()
+    {
+        QTest::addColumn<QList<int>>("sizes");
+        QTest::addColumn<bool>("hasImage");
+        QTest::newRow("curve") << QList<int>{9} << false;
+        QTest::newRow("map") << QList<int>{8, 7} << true;
+    }
+    void aDocumentHasOnePageOfThePicturesSize()
+    {
+        QFETCH(QList<int>, sizes);
+        QFETCH(bool, hasImage);
+        const QTemporaryDir folder;
+        Bench bench(sharedTable({sizes.begin(), sizes.end()}));
+        const QRect before = bench.plot->viewport();
+        const QString path = folder.filePath(QStringLiteral("plot.pdf"));
+        QCOMPARE(bench.save(path), QString());
+        const QByteArray document = contentOf(path);
+        QVERIFY(document.startsWith("%PDF-") && document.trimmed().endsWith("%%EOF"));
+        QCOMPARE(document.count("/Type /Page\n"), 1);
+        QVERIFY(document.contains("/MediaBox [0 0 750"));
+        QVERIFY(document.contains("/Type /Font"));
+        const bool hasMap = document.contains("/Width 3000") && document.contains("/Height 1950");
+        QCOMPARE(hasMap, hasImage);
+        QCOMPARE(bench.plot->viewport(), before);
+        QCOMPARE(bench.map().visible(), hasImage);
+    }
+
+    void theSavedValuesAreThoseShown()
+    {
+        const QTemporaryDir folder;
+        const auto selected = sharedTable({6, 5, 4});
+        const auto onDrive = sharedTable({6, 5, 4}, 1.0);
+        Bench bench(selected, onDrive);
+        bench.shown.setContent(TableContent::Drive);
+        bench.shown.setSlice(1, 2);
+        const QString path = folder.filePath(QStringLiteral("slice.csv"));
+        QCOMPARE(bench.save(path), QString());
+        CsvOptions options;
+        options.dimensions = 2;
+        const CsvReading reading = parseCalibrationCsv(contentOf(path).toStdString(), options);
+        QVERIFY(reading.data.has_value());
+        QCOMPARE(reading.data->tables.size(), std::size_t{1});
+        const CompensationTable slice = tableSlice(*onDrive, 0, 2);
+        QCOMPARE(reading.data->tables.front().values, slice.values);
+        QCOMPARE(reading.data->grid.axes[0].name, "Y");
+        QCOMPARE(reading.data->grid.axes[1].last(), slice.grid.axes[1].last());
+    }
+
+    void whatCannotBeSavedIsSaidInASentence()
+    {
+        const QTemporaryDir folder;
+        Bench bench(sharedTable({9}));
+        QVERIFY(bench.save(folder.filePath(QStringLiteral("plot.gif")))
+                    .contains(QStringLiteral(".png, .pdf or .csv")));
+        const QString path = folder.filePath(QStringLiteral("no/such/folder.png"));
+        QVERIFY(!bench.save(path).isEmpty());
+        bench.shown.setTables(nullptr, nullptr);
+        QCOMPARE(bench.save(folder.filePath(QStringLiteral("plot.png"))),
+            QStringLiteral("There is no table to save."));
+        QVERIFY(QDir(folder.path()).isEmpty());
+    }
+};
+
+AXISCOMP_WINDOW_TEST(TestTablePlot)
+
+} // namespace tst_tableplot
+
+#include "tst_tableplot.moc"

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tests/ui/support/page_fixture.h"
+
+#include <QAction>
+#include <QTabWidget>
+
+#include <functional>
+#include <vector>
+
+namespace axiscomp::test {
+
+/// A state of the page that looks different from the others, and how a person gets there.
+struct PageState {
+    const char* name;
+    std::function<bool(PageBench&)> reach;
+};
+
+namespace page_states {
+
+using drivecomm::FaultSpec;
+
+inline bool firstStart(PageBench& bench)
+{
+    return bench.user.isThere()
+        && PageUser::waitFor([&] { return bench.controller().status().has_value(); });
+}
+
+inline bool unwritten(PageBench& bench)
+{
+    return bench.open() && bench.choose2D();
+}
+
+inline bool preview(PageBench& bench)
+{
+    return unwritten(bench) && bench.user.click("writeButton")
+        && PageUser::waitFor([&] { return bench.user.sees("confirmWriteButton"); });
+}
+
+inline bool written(PageBench& bench)
+{
+    if (!unwritten(bench) || !bench.write())
+        return false;
+    const bool isWritten = !bench.controller().isOutcomeAnError();
+    if (!isWritten)
+        qInfo("not written: %s", qPrintable(bench.outcome()));
+    return isWritten;
+}
+
+inline bool active(PageBench& bench)
+{
+    return written(bench) && bench.user.click("activateButton") && bench.idle();
+}
+
+/// As if the program had been killed before the last step of a write.
+inline bool unfinishedWrite(PageBench& bench)
+{
+    if (!written(bench))
+        return false;
+    const CompensationSetup setup = bench.controller().setup().baseline();
+    DriveStore store(std::filesystem::path(bench.folder.path().toStdString()) / "store");
+    const std::string base = "Axes[0]/Parameters/Compensations/Axis/";
+    JournalEntry entry{1559, 0, std::chrono::system_clock::now(), "save",
+        store.backups(1559, 0).front(),
+        {{base + "Table", setup.slot}, {base + "Dim1Source", setup.sources[1].address},
+            {base + "Dim2Source", setup.sources[0].address},
+            {base + "Dim3Source", std::uint32_t{0}}},
+        setup.slot, setup.tableCrc, false};
+    if (!store.openJournal(entry))
+        return false;
+    bench.controller().refresh();
+    const bool isSeen = PageUser::waitFor([&] { return bench.user.sees("finishWriteButton"); });
+    if (!isSeen)
+        qInfo("the unfinished write is not shown: %s; %s", qPrintable(bench.outcome()),
+            qPrintable(bench.user.hint()));
+    return isSeen;
+}
+
+inline bool threeDimensions(PageBench& bench)
+{
+    const std::string example = exampleCalibrationCsv(3);
+    bench.picked = bench.file(QStringLiteral("volume.csv"), QByteArray::fromStdString(example));
+    return bench.open() && bench.user.choose("dimensionalityField", QStringLiteral("3D"))
+        && bench.user.click("openButton")
+        && PageUser::waitFor([&] { return bench.user.sees("sliceIndex"); });
+}
+
+inline bool openBadFile(PageBench& bench)
+{
+    bench.picked = bench.file(QStringLiteral("bad.csv"),
+        "X [mm],Y [mm],table 1\n0,0,0.001\n10,0,0.0O2\n20,0,0.001\n0,10,nan\n10,10\n");
+    return bench.user.click("openButton")
+        && PageUser::waitFor([&] { return bench.user.sees("problems"); });
+}
+
+inline bool badFile(PageBench& bench)
+{
+    return unwritten(bench) && openBadFile(bench);
+}
+
+inline bool fileChanged(PageBench& bench)
+{
+    if (!unwritten(bench))
+        return false;
+    bench.picked = bench.file(QStringLiteral("super-1.csv"), "X,Y,first\n0,0,0\n");
+    return PageUser::waitFor([&] { return bench.user.sees("readAgainButton"); });
+}
+
+inline bool connectionLost(PageBench& bench)
+{
+    if (!unwritten(bench))
+        return false;
+    bench.served.stop();
+    return PageUser::waitFor([&] { return bench.user.sees("connectionMessage"); });
+}
+
+inline bool leaveQuestion(PageBench& bench)
+{
+    return unwritten(bench) && bench.user.choose("axisField", QStringLiteral("Y · "))
+        && PageUser::waitFor([&] { return bench.user.sees("loseChangesButton"); });
+}
+
+inline bool closeQuestion(PageBench& bench)
+{
+    return unwritten(bench) && !bench.window.close()
+        && PageUser::waitFor([&] { return bench.user.sees("loseChangesButton"); });
+}
+
+/// Slow enough to be looked at: until the faults are cleared.
+inline bool writing(PageBench& bench)
+{
+    if (!preview(bench))
+        return false;
+    bench.served.faults.add({FaultSpec::Kind::Slow, 250, {}});
+    return bench.user.click("confirmWriteButton")
+        && PageUser::waitFor([&] { return bench.controller().isWriting(); });
+}
+
+inline bool closingWhileWriting(PageBench& bench)
+{
+    return writing(bench) && !bench.window.close()
+        && PageUser::waitFor([&] { return bench.user.sees("closeWhenDoneButton"); });
+}
+
+inline bool logShown(PageBench& bench)
+{
+    return unwritten(bench) && bench.user.click("logButton")
+        && PageUser::waitFor([&] { return bench.user.sees("logLines"); });
+}
+
+inline bool connections(PageBench& bench)
+{
+    return bench.open() && bench.user.click("connectionsButton")
+        && PageUser::waitFor([&] { return bench.user.sees("connectionsDialog"); });
+}
+
+/// An entry of a combo box, in whatever language.
+inline bool chooseAt(PageBench& bench, const char* combo, int index)
+{
+    return PageUser::waitFor([&] { return bench.user.the<QComboBox>(combo).count() > index; })
+        && bench.user.choose(combo, bench.user.the<QComboBox>(combo).itemText(index));
+}
+
+/// Positions that the drive cannot have: a question by itself.
+inline QString unevenFile(const PageBench& bench)
+{
+    return bench.file(QStringLiteral("uneven.csv"),
+        "X [mm],first [mm],second [mm]\n0,0,0\n10,0.001,-0.001\n15,0.004,-0.004\n"
+        "30,0.002,-0.002\n40,0,0\n");
+}
+
+inline bool importDialog(PageBench& bench)
+{
+    if (!bench.open())
+        return false;
+    bench.picked = unevenFile(bench);
+    return bench.user.click("openButton")
+        && PageUser::waitFor([&] { return bench.user.sees("importDialog"); })
+        && chooseAt(bench, "gridField", 1);
+}
+
+/// Of a format with settings of every kind.
+inline bool exportDialog(PageBench& bench)
+{
+    if (!unwritten(bench))
+        return false;
+    bench.user.the<QAction>("exportAction").trigger();
+    return PageUser::waitFor([&] { return bench.user.sees("exportDialog"); })
+        && bench.user.choose("conversionFormat", QStringLiteral("kw.crosscomp2"));
+}
+
+} // namespace page_states
+
+inline const std::vector<PageState>& allPageStates()
+{
+    using namespace page_states;
+    static const std::vector<PageState> all{
+        {"first start", firstStart},
+        {"unwritten", unwritten},
+        {"preview", preview},
+        {"written", written},
+        {"active", active},
+        {"unfinished write", unfinishedWrite},
+        {"three dimensions", threeDimensions},
+        {"bad file", badFile},
+        {"file changed", fileChanged},
+        {"connection lost", connectionLost},
+        {"leave question", leaveQuestion},
+        {"close question", closeQuestion},
+        {"writing", writing},
+        {"closing while writing", closingWhileWriting},
+        {"log shown", logShown},
+        {"connections", connections},
+        {"import dialog", importDialog},
+        {"export dialog", exportDialog},
+    };
+    return all;
+}
+
+/// The window that has the keyboard in a state: the page's, or its dialog.
+inline QWidget& shownWindow(PageBench& bench)
+{
+    for (const char* name : {"connectionsDialog", "importDialog", "exportDialog"}) {
+        auto* dialog = bench.user.find(name);
+        if (dialog && dialog->isVisible())
+            return *dialog;
+    }
+    return bench.window;
+}
+
+} // namespace axiscomp::test

@@ -1,0 +1,473 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Renders every state of the page into PNG files, for a person to look at:
+// wizard-pictures FOLDER [STATE...]. QT_SCALE_FACTOR makes them larger, AXISCOMP_LONG_TEXTS makes
+// every text longer than any language needs.
+#include "tests/ui/support/page_scene.h"
+#include "tests/ui/support/window_test.h"
+#include "ui/text/language.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QComboBox>
+#include <QDialog>
+#include <QDir>
+#include <QLabel>
+#include <QLineEdit>
+#include <QLocale>
+#include <QPushButton>
+#include <QStyleFactory>
+#include <QTabWidget>
+#include <QTableView>
+#include <QTextStream>
+#include <QTranslator>
+#include <QTreeWidget>
+
+using namespace axiscomp;
+using namespace axiscomp::ui;
+using axiscomp::test::darkPalette;
+using axiscomp::test::Scene;
+using axiscomp::test::wait;
+using axiscomp::test::WizardStage;
+
+namespace {
+
+class LongTexts final : public QTranslator {
+public:
+    [[nodiscard]] bool isEmpty() const override { return false; }
+    [[nodiscard]] QString translate(
+        const char* context, const char* text, const char*, int) const override
+    {
+        const QString source = QString::fromUtf8(text);
+        const bool isOwn = QByteArray(context).startsWith("axiscomp");
+        return isOwn ? source + u' ' + source.left(1 + source.size() / 3).remove(u'&').remove(u'%')
+                     : QString();
+    }
+};
+
+void firstStart(Scene& scene)
+{
+    scene.showDrive(true);
+    scene.settle();
+}
+
+void unwritten2D(Scene& scene)
+{
+    scene.choose2D();
+    scene.settle();
+}
+
+void writePreview(Scene& scene)
+{
+    unwritten2D(scene);
+    scene.click("writeButton");
+    wait(
+        [&] {
+            return scene.page().findChild<QWidget*>(QStringLiteral("writePreview"))->isVisible();
+        },
+        "the list");
+    scene.settle();
+}
+
+void writing(Scene& scene)
+{
+    unwritten2D(scene);
+    scene.stage().gate().holdUploads();
+    scene.click("writeButton");
+    scene.click("confirmWriteButton");
+    wait([&] { return scene.controller().isWriting() && scene.controller().busy().fraction > 0.1; },
+        "the upload");
+    QTest::qWait(150);
+}
+
+void closingWhileWriting(Scene& scene)
+{
+    writing(scene);
+    static_cast<void>(scene.page().mayClose());
+    QTest::qWait(50);
+}
+
+void active(Scene& scene)
+{
+    scene.choose2D();
+    scene.write();
+    scene.click("activateButton");
+    wait([&] { return scene.controller().proof().has_value(); }, "the proof");
+    scene.settle();
+}
+
+void badFile(Scene& scene)
+{
+    scene.showDrive();
+    scene.controller().setup().setDimensionality(2);
+    scene.chooseSources(2);
+    scene.openData(scene.stage().file(QStringLiteral("measurement.csv"),
+        "X [mm],Y [mm],table "
+        "1\n0,0,0.001\n10,0,0.0O2\n20,0,0.001\n0,10,nan\n10,10\n20,10,0.002\n"));
+    scene.settle();
+}
+
+void badFileLines(Scene& scene)
+{
+    badFile(scene);
+    auto* problems = scene.page().findChild<QTreeWidget*>(QStringLiteral("problems"));
+    problems->setCurrentItem(problems->topLevelItem(0));
+    Q_EMIT problems->itemActivated(problems->topLevelItem(0), 0);
+    scene.settle();
+}
+
+void table3D(Scene& scene)
+{
+    scene.showDrive();
+    scene.controller().setup().setDimensionality(3);
+    scene.chooseSources(3);
+    const std::string example = exampleCalibrationCsv(3);
+    scene.openData(scene.stage().file(
+        QStringLiteral("volume.csv"), QByteArray(example.data(), qsizetype(example.size()))));
+    scene.controller().setup().setTable({0});
+    scene.settle();
+}
+
+void showValues(Scene& scene, int row, int column)
+{
+    scene.page().findChild<QTabWidget*>(QStringLiteral("previewTabs"))->setCurrentIndex(1);
+    auto* values = scene.page().findChild<QTableView*>(QStringLiteral("values"));
+    values->setCurrentIndex(values->model()->index(row, column));
+    scene.settle();
+}
+
+void values2D(Scene& scene)
+{
+    scene.choose2D();
+    showValues(scene, 5, 2);
+}
+
+void values3D(Scene& scene)
+{
+    table3D(scene);
+    showValues(scene, 1, 1);
+}
+
+/// Table 1 is on the drive, table 2 is chosen.
+void difference(Scene& scene)
+{
+    scene.choose2D();
+    scene.write();
+    scene.controller().setup().setTable({1});
+    Q_EMIT scene.page().findChild<QComboBox*>(QStringLiteral("plotContent"))->activated(2);
+    scene.page().findChild<QAbstractButton*>(QStringLiteral("plotCursors"))->setChecked(true);
+    scene.settle();
+}
+
+void curve1D(Scene& scene)
+{
+    scene.showDrive();
+    scene.chooseSources(1);
+    const std::string example = exampleCalibrationCsv(1);
+    scene.openData(scene.stage().file(
+        QStringLiteral("line.csv"), QByteArray(example.data(), qsizetype(example.size()))));
+    scene.write();
+    scene.controller().setup().setTable({1});
+    scene.settle();
+}
+
+void curve1DValues(Scene& scene)
+{
+    curve1D(scene);
+    showValues(scene, 4, 1);
+}
+
+void driveRefuses(Scene& scene)
+{
+    scene.choose2D();
+    scene.stage().gate().refuseUploads(
+        Error{ErrorCode::TableRefused, {{"reason", "Crc does not match the elements"}}, {}});
+    scene.click("writeButton");
+    scene.click("confirmWriteButton");
+    wait([&] { return scene.controller().isOutcomeAnError(); }, "the refusal");
+    scene.settle();
+}
+
+void flashWear(Scene& scene)
+{
+    scene.choose2D();
+    for (int n = 0; scene.controller().flashOperationsLeft() > 0 && n < 20; ++n) {
+        scene.controller().setup().setTable({n % 2});
+        if (n > 1) // the same two tables again would cost nothing
+            scene.openData(scene.stage().superData(n));
+        scene.controller().setup().setTable({n % 2});
+        scene.write();
+    }
+    scene.controller().setup().setTable({1});
+    scene.controller().setup().setPersistency(Persistency::Persistent);
+    scene.settle();
+}
+
+/// As if the program had been killed before its last step.
+void unfinishedWrite(Scene& scene)
+{
+    scene.choose2D();
+    scene.write();
+    const CompensationSetup setup = scene.controller().setup().baseline();
+    DriveStore store(scene.stage().options().storeRoot);
+    const std::string base = "Axes[0]/Parameters/Compensations/Axis/";
+    JournalEntry entry{1559, 0, std::chrono::system_clock::now(), "switch",
+        store.backups(1559, 0).front(),
+        {{base + "Table", setup.slot}, {base + "Dim1Source", setup.sources[0].address},
+            {base + "Dim2Source", setup.sources[1].address},
+            {base + "Dim3Source", std::uint32_t{0}}},
+        setup.slot, setup.tableCrc, true};
+    if (!store.openJournal(entry))
+        qFatal("the journal cannot be kept");
+    scene.controller().refresh();
+    wait([&] { return !scene.controller().unfinishedWrite().isEmpty(); }, "the unfinished write");
+    scene.settle();
+}
+
+void notHomed(Scene& scene)
+{
+    scene.choose2D(Persistency::Volatile);
+    scene.write();
+    scene.settle();
+}
+
+void connectionLost(Scene& scene)
+{
+    unwritten2D(scene);
+    scene.stage().gate().cut(true);
+    wait(
+        [&] {
+            return scene.controller().drives().front().connection == DriveState::Connection::Lost;
+        },
+        "the loss");
+    QTest::qWait(100);
+}
+
+void otherAxis(Scene& scene)
+{
+    unwritten2D(scene);
+    auto* axes = scene.page().findChild<QComboBox*>(QStringLiteral("axisField"));
+    Q_EMIT axes->activated(1);
+    scene.page().findChild<QAbstractButton*>(QStringLiteral("logButton"))->click();
+    scene.settle();
+}
+
+void connections(Scene& scene)
+{
+    unwritten2D(scene);
+    scene.click("connectionsButton");
+    auto* dialog = scene.page().findChild<QDialog*>(QStringLiteral("connectionsDialog"));
+    dialog->findChild<QAbstractButton*>(QStringLiteral("addDemo"))->click();
+    dialog->findChild<QLineEdit*>(QStringLiteral("connectionAddress"))
+        ->setText(QStringLiteral("192.168.1.21/"));
+    dialog->findChild<QAbstractButton*>(QStringLiteral("addConnection"))->click();
+    auto* note = dialog->findChild<QLabel*>(QStringLiteral("connectionNote"));
+    auto* list = dialog->findChild<QTreeWidget*>(QStringLiteral("connections"));
+    wait([&] { return !list->topLevelItem(1)->text(1).isEmpty() && !note->text().isEmpty(); },
+        "the answers");
+    QTest::qWait(200);
+}
+
+void findDrives(Scene& scene)
+{
+    unwritten2D(scene);
+    scene.click("connectionsButton");
+    scene.page().findChild<QAbstractButton*>(QStringLiteral("findDrives"))->click();
+    auto* again = scene.page().findChild<QAbstractButton*>(QStringLiteral("searchAgain"));
+    wait([&] { return again->isEnabled(); }, "the end of the search");
+    QTest::qWait(200);
+}
+
+void choose(Scene& scene, const char* combo, int index)
+{
+    scene.page().findChild<QComboBox*>(QLatin1StringView(combo))->setCurrentIndex(index);
+}
+
+/// An uneven file of two columns, brought onto a grid that is a little too coarse.
+void importDialog(Scene& scene)
+{
+    scene.showDrive();
+    const QString file = scene.stage().file(QStringLiteral("uneven.csv"),
+        "X [mm],first [mm],second [mm]\n0,0,0\n10,0.001,-0.001\n15,0.004,-0.004\n"
+        "30,0.002,-0.002\n40,0,0\n");
+    scene.page().openData(file);
+    const auto* accept = [&] {
+        wait([&] { return scene.page().findChild<QDialog*>(QStringLiteral("importDialog")); },
+            "the dialog");
+        return scene.page().findChild<QPushButton*>(QStringLiteral("acceptConversion"));
+    }();
+    QTest::qWait(150);
+    choose(scene, "gridField", 2);
+    scene.page()
+        .findChild<QLineEdit*>(QStringLiteral("gridNumberField"))
+        ->setText(QStringLiteral("10"));
+    wait([&] { return accept->isEnabled(); }, "the report");
+    QTest::qWait(150);
+}
+
+/// A compensation list of another controller in which a point is missing.
+void damagedList(Scene& scene)
+{
+    scene.showDrive();
+    scene.openData(scene.stage().file(QStringLiteral("damaged.lis"),
+        "kopf.achs_nr 1\nkw.crosscomp.unit 1\nkw.crosscomp.last_index 2\n"
+        "kw.crosscomp.master_ax_nr 2\nkw.crosscomp.table[0].setpoint 0\n"
+        "kw.crosscomp.table[0].correction 0\nkw.crosscomp.table[2].setpoint 20000\n"
+        "kw.crosscomp.table[2].correction -15\nEnd\n"));
+    scene.settle();
+}
+
+/// The same in the dialog.
+void damagedImport(Scene& scene)
+{
+    damagedList(scene);
+    Q_EMIT scene.controller().importChoiceNeeded(scene.stage().path(QStringLiteral("damaged.lis")));
+    wait([&] { return scene.page().findChild<QLabel*>(QStringLiteral("conversionReason")); },
+        "the dialog");
+    const auto* reason = scene.page().findChild<QLabel*>(QStringLiteral("conversionReason"));
+    wait([&] { return reason->isVisible(); }, "the reason");
+    QTest::qWait(150);
+}
+
+/// A format with settings, one of which is missing.
+void exportDialog(Scene& scene)
+{
+    curve1D(scene);
+    scene.page().findChild<QAction*>(QStringLiteral("exportAction"))->trigger();
+    wait([&] { return scene.page().findChild<QDialog*>(QStringLiteral("exportDialog")); },
+        "the dialog");
+    auto* format = scene.page().findChild<QComboBox*>(QStringLiteral("conversionFormat"));
+    for (int i = 0; i < format->count(); ++i) {
+        if (format->itemText(i).contains(QStringLiteral("RapidCode"))) {
+            format->setCurrentIndex(i);
+            break;
+        }
+    }
+    const auto* reason = scene.page().findChild<QLabel*>(QStringLiteral("conversionReason"));
+    wait([&] { return reason->isVisible(); }, "the reason");
+    QTest::qWait(150);
+}
+
+/// X has a table already; the columns are proposed, and all is planned.
+void severalAxes(Scene& scene)
+{
+    scene.choose2D();
+    scene.write();
+    QByteArray text = "X [mm],Y [mm],X error [mm],Y error [mm],Z error [mm]\n";
+    for (int y = 0; y <= 30; y += 10) {
+        for (int x = 0; x <= 40; x += 10)
+            text += QByteArray::number(x) + ',' + QByteArray::number(y) + ",0.00"
+                + QByteArray::number(x / 10) + ",-0.00" + QByteArray::number(y / 10) + ",0.0125\n";
+    }
+    scene.openData(scene.stage().file(QStringLiteral("plane-errors.csv"), text));
+    scene.settle();
+    scene.page().findChild<QAction*>(QStringLiteral("writeSeveralAction"))->trigger();
+    auto* write = scene.page().findChild<QPushButton*>(QStringLiteral("writeSeveralButton"));
+    wait([&] { return write->isEnabled(); }, "the plans");
+    QTest::qWait(200);
+}
+
+/// The drive has refused the first of the writes.
+void severalAxesFailed(Scene& scene)
+{
+    severalAxes(scene);
+    scene.stage().gate().refuseUploads(
+        Error{ErrorCode::TableRefused, {{"reason", "Crc does not match the elements"}}, {}});
+    scene.click("writeSeveralButton");
+    wait([&] { return scene.controller().isOutcomeAnError(); }, "the refusal");
+    scene.settle();
+}
+
+struct State {
+    const char* name;
+    std::function<void(Scene&)> make;
+    bool isHomed = true;
+};
+
+const std::vector<State>& states()
+{
+    static const std::vector<State> all{
+        {"first-start", firstStart},
+        {"unwritten-2d", unwritten2D},
+        {"write-preview", writePreview},
+        {"writing", writing},
+        {"closing-while-writing", closingWhileWriting},
+        {"active", active},
+        {"bad-file", badFile},
+        {"bad-file-lines", badFileLines},
+        {"values-2d", values2D},
+        {"values-3d", values3D},
+        {"difference", difference},
+        {"curve-1d", curve1D},
+        {"curve-1d-values", curve1DValues},
+        {"drive-refuses", driveRefuses},
+        {"flash-wear", flashWear},
+        {"not-homed", notHomed, false},
+        {"unfinished-write", unfinishedWrite},
+        {"table-3d", table3D},
+        {"connection-lost", connectionLost},
+        {"other-axis", otherAxis},
+        {"connections", connections},
+        {"find-drives", findDrives},
+        {"import-dialog", importDialog},
+        {"damaged-list", damagedList},
+        {"damaged-import", damagedImport},
+        {"export-dialog", exportDialog},
+        {"several-axes", severalAxes},
+        {"several-axes-failed", severalAxesFailed},
+    };
+    return all;
+}
+
+void render(const State& state, const QString& file)
+{
+    Scene scene(state.isHomed);
+    state.make(scene);
+    scene.page().setFocus();
+    QWidget* shown = &scene.page();
+    for (QDialog* dialog : scene.page().findChildren<QDialog*>()) {
+        if (dialog->isVisible())
+            shown = dialog; // the inner one comes last
+    }
+    if (!shown->grab().save(file))
+        qFatal("cannot write %s", qPrintable(file));
+    QTextStream(stdout) << file << Qt::endl;
+    scene.stage().gate().release();
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    QApplication application(argc, argv);
+    QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+    const QStringList arguments = QApplication::arguments().mid(1);
+    if (arguments.isEmpty())
+        qFatal("usage: wizard-pictures FOLDER [STATE...]");
+    const QDir folder(arguments.front());
+    if (!folder.mkpath(QStringLiteral(".")))
+        qFatal("cannot make %s", qPrintable(folder.path()));
+    const QStringList wanted = arguments.mid(1);
+    LongTexts longTexts;
+    if (qEnvironmentVariableIsSet("AXISCOMP_LONG_TEXTS"))
+        QApplication::installTranslator(&longTexts);
+    const QPalette light = QApplication::palette();
+    const qreal scale = application.devicePixelRatio();
+    const QString suffix = scale > 1.0 ? QStringLiteral("-%1").arg(qRound(scale * 100)) : QString();
+    for (const QString& language : Language::available()) {
+        QLocale::setDefault(QLocale(language));
+        for (const bool isDark : {false, true}) {
+            QApplication::setPalette(isDark ? darkPalette() : light);
+            for (const State& state : states()) {
+                const QString name = QString::fromLatin1(state.name);
+                if (wanted.isEmpty() || wanted.contains(name))
+                    render(state,
+                        folder.filePath(
+                            QStringLiteral("%1-%2-%3%4.png")
+                                .arg(name,
+                                    isDark ? QStringLiteral("dark") : QStringLiteral("light"),
+                                    language, suffix)));
+            }
+        }
+    }
+    return 0;
+}

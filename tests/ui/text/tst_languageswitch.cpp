@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/csv/calibration_csv.h"
+#include "tests/support/verify.h"
+#include "tests/ui/support/page_scene.h"
+#include "tests/ui/support/visible_texts.h"
+#include "tests/ui/support/window_test.h"
+#include "ui/text/language.h"
+
+#include <QActionGroup>
+#include <QTest>
+#include <qcustomplot.h>
+
+#include <algorithm>
+
+namespace tst_languageswitch {
+
+using namespace axiscomp;
+using namespace axiscomp::ui;
+using test::Scene;
+using test::VisibleTexts;
+
+namespace {
+
+/// Words that an engineer writes in both languages.
+const QSet<QString>& sameInBoth()
+{
+    static const QSet<QString> words{QStringLiteral("Details"), QStringLiteral("Dim"),
+        QStringLiteral("Problem"), QStringLiteral("System"), QStringLiteral("English"),
+        QStringLiteral("Deutsch"), QStringLiteral("Index"), QStringLiteral("index"),
+        QStringLiteral("min"), QStringLiteral("max"), QStringLiteral("rms"), QStringLiteral("OK")};
+    return words;
+}
+
+/// What a text is made of that is neither in a language nor a number: paths, addresses, names of
+/// files, tables, axes and drives, units, names that are the drive's own.
+QString withoutData(QString text)
+{
+    static const QRegularExpression data(QStringLiteral(
+        "(https?|tam|serial)://?\\S+|demo:|\\S*[/\\\\]\\S*|0x[0-9a-f]+|\\S+\\.(csv|json|txt)"
+        "|\\bTriamec-616\\b|\\bDemo\\b|\\b(Small|Large)\\d\\b|\\b(first|second|table \\d)\\b"
+        "|\\b[XYZT]\\b|\\b[123]D\\b|[µm]?m\\b|°C|<[^>]*>|&\\w+;|\\bDim\\d|[A-Z][a-z]+[A-Z]\\w+"
+        "|[A-Z][a-z]+: |X \\[mm\\].*"));
+    return text.remove(data).remove(u'&');
+}
+
+/// The log's details are for experts and for a report to the makers: English in every language.
+bool isForExperts(const QString& place)
+{
+    static const QRegularExpression detail(QStringLiteral("/logLines cell \\d+,2 "));
+    return detail.match(place).hasMatch();
+}
+
+bool isTheSameInBothLanguages(const QString& text)
+{
+    static const QRegularExpression word(QStringLiteral("[A-Za-zäöüß]{2,}"));
+    for (auto matches = word.globalMatch(withoutData(text)); matches.hasNext();) {
+        if (!sameInBoth().contains(matches.next().captured()))
+            return false;
+    }
+    return true;
+}
+
+/// Live values come and go between two looks.
+bool isLive(const QString& place)
+{
+    static const QStringList live{QStringLiteral("liveValues"), QStringLiteral("readout"),
+        QStringLiteral("sourceNote"), QStringLiteral("logLines"), QStringLiteral("busyStep")};
+    return std::ranges::any_of(live, [&](const QString& name) { return place.contains(name); });
+}
+
+VisibleTexts lasting(VisibleTexts texts)
+{
+    texts.removeIf([](VisibleTexts::iterator it) { return isLive(it.key()); });
+    return texts;
+}
+
+QStringList plotTexts(const QWidget& window)
+{
+    QStringList texts;
+    for (auto* plot : window.findChildren<QCustomPlot*>()) {
+        for (const auto* axis : {plot->xAxis, plot->yAxis})
+            texts += axis->label();
+        for (int i = 0; i < plot->graphCount(); ++i)
+            texts += plot->graph(i)->name();
+        for (int i = 0; i < plot->plottableCount(); ++i) {
+            if (const auto* map = qobject_cast<QCPColorMap*>(plot->plottable(i)))
+                texts += map->colorScale() ? map->colorScale()->label() : QString();
+        }
+    }
+    return texts;
+}
+
+struct State {
+    const char* name;
+    std::function<void(Scene&)> reach;
+};
+
+void showProblems(Scene& scene)
+{
+    scene.choose2D();
+    scene.openData(scene.stage().file(QStringLiteral("bad.csv"),
+        "X [mm],Y [mm],table 1\n0,0,0.001\n10,0,0.0O2\n20,0,0.001\n0,10,nan\n10,10\n"));
+}
+
+void activate(Scene& scene)
+{
+    scene.choose2D();
+    scene.write();
+    scene.click("activateButton");
+    test::wait([&] { return scene.controller().proof().has_value(); }, "the proof");
+}
+
+void refuseTable(Scene& scene)
+{
+    scene.choose2D();
+    scene.stage().gate().refuseUploads(
+        Error{ErrorCode::TableRefused, {{"reason", "the disk is full"}}, {}});
+    scene.click("writeButton");
+    scene.click("confirmWriteButton");
+    test::wait([&] { return scene.controller().isOutcomeAnError(); }, "the refusal");
+}
+
+void show3D(Scene& scene)
+{
+    scene.showDrive();
+    scene.controller().setup().setDimensionality(3);
+    scene.openData(scene.stage().file(
+        QStringLiteral("volume.csv"), QByteArray::fromStdString(exampleCalibrationCsv(3))));
+    scene.controller().setup().setTable({0});
+}
+
+const std::vector<State>& states()
+{
+    static const std::vector<State> all{
+        {"first start", [](Scene& scene) { scene.showDrive(true); }},
+        {"unwritten", [](Scene& scene) { scene.choose2D(); }},
+        {"preview",
+            [](Scene& scene) {
+                scene.choose2D();
+                scene.click("writeButton");
+                test::wait([&] { return scene.controller().plan().has_value(); }, "the plan");
+            }},
+        {"active", activate},
+        {"refused", refuseTable},
+        {"problems", showProblems},
+        {"three dimensions", show3D},
+        {"log",
+            [](Scene& scene) {
+                activate(scene);
+                scene.click("logButton");
+            }},
+        {"connections",
+            [](Scene& scene) {
+                scene.showDrive();
+                scene.click("connectionsButton");
+            }},
+    };
+    return all;
+}
+
+/// The page, or the dialog that is open on it.
+const QWidget& shownWindow(Scene& scene)
+{
+    for (const auto* dialog : scene.page().findChildren<QDialog*>()) {
+        if (dialog->isVisible())
+            return *dialog;
+    }
+    return scene.page();
+}
+
+/// By the menu, as a person does.
+void chooseLanguage(Scene& scene, const QString& language)
+{
+    auto* menu = scene.page().findChild<QMenu*>(QStringLiteral("languageMenu"));
+    QVERIFY(menu);
+    for (QAction* action : menu->actions()) {
+        if (!action->isSeparator() && action->data().toString() == language) {
+            action->trigger();
+            QCoreApplication::sendPostedEvents(nullptr, QEvent::LanguageChange);
+            return;
+        }
+    }
+    QFAIL(qPrintable(QStringLiteral("the menu does not offer ") + language));
+}
+
+QByteArray differences(const VisibleTexts& before, const VisibleTexts& after)
+{
+    QByteArray found;
+    for (const QString& place : QSet<QString>(before.keyBegin(), before.keyEnd())
+            + QSet<QString>(after.keyBegin(), after.keyEnd())) {
+        if (before.value(place) != after.value(place))
+            found += place.toUtf8() + ": \"" + before.value(place).toUtf8() + "\" became \""
+                + after.value(place).toUtf8() + "\"\n";
+    }
+    return found;
+}
+
+} // namespace
+
+/// The language is changed while the page is in use, in every state that it can be in.
+class TestLanguageSwitch : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { test::failOnWindowWarnings(); }
+
+    void everyTextChangesAndComesBack_data()
+    {
+        QTest::addColumn<int>("state");
+        int number = 0;
+        for (const State& state : states())
+            QTest::newRow(state.name) << number++;
+    }
+    void everyTextChangesAndComesBack()
+    {
+        QFETCH(int, state);
+        Scene scene;
+        chooseLanguage(scene, QStringLiteral("en"));
+        states()[std::size_t(state)].reach(scene);
+        scene.settle();
+        const QWidget& window = shownWindow(scene);
+        const VisibleTexts english = test::visibleTexts(window);
+        QVERIFY(english.size() > 10);
+
+        chooseLanguage(scene, QStringLiteral("de"));
+        const VisibleTexts german = test::visibleTexts(window);
+        QByteArray unchanged;
+        for (auto it = german.cbegin(); it != german.cend(); ++it) {
+            if (english.value(it.key()) == it.value() && !isForExperts(it.key())
+                && !isTheSameInBothLanguages(it.value()))
+                unchanged += it.key().toUtf8() + ": \"" + it.value().toUtf8() + "\"\n";
+        }
+        QVERIFY2(unchanged.isEmpty(), unchanged.constData());
+
+        chooseLanguage(scene, QStringLiteral("en"));
+        const QByteArray different =
+            differences(lasting(english), lasting(test::visibleTexts(window)));
+        QVERIFY2(different.isEmpty(), different.constData());
+    }
+
+    void thePlotsWordsChange()
+    {
+        Scene scene;
+        chooseLanguage(scene, QStringLiteral("en"));
+        scene.choose2D();
+        const QString english = plotTexts(scene.page()).join(u'|');
+        QVERIFY2(english.contains(QStringLiteral("compensation")), qPrintable(english));
+        chooseLanguage(scene, QStringLiteral("de"));
+        const QString german = plotTexts(scene.page()).join(u'|');
+        QVERIFY2(german.contains(QStringLiteral("Kompensation")), qPrintable(german));
+        chooseLanguage(scene, QStringLiteral("en"));
+        QCOMPARE(plotTexts(scene.page()).join(u'|'), english);
+    }
+
+    void thePageIsToldOnce()
+    {
+        class Listener : public QObject {
+        public:
+            bool eventFilter(QObject*, QEvent* event) override
+            {
+                changes += event->type() == QEvent::LanguageChange ? 1 : 0;
+                return false;
+            }
+            int changes = 0;
+        } listener;
+        Scene scene;
+        chooseLanguage(scene, QStringLiteral("en"));
+        scene.showDrive();
+        scene.page().installEventFilter(&listener);
+        chooseLanguage(scene, QStringLiteral("de"));
+        QCOMPARE(listener.changes, 1);
+        chooseLanguage(scene, QStringLiteral("en"));
+        QCOMPARE(listener.changes, 2);
+    }
+
+    void qtsOwnButtonsAreGermanToo()
+    {
+        // From the package qt6-translations-l10n.
+        Scene scene;
+        chooseLanguage(scene, QStringLiteral("de"));
+        scene.showDrive();
+        scene.click("connectionsButton");
+        QStringList buttons;
+        for (const auto* button : shownWindow(scene).findChildren<QAbstractButton*>())
+            buttons += button->text().remove(u'&');
+        QVERIFY2(buttons.contains(QStringLiteral("Abbrechen")), qPrintable(buttons.join(u' ')));
+    }
+};
+
+AXISCOMP_WINDOW_TEST(TestLanguageSwitch)
+
+} // namespace tst_languageswitch
+
+#include "tst_languageswitch.moc"

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/ui/support/page_inputs.h"
+#include "tests/ui/support/page_states.h"
+#include "tests/ui/support/window_test.h"
+#include "ui/text/language.h"
+
+#include <QAccessible>
+#include <QKeySequence>
+#include <QTabBar>
+#include <QTest>
+
+namespace tst_mnemonics {
+
+using namespace axiscomp;
+using namespace axiscomp::ui;
+using test::PageBench;
+
+namespace {
+
+struct Mnemonic {
+    QKeySequence key;
+    QString owner;
+};
+
+QString described(const QWidget& widget, const QString& text)
+{
+    return QStringLiteral("%1 \"%2\"").arg(widget.objectName(), text);
+}
+
+/// Those that answer now: of what is visible and enabled.
+std::vector<Mnemonic> mnemonicsOf(const QWidget& window)
+{
+    std::vector<Mnemonic> found;
+    const auto add = [&](const QWidget& widget, const QString& text) {
+        const QKeySequence key = QKeySequence::mnemonic(text);
+        if (!key.isEmpty() && widget.isVisible() && widget.isEnabled())
+            found.push_back({key, described(widget, text)});
+    };
+    for (const auto* button : window.findChildren<QAbstractButton*>())
+        add(*button, button->text());
+    for (const auto* label : window.findChildren<QLabel*>()) {
+        if (label->buddy())
+            add(*label, label->text());
+    }
+    for (const auto* tabs : window.findChildren<QTabBar*>()) {
+        for (int i = 0; i < tabs->count(); ++i)
+            add(*tabs, tabs->tabText(i));
+    }
+    return found;
+}
+
+QString accessibleText(QWidget& widget, QAccessible::Text kind)
+{
+    QAccessibleInterface* interface = QAccessible::queryAccessibleInterface(&widget);
+    return interface ? interface->text(kind) : QString();
+}
+
+/// A label that leads to the input, or a text of its own, with a key.
+bool hasMnemonic(const QWidget& window, const QWidget& input)
+{
+    if (const auto* button = qobject_cast<const QAbstractButton*>(&input))
+        return !QKeySequence::mnemonic(button->text()).isEmpty();
+    for (const auto* label : window.findChildren<QLabel*>()) {
+        if (label->buddy() == &input && !QKeySequence::mnemonic(label->text()).isEmpty())
+            return true;
+    }
+    return false;
+}
+
+} // namespace
+
+/// What every input says about itself, in every state of the page and every language.
+class TestWizardMnemonics : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { test::failOnWindowWarnings(); }
+
+    void everyKeyLeadsToOneThing_data() { addStates(); }
+    void everyKeyLeadsToOneThing()
+    {
+        QFETCH(QString, language);
+        QFETCH(int, state);
+        PageBench bench(PageBench::twoAxes(), language);
+        QVERIFY(test::allPageStates()[std::size_t(state)].reach(bench));
+        const auto found = mnemonicsOf(test::shownWindow(bench));
+        QVERIFY(found.size() > 3);
+        QStringList twice;
+        for (std::size_t i = 0; i < found.size(); ++i) {
+            for (std::size_t j = i + 1; j < found.size(); ++j) {
+                if (found[i].key == found[j].key)
+                    twice += found[i].key.toString() + QStringLiteral(": ") + found[i].owner
+                        + QStringLiteral(", ") + found[j].owner;
+            }
+        }
+        bench.served.faults.clear();
+        QVERIFY2(twice.isEmpty(), qPrintable(twice.join(u'\n')));
+    }
+
+    void everyInputSaysWhatItIs_data() { addStates(); }
+    void everyInputSaysWhatItIs()
+    {
+        QFETCH(QString, language);
+        QFETCH(int, state);
+        PageBench bench(PageBench::twoAxes(), language);
+        QVERIFY(test::allPageStates()[std::size_t(state)].reach(bench));
+        QWidget& window = test::shownWindow(bench);
+        QStringList missing;
+        for (QWidget* input : test::visibleInputs(window)) {
+            const QString name = input->objectName();
+            if (name.isEmpty())
+                missing += QStringLiteral("%1: no object name")
+                               .arg(QLatin1StringView(input->metaObject()->className()));
+            if (accessibleText(*input, QAccessible::Name).isEmpty())
+                missing += name + QStringLiteral(": no accessible name");
+            if (!test::isField(*input) && !qobject_cast<QAbstractButton*>(input))
+                continue;
+            // A message's buttons stand beside its sentence.
+            const bool isInMessage =
+                input->parentWidget()->findChild<QLabel*>(QStringLiteral("messageText"));
+            if (input->toolTip().isEmpty() && !isInMessage)
+                missing += name + QStringLiteral(": no tooltip");
+            if (accessibleText(*input, QAccessible::Description).isEmpty())
+                missing += name + QStringLiteral(": no accessible description");
+        }
+        bench.served.faults.clear();
+        QVERIFY2(missing.isEmpty(), qPrintable(missing.join(u'\n')));
+    }
+
+    void everyFieldAndButtonHasAKey_data() { addStates(); }
+    void everyFieldAndButtonHasAKey()
+    {
+        QFETCH(QString, language);
+        QFETCH(int, state);
+        PageBench bench(PageBench::twoAxes(), language);
+        QVERIFY(test::allPageStates()[std::size_t(state)].reach(bench));
+        QWidget& window = test::shownWindow(bench);
+        QStringList missing;
+        for (const QWidget* input : test::visibleInputs(window)) {
+            if (test::needsMnemonic(*input) && !hasMnemonic(window, *input))
+                missing += input->objectName();
+        }
+        bench.served.faults.clear();
+        QVERIFY2(missing.isEmpty(), qPrintable(missing.join(u' ')));
+    }
+
+private:
+    static void addStates()
+    {
+        QTest::addColumn<QString>("language");
+        QTest::addColumn<int>("state");
+        for (const QString& language : Language::available()) {
+            int number = 0;
+            for (const auto& state : test::allPageStates())
+                QTest::addRow("%s, %s", state.name, qPrintable(language)) << language << number++;
+        }
+    }
+};
+
+AXISCOMP_WINDOW_TEST(TestWizardMnemonics)
+
+} // namespace tst_mnemonics
+
+#include "tst_mnemonics.moc"

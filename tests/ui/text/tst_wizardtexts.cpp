@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/compensator_fixture.h"
+#include "tests/support/test_registry.h"
+#include "tests/support/verify.h"
+#include "tests/ui/support/brackets.h"
+#include "ui/session/axis_list.h"
+#include "ui/text/endpoint_text.h"
+#include "ui/text/error_text.h"
+#include "ui/text/phrase_book.h"
+#include "ui/text/sign_sentence.h"
+
+#include <QTest>
+
+namespace tst_wizardtexts {
+
+using namespace axiscomp;
+using namespace axiscomp::ui;
+using test::Brackets;
+
+namespace {
+
+SurveyedTable kept(CompensationTable table)
+{
+    return surveyed(std::make_shared<const CompensationTable>(std::move(table)));
+}
+
+SurveyedTable table1D(std::vector<float> values, const char* unit = "mm")
+{
+    CompensationTable table;
+    table.unit = unit;
+    table.grid.axes = {{.name = "X",
+        .unit = "mm",
+        .start = 0.0,
+        .distance = 10.0,
+        .size = static_cast<std::uint32_t>(values.size())}};
+    table.values = std::move(values);
+    return kept(std::move(table));
+}
+
+AxisInfo axisX(const char* unit = "Millimeter")
+{
+    AxisInfo axis;
+    axis.name = "X";
+    axis.unit = unit;
+    return axis;
+}
+
+DriveAxes drive(const char* endpoint, const char* name, int serial, std::vector<std::string> names)
+{
+    DriveAxes drive;
+    drive.endpoint = QString::fromUtf8(endpoint);
+    drive.isConnected = true;
+    drive.drive = {name, serial, static_cast<int>(names.size())};
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        AxisInfo axis;
+        axis.index = static_cast<int>(i);
+        axis.name = names[i];
+        axis.state = "Disabled";
+        drive.axes.push_back(axis);
+    }
+    return drive;
+}
+
+} // namespace
+
+class TestWizardTexts : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { test::failOnWarnings(); }
+
+    void everyErrorOfCoreIsKnownToTheTranslations()
+    {
+        for (const ErrorCode code : allErrorCodes()) {
+            const std::string text(errorTemplate(code));
+            const bool isKnown = std::ranges::any_of(
+                knownPhrases(), [&](const char* phrase) { return text == phrase; });
+            QVERIFY2(isKnown, text.c_str());
+        }
+    }
+
+    void anErrorIsASentenceWithItsNumbers()
+    {
+        QCOMPARE(errorText({ErrorCode::TableTooLarge,
+                     {{"size", "70000"}, {"largest", "63360"}, {"slot", "Small1"}}, {}}),
+            QStringLiteral("The table needs 70000 bytes, but the largest slot that may be taken, "
+                           "Small1, holds 63360."));
+        // An address stays as it is written.
+        QCOMPARE(errorText({ErrorCode::Timeout, {{"endpoint", "http://x"}, {"seconds", "5"}}, {}}),
+            QStringLiteral("http://x did not answer within 5 s."));
+    }
+
+    void whatAnErrorHoldsIsTranslatedToo()
+    {
+        const Brackets translation;
+        const Error inner{ErrorCode::NotHomed, {{"axis", "0"}}, {}};
+        QCOMPARE(errorText({ErrorCode::RollbackFailed,
+                     {{"reason", sentence(inner)}, {"rollback", "it does not exist"},
+                         {"backup", "/tmp/b.json"}},
+                     {}}),
+            QStringLiteral("<<axis 0 must be homed first>; putting the old state back failed too "
+                           "(<it does not exist>). Do not activate the axis; restore it from "
+                           "/tmp/b.json>."));
+        QCOMPARE(phraseText("The parameters of all axes are saved, but the table of axis 1 (Y) in "
+                            "Small3 is volatile: after a reboot that axis has no table."),
+            QStringLiteral("<The parameters of all axes are saved, but the table of <axis 1 (Y)> "
+                           "in Small3 is volatile: after a reboot that axis has no table.>."));
+        QCOMPARE(phraseText("unheard of"), QStringLiteral("Unheard of."));
+    }
+
+    void everyWarningOfAPlanIsKnown()
+    {
+        test::DriveFixture fixture;
+        VERIFY_RESULT(
+            fixture.compensator.write(0, test::exampleRequest(1, Persistency::Persistent)));
+        WriteRequest other = test::exampleRequest(3);
+        VERIFY_RESULT(fixture.compensator.write(1, other));
+        const auto toVolatile = fixture.compensator.plan(0, test::exampleRequest(2));
+        VERIFY_RESULT(toVolatile);
+        const auto saved =
+            fixture.compensator.plan(0, test::exampleRequest(2, Persistency::Persistent));
+        VERIFY_RESULT(saved);
+        WriteRequest named = test::exampleRequest(2);
+        named.slot = "Small5";
+        const auto intoSlot = fixture.compensator.plan(0, named);
+        VERIFY_RESULT(intoSlot);
+        WriteRequest wrongUnit = test::exampleRequest(2);
+        wrongUnit.table->unit = "um";
+        const auto tooLarge = fixture.compensator.plan(0, wrongUnit);
+        VERIFY_RESULT(tooLarge);
+        wrongUnit.table->unit = "m";
+        const auto tooSmall = fixture.compensator.plan(0, wrongUnit);
+        VERIFY_RESULT(tooSmall);
+        wrongUnit.table->unit = "ticks";
+        const auto unknown = fixture.compensator.plan(0, wrongUnit);
+        VERIFY_RESULT(unknown);
+        const Brackets translation;
+        int warnings = 0;
+        for (const auto* plan : {&toVolatile, &saved, &intoSlot, &tooLarge, &tooSmall, &unknown}) {
+            for (const std::string& warning : (*plan)->warnings) {
+                QVERIFY2(phraseText(warning).startsWith(u'<'), warning.c_str());
+                ++warnings;
+            }
+        }
+        QVERIFY(warnings >= 9);
+    }
+
+    void everyProblemOfAFileHasItsSentence()
+    {
+        for (int code = 0; code <= static_cast<int>(DiagnosticCode::Assumption); ++code) {
+            Diagnostic problem;
+            problem.code = static_cast<DiagnosticCode>(code);
+            problem.found = "what was found";
+            const QString text = problemText(problem);
+            QVERIFY2(text.size() > 20, qPrintable(text));
+            QVERIFY2(text.contains(QStringLiteral("what was found")), qPrintable(text));
+            QVERIFY2(text.endsWith(u'.'), qPrintable(text));
+        }
+        QCOMPARE(problemText({Severity::Error, DiagnosticCode::NotANumber, 3, 2, "1,5x",
+                     "a number such as 0.5"}),
+            QStringLiteral("This is not a number: found \"1,5x\", expected a number such as 0.5."));
+        QCOMPARE(problemText({Severity::Error, DiagnosticCode::NotANumber, 3, 2, {}, {}}),
+            QStringLiteral("This is not a number: found an empty cell."));
+    }
+
+    void everyStepHasWords()
+    {
+        const Brackets translation;
+        for (const char* step : {"plan", "backup", "begin", "switch off", "upload", "verify",
+                 "commit", "switch", "save", "done", "putting back", "download"})
+            QVERIFY2(stepText(QString::fromUtf8(step)).startsWith(u'<'), step);
+        QCOMPARE(stepText(QStringLiteral("unheard of")), QStringLiteral("unheard of"));
+    }
+
+    void signSentences_data()
+    {
+        QTest::addColumn<QByteArray>("values");
+        QTest::addColumn<QString>("sentence");
+        QTest::newRow("positive")
+            << QByteArray("0 0.001 0 0 0.0021 0")
+            << QStringLiteral("where the encoder reads 40.0000 mm the reference says 40.0021 mm: "
+                              "the drive will add +0.0021 mm");
+        QTest::newRow("negative")
+            << QByteArray("0 -0.0125 0")
+            << QStringLiteral("where the encoder reads 10.000 mm the reference says 9.987 mm: the "
+                              "drive will add -0.013 mm");
+        QTest::newRow("nothing") << QByteArray("0 0 0")
+                                 << QStringLiteral("all values are 0: the drive will add nothing");
+    }
+    void signSentences()
+    {
+        QFETCH(QByteArray, values);
+        QFETCH(QString, sentence);
+        std::vector<float> numbers;
+        for (const QByteArray& value : values.split(' '))
+            numbers.push_back(value.toFloat());
+        QCOMPARE(signSentenceFor(table1D(numbers), axisX(), {}), sentence);
+    }
+
+    void theSignSentenceShowsAUnitThatIsNotTheDrives()
+    {
+        // Micrometres, for a drive that counts in millimetres: the mistake can be read.
+        QCOMPARE(signSentenceFor(table1D({0.0F, 2.1F, 0.0F}, "um"), axisX(), {}),
+            QStringLiteral("where the encoder reads 10.0 mm the reference says 12.1 mm: the drive "
+                           "will add +2.1 mm (the file says um, but the drive takes the values as "
+                           "mm)"));
+        QVERIFY(!signSentenceFor(table1D({0.0F, 2.1F, 0.0F}, "mm"), axisX(), {})
+                     .contains(QStringLiteral("the file says")));
+    }
+
+    void theSignSentenceNamesTheOtherDimensions()
+    {
+        CompensationTable table;
+        table.grid.axes = {{.name = "X", .unit = "mm", .start = 0.0, .distance = 10.0, .size = 2},
+            {.name = "Y", .unit = "mm", .start = 0.0, .distance = 30.0, .size = 2}};
+        table.values = {0.0F, 0.0F, 0.0F, 0.0021F};
+        const DimSource x{1, test::masterX};
+        const DimSource y{2, test::masterY};
+        QCOMPARE(signSentenceFor(kept(table), axisX(), {x, y, {}}),
+            QStringLiteral("at Y 30 mm, where the encoder reads 10.0000 mm the reference says "
+                           "10.0021 mm: the drive will add +0.0021 mm"));
+        // Over other axes only: what the encoder of this one reads is not in the table.
+        AxisInfo z = axisX();
+        z.index = 2;
+        QCOMPARE(signSentenceFor(kept(table), z, {x, y, {}}),
+            QStringLiteral("at X 10 mm, Y 30 mm the reference says 0.0021 mm more than the "
+                           "encoder: the drive will add +0.0021 mm"));
+    }
+
+    void labelsSayAsMuchAsIsNeeded()
+    {
+        const std::vector<DriveAxes> drives{drive("http://1", "A", 1, {"X", "Y"}),
+            drive("http://2", "A", 2, {"X", "X", ""}), drive("http://3", "A", 2, {"X"}),
+            drive("http://4", "", 0, {"Z"})};
+        QStringList labels;
+        for (const AxisEntry& entry : axisEntries(drives))
+            labels.append(entry.label);
+        QCOMPARE(labels,
+            (QStringList{QStringLiteral("X [0] · A #1"), QStringLiteral("Y · A"),
+                QStringLiteral("X [0] · A #2 http://2"), QStringLiteral("X [1] · A"),
+                QStringLiteral("Axis 2 · A"), QStringLiteral("X [0] · A #2 http://3"),
+                QStringLiteral("Z · http://4")}));
+    }
+
+    void anAxisThatCannotBeUsedSaysWhy()
+    {
+        std::vector<DriveAxes> drives{drive("http://1", "A", 1, {"X", ""}),
+            drive("http://2", "B", 2, {"X"}), drive("demo:", "C", 3, {"X"})};
+        drives[0].axes[1].state.clear(); // has no compensation registers
+        drives[1].isConnected = false;
+        drives[2].isDemo = true;
+        const std::vector<AxisEntry> entries = axisEntries(drives);
+        QStringList labels;
+        QStringList problems;
+        for (const AxisEntry& entry : entries) {
+            labels.append(entry.label);
+            problems.append(entry.problem);
+            QCOMPARE(entry.isUsable, entry.problem.isEmpty());
+            QCOMPARE(axisLabel(entry), entry.label);
+        }
+        QCOMPARE(labels,
+            (QStringList{QStringLiteral("X · A"), QStringLiteral("Axis 1 · A (no compensation)"),
+                QStringLiteral("X · B"), QStringLiteral("X · C (demo)")}));
+        QCOMPARE(problems,
+            (QStringList{QString(), QStringLiteral("This axis has no compensation registers."),
+                QStringLiteral("The drive B is not connected."), QString()}));
+    }
+
+    void endpointsAreShownWithoutTheirPasswords_data()
+    {
+        QTest::addColumn<QString>("endpoint");
+        QTest::addColumn<QString>("shown");
+        const auto row = [](const char* endpoint, const char* shown) {
+            QTest::newRow(endpoint) << QString::fromUtf8(endpoint) << QString::fromUtf8(shown);
+        };
+        row("http://192.168.1.20", "http://192.168.1.20");
+        row("http://user:secret@host:8080/", "http://host:8080/");
+        row("https://user:se@cr@et@host", "https://host");
+        row(" demo: ", "demo:");
+        row("user:secret@host", "host");
+        row("http://user:12/34@host", "http://host");
+        row("http://user:12#34@host", "http://host");
+        row("serial:/dev/a@b", "serial:/dev/a@b");
+        row("serial:/dev/ttyUSB0", "serial:/dev/ttyUSB0");
+    }
+    void endpointsAreShownWithoutTheirPasswords()
+    {
+        QFETCH(QString, endpoint);
+        QFETCH(QString, shown);
+        QCOMPARE(shownEndpoint(endpoint), shown);
+    }
+};
+
+AXISCOMP_TEST(TestWizardTexts)
+
+} // namespace tst_wizardtexts
+
+#include "tst_wizardtexts.moc"

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/async/background.h"
+#include "ui/async/future_handler.h"
+
+#include <functional>
+#include <optional>
+#include <stop_token>
+#include <utility>
+
+namespace axiscomp::ui {
+
+/// Computes off the window's thread, one thing at a time: a new request asks the one that runs to
+/// stop, and of those made meanwhile only the newest is carried out. Only the result of the newest
+/// is reported. Never waits, not even in its destructor.
+template <typename T> class NewestJob {
+public:
+    /// Refers to nothing that may go away.
+    using Function = std::function<T(const std::stop_token&)>;
+    using Handler = std::function<void(const T&)>;
+
+    explicit NewestJob(Handler handler) : m_handler(std::move(handler)) { }
+    ~NewestJob() { m_stop.request_stop(); }
+    NewestJob(const NewestJob&) = delete;
+    NewestJob& operator=(const NewestJob&) = delete;
+
+    void start(Function function)
+    {
+        m_stop.request_stop();
+        m_next = std::move(function);
+        if (!m_isRunning)
+            run();
+    }
+    /// Nothing is reported for what is cancelled.
+    void cancel()
+    {
+        m_stop.request_stop();
+        m_next.reset();
+        m_isWanted = false;
+    }
+
+private:
+    void run()
+    {
+        m_stop = std::stop_source();
+        m_isRunning = true;
+        m_isWanted = true;
+        const auto result =
+            inBackground<T>([function = *std::exchange(m_next, std::nullopt),
+                                stop = m_stop.get_token()] { return function(stop); });
+        whenDone(result, &m_context, [this](const T& value) { finish(value); });
+    }
+    void finish(const T& value)
+    {
+        m_isRunning = false;
+        if (m_next)
+            run();
+        else if (std::exchange(m_isWanted, false))
+            m_handler(value);
+    }
+
+    Handler m_handler;
+    QObject m_context;
+    std::stop_source m_stop;
+    std::optional<Function> m_next;
+    bool m_isRunning = false;
+    bool m_isWanted = false; ///< the result of the one that runs
+};
+
+} // namespace axiscomp::ui

@@ -1,0 +1,407 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/controller/action_rules.h"
+
+#include "ui/text/error_text.h"
+#include "ui/text/value_text.h"
+
+#include <QCoreApplication>
+
+#include <initializer_list>
+#include <optional>
+
+namespace axiscomp::ui {
+
+namespace {
+
+using Unfinished = WizardSnapshot::Unfinished;
+
+/// A sentence; nothing: it can be done.
+using Obstacle = std::optional<QString>;
+
+/// Each check knows one obstacle. What stands against an action is a list of checks, the most
+/// important first: the first that finds something is the reason.
+class Rules {
+    Q_DECLARE_TR_FUNCTIONS(axiscomp::ui::WizardRules)
+
+public:
+    explicit Rules(const WizardSnapshot& now) : m_now(now) { }
+
+    [[nodiscard]] ActionState state(Action action) const;
+    [[nodiscard]] QString hint() const;
+
+private:
+    using Check = Obstacle (Rules::*)() const;
+    [[nodiscard]] Obstacle first(std::initializer_list<Check> checks) const;
+    [[nodiscard]] Obstacle obstacle(Action action) const;
+    [[nodiscard]] QString consequence(Action action) const;
+    [[nodiscard]] QString writeConsequence() const;
+
+    // The way to the axis
+    [[nodiscard]] Obstacle noDrive() const;
+    [[nodiscard]] Obstacle noChoice() const;
+    [[nodiscard]] Obstacle unreachable() const;
+    [[nodiscard]] Obstacle unknown() const;
+    // What runs
+    [[nodiscard]] Obstacle busy() const;
+    [[nodiscard]] Obstacle reading() const;
+    [[nodiscard]] Obstacle nothingToStop() const;
+    // What the drive says
+    [[nodiscard]] Obstacle active() const;
+    [[nodiscard]] Obstacle activeAlready() const;
+    [[nodiscard]] Obstacle evaluatingAlready() const;
+    [[nodiscard]] Obstacle offAlready() const;
+    [[nodiscard]] Obstacle noDriveTable() const;
+    [[nodiscard]] Obstacle mixture() const;
+    [[nodiscard]] Obstacle notHomed() const;
+    [[nodiscard]] Obstacle noBackup() const;
+    [[nodiscard]] Obstacle noFlash() const;
+    [[nodiscard]] Obstacle nothingUnfinished() const;
+    [[nodiscard]] Obstacle notFinishable() const;
+    [[nodiscard]] Obstacle notUndoable() const;
+    // What the user has chosen
+    [[nodiscard]] Obstacle unchanged() const;
+    [[nodiscard]] Obstacle nothingToWrite() const;
+    [[nodiscard]] Obstacle unwritten() const;
+    [[nodiscard]] Obstacle unfit() const;
+    [[nodiscard]] Obstacle notSeveral() const;
+
+    const WizardSnapshot& m_now;
+};
+
+Obstacle Rules::first(std::initializer_list<Check> checks) const
+{
+    for (const Check check : checks) {
+        if (Obstacle found = (this->*check)())
+            return found;
+    }
+    return {};
+}
+
+Obstacle Rules::obstacle(Action action) const
+{
+    using R = Rules;
+    switch (action) {
+    case Action::Write:
+        return first({&R::noChoice, &R::unreachable, &R::busy, &R::unknown, &R::active,
+            &R::nothingToWrite, &R::reading, &R::unfit, &R::noFlash});
+    case Action::Activate:
+        return first({&R::noChoice, &R::unreachable, &R::busy, &R::unknown, &R::activeAlready,
+            &R::unwritten, &R::noDriveTable, &R::unfit, &R::mixture, &R::notHomed});
+    case Action::Evaluate:
+        return first({&R::noChoice, &R::unreachable, &R::busy, &R::unknown, &R::active,
+            &R::evaluatingAlready, &R::unwritten, &R::noDriveTable, &R::unfit, &R::mixture});
+    case Action::Deactivate:
+        return first({&R::noChoice, &R::unreachable, &R::busy, &R::offAlready});
+    case Action::Revert:
+        return first({&R::noChoice, &R::busy, &R::unchanged});
+    case Action::RestorePrevious:
+        return first(
+            {&R::noChoice, &R::unreachable, &R::busy, &R::unknown, &R::active, &R::noBackup});
+    case Action::FinishWrite:
+        return first({&R::noChoice, &R::unreachable, &R::busy, &R::unknown, &R::nothingUnfinished,
+            &R::active, &R::notFinishable});
+    case Action::UndoWrite:
+        return first({&R::noChoice, &R::unreachable, &R::busy, &R::unknown, &R::nothingUnfinished,
+            &R::active, &R::notUndoable});
+    case Action::Refresh:
+        return first({&R::noDrive, &R::busy});
+    case Action::OpenData:
+        return first({&R::busy});
+    case Action::WriteSeveral:
+        return first(
+            {&R::noChoice, &R::unreachable, &R::busy, &R::unknown, &R::reading, &R::notSeveral});
+    case Action::Cancel:
+        break;
+    }
+    return first({&R::nothingToStop});
+}
+
+Obstacle Rules::noDrive() const
+{
+    if (!m_now.hasDrives)
+        return tr("No drive is connected: add a connection first.");
+    return {};
+}
+
+Obstacle Rules::noChoice() const
+{
+    if (Obstacle found = noDrive())
+        return found;
+    if (!m_now.hasAxis)
+        return m_now.isConnecting ? tr("The drives are being asked for their axes.")
+                                  : tr("Choose an axis first.");
+    return {};
+}
+
+Obstacle Rules::unreachable() const
+{
+    if (!m_now.isConnected)
+        return tr("The drive is not connected.");
+    if (!m_now.hasCompensation)
+        return tr("This axis has no compensation registers.");
+    return {};
+}
+
+Obstacle Rules::unknown() const
+{
+    if (m_now.isKnown)
+        return {};
+    return m_now.readProblem ? errorText(*m_now.readProblem) : tr("The axis is being read.");
+}
+
+Obstacle Rules::busy() const
+{
+    if (m_now.task)
+        return tr("Please wait: %1.").arg(taskText(*m_now.task));
+    return {};
+}
+
+Obstacle Rules::reading() const
+{
+    if (m_now.isReadingFile)
+        return tr("The file is being read.");
+    return {};
+}
+
+Obstacle Rules::nothingToStop() const
+{
+    if (m_now.isReadingFile)
+        return {};
+    if (!m_now.task)
+        return tr("Nothing is running.");
+    if (!m_now.canCancel)
+        return tr("It is being stopped already.");
+    return {};
+}
+
+Obstacle Rules::active() const
+{
+    if (m_now.isActive)
+        return tr("The compensation is active: deactivate it first.");
+    return {};
+}
+
+Obstacle Rules::activeAlready() const
+{
+    if (m_now.isActive)
+        return tr("The compensation is active already.");
+    return {};
+}
+
+Obstacle Rules::evaluatingAlready() const
+{
+    if (m_now.isEvaluating)
+        return tr("The compensation is being evaluated already.");
+    return {};
+}
+
+Obstacle Rules::offAlready() const
+{
+    if (!m_now.isActive && !m_now.isEvaluating && !m_now.problem)
+        return tr("The compensation is not active.");
+    return {};
+}
+
+Obstacle Rules::noDriveTable() const
+{
+    if (!m_now.hasDriveTable)
+        return tr("The axis has no table on the drive: write one first.");
+    return {};
+}
+
+Obstacle Rules::mixture() const
+{
+    if (m_now.unfinished == Unfinished::Mixture)
+        return tr("An earlier write left the axis in neither the old nor the new state: write "
+                  "again, or restore the previous state.");
+    return {};
+}
+
+Obstacle Rules::notHomed() const
+{
+    if (!m_now.isHomed)
+        return tr("The axis must be homed first.");
+    return {};
+}
+
+Obstacle Rules::noBackup() const
+{
+    if (!m_now.hasBackup)
+        return tr("There is no backup of this axis yet: one is made before every write.");
+    return {};
+}
+
+Obstacle Rules::noFlash() const
+{
+    if (m_now.flashOperationsNeeded <= m_now.flashOperationsLeft)
+        return {};
+    return m_now.isPersistent
+        ? tr("Flash wear: wait %1, or write volatile.").arg(durationText(m_now.flashWaitSeconds))
+        : tr("Flash wear: wait %1.").arg(durationText(m_now.flashWaitSeconds));
+}
+
+Obstacle Rules::nothingUnfinished() const
+{
+    if (m_now.unfinished == Unfinished::None)
+        return tr("No write to this axis is unfinished.");
+    return {};
+}
+
+Obstacle Rules::notFinishable() const
+{
+    return m_now.finishObstacle ? Obstacle(errorText(*m_now.finishObstacle)) : Obstacle();
+}
+
+Obstacle Rules::notUndoable() const
+{
+    return m_now.undoObstacle ? Obstacle(errorText(*m_now.undoObstacle)) : Obstacle();
+}
+
+Obstacle Rules::unchanged() const
+{
+    if (!m_now.isChanged)
+        return tr("Nothing has changed.");
+    return {};
+}
+
+Obstacle Rules::nothingToWrite() const
+{
+    return m_now.unfinished == Unfinished::Unsaved ? Obstacle() : unchanged();
+}
+
+Obstacle Rules::unwritten() const
+{
+    if (m_now.isChanged)
+        return tr("Parameters must be written.");
+    return {};
+}
+
+/// Whether table and sources belong together and to this drive.
+Obstacle Rules::unfit() const
+{
+    if (!m_now.hasTable)
+        return tr("No table is chosen: open compensation data.");
+    if (m_now.tableDimensions != m_now.dimensionality)
+        return m_now.tableDimensions == 1
+            ? tr("The table has 1 dimension, but %1D is chosen.").arg(m_now.dimensionality)
+            : tr("The table has %1 dimensions, but %2D is chosen.")
+                  .arg(m_now.tableDimensions)
+                  .arg(m_now.dimensionality);
+    if (m_now.isSourceBeingChecked)
+        return tr("A source is being checked.");
+    if (m_now.missingSource > 0)
+        return tr("Dim%1 Source is missing.").arg(m_now.missingSource);
+    if (m_now.repeatedSource > 0)
+        return tr("Dim%1 Source is the same as another source.").arg(m_now.repeatedSource);
+    if (m_now.isNewTable && m_now.tableBytes > m_now.largestSlotBytes)
+        return tr("The table needs %1 bytes, but the largest slot has %2.")
+            .arg(m_now.tableBytes)
+            .arg(m_now.largestSlotBytes);
+    return {};
+}
+
+Obstacle Rules::notSeveral() const
+{
+    if (m_now.fileTables < 2)
+        return tr("Open a file with several columns of values first.");
+    if (m_now.usableAxes < 2)
+        return tr("The drive has no second axis with compensation registers.");
+    return {};
+}
+
+QString Rules::writeConsequence() const
+{
+    if (!m_now.isChanged)
+        return tr("Finishes an earlier write: saves the parameters of the drive.");
+    if (m_now.flashOperationsNeeded > 0 && m_now.isFlashLimitKnown)
+        return tr("Writes to the drive and stores in flash: %1 of %2 flash operations that are "
+                  "possible now.")
+            .arg(m_now.flashOperationsNeeded)
+            .arg(m_now.flashOperationsLeft);
+    if (m_now.flashOperationsNeeded > 0)
+        return tr("Writes to the drive and stores in flash.");
+    if (m_now.isPersistent)
+        return tr("Writes to the drive and saves its parameters; the table in flash stays.");
+    return tr("Writes to the drive; a reboot of the drive brings the stored state back.");
+}
+
+QString Rules::consequence(Action action) const
+{
+    switch (action) {
+    case Action::Write:
+        return writeConsequence();
+    case Action::Activate:
+        return tr("Adds the table's values to the encoder position, then proves that the drive "
+                  "adds what the table says.");
+    case Action::Evaluate:
+        return tr("Lets the drive check table and sources and look up, without adding anything.");
+    case Action::Deactivate:
+        return tr("Switches the compensation off; table and settings stay on the drive.");
+    case Action::Revert:
+        return tr("Puts the drive's values back into the fields.");
+    case Action::RestorePrevious:
+        return tr("Writes the table and the sources that the axis had before.");
+    case Action::FinishWrite:
+        return tr("Brings the drive to the complete new state of the write that did not end.");
+    case Action::UndoWrite:
+        return tr("Brings the drive back to the complete state before the write that did not end.");
+    case Action::Refresh:
+        return tr("Looks for drives and axes again and reads the axis.");
+    case Action::OpenData:
+        return tr("Opens a file of compensation data, .csv or .TAMtbl.");
+    case Action::WriteSeveral:
+        return tr("Writes columns of the open file, each to an axis of its own.");
+    case Action::Cancel:
+        break;
+    }
+    if (m_now.isReadingFile && !m_now.task)
+        return tr("Stops reading the file.");
+    return m_now.task && isWrite(*m_now.task) ? tr("Stops the write and puts the old state back.")
+                                              : tr("Stops what is running.");
+}
+
+ActionState Rules::state(Action action) const
+{
+    if (Obstacle found = obstacle(action))
+        return {false, *found};
+    return {true, consequence(action)};
+}
+
+QString Rules::hint() const
+{
+    if (m_now.task)
+        return asSentence(tr("%1 ...").arg(taskText(*m_now.task)));
+    using R = Rules;
+    if (Obstacle found =
+            first({&R::noChoice, &R::unreachable, &R::unknown, &R::reading, &R::mixture}))
+        return *found;
+    if (Obstacle found = unwritten())
+        return obstacle(Action::Write).value_or(*found);
+    if (m_now.unfinished == Unfinished::Unsaved)
+        return obstacle(Action::Write)
+            .value_or(tr("An earlier write did not end: the parameters may not be saved. Write to "
+                         "finish it."));
+    if (m_now.problem)
+        return errorText(*m_now.problem);
+    if (m_now.isActive)
+        return tr("The compensation is active.");
+    if (Obstacle found = noDriveTable())
+        return unfit().value_or(*found);
+    if (m_now.isEvaluating)
+        return tr("The compensation is being evaluated: the drive adds nothing.");
+    return obstacle(Action::Activate).value_or(consequence(Action::Activate));
+}
+
+} // namespace
+
+WizardDecision decide(const WizardSnapshot& now)
+{
+    const Rules rules(now);
+    WizardDecision decision;
+    for (const Action action : allActions)
+        decision.actions[static_cast<std::size_t>(action)] = rules.state(action);
+    decision.hint = rules.hint();
+    return decision;
+}
+
+} // namespace axiscomp::ui

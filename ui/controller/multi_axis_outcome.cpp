@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/controller/multi_axis_outcome.h"
+
+#include "ui/controller/column_mapping.h"
+#include "ui/session/axis_list.h"
+#include "ui/text/error_text.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+
+#include <charconv>
+
+namespace axiscomp::ui {
+
+namespace {
+
+class SeveralOutcomes {
+    Q_DECLARE_TR_FUNCTIONS(axiscomp::ui::SeveralOutcome)
+
+public:
+    [[nodiscard]] static Outcome allWritten(const QStringList& axes, bool isPersistent)
+    {
+        const QString persistency = isPersistent
+            ? tr("They are stored in flash.")
+            : tr("They are volatile: a reboot of the drive brings the stored states back.");
+        return {tr("Written, read back and compared; the new state is on: %1. %2")
+                    .arg(listed(axes), persistency),
+            false, {}};
+    }
+    [[nodiscard]] static Outcome nothingWritten(
+        const QStringList& axes, const Error& error, const QString& sentence)
+    {
+        const QString what =
+            error.code == ErrorCode::Cancelled ? tr("The writes were stopped.") : sentence;
+        return {what + u' ' + states({}, axes), true, errorOutcome(error).detail};
+    }
+    [[nodiscard]] static Outcome stoppedAt(
+        const QStringList& axes, qsizetype failed, const Error& error)
+    {
+        const bool isOld =
+            error.code != ErrorCode::OutcomeUnknown && error.code != ErrorCode::RollbackFailed;
+        const QString what = error.code == ErrorCode::Cancelled
+            ? tr("The writes were stopped at %1.").arg(axes.at(failed))
+            : ofAxis(axes.at(failed), errorText(error));
+        return {what + u' ' + states(axes.first(failed), axes.sliced(isOld ? failed : failed + 1)),
+            true, errorOutcome(error).detail};
+    }
+    [[nodiscard]] static QString ofAxis(const QString& axis, const QString& sentence)
+    {
+        return tr("%1: %2", "axis and sentence").arg(axis, sentence);
+    }
+    [[nodiscard]] static QString listed(const QStringList& axes)
+    {
+        return axes.join(QStringLiteral(", "));
+    }
+
+private:
+    [[nodiscard]] static QString states(const QStringList& withNew, const QStringList& withOld)
+    {
+        QString text = withNew.isEmpty() ? tr("No axis has the new state.")
+                                         : tr("The new state is on: %1.").arg(listed(withNew));
+        if (!withOld.isEmpty())
+            text += u' ' + tr("The complete old state is on: %1.").arg(listed(withOld));
+        return text;
+    }
+};
+
+} // namespace
+
+Outcome severalOutcome(
+    std::span<const AxisEntry> axes, bool isPersistent, const Result<SeveralReport>& report)
+{
+    QStringList names;
+    for (const AxisEntry& entry : axes)
+        names += axisNameOnDrive(entry);
+    if (!report)
+        return SeveralOutcomes::nothingWritten(
+            names, report.error(), severalErrorText(report.error(), axes));
+    for (std::size_t n = 0; n < report->writes.size(); ++n) {
+        const auto& write = report->writes[n];
+        if (!holdsNewState(write))
+            return SeveralOutcomes::stoppedAt(names, static_cast<qsizetype>(n), write.error());
+    }
+    return SeveralOutcomes::allWritten(names, isPersistent);
+}
+
+QString severalErrorText(const Error& error, std::span<const AxisEntry> axes)
+{
+    const auto named = error.context.find("ofAxis");
+    int axis = 0;
+    if (named == error.context.end()
+        || std::from_chars(named->second.data(), named->second.data() + named->second.size(), axis)
+                .ec
+            != std::errc())
+        return errorText(error);
+    return SeveralOutcomes::ofAxis(axisNameAmong(axes, axis), errorText(error));
+}
+
+} // namespace axiscomp::ui

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/compensator/multi_axis_write.h"
+#include "ui/controller/outcome_text.h"
+#include "ui/controller/wizard_options.h"
+
+namespace axiscomp::ui {
+
+/// What writing to several axes has come to: which of them hold the new state, and which the old
+/// one. axes: in the order of the writes.
+[[nodiscard]] Outcome severalOutcome(
+    std::span<const AxisEntry> axes, bool isPersistent, const Result<SeveralReport>& report);
+
+/// Why several writes cannot be planned or begun; begins with the name of the axis that it is
+/// about. axes: entries of the drive.
+[[nodiscard]] QString severalErrorText(const Error& error, std::span<const AxisEntry> axes);
+
+} // namespace axiscomp::ui

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/controller/outcome_text.h"
+
+#include "ui/text/error_text.h"
+#include "ui/text/value_text.h"
+
+#include <QCoreApplication>
+#include <QDateTime>
+#include <QLocale>
+
+#include <algorithm>
+#include <cmath>
+
+namespace axiscomp::ui {
+
+namespace {
+
+class Outcomes {
+    Q_DECLARE_TR_FUNCTIONS(axiscomp::ui::Outcome)
+
+public:
+    [[nodiscard]] static QString oldStateHeld()
+    {
+        return tr("The drive holds the complete old state.");
+    }
+    [[nodiscard]] static Outcome written(const WriteReport& report);
+    [[nodiscard]] static Outcome notWritten(const Error& error);
+    [[nodiscard]] static Outcome switched(Switch wanted, const Activation& activation);
+    [[nodiscard]] static QString proved(const Proof& proof, const AxisInfo& axis);
+    [[nodiscard]] static Outcome restored(const Restoration& restoration);
+    [[nodiscard]] static Outcome recovered(bool finishes, const Result<WriteReport>& report);
+    [[nodiscard]] static QString settled(AxisCompensator::UnfinishedOutcome outcome);
+    [[nodiscard]] static QString unfinished(const SettledWrite& settled);
+};
+
+QString errorDetail(const Error& error)
+{
+    const std::string_view name = errorName(error.code);
+    QString detail = QString::fromLatin1(name.data(), static_cast<qsizetype>(name.size()))
+        + QStringLiteral(": ") + QString::fromStdString(sentence(error));
+    if (!error.detail.empty())
+        detail += QStringLiteral(" [") + QString::fromStdString(error.detail) + u']';
+    return detail;
+}
+
+/// In fixed notation, so that 0.0000001 looks as small as it is.
+QString smallNumber(double value)
+{
+    constexpr int mostDecimals = 15;
+    if (value == 0.0 || !std::isfinite(value))
+        return QLocale().toString(value);
+    const int decimals =
+        std::clamp(-static_cast<int>(std::floor(std::log10(std::abs(value)))), 0, mostDecimals);
+    return QLocale().toString(value, 'f', decimals);
+}
+
+QString localTime(WallTime time)
+{
+    const auto seconds =
+        std::chrono::duration_cast<std::chrono::milliseconds>(time.time_since_epoch());
+    return QLocale().toString(
+        QDateTime::fromMSecsSinceEpoch(seconds.count()), QLocale::ShortFormat);
+}
+
+Outcome Outcomes::written(const WriteReport& report)
+{
+    const QString persistency = report.now.setup.persistency == Persistency::Persistent
+        ? tr("It is stored in flash.")
+        : tr("It is volatile: a reboot of the drive brings the stored state back.");
+    return {
+        tr("Written, read back and compared: the drive holds the new state. %1").arg(persistency),
+        false, QStringLiteral("backup: ") + QString::fromStdString(report.backup.string())};
+}
+
+Outcome Outcomes::notWritten(const Error& error)
+{
+    Outcome outcome{errorText(error), true, errorDetail(error)};
+    switch (error.code) {
+    case ErrorCode::NothingToWrite:
+        return {tr("The drive has all of this already: there was nothing to write."), false,
+            outcome.detail};
+    case ErrorCode::OutcomeUnknown: // these two say themselves what the drive holds
+    case ErrorCode::RollbackFailed:
+        return outcome;
+    case ErrorCode::Cancelled:
+        outcome.text = tr("The write was stopped.");
+        break;
+    default:
+        break;
+    }
+    outcome.text += u' ' + oldStateHeld();
+    return outcome;
+}
+
+QString Outcomes::proved(const Proof& proof, const AxisInfo& axis)
+{
+    const QString difference =
+        (smallNumber(proof.largestDifference) + u' ' + unitSymbol(axis.unit)).trimmed();
+    return tr("Proved: largest difference %1 in %2 samples.")
+        .arg(difference)
+        .arg(proof.samples.size());
+}
+
+Outcome Outcomes::switched(Switch wanted, const Activation& activation)
+{
+    if (wanted == Switch::Deactivate)
+        return {tr("The compensation is off."), false, {}};
+    const QString state = wanted == Switch::Activate
+        ? tr("The compensation is active.")
+        : tr("The compensation is being evaluated: the drive adds nothing.");
+    if (!activation.proof)
+        return {state, false, {}};
+    const Result<Proof>& proof = *activation.proof;
+    if (proof)
+        return {state + u' ' + proved(*proof, activation.status.axis), false, {}};
+    const QString reason = proof.error().code == ErrorCode::Cancelled ? tr("The proof was stopped.")
+                                                                      : errorText(proof.error());
+    return {tr("%1 But it is not proved: deactivate it unless you know why. %2").arg(state, reason),
+        true, errorDetail(proof.error())};
+}
+
+Outcome Outcomes::restored(const Restoration& restoration)
+{
+    return {tr("Restored: the drive holds the state from before the write of %1.")
+                .arg(localTime(restoration.backupTime)),
+        false, QStringLiteral("backup: ") + QString::fromStdString(restoration.backup.string())};
+}
+
+Outcome Outcomes::recovered(bool finishes, const Result<WriteReport>& report)
+{
+    if (!report)
+        return {tr("%1 The write is still unfinished.").arg(errorText(report.error())), true,
+            errorDetail(report.error())};
+    return {finishes
+            ? tr("Finished, read back and compared: the drive holds the complete new state.")
+            : tr("Undone, read back and compared: the drive holds the complete old state."),
+        false, QStringLiteral("backup: ") + QString::fromStdString(report->backup.string())};
+}
+
+QString Outcomes::settled(AxisCompensator::UnfinishedOutcome outcome)
+{
+    using Unfinished = AxisCompensator::UnfinishedOutcome;
+    switch (outcome) {
+    case Unfinished::Old:
+        return tr("The drive holds the complete old state.");
+    case Unfinished::New:
+        return tr("The drive holds the complete new state; nothing needs to be done.");
+    case Unfinished::NewUnsaved:
+        return tr("The drive holds the complete new state, but its parameters may not be saved.");
+    case Unfinished::Neither:
+        break;
+    }
+    return tr("The drive holds neither the old nor the new state: do not activate the axis before "
+              "the write is finished or undone.");
+}
+
+QString Outcomes::unfinished(const SettledWrite& settledWrite)
+{
+    return tr("A write that began on %1 did not end (last step: %2). %3")
+        .arg(localTime(settledWrite.entry.time),
+            stepText(QString::fromStdString(settledWrite.entry.step)),
+            settled(settledWrite.outcome));
+}
+
+} // namespace
+
+Outcome writeOutcome(const Result<WriteReport>& report)
+{
+    return report ? Outcomes::written(*report) : Outcomes::notWritten(report.error());
+}
+
+Outcome activationOutcome(Switch wanted, const Result<Activation>& activation)
+{
+    return activation ? Outcomes::switched(wanted, *activation) : errorOutcome(activation.error());
+}
+
+Outcome restorationOutcome(const Result<Restoration>& restoration)
+{
+    return restoration ? Outcomes::restored(*restoration)
+                       : Outcomes::notWritten(restoration.error());
+}
+
+Outcome recoveryOutcome(bool finishes, const Result<WriteReport>& report)
+{
+    return Outcomes::recovered(finishes, report);
+}
+
+Outcome settledOutcome(const SettledWrite& settled)
+{
+    using Unfinished = AxisCompensator::UnfinishedOutcome;
+    const bool isDone = settled.outcome == Unfinished::New;
+    return {Outcomes::unfinished(settled), !isDone,
+        QStringLiteral("backup: ") + QString::fromStdString(settled.entry.backup.string())};
+}
+
+Outcome errorOutcome(const Error& error)
+{
+    return {errorText(error), true, errorDetail(error)};
+}
+
+} // namespace axiscomp::ui

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/controller/setup_model.h"
+
+namespace axiscomp::ui {
+
+namespace {
+
+EditedSetup asEdited(const CompensationSetup& setup)
+{
+    return {setup.dimensionality, setup.sources, {}, setup.persistency};
+}
+
+int sourceIndex(Field field)
+{
+    return static_cast<int>(field) - static_cast<int>(Field::Source1);
+}
+
+bool isSource(Field field)
+{
+    return field == Field::Source1 || field == Field::Source2 || field == Field::Source3;
+}
+
+bool sameValue(Field field, const EditedSetup& a, const EditedSetup& b)
+{
+    switch (field) {
+    case Field::Dimensionality:
+        return a.dimensionality == b.dimensionality;
+    case Field::Table:
+        return a.table == b.table;
+    case Field::Persistency:
+        return a.persistency == b.persistency;
+    case Field::Source1:
+    case Field::Source2:
+    case Field::Source3:
+        break;
+    }
+    const auto index = static_cast<std::size_t>(sourceIndex(field));
+    return a.sources[index] == b.sources[index];
+}
+
+void copyValue(Field field, const EditedSetup& from, EditedSetup& to)
+{
+    switch (field) {
+    case Field::Dimensionality:
+        to.dimensionality = from.dimensionality;
+        return;
+    case Field::Table:
+        to.table = from.table;
+        return;
+    case Field::Persistency:
+        to.persistency = from.persistency;
+        return;
+    case Field::Source1:
+    case Field::Source2:
+    case Field::Source3:
+        break;
+    }
+    const auto index = static_cast<std::size_t>(sourceIndex(field));
+    to.sources[index] = from.sources[index];
+}
+
+} // namespace
+
+SetupModel::SetupModel(QObject* parent) : QObject(parent) { }
+
+bool SetupModel::hasBaseline() const
+{
+    return m_baseline.has_value();
+}
+
+const CompensationSetup& SetupModel::baseline() const
+{
+    static const CompensationSetup none;
+    return m_baseline ? *m_baseline : none;
+}
+
+const EditedSetup& SetupModel::edited() const
+{
+    return m_edited;
+}
+
+/// Changes the values and announces every field that looks different afterwards.
+template <typename Change> void SetupModel::apply(const Change& change)
+{
+    const EditedSetup before = m_edited;
+    std::array<bool, allFields.size()> wasChanged{};
+    for (std::size_t i = 0; i < allFields.size(); ++i)
+        wasChanged[i] = isChanged(allFields[i]);
+    const std::optional<CompensationSetup> baselineBefore = m_baseline;
+    change();
+    for (std::size_t i = 0; i < allFields.size(); ++i) {
+        const Field field = allFields[i];
+        if (!sameValue(field, before, m_edited) || wasChanged[i] != isChanged(field)
+            || baselineBefore != m_baseline)
+            Q_EMIT fieldChanged(field);
+    }
+}
+
+void SetupModel::setBaseline(const CompensationSetup& setup)
+{
+    apply([&] {
+        EditedSetup followed = asEdited(setup);
+        for (const Field field : allFields) {
+            if (m_baseline && isChanged(field))
+                copyValue(field, m_edited, followed);
+        }
+        m_baseline = setup;
+        m_edited = followed;
+    });
+}
+
+void SetupModel::reset(const CompensationSetup& setup, TableChoice table)
+{
+    apply([&] {
+        m_baseline = setup;
+        m_edited = asEdited(setup);
+        m_edited.table = table;
+    });
+}
+
+void SetupModel::clear()
+{
+    apply([&] {
+        m_baseline.reset();
+        m_edited = {};
+    });
+}
+
+void SetupModel::setDimensionality(int dimensionality)
+{
+    apply([&] { m_edited.dimensionality = dimensionality; });
+}
+
+void SetupModel::setSource(int dimension, const DimSource& source)
+{
+    apply([&] { m_edited.sources.at(static_cast<std::size_t>(dimension - 1)) = source; });
+}
+
+void SetupModel::setTable(TableChoice table)
+{
+    apply([&] { m_edited.table = table; });
+}
+
+void SetupModel::setPersistency(Persistency persistency)
+{
+    apply([&] { m_edited.persistency = persistency; });
+}
+
+bool SetupModel::isChanged(Field field) const
+{
+    if (!m_baseline)
+        return false;
+    if (isSource(field) && sourceIndex(field) >= m_edited.dimensionality)
+        return false;
+    return !sameValue(field, m_edited, asEdited(*m_baseline));
+}
+
+bool SetupModel::isChanged() const
+{
+    for (const Field field : allFields) {
+        if (isChanged(field))
+            return true;
+    }
+    return false;
+}
+
+void SetupModel::revert(Field field)
+{
+    if (m_baseline)
+        apply([&] { copyValue(field, asEdited(*m_baseline), m_edited); });
+}
+
+void SetupModel::revert()
+{
+    if (m_baseline)
+        apply([&] { m_edited = asEdited(*m_baseline); });
+}
+
+} // namespace axiscomp::ui

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/conversion/import_choices.h"
+#include "ui/controller/setup_model.h"
+#include "ui/controller/wizard_options.h"
+#include "ui/text/error_text.h"
+
+#include <QObject>
+#include <QString>
+#include <QStringList>
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace axiscomp::ui {
+
+/// Everything of the wizard but its widgets: which drives and axes there are, the setup of the
+/// chosen axis, the open file, what runs, and each action with its reason. Never blocks: drives are
+/// talked to on their sessions' threads, files are parsed on a thread of their own. Owns no widget.
+class WizardController : public QObject {
+    Q_OBJECT
+
+public:
+    explicit WizardController(WizardOptions options, QObject* parent = nullptr);
+    ~WizardController() override;
+
+    // Drives and axes
+    void setEndpoints(const QStringList& endpoints);
+    [[nodiscard]] QStringList endpoints() const; ///< as given, passwords included
+    [[nodiscard]] const std::vector<DriveState>& drives() const;
+    [[nodiscard]] const std::vector<AxisEntry>& axes() const;
+    [[nodiscard]] int currentAxis() const; ///< index into axes(), -1 none
+    /// Drops unwritten changes; the page asks first when setup().isChanged().
+    void selectAxis(int index);
+    void refresh();
+
+    // The setup of the current axis
+    [[nodiscard]] SetupModel& setup();
+    [[nodiscard]] const SetupModel& setup() const;
+    [[nodiscard]] const std::optional<AxisStatus>& status() const; ///< as last read
+    [[nodiscard]] const std::vector<DimSource>& sourceShortlist() const;
+    /// Path, tam:// URI or hex address, checked against the drive; then setup() has it, or
+    /// sourceProblem() says why not and the field keeps its old value.
+    void chooseSource(int dimension, const QString& text);
+    [[nodiscard]] QString sourceProblem(int dimension) const;
+    [[nodiscard]] bool isSourceBeingChecked(int dimension) const;
+
+    // Compensation data
+    /// The file's first table is chosen, unless another one of the same file is.
+    void openData(const QString& path);
+    /// The same with what the user has said about the file.
+    void importData(const QString& path, const ImportChoices& choices);
+    /// What the user has said about the file so far.
+    [[nodiscard]] ImportChoices importChoices(const QString& path) const;
+    /// The open file, which may have changed; what was chosen stays chosen.
+    void readDataAgain();
+    void closeData();
+    void cancelReading();
+    [[nodiscard]] const DataFile& dataFile() const;
+    /// The chosen table: of the file, or the one on the drive (once it has been downloaded); may be
+    /// null.
+    [[nodiscard]] std::shared_ptr<const CompensationTable> selectedTable() const;
+    [[nodiscard]] std::shared_ptr<const CompensationTable> driveTable() const;
+    [[nodiscard]] std::size_t
+    selectedTableBytes() const; ///< as a file on the drive; 0 without a table
+    /// "where the encoder reads 40.000 the reference says 40.0021, the drive will add +0.0021"
+    [[nodiscard]] QString signSentence() const;
+
+    // Actions
+    [[nodiscard]] ActionState action(Action action) const;
+    /// The line under the buttons: the one sentence that matters most now.
+    [[nodiscard]] QString hint() const;
+    /// Asks the drive what a write would change; planReady follows, or a failure.
+    void planWrite();
+    /// Carries out the plan that planReady gave.
+    void write();
+    void activate(); ///< ends with the end-to-end proof
+    void evaluate();
+    void deactivate();
+    void restorePrevious();
+    /// What an earlier write that did not end has left on the axis, a translated sentence; empty
+    /// when there is none.
+    [[nodiscard]] QString unfinishedWrite() const;
+    void finishWrite();
+    void undoWrite();
+
+    // Several axes of the current drive, each with a column of the open file
+    [[nodiscard]] std::vector<AxisEntry> usableAxes() const;
+    /// Those of setup(), as many as the file has dimensions; empty when one is not set.
+    [[nodiscard]] std::vector<DimSource> sourcesForSeveral() const;
+    /// Asks the drive what all of these would change; severalPlanned() follows unless another
+    /// question does. keepsSources: each axis keeps its own, otherwise it gets sourcesForSeveral().
+    /// False: action(Action::WriteSeveral) says why not.
+    [[nodiscard]] bool planSeveral(const std::vector<ColumnForAxis>& columns, bool keepsSources);
+    /// The last question is of no interest any more.
+    void dropSeveral();
+    /// One plan per column, in their order; none while the drive is being asked.
+    [[nodiscard]] const std::optional<Result<std::vector<WritePlan>>>& severalPlans() const;
+    /// Carries out severalPlans(), axis by axis; severalWritten() follows, outcome() says what each
+    /// axis holds.
+    void writeSeveral();
+
+    void cancel();
+    [[nodiscard]] const BusyState& busy() const;
+    [[nodiscard]] bool
+    isWriting() const; ///< the drive would be left to a roll-back when it is stopped now
+
+    [[nodiscard]] const std::optional<WritePlan>& plan() const;
+    [[nodiscard]] const std::optional<Proof>& proof() const; ///< of the last activation
+    [[nodiscard]] QString
+    outcome() const; ///< of the last operation, a translated sentence; may be empty
+    [[nodiscard]] bool isOutcomeAnError() const;
+    [[nodiscard]] const std::vector<LogLine>& log() const; ///< the newest 1000
+    /// Seconds until flash may be written again, 0 now; counts down.
+    [[nodiscard]] int flashWaitSeconds() const;
+    [[nodiscard]] int flashOperationsLeft() const;
+    /// Of the current axis's drive, as last read.
+    [[nodiscard]] const std::optional<FlashUse>& flashUse() const;
+
+    /// Reads the live values once.
+    void refreshLive();
+
+    /// Makes every text anew, in the language that the program has now, and announces those that
+    /// are shown; the page calls it when the language has changed. outcomeChanged() is not among
+    /// the signals: an outcome that the user has put away stays away.
+    void retranslate();
+
+Q_SIGNALS:
+    void drivesChanged();
+    void axesChanged();
+    void currentAxisChanged();
+    void statusChanged(); ///< baseline, state, drive table: read again
+    void liveChanged(); ///< output, indices, source values of status()
+    void sourceChecked(int dimension);
+    void dataFileChanged();
+    void importChoiceNeeded(const QString& path); ///< the file cannot be used without
+    void selectedTableChanged();
+    void actionsChanged(); ///< action(), hint()
+    void busyChanged();
+    void planReady();
+    void severalPlanned();
+    void severalWritten();
+    void outcomeChanged();
+    void logged();
+
+private:
+    struct Private;
+    std::unique_ptr<Private> d;
+};
+
+} // namespace axiscomp::ui

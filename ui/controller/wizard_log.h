@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/controller/wizard_options.h"
+
+#include <vector>
+
+namespace axiscomp::ui {
+
+/// What happened, in order; only the newest lines are kept.
+class WizardLog {
+public:
+    static constexpr std::size_t capacity = 1000;
+
+    void add(LogLine::Kind kind, const Wording& text, const QString& detail = {})
+    {
+        if (m_lines.size() == capacity)
+            m_lines.erase(m_lines.begin());
+        m_lines.push_back({++m_count, std::chrono::system_clock::now(), kind, text, detail});
+    }
+    [[nodiscard]] const std::vector<LogLine>& lines() const { return m_lines; }
+
+private:
+    std::vector<LogLine> m_lines;
+    int m_count = 0;
+};
+
+} // namespace axiscomp::ui

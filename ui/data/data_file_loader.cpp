@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/data/data_file_loader.h"
+
+#include "core/conversion/table_import.h"
+
+#include <QFileInfo>
+
+#include <utility>
+
+namespace axiscomp::ui {
+
+namespace {
+
+void take(LoadedFile& file, TableImport import)
+{
+    file.family = import.family;
+    file.data = std::move(import.data);
+    file.report = std::move(import.report);
+    file.problems = std::move(import.problems);
+    file.suppressedProblems = import.suppressedProblems;
+    file.refusal = std::move(import.refusal);
+    if (file.refusal && file.problems.empty())
+        file.problems.push_back(
+            {Severity::Error, DiagnosticCode::IoError, 0, 0, sentence(*file.refusal), {}});
+    if (!file.data)
+        return;
+    for (const CompensationTable& table : file.data->tables)
+        file.tables.push_back(surveyed({file.data, &table}));
+}
+
+} // namespace
+
+FileStamp stampOf(const QString& path)
+{
+    const QFileInfo info(path);
+    return {info.exists(), info.size(), info.lastModified()};
+}
+
+CalibrationLoader::CalibrationLoader(const TableLayout& layout, QObject* parent)
+    : QObject(parent)
+    , m_layout(layout)
+    , m_worker(new QObject)
+{
+    m_worker->moveToThread(&m_thread);
+    connect(&m_thread, &QThread::finished, m_worker, &QObject::deleteLater);
+    connect(&m_relay, &ProgressRelay::progressed, this,
+        [this](const QString&, double fraction) { Q_EMIT progressed(fraction); });
+    m_thread.setObjectName(QStringLiteral("calibration loader"));
+    m_thread.start();
+}
+
+CalibrationLoader::~CalibrationLoader()
+{
+    cancel();
+    m_thread.quit();
+    m_thread.wait();
+}
+
+void CalibrationLoader::load(const QString& path, int dimensions, const ImportChoices& choices)
+{
+    cancel();
+    m_stop = std::stop_source();
+    const auto read = [this, path, dimensions, choices, number = m_number,
+                          stop = m_stop.get_token()] {
+        LoadedFile file;
+        file.path = path;
+        file.dimensions = dimensions;
+        file.choices = choices;
+        file.stamp = stampOf(path);
+        if (stop.stop_requested())
+            return;
+        TableImport import = importTables({QFileInfo(path).filesystemAbsoluteFilePath(), dimensions,
+            choices, &m_layout, stop, [this](double fraction) { m_relay.report({}, fraction); }});
+        if (import.isCancelled)
+            return;
+        take(file, std::move(import));
+        QMetaObject::invokeMethod(
+            this, [this, number, file = std::move(file)] { finish(number, file); },
+            Qt::QueuedConnection);
+    };
+    QMetaObject::invokeMethod(m_worker, read, Qt::QueuedConnection);
+}
+
+void CalibrationLoader::cancel()
+{
+    ++m_number;
+    m_stop.request_stop();
+    m_relay.clear();
+}
+
+void CalibrationLoader::finish(int number, const LoadedFile& file)
+{
+    if (number != m_number)
+        return;
+    m_relay.clear();
+    Q_EMIT loaded(file);
+}
+
+} // namespace axiscomp::ui

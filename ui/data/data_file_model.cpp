@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/data/data_file_model.h"
+
+#include "core/formats/formats.h"
+
+#include <QDir>
+#include <QFileInfo>
+
+#include <utility>
+
+namespace axiscomp::ui {
+
+DataFileModel::DataFileModel(const TableLayout& layout, QObject* parent)
+    : QObject(parent)
+    , m_loader(layout)
+{
+    connect(&m_loader, &CalibrationLoader::loaded, this, &DataFileModel::take);
+    connect(&m_loader, &CalibrationLoader::progressed, this, [this](double fraction) {
+        m_file.progress = fraction;
+        Q_EMIT changed();
+    });
+    connect(&m_watcher, &QFileSystemWatcher::fileChanged, this, &DataFileModel::lookAtDisk);
+    connect(&m_watcher, &QFileSystemWatcher::directoryChanged, this, &DataFileModel::lookAtDisk);
+}
+
+SurveyedTable DataFileModel::table(int index) const
+{
+    const bool isOne = index >= 0 && index < static_cast<int>(m_tables.size());
+    return isOne ? m_tables[static_cast<std::size_t>(index)] : SurveyedTable{};
+}
+
+void DataFileModel::open(const QString& path, int dimensions, const ImportChoices& choices)
+{
+    m_file.isReading = true;
+    m_file.readingPath = QDir::cleanPath(QFileInfo(path).absoluteFilePath());
+    m_file.progress = 0.0;
+    m_dimensions = dimensions;
+    m_choices[m_file.readingPath] = choices;
+    m_loader.load(m_file.readingPath, dimensions, choices);
+    Q_EMIT changed();
+}
+
+void DataFileModel::setDimensions(int dimensions)
+{
+    if (dimensions == m_dimensions)
+        return;
+    m_dimensions = dimensions;
+    const QString path = m_file.isReading ? m_file.readingPath : m_file.path;
+    const bool knowsItsOwn =
+        !m_file.isReading && m_file.family && m_file.family != &calibrationCsvFamily();
+    if (!path.isEmpty() && !knowsItsOwn)
+        open(path, dimensions, choicesFor(path));
+}
+
+ImportChoices DataFileModel::choicesFor(const QString& path) const
+{
+    const auto known = m_choices.find(path);
+    return known == m_choices.end() ? ImportChoices{} : known->second;
+}
+
+void DataFileModel::close()
+{
+    m_loader.cancel();
+    const auto before = std::exchange(m_file, {}).data;
+    m_tables.clear();
+    watch();
+    if (before)
+        Q_EMIT dataReplaced(before, false);
+    Q_EMIT changed();
+}
+
+void DataFileModel::cancelReading()
+{
+    if (!m_file.isReading)
+        return;
+    m_loader.cancel();
+    m_file.isReading = false;
+    m_file.readingPath.clear();
+    Q_EMIT changed();
+}
+
+void DataFileModel::take(const LoadedFile& loaded)
+{
+    const bool isSameFile = loaded.path == m_file.path;
+    m_file.isReading = false;
+    m_file.readingPath.clear();
+    m_file.problemsPath = loaded.problems.empty() ? QString() : loaded.path;
+    m_file.problems = loaded.problems;
+    m_file.suppressedProblems = loaded.suppressedProblems;
+    const auto before = m_file.data;
+    if (loaded.data) {
+        m_file.data = loaded.data;
+        m_file.report = loaded.report;
+        m_file.family = loaded.family;
+        m_tables = loaded.tables;
+    }
+    if (loaded.data || !before) {
+        m_file.path = loaded.path;
+        m_stamp = loaded.stamp;
+    } else if (isSameFile) {
+        m_stamp = loaded.stamp; // the offer to read it again has been taken
+    }
+    m_file.hasChangedOnDisk = false;
+    watch();
+    lookAtDisk();
+    if (loaded.data)
+        Q_EMIT dataReplaced(before, isSameFile);
+    else
+        Q_EMIT failed(loaded);
+    Q_EMIT changed();
+    if (loaded.refusal)
+        Q_EMIT choiceNeeded(loaded.path);
+}
+
+/// The file, and its folder: many programs save by putting a new file in the old one's place.
+void DataFileModel::watch()
+{
+    const QStringList watched = m_watcher.files() + m_watcher.directories();
+    if (!watched.isEmpty())
+        m_watcher.removePaths(watched);
+    if (m_file.path.isEmpty())
+        return;
+    const QFileInfo info(m_file.path);
+    QStringList wanted;
+    if (info.exists())
+        wanted.append(m_file.path);
+    if (QFileInfo::exists(info.absolutePath()))
+        wanted.append(info.absolutePath());
+    if (!wanted.isEmpty())
+        m_watcher.addPaths(wanted);
+}
+
+void DataFileModel::lookAtDisk()
+{
+    if (m_file.path.isEmpty())
+        return;
+    const FileStamp now = stampOf(m_file.path);
+    // A replaced file is another one to the watcher.
+    if (now.exists && !m_watcher.files().contains(m_file.path))
+        m_watcher.addPath(m_file.path);
+    // One that is away is being saved, or cannot be read again anyway.
+    const bool hasChanged = now.exists && !(now == m_stamp);
+    if (std::exchange(m_file.hasChangedOnDisk, hasChanged) != hasChanged)
+        Q_EMIT changed();
+}
+
+} // namespace axiscomp::ui

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/controller/wizard_options.h"
+#include "ui/data/data_file_loader.h"
+
+#include <QFileSystemWatcher>
+#include <QObject>
+
+#include <map>
+
+namespace axiscomp::ui {
+
+/// The open file of compensation data: opens, reads again and watches it. A file with errors leaves
+/// the data of the one before.
+class DataFileModel : public QObject {
+    Q_OBJECT
+
+public:
+    /// layout must outlive the model.
+    explicit DataFileModel(const TableLayout& layout, QObject* parent = nullptr);
+
+    [[nodiscard]] const DataFile& file() const { return m_file; }
+    /// The table of that index, kept as long as it is used; null when there is none.
+    [[nodiscard]] SurveyedTable table(int index) const;
+
+    void open(const QString& path, int dimensions, const ImportChoices& choices = {});
+    /// The open CSV file again, when its columns mean something else now; other files know their
+    /// own dimensions.
+    void setDimensions(int dimensions);
+    /// What the user has said about the file so far.
+    [[nodiscard]] ImportChoices choicesFor(const QString& path) const;
+    void close();
+    void cancelReading();
+
+Q_SIGNALS:
+    void changed();
+    /// New data: of another file or the same one again. before: what there was, may be null.
+    void dataReplaced(std::shared_ptr<const axiscomp::CalibrationData> before, bool isSameFile);
+    void failed(const axiscomp::ui::LoadedFile& file);
+    /// The file cannot be used without other choices.
+    void choiceNeeded(const QString& path);
+
+private:
+    void take(const LoadedFile& loaded);
+    void watch();
+    void lookAtDisk();
+
+    DataFile m_file;
+    std::vector<SurveyedTable> m_tables; ///< of m_file.data
+    FileStamp m_stamp;
+    std::map<QString, ImportChoices> m_choices; ///< by file
+    int m_dimensions = 1; ///< with which the data was read, or is being read
+    CalibrationLoader m_loader;
+    QFileSystemWatcher m_watcher;
+};
+
+} // namespace axiscomp::ui

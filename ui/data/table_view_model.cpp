@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/data/table_view_model.h"
+
+#include "core/table/table_math.h"
+#include "ui/async/background.h"
+#include "ui/async/future_handler.h"
+#include "ui/text/value_text.h"
+
+#include <algorithm>
+#include <array>
+
+namespace axiscomp::ui {
+
+namespace {
+
+/// A scale needs a width, a table of zeros too.
+constexpr double smallestScale = 1e-9;
+
+} // namespace
+
+struct ShownTable::Private {
+    Table selected;
+    Table onDrive;
+    Table difference; ///< of these two, once it was wanted
+    Table table;
+    Table drawn;
+    TableStatistics numbers; ///< of table
+    TableContent content = TableContent::Selected;
+    std::size_t cutDimension = 2;
+    std::size_t cutIndex = 0;
+    std::optional<GridPoint> current;
+    int request = 0; ///< the newest one for a difference
+};
+
+ShownTable::ShownTable(QObject* parent) : QObject(parent), d(std::make_unique<Private>()) { }
+
+ShownTable::~ShownTable() = default;
+
+void ShownTable::setTables(Table selected, Table onDrive)
+{
+    if (selected == d->selected && onDrive == d->onDrive)
+        return;
+    d->selected = std::move(selected);
+    d->onDrive = std::move(onDrive);
+    d->difference.reset();
+    ++d->request;
+    if (!canShow(d->content))
+        d->content = TableContent::Selected;
+    update();
+}
+
+bool ShownTable::canShow(TableContent content) const
+{
+    switch (content) {
+    case TableContent::Selected:
+        return true;
+    case TableContent::Drive:
+        return d->onDrive != nullptr;
+    case TableContent::Difference:
+        return d->selected && d->onDrive && d->selected != d->onDrive
+            && d->selected->grid.dimensions() == d->onDrive->grid.dimensions();
+    }
+    return false;
+}
+
+void ShownTable::setContent(TableContent content)
+{
+    if (!canShow(content) || content == d->content)
+        return;
+    d->content = content;
+    update();
+}
+
+TableContent ShownTable::content() const
+{
+    return d->content;
+}
+
+void ShownTable::update()
+{
+    if (d->content == TableContent::Difference && !d->difference)
+        computeDifference();
+    else if (d->content == TableContent::Difference)
+        show(d->difference);
+    else
+        show(d->content == TableContent::Drive ? d->onDrive : d->selected);
+}
+
+void ShownTable::computeDifference()
+{
+    const auto difference =
+        inBackground<Table>([selected = d->selected, onDrive = d->onDrive]() -> Table {
+            auto computed = tableDifference(*selected, *onDrive);
+            return computed ? std::make_shared<const CompensationTable>(std::move(*computed))
+                            : nullptr;
+        });
+    whenDone(difference, this, [this, request = ++d->request](const Table& computed) {
+        if (request != d->request || !computed)
+            return;
+        d->difference = computed;
+        update();
+    });
+}
+
+void ShownTable::show(Table table)
+{
+    const bool isSameGrid = table && d->table && table->grid.axes == d->table->grid.axes;
+    d->table = std::move(table);
+    d->numbers = d->table ? statistics(*d->table) : TableStatistics{};
+    if (!isSameGrid) {
+        d->current.reset();
+        d->cutIndex = isCut() ? d->table->grid.axes[d->cutDimension].size / 2 : 0;
+    }
+    cut();
+}
+
+void ShownTable::cut()
+{
+    d->drawn = isCut() ? std::make_shared<const CompensationTable>(
+                   tableSlice(*d->table, d->cutDimension, d->cutIndex))
+                       : d->table;
+    Q_EMIT changed();
+}
+
+const ShownTable::Table& ShownTable::table() const
+{
+    return d->table;
+}
+
+const ShownTable::Table& ShownTable::drawn() const
+{
+    return d->drawn;
+}
+
+ShownTable::Table ShownTable::second() const
+{
+    const bool isBeside = d->content == TableContent::Selected && d->selected && d->onDrive
+        && d->onDrive != d->selected && d->selected->grid.dimensions() == 1
+        && d->onDrive->grid.dimensions() == 1;
+    return isBeside ? d->onDrive : nullptr;
+}
+
+double ShownTable::scale() const
+{
+    return std::max({-d->numbers.minimum, d->numbers.maximum, smallestScale});
+}
+
+QString ShownTable::description() const
+{
+    if (!d->table)
+        return tr("No table");
+    const QString unit = unitSuffix(d->table->unit);
+    QStringList steps;
+    for (const GridAxis& axis : d->table->grid.axes)
+        steps += numberText(axis.distance);
+    return tr("%1, step %2 · min %3, max %4, rms %5")
+        .arg(gridText(d->table->grid), steps.join(QStringLiteral(" / ")),
+            signedNumberText(d->numbers.minimum) + unit,
+            signedNumberText(d->numbers.maximum) + unit, numberText(d->numbers.rms) + unit);
+}
+
+void ShownTable::setSlice(int dimension, int index)
+{
+    if (!isCut())
+        return;
+    const auto chosen = static_cast<std::size_t>(std::clamp(dimension, 1, 3) - 1);
+    const int last = static_cast<int>(d->table->grid.axes[chosen].size) - 1;
+    const auto place = static_cast<std::size_t>(std::clamp(index, 0, last));
+    if (chosen == d->cutDimension && place == d->cutIndex)
+        return;
+    if (chosen != d->cutDimension)
+        d->current.reset();
+    d->cutDimension = chosen;
+    d->cutIndex = place;
+    cut();
+}
+
+bool ShownTable::isCut() const
+{
+    return d->table && d->table->grid.dimensions() == 3;
+}
+
+int ShownTable::sliceDimension() const
+{
+    return static_cast<int>(d->cutDimension) + 1;
+}
+
+int ShownTable::sliceIndex() const
+{
+    return static_cast<int>(d->cutIndex);
+}
+
+std::size_t ShownTable::dimensionOf(std::size_t drawnAxis) const
+{
+    return isCut() && drawnAxis >= d->cutDimension ? drawnAxis + 1 : drawnAxis;
+}
+
+QString ShownTable::nameOf(std::size_t drawnAxis) const
+{
+    return dimensionName(d->table->grid, dimensionOf(drawnAxis));
+}
+
+float ShownTable::valueAt(const GridPoint& point) const
+{
+    return d->drawn->values[point.i + point.j * std::size_t{d->drawn->grid.axes[0].size}];
+}
+
+QString ShownTable::pointText(const GridPoint& point) const
+{
+    const std::array<std::size_t, 2> indices{point.i, point.j};
+    QString text;
+    for (std::size_t n = 0; n < d->drawn->grid.axes.size(); ++n) {
+        const GridAxis& axis = d->drawn->grid.axes[n];
+        text += nameOf(n) + u' ' + positionText(axis, indices[n]) + unitSuffix(axis.unit)
+            + QStringLiteral(", ");
+    }
+    return text + valueText(valueAt(point)) + unitSuffix(d->drawn->unit);
+}
+
+void ShownTable::setCurrent(const std::optional<GridPoint>& point)
+{
+    const auto isInside = [this](const GridPoint& p) {
+        const auto& axes = d->drawn->grid.axes;
+        return p.i < axes[0].size && p.j < (axes.size() > 1 ? axes[1].size : 1);
+    };
+    const auto now = point && d->drawn && isInside(*point) ? point : std::nullopt;
+    if (now == d->current)
+        return;
+    d->current = now;
+    Q_EMIT currentChanged();
+}
+
+const std::optional<GridPoint>& ShownTable::current() const
+{
+    return d->current;
+}
+
+} // namespace axiscomp::ui

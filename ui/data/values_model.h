@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/data/table_view_model.h"
+
+#include <QAbstractTableModel>
+
+namespace axiscomp::ui {
+
+/// The values of what is drawn, as an engineer writes them down. 1D: a row per point with its
+/// position and value, numbered by the index that the drive shows. 2D, and a slice of 3D: like the
+/// map, dimension 1 across and dimension 2 down, with the positions as headers. A long list of a
+/// map would put neighbours in Y hundreds of rows apart. Reads the table in place.
+class ValuesModel : public QAbstractTableModel {
+    Q_OBJECT
+
+public:
+    enum Column { Position, Value, ColumnCount }; ///< of 1D
+
+    /// shown must outlive the model.
+    explicit ValuesModel(const ShownTable& shown, QObject* parent = nullptr);
+
+    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
+    [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
+    [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
+    [[nodiscard]] QVariant headerData(
+        int section, Qt::Orientation orientation, int role) const override;
+
+    [[nodiscard]] GridPoint pointOf(const QModelIndex& index) const;
+    [[nodiscard]] QModelIndex indexOf(const GridPoint& point) const;
+    /// The names of 1D's columns: "X [mm]", "compensation [mm]".
+    [[nodiscard]] QString columnName(Column column) const;
+    void retranslate();
+
+private:
+    void follow();
+    [[nodiscard]] bool isMap() const { return m_table && m_table->grid.dimensions() == 2; }
+
+    const ShownTable& m_shown;
+    ShownTable::Table m_table; ///< what the views know
+};
+
+} // namespace axiscomp::ui

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/dialogs/export_dialog.h"
+
+#include "core/formats/formats.h"
+#include "ui/text/error_text.h"
+
+namespace axiscomp::ui {
+
+namespace {
+
+/// Of other controllers first: the drive's own formats are rarely what is looked for here.
+std::vector<const TableFamily*> writableFamilies(int dimensions)
+{
+    std::vector<const TableFamily*> others;
+    std::vector<const TableFamily*> own;
+    for (const TableFamily* family : tableFamilies()) {
+        const FamilyFacts& facts = family->facts;
+        if (!family->write || dimensions < facts.fewestDimensions
+            || dimensions > facts.mostDimensions)
+            continue;
+        (isTriamec(*family) ? own : others).push_back(family);
+    }
+    others.insert(others.end(), own.begin(), own.end());
+    return others;
+}
+
+} // namespace
+
+ExportDialog::ExportDialog(Options options, QWidget* parent)
+    : ConversionDialog(ConversionForm::Purpose::Export, parent)
+    , m_options(std::move(options))
+    , m_job([this](const Result<TableExport>& result) {
+        if (result)
+            showReport(result->report);
+        else
+            showReason(errorText(result.error()));
+    })
+{
+    setObjectName(QStringLiteral("exportDialog"));
+    const auto families = writableFamilies(m_options.table->grid.dimensions());
+    form().setFamilies(families, families.front());
+    connect(this, &QDialog::accepted, this,
+        [this] { Q_EMIT chosen(m_options.table, form().choices()); });
+    retranslate();
+}
+
+ConversionDialog::Words ExportDialog::words() const
+{
+    return {tr("Export for Another Controller"),
+        tr("The table \"%1\" is written as a file that another controller reads. The drive keeps "
+           "what it has.")
+            .arg(m_options.tableName),
+        tr("E&xport…"), tr("Choose where the file is written")};
+}
+
+void ExportDialog::compute()
+{
+    m_job.start(
+        [table = m_options.table, choices = form().choices(), layout = m_options.layout](
+            const std::stop_token&) { return exportTable(*table, choices, "table", layout); });
+}
+
+} // namespace axiscomp::ui

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/dialogs/file_filters.h"
+
+#include "core/formats/table_format.h"
+#include "ui/text/phrase_book.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+
+namespace axiscomp::ui {
+
+namespace {
+
+QString qString(std::string_view text)
+{
+    return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
+}
+
+QStringList patternsOf(const FamilyFacts& facts)
+{
+    QStringList patterns;
+    for (const std::string_view extension : facts.extensions)
+        patterns += u'*' + qString(extension);
+    return patterns;
+}
+
+/// Round brackets would end the name of an entry.
+QString entry(QString name, const QStringList& patterns)
+{
+    name.replace(u'(', u'[').replace(u')', u']');
+    return QStringLiteral("%1 (%2)").arg(name, patterns.join(u' '));
+}
+
+} // namespace
+
+QString openFilter()
+{
+    QStringList all;
+    QStringList entries;
+    for (const TableFamily* family : tableFamilies()) {
+        if (!family->read)
+            continue;
+        const QStringList patterns = patternsOf(family->facts);
+        entries += entry(familyText(*family), patterns);
+        for (const QString& pattern : patterns) {
+            if (!all.contains(pattern, Qt::CaseInsensitive))
+                all += pattern;
+        }
+    }
+    entries.prepend(entry(QCoreApplication::translate("FileFilter", "Compensation data"), all));
+    entries += QCoreApplication::translate("FileFilter", "All files (*)");
+    return entries.join(QStringLiteral(";;"));
+}
+
+QString saveFilter(const TableFamily& family)
+{
+    return entry(familyText(family), patternsOf(family.facts));
+}
+
+QString familyText(const TableFamily& family)
+{
+    return qString(family.facts.controller) + QStringLiteral(": ")
+        + translatedPhrase(std::string(family.facts.description));
+}
+
+QString extensionOf(const TableFamily& family)
+{
+    return family.facts.extensions.empty() ? QString() : qString(family.facts.extensions.front());
+}
+
+} // namespace axiscomp::ui

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/dialogs/file_picker.h"
+
+#include <QFileDialog>
+#include <QFileInfo>
+
+namespace axiscomp::ui {
+
+namespace {
+
+void ask(QWidget& parent, const FileQuestion& question, std::function<void(const QString&)> answer)
+{
+    auto* dialog = new QFileDialog(&parent, question.title, {}, question.filter);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setObjectName(QStringLiteral("fileDialog"));
+    if (question.purpose == FileQuestion::Purpose::OpenData) {
+        dialog->setFileMode(QFileDialog::ExistingFile);
+        dialog->setDirectory(question.start);
+    } else {
+        const QFileInfo proposed(question.start);
+        dialog->setAcceptMode(QFileDialog::AcceptSave);
+        dialog->setDefaultSuffix(proposed.suffix());
+        dialog->setDirectory(proposed.absolutePath());
+        dialog->selectFile(proposed.fileName());
+    }
+    QObject::connect(dialog, &QFileDialog::fileSelected, &parent, std::move(answer));
+    dialog->open();
+}
+
+} // namespace
+
+FilePicker systemFilePicker()
+{
+    return ask;
+}
+
+} // namespace axiscomp::ui

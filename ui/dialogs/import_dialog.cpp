@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/dialogs/import_dialog.h"
+
+#include "ui/text/error_text.h"
+
+#include <QFileInfo>
+#include <QSignalBlocker>
+
+#include <algorithm>
+
+namespace axiscomp::ui {
+
+namespace {
+
+/// Those that can be read, and among them first what the file may be.
+std::vector<const TableFamily*> offered(const std::vector<const TableFamily*>& candidates)
+{
+    std::vector<const TableFamily*> families;
+    const auto add = [&families](const TableFamily* family) {
+        if (family->read && std::ranges::find(families, family) == families.end())
+            families.push_back(family);
+    };
+    std::ranges::for_each(candidates, add);
+    std::ranges::for_each(tableFamilies(), add);
+    return families;
+}
+
+} // namespace
+
+ImportDialog::ImportDialog(Options options, QWidget* parent)
+    : ConversionDialog(ConversionForm::Purpose::Import, parent)
+    , m_options(std::move(options))
+    , m_job([this](const TableImport& import) { take(import); })
+{
+    setObjectName(QStringLiteral("importDialog"));
+    form().setFamilies(offered({}), m_options.choices.family);
+    form().setChoices(m_options.choices);
+    connect(this, &QDialog::accepted, this,
+        [this] { Q_EMIT chosen(m_options.path, form().choices()); });
+    retranslate();
+    if (!m_options.choices.family)
+        startComputing(); // which format it is
+}
+
+ConversionDialog::Words ImportDialog::words() const
+{
+    return {tr("Import Compensation Data"),
+        tr("How is %1 to be understood? The table becomes what the drive adds to the encoder "
+           "position, on an even grid.")
+            .arg(QFileInfo(m_options.path).fileName()),
+        tr("I&mport"), tr("Use the file in this way; nothing is written to the drive yet")};
+}
+
+void ImportDialog::compute()
+{
+    ImportChoices choices = form().choices();
+    const auto import = [path = QFileInfo(m_options.path).filesystemAbsoluteFilePath(),
+                            dimensions = m_options.dimensions, choices = std::move(choices),
+                            layout = m_options.layout](const std::stop_token& stop) {
+        return importTables({path, dimensions, choices, &layout, stop, {}});
+    };
+    m_job.start(import);
+}
+
+/// The format that was found is chosen, once.
+void ImportDialog::showFamily(const TableImport& import)
+{
+    if (std::exchange(m_isFamilyShown, true) || m_options.choices.family)
+        return;
+    const bool isOpen = import.refusal && import.refusal->code == ErrorCode::FormatAmbiguous;
+    ImportChoices choices = form().choices();
+    choices.family = isOpen ? nullptr : import.family;
+    const QSignalBlocker blocker(form());
+    form().setFamilies(offered(import.candidates), choices.family);
+    form().setChoices(choices);
+}
+
+void ImportDialog::take(const TableImport& import)
+{
+    if (import.isCancelled)
+        return;
+    showFamily(import);
+    form().setQuestions(import.hasDirections, import.hasWrap);
+    if (import.refusal) {
+        showReason(errorText(*import.refusal));
+        return;
+    }
+    const auto error = std::ranges::find(import.problems, Severity::Error, &Diagnostic::severity);
+    if (error != import.problems.end()) {
+        const QString place = error->line == 0 ? QString() : tr("Line %1: ").arg(error->line);
+        showReason(place + problemText(*error));
+        return;
+    }
+    std::vector<std::string> lines = import.report;
+    if (lines.empty())
+        lines = {"the numbers of the file are taken as they are"};
+    showReport(lines);
+}
+
+} // namespace axiscomp::ui

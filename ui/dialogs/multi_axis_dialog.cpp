@@ -1,0 +1,344 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/dialogs/multi_axis_dialog.h"
+
+#include "ui/controller/column_mapping.h"
+#include "ui/controller/multi_axis_outcome.h"
+#include "ui/dialogs/column_mapping_table.h"
+#include "ui/dialogs/multi_axis_plan_view.h"
+#include "ui/style/busy_mark.h"
+#include "ui/style/contrast.h"
+
+#include <QBoxLayout>
+#include <QComboBox>
+#include <QEvent>
+#include <QFileInfo>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+
+#include <algorithm>
+
+namespace axiscomp::ui {
+
+namespace {
+
+constexpr int progressSteps = 1000;
+enum SourcesEntry { KeepSources, PageSources };
+
+QLabel* wrappedLabel(const char* name)
+{
+    auto* label = new QLabel;
+    label->setObjectName(QLatin1StringView(name));
+    label->setWordWrap(true);
+    return label;
+}
+
+} // namespace
+
+SeveralAxesDialog::SeveralAxesDialog(WizardController& controller, QWidget* parent)
+    : QDialog(parent)
+    , m_controller(controller)
+    , m_data(controller.dataFile().data)
+    , m_axes(controller.usableAxes())
+    , m_introduction(wrappedLabel("severalIntroduction"))
+    , m_columns(new ColumnAxisTable(m_data, m_axes))
+    , m_sourcesLabel(new QLabel)
+    , m_sources(new QComboBox)
+    , m_persistency(wrappedLabel("severalPersistency"))
+    , m_planTitle(new QLabel)
+    , m_plan(new SeveralPlanView)
+    , m_busy(new BusyMark)
+    , m_reason(wrappedLabel("severalReason"))
+    , m_progress(new QProgressBar)
+    , m_write(new QPushButton)
+    , m_close(new QPushButton)
+{
+    setObjectName(QStringLiteral("severalAxesDialog"));
+    setAttribute(Qt::WA_DeleteOnClose);
+    build();
+    fillSources();
+    follow();
+    retranslate();
+    plan();
+}
+
+SeveralAxesDialog::~SeveralAxesDialog()
+{
+    m_controller.dropSeveral();
+}
+
+void SeveralAxesDialog::build()
+{
+    m_sources->setObjectName(QStringLiteral("severalSources"));
+    m_sources->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    m_sourcesLabel->setBuddy(m_sources);
+    QFont titleFont = m_planTitle->font();
+    titleFont.setBold(true);
+    m_planTitle->setFont(titleFont);
+    m_progress->setObjectName(QStringLiteral("severalProgress"));
+    m_progress->setRange(0, progressSteps);
+    m_write->setObjectName(QStringLiteral("writeSeveralButton"));
+    m_write->setDefault(true);
+    m_close->setObjectName(QStringLiteral("closeSeveralButton"));
+    m_close->setAutoDefault(false);
+    auto* sources = new QHBoxLayout;
+    sources->addWidget(m_sourcesLabel);
+    sources->addWidget(m_sources, 1);
+    auto* state = new QHBoxLayout;
+    state->addWidget(m_reason, 1);
+    state->addWidget(m_busy);
+    auto* buttons = new QHBoxLayout;
+    buttons->addWidget(m_progress, 1);
+    buttons->addStretch(1);
+    buttons->addWidget(m_write);
+    buttons->addWidget(m_close);
+    auto* layout = new QVBoxLayout(this);
+    layout->setSpacing(10);
+    layout->addWidget(m_introduction);
+    layout->addWidget(m_columns);
+    layout->addLayout(sources);
+    layout->addWidget(m_persistency);
+    layout->addWidget(m_planTitle);
+    layout->addWidget(m_plan, 1);
+    layout->addLayout(state);
+    layout->addLayout(buttons);
+    resize(940, 620);
+}
+
+void SeveralAxesDialog::follow()
+{
+    connect(m_columns, &ColumnAxisTable::choiceChanged, this, &SeveralAxesDialog::plan);
+    connect(m_sources, &QComboBox::activated, this, &SeveralAxesDialog::plan);
+    connect(m_write, &QPushButton::clicked, this, &SeveralAxesDialog::write);
+    connect(m_close, &QPushButton::clicked, this, &SeveralAxesDialog::reject);
+    connect(&m_controller, &WizardController::severalPlanned, this, &SeveralAxesDialog::takePlans);
+    connect(&m_controller, &WizardController::severalWritten, this, &SeveralAxesDialog::end);
+    connect(&m_controller, &WizardController::busyChanged, this, &SeveralAxesDialog::showBusy);
+    connect(&m_controller, &WizardController::actionsChanged, this, &SeveralAxesDialog::planAgain);
+    connect(&m_controller, &WizardController::currentAxisChanged, this,
+        &SeveralAxesDialog::leaveLostDrive);
+}
+
+void SeveralAxesDialog::changeEvent(QEvent* event)
+{
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+    QDialog::changeEvent(event);
+}
+
+void SeveralAxesDialog::retranslate()
+{
+    setWindowTitle(tr("Write Several Axes"));
+    m_introduction->setText(
+        tr("Columns of %1 are written to axes of %2, one after the other. Each write is verified "
+           "and keeps the old table and settings in a backup file first; none begins before all "
+           "of them are found possible.")
+            .arg(QFileInfo(m_controller.dataFile().path).fileName(),
+                m_axes.empty() ? QString() : m_axes.front().driveName));
+    m_columns->retranslate();
+    m_sourcesLabel->setText(tr("&Sources"));
+    m_sources->setItemText(KeepSources, tr("Each axis keeps its sources"));
+    m_sources->setToolTip(tr("The registers whose values look the tables up"));
+    m_sources->setAccessibleDescription(m_sources->toolTip());
+    if (m_sources->count() > PageSources)
+        m_sources->setItemText(PageSources,
+            tr("For all of them, as chosen in the page: %1")
+                .arg(sourceLines(m_controller.sourcesForSeveral(), m_axes)
+                         .join(QStringLiteral(", "))));
+    m_persistency->setText(m_controller.setup().edited().persistency == Persistency::Persistent
+            ? tr("Persistency, as chosen in the page: persistent, all tables are stored in flash.")
+            : tr("Persistency, as chosen in the page: volatile, a reboot of the drive brings the "
+                 "stored states back."));
+    m_planTitle->setText(tr("What will be written"));
+    m_plan->retranslate();
+    m_progress->setAccessibleName(tr("Progress"));
+    m_write->setText(tr("&Write All"));
+    enter(m_state);
+}
+
+void SeveralAxesDialog::fillSources()
+{
+    m_sources->addItem(QString());
+    if (m_controller.sourcesForSeveral().empty())
+        return;
+    m_sources->addItem(QString());
+    m_sources->setCurrentIndex(PageSources);
+}
+
+std::vector<ColumnForAxis> SeveralAxesDialog::chosen() const
+{
+    std::vector<ColumnForAxis> columns;
+    const std::vector<AxisChoice> choices = m_columns->choices();
+    for (std::size_t n = 0; n < choices.size(); ++n) {
+        if (choices[n])
+            columns.push_back({static_cast<int>(n), *choices[n]});
+    }
+    return columns;
+}
+
+QString SeveralAxesDialog::obstacle() const
+{
+    return assignmentObstacle(m_columns->choices(), m_axes);
+}
+
+void SeveralAxesDialog::plan()
+{
+    m_controller.dropSeveral();
+    m_plan->clear();
+    m_asked = chosen();
+    const bool isAsked = obstacle().isEmpty()
+        && m_controller.planSeveral(m_asked, m_sources->currentIndex() == KeepSources);
+    enter(isAsked ? State::Planning : State::Choosing);
+}
+
+/// A drive that could not be asked, or was not there, may be there again.
+void SeveralAxesDialog::planAgain()
+{
+    const auto& plans = m_controller.severalPlans();
+    const bool hasFailed = m_state == State::Planned && plans && !*plans;
+    if (m_state != State::Choosing && !hasFailed)
+        return;
+    if (m_controller.action(Action::WriteSeveral).isEnabled && obstacle().isEmpty())
+        plan();
+    else
+        showReason();
+}
+
+void SeveralAxesDialog::takePlans()
+{
+    enter(State::Planned);
+}
+
+void SeveralAxesDialog::write()
+{
+    if (!m_write->isEnabled())
+        return;
+    m_state = State::Writing; // showBusy() is called from within
+    m_controller.writeSeveral();
+    enter(m_controller.busy().isBusy ? State::Writing : State::Choosing);
+}
+
+void SeveralAxesDialog::showBusy()
+{
+    if (m_state != State::Writing)
+        return;
+    const BusyState& busy = m_controller.busy();
+    m_progress->setValue(qRound(busy.fraction * progressSteps));
+    showReason();
+    showButtons();
+}
+
+/// The connection was removed: nobody says any more what becomes of the writes.
+void SeveralAxesDialog::leaveLostDrive()
+{
+    const auto now = m_controller.usableAxes();
+    const bool isAnother =
+        !now.empty() && !m_axes.empty() && now.front().endpoint != m_axes.front().endpoint;
+    if (m_controller.currentAxis() < 0 || isAnother)
+        QDialog::reject();
+}
+
+void SeveralAxesDialog::end()
+{
+    enter(State::Ended);
+    m_close->setFocus();
+}
+
+void SeveralAxesDialog::reject()
+{
+    if (m_state != State::Writing) {
+        QDialog::reject();
+        return;
+    }
+    if (m_controller.busy().canCancel)
+        m_controller.cancel();
+}
+
+void SeveralAxesDialog::enter(State state)
+{
+    m_state = state;
+    const bool isChoosable = state != State::Writing && state != State::Ended;
+    m_columns->setChoosable(isChoosable);
+    m_sources->setEnabled(isChoosable);
+    const auto& plans = m_controller.severalPlans();
+    if (state == State::Planned && plans && *plans) {
+        std::vector<const CompensationTable*> tables;
+        for (const ColumnForAxis& column : m_asked)
+            tables.push_back(&m_data->tables[static_cast<std::size_t>(column.column)]);
+        m_plan->showPlans(**plans, tables, m_axes);
+    }
+    m_busy->setBusy(state == State::Planning || state == State::Writing);
+    m_progress->setVisible(state == State::Writing);
+    showReason();
+    showButtons();
+}
+
+void SeveralAxesDialog::showButtons()
+{
+    const auto& plans = m_controller.severalPlans();
+    const bool hasChanges = m_state == State::Planned && plans && *plans
+        && std::ranges::any_of(
+            **plans, [](const WritePlan& plan) { return !plan.changes.empty(); });
+    m_write->setEnabled(hasChanges);
+    m_write->setVisible(m_state != State::Ended);
+    m_write->setToolTip(hasChanges ? tr("Write these to the drive now") : reason());
+    m_write->setAccessibleDescription(m_write->toolTip());
+    m_close->setEnabled(m_state != State::Writing || m_controller.busy().canCancel);
+    switch (m_state) {
+    case State::Writing:
+        m_close->setText(tr("S&top"));
+        m_close->setToolTip(tr("Stops the writes; the one that runs is put back first (Esc)"));
+        break;
+    case State::Ended:
+        m_close->setText(tr("C&lose"));
+        m_close->setToolTip(tr("Go back to the page (Esc)"));
+        break;
+    default:
+        m_close->setText(tr("&Cancel"));
+        m_close->setToolTip(tr("Change nothing and go back (Esc)"));
+        break;
+    }
+    m_close->setAccessibleDescription(m_close->toolTip());
+}
+
+QString SeveralAxesDialog::reason() const
+{
+    const auto& plans = m_controller.severalPlans();
+    switch (m_state) {
+    case State::Choosing: {
+        const QString obstacleText = obstacle();
+        return obstacleText.isEmpty() ? m_controller.action(Action::WriteSeveral).reason
+                                      : obstacleText;
+    }
+    case State::Planning:
+        return tr("The drive is asked what would change …");
+    case State::Planned:
+        if (!plans)
+            break;
+        if (!*plans)
+            return severalErrorText(plans->error(), m_axes);
+        if (std::ranges::all_of(
+                **plans, [](const WritePlan& plan) { return plan.changes.empty(); }))
+            return tr("The drive has all of this already.");
+        return SeveralPlanView::costText(**plans);
+    case State::Writing:
+        return m_controller.busy().step;
+    case State::Ended:
+        return m_controller.outcome();
+    }
+    return {};
+}
+
+void SeveralAxesDialog::showReason()
+{
+    m_reason->setText(reason());
+    const auto& plans = m_controller.severalPlans();
+    const bool isError = (m_state == State::Planned && plans && !*plans)
+        || (m_state == State::Ended && m_controller.isOutcomeAnError());
+    QPalette shown = palette();
+    if (isError)
+        shown.setColor(QPalette::WindowText, textColor(Tone::Error, shown));
+    m_reason->setPalette(shown);
+}
+
+} // namespace axiscomp::ui

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/dialogs/multi_axis_plan_view.h"
+
+#include "ui/controller/column_mapping.h"
+#include "ui/text/error_text.h"
+#include "ui/text/value_text.h"
+
+#include <QBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QTableWidget>
+
+#include <limits>
+#include <set>
+
+namespace axiscomp::ui {
+
+namespace {
+
+enum Column { Axis, Before, After, Slot, ColumnCount };
+
+QString persistencyText(Persistency persistency)
+{
+    return persistency == Persistency::Persistent ? SeveralPlanView::tr("persistent")
+                                                  : SeveralPlanView::tr("volatile");
+}
+
+QString beforeText(const CompensationSetup& setup, std::span<const AxisEntry> axes)
+{
+    QStringList lines{setup.slot.empty()
+            ? SeveralPlanView::tr("no table")
+            : SeveralPlanView::tr("%1D in %2, %3")
+                  .arg(QString::number(setup.dimensionality), QString::fromStdString(setup.slot),
+                      persistencyText(setup.persistency))};
+    lines += sourceLines(setup.sources, axes);
+    return lines.join(u'\n');
+}
+
+QString afterText(
+    const WritePlan& plan, const CompensationTable& table, std::span<const AxisEntry> axes)
+{
+    if (plan.changes.empty())
+        return SeveralPlanView::tr("nothing: the drive has all of this already");
+    QStringList lines{
+        QStringLiteral("%1: %2").arg(QString::fromStdString(table.name), gridText(table.grid)),
+        persistencyText(plan.after.persistency)};
+    lines += sourceLines(plan.after.sources, axes);
+    return lines.join(u'\n');
+}
+
+/// isTaken: an earlier write of the same plan takes it.
+QString slotText(const WritePlan& plan, bool isTaken)
+{
+    const QString slot = QString::fromStdString(plan.after.slot);
+    if (isTaken)
+        return SeveralPlanView::tr("chosen when its turn comes");
+    switch (plan.slotReason) {
+    case SlotReason::Empty:
+        return SeveralPlanView::tr("%1 (empty)").arg(slot);
+    case SlotReason::OwnPrevious:
+        return SeveralPlanView::tr("%1 (held an earlier table of this axis)").arg(slot);
+    case SlotReason::OverwriteOwn:
+        return SeveralPlanView::tr("%1 (is overwritten)").arg(slot);
+    case SlotReason::Named:
+    case SlotReason::KeepTable:
+        break;
+    }
+    return slot;
+}
+
+} // namespace
+
+QStringList sourceLines(std::span<const DimSource> sources, std::span<const AxisEntry> axes)
+{
+    QStringList lines;
+    for (std::size_t n = 0; n < sources.size(); ++n) {
+        const DimSource& source = sources[n];
+        if (!source.isSet())
+            continue;
+        const QString name = source.path.empty()
+            ? QStringLiteral("0x%1").arg(source.address, 8, 16, QChar(u'0'))
+            : registerName(source.path, axes);
+        lines += SeveralPlanView::tr("Dim%1: %2").arg(QString::number(n + 1), name);
+    }
+    return lines;
+}
+
+SeveralPlanView::SeveralPlanView(QWidget* parent)
+    : QWidget(parent)
+    , m_rows(new QTableWidget)
+    , m_remarks(new QLabel)
+{
+    setObjectName(QStringLiteral("severalPlan"));
+    m_rows->setObjectName(QStringLiteral("severalPlanRows"));
+    m_rows->setColumnCount(ColumnCount);
+    m_rows->verticalHeader()->hide();
+    m_rows->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    m_rows->setSelectionMode(QAbstractItemView::NoSelection);
+    m_rows->setFocusPolicy(Qt::TabFocus);
+    m_rows->setTabKeyNavigation(false);
+    m_rows->setWordWrap(true);
+    m_rows->setShowGrid(false);
+    m_rows->setAlternatingRowColors(true);
+    m_rows->horizontalHeader()->setHighlightSections(false);
+    m_rows->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    m_rows->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+    m_rows->horizontalHeader()->setSectionResizeMode(Axis, QHeaderView::ResizeToContents);
+    m_rows->horizontalHeader()->setSectionResizeMode(Slot, QHeaderView::ResizeToContents);
+    m_rows->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    m_remarks->setObjectName(QStringLiteral("severalRemarks"));
+    m_remarks->setWordWrap(true);
+    m_remarks->hide();
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(m_rows, 1);
+    layout->addWidget(m_remarks);
+    retranslate();
+}
+
+void SeveralPlanView::retranslate()
+{
+    m_rows->setHorizontalHeaderLabels({tr("Axis"), tr("On the drive"), tr("New"), tr("Slot")});
+    m_rows->setAccessibleName(tr("What will be written"));
+}
+
+void SeveralPlanView::clear()
+{
+    m_rows->setRowCount(0);
+    m_remarks->clear();
+    m_remarks->hide();
+}
+
+void SeveralPlanView::showPlans(std::span<const WritePlan> plans,
+    std::span<const CompensationTable* const> tables, std::span<const AxisEntry> axes)
+{
+    clear();
+    std::set<std::string> taken;
+    QStringList remarks;
+    for (std::size_t n = 0; n < plans.size(); ++n) {
+        const WritePlan& plan = plans[n];
+        addRow(plan, *tables[n], axes, !taken.insert(plan.after.slot).second);
+        for (const std::string& warning : plan.warnings)
+            remarks += tr("%1: %2", "axis and remark")
+                           .arg(axisNameAmong(axes, plan.axis), phraseText(warning));
+    }
+    m_remarks->setText(remarks.join(u'\n'));
+    m_remarks->setVisible(!remarks.isEmpty());
+}
+
+void SeveralPlanView::addRow(const WritePlan& plan, const CompensationTable& table,
+    std::span<const AxisEntry> axes, bool isSlotTaken)
+{
+    const int row = m_rows->rowCount();
+    m_rows->insertRow(row);
+    int column = 0;
+    for (const QString& text : {axisNameAmong(axes, plan.axis), beforeText(plan.before, axes),
+             afterText(plan, table, axes), slotText(plan, isSlotTaken)}) {
+        auto* item = new QTableWidgetItem(text);
+        item->setToolTip(text);
+        item->setTextAlignment(Qt::AlignLeft | Qt::AlignTop);
+        m_rows->setItem(row, column++, item);
+    }
+}
+
+QString SeveralPlanView::costText(std::span<const WritePlan> plans)
+{
+    int operations = 0;
+    for (const WritePlan& plan : plans)
+        operations += plan.flashOperations;
+    if (operations == 0)
+        return tr("Costs no flash operation.");
+    const int left = plans.front().flashBudget.left;
+    return left == std::numeric_limits<int>::max()
+        ? tr("Flash operations of all together: %1.").arg(operations)
+        : tr("Flash operations of all together: %1; left for now afterwards: %2.")
+              .arg(operations)
+              .arg(left - operations);
+}
+
+} // namespace axiscomp::ui

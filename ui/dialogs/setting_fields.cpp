@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/dialogs/setting_fields.h"
+
+#include "ui/text/error_text.h"
+#include "ui/text/phrase_book.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QCoreApplication>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QLocale>
+#include <QSignalBlocker>
+
+namespace axiscomp::ui {
+
+namespace {
+
+QString qString(std::string_view text)
+{
+    return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
+}
+
+QStringList choicesOf(const FormatSetting& setting)
+{
+    return qString(setting.choices).split(QStringLiteral(", "), Qt::SkipEmptyParts);
+}
+
+/// A key or a choice in the language of the window.
+QString word(const QString& english)
+{
+    return QCoreApplication::translate("Setting", english.toUtf8().constData());
+}
+
+/// "Counts per unit", with a key that nothing else has yet: of its letters, or a digit behind it.
+QString nameOf(const FormatSetting& setting, QSet<QChar>& usedKeys)
+{
+    QString name = word(qString(setting.key).replace(u'-', u' '));
+    name[0] = name[0].toUpper();
+    for (qsizetype i = 0; i < name.size(); ++i) {
+        const QChar letter = name[i].toLower();
+        if (!letter.isLetterOrNumber() || letter.unicode() > 127 || usedKeys.contains(letter))
+            continue;
+        usedKeys.insert(letter);
+        return name.insert(i, u'&');
+    }
+    for (QChar digit = u'1'; digit <= u'9'; digit = QChar(digit.unicode() + 1)) {
+        if (usedKeys.contains(digit))
+            continue;
+        usedKeys.insert(digit);
+        return name + QStringLiteral(" (&%1)").arg(digit);
+    }
+    return name;
+}
+
+/// Numbers are typed as the language writes them, and core reads them with a decimal point.
+std::string plainNumber(const QString& text)
+{
+    bool isNumber = false;
+    const double value = QLocale().toDouble(text, &isNumber);
+    const bool isPlain = text.contains(u'.') || !isNumber;
+    return isPlain ? text.toStdString()
+                   : QString::number(value, 'g', QLocale::FloatingPointShortest).toStdString();
+}
+
+} // namespace
+
+QChar keyOf(const QString& text)
+{
+    const qsizetype place =
+        QString(text).replace(QStringLiteral("&&"), QStringLiteral("__")).indexOf(u'&');
+    return place < 0 || place + 1 >= text.size() ? QChar() : text[place + 1].toLower();
+}
+
+SettingFields::SettingFields(QFormLayout& form, int firstRow, bool isWriting, QObject* parent)
+    : QObject(parent)
+    , m_form(form)
+    , m_firstRow(firstRow)
+    , m_isWriting(isWriting)
+{
+}
+
+void SettingFields::setFamily(const TableFamily* family)
+{
+    for (const auto& [key, value] : values())
+        m_given[key] = value;
+    for (const Row& row : m_rows)
+        m_form.removeRow(row.field);
+    m_rows.clear();
+    if (family == nullptr)
+        return;
+    for (const FormatSetting& setting : formatSettings(family->facts, m_isWriting))
+        addRow(setting);
+    setValues(m_given);
+}
+
+QWidget* SettingFields::makeField(const FormatSetting& setting)
+{
+    switch (setting.kind) {
+    case FormatSetting::Kind::YesNo: {
+        auto* box = new QCheckBox;
+        connect(box, &QCheckBox::toggled, this, &SettingFields::changed);
+        return box;
+    }
+    case FormatSetting::Kind::Choice: {
+        auto* combo = new QComboBox;
+        combo->addItem(QString(), QString());
+        for (const QString& choice : choicesOf(setting))
+            combo->addItem(choice, choice);
+        connect(combo, &QComboBox::currentIndexChanged, this, &SettingFields::changed);
+        return combo;
+    }
+    case FormatSetting::Kind::Text:
+    case FormatSetting::Kind::WholeNumber:
+    case FormatSetting::Kind::Number:
+        break;
+    }
+    auto* line = new QLineEdit;
+    connect(line, &QLineEdit::textChanged, this, &SettingFields::changed);
+    return line;
+}
+
+void SettingFields::addRow(const FormatSetting& setting)
+{
+    Row row{setting, nullptr, makeField(setting)};
+    row.field->setObjectName(QStringLiteral("setting_") + qString(setting.key));
+    const int place = m_firstRow + static_cast<int>(m_rows.size());
+    if (setting.kind == FormatSetting::Kind::YesNo) {
+        m_form.insertRow(place, QString(), row.field);
+    } else {
+        row.label = new QLabel;
+        row.label->setBuddy(row.field);
+        m_form.insertRow(place, row.label, row.field);
+    }
+    m_rows.push_back(row);
+}
+
+void SettingFields::show(const Row& row, const std::string& value)
+{
+    const QSignalBlocker blocker(row.field);
+    const QString text = QString::fromStdString(value);
+    if (auto* box = qobject_cast<QCheckBox*>(row.field))
+        box->setChecked(value.empty() ? row.setting.standard == "yes" : value == "yes");
+    else if (auto* combo = qobject_cast<QComboBox*>(row.field))
+        combo->setCurrentIndex(std::max(combo->findData(text), 0));
+    else if (auto* line = qobject_cast<QLineEdit*>(row.field))
+        line->setText(text);
+}
+
+void SettingFields::setValues(const FormatSettings& values)
+{
+    m_given = values;
+    for (const Row& row : m_rows) {
+        const auto given = values.find(row.setting.key);
+        show(row, given == values.end() ? std::string() : given->second);
+    }
+}
+
+std::string SettingFields::valueOf(const Row& row) const
+{
+    if (const auto* box = qobject_cast<const QCheckBox*>(row.field)) {
+        const bool isStandard = box->isChecked() == (row.setting.standard == "yes");
+        return isStandard ? std::string() : box->isChecked() ? "yes" : "no";
+    }
+    if (const auto* combo = qobject_cast<const QComboBox*>(row.field))
+        return combo->currentData().toString().toStdString();
+    const QString text = qobject_cast<const QLineEdit*>(row.field)->text().trimmed();
+    return row.setting.kind == FormatSetting::Kind::Number ? plainNumber(text) : text.toStdString();
+}
+
+FormatSettings SettingFields::values() const
+{
+    FormatSettings values;
+    for (const Row& row : m_rows) {
+        if (std::string value = valueOf(row); !value.empty())
+            values[std::string(row.setting.key)] = std::move(value);
+    }
+    return values;
+}
+
+QList<QWidget*> SettingFields::fields() const
+{
+    QList<QWidget*> fields;
+    for (const Row& row : m_rows)
+        fields += row.field;
+    return fields;
+}
+
+void SettingFields::retranslate(QSet<QChar> usedKeys)
+{
+    for (const Row& row : m_rows) {
+        const QString name = nameOf(row.setting, usedKeys);
+        if (row.label)
+            row.label->setText(name);
+        else if (auto* box = qobject_cast<QCheckBox*>(row.field))
+            box->setText(name);
+        row.field->setToolTip(phraseText(std::string(row.setting.meaning)));
+        row.field->setAccessibleName(QString(name).remove(u'&'));
+        row.field->setAccessibleDescription(row.field->toolTip());
+        const QString standard = qString(row.setting.standard);
+        if (auto* combo = qobject_cast<QComboBox*>(row.field)) {
+            combo->setItemText(
+                0, standard.isEmpty() ? tr("not given") : tr("usual: %1").arg(word(standard)));
+            for (int i = 1; i < combo->count(); ++i)
+                combo->setItemText(i, word(combo->itemData(i).toString()));
+        }
+        if (auto* line = qobject_cast<QLineEdit*>(row.field))
+            line->setPlaceholderText(row.setting.isNeeded ? tr("needed")
+                    : standard.isEmpty()                  ? tr("not given")
+                                                          : tr("usual: %1").arg(standard));
+    }
+}
+
+} // namespace axiscomp::ui

@@ -1,0 +1,297 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/fields/field_row.h"
+
+#include "ui/style/busy_mark.h"
+#include "ui/style/contrast.h"
+#include "ui/style/dirty_style.h"
+#include "ui/style/symbols.h"
+
+#include <QAccessible>
+#include <QAction>
+#include <QBoxLayout>
+#include <QComboBox>
+#include <QContextMenuEvent>
+#include <QGridLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
+#include <QToolButton>
+
+namespace axiscomp::ui {
+
+namespace {
+
+constexpr int symbolSize = 14;
+
+/// A place to break a long path, as it has no blanks.
+QString breakable(QString text)
+{
+    constexpr QChar zeroWidthSpace(0x200b);
+    return text.replace(u'/', QString(u'/') + zeroWidthSpace);
+}
+
+QString withoutMnemonic(QString text)
+{
+    return text.remove(u'&');
+}
+
+QFont smallFont(const QWidget& widget)
+{
+    QFont font = widget.font();
+    font.setPointSizeF(font.pointSizeF() * 0.88);
+    return font;
+}
+
+QString objectNameOf(const QWidget& editor, QLatin1StringView part)
+{
+    return editor.objectName() + part;
+}
+
+} // namespace
+
+FieldRow::FieldRow(QWidget* editor, QStyle* style, QWidget* parent)
+    : QObject(parent)
+    , m_editor(editor)
+    , m_label(new QLabel(parent))
+    , m_note(new QLabel)
+    , m_noteSymbol(new QLabel)
+    , m_noteLine(new QWidget(parent))
+    , m_buttons(new QWidget(parent))
+    , m_revert(new QToolButton)
+    , m_busy(new BusyMark)
+{
+    editor->setParent(parent);
+    editor->setStyle(style);
+    ChangedStyle::setChanged(*editor, false);
+    editor->installEventFilter(this);
+    if (auto* combo = qobject_cast<QComboBox*>(editor); combo && combo->isEditable())
+        combo->lineEdit()->installEventFilter(this);
+    m_label->setObjectName(objectNameOf(*editor, QLatin1StringView("Label")));
+    m_label->setBuddy(editor);
+    m_note->setObjectName(objectNameOf(*editor, QLatin1StringView("Note")));
+    m_note->setFont(smallFont(*m_note));
+    m_note->setWordWrap(true);
+    m_note->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    m_note->setMinimumHeight(m_note->fontMetrics().height());
+    m_note->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    m_note->setTextFormat(Qt::PlainText);
+    m_noteSymbol->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    m_busy->hide();
+    m_revert->setObjectName(objectNameOf(*editor, QLatin1StringView("Revert")));
+    m_revert->setAutoRaise(true);
+    m_revert->setIcon(symbolIcon(Symbol::Revert));
+    m_revert->setIconSize({16, 16});
+    QSizePolicy keepsPlace = m_revert->sizePolicy();
+    keepsPlace.setRetainSizeWhenHidden(true);
+    m_revert->setSizePolicy(keepsPlace);
+    m_revert->setVisible(false);
+    auto* line = new QHBoxLayout(m_noteLine);
+    line->setContentsMargins(2, 0, 0, 4);
+    line->setSpacing(4);
+    line->addWidget(m_busy);
+    line->addWidget(m_noteSymbol);
+    line->addWidget(m_note, 1);
+    auto* buttons = new QHBoxLayout(m_buttons);
+    buttons->setContentsMargins(0, 0, 0, 0);
+    buttons->addWidget(m_revert);
+    connect(m_revert, &QToolButton::clicked, this, &FieldRow::revertRequested);
+    showState();
+}
+
+void FieldRow::addTo(QGridLayout& grid, int firstRow)
+{
+    grid.addWidget(m_label, firstRow, 0);
+    grid.addWidget(m_editor, firstRow, 1);
+    grid.addWidget(m_buttons, firstRow, 2);
+    grid.addWidget(m_noteLine, firstRow + 1, 1, 1, 2);
+    QWidget::setTabOrder(m_editor, m_revert);
+}
+
+QWidget& FieldRow::editor()
+{
+    return *m_editor;
+}
+
+void FieldRow::setBuddy(QWidget& part)
+{
+    m_label->setBuddy(&part);
+}
+
+const FieldTexts& FieldRow::texts() const
+{
+    return m_texts;
+}
+
+void FieldRow::setTexts(const FieldTexts& texts)
+{
+    m_texts = texts;
+    m_label->setText(texts.label);
+    m_editor->setAccessibleName(withoutMnemonic(texts.label));
+    m_revert->setAccessibleName(tr("Revert %1").arg(withoutMnemonic(texts.label)));
+    showState();
+}
+
+void FieldRow::setRevertible(bool isRevertible)
+{
+    m_isRevertible = isRevertible;
+    showState();
+}
+
+void FieldRow::setVisible(bool isVisible)
+{
+    m_isVisible = isVisible;
+    m_label->setVisible(isVisible);
+    m_editor->setVisible(isVisible);
+    m_noteLine->setVisible(isVisible);
+    m_buttons->setVisible(isVisible);
+    m_revert->setVisible(isVisible && m_isChanged && m_isRevertible);
+}
+
+bool FieldRow::isVisible() const
+{
+    return m_isVisible;
+}
+
+void FieldRow::setEnabled(bool isEnabled)
+{
+    m_label->setEnabled(isEnabled);
+    m_editor->setEnabled(isEnabled);
+    m_revert->setEnabled(isEnabled);
+}
+
+void FieldRow::setChanged(bool isChanged, const QString& driveText)
+{
+    if (m_isChanged == isChanged && m_driveText == driveText)
+        return;
+    m_isChanged = isChanged;
+    m_driveText = driveText;
+    ChangedStyle::setChanged(*m_editor, isChanged);
+    showState();
+}
+
+bool FieldRow::isChanged() const
+{
+    return m_isChanged;
+}
+
+void FieldRow::setProblem(const QString& sentence)
+{
+    if (m_problem == sentence)
+        return;
+    m_problem = sentence;
+    showState();
+}
+
+void FieldRow::setInformation(const QString& text)
+{
+    if (m_information == text)
+        return;
+    m_information = text;
+    showState();
+}
+
+void FieldRow::setWholeValue(const QString& text)
+{
+    if (m_wholeValue == text)
+        return;
+    m_wholeValue = text;
+    showState();
+}
+
+void FieldRow::setBusy(bool isBusy)
+{
+    m_busy->setBusy(isBusy);
+    m_busy->setVisible(isBusy);
+}
+
+QString FieldRow::note() const
+{
+    QString text = m_note->text();
+    return text.remove(QChar(0x200b));
+}
+
+QString FieldRow::changedText() const
+{
+    return tr("changed, on the drive: %1").arg(m_driveText);
+}
+
+void FieldRow::showState()
+{
+    const QPalette& palette = m_editor->palette();
+    Tone tone = Tone::Information;
+    QColor color = mutedTextColor(palette);
+    QString text = m_information;
+    if (!m_problem.isEmpty()) {
+        tone = Tone::Error;
+        text = m_problem;
+    } else if (m_isChanged) {
+        tone = Tone::Changed;
+        text = changedText();
+    }
+    if (tone != Tone::Information) {
+        color = textColor(tone, palette);
+        const Symbol symbol = tone == Tone::Error ? Symbol::Error : Symbol::Edit;
+        m_noteSymbol->setPixmap(
+            symbolPixmap(symbol, color, symbolSize, m_editor->devicePixelRatioF()));
+    }
+    m_noteSymbol->setVisible(tone != Tone::Information);
+    QPalette notePalette = palette;
+    notePalette.setColor(QPalette::WindowText, color);
+    m_note->setPalette(notePalette);
+    m_note->setText(breakable(text));
+    m_revert->setVisible(m_isVisible && m_isChanged && m_isRevertible);
+
+    QString toolTip =
+        m_wholeValue.isEmpty() ? m_texts.toolTip : m_wholeValue + u'\n' + m_texts.toolTip;
+    QString description = m_texts.description;
+    if (m_isChanged) {
+        const QString onDrive = tr("on the drive: %1").arg(m_driveText);
+        toolTip = toolTip.isEmpty() ? onDrive : onDrive + u'\n' + toolTip;
+        description = changedText() + QStringLiteral(". ") + description;
+        m_revert->setToolTip(tr("Put back the drive's value: %1").arg(m_driveText));
+    }
+    if (!m_problem.isEmpty())
+        description = m_problem + QStringLiteral(". ") + description;
+    m_editor->setToolTip(toolTip);
+    if (m_editor->accessibleDescription() != description) {
+        m_editor->setAccessibleDescription(description);
+        QAccessibleEvent event(m_editor, QAccessible::DescriptionChanged);
+        QAccessible::updateAccessibility(&event);
+    }
+}
+
+bool FieldRow::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() == QEvent::ContextMenu && m_isRevertible) {
+        showContextMenu(static_cast<QContextMenuEvent*>(event)->globalPos());
+        return true;
+    }
+    // A wheel over the page must not change what goes to a machine.
+    if (event->type() == QEvent::Wheel) {
+        event->ignore();
+        return true;
+    }
+    if (event->type() == QEvent::PaletteChange && watched == m_editor)
+        showState();
+    return QObject::eventFilter(watched, event);
+}
+
+void FieldRow::showContextMenu(const QPoint& position)
+{
+    QMenu* menu = nullptr;
+    if (auto* combo = qobject_cast<QComboBox*>(m_editor); combo && combo->isEditable()) {
+        menu = combo->lineEdit()->createStandardContextMenu();
+        menu->addSeparator();
+    } else {
+        menu = new QMenu(m_editor);
+    }
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    menu->setObjectName(objectNameOf(*m_editor, QLatin1StringView("Menu")));
+    QAction* revert =
+        menu->addAction(symbolIcon(Symbol::Revert), tr("&Revert to the drive's value"));
+    revert->setEnabled(m_isChanged);
+    connect(revert, &QAction::triggered, this, &FieldRow::revertRequested);
+    menu->popup(position);
+}
+
+} // namespace axiscomp::ui

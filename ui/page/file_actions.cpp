@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/page/file_actions.h"
+
+#include "core/io/local_file.h"
+#include "ui/async/background.h"
+#include "ui/async/future_handler.h"
+#include "ui/controller/wizard_controller.h"
+#include "ui/controller/wizard_settings.h"
+#include "ui/dialogs/export_dialog.h"
+#include "ui/dialogs/file_filters.h"
+#include "ui/dialogs/import_dialog.h"
+#include "ui/fields/data_file_field.h"
+
+#include <QDateTime>
+#include <QDir>
+#include <QFileInfo>
+#include <QRegularExpression>
+#include <QWidget>
+
+namespace axiscomp::ui {
+
+namespace {
+
+Bytes bytesOf(const std::string& text)
+{
+    const auto* begin = reinterpret_cast<const std::byte*>(text.data());
+    return {begin, begin + text.size()};
+}
+
+} // namespace
+
+FileActions::FileActions(WizardController& controller, WizardSettings& settings, DataField& field,
+    const TableLayout& layout, QWidget& window, QObject* parent)
+    : QObject(parent)
+    , m_controller(controller)
+    , m_settings(settings)
+    , m_field(field)
+    , m_layout(layout)
+    , m_window(window)
+    , m_picker(systemFilePicker())
+{
+    field.setRecentFiles(settings.recentFiles());
+    connect(&field, &DataField::openRequested, this, &FileActions::askAndOpen);
+    connect(&field, &DataField::fileChosen, this, &FileActions::open);
+    connect(&field, &DataField::readAgainRequested, this, [this] { m_controller.readDataAgain(); });
+    connect(&field, &DataField::importOptionsRequested, this,
+        [this] { askForImport(m_controller.dataFile().path); });
+    connect(&controller, &WizardController::importChoiceNeeded, this, &FileActions::askForImport);
+    connect(&field, &DataField::closeRequested, &controller, &WizardController::closeData);
+    connect(&field, &DataField::cancelRequested, &controller, &WizardController::cancelReading);
+}
+
+void FileActions::setPicker(FilePicker picker)
+{
+    m_picker = std::move(picker);
+}
+
+void FileActions::askAndOpen()
+{
+    if (!m_controller.action(Action::OpenData).isEnabled)
+        return;
+    FileQuestion question;
+    question.purpose = FileQuestion::Purpose::OpenData;
+    question.title = tr("Open Compensation Data");
+    question.filter = openFilter();
+    question.start = m_settings.folder();
+    m_picker(m_window, question, [this](const QString& path) { open(path); });
+}
+
+void FileActions::open(const QString& path)
+{
+    if (path.isEmpty())
+        return;
+    m_controller.openData(path);
+    m_settings.addRecentFile(path);
+    m_field.setRecentFiles(m_settings.recentFiles());
+}
+
+void FileActions::askForImport(const QString& path)
+{
+    if (path.isEmpty() || !m_controller.action(Action::OpenData).isEnabled)
+        return;
+    if (m_import)
+        m_import->reject();
+    ImportChoices choices = m_controller.importChoices(path);
+    if (!choices.family && m_controller.dataFile().path == path && m_controller.dataFile().data)
+        choices.family = m_controller.dataFile().family;
+    m_import = new ImportDialog(
+        {path, m_controller.setup().edited().dimensionality, std::move(choices), m_layout},
+        &m_window);
+    connect(m_import, &ImportDialog::chosen, &m_controller, &WizardController::importData);
+    m_import->open();
+}
+
+void FileActions::exportTable()
+{
+    const auto table = m_controller.selectedTable();
+    if (!table)
+        return;
+    auto* dialog =
+        new ExportDialog({table, QString::fromStdString(table->name), m_layout}, &m_window);
+    connect(dialog, &ExportDialog::chosen, this, &FileActions::askWhereToExport);
+    dialog->open();
+}
+
+void FileActions::askWhereToExport(
+    const std::shared_ptr<const CompensationTable>& table, const ImportChoices& choices)
+{
+    FileQuestion question;
+    question.purpose = FileQuestion::Purpose::ExportTable;
+    question.title = tr("Export for Another Controller");
+    question.filter = saveFilter(*choices.family);
+    QString name = QString::fromStdString(table->name);
+    static const QRegularExpression notForNames(QStringLiteral("[^\\w.-]+"));
+    name.replace(notForNames, QStringLiteral("-"));
+    question.start = QDir(m_settings.folder())
+                         .filePath((name.isEmpty() ? QStringLiteral("table") : name)
+                             + extensionOf(*choices.family));
+    m_picker(m_window, question,
+        [this, table, choices](const QString& path) { saveExport(path, table, choices); });
+}
+
+void FileActions::saveExport(const QString& path,
+    const std::shared_ptr<const CompensationTable>& table, const ImportChoices& choices)
+{
+    if (path.isEmpty())
+        return;
+    report(inBackground<Result<void>>([path, table, choices, layout = m_layout]() -> Result<void> {
+        const std::string name = QFileInfo(path).fileName().toStdString();
+        const auto exported = axiscomp::ui::exportTable(*table, choices, name, layout);
+        if (!exported)
+            return fail(exported.error());
+        return saveFile(QFileInfo(path).filesystemAbsoluteFilePath(), bytesOf(exported->bytes));
+    }));
+}
+
+void FileActions::saveExample(int dimensionality)
+{
+    FileQuestion question;
+    question.purpose = FileQuestion::Purpose::SaveExample;
+    question.title = tr("Save Example File");
+    question.filter = tr("Calibration files (*.csv)");
+    question.start =
+        QDir(m_settings.folder()).filePath(QStringLiteral("example-%1d.csv").arg(dimensionality));
+    m_picker(m_window, question, [this, dimensionality](const QString& path) {
+        save(path, exampleCalibrationCsv(dimensionality));
+    });
+}
+
+void FileActions::saveLog(const QString& text)
+{
+    FileQuestion question;
+    question.purpose = FileQuestion::Purpose::SaveLog;
+    question.title = tr("Save Log");
+    question.filter = tr("Text files (*.txt)");
+    const QString time = QDateTime::currentDateTime().toString(QStringLiteral("yyyyMMdd-HHmmss"));
+    question.start =
+        QDir(m_settings.folder()).filePath(QStringLiteral("axis-compensation-%1.txt").arg(time));
+    m_picker(m_window, question,
+        [this, text = text.toStdString()](const QString& path) { save(path, text); });
+}
+
+void FileActions::save(const QString& path, std::string text)
+{
+    if (path.isEmpty())
+        return;
+    const std::filesystem::path file = path.toStdString();
+    report(inBackground<Result<void>>(
+        [file, text = std::move(text)] { return saveFile(file, bytesOf(text)); }));
+}
+
+void FileActions::report(const QFuture<Result<void>>& saved)
+{
+    whenDone(saved, this, [this](const Result<void>& result) {
+        if (!result)
+            Q_EMIT failed(errorText(result.error()));
+    });
+}
+
+} // namespace axiscomp::ui

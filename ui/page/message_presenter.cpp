@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/page/message_presenter.h"
+
+#include "ui/controller/wizard_controller.h"
+#include "ui/page/message_stack.h"
+
+#include <QFileInfo>
+
+namespace axiscomp::ui {
+
+namespace {
+
+const QLatin1StringView outcomeId("outcomeMessage");
+const QLatin1StringView fileId("fileChangedMessage");
+const QLatin1StringView demoId("demoMessage");
+const QLatin1StringView failureId("failureMessage");
+const QLatin1StringView connectionId("connectionMessage");
+const QLatin1StringView unfinishedId("unfinishedMessage");
+
+/// The drive that the page is about, when it cannot be reached.
+const DriveState* lostDrive(const WizardController& controller)
+{
+    const int axis = controller.currentAxis();
+    for (const DriveState& drive : controller.drives()) {
+        const bool isCurrent = axis < 0
+            || drive.endpoint == controller.axes().at(static_cast<std::size_t>(axis)).endpoint;
+        if (isCurrent && drive.connection == DriveState::Connection::Lost)
+            return &drive;
+    }
+    return nullptr;
+}
+
+} // namespace
+
+PageMessages::PageMessages(WizardController& controller, MessageStack& messages, QObject* parent)
+    : QObject(parent)
+    , m_controller(controller)
+    , m_messages(messages)
+{
+    connect(&controller, &WizardController::outcomeChanged, this, &PageMessages::showOutcome);
+    connect(&controller, &WizardController::dataFileChanged, this, &PageMessages::showFileChange);
+    connect(&controller, &WizardController::drivesChanged, this, &PageMessages::showConnection);
+    connect(
+        &controller, &WizardController::currentAxisChanged, this, &PageMessages::showConnection);
+    for (const auto changed : {&WizardController::statusChanged, &WizardController::actionsChanged,
+             &WizardController::busyChanged, &WizardController::currentAxisChanged})
+        connect(&controller, changed, this, &PageMessages::showUnfinishedWrite);
+}
+
+void PageMessages::offerDemo()
+{
+    Message message;
+    message.id = demoId;
+    message.text = tr("No drive is set up yet, so this is the built-in demo drive: everything can "
+                      "be tried, nothing is real.");
+    message.buttons = {{QStringLiteral("setUpDrivesButton"), tr("Wor&k with Real Drives…"),
+        [this] { Q_EMIT connectionsRequested(); }}};
+    m_messages.show(message);
+}
+
+void PageMessages::showFailure(const QString& sentence)
+{
+    Message message;
+    message.id = failureId;
+    message.tone = Tone::Error;
+    message.text = sentence;
+    m_messages.show(message);
+}
+
+void PageMessages::retranslate()
+{
+    if (m_messages.contains(demoId))
+        offerDemo();
+    if (m_messages.contains(outcomeId))
+        showOutcome();
+    m_offered.clear();
+    showUnfinishedWrite();
+    showFileChange();
+    showConnection();
+}
+
+void PageMessages::showConnection()
+{
+    const DriveState* drive = lostDrive(m_controller);
+    if (!drive) {
+        m_messages.remove(connectionId);
+        return;
+    }
+    Message message;
+    message.id = connectionId;
+    message.tone = Tone::Error;
+    message.text = m_controller.setup().isChanged()
+        ? tr("%1 What you have changed is kept; the program keeps trying.").arg(drive->problem)
+        : tr("%1 The program keeps trying.").arg(drive->problem);
+    if (drive->certificate)
+        message.buttons = {{QStringLiteral("lookAtCertificateButton"),
+            tr("Look at t&he Certificate…"), [this, certificate = *drive->certificate] {
+                Q_EMIT certificateRequested(certificate);
+            }}};
+    if (m_messages.text(message.id) != message.text)
+        m_messages.show(message);
+}
+
+void PageMessages::showOutcome()
+{
+    Message message;
+    message.id = outcomeId;
+    message.tone = m_controller.isOutcomeAnError() ? Tone::Error : Tone::Success;
+    message.text = m_controller.outcome();
+    if (message.text.isEmpty() || message.text == m_controller.unfinishedWrite())
+        m_messages.remove(message.id);
+    else if (m_messages.text(message.id) != message.text)
+        m_messages.show(message);
+}
+
+/// In the page, not in the way: everything else can be done before this is decided.
+void PageMessages::showUnfinishedWrite()
+{
+    const QString text = m_controller.unfinishedWrite();
+    const ActionState finish = m_controller.action(Action::FinishWrite);
+    const ActionState undo = m_controller.action(Action::UndoWrite);
+    if (text.isEmpty() || text == m_putAway || m_controller.busy().isBusy) {
+        m_messages.remove(unfinishedId);
+        m_offered.clear();
+        if (text.isEmpty())
+            m_putAway.clear();
+        return;
+    }
+    Message message;
+    message.id = unfinishedId;
+    message.tone = Tone::Warning;
+    message.text = text;
+    for (const ActionState& state : {finish, undo}) {
+        if (!state.isEnabled && !message.text.contains(state.reason))
+            message.text += u' ' + state.reason;
+    }
+    message.buttons = {{QStringLiteral("finishWriteButton"), tr("&Finish Write"),
+                           [this] { m_controller.finishWrite(); }, finish.isEnabled, finish.reason},
+        {QStringLiteral("undoWriteButton"), tr("Undo Wri&te"), [this] { m_controller.undoWrite(); },
+            undo.isEnabled, undo.reason},
+        {QStringLiteral("laterButton"), tr("&Keep for Later"),
+            [this] { putUnfinishedWriteAway(); }}};
+    message.isClosable = false;
+    const QString offered = message.text + finish.reason + undo.reason;
+    if (m_offered == offered && m_messages.contains(unfinishedId))
+        return;
+    m_offered = offered;
+    m_messages.show(message);
+}
+
+void PageMessages::putUnfinishedWriteAway()
+{
+    m_putAway = m_controller.unfinishedWrite();
+}
+
+void PageMessages::showFileChange()
+{
+    const DataFile& file = m_controller.dataFile();
+    if (!file.hasChangedOnDisk || file.isReading) {
+        m_messages.remove(fileId);
+        return;
+    }
+    Message message;
+    message.id = fileId;
+    message.text = tr("%1 has changed on disk.").arg(QFileInfo(file.path).fileName());
+    message.buttons = {{QStringLiteral("readAgainButton"), tr("Read A&gain"),
+        [this] { m_controller.readDataAgain(); }}};
+    if (m_messages.text(message.id) != message.text)
+        m_messages.show(message);
+}
+
+} // namespace axiscomp::ui

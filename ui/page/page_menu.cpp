@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/page/page_menu.h"
+
+#include "ui/style/symbols.h"
+#include "ui/text/language.h"
+
+#include <QActionGroup>
+#include <QCoreApplication>
+#include <QMessageBox>
+
+namespace axiscomp::ui {
+
+PageMenu::PageMenu(QWidget* parent)
+    : QMenu(parent)
+    , m_languages(addMenu(QString()))
+    , m_languageGroup(new QActionGroup(this))
+    , m_systemLanguage(m_languages->addAction(QString()))
+    , m_writeSeveral(addAction(QString()))
+    , m_preview(addAction(QString()))
+    , m_export(addAction(symbolIcon(Symbol::Save), QString()))
+    , m_saveLog(addAction(symbolIcon(Symbol::Save), QString()))
+    , m_about(nullptr)
+{
+    setObjectName(QStringLiteral("pageMenu"));
+    setToolTipsVisible(true);
+    m_languages->setObjectName(QStringLiteral("languageMenu"));
+    fillLanguages();
+    m_writeSeveral->setObjectName(QStringLiteral("writeSeveralAction"));
+    m_preview->setObjectName(QStringLiteral("previewVolatileAction"));
+    m_preview->setCheckable(true);
+    m_preview->setChecked(true);
+    m_export->setObjectName(QStringLiteral("exportAction"));
+    m_saveLog->setObjectName(QStringLiteral("saveLogAction"));
+    addSeparator();
+    m_about = addAction(QString());
+    m_about->setObjectName(QStringLiteral("aboutAction"));
+    connect(m_writeSeveral, &QAction::triggered, this, &PageMenu::writeSeveralRequested);
+    connect(m_preview, &QAction::triggered, this,
+        [this](bool isShown) { Q_EMIT previewSkippedChosen(!isShown); });
+    connect(m_export, &QAction::triggered, this, &PageMenu::exportRequested);
+    connect(m_saveLog, &QAction::triggered, this, &PageMenu::saveLogRequested);
+    connect(m_about, &QAction::triggered, this, &PageMenu::showAbout);
+    retranslate();
+}
+
+void PageMenu::fillLanguages()
+{
+    m_systemLanguage->setData(QString());
+    m_languages->addSeparator();
+    for (const QString& language : Language::available()) {
+        QAction* action = m_languages->addAction(Language::nativeName(language));
+        action->setData(language);
+    }
+    const auto actions = m_languages->actions();
+    for (QAction* action : actions) {
+        if (action->isSeparator())
+            continue;
+        action->setCheckable(true);
+        action->setObjectName(QStringLiteral("language_") + action->data().toString());
+        m_languageGroup->addAction(action);
+    }
+    connect(m_languageGroup, &QActionGroup::triggered, this,
+        [this](const QAction* action) { Q_EMIT languageChosen(action->data().toString()); });
+}
+
+void PageMenu::showLanguage(const QString& language)
+{
+    const auto actions = m_languageGroup->actions();
+    for (QAction* action : actions)
+        action->setChecked(action->data().toString() == language);
+}
+
+void PageMenu::showPreviewSkipped(bool isSkipped)
+{
+    m_preview->setChecked(!isSkipped);
+}
+
+void PageMenu::setExportEnabled(bool isEnabled)
+{
+    m_export->setEnabled(isEnabled);
+    m_export->setToolTip(isEnabled
+            ? tr("Write the selected table as a file that another controller reads")
+            : tr("No table is selected."));
+}
+
+void PageMenu::showWriteSeveral(bool isEnabled, const QString& reason)
+{
+    m_writeSeveral->setEnabled(isEnabled);
+    m_writeSeveral->setToolTip(reason);
+}
+
+void PageMenu::retranslate()
+{
+    m_languages->setTitle(tr("&Language"));
+    m_systemLanguage->setText(tr("&System Language"));
+    m_writeSeveral->setText(tr("&Write Several Axes…"));
+    m_preview->setText(tr("List &Changes Before Volatile Writes"));
+    m_preview->setToolTip(tr("Persistent writes always show what will be written"));
+    m_export->setText(tr("&Export for Another Controller…"));
+    setExportEnabled(m_export->isEnabled());
+    m_saveLog->setText(tr("Save Lo&g…"));
+    m_about->setText(tr("&About"));
+}
+
+void PageMenu::showAbout()
+{
+    auto* box = new QMessageBox(parentWidget());
+    box->setObjectName(QStringLiteral("aboutBox"));
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->setIconPixmap(QPixmap(QStringLiteral(":/axiscomp/icons/axis-compensation-wizard-64.png")));
+    box->setWindowTitle(tr("About"));
+    box->setText(
+        tr("<b>Axis Compensation Wizard</b> %1").arg(QCoreApplication::applicationVersion()));
+    box->setInformativeText(
+        tr("Brings measured errors of an axis into its drive, switches the compensation on and "
+           "proves that it is right.\n\nThe compensation value is reference minus encoder, and is "
+           "added to the encoder position.\n\nFree software under the GNU General Public License, "
+           "version 3 or later."));
+    box->open();
+}
+
+} // namespace axiscomp::ui

@@ -1,0 +1,345 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/page/preview_panel.h"
+
+#include "core/drive/drive_profile.h"
+#include "ui/controller/wizard_controller.h"
+#include "ui/data/table_view_model.h"
+#include "ui/page/file_lines_view.h"
+#include "ui/page/problem_list.h"
+#include "ui/page/write_preview.h"
+#include "ui/plot/controller_combo.h"
+#include "ui/plot/table_plot.h"
+#include "ui/plot/values_view.h"
+#include "ui/style/contrast.h"
+#include "ui/style/symbols.h"
+#include "ui/text/value_text.h"
+
+#include <QBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QShortcut>
+#include <QStackedWidget>
+#include <QTabBar>
+#include <QTabWidget>
+
+#include <algorithm>
+#include <array>
+
+namespace axiscomp::ui {
+
+namespace {
+
+QLabel* wrappedLabel(const char* name)
+{
+    auto* label = new QLabel;
+    label->setObjectName(QLatin1StringView(name));
+    label->setWordWrap(true);
+    label->setTextFormat(Qt::PlainText);
+    label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    return label;
+}
+
+/// The smallest slot that a table of this size fits into.
+const TableSlot* smallestSlot(const DriveProfile& profile, std::size_t bytes)
+{
+    const TableSlot* smallest = nullptr;
+    for (const TableSlot& slot : profile.tableSlots) {
+        if (slot.maximumSize >= bytes && (!smallest || slot.maximumSize < smallest->maximumSize))
+            smallest = &slot;
+    }
+    return smallest;
+}
+
+} // namespace
+
+PreviewPanel::PreviewPanel(
+    WizardController& controller, const DriveProfile& profile, QWidget* parent)
+    : QWidget(parent)
+    , m_controller(controller)
+    , m_profile(profile)
+    , m_title(new QLabel)
+    , m_explanation(wrappedLabel("explanation"))
+    , m_exampleLabel(new QLabel)
+    , m_example(new QPushButton)
+    , m_stack(new QStackedWidget)
+    , m_tabs(new QTabWidget)
+    , m_shown(new ShownTable(this))
+    , m_plot(new TablePlot(*m_shown))
+    , m_applied(new AppliedBox)
+    , m_valuesStack(new QStackedWidget)
+    , m_values(new ValuesView(*m_shown))
+    , m_lines(new FileLinesView)
+    , m_problems(new ProblemList(this))
+    , m_writePreview(new WritePreview(controller))
+    , m_facts(wrappedLabel("tableFacts"))
+    , m_size(wrappedLabel("tableSize"))
+    , m_warnings(wrappedLabel("tableWarnings"))
+    , m_sign(wrappedLabel("signSentence"))
+{
+    setObjectName(QStringLiteral("previewPanel"));
+    build();
+    addTabShortcuts();
+    connectController();
+    connectProblems();
+    retranslate();
+    showTables();
+    showProblems();
+}
+
+void PreviewPanel::build()
+{
+    m_plot->setObjectName(QStringLiteral("tablePlot"));
+    m_plot->addTool(m_applied);
+    m_tabs->setObjectName(QStringLiteral("previewTabs"));
+    m_tabs->setDocumentMode(true);
+    m_valuesStack->setObjectName(QStringLiteral("valuesStack"));
+    m_valuesStack->addWidget(m_values);
+    m_valuesStack->addWidget(m_lines);
+    m_tabs->addTab(m_plot, QString());
+    m_tabs->addTab(m_valuesStack, QString());
+    m_problems->hide();
+    m_stack->addWidget(m_tabs);
+    m_stack->addWidget(m_writePreview);
+    QFont signFont = m_sign->font();
+    signFont.setItalic(true);
+    m_sign->setFont(signFont);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(6);
+    layout->addWidget(buildExplanation());
+    layout->addWidget(m_stack, 1);
+    layout->addWidget(m_facts);
+    layout->addWidget(m_size);
+    layout->addWidget(m_warnings);
+    layout->addWidget(m_sign);
+}
+
+QWidget* PreviewPanel::buildExplanation()
+{
+    m_title->setObjectName(QStringLiteral("explanationTitle"));
+    QFont titleFont = m_title->font();
+    titleFont.setBold(true);
+    titleFont.setPointSizeF(titleFont.pointSizeF() * 1.15);
+    m_title->setFont(titleFont);
+    m_example->setObjectName(QStringLiteral("saveExampleButton"));
+    m_example->setIcon(symbolIcon(Symbol::Save));
+    m_example->setAutoDefault(true);
+    auto* block = new QWidget;
+    auto* top = new QHBoxLayout;
+    top->setSpacing(8);
+    top->addWidget(m_title);
+    top->addStretch(1);
+    top->addWidget(m_exampleLabel);
+    top->addWidget(m_example);
+    auto* layout = new QVBoxLayout(block);
+    layout->setContentsMargins(0, 0, 0, 4);
+    layout->setSpacing(4);
+    layout->addLayout(top);
+    layout->addWidget(m_explanation);
+    return block;
+}
+
+void PreviewPanel::addTabShortcuts()
+{
+    for (int index = 0; index < 3; ++index) {
+        auto* shortcut = new QShortcut(QKeySequence(Qt::CTRL | (Qt::Key_1 + index)), this);
+        connect(shortcut, &QShortcut::activated, this, [this, index] {
+            if (index >= m_tabs->count() || isWritePreviewShown())
+                return;
+            m_tabs->setCurrentIndex(index);
+            m_tabs->tabBar()->setFocus(Qt::ShortcutFocusReason);
+        });
+    }
+}
+
+void PreviewPanel::connectProblems()
+{
+    connect(m_problems, &ProblemList::opened, this,
+        [this](const QString& path, const ProblemPlace& place) {
+            m_lines->showProblem(path, place);
+            m_valuesStack->setCurrentWidget(m_lines);
+            m_tabs->setCurrentWidget(m_valuesStack);
+        });
+    connect(m_lines, &FileLinesView::stepRequested, m_problems, &ProblemList::step);
+    connect(m_lines, &FileLinesView::closeRequested, this,
+        [this] { m_valuesStack->setCurrentWidget(m_values); });
+}
+
+void PreviewPanel::connectController()
+{
+    connect(m_shown, &ShownTable::changed, this, &PreviewPanel::showFacts);
+    connect(m_applied, &AppliedBox::changed, this, &PreviewPanel::showApplied);
+    connect(m_example, &QPushButton::clicked, this,
+        [this] { Q_EMIT saveExampleRequested(m_controller.setup().edited().dimensionality); });
+    connect(
+        &m_controller, &WizardController::selectedTableChanged, this, &PreviewPanel::showTables);
+    connect(&m_controller, &WizardController::statusChanged, this, &PreviewPanel::showTables);
+    connect(&m_controller, &WizardController::liveChanged, this, &PreviewPanel::showMarker);
+    connect(&m_controller, &WizardController::dataFileChanged, this, &PreviewPanel::showProblems);
+    connect(&m_controller.setup(), &SetupModel::fieldChanged, this, [this](Field field) {
+        if (field == Field::Dimensionality)
+            showExample();
+        showMarker();
+    });
+}
+
+WritePreview& PreviewPanel::writePreview()
+{
+    return *m_writePreview;
+}
+
+void PreviewPanel::showWritePreview(bool isShown)
+{
+    m_stack->setCurrentWidget(isShown ? static_cast<QWidget*>(m_writePreview) : m_tabs);
+    if (isShown)
+        m_writePreview->showPlan();
+}
+
+bool PreviewPanel::isWritePreviewShown() const
+{
+    return m_stack->currentWidget() == m_writePreview;
+}
+
+void PreviewPanel::retranslate()
+{
+    m_title->setText(tr("Bring measured errors of an axis into its drive"));
+    m_explanation->setText(
+        tr("Choose the axis and the registers that its error depends on. Open a file with "
+           "positions and compensation values (reference minus encoder) and choose one of its "
+           "tables. Write brings table and settings into the drive and reads them back; Activate "
+           "makes the drive add them. Orange fields differ from the drive; nothing reaches the "
+           "drive before Write."));
+    m_example->setText(tr("Save Exa&mple…"));
+    const std::array<std::pair<QWidget*, QString>, 2> pages{
+        {{m_plot, tr("Picture")}, {m_valuesStack, tr("Values")}}};
+    for (const auto& [page, title] : pages) {
+        const int index = m_tabs->indexOf(page);
+        m_tabs->setTabText(index, title);
+        m_tabs->setTabToolTip(index, tr("%1 (Ctrl+%2)").arg(title).arg(index + 1));
+    }
+    m_applied->retranslate();
+    m_values->retranslate();
+    m_lines->retranslate();
+    m_problems->retranslate();
+    m_writePreview->retranslate();
+    showExample();
+    showFacts();
+    showProblems();
+}
+
+void PreviewPanel::showExample()
+{
+    const int dimensionality = m_controller.setup().edited().dimensionality;
+    m_exampleLabel->setText(tr("Example file for %1D:").arg(dimensionality));
+    m_example->setToolTip(
+        tr("Save a small calibration file for %1D that shows how such a file looks")
+            .arg(dimensionality));
+    m_example->setAccessibleDescription(m_example->toolTip());
+}
+
+void PreviewPanel::showTables()
+{
+    m_applied->setTable(m_controller.selectedTable());
+    showApplied();
+}
+
+void PreviewPanel::showApplied()
+{
+    m_shown->setTables(m_applied->table(), m_controller.driveTable());
+    showMarker();
+    showFacts();
+}
+
+void PreviewPanel::showMarker()
+{
+    const auto& status = m_controller.status();
+    const auto table = m_controller.selectedTable();
+    // The drive's values are places in the picture only where it looks up what the page shows.
+    const EditedSetup& edited = m_controller.setup().edited();
+    bool isPlace = status && table && m_applied->isOfDrive()
+        && table->grid.dimensions() == edited.dimensionality;
+    for (std::size_t n = 0; isPlace && n < table->grid.axes.size(); ++n) {
+        const DimSource& source = status->setup.sources.at(n);
+        isPlace = source.isSet() && source == edited.sources.at(n);
+    }
+    m_plot->setMarker(isPlace
+            ? std::optional(TablePlot::Marker{status->sourceValues, status->output})
+            : std::nullopt);
+}
+
+void PreviewPanel::showFacts()
+{
+    const bool hasTable = m_controller.selectedTable() != nullptr;
+    m_facts->setText(hasTable ? m_shown->description() : QString());
+    m_size->setText(hasTable ? sizeText() : QString());
+    const QString warnings = warningText();
+    QPalette warningPalette = palette();
+    warningPalette.setColor(QPalette::WindowText, textColor(Tone::Warning, palette()));
+    m_warnings->setPalette(warningPalette);
+    m_warnings->setText(warnings);
+    m_warnings->setVisible(!warnings.isEmpty());
+    const QString sign = m_controller.signSentence();
+    m_sign->setText(sign);
+    m_sign->setVisible(!sign.isEmpty());
+}
+
+QString PreviewPanel::sizeText() const
+{
+    const std::size_t bytes = m_controller.selectedTableBytes();
+    const auto& setup = m_controller.setup();
+    const TableSlot* slot = setup.edited().table.fileTable
+        ? smallestSlot(m_profile, bytes)
+        : m_profile.slotNamed(setup.baseline().slot);
+    if (!slot)
+        return tr("%1 bytes, more than any slot of the drive holds").arg(countText(bytes));
+    return tr("%1 of %2 bytes of a table slot").arg(countText(bytes), countText(slot->maximumSize));
+}
+
+QString PreviewPanel::warningText() const
+{
+    if (!m_applied->problem().isEmpty())
+        return QStringLiteral("⚠ ") + m_applied->problem();
+    if (!m_controller.setup().edited().table.fileTable)
+        return {};
+    QStringList lines;
+    for (const Diagnostic& problem : m_controller.dataFile().problems) {
+        if (problem.severity == Severity::Warning)
+            lines += QStringLiteral("⚠ ") + problemText(problem);
+    }
+    constexpr qsizetype mostLines = 2;
+    if (lines.size() > mostLines) {
+        const qsizetype more = lines.size() - mostLines;
+        lines = lines.mid(0, mostLines);
+        lines.last() += QStringLiteral("  (+%1)").arg(more);
+    }
+    return lines.join(u'\n');
+}
+
+void PreviewPanel::showProblems()
+{
+    const DataFile& file = m_controller.dataFile();
+    if (file.isReading)
+        return;
+    const bool hasErrors = std::ranges::any_of(file.problems,
+        [](const Diagnostic& problem) { return problem.severity == Severity::Error; });
+    const int index = m_tabs->indexOf(m_problems);
+    if (m_problems->setProblems(file.problemsPath, file.problems, file.suppressedProblems))
+        m_valuesStack->setCurrentWidget(m_values);
+    if (file.problems.empty()) {
+        if (index >= 0)
+            m_tabs->removeTab(index);
+        m_problems->setVisible(false);
+        return;
+    }
+    const QString title =
+        tr("Problems (%1)").arg(countText(file.problems.size() + file.suppressedProblems));
+    if (index < 0)
+        m_tabs->addTab(m_problems, title);
+    else
+        m_tabs->setTabText(index, title);
+    if (hasErrors)
+        m_tabs->setCurrentWidget(m_problems);
+}
+
+} // namespace axiscomp::ui

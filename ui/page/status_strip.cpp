@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/page/status_strip.h"
+
+#include "core/drive/drive_profile.h"
+#include "ui/controller/wizard_controller.h"
+#include "ui/style/contrast.h"
+#include "ui/style/symbols.h"
+#include "ui/text/value_text.h"
+
+#include <QBoxLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QToolButton>
+
+#include <algorithm>
+
+namespace axiscomp::ui {
+
+namespace {
+
+constexpr int progressSteps = 1000;
+constexpr int symbolSize = 14;
+
+/// The drive's own word in the user's language.
+QString stateText(const std::string& state, const RegisterEnums& enums)
+{
+    if (state == enums.stateDisabled)
+        return StatusStrip::tr("compensation off");
+    if (state == enums.stateEvaluating)
+        return StatusStrip::tr("compensation evaluating");
+    if (state == enums.stateRamping)
+        return StatusStrip::tr("compensation ramping");
+    if (state == enums.stateActive)
+        return StatusStrip::tr("compensation active");
+    if (state == enums.stateError)
+        return StatusStrip::tr("compensation error");
+    return QString::fromStdString(state);
+}
+
+Tone toneOf(const std::string& state, const RegisterEnums& enums)
+{
+    if (state == enums.stateActive || state == enums.stateRamping)
+        return Tone::Success;
+    return state == enums.stateError ? Tone::Error : Tone::Information;
+}
+
+QString indexText(const AxisStatus& status)
+{
+    QStringList indices;
+    for (int n = 0; n < status.setup.dimensionality; ++n)
+        indices += QLocale().toString(status.indices.at(static_cast<std::size_t>(n)), 'f', 2);
+    return indices.join(QStringLiteral(" / "));
+}
+
+} // namespace
+
+StatusStrip::StatusStrip(WizardController& controller, const RegisterEnums& enums, QWidget* parent)
+    : QWidget(parent)
+    , m_controller(controller)
+    , m_enums(enums)
+    , m_step(new QLabel)
+    , m_progress(new QProgressBar)
+    , m_cancel(new QPushButton)
+    , m_stateSymbol(new QLabel)
+    , m_state(new QLabel)
+    , m_live(new QLabel)
+    , m_log(new QToolButton)
+{
+    setObjectName(QStringLiteral("statusStrip"));
+    m_step->setObjectName(QStringLiteral("busyStep"));
+    m_progress->setObjectName(QStringLiteral("busyProgress"));
+    m_progress->setRange(0, progressSteps);
+    m_progress->setFixedWidth(220);
+    m_cancel->setObjectName(QStringLiteral("cancelButton"));
+    m_cancel->setAutoDefault(true);
+    m_state->setObjectName(QStringLiteral("compensationState"));
+    m_live->setObjectName(QStringLiteral("liveValues"));
+    m_live->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    m_log->setObjectName(QStringLiteral("logButton"));
+    m_log->setIcon(symbolIcon(Symbol::Log));
+    m_log->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    m_log->setCheckable(true);
+    m_log->setAutoRaise(true);
+    m_log->setFocusPolicy(Qt::TabFocus);
+    auto* layout = new QHBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(8);
+    layout->addWidget(m_log);
+    layout->addWidget(m_step);
+    layout->addWidget(m_progress);
+    layout->addWidget(m_cancel);
+    layout->addStretch(1);
+    layout->addWidget(m_stateSymbol);
+    layout->addWidget(m_state);
+    layout->addSpacing(8);
+    layout->addWidget(m_live);
+    connect(m_cancel, &QPushButton::clicked, &controller, &WizardController::cancel);
+    connect(m_log, &QToolButton::toggled, this, &StatusStrip::logToggled);
+    connect(&controller, &WizardController::busyChanged, this, &StatusStrip::showBusy);
+    connect(&controller, &WizardController::liveChanged, this, &StatusStrip::showLive);
+    connect(&controller, &WizardController::statusChanged, this, &StatusStrip::showLive);
+    connect(&controller, &WizardController::currentAxisChanged, this, &StatusStrip::showLive);
+    connect(&controller, &WizardController::drivesChanged, this, &StatusStrip::showLive);
+    retranslate();
+}
+
+void StatusStrip::retranslate()
+{
+    m_cancel->setText(tr("&Cancel"));
+    m_cancel->setToolTip(tr("Stops what runs; a write is put back first (Esc)"));
+    m_cancel->setAccessibleDescription(m_cancel->toolTip());
+    m_progress->setAccessibleName(tr("Progress"));
+    m_log->setText(tr("&Log"));
+    m_log->setToolTip(tr("Show what has happened so far, in detail (Ctrl+L)"));
+    m_state->setToolTip(tr("What the drive's compensation of this axis does now"));
+    m_live->setToolTip(tr("The drive's own values: what it adds to the encoder position, and "
+                          "where it is in the table"));
+    showBusy();
+    showLive();
+}
+
+void StatusStrip::setLogShown(bool isShown)
+{
+    const QSignalBlocker blocker(m_log);
+    m_log->setChecked(isShown);
+}
+
+void StatusStrip::showBusy()
+{
+    const BusyState& busy = m_controller.busy();
+    m_step->setText(busy.step);
+    m_progress->setAccessibleDescription(busy.step);
+    m_progress->setValue(static_cast<int>(busy.fraction * progressSteps));
+    m_step->setVisible(busy.isBusy);
+    m_progress->setVisible(busy.isBusy);
+    m_cancel->setVisible(busy.isBusy);
+    m_cancel->setEnabled(busy.canCancel);
+}
+
+/// What was read before the connection was lost says nothing about now.
+bool StatusStrip::isConnected() const
+{
+    const int axis = m_controller.currentAxis();
+    if (axis < 0)
+        return false;
+    const QString& endpoint = m_controller.axes().at(static_cast<std::size_t>(axis)).endpoint;
+    return std::ranges::any_of(m_controller.drives(), [&](const DriveState& drive) {
+        return drive.endpoint == endpoint && drive.connection == DriveState::Connection::Connected;
+    });
+}
+
+void StatusStrip::showLive()
+{
+    const auto& status = m_controller.status();
+    const bool isLive = status && isConnected();
+    m_stateSymbol->setVisible(isLive);
+    m_state->setVisible(isLive);
+    m_live->setVisible(isLive);
+    if (!isLive)
+        return;
+    const Tone tone = toneOf(status->axis.state, m_enums);
+    const QColor color =
+        tone == Tone::Information ? mutedTextColor(palette()) : frameColor(tone, palette());
+    const Symbol symbol = tone == Tone::Error ? Symbol::Error
+        : tone == Tone::Success               ? Symbol::Success
+                                              : Symbol::Information;
+    m_stateSymbol->setPixmap(symbolPixmap(symbol, color, symbolSize, devicePixelRatioF()));
+    m_state->setText(stateText(status->axis.state, m_enums));
+    m_live->setText(
+        tr("output <b>%1</b> &nbsp; index <b>%2</b>")
+            .arg(smallValueText(status->output, status->axis.unit), indexText(*status)));
+}
+
+} // namespace axiscomp::ui

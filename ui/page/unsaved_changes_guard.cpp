@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/page/unsaved_changes_guard.h"
+
+#include "ui/controller/wizard_controller.h"
+#include "ui/page/message_stack.h"
+
+namespace axiscomp::ui {
+
+namespace {
+
+QString questionId()
+{
+    return QStringLiteral("leaveQuestion");
+}
+
+QString currentLabel(const WizardController& controller)
+{
+    const int axis = controller.currentAxis();
+    return axis < 0 ? QString() : controller.axes().at(static_cast<std::size_t>(axis)).label;
+}
+
+} // namespace
+
+LeaveGuard::LeaveGuard(WizardController& controller, MessageStack& messages, QObject* parent)
+    : QObject(parent)
+    , m_controller(controller)
+    , m_messages(messages)
+{
+    // Queued: the outcome of what has ended is told right after that it has ended.
+    connect(&controller, &WizardController::busyChanged, this, &LeaveGuard::follow,
+        Qt::QueuedConnection);
+    connect(&controller.setup(), &SetupModel::fieldChanged, this, [this] {
+        if (!m_controller.setup().isChanged() && !m_controller.isWriting())
+            m_messages.remove(questionId());
+    });
+}
+
+void LeaveGuard::loseChanges(const QString& actionText, std::function<void()> action)
+{
+    if (m_controller.setup().isChanged())
+        askAboutChanges(actionText, std::move(action));
+    else
+        action();
+}
+
+bool LeaveGuard::mayClose()
+{
+    if (m_isAgreed)
+        return true;
+    if (m_controller.isWriting()) {
+        askWhileWriting();
+        return false;
+    }
+    if (m_controller.setup().isChanged()) {
+        askAboutChanges(tr("Close Without Writin&g"), [this] { agree(); });
+        return false;
+    }
+    return true;
+}
+
+void LeaveGuard::closeNow()
+{
+    m_messages.remove(questionId());
+    agree();
+}
+
+void LeaveGuard::closeWhen(Closing when)
+{
+    m_closing = when;
+    follow();
+}
+
+void LeaveGuard::askWhileWriting()
+{
+    Message question;
+    question.id = questionId();
+    question.tone = Tone::Warning;
+    question.text = tr("The drive is being written. Stopping puts the old state back first.");
+    question.buttons = {
+        {QStringLiteral("stopAndCloseButton"), tr("&Stop and Close"),
+            [this] {
+                m_controller.cancel();
+                closeWhen(Closing::WhenIdle);
+            }},
+        {QStringLiteral("closeWhenDoneButton"), tr("Close When Don&e"),
+            [this] { closeWhen(Closing::WhenWritten); }},
+        {QStringLiteral("stayButton"), tr("Sta&y"), [this] { m_closing = Closing::No; }},
+    };
+    question.isClosable = false;
+    m_messages.show(question);
+}
+
+void LeaveGuard::askAboutChanges(const QString& actionText, std::function<void()> action)
+{
+    Message question;
+    question.id = questionId();
+    question.tone = Tone::Warning;
+    question.text =
+        tr("%1 has changes that are not written to the drive.").arg(currentLabel(m_controller));
+    question.buttons = {
+        {QStringLiteral("loseChangesButton"), actionText, std::move(action)},
+        {QStringLiteral("stayButton"), tr("Sta&y"), [] {}},
+    };
+    question.isClosable = false;
+    m_messages.show(question);
+}
+
+void LeaveGuard::follow()
+{
+    if (m_controller.isWriting())
+        return;
+    const Closing closing = std::exchange(m_closing, Closing::No);
+    if (closing == Closing::No)
+        return;
+    m_messages.remove(questionId());
+    // What could not be put back, or was not written, is to be read before the window goes.
+    const auto& status = m_controller.status();
+    const bool isUnsettled = status && status->unfinishedWrite;
+    const bool hasFailed = closing == Closing::WhenWritten && m_controller.isOutcomeAnError();
+    if (!isUnsettled && !hasFailed)
+        agree();
+}
+
+void LeaveGuard::agree()
+{
+    m_isAgreed = true;
+    Q_EMIT closeAgreed();
+}
+
+} // namespace axiscomp::ui

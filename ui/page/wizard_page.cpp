@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/page/wizard_page.h"
+
+#include "core/drive/drive_profile.h"
+#include "ui/controller/wizard_settings.h"
+#include "ui/page/action_panel.h"
+#include "ui/page/drive_bar.h"
+#include "ui/page/log_view.h"
+#include "ui/page/message_stack.h"
+#include "ui/page/preview_panel.h"
+#include "ui/page/setup_panel.h"
+#include "ui/page/status_strip.h"
+
+#include <QBoxLayout>
+#include <QFrame>
+#include <QScrollArea>
+#include <QSplitter>
+
+namespace axiscomp::ui {
+
+namespace {
+
+constexpr int margin = 12;
+constexpr int spacing = 10;
+
+QFrame* rule()
+{
+    auto* line = new QFrame;
+    line->setFrameShape(QFrame::HLine);
+    line->setFrameShadow(QFrame::Sunken);
+    return line;
+}
+
+} // namespace
+
+WizardPage::WizardPage(WizardController& controller, const DriveProfile& profile, QStyle& style,
+    QMenu& menu, QWidget* parent)
+    : QWidget(parent)
+    , driveBar(new DriveBar(controller, menu))
+    , messages(new MessageStack)
+    , setup(new SetupPanel(controller, profile, style))
+    , actions(new ActionPanel(controller))
+    , preview(new PreviewPanel(controller, profile))
+    , log(new LogView(controller))
+    , status(new StatusStrip(controller, profile.enums))
+    , m_columns(new QSplitter(Qt::Horizontal))
+    , m_rows(new QSplitter(Qt::Vertical))
+{
+    setObjectName(QStringLiteral("wizardPage"));
+    m_columns->setObjectName(QStringLiteral("columns"));
+    m_columns->setChildrenCollapsible(false);
+    m_columns->addWidget(buildLeft());
+    auto* right = new QWidget;
+    auto* rightLayout = new QVBoxLayout(right);
+    rightLayout->setContentsMargins(margin, 0, 0, 0);
+    rightLayout->addWidget(preview);
+    m_columns->addWidget(right);
+    m_columns->setStretchFactor(0, 0);
+    m_columns->setStretchFactor(1, 1);
+    m_columns->setSizes({456, 800});
+    m_rows->setObjectName(QStringLiteral("rows"));
+    m_rows->setChildrenCollapsible(false);
+    m_rows->addWidget(m_columns);
+    m_rows->addWidget(log);
+    m_rows->setStretchFactor(0, 1);
+    m_rows->setStretchFactor(1, 0);
+    m_rows->setSizes({560, 140});
+    log->hide();
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(margin, spacing, margin, spacing);
+    layout->setSpacing(spacing);
+    layout->addWidget(driveBar);
+    layout->addWidget(messages);
+    layout->addWidget(rule());
+    layout->addWidget(m_rows, 1);
+    layout->addWidget(rule());
+    layout->addWidget(status);
+    connect(status, &StatusStrip::logToggled, this, &WizardPage::showLog);
+    connect(log, &LogView::closeRequested, this, [this] { showLog(false); });
+}
+
+QWidget* WizardPage::buildLeft()
+{
+    // The fields scroll where the screen is small or the letters are large; the buttons stay.
+    auto* scroll = new QScrollArea;
+    scroll->setObjectName(QStringLiteral("setupScroll"));
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setWidgetResizable(true);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setFocusPolicy(Qt::NoFocus);
+    scroll->setWidget(setup);
+    auto* left = new QWidget;
+    left->setMinimumWidth(360);
+    auto* layout = new QVBoxLayout(left);
+    layout->setContentsMargins(0, 0, margin, 0);
+    layout->setSpacing(spacing);
+    layout->addWidget(scroll, 1);
+    layout->addWidget(rule());
+    layout->addWidget(actions);
+    return left;
+}
+
+void WizardPage::retranslate()
+{
+    driveBar->retranslate();
+    setup->retranslate();
+    actions->retranslate();
+    preview->retranslate();
+    log->retranslate();
+    status->retranslate();
+}
+
+void WizardPage::showLog(bool isShown)
+{
+    log->setVisible(isShown);
+    status->setLogShown(isShown);
+}
+
+bool WizardPage::isLogShown() const
+{
+    return log->isVisibleTo(this);
+}
+
+void WizardPage::restoreSplitters(const WizardSettings& settings)
+{
+    for (QSplitter* splitter : {m_columns, m_rows}) {
+        const QByteArray state = settings.splitter(splitter->objectName());
+        if (!state.isEmpty())
+            splitter->restoreState(state);
+    }
+}
+
+void WizardPage::saveSplitters(WizardSettings& settings) const
+{
+    for (const QSplitter* splitter : {m_columns, m_rows})
+        settings.setSplitter(splitter->objectName(), splitter->saveState());
+}
+
+} // namespace axiscomp::ui

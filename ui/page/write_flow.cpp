@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/page/write_flow.h"
+
+#include "ui/controller/wizard_controller.h"
+#include "ui/page/preview_panel.h"
+#include "ui/page/write_preview.h"
+
+namespace axiscomp::ui {
+
+WriteFlow::WriteFlow(WizardController& controller, PreviewPanel& panel, QObject* parent)
+    : QObject(parent)
+    , m_controller(controller)
+    , m_panel(panel)
+{
+    connect(&controller, &WizardController::planReady, this, &WriteFlow::take);
+    connect(&controller, &WizardController::outcomeChanged, this, [this] {
+        if (m_controller.isOutcomeAnError())
+            m_isPlanning = false;
+    });
+    connect(&controller, &WizardController::currentAxisChanged, this, &WriteFlow::back);
+    connect(&controller, &WizardController::selectedTableChanged, this, [this] {
+        if (fileTable() != m_table)
+            back();
+    });
+    connect(&controller.setup(), &SetupModel::fieldChanged, this, &WriteFlow::back);
+    connect(&controller, &WizardController::actionsChanged, this, [this] {
+        if (!m_controller.action(Action::Write).isEnabled && !m_controller.busy().isBusy)
+            back();
+    });
+    connect(&panel.writePreview(), &WritePreview::confirmed, this, &WriteFlow::confirm);
+    connect(&panel.writePreview(), &WritePreview::backRequested, this, &WriteFlow::back);
+}
+
+void WriteFlow::proceed()
+{
+    if (isPreviewing()) {
+        confirm();
+        return;
+    }
+    if (!m_controller.action(Action::Write).isEnabled)
+        return;
+    m_isPlanning = true;
+    m_table = fileTable();
+    m_controller.planWrite();
+}
+
+void WriteFlow::back()
+{
+    m_isPlanning = false;
+    showPreview(false);
+}
+
+std::shared_ptr<const CompensationTable> WriteFlow::fileTable() const
+{
+    return m_controller.setup().edited().table.fileTable ? m_controller.selectedTable() : nullptr;
+}
+
+bool WriteFlow::isPreviewing() const
+{
+    return m_panel.isWritePreviewShown();
+}
+
+void WriteFlow::take()
+{
+    const auto& plan = m_controller.plan();
+    if (!m_isPlanning || !plan)
+        return;
+    m_isPlanning = false;
+    const bool isVolatile =
+        plan->flashOperations == 0 && plan->after.persistency == Persistency::Volatile;
+    if (isVolatile && m_panel.writePreview().isSkippedForVolatile())
+        m_controller.write();
+    else
+        showPreview(true);
+}
+
+void WriteFlow::confirm()
+{
+    if (!isPreviewing())
+        return;
+    showPreview(false);
+    m_controller.write();
+}
+
+void WriteFlow::showPreview(bool isShown)
+{
+    if (isShown == isPreviewing())
+        return;
+    m_panel.showWritePreview(isShown);
+    Q_EMIT previewingChanged(isShown);
+}
+
+} // namespace axiscomp::ui

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/table/grid.h"
+
+#include <QObject>
+
+#include <memory>
+
+namespace axiscomp::ui {
+
+class PreviewPanel;
+class WizardController;
+
+/// From the Write button to the write: asks for the plan, shows it where it has to be shown, and
+/// has it carried out when it is confirmed. A plan that no longer fits is put away.
+class WriteFlow : public QObject {
+    Q_OBJECT
+
+public:
+    WriteFlow(WizardController& controller, PreviewPanel& panel, QObject* parent = nullptr);
+
+    /// The Write button, or its key: also confirms a list that is shown.
+    void proceed();
+    void back();
+    [[nodiscard]] bool isPreviewing() const;
+
+Q_SIGNALS:
+    void previewingChanged(bool isPreviewing);
+
+private:
+    void take();
+    void confirm();
+    void showPreview(bool isShown);
+    [[nodiscard]] std::shared_ptr<const CompensationTable> fileTable() const;
+
+    WizardController& m_controller;
+    PreviewPanel& m_panel;
+    bool m_isPlanning = false;
+    std::shared_ptr<const CompensationTable> m_table; ///< the file's, when the plan was asked for
+};
+
+} // namespace axiscomp::ui

@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/page/write_preview.h"
+
+#include "ui/async/background.h"
+#include "ui/async/future_handler.h"
+#include "ui/style/symbols.h"
+#include "ui/text/error_text.h"
+#include "ui/text/value_text.h"
+
+#include <QBoxLayout>
+#include <QCheckBox>
+#include <QHeaderView>
+#include <QLabel>
+#include <QPushButton>
+#include <QTableWidget>
+
+namespace axiscomp::ui {
+
+namespace {
+
+constexpr int largestChangeRow = 0; // of the table's rows: the first after the table itself
+
+QLabel* wrappedLabel(const char* name)
+{
+    auto* label = new QLabel;
+    label->setObjectName(QLatin1StringView(name));
+    label->setWordWrap(true);
+    return label;
+}
+
+QString persistencyText(Persistency persistency)
+{
+    return persistency == Persistency::Persistent ? WritePreview::tr("persistent")
+                                                  : WritePreview::tr("volatile");
+}
+
+} // namespace
+
+WritePreview::WritePreview(WizardController& controller, QWidget* parent)
+    : QWidget(parent)
+    , m_controller(controller)
+    , m_title(new QLabel)
+    , m_introduction(wrappedLabel("previewIntroduction"))
+    , m_rows(new QTableWidget)
+    , m_cost(wrappedLabel("previewCost"))
+    , m_remarks(wrappedLabel("previewRemarks"))
+    , m_skip(new QCheckBox)
+    , m_write(new QPushButton)
+    , m_back(new QPushButton)
+{
+    setObjectName(QStringLiteral("writePreview"));
+    build();
+    connect(m_write, &QPushButton::clicked, this, &WritePreview::confirmed);
+    connect(m_back, &QPushButton::clicked, this, &WritePreview::backRequested);
+    connect(m_skip, &QCheckBox::toggled, this, &WritePreview::skipForVolatileChanged);
+    retranslate();
+}
+
+void WritePreview::build()
+{
+    m_title->setObjectName(QStringLiteral("previewTitle"));
+    QFont titleFont = m_title->font();
+    titleFont.setPointSizeF(titleFont.pointSizeF() * 1.2);
+    titleFont.setBold(true);
+    m_title->setFont(titleFont);
+    m_rows->setObjectName(QStringLiteral("previewRows"));
+    m_rows->setColumnCount(3);
+    m_rows->verticalHeader()->hide();
+    m_rows->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    m_rows->setSelectionMode(QAbstractItemView::NoSelection);
+    m_rows->setFocusPolicy(Qt::TabFocus);
+    m_rows->setTabKeyNavigation(false);
+    m_rows->setWordWrap(true);
+    m_rows->setSizeAdjustPolicy(QAbstractItemView::AdjustToContents);
+    m_rows->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Maximum);
+    m_rows->verticalHeader()->setMinimumSectionSize(qRound(1.7 * m_rows->fontMetrics().height()));
+    m_rows->setAlternatingRowColors(true);
+    m_rows->setShowGrid(false);
+    m_rows->horizontalHeader()->setHighlightSections(false);
+    m_rows->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    m_rows->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+    m_rows->horizontalHeader()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
+    m_rows->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    m_skip->setObjectName(QStringLiteral("skipPreviewForVolatile"));
+    m_write->setObjectName(QStringLiteral("confirmWriteButton"));
+    m_write->setAutoDefault(true);
+    m_write->setDefault(true);
+    m_back->setObjectName(QStringLiteral("backButton"));
+    m_back->setAutoDefault(true);
+    auto* buttons = new QHBoxLayout;
+    buttons->addWidget(m_skip);
+    buttons->addStretch(1);
+    buttons->addWidget(m_back);
+    buttons->addWidget(m_write);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(10);
+    layout->addWidget(m_title);
+    layout->addWidget(m_introduction);
+    layout->addWidget(m_rows);
+    layout->addWidget(m_cost);
+    layout->addWidget(m_remarks);
+    layout->addLayout(buttons);
+    layout->addStretch(1);
+    setTabOrder(m_rows, m_skip);
+    setTabOrder(m_skip, m_back);
+    setTabOrder(m_back, m_write);
+}
+
+void WritePreview::retranslate()
+{
+    m_introduction->setText(tr("Nothing has been changed on the drive so far. The old table and "
+                               "settings are kept in a backup file first."));
+    m_rows->setHorizontalHeaderLabels({tr("Field"), tr("On the drive"), tr("New")});
+    m_rows->setAccessibleName(tr("What will be written"));
+    m_skip->setText(tr("Do not show this again &for volatile writes"));
+    m_skip->setToolTip(
+        tr("Persistent writes always show this list; the menu brings it back for volatile ones"));
+    m_write->setText(tr("&Write"));
+    m_write->setToolTip(tr("Write this to the drive now"));
+    m_back->setText(tr("Bac&k"));
+    m_back->setToolTip(tr("Change nothing and go back (Esc)"));
+    if (m_controller.plan())
+        showPlan();
+}
+
+bool WritePreview::isSkippedForVolatile() const
+{
+    return m_skip->isChecked();
+}
+
+void WritePreview::setSkippedForVolatile(bool isSkipped)
+{
+    m_skip->setChecked(isSkipped);
+}
+
+void WritePreview::showPlan()
+{
+    const auto& plan = m_controller.plan();
+    if (!plan)
+        return;
+    const int axis = m_controller.currentAxis();
+    const QString label =
+        axis >= 0 ? m_controller.axes().at(static_cast<std::size_t>(axis)).label : QString();
+    m_title->setText(tr("What will be written to %1", "axis and drive").arg(label));
+    fillRows(*plan);
+    m_cost->setText(costText(*plan));
+    const QStringList list = remarks(*plan);
+    m_remarks->setText(list.join(u'\n'));
+    m_remarks->setVisible(!list.isEmpty());
+    m_skip->setVisible(plan->flashOperations == 0);
+    m_write->setFocus();
+}
+
+void WritePreview::fillRows(const WritePlan& plan)
+{
+    m_rows->setRowCount(0);
+    const CompensationSetup& before = plan.before;
+    const CompensationSetup& after = plan.after;
+    const bool isNewTable = plan.slotReason != SlotReason::KeepTable;
+    ++m_request;
+    if (isNewTable) {
+        addRow(tr("Table"), tableText(before.slot, m_controller.driveTable().get()),
+            tableText(after.slot, m_controller.selectedTable().get()));
+        addRow(tr("Largest change"), {}, tr("being computed …"));
+        askForLargestChange();
+    }
+    if (before.dimensionality != after.dimensionality)
+        addRow(tr("Dimensionality"), tr("%1D").arg(before.dimensionality),
+            tr("%1D").arg(after.dimensionality));
+    for (std::size_t n = 0; n < after.sources.size(); ++n) {
+        if (!(before.sources[n] == after.sources[n]))
+            addRow(tr("Dim%1 Source").arg(n + 1), sourceText(before.sources[n]),
+                sourceText(after.sources[n]));
+    }
+    if (before.persistency != after.persistency || before.slot.empty())
+        addRow(tr("Persistency"),
+            before.slot.empty() ? tr("no table") : persistencyText(before.persistency),
+            persistencyText(after.persistency));
+    if (m_rows->rowCount() == 0) // an earlier write is finished
+        addRow(tr("Parameters"), tr("perhaps not saved"), tr("saved"));
+}
+
+void WritePreview::addRow(const QString& field, const QString& before, const QString& after)
+{
+    const int row = m_rows->rowCount();
+    m_rows->insertRow(row);
+    int column = 0;
+    for (const QString& text : {field, before, after}) {
+        auto* item = new QTableWidgetItem(text);
+        item->setToolTip(text);
+        item->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+        m_rows->setItem(row, column++, item);
+    }
+}
+
+void WritePreview::askForLargestChange()
+{
+    const auto newTable = m_controller.selectedTable();
+    const auto oldTable = m_controller.driveTable();
+    if (!newTable)
+        return;
+    if (m_change && newTable == m_newTable && oldTable == m_oldTable) {
+        showLargestChange(*m_change);
+        return;
+    }
+    m_newTable = newTable;
+    m_oldTable = oldTable;
+    m_change.reset();
+    const auto change = inBackground<LargestChange>(
+        [newTable, oldTable] { return largestChange(*newTable, oldTable.get()); });
+    whenDone(change, this, [this, request = m_request](const LargestChange& largest) {
+        if (request != m_request)
+            return;
+        m_change = largest;
+        showLargestChange(largest);
+    });
+}
+
+void WritePreview::showLargestChange(const LargestChange& change)
+{
+    const auto table = m_controller.selectedTable();
+    const auto& status = m_controller.status();
+    QTableWidgetItem* item = m_rows->item(largestChangeRow + 1, 2);
+    if (!table || !status || !item)
+        return;
+    QStringList places;
+    for (std::size_t n = 0; n < table->grid.axes.size(); ++n)
+        places += QStringLiteral("%1 %2").arg(
+            dimensionName(table->grid, n), numberText(change.position.at(n)));
+    item->setText(tr("%1 at %2", "value at position")
+                      .arg(smallValueText(change.change, status->axis.unit),
+                          places.join(QStringLiteral(", "))));
+    item->setToolTip(item->text());
+}
+
+QString WritePreview::costText(const WritePlan& plan) const
+{
+    if (plan.flashOperations == 0)
+        return plan.after.persistency == Persistency::Volatile
+            ? tr("Costs no flash operation. Volatile: gone after a reboot.")
+            : tr("Costs no flash operation: the flash already holds it.");
+    return tr("Flash operations: costs %1, left for now afterwards: %2.")
+        .arg(plan.flashOperations)
+        .arg(plan.flashBudget.left - plan.flashOperations);
+}
+
+QStringList WritePreview::remarks(const WritePlan& plan) const
+{
+    QStringList list;
+    if (plan.slotReason == SlotReason::OwnPrevious)
+        list += tr("%1 held an earlier table of this axis; the present one stays whole until the "
+                   "new one has taken over.")
+                    .arg(QString::fromStdString(plan.after.slot));
+    for (const std::string& warning : plan.warnings)
+        list += phraseText(warning);
+    return list;
+}
+
+QString WritePreview::sourceText(const DimSource& source) const
+{
+    if (!source.isSet())
+        return tr("not set", "source");
+    if (source.path.empty())
+        return QStringLiteral("0x%1").arg(source.address, 8, 16, QChar(u'0'));
+    std::vector<AxisEntry> axes;
+    const auto& all = m_controller.axes();
+    const int current = m_controller.currentAxis();
+    for (const AxisEntry& entry : all) {
+        if (current >= 0 && entry.endpoint == all.at(static_cast<std::size_t>(current)).endpoint)
+            axes.push_back(entry);
+    }
+    return registerName(source.path, axes);
+}
+
+QString WritePreview::tableText(const std::string& slot, const CompensationTable* table) const
+{
+    if (slot.empty())
+        return tr("none", "table");
+    QString text = QString::fromStdString(slot);
+    if (table)
+        text += QStringLiteral(": ") + gridText(table->grid);
+    return text;
+}
+
+} // namespace axiscomp::ui

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/plot/controller_combo.h"
+
+#include "ui/text/error_text.h"
+
+#include <QSignalBlocker>
+
+namespace axiscomp::ui {
+
+namespace {
+
+/// The name of the company is enough here; what stands in brackets is not.
+QString controllerText(const TableFamily& family)
+{
+    const std::string_view name = family.facts.controller;
+    return QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size()))
+        .section(QStringLiteral(" ("), 0, 0);
+}
+
+QVariant dataOf(const TableFamily* family)
+{
+    return QVariant::fromValue(static_cast<const void*>(family));
+}
+
+} // namespace
+
+AppliedBox::AppliedBox(QWidget* parent)
+    : QComboBox(parent)
+    , m_job([this](const Result<CompensationTable>& applied) { take(applied); })
+{
+    setObjectName(QStringLiteral("appliedBy"));
+    fill();
+    connect(this, &QComboBox::currentIndexChanged, this, &AppliedBox::compute);
+    retranslate();
+}
+
+const TableFamily* AppliedBox::family() const
+{
+    return static_cast<const TableFamily*>(currentData().value<const void*>());
+}
+
+/// A controller that cannot have the table is not offered.
+void AppliedBox::fill()
+{
+    const QSignalBlocker blocker(this);
+    const QVariant before = currentData();
+    clear();
+    addItem(QString(), dataOf(nullptr));
+    if (m_table) {
+        for (const TableFamily* family : controllersFor(m_table->grid.dimensions()))
+            addItem(QString(), dataOf(family));
+    }
+    setCurrentIndex(std::max(findData(before), 0));
+    setEnabled(m_table != nullptr);
+    retranslate();
+}
+
+void AppliedBox::retranslate()
+{
+    for (int i = 0; i < count(); ++i) {
+        const auto* family = static_cast<const TableFamily*>(itemData(i).value<const void*>());
+        setItemText(i,
+            family ? tr("As applied by %1").arg(controllerText(*family))
+                   : tr("As applied by the drive"));
+    }
+    setToolTip(tr("The table as the drive applies it, or converted for another controller as that "
+                  "one would: with its sign, and with its rules beyond the ends"));
+    setAccessibleName(tr("Applied by"));
+    setAccessibleDescription(toolTip());
+}
+
+void AppliedBox::setTable(const Table& table)
+{
+    if (table == m_table)
+        return;
+    const bool isSameKind =
+        table && m_table && table->grid.dimensions() == m_table->grid.dimensions();
+    m_table = table;
+    if (!isSameKind)
+        fill();
+    compute();
+}
+
+void AppliedBox::compute()
+{
+    m_job.cancel();
+    m_problem.reset();
+    m_shown = m_table;
+    const TableFamily* const chosen = family();
+    if (chosen && m_table)
+        m_job.start([table = m_table, chosen](
+                        const std::stop_token&) { return appliedTable(*table, chosen->facts); });
+    Q_EMIT changed();
+}
+
+void AppliedBox::take(const Result<CompensationTable>& applied)
+{
+    if (applied)
+        m_shown = std::make_shared<const CompensationTable>(*applied);
+    else
+        m_problem = applied.error();
+    Q_EMIT changed();
+}
+
+QString AppliedBox::problem() const
+{
+    return m_problem ? errorText(*m_problem) : QString();
+}
+
+} // namespace axiscomp::ui

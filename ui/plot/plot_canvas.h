@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/data/table_view_model.h"
+
+#include <QObject>
+#include <QPalette>
+
+#include <array>
+#include <memory>
+#include <optional>
+
+class QCustomPlot;
+class QWidget;
+
+namespace axiscomp::ui {
+
+/// Draws one 1D or 2D table: a curve or a map, with a second curve, a marker, a cross-hair and two
+/// cursors on a layer of their own, so that moving them does not draw the map again.
+class PlotCanvas : public QObject {
+    Q_OBJECT
+
+public:
+    explicit PlotCanvas(QWidget* parent);
+    ~PlotCanvas() override;
+    [[nodiscard]] QCustomPlot& plot();
+
+    /// 1 or 2 dimensions; null clears. second: a muted second curve, 1D only. scale: the symmetric
+    /// range of the colours, so that slices of one table share it. The zoom stays as long as the
+    /// grid does.
+    void show(std::shared_ptr<const CompensationTable> table,
+        std::shared_ptr<const CompensationTable> second, double scale);
+    void setLabels(const QString& x, const QString& y, const QString& value);
+    void setNames(const QString& first, const QString& second);
+    void setPalette(const QPalette& palette);
+
+    /// In positions of the drawn axes; none hides it.
+    void setMarker(const std::optional<std::array<double, 2>>& position, double value);
+    void setCrosshair(const std::optional<GridPoint>& point);
+    void setCursor(int which, const std::optional<GridPoint>& point); ///< 0 = A, 1 = B
+
+    [[nodiscard]] std::optional<GridPoint> pointAt(const QPointF& pixel) const;
+    void resetZoom();
+    void zoom(double factor);
+    void pan(double x, double y); ///< fractions of what is visible
+    /// Moves what is visible, if need be, so that a point is.
+    void reveal(const GridPoint& point);
+    void replot();
+
+private:
+    void showCurve();
+    void showMap();
+    void fitValues();
+    void paintOverlay();
+
+    struct Private;
+    std::unique_ptr<Private> d;
+};
+
+} // namespace axiscomp::ui

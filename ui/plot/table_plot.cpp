@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/async/future_handler.h"
+#include "ui/plot/plot_export.h"
+#include "ui/plot/slice_row.h"
+#include "ui/plot/table_content_combo.h"
+#include "ui/plot/table_plot_p.h"
+
+#include <QApplication>
+#include <QBoxLayout>
+#include <QEvent>
+#include <QFileDialog>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QMouseEvent>
+#include <QToolButton>
+
+#include <qcustomplot.h>
+
+namespace axiscomp::ui {
+
+TablePlot::TablePlot(ShownTable& shown, QWidget* parent)
+    : QWidget(parent)
+    , d(std::make_unique<Private>(shown))
+{
+    build();
+    connectTools();
+    showTable();
+}
+
+TablePlot::~TablePlot() = default;
+
+void TablePlot::build()
+{
+    const auto tool = [this](const char* name) {
+        auto* button = new QToolButton(this);
+        button->setObjectName(QLatin1StringView(name));
+        button->setToolButtonStyle(Qt::ToolButtonTextOnly);
+        button->setAutoRaise(true);
+        button->setFocusPolicy(Qt::StrongFocus);
+        return button;
+    };
+    d->contentBox = new ContentBox(d->shown, this);
+    d->contentBox->setObjectName(QStringLiteral("plotContent"));
+    d->cursorsButton = tool("plotCursors");
+    d->cursorsButton->setCheckable(true);
+    d->resetButton = tool("plotResetZoom");
+    d->exportButton = tool("plotExport");
+    d->tools = new QHBoxLayout;
+    d->tools->addWidget(d->contentBox);
+    d->tools->addStretch(1);
+    for (QToolButton* button : {d->cursorsButton, d->resetButton, d->exportButton})
+        d->tools->addWidget(button);
+
+    d->canvas = new PlotCanvas(this);
+    QCustomPlot& plot = d->canvas->plot();
+    plot.setMinimumSize(260, 160);
+    plot.setFocusPolicy(Qt::StrongFocus);
+    plot.setMouseTracking(true);
+    plot.installEventFilter(this);
+    d->slice = new SliceRow(d->shown, this);
+    d->readout = new QLabel(this);
+    d->readout->setObjectName(QStringLiteral("plotReadout"));
+    d->readout->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    d->readout->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(4, 4, 4, 4);
+    layout->setSpacing(4);
+    layout->addLayout(d->tools);
+    layout->addWidget(&plot, 1);
+    layout->addWidget(d->slice);
+    layout->addWidget(d->readout);
+}
+
+void TablePlot::addTool(QWidget* tool)
+{
+    d->tools->insertWidget(1, tool);
+    setTabOrder(d->contentBox, tool);
+}
+
+void TablePlot::connectTools()
+{
+    connect(d->cursorsButton, &QToolButton::toggled, this, &TablePlot::setCursorsShown);
+    connect(d->resetButton, &QToolButton::clicked, this, [this] { d->canvas->resetZoom(); });
+    connect(d->exportButton, &QToolButton::clicked, this, &TablePlot::askForExport);
+    connect(&d->shown, &ShownTable::changed, this, &TablePlot::showTable);
+    connect(&d->shown, &ShownTable::currentChanged, this, &TablePlot::currentChanged);
+}
+
+void TablePlot::showTable()
+{
+    d->canvas->show(d->shown.drawn(), d->shown.second(), d->shown.scale());
+    for (QToolButton* button : {d->cursorsButton, d->resetButton, d->exportButton})
+        button->setEnabled(d->shown.drawn() != nullptr);
+    d->hovered.reset();
+    retranslate();
+    setCursorsShown(d->hasCursors);
+    showMarker();
+}
+
+void TablePlot::setMarker(const std::optional<Marker>& marker)
+{
+    d->marker = marker;
+    showMarker();
+}
+
+void TablePlot::showMarker()
+{
+    if (!d->marker || !d->shown.drawn()) {
+        d->canvas->setMarker(std::nullopt, 0.0);
+        return;
+    }
+    const std::array<double, 2> position{d->marker->positions[d->shown.dimensionOf(0)],
+        d->isMap() ? d->marker->positions[d->shown.dimensionOf(1)] : 0.0};
+    d->canvas->setMarker(position, d->marker->output);
+}
+
+QFuture<QString> TablePlot::exportTo(const QString& path) const
+{
+    return exportPlot(*d->canvas, d->shown.drawn(), path);
+}
+
+void TablePlot::askForExport()
+{
+    auto* dialog = new QFileDialog(this, tr("Save the picture or its values"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setNameFilters({tr("Picture (*.png)"), tr("Document (*.pdf)"), tr("Values (*.csv)")});
+    dialog->setDefaultSuffix(QStringLiteral("png"));
+    connect(dialog, &QFileDialog::filterSelected, dialog, [dialog](const QString& filter) {
+        dialog->setDefaultSuffix(filter.section(u'.', -1).chopped(1));
+    });
+    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
+        whenDone(exportTo(path), this, [this, path](const QString& problem) {
+            d->readout->setText(problem.isEmpty() ? tr("Saved as %1").arg(path) : problem);
+        });
+    });
+    dialog->open();
+}
+
+void TablePlot::changeEvent(QEvent* event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange) {
+        retranslate();
+        showReadout();
+    }
+    if (event->type() == QEvent::PaletteChange) {
+        d->canvas->setPalette(palette());
+        d->canvas->replot();
+    }
+}
+
+bool TablePlot::eventFilter(QObject* watched, QEvent* event)
+{
+    switch (event->type()) {
+    case QEvent::KeyPress: {
+        const auto* key = static_cast<QKeyEvent*>(event);
+        if (handleKey(key->key(), key->modifiers()))
+            return true;
+        break;
+    }
+    case QEvent::MouseMove:
+    case QEvent::MouseButtonPress:
+    case QEvent::MouseButtonRelease:
+        handleMouse(static_cast<const QMouseEvent&>(*event));
+        break;
+    case QEvent::Leave:
+        d->hovered.reset();
+        showCurrent();
+        break;
+    default:
+        break;
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+void TablePlot::handleMouse(const QMouseEvent& mouse)
+{
+    // Shift draws the rectangle that is zoomed into; without it the picture is dragged.
+    const bool hasShift = mouse.modifiers() & Qt::ShiftModifier;
+    d->canvas->plot().setSelectionRectMode(hasShift ? QCP::srmZoom : QCP::srmNone);
+    if (mouse.type() == QEvent::MouseButtonPress)
+        d->pressed = mouse.position();
+    const bool isStill =
+        (mouse.position() - d->pressed).manhattanLength() < QApplication::startDragDistance();
+    d->hovered = d->canvas->pointAt(mouse.position());
+    if (mouse.type() == QEvent::MouseButtonRelease && mouse.button() == Qt::LeftButton && !hasShift
+        && isStill && d->hovered)
+        d->shown.setCurrent(d->hovered);
+    showCurrent();
+}
+
+} // namespace axiscomp::ui

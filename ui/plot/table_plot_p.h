@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/plot/plot_canvas.h"
+#include "ui/plot/table_plot.h"
+
+#include <QPointF>
+
+class QHBoxLayout;
+class QLabel;
+class QToolButton;
+
+namespace axiscomp::ui {
+
+class ContentBox;
+class SliceRow;
+
+struct TablePlot::Private {
+    explicit Private(ShownTable& shownTable) : shown(shownTable) { }
+
+    ShownTable& shown;
+    std::optional<Marker> marker;
+    bool hasCursors = false;
+    std::size_t activeCursor = 0;
+    std::array<GridPoint, 2> cursors;
+    std::optional<GridPoint> hovered;
+    QPointF pressed; ///< where the mouse button went down
+
+    ContentBox* contentBox = nullptr;
+    QHBoxLayout* tools = nullptr;
+    QToolButton* cursorsButton = nullptr;
+    QToolButton* resetButton = nullptr;
+    QToolButton* exportButton = nullptr;
+    PlotCanvas* canvas = nullptr;
+    SliceRow* slice = nullptr;
+    QLabel* readout = nullptr;
+
+    [[nodiscard]] bool isMap() const
+    {
+        return shown.drawn() && shown.drawn()->grid.dimensions() == 2;
+    }
+};
+
+} // namespace axiscomp::ui

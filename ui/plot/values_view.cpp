@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/plot/values_view.h"
+
+#include "ui/async/background.h"
+#include "ui/async/future_handler.h"
+#include "ui/data/table_view_model.h"
+#include "ui/data/values_model.h"
+#include "ui/plot/slice_row.h"
+#include "ui/plot/table_content_combo.h"
+#include "ui/plot/values_copy.h"
+#include "ui/style/symbols.h"
+#include "ui/text/value_text.h"
+
+#include <QAction>
+#include <QBoxLayout>
+#include <QClipboard>
+#include <QGuiApplication>
+#include <QHeaderView>
+#include <QLabel>
+#include <QTableView>
+#include <QToolButton>
+
+#include <algorithm>
+
+namespace axiscomp::ui {
+
+namespace {
+
+std::vector<CellRange> rangesOf(const QItemSelection& selection)
+{
+    std::vector<CellRange> ranges;
+    for (const QItemSelectionRange& range : selection)
+        ranges.push_back({range.top(), range.left(), range.bottom(), range.right()});
+    return ranges;
+}
+
+std::size_t cellCount(const std::vector<CellRange>& ranges)
+{
+    std::size_t count = 0;
+    for (const CellRange& range : ranges)
+        count += static_cast<std::size_t>(range.bottom - range.top + 1)
+            * static_cast<std::size_t>(range.right - range.left + 1);
+    return count;
+}
+
+} // namespace
+
+ValuesView::ValuesView(ShownTable& shown, QWidget* parent)
+    : QWidget(parent)
+    , m_shown(shown)
+    , m_model(new ValuesModel(shown, this))
+    , m_contentBox(new ContentBox(shown))
+    , m_layoutNote(new QLabel)
+    , m_copyButton(new QToolButton)
+    , m_table(new QTableView)
+    , m_slice(new SliceRow(shown))
+    , m_readout(new QLabel)
+    , m_copy(new QAction(this))
+    , m_copyWithPositions(new QAction(this))
+    , m_selectAll(new QAction(this))
+{
+    setObjectName(QStringLiteral("valuesView"));
+    build();
+    connectView();
+    retranslate();
+    showTable();
+}
+
+void ValuesView::build()
+{
+    m_contentBox->setObjectName(QStringLiteral("valuesContent"));
+    m_layoutNote->setObjectName(QStringLiteral("valuesLayout"));
+    m_layoutNote->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    m_copyButton->setObjectName(QStringLiteral("copyValues"));
+    m_copyButton->setIcon(symbolIcon(Symbol::Copy));
+    m_copyButton->setAutoRaise(true);
+    m_copyButton->setFocusPolicy(Qt::StrongFocus);
+    m_table->setObjectName(QStringLiteral("values"));
+    m_table->setModel(m_model);
+    m_table->setWordWrap(false);
+    m_table->setTabKeyNavigation(false);
+    m_table->setSelectionMode(QAbstractItemView::ExtendedSelection);
+    m_table->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
+    // Rows and columns of one size each: none is ever asked how large it wants to be.
+    const QFontMetrics metrics = m_table->fontMetrics();
+    m_table->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+    m_table->verticalHeader()->setDefaultSectionSize(metrics.height() + 6);
+    m_table->verticalHeader()->setDefaultAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    m_table->horizontalHeader()->setDefaultSectionSize(
+        metrics.horizontalAdvance(QStringLiteral("-0.0000000000")) + 12);
+    m_readout->setObjectName(QStringLiteral("valuesReadout"));
+    m_readout->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_readout->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    auto* top = new QHBoxLayout;
+    top->addWidget(m_contentBox);
+    top->addWidget(m_layoutNote, 1);
+    top->addWidget(m_copyButton);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(4, 4, 4, 4);
+    layout->setSpacing(4);
+    layout->addLayout(top);
+    layout->addWidget(m_table, 1);
+    layout->addWidget(m_slice);
+    layout->addWidget(m_readout);
+}
+
+void ValuesView::connectView()
+{
+    m_copy->setShortcut(QKeySequence::Copy);
+    m_copyWithPositions->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_C));
+    m_selectAll->setShortcut(QKeySequence::SelectAll);
+    for (QAction* action : {m_copy, m_copyWithPositions, m_selectAll}) {
+        action->setShortcutContext(Qt::WidgetShortcut);
+        m_table->addAction(action);
+    }
+    m_table->setContextMenuPolicy(Qt::ActionsContextMenu);
+    connect(m_copy, &QAction::triggered, this, [this] { copy(false); });
+    connect(m_copyWithPositions, &QAction::triggered, this, [this] { copy(true); });
+    connect(m_selectAll, &QAction::triggered, m_table, &QTableView::selectAll);
+    connect(m_copyButton, &QToolButton::clicked, this, [this] {
+        if (!m_table->selectionModel()->hasSelection())
+            m_table->selectAll();
+        copy(true);
+    });
+    connect(m_table->selectionModel(), &QItemSelectionModel::currentChanged, this,
+        [this](const QModelIndex& index) {
+            if (index.isValid())
+                m_shown.setCurrent(m_model->pointOf(index));
+        });
+    connect(&m_shown, &ShownTable::changed, this, &ValuesView::showTable);
+    connect(&m_shown, &ShownTable::currentChanged, this, &ValuesView::showCurrent);
+}
+
+void ValuesView::retranslate()
+{
+    m_contentBox->retranslate();
+    m_slice->retranslate();
+    m_model->retranslate();
+    m_table->setAccessibleName(tr("Values of the table"));
+    m_copy->setText(tr("Copy"));
+    m_copyWithPositions->setText(tr("Copy With Positions"));
+    m_selectAll->setText(tr("Select All"));
+    m_copyButton->setToolTip(
+        tr("Copy the selected values, or all of them, with their positions for a spreadsheet. "
+           "Ctrl+C copies the selected values alone."));
+    m_copyButton->setAccessibleName(tr("Copy values"));
+    m_copyButton->setAccessibleDescription(m_copyButton->toolTip());
+    showTable();
+}
+
+void ValuesView::showTable()
+{
+    const auto& table = m_shown.drawn();
+    m_copyButton->setEnabled(table != nullptr);
+    QString note;
+    if (table && table->grid.dimensions() == 2)
+        note = tr("%1 across, %2 down, %3")
+                   .arg(withUnit(m_shown.nameOf(0), table->grid.axes[0].unit),
+                       withUnit(m_shown.nameOf(1), table->grid.axes[1].unit),
+                       m_model->columnName(ValuesModel::Value));
+    // The two columns of a curve have names, which may need more room than numbers.
+    auto* header = m_table->horizontalHeader();
+    for (const int column : {ValuesModel::Position, ValuesModel::Value}) {
+        if (column < m_model->columnCount())
+            header->resizeSection(column,
+                std::max(header->defaultSectionSize(),
+                    note.isEmpty() ? header->sectionSizeHint(column) * 5 / 4 : 0));
+    }
+    m_layoutNote->setText(note);
+    m_layoutNote->setToolTip(note);
+    m_table->setAccessibleDescription(note.isEmpty() ? m_shown.description() : note);
+    showCurrent();
+}
+
+void ValuesView::showCurrent()
+{
+    const std::optional<GridPoint>& current = m_shown.current();
+    const QModelIndex index = m_table->currentIndex();
+    if (current && (!index.isValid() || m_model->pointOf(index) != *current))
+        m_table->setCurrentIndex(m_model->indexOf(*current));
+    else if (!current && index.isValid())
+        m_table->selectionModel()->clear();
+    showReadout();
+}
+
+void ValuesView::showReadout()
+{
+    const QString text = m_shown.current() ? m_shown.pointText(*m_shown.current()) : QString();
+    m_readout->setText(text);
+    m_readout->setToolTip(text);
+}
+
+void ValuesView::copy(bool withPositions)
+{
+    auto ranges = rangesOf(m_table->selectionModel()->selection());
+    const auto& table = m_shown.drawn();
+    if (ranges.empty() || !table)
+        return;
+    const bool isMap = table->grid.dimensions() == 2;
+    const CopyHeaders headers{withUnit(m_shown.nameOf(0), table->grid.axes[0].unit),
+        isMap ? withUnit(m_shown.nameOf(1), table->grid.axes[1].unit)
+              : m_model->columnName(ValuesModel::Value)};
+    const std::size_t count = cellCount(ranges);
+    const auto text =
+        inBackground<QString>([table, ranges = std::move(ranges), headers, withPositions] {
+            return copiedText(*table, ranges, withPositions ? &headers : nullptr);
+        });
+    whenDone(text, this, [this, count](const QString& copied) {
+        QGuiApplication::clipboard()->setText(copied);
+        m_readout->setText(tr("Copied cells: %1").arg(countText(count)));
+    });
+}
+
+} // namespace axiscomp::ui

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/text/sign_sentence.h"
+
+#include "core/table/position_unit.h"
+#include "ui/text/value_text.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <QStringList>
+
+#include <algorithm>
+#include <cmath>
+
+namespace axiscomp::ui {
+
+namespace {
+
+/// So many decimals that a value shows this many digits of its own.
+constexpr int significantDigits = 2;
+constexpr int mostDecimals = 9;
+
+int decimalsFor(double value)
+{
+    if (value == 0.0 || !std::isfinite(value))
+        return 0;
+    const int exponent = static_cast<int>(std::floor(std::log10(std::abs(value))));
+    return std::clamp(significantDigits - 1 - exponent, 0, mostDecimals);
+}
+
+/// The decimals that a position needs to be exact.
+int decimalsOf(double value)
+{
+    double scale = 1.0;
+    for (int decimals = 0; decimals < mostDecimals; ++decimals, scale *= 10.0) {
+        const double scaled = value * scale;
+        if (std::abs(scaled - std::round(scaled)) < 1e-9 * std::max(1.0, std::abs(scaled)))
+            return decimals;
+    }
+    return mostDecimals;
+}
+
+QString fixedText(double value, int decimals)
+{
+    QLocale locale;
+    locale.setNumberOptions(QLocale::OmitGroupSeparator);
+    return locale.toString(value, 'f', decimals);
+}
+
+QString withUnit(const QString& number, const QString& unit)
+{
+    return unit.isEmpty() ? number : number + u' ' + unit;
+}
+
+class Sentence {
+    Q_DECLARE_TR_FUNCTIONS(axiscomp::ui::SignSentence)
+
+public:
+    Sentence(const CompensationTable& table, std::size_t element, const AxisInfo& axis,
+        const std::array<DimSource, 3>& sources)
+        : m_table(table)
+        , m_unit(unitSymbol(axis.unit))
+        , m_value(static_cast<double>(table.values[element]))
+    {
+        for (const GridAxis& gridAxis : table.grid.axes) {
+            m_position.push_back(gridAxis.position(element % gridAxis.size));
+            element /= gridAxis.size;
+        }
+        const std::string own = "Axes[" + std::to_string(axis.index) + "]/";
+        for (std::size_t n = 0; n < table.grid.axes.size(); ++n) {
+            if (sources[n].path.starts_with(own) && m_own < 0)
+                m_own = static_cast<int>(n);
+        }
+        if (m_own < 0 && table.grid.dimensions() == 1)
+            m_own = sources[0].path.empty() ? 0 : -1;
+    }
+
+    [[nodiscard]] QString text() const
+    {
+        if (m_value == 0.0)
+            return tr("all values are 0: the drive will add nothing");
+        return (m_own >= 0 ? withReadings() : withDifference()) + unitNote();
+    }
+
+private:
+    [[nodiscard]] QString added() const
+    {
+        const QString number = fixedText(m_value, decimalsFor(m_value));
+        return withUnit(m_value > 0.0 ? u'+' + number : number, m_unit);
+    }
+
+    /// The table is over the axis's own position: both readings can be told.
+    [[nodiscard]] QString withReadings() const
+    {
+        const auto own = static_cast<std::size_t>(m_own);
+        const double encoder = m_position[own];
+        const int decimals = std::max(decimalsOf(encoder), decimalsFor(m_value));
+        const QString where =
+            tr("where the encoder reads %1 the reference says %2: the drive will "
+               "add %3")
+                .arg(withUnit(fixedText(encoder, decimals), positionUnit(own)),
+                    withUnit(fixedText(encoder + m_value, decimals), m_unit), added());
+        const QString others = place(m_own);
+        return others.isEmpty() ? where : tr("at %1, %2").arg(others, where);
+    }
+
+    [[nodiscard]] QString withDifference() const
+    {
+        const QString amount = withUnit(fixedText(std::abs(m_value), decimalsFor(m_value)), m_unit);
+        return (m_value > 0.0 ? tr("at %1 the reference says %2 more than the encoder: the drive "
+                                   "will add %3")
+                              : tr("at %1 the reference says %2 less than the encoder: the drive "
+                                   "will add %3"))
+            .arg(place(-1), amount, added());
+    }
+
+    /// The position, without one of the dimensions: "Y 30 mm, T 20.5"
+    [[nodiscard]] QString place(int except) const
+    {
+        QStringList parts;
+        for (std::size_t n = 0; n < m_position.size(); ++n) {
+            if (static_cast<int>(n) == except)
+                continue;
+            const QString number = fixedText(m_position[n], decimalsOf(m_position[n]));
+            parts.append(dimensionName(m_table.grid, n) + u' '
+                + withUnit(number, QString::fromStdString(m_table.grid.axes[n].unit)));
+        }
+        return parts.join(QStringLiteral(", "));
+    }
+
+    [[nodiscard]] QString positionUnit(std::size_t dimension) const
+    {
+        const QString unit = QString::fromStdString(m_table.grid.axes[dimension].unit);
+        return unit.isEmpty() ? m_unit : unit;
+    }
+
+    /// The drive does not know what the file calls its unit.
+    [[nodiscard]] QString unitNote() const
+    {
+        const QString unit = QString::fromStdString(m_table.unit);
+        if (unit.isEmpty() || m_unit.isEmpty() || isSameUnit(m_table.unit, m_unit.toStdString()))
+            return {};
+        return tr(" (the file says %1, but the drive takes the values as %2)").arg(unit, m_unit);
+    }
+
+    const CompensationTable& m_table;
+    QString m_unit; ///< of what the drive adds
+    double m_value = 0.0;
+    std::vector<double> m_position;
+    int m_own = -1; ///< the dimension that is the axis's own position
+};
+
+} // namespace
+
+QString signSentenceFor(
+    const SurveyedTable& table, const AxisInfo& axis, const std::array<DimSource, 3>& sources)
+{
+    if (!table.table || table.table->values.empty())
+        return {};
+    return Sentence(*table.table, table.largestElement, axis, sources).text();
+}
+
+} // namespace axiscomp::ui

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/compensator/axis_compensator.h"
+#include "core/table/compensation_table.h"
+
+#include <QString>
+
+namespace axiscomp::ui {
+
+/// What the table does, in numbers, at its largest value: "where the encoder reads 40.0000 mm the
+/// reference says 40.0021 mm: the drive will add +0.0021 mm". It is there so that a wrong sign,
+/// unit or column is seen before it moves a machine. Positions have the file's names and units;
+/// what the drive adds is in the axis's own unit, whatever the file calls it, and a difference
+/// between the two is said. sources tell which dimension is the axis's own position.
+[[nodiscard]] QString signSentenceFor(
+    const SurveyedTable& table, const AxisInfo& axis, const std::array<DimSource, 3>& sources);
+
+} // namespace axiscomp::ui

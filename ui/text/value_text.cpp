@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/text/value_text.h"
+
+#include "ui/controller/wizard_controller.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+namespace axiscomp::ui {
+
+namespace {
+
+struct Unit {
+    const char* name; ///< the drive's
+    const char* symbol;
+    const char* smallSymbol;
+    double smallPerUnit;
+};
+
+constexpr std::array units{
+    Unit{"Meter", "m", "µm", 1e6},
+    Unit{"Millimeter", "mm", "µm", 1e3},
+    Unit{"Radian", "rad", "µrad", 1e6},
+    Unit{"Degree", "°", "m°", 1e3},
+};
+
+const Unit* unitNamed(const std::string& positionUnit)
+{
+    for (const Unit& unit : units) {
+        if (positionUnit == unit.name)
+            return &unit;
+    }
+    return nullptr;
+}
+
+QString translated(const char* text)
+{
+    return QCoreApplication::translate("ValueText", text);
+}
+
+QString withSign(double value, QString text)
+{
+    return value > 0.0 ? text.prepend(u'+') : text;
+}
+
+} // namespace
+
+QString numberText(double value)
+{
+    constexpr int digits = 7;
+    QLocale locale;
+    locale.setNumberOptions(QLocale::OmitGroupSeparator);
+    return locale.toString(value, 'g', digits);
+}
+
+QString signedNumberText(double value)
+{
+    return withSign(value, numberText(value));
+}
+
+QString countText(std::size_t count)
+{
+    return QLocale().toString(static_cast<qulonglong>(count));
+}
+
+QString valueText(float value)
+{
+    QString text = QString::fromLatin1(plainValue(value));
+    text.replace(u'.', QLocale().decimalPoint());
+    return withSign(static_cast<double>(value), text);
+}
+
+QString positionText(const GridAxis& axis, std::size_t index)
+{
+    return QString::fromLatin1(plainPosition(axis, index)).replace(u'.', QLocale().decimalPoint());
+}
+
+QString unitSuffix(const std::string& unit)
+{
+    return unit.empty() ? QString() : u' ' + QString::fromStdString(unit);
+}
+
+QString withUnit(const QString& name, const std::string& unit)
+{
+    return unit.empty() ? name : name + QStringLiteral(" [") + QString::fromStdString(unit) + u']';
+}
+
+QByteArray plainValue(float value)
+{
+    // Without an exponent where that stays readable, so that a column of numbers can be compared.
+    const float size = std::abs(value);
+    const bool isPlain = value == 0.0F || (size >= 1e-9F && size < 1e9F);
+    std::array<char, 32> text{};
+    const auto end =
+        std::to_chars(text.data(), text.data() + text.size(), value == 0.0F ? 0.0F : value,
+            isPlain ? std::chars_format::fixed : std::chars_format::scientific);
+    return {text.data(), end.ptr - text.data()};
+}
+
+QByteArray plainPosition(const GridAxis& axis, std::size_t index)
+{
+    constexpr double fewest = 7.0;
+    constexpr double most = 15.0;
+    const double largest = std::max(std::abs(axis.start), std::abs(axis.last()));
+    const double digits = std::ceil(std::log10(largest / axis.distance)) + 4.0;
+    const double position = axis.position(index);
+    // 10 - 100 * 0.1 is a little beside zero.
+    const bool isZero = std::abs(position) < axis.distance * 1e-9;
+    return QByteArray::number(
+        isZero ? 0.0 : position, 'g', static_cast<int>(std::clamp(digits, fewest, most)));
+}
+
+QString durationText(int seconds)
+{
+    return QStringLiteral("%1:%2").arg(seconds / 60).arg(seconds % 60, 2, 10, QChar(u'0'));
+}
+
+QString unitSymbol(const std::string& positionUnit)
+{
+    if (const Unit* unit = unitNamed(positionUnit))
+        return QString::fromUtf8(unit->symbol);
+    return positionUnit == "None" ? QString() : QString::fromStdString(positionUnit);
+}
+
+QString smallValueText(double value, const std::string& positionUnit)
+{
+    constexpr int decimals = 3;
+    const Unit* unit = unitNamed(positionUnit);
+    if (!unit || !std::isfinite(value))
+        return QStringLiteral("%1 %2")
+            .arg(signedNumberText(value), unitSymbol(positionUnit))
+            .trimmed();
+    const double small = value * unit->smallPerUnit;
+    return withSign(small, QLocale().toString(small, 'f', decimals)) + u' '
+        + QString::fromUtf8(unit->smallSymbol);
+}
+
+QString registerName(const std::string& path, std::span<const AxisEntry> axesOfDrive)
+{
+    const QString text = QString::fromStdString(path);
+    const QString prefix = QStringLiteral("Axes[");
+    const qsizetype close = text.indexOf(u']');
+    if (!text.startsWith(prefix) || close < 0)
+        return text;
+    bool isNumber = false;
+    const int axis = text.mid(prefix.size(), close - prefix.size()).toInt(&isNumber);
+    QString rest = text.mid(close + 2);
+    const QString signals_ = QStringLiteral("Signals/");
+    if (rest.startsWith(signals_))
+        rest.remove(0, signals_.size());
+    QString name = translated(QT_TRANSLATE_NOOP("ValueText", "Axis %1")).arg(axis);
+    for (const AxisEntry& entry : axesOfDrive) {
+        if (isNumber && entry.axis.index == axis && !entry.axis.name.empty())
+            name = QString::fromStdString(entry.axis.name);
+    }
+    return name + QStringLiteral(" · ") + rest;
+}
+
+QString dimensionName(const Grid& grid, std::size_t dimension)
+{
+    const std::string& name = grid.axes[dimension].name;
+    if (!name.empty())
+        return QString::fromStdString(name);
+    return translated(QT_TRANSLATE_NOOP("ValueText", "Dim %1")).arg(dimension + 1);
+}
+
+QString gridText(const Grid& grid)
+{
+    QStringList sizes;
+    QString ranges;
+    for (std::size_t n = 0; n < grid.axes.size(); ++n) {
+        const GridAxis& axis = grid.axes[n];
+        sizes += countText(axis.size);
+        ranges += QStringLiteral(", %1 %2 … %3")
+                      .arg(dimensionName(grid, n), numberText(axis.start), numberText(axis.last()));
+    }
+    return translated(QT_TRANSLATE_NOOP("ValueText", "%1 points")).arg(sizes.join(u" × ")) + ranges;
+}
+
+} // namespace axiscomp::ui
