@@ -20,9 +20,17 @@ if(AXISCOMP_SANITIZERS AND CMAKE_CXX_COMPILER_ID STREQUAL GNU)
     -Wno-stringop-overflow -Wno-stringop-overread)
 endif()
 
+# Files that are compiled together see each other's constants and anonymous namespaces; these two warnings
+# would speak of that.
+if(CMAKE_UNITY_BUILD)
+  set(single_file_warnings -Wno-subobject-linkage)
+else()
+  set(single_file_warnings -Wshadow)
+endif()
+
 add_library(axiscomp_options INTERFACE)
 target_compile_options(axiscomp_options INTERFACE
-  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wnon-virtual-dtor -Woverloaded-virtual
+  -Wall -Wextra -Wpedantic ${single_file_warnings} -Wconversion -Wnon-virtual-dtor -Woverloaded-virtual
   $<$<BOOL:${AXISCOMP_WERROR}>:-Werror>
   ${AXISCOMP_SANITIZERS})
 target_link_options(axiscomp_options INTERFACE ${AXISCOMP_SANITIZERS})

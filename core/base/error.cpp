@@ -9,130 +9,135 @@ namespace axiscomp {
 
 namespace {
 
-struct Row {
+struct ErrorRow {
     ErrorCode code;
     std::string_view name;
     std::string_view text;
 };
 
-constexpr std::array rows{
-    Row{ErrorCode::InvalidArgument, "InvalidArgument", "{reason}"},
-    Row{ErrorCode::Cancelled, "Cancelled", "stopped by the user"},
-    Row{ErrorCode::FileNotReadable, "FileNotReadable", "{file} cannot be read: {reason}"},
-    Row{ErrorCode::FileNotWritable, "FileNotWritable", "{file} cannot be written: {reason}"},
-    Row{ErrorCode::FileTooLarge, "FileTooLarge",
+constexpr std::array errorRows{
+    ErrorRow{ErrorCode::InvalidArgument, "InvalidArgument", "{reason}"},
+    ErrorRow{ErrorCode::Cancelled, "Cancelled", "stopped by the user"},
+    ErrorRow{ErrorCode::FileNotReadable, "FileNotReadable", "{file} cannot be read: {reason}"},
+    ErrorRow{ErrorCode::FileNotWritable, "FileNotWritable", "{file} cannot be written: {reason}"},
+    ErrorRow{ErrorCode::FileTooLarge, "FileTooLarge",
         "{file} has {size} bytes, more than the {limit} that such a file can have"},
-    Row{ErrorCode::InvalidCalibration, "InvalidCalibration",
+    ErrorRow{ErrorCode::InvalidCalibration, "InvalidCalibration",
         "{file} is not a valid calibration file: {count} problem(s)"},
-    Row{ErrorCode::InvalidTable, "InvalidTable",
+    ErrorRow{ErrorCode::InvalidTable, "InvalidTable",
         "this is not a valid TAM table: {field} at offset {offset} is {found}, expected "
         "{expected}"},
-    Row{ErrorCode::InvalidProfile, "InvalidProfile",
+    ErrorRow{ErrorCode::InvalidProfile, "InvalidProfile",
         "the drive profile {file} is wrong at {path}: {reason}"},
-    Row{ErrorCode::InvalidConfiguration, "InvalidConfiguration",
+    ErrorRow{ErrorCode::InvalidConfiguration, "InvalidConfiguration",
         "the TAM configuration {file} is wrong in line {line}: {reason}"},
-    Row{ErrorCode::InvalidBackup, "InvalidBackup", "{file} is not a valid backup: {reason}"},
-    Row{ErrorCode::UnknownFormat, "UnknownFormat",
+    ErrorRow{ErrorCode::InvalidBackup, "InvalidBackup", "{file} is not a valid backup: {reason}"},
+    ErrorRow{ErrorCode::UnknownFormat, "UnknownFormat",
         "the format of {file} is not known; name one of: {known}"},
-    Row{ErrorCode::TableNotFound, "TableNotFound",
+    ErrorRow{ErrorCode::TableNotFound, "TableNotFound",
         "there is no table {table} in the file; it has: {known}"},
-    Row{ErrorCode::FormatAmbiguous, "FormatAmbiguous",
+    ErrorRow{ErrorCode::FormatAmbiguous, "FormatAmbiguous",
         "{file} can be one of several formats: {candidates}; say which one it is"},
-    Row{ErrorCode::FormatCannotHold, "FormatCannotHold",
+    ErrorRow{ErrorCode::FormatCannotHold, "FormatCannotHold",
         "the format {format} cannot hold this table: {reason}; {wayOut}"},
-    Row{ErrorCode::SignNotConvertible, "SignNotConvertible",
+    ErrorRow{ErrorCode::SignNotConvertible, "SignNotConvertible",
         "the sign cannot be converted at {position}: {reason}"},
-    Row{ErrorCode::ResamplingImpossible, "ResamplingImpossible",
+    ErrorRow{ErrorCode::ResamplingImpossible, "ResamplingImpossible",
         "the table cannot be resampled: {reason}"},
-    Row{ErrorCode::InvalidEndpoint, "InvalidEndpoint",
+    ErrorRow{ErrorCode::InvalidEndpoint, "InvalidEndpoint",
         "{endpoint} is not the address of a drive: {reason}"},
-    Row{ErrorCode::NotConnected, "NotConnected", "no connection to {endpoint}: {reason}"},
-    Row{ErrorCode::ConnectionLost, "ConnectionLost",
+    ErrorRow{ErrorCode::NotConnected, "NotConnected", "no connection to {endpoint}: {reason}"},
+    ErrorRow{ErrorCode::ConnectionLost, "ConnectionLost",
         "the connection to {endpoint} was lost: {reason}"},
-    Row{ErrorCode::Timeout, "Timeout", "{endpoint} did not answer within {seconds} s"},
-    Row{ErrorCode::Protocol, "Protocol",
+    ErrorRow{ErrorCode::Timeout, "Timeout", "{endpoint} did not answer within {seconds} s"},
+    ErrorRow{ErrorCode::Protocol, "Protocol",
         "{endpoint} did not answer as a drive does: expected {expected}, got {quote}"},
-    Row{ErrorCode::Unauthorized, "Unauthorized",
+    ErrorRow{ErrorCode::Unauthorized, "Unauthorized",
         "{endpoint} asks for a user name and a password; give them as http://user:password@host"},
-    Row{ErrorCode::CertificateRejected, "CertificateRejected",
+    ErrorRow{ErrorCode::CertificateRejected, "CertificateRejected",
         "the certificate of {endpoint} cannot be trusted: {reason}. Its SHA-256 fingerprint is "
         "{fingerprint}; trust it under Connections, or with --trust-certificate, if the drive has "
         "the same"},
-    Row{ErrorCode::DriveRejected, "DriveRejected", "the drive refused: {reason}"},
-    Row{ErrorCode::UnknownRegister, "UnknownRegister", "the drive has no register {path}"},
-    Row{ErrorCode::UnknownFile, "UnknownFile", "the drive has no file {path}"},
-    Row{ErrorCode::NotAllowedNow, "NotAllowedNow", "the drive does not allow this now: {reason}"},
-    Row{ErrorCode::TooLargeForSlot, "TooLargeForSlot", "the table does not fit: {reason}"},
-    Row{ErrorCode::TableRefused, "TableRefused", "the drive refused the table: {reason}"},
-    Row{ErrorCode::FlashWear, "FlashWear",
+    ErrorRow{ErrorCode::DriveRejected, "DriveRejected", "the drive refused: {reason}"},
+    ErrorRow{ErrorCode::UnknownRegister, "UnknownRegister", "the drive has no register {path}"},
+    ErrorRow{ErrorCode::UnknownFile, "UnknownFile", "the drive has no file {path}"},
+    ErrorRow{
+        ErrorCode::NotAllowedNow, "NotAllowedNow", "the drive does not allow this now: {reason}"},
+    ErrorRow{ErrorCode::TooLargeForSlot, "TooLargeForSlot", "the table does not fit: {reason}"},
+    ErrorRow{ErrorCode::TableRefused, "TableRefused", "the drive refused the table: {reason}"},
+    ErrorRow{ErrorCode::FlashWear, "FlashWear",
         "too many flash operations in a short time; wait {seconds} s, or write volatile"},
-    Row{ErrorCode::CompensationError, "CompensationError",
+    ErrorRow{ErrorCode::CompensationError, "CompensationError",
         "the compensation of axis {axis} is in error {error}: {hint}"},
-    Row{ErrorCode::AxisNotFound, "AxisNotFound", "the drive has no axis {axis}; it has: {known}"},
-    Row{ErrorCode::AxisAmbiguous, "AxisAmbiguous",
+    ErrorRow{
+        ErrorCode::AxisNotFound, "AxisNotFound", "the drive has no axis {axis}; it has: {known}"},
+    ErrorRow{ErrorCode::AxisAmbiguous, "AxisAmbiguous",
         "several axes are named {axis}: give the index, one of {matches}"},
-    Row{ErrorCode::NoCompensation, "NoCompensation",
+    ErrorRow{ErrorCode::NoCompensation, "NoCompensation",
         "axis {axis} of this drive has no compensation registers"},
-    Row{ErrorCode::SourceMissing, "SourceMissing",
+    ErrorRow{ErrorCode::SourceMissing, "SourceMissing",
         "the source of dimension {dimension} is missing"},
-    Row{ErrorCode::SourceSurplus, "SourceSurplus",
+    ErrorRow{ErrorCode::SourceSurplus, "SourceSurplus",
         "there is a source for dimension {dimension}, but only {dimensions} dimension(s)"},
-    Row{ErrorCode::SourceNotFound, "SourceNotFound", "the drive has no register {source}{nearest}"},
-    Row{ErrorCode::SourceWrongType, "SourceWrongType",
+    ErrorRow{
+        ErrorCode::SourceNotFound, "SourceNotFound", "the drive has no register {source}{nearest}"},
+    ErrorRow{ErrorCode::SourceWrongType, "SourceWrongType",
         "{source} is of type {type}; a dimension source must be one of {allowed}"},
-    Row{ErrorCode::SourceOtherDrive, "SourceOtherDrive",
+    ErrorRow{ErrorCode::SourceOtherDrive, "SourceOtherDrive",
         "{source} is a register of the drive {other}; a source must be on the drive itself, "
         "{drive}"},
-    Row{ErrorCode::SourceRepeated, "SourceRepeated",
+    ErrorRow{ErrorCode::SourceRepeated, "SourceRepeated",
         "{source} is the source of both dimension {first} and dimension {second}"},
-    Row{ErrorCode::DimensionMismatch, "DimensionMismatch",
+    ErrorRow{ErrorCode::DimensionMismatch, "DimensionMismatch",
         "the table has {table} dimension(s), but {chosen} are chosen"},
-    Row{ErrorCode::TableTooLarge, "TableTooLarge",
+    ErrorRow{ErrorCode::TableTooLarge, "TableTooLarge",
         "the table needs {size} bytes, but the largest slot that may be taken, {slot}, holds "
         "{largest}"},
-    Row{ErrorCode::SlotNotFound, "SlotNotFound", "the drive has no slot {slot}; it has: {known}"},
-    Row{ErrorCode::SlotInUse, "SlotInUse", "slot {slot} is in use by {user}"},
-    Row{ErrorCode::NoFreeSlot, "NoFreeSlot",
+    ErrorRow{
+        ErrorCode::SlotNotFound, "SlotNotFound", "the drive has no slot {slot}; it has: {known}"},
+    ErrorRow{ErrorCode::SlotInUse, "SlotInUse", "slot {slot} is in use by {user}"},
+    ErrorRow{ErrorCode::NoFreeSlot, "NoFreeSlot",
         "no slot is free for a table of {size} bytes: {slots}; name one to overwrite it"},
-    Row{ErrorCode::NoTable, "NoTable", "axis {axis} has no table on the drive; write one first"},
-    Row{ErrorCode::NothingToWrite, "NothingToWrite",
+    ErrorRow{
+        ErrorCode::NoTable, "NoTable", "axis {axis} has no table on the drive; write one first"},
+    ErrorRow{ErrorCode::NothingToWrite, "NothingToWrite",
         "axis {axis} already has all of this; there is nothing to write"},
-    Row{ErrorCode::NothingUnfinished, "NothingUnfinished",
+    ErrorRow{ErrorCode::NothingUnfinished, "NothingUnfinished",
         "no write to axis {axis} is unfinished; there is nothing to finish or to undo"},
-    Row{ErrorCode::TableNotKept, "TableNotKept",
+    ErrorRow{ErrorCode::TableNotKept, "TableNotKept",
         "the new table of the unfinished write to axis {axis} was not kept on this computer: write "
         "it again, or undo the write"},
-    Row{ErrorCode::CompensationActive, "CompensationActive",
+    ErrorRow{ErrorCode::CompensationActive, "CompensationActive",
         "the compensation of axis {axis} is active; deactivate it first"},
-    Row{ErrorCode::NotHomed, "NotHomed", "axis {axis} must be homed first"},
-    Row{ErrorCode::OtherDrive, "OtherDrive",
+    ErrorRow{ErrorCode::NotHomed, "NotHomed", "axis {axis} must be homed first"},
+    ErrorRow{ErrorCode::OtherDrive, "OtherDrive",
         "this is another drive: expected serial number {expected}, found {found}"},
-    Row{ErrorCode::ChangedMeanwhile, "ChangedMeanwhile",
+    ErrorRow{ErrorCode::ChangedMeanwhile, "ChangedMeanwhile",
         "somebody else changed {what} from {before} to {now}; nothing was written, look again"},
-    Row{ErrorCode::VerifyMismatch, "VerifyMismatch",
+    ErrorRow{ErrorCode::VerifyMismatch, "VerifyMismatch",
         "{what} read back as {found}, but {expected} was written"},
-    Row{ErrorCode::ProofFailed, "ProofFailed",
+    ErrorRow{ErrorCode::ProofFailed, "ProofFailed",
         "the drive does not add what it should: {what} at {position} is {found}, expected "
         "{expected}"},
-    Row{ErrorCode::OutcomeUnknown, "OutcomeUnknown",
+    ErrorRow{ErrorCode::OutcomeUnknown, "OutcomeUnknown",
         "{reason}. The drive holds the complete old or the complete new state; ask for the status "
         "when it answers again. The old state is kept in {backup}"},
-    Row{ErrorCode::RollbackFailed, "RollbackFailed",
+    ErrorRow{ErrorCode::RollbackFailed, "RollbackFailed",
         "{reason}; putting the old state back failed too ({rollback}). Do not activate the axis; "
         "restore it from {backup}"},
 };
 
 constexpr auto codes = [] {
-    std::array<ErrorCode, rows.size()> result{};
-    for (std::size_t i = 0; i < rows.size(); ++i)
-        result[i] = rows[i].code;
+    std::array<ErrorCode, errorRows.size()> result{};
+    for (std::size_t i = 0; i < errorRows.size(); ++i)
+        result[i] = errorRows[i].code;
     return result;
 }();
 
-const Row& rowOf(ErrorCode code)
+const ErrorRow& rowOf(ErrorCode code)
 {
-    const auto row = std::ranges::find(rows, code, &Row::code);
-    assert(row != rows.end());
+    const auto row = std::ranges::find(errorRows, code, &ErrorRow::code);
+    assert(row != errorRows.end());
     return *row;
 }
 

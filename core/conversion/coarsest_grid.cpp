@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/conversion/axis_interpolant.h"
+#include "core/conversion/conversion_errors.h"
 #include "core/conversion/resampler.h"
 #include "core/neutral/table_motion.h"
 #include "core/table/position_unit.h"
@@ -11,11 +12,6 @@
 namespace axiscomp {
 
 namespace {
-
-auto impossible(std::string reason)
-{
-    return fail(ErrorCode::ResamplingImpossible, {{"reason", std::move(reason)}});
-}
 
 /// Deviations of sums of rounded numbers may be above what they are by this.
 constexpr double roundedUp = 1.0 + 1e-12;
@@ -265,7 +261,7 @@ Result<GridSearch::Sizes> GridSearch::fewestAlone() const
         const std::size_t most = mostAlong(n);
         const auto fewest = search.fewest(most);
         if (!fewest)
-            return impossible("a deviation of " + text(m_wanted) + " takes more than "
+            return resamplingImpossible("a deviation of " + text(m_wanted) + " takes more than "
                 + std::to_string(most) + " points along " + axisText(m_table, n) + "; with "
                 + std::to_string(most) + " it is " + text(search.deviationWith(most))
                 + "; allow more points or a larger deviation");
@@ -303,7 +299,8 @@ Result<CoarsestGrid> GridSearch::refined(const Sizes& fewest) const
         scale = std::max(scale * step, nextScale);
     }
     const bool wasTried = std::isfinite(grid.deviation);
-    return impossible("a deviation of " + text(m_wanted) + " takes more points than allowed; "
+    return resamplingImpossible("a deviation of " + text(m_wanted)
+        + " takes more points than allowed; "
         + (wasTried ? "with " + text(grid.points) + " it is " + text(grid.deviation)
                     : "it takes at least " + text(fewest))
         + "; allow more points or a larger deviation");

@@ -46,7 +46,8 @@ Result<CompensationTable> appliedTable(const CompensationTable& table, const Fam
 {
     NeutralTable neutral = neutralTable(CalibrationData{table.grid, {table}, {}});
     if (facts.sign != neutral.sign) {
-        auto converted = convertSign(neutral, facts.sign, calibrationCsvFamily().facts.behaviour);
+        auto converted =
+            convertSign(neutral, facts.sign, calibration_csv::format().facts.behaviour);
         if (!converted)
             return fail(converted.error());
         neutral = std::move(converted->table);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/conversion/directions.h"
+#include "core/conversion/conversion_errors.h"
 
 #include "core/neutral/table_motion.h"
 
@@ -8,11 +9,6 @@
 namespace axiscomp {
 
 namespace {
-
-auto invalid(std::string reason)
-{
-    return fail(ErrorCode::InvalidArgument, {{"reason", std::move(reason)}});
-}
 
 std::string targetText(const CompensationColumn& column)
 {
@@ -57,11 +53,11 @@ Result<std::vector<Group>> groupsOf(const NeutralTable& table)
         }
         const CompensationColumn*& member = memberOf(*group, column.direction);
         if (member)
-            return invalid("there are two columns for " + targetText(column) + " in "
+            return invalidArgument("there are two columns for " + targetText(column) + " in "
                 + std::string(directionName(column.direction)) + " direction; keep one of them");
         member = &column;
         if (group->both && (group->positive || group->negative))
-            return invalid("for " + targetText(column)
+            return invalidArgument("for " + targetText(column)
                 + " there are values for both directions and others for one; keep one of them");
     }
     return groups;
@@ -111,7 +107,7 @@ Result<void> Merger::takeSingle(const Group& group)
         || (m_choice == DirectionChoice::Negative && group.negative);
     const std::string_view has = directionName(group.first->direction);
     if (!isChosen)
-        return invalid(targetText(*group.first) + " has values for the " + std::string(has)
+        return invalidArgument(targetText(*group.first) + " has values for the " + std::string(has)
             + " direction only, so that there is no "
             + (m_choice == DirectionChoice::Mean ? std::string("mean")
                                                  : std::string(choiceName(m_choice)) + " one")

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/conversion/line_inversion.h"
+#include "core/conversion/conversion_errors.h"
 
 #include "core/text/text_file.h"
 
@@ -11,12 +12,6 @@ namespace axiscomp {
 namespace {
 
 constexpr std::string_view unitHint = "; check the unit of the values";
-
-auto notConvertible(const NeutralTable& table, const Position& position, std::string reason)
-{
-    return fail(ErrorCode::SignNotConvertible,
-        {{"position", positionText(table, position)}, {"reason", std::move(reason)}});
-}
 
 double offsetAt(const NeutralTable& table, const Mover& mover, std::size_t index)
 {

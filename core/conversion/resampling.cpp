@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/conversion/resampling.h"
+#include "core/conversion/conversion_errors.h"
 
 #include "core/conversion/axis_interpolant.h"
 #include "core/conversion/resampler.h"
@@ -12,11 +13,6 @@
 namespace axiscomp {
 
 namespace {
-
-auto impossible(std::string reason)
-{
-    return fail(ErrorCode::ResamplingImpossible, {{"reason", std::move(reason)}});
-}
 
 /// Values over a grid of these sizes, the first axis fastest.
 struct Values {
@@ -157,8 +153,8 @@ Result<void> checkResamplable(const NeutralTable& table)
                 const double begin = column.values[first];
                 const double end = column.values[first + (count - 1) * stride];
                 if (std::abs(begin - end) > rounding * largest)
-                    return impossible("a full turn of " + axisText(table, n) + " begins with "
-                        + quantityText(begin, column.unit) + " and ends with "
+                    return resamplingImpossible("a full turn of " + axisText(table, n)
+                        + " begins with " + quantityText(begin, column.unit) + " and ends with "
                         + quantityText(end, column.unit)
                         + "; make both the same, or leave the modulo out");
             }
@@ -196,7 +192,7 @@ Result<ResampledTable> resampleOnto(
         column.step = isKept ? column.step : 0.0;
         for (const double value : column.values)
             if (!std::isfinite(value))
-                return impossible("the values for " + columnText(table, column)
+                return resamplingImpossible("the values for " + columnText(table, column)
                     + " are too large to be interpolated");
     }
     result.report.columns = deviationsOf(table, plan, result.table);
@@ -222,8 +218,8 @@ Result<ResampledTable> resample(const NeutralTable& table, const ResamplingReque
         plan.push_back(std::move(*planned));
     }
     if (points > static_cast<double>(mostGridPoints))
-        return impossible("the grid would have more than " + std::to_string(mostGridPoints)
-            + " points; take fewer along an axis");
+        return resamplingImpossible("the grid would have more than "
+            + std::to_string(mostGridPoints) + " points; take fewer along an axis");
     return resampleOnto(table, plan, request.method);
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/conversion/conversion_errors.h"
 #include "core/conversion/resampler.h"
 #include "core/neutral/table_motion.h"
 
@@ -11,16 +12,6 @@
 namespace axiscomp {
 
 namespace {
-
-auto invalid(std::string reason)
-{
-    return fail(ErrorCode::InvalidArgument, {{"reason", std::move(reason)}});
-}
-
-auto impossible(std::string reason)
-{
-    return fail(ErrorCode::ResamplingImpossible, {{"reason", std::move(reason)}});
-}
 
 /// What rounding makes of computed positions within a range.
 double roundingOf(double from, double to)
@@ -66,8 +57,8 @@ public:
             : byDistance(holdsEnds);
         // as core/table/grid_points.h has it: closer points are one place for a controller
         if (planned && !(planned->grid.distance > 4.0 * roundingOf(m_from, m_to)))
-            return impossible("the points along " + m_name + " would be so close that positions "
-                + "cannot tell them apart; take fewer");
+            return resamplingImpossible("the points along " + m_name
+                + " would be so close that positions " + "cannot tell them apart; take fewer");
         return planned;
     }
 
@@ -94,21 +85,23 @@ Result<void> AxisPlanner::checkRequest() const
 {
     const double distance = m_request.distance;
     if (m_request.points > 0 && distance != 0.0)
-        return invalid("for " + m_name + " both a number of points and a distance are given");
+        return invalidArgument(
+            "for " + m_name + " both a number of points and a distance are given");
     if (m_request.points == 1)
-        return invalid("a grid along " + m_name + " needs at least two points");
+        return invalidArgument("a grid along " + m_name + " needs at least two points");
     if (!std::isfinite(distance) || distance < 0.0)
-        return invalid("the distance along " + m_name + " must be a number above 0");
+        return invalidArgument("the distance along " + m_name + " must be a number above 0");
     if (!std::isfinite(m_from) || !std::isfinite(m_to) || !std::isfinite(m_to - m_from)
         || !(m_to - m_from > m_rounding))
-        return invalid("the grid along " + m_name + " must end above its start, not go from "
-            + text(m_from) + " to " + text(m_to));
+        return invalidArgument("the grid along " + m_name
+            + " must end above its start, not go from " + text(m_from) + " to " + text(m_to));
     if (m_request.points > mostGridPoints)
-        return impossible(std::to_string(m_request.points) + " points along " + m_name
+        return resamplingImpossible(std::to_string(m_request.points) + " points along " + m_name
             + " are more than " + std::to_string(mostGridPoints));
     const bool asksRange = m_request.start || m_request.end;
     if (m_request.points == 0 && distance == 0.0 && asksRange)
-        return invalid("for a part of " + m_name + " a number of points or a distance is needed");
+        return invalidArgument(
+            "for a part of " + m_name + " a number of points or a distance is needed");
     return {};
 }
 
@@ -116,16 +109,16 @@ Result<void> AxisPlanner::checkRange(bool holdsEnds) const
 {
     if (m_axis.wrap) {
         if (std::abs(m_to - m_from - *m_axis.wrap) > m_rounding + roundingOf(m_from, m_to))
-            return invalid("the grid along " + m_name + " must be one full turn, from "
+            return invalidArgument("the grid along " + m_name + " must be one full turn, from "
                 + text(m_from) + " to " + text(m_from + *m_axis.wrap));
         return {};
     }
     const std::string wayOut = "; stay within the data, or let the end values be held";
     if (!holdsEnds && m_from < m_axis.knots.front() - m_rounding)
-        return impossible("the grid along " + m_name + " begins at " + text(m_from)
+        return resamplingImpossible("the grid along " + m_name + " begins at " + text(m_from)
             + ", before the data at " + text(m_axis.knots.front()) + wayOut);
     if (!holdsEnds && m_to > m_axis.knots.back() + m_rounding)
-        return impossible("the grid along " + m_name + " ends at " + text(m_to)
+        return resamplingImpossible("the grid along " + m_name + " ends at " + text(m_to)
             + ", behind the data at " + text(m_axis.knots.back()) + wayOut);
     return {};
 }
@@ -133,7 +126,7 @@ Result<void> AxisPlanner::checkRange(bool holdsEnds) const
 Result<PlannedAxis> AxisPlanner::kept() const
 {
     if (!isEven(m_axis))
-        return invalid("the positions of " + m_name
+        return invalidArgument("the positions of " + m_name
             + " are not evenly spaced; give a number of points or a distance");
     const double first = m_axis.knots.front();
     const double last = m_axis.knots.back();
@@ -147,7 +140,7 @@ Result<PlannedAxis> AxisPlanner::byDistance(bool holdsEnds) const
     constexpr double allowance = 1e-9; // of a distance
     const double cells = (m_to - m_from) / m_request.distance;
     if (!(cells < static_cast<double>(mostGridPoints)))
-        return impossible("a distance of " + text(m_request.distance) + " along " + m_name
+        return resamplingImpossible("a distance of " + text(m_request.distance) + " along " + m_name
             + " makes more than " + std::to_string(mostGridPoints) + " points");
     const double whole = std::round(cells);
     if (whole < 1.0 || std::abs(cells - whole) > allowance)
@@ -162,15 +155,15 @@ Result<PlannedAxis> AxisPlanner::otherEnd(double cells, bool holdsEnds) const
         + text(m_to) + " is no whole multiple of " + text(m_request.distance);
     if (m_axis.wrap) {
         const double fewer = std::max(1.0, std::floor(cells));
-        return impossible("the full turn of " + m_name + ", " + text(*m_axis.wrap)
+        return resamplingImpossible("the full turn of " + m_name + ", " + text(*m_axis.wrap)
             + ", is no whole multiple of " + text(m_request.distance) + "; possible are "
             + text(*m_axis.wrap / (fewer + 1.0)) + " or " + text(*m_axis.wrap / fewer));
     }
     const double count = holdsEnds ? std::ceil(cells) : std::floor(cells);
     if (count < 1.0)
-        return impossible("a distance of " + text(m_request.distance) + " is longer than the range "
-            + "of " + m_name + " from " + text(m_from) + " to " + text(m_to)
-            + "; take a shorter one, or let the end values be held");
+        return resamplingImpossible("a distance of " + text(m_request.distance)
+            + " is longer than the range " + "of " + m_name + " from " + text(m_from) + " to "
+            + text(m_to) + "; take a shorter one, or let the end values be held");
     PlannedAxis plan;
     plan.grid = {m_from, m_request.distance, static_cast<std::size_t>(count) + 1};
     for (std::size_t i = 0; i < plan.grid.size; ++i)

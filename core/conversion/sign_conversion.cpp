@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/conversion/sign_conversion.h"
+#include "core/conversion/conversion_errors.h"
 
 #include "core/conversion/line_inversion.h"
 #include "core/neutral/table_motion.h"
@@ -15,12 +16,6 @@ namespace {
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 /// What the source says between and beyond its knots, whatever its controller does out there.
 constexpr TableBehaviour heldEnds{.outside = Outside::Hold};
-
-auto notConvertible(const NeutralTable& table, std::span<const double> position, std::string reason)
-{
-    return fail(ErrorCode::SignNotConvertible,
-        {{"position", positionText(table, position)}, {"reason", std::move(reason)}});
-}
 
 class SignConverter {
 public:

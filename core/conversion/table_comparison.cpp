@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/conversion/conversion_errors.h"
 #include "core/conversion/line_inversion.h"
 #include "core/conversion/sign_conversion.h"
 #include "core/neutral/table_motion.h"
@@ -11,11 +12,6 @@
 namespace axiscomp {
 
 namespace {
-
-auto invalid(std::string reason)
-{
-    return fail(ErrorCode::InvalidArgument, {{"reason", std::move(reason)}});
-}
 
 /// From the unit of one table's axis to that of the other.
 using AxisFactors = std::array<double, 3>;
@@ -46,7 +42,7 @@ Result<std::vector<ColumnPair>> pairsOf(const NeutralTable& a, const NeutralTabl
         if (pairs.size() == before && isByOrder)
             pairs.push_back({i, i});
         if (pairs.size() == before)
-            return invalid("the second table has no column for " + columnText(a, column));
+            return invalidArgument("the second table has no column for " + columnText(a, column));
     }
     for (ColumnPair& pair : pairs) {
         const CompensationColumn& column = a.columns[pair.a];
@@ -225,7 +221,7 @@ Result<void> Comparison::prepare()
         if (auto fine = checkConsistent(*table); !fine)
             return fine;
     if (a.axes.size() != b.axes.size())
-        return invalid("a table of " + std::to_string(a.axes.size())
+        return invalidArgument("a table of " + std::to_string(a.axes.size())
             + " source axes cannot be compared with one of " + std::to_string(b.axes.size()));
     for (std::size_t n = 0; n < a.axes.size(); ++n) {
         const auto factor =

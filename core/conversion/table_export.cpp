@@ -11,7 +11,7 @@ Result<TableExport> exportTable(const CompensationTable& table, const ImportChoi
 {
     const NeutralTable source = neutralTable(CalibrationData{table.grid, {table}, {}});
     ConversionRequest request;
-    request.from = &calibrationCsvFamily();
+    request.from = &calibration_csv::format();
     request.to = choices.family;
     request.targetSign = choices.sign;
     request.writing.layout = &layout;

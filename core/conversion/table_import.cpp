@@ -23,9 +23,9 @@ public:
         chooseFamily();
         if (m_result.refusal)
             return std::move(m_result);
-        if (m_result.family == &calibrationCsvFamily())
+        if (m_result.family == &calibration_csv::format())
             readCsv();
-        else if (m_result.family == &tamTableFamily())
+        else if (m_result.family == &tam_table::format())
             readTamTable();
         else
             readOther();
@@ -67,7 +67,7 @@ void Import::chooseFamily()
         return;
     const auto choice = axiscomp::chooseFamily(text, name, false);
     // What nobody knows is read as a calibration file: its problems say what one looks like.
-    m_result.family = choice ? choice->family : &calibrationCsvFamily();
+    m_result.family = choice ? choice->family : &calibration_csv::format();
     if (!choice && choice.error().code == ErrorCode::FormatAmbiguous) {
         m_result.family = m_result.candidates.front();
         refuse(choice.error());
@@ -75,12 +75,12 @@ void Import::chooseFamily()
     }
     const TableFamily& family = *m_result.family;
     const bool isSure = isTriamec(family) || family.recognise(text) == Recognition::Certain;
-    const bool isCalibrationName = familyOfExtension(name) == &calibrationCsvFamily();
+    const bool isCalibrationName = familyOfExtension(name) == &calibration_csv::format();
     const bool isNamed = !isCalibrationName && familyOfExtension(name) == &family;
     if (isSure || (isNamed && m_result.candidates.size() == 1))
         return;
     if (isCalibrationName)
-        m_result.candidates.push_back(&calibrationCsvFamily());
+        m_result.candidates.push_back(&calibration_csv::format());
     refuse({ErrorCode::FormatAmbiguous,
         {{"file", name}, {"candidates", familyNames(m_result.candidates)}}, {}});
 }
@@ -224,7 +224,7 @@ Result<CompensationTable> Import::converted(const NeutralTable& column)
     const ImportChoices& choices = m_request.choices;
     ConversionRequest request;
     request.from = m_result.family;
-    request.to = &calibrationCsvFamily();
+    request.to = &calibration_csv::format();
     request.sourceSign = choices.sign;
     request.direction = choices.direction;
     request.dropsWrap = choices.dropsWrap;

@@ -47,32 +47,32 @@ bool TableReading::hasErrors() const
 std::span<const TableFamily* const> tableFamilies()
 {
     static const std::array families{
-        &calibrationCsvFamily(),
-        &tamTableFamily(),
-        &aerotech1dFamily(),
-        &aerotech2dFamily(),
-        &icubeFamily(),
-        &isgCrosscompFamily(),
-        &isgCrosscomp2Family(),
-        &isgSsfkFamily(),
-        &klipperFamily(),
-        &linuxcncFamily(),
-        &pmac1dFamily(),
-        &pmac2dFamily(),
-        &rapidcodeFamily(),
-        &rapidcodeHeaderFamily(),
-        &siemensCecFamily(),
-        &siemensEecFamily(),
-        &reprapFamily(),
-        &softmcFamily(),
-        &softmcBasicFamily(),
+        &calibration_csv::format(),
+        &tam_table::format(),
+        &aerotech_1d::format(),
+        &aerotech_2d::format(),
+        &icube::format(),
+        &isg_crosscomp::format(),
+        &isg_crosscomp2::format(),
+        &isg_ssfk::format(),
+        &klipper::format(),
+        &linuxcnc::format(),
+        &pmac_1d::format(),
+        &pmac_2d::format(),
+        &rapidcode::format(),
+        &rapidcode_header::format(),
+        &siemens_cec::format(),
+        &siemens_eec::format(),
+        &reprap::format(),
+        &softmc::format(),
+        &softmc_basic::format(),
     };
     return families;
 }
 
 bool isTriamec(const TableFamily& family)
 {
-    return &family == &calibrationCsvFamily() || &family == &tamTableFamily();
+    return &family == &calibration_csv::format() || &family == &tam_table::format();
 }
 
 std::string familyNames(std::span<const TableFamily* const> families)
@@ -151,7 +151,7 @@ Result<FormatChoice> chooseFamily(
     std::string_view text, const std::string& fileName, bool isCalibration)
 {
     const TableFamily* const named = familyOfExtension(fileName);
-    if (named == &tamTableFamily() || (named == &calibrationCsvFamily() && isCalibration))
+    if (named == &tam_table::format() || (named == &calibration_csv::format() && isCalibration))
         return FormatChoice{named, {}};
     const FormatGuess guess = guessFamily(text, fileName);
     if (guess.families.empty() && named != nullptr)
@@ -162,7 +162,8 @@ Result<FormatChoice> chooseFamily(
     FormatChoice choice{guess.families.front(), {}};
     choice.others.assign(guess.families.begin() + 1, guess.families.end());
     const bool isDecided = guess.isCertain || guess.families.size() == 1
-        || choice.family == &calibrationCsvFamily() || hasExtension(choice.family->facts, fileName);
+        || choice.family == &calibration_csv::format()
+        || hasExtension(choice.family->facts, fileName);
     if (isDecided)
         return choice;
     return fail(ErrorCode::FormatAmbiguous,

@@ -7,26 +7,64 @@ namespace axiscomp {
 
 // One file for each controller family, spec/controllers.md. tableFamilies() lists them.
 
-[[nodiscard]] const TableFamily& calibrationCsvFamily(); ///< the calibration file (spec/csv.md)
-[[nodiscard]] const TableFamily& tamTableFamily(); ///< the drive's table file (spec/tamtbl.md)
+namespace calibration_csv {
+[[nodiscard]] const TableFamily& format(); ///< the calibration file (spec/csv.md)
+}
+namespace tam_table {
+[[nodiscard]] const TableFamily& format(); ///< the drive's table file (spec/tamtbl.md)
+}
 
-[[nodiscard]] const TableFamily& aerotech1dFamily(); ///< calibration file, :START
-[[nodiscard]] const TableFamily& aerotech2dFamily(); ///< calibration file, :START2D
-[[nodiscard]] const TableFamily& icubeFamily(); ///< CSV of Yaskawa iCube Control
-[[nodiscard]] const TableFamily& isgCrosscompFamily(); ///< kw.crosscomp of a compensation list
-[[nodiscard]] const TableFamily& isgCrosscomp2Family(); ///< kw.crosscomp2, two sources
-[[nodiscard]] const TableFamily& isgSsfkFamily(); ///< kw.ssfk, leadscrew errors
-[[nodiscard]] const TableFamily& klipperFamily(); ///< bed_mesh of printer.cfg
-[[nodiscard]] const TableFamily& linuxcncFamily(); ///< compensation file of a joint
-[[nodiscard]] const TableFamily& pmac1dFamily(); ///< DEFINE COMP of one source
-[[nodiscard]] const TableFamily& pmac2dFamily(); ///< DEFINE COMP of two sources
-[[nodiscard]] const TableFamily& rapidcodeFamily(); ///< CSV of this program
-[[nodiscard]] const TableFamily& rapidcodeHeaderFamily(); ///< C++ header
-[[nodiscard]] const TableFamily& reprapFamily(); ///< heightmap.csv
-[[nodiscard]] const TableFamily& siemensCecFamily(); ///< $AN_CEC, an axis by another
-[[nodiscard]] const TableFamily& siemensEecFamily(); ///< $AA_ENC_COMP, encoder and leadscrew
-[[nodiscard]] const TableFamily& softmcFamily(); ///< text table
-[[nodiscard]] const TableFamily& softmcBasicFamily(); ///< MC-BASIC fragment
+namespace aerotech_1d {
+[[nodiscard]] const TableFamily& format(); ///< calibration file, :START
+}
+namespace aerotech_2d {
+[[nodiscard]] const TableFamily& format(); ///< calibration file, :START2D
+}
+namespace icube {
+[[nodiscard]] const TableFamily& format(); ///< CSV of Yaskawa iCube Control
+}
+namespace isg_crosscomp {
+[[nodiscard]] const TableFamily& format(); ///< kw.crosscomp of a compensation list
+}
+namespace isg_crosscomp2 {
+[[nodiscard]] const TableFamily& format(); ///< kw.crosscomp2, two sources
+}
+namespace isg_ssfk {
+[[nodiscard]] const TableFamily& format(); ///< kw.ssfk, leadscrew errors
+}
+namespace klipper {
+[[nodiscard]] const TableFamily& format(); ///< bed_mesh of printer.cfg
+}
+namespace linuxcnc {
+[[nodiscard]] const TableFamily& format(); ///< compensation file of a joint
+}
+namespace pmac_1d {
+[[nodiscard]] const TableFamily& format(); ///< DEFINE COMP of one source
+}
+namespace pmac_2d {
+[[nodiscard]] const TableFamily& format(); ///< DEFINE COMP of two sources
+}
+namespace rapidcode {
+[[nodiscard]] const TableFamily& format(); ///< CSV of this program
+}
+namespace rapidcode_header {
+[[nodiscard]] const TableFamily& format(); ///< C++ header
+}
+namespace reprap {
+[[nodiscard]] const TableFamily& format(); ///< heightmap.csv
+}
+namespace siemens_cec {
+[[nodiscard]] const TableFamily& format(); ///< $AN_CEC, an axis by another
+}
+namespace siemens_eec {
+[[nodiscard]] const TableFamily& format(); ///< $AA_ENC_COMP, encoder and leadscrew
+}
+namespace softmc {
+[[nodiscard]] const TableFamily& format(); ///< text table
+}
+namespace softmc_basic {
+[[nodiscard]] const TableFamily& format(); ///< MC-BASIC fragment
+}
 
 /// The product's own formats: what the drive adds, on an even grid.
 [[nodiscard]] bool isTriamec(const TableFamily& family);

@@ -16,7 +16,7 @@ namespace {
 constexpr std::string_view format = "axiscomp-backup";
 constexpr std::array<std::string_view, 4> members{"format", "version", "axes", "otherFiles"};
 constexpr std::array<std::string_view, 1> extras{"drive"};
-constexpr JsonLimits limits{.size = maximumBackupSize, .depth = 8, .values = 100'000};
+constexpr JsonLimits backupLimits{.size = maximumBackupSize, .depth = 8, .values = 100'000};
 
 OrderedJson toJson(const DriveIdentity& drive)
 {
@@ -120,7 +120,7 @@ std::string writeBackup(const DriveBackup& backup)
 
 Result<DriveBackup> readBackup(std::string_view text, const std::string& fileName)
 {
-    StrictJson document{text, limits};
+    StrictJson document{text, backupLimits};
     DriveBackup backup = backupFromJson(document.root());
     if (document.problem())
         return fail(

@@ -15,7 +15,7 @@ constexpr std::string_view journalFormat = "axiscomp-journal";
 constexpr std::string_view flashFormat = "axiscomp-flash-history";
 constexpr std::string_view tablesFormat = "axiscomp-tables";
 constexpr std::string_view savedFormat = "axiscomp-saved-state";
-constexpr JsonLimits limits{.size = maximumDocumentSize, .depth = 8, .values = 20'000};
+constexpr JsonLimits storeLimits{.size = maximumDocumentSize, .depth = 8, .values = 20'000};
 
 template <typename T> DocumentResult<T> resultOf(const StrictJson& document, T value)
 {
@@ -64,7 +64,7 @@ std::string writeJournal(const JournalEntry& entry, const std::filesystem::path&
 
 DocumentResult<JournalEntry> readJournal(std::string_view text, const std::filesystem::path& folder)
 {
-    StrictJson document{text, limits};
+    StrictJson document{text, storeLimits};
     const JsonNode root = document.root();
     expectFormat(root, journalFormat);
     // Journals of older versions kept no table.
@@ -95,7 +95,7 @@ std::string writeFlashHistory(const DriveStore::FlashHistory& history)
 
 DocumentResult<DriveStore::FlashHistory> readFlashHistory(std::string_view text)
 {
-    StrictJson document{text, limits};
+    StrictJson document{text, storeLimits};
     const JsonNode root = document.root();
     expectFormat(root, flashFormat);
     root.expectMembers(flashMembers, flashExtras);
@@ -124,7 +124,7 @@ std::string writeTables(const std::vector<WrittenTable>& tables)
 
 DocumentResult<std::vector<WrittenTable>> readTables(std::string_view text)
 {
-    StrictJson document{text, limits};
+    StrictJson document{text, storeLimits};
     const JsonNode root = document.root();
     expectFormat(root, tablesFormat);
     root.expectMembers({"format", "version", "tables"});
@@ -153,7 +153,7 @@ std::string writeSavedState(const DriveStore::SavedState& state)
 
 DocumentResult<DriveStore::SavedState> readSavedState(std::string_view text)
 {
-    StrictJson document{text, limits};
+    StrictJson document{text, storeLimits};
     const JsonNode root = document.root();
     expectFormat(root, savedFormat);
     root.expectMembers({"format", "version", "known", "uses", "covered"});

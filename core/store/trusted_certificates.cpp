@@ -15,9 +15,9 @@ namespace {
 
 using Entry = TrustedCertificates::Entry;
 
-constexpr std::string_view format = "axiscomp-certificates";
+constexpr std::string_view certificateFormat = "axiscomp-certificates";
 constexpr std::size_t sha256Digits = 64;
-constexpr JsonLimits limits{.size = maximumDocumentSize, .depth = 4, .values = 20'000};
+constexpr JsonLimits certificateLimits{.size = maximumDocumentSize, .depth = 4, .values = 20'000};
 
 std::filesystem::path fileIn(const std::filesystem::path& root)
 {
@@ -32,9 +32,9 @@ std::optional<std::vector<Entry>> readEntries(const std::filesystem::path& root)
     const auto bytes = loadFile(fileIn(root), maximumDocumentSize);
     if (!bytes)
         return std::nullopt;
-    StrictJson document{asText(*bytes), limits};
+    StrictJson document{asText(*bytes), certificateLimits};
     const JsonNode top = document.root();
-    expectFormat(top, format);
+    expectFormat(top, certificateFormat);
     top.expectMembers({"format", "version", "certificates"});
     std::vector<Entry> entries;
     bool isUnderstood = true;
@@ -54,7 +54,7 @@ std::optional<std::vector<Entry>> readEntries(const std::filesystem::path& root)
 
 std::string textOf(const std::vector<Entry>& entries)
 {
-    OrderedJson document = newDocument(format);
+    OrderedJson document = newDocument(certificateFormat);
     document["certificates"] = OrderedJson::array();
     for (const Entry& entry : entries)
         document["certificates"].push_back(

@@ -15,7 +15,7 @@ namespace axiscomp {
 
 namespace {
 
-constexpr std::uint32_t gridDimensions = 3;
+constexpr std::uint32_t tableDimensions = 3;
 
 std::uint64_t saturatedProduct(std::uint64_t a, std::uint64_t b)
 {
@@ -137,24 +137,24 @@ Result<void> Decoder::checkConstants()
 
 Result<void> Decoder::checkSizes()
 {
-    std::array<std::int64_t, gridDimensions> sizes{};
-    for (std::uint32_t i = 0; i < gridDimensions; ++i)
+    std::array<std::int64_t, tableDimensions> sizes{};
+    for (std::uint32_t i = 0; i < tableDimensions; ++i)
         sizes[i] = integer(TableField::Size, i);
 
     const bool tellsDimensions = m_layout.place(TableField::Dimensions).has_value();
     if (tellsDimensions) {
         const std::int64_t dimensions = integer(TableField::Dimensions);
-        if (dimensions < 1 || dimensions > gridDimensions)
+        if (dimensions < 1 || dimensions > tableDimensions)
             return invalidItem(TableField::Dimensions, 0, std::to_string(dimensions), "1, 2 or 3");
         m_dimensions = static_cast<std::uint32_t>(dimensions);
     } else {
-        while (m_dimensions < gridDimensions && sizes[m_dimensions] > 1)
+        while (m_dimensions < tableDimensions && sizes[m_dimensions] > 1)
             ++m_dimensions;
         m_dimensions = std::max(m_dimensions, 1U);
     }
 
     m_elementCount = 1;
-    for (std::uint32_t i = 0; i < gridDimensions; ++i) {
+    for (std::uint32_t i = 0; i < tableDimensions; ++i) {
         const std::string found = std::to_string(sizes[i]);
         if (i < m_dimensions && sizes[i] < 2)
             return invalidItem(TableField::Size, i, found, "2 or more");

@@ -15,7 +15,7 @@ enum class Found {
     Reason, ///< explains the problem by itself
 };
 
-struct Row {
+struct DiagnosticRow {
     DiagnosticCode code;
     std::string_view name;
     Found found;
@@ -23,70 +23,72 @@ struct Row {
     std::string_view wayOut;
 };
 
-constexpr std::array rows{
-    Row{DiagnosticCode::EmptyFile, "EmptyFile", Found::Words, "the file holds no data",
+constexpr std::array diagnosticRows{
+    DiagnosticRow{DiagnosticCode::EmptyFile, "EmptyFile", Found::Words, "the file holds no data",
         "a calibration file has a header line and one line per grid point; save an example file "
         "to see one"},
-    Row{DiagnosticCode::NoHeader, "NoHeader", Found::Text,
+    DiagnosticRow{DiagnosticCode::NoHeader, "NoHeader", Found::Text,
         "the header line with the names of the columns is missing",
         "add a first line such as X [mm],Table 1 [mm]"},
-    Row{DiagnosticCode::TooFewColumns, "TooFewColumns", Found::Words,
+    DiagnosticRow{DiagnosticCode::TooFewColumns, "TooFewColumns", Found::Words,
         "the header has too few columns", ""},
-    Row{DiagnosticCode::ColumnCount, "ColumnCount", Found::Words,
+    DiagnosticRow{DiagnosticCode::ColumnCount, "ColumnCount", Found::Words,
         "this line does not have the columns of the header", ""},
-    Row{DiagnosticCode::NotANumber, "NotANumber", Found::Text, "", ""},
-    Row{DiagnosticCode::NotFinite, "NotFinite", Found::Text, "", ""},
-    Row{DiagnosticCode::MixedDecimals, "MixedDecimals", Found::Text,
+    DiagnosticRow{DiagnosticCode::NotANumber, "NotANumber", Found::Text, "", ""},
+    DiagnosticRow{DiagnosticCode::NotFinite, "NotFinite", Found::Text, "", ""},
+    DiagnosticRow{DiagnosticCode::MixedDecimals, "MixedDecimals", Found::Text,
         "decimal comma and decimal point are mixed", "use the same decimal sign in every number"},
-    Row{DiagnosticCode::UnterminatedQuote, "UnterminatedQuote", Found::Text,
+    DiagnosticRow{DiagnosticCode::UnterminatedQuote, "UnterminatedQuote", Found::Text,
         "a quotation mark is not closed as it should be", ""},
-    Row{DiagnosticCode::DuplicatePoint, "DuplicatePoint", Found::Words,
+    DiagnosticRow{DiagnosticCode::DuplicatePoint, "DuplicatePoint", Found::Words,
         "the same position occurs twice", "delete one of the two lines"},
-    Row{DiagnosticCode::MissingPoint, "MissingPoint", Found::Words, "the grid is incomplete",
+    DiagnosticRow{DiagnosticCode::MissingPoint, "MissingPoint", Found::Words,
+        "the grid is incomplete",
         "measure the missing points, or resample the data onto a full grid"},
-    Row{DiagnosticCode::UnevenSpacing, "UnevenSpacing", Found::Words,
+    DiagnosticRow{DiagnosticCode::UnevenSpacing, "UnevenSpacing", Found::Words,
         "the positions are not evenly spaced", "resample the data onto an even grid"},
-    Row{DiagnosticCode::TooFewPoints, "TooFewPoints", Found::Words, "there are too few points", ""},
-    Row{DiagnosticCode::TooLarge, "TooLarge", Found::Words, "the file is too large",
+    DiagnosticRow{
+        DiagnosticCode::TooFewPoints, "TooFewPoints", Found::Words, "there are too few points", ""},
+    DiagnosticRow{DiagnosticCode::TooLarge, "TooLarge", Found::Words, "the file is too large",
         "choose a coarser grid, or split the file"},
-    Row{DiagnosticCode::NotText, "NotText", Found::Words, "this is not a text file",
+    DiagnosticRow{DiagnosticCode::NotText, "NotText", Found::Words, "this is not a text file",
         "save it as UTF-8 CSV"},
-    Row{DiagnosticCode::IoError, "IoError", Found::Reason, "the file cannot be read", ""},
-    Row{DiagnosticCode::Encoding, "Encoding", Found::Words,
+    DiagnosticRow{DiagnosticCode::IoError, "IoError", Found::Reason, "the file cannot be read", ""},
+    DiagnosticRow{DiagnosticCode::Encoding, "Encoding", Found::Words,
         "the file is not valid UTF-8 and is read as Windows-1252",
         "check the names and notes, or save it as UTF-8 CSV"},
-    Row{DiagnosticCode::RoundedSpacing, "RoundedSpacing", Found::Words,
+    DiagnosticRow{DiagnosticCode::RoundedSpacing, "RoundedSpacing", Found::Words,
         "the positions are even only within the printed precision",
         "the even grid is used; print more decimals if that is not meant"},
-    Row{DiagnosticCode::FloatPrecision, "FloatPrecision", Found::Words,
+    DiagnosticRow{DiagnosticCode::FloatPrecision, "FloatPrecision", Found::Words,
         "a value loses precision when it is stored as float32", "check the unit of the values"},
-    Row{DiagnosticCode::LargeGradient, "LargeGradient", Found::Words,
+    DiagnosticRow{DiagnosticCode::LargeGradient, "LargeGradient", Found::Words,
         "the table is very steep, which is likely a unit mistake",
         "the values must be in the unit of the positions"},
-    Row{DiagnosticCode::ConstantTable, "ConstantTable", Found::Words,
+    DiagnosticRow{DiagnosticCode::ConstantTable, "ConstantTable", Found::Words,
         "all values of the table are equal", "check that this column is meant"},
-    Row{DiagnosticCode::Syntax, "Syntax", Found::Text, "this is not written as the format demands",
-        ""},
-    Row{DiagnosticCode::Contradiction, "Contradiction", Found::Words,
+    DiagnosticRow{DiagnosticCode::Syntax, "Syntax", Found::Text,
+        "this is not written as the format demands", ""},
+    DiagnosticRow{DiagnosticCode::Contradiction, "Contradiction", Found::Words,
         "two statements of the file contradict each other", ""},
-    Row{DiagnosticCode::NotMonotonic, "NotMonotonic", Found::Words,
+    DiagnosticRow{DiagnosticCode::NotMonotonic, "NotMonotonic", Found::Words,
         "the positions do not go in one direction", ""},
-    Row{DiagnosticCode::NotPeriodic, "NotPeriodic", Found::Words,
+    DiagnosticRow{DiagnosticCode::NotPeriodic, "NotPeriodic", Found::Words,
         "the table does not close after one revolution", ""},
-    Row{DiagnosticCode::LimitExceeded, "LimitExceeded", Found::Words,
+    DiagnosticRow{DiagnosticCode::LimitExceeded, "LimitExceeded", Found::Words,
         "the controller does not take as much", ""},
-    Row{DiagnosticCode::UnknownKey, "UnknownKey", Found::Text,
+    DiagnosticRow{DiagnosticCode::UnknownKey, "UnknownKey", Found::Text,
         "this entry is not known and is left out", ""},
-    Row{DiagnosticCode::UnitNotGiven, "UnitNotGiven", Found::Words, "the file does not say a unit",
-        ""},
-    Row{DiagnosticCode::Assumption, "Assumption", Found::Words,
+    DiagnosticRow{DiagnosticCode::UnitNotGiven, "UnitNotGiven", Found::Words,
+        "the file does not say a unit", ""},
+    DiagnosticRow{DiagnosticCode::Assumption, "Assumption", Found::Words,
         "the file can be understood in several ways", ""},
 };
 
-const Row& rowOf(DiagnosticCode code)
+const DiagnosticRow& rowOf(DiagnosticCode code)
 {
-    const auto row = std::ranges::find(rows, code, &Row::code);
-    assert(row != rows.end());
+    const auto row = std::ranges::find(diagnosticRows, code, &DiagnosticRow::code);
+    assert(row != diagnosticRows.end());
     return *row;
 }
 
@@ -108,7 +110,7 @@ std::string_view diagnosticName(DiagnosticCode code)
 
 std::string message(const Diagnostic& diagnostic)
 {
-    const Row& row = rowOf(diagnostic.code);
+    const DiagnosticRow& row = rowOf(diagnostic.code);
     std::string text(row.problem);
     const auto append = [&text](std::string_view separator, std::string_view part) {
         if (part.empty())

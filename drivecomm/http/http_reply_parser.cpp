@@ -27,7 +27,7 @@ std::string lowerCase(std::string_view text)
     return result;
 }
 
-std::string_view trimmed(std::string_view text)
+std::string_view withoutBlanks(std::string_view text)
 {
     constexpr std::string_view blanks = " \t";
     const std::size_t begin = text.find_first_not_of(blanks);
@@ -136,7 +136,7 @@ void HttpReplyParser::takeField(std::string_view line)
     if (colon == 0 || colon == std::string_view::npos)
         return fail("a header field of an HTTP reply", line);
     const std::string name = lowerCase(line.substr(0, colon));
-    const std::string_view value = trimmed(line.substr(colon + 1));
+    const std::string_view value = withoutBlanks(line.substr(colon + 1));
     if (name == "content-length") {
         const auto length = number(value, 10);
         if (!length || (m_length && m_length != length))
@@ -185,7 +185,7 @@ void HttpReplyParser::endHead()
 
 void HttpReplyParser::takeChunkSize(std::string_view line)
 {
-    const auto size = number(trimmed(line.substr(0, line.find(';'))), 16);
+    const auto size = number(withoutBlanks(line.substr(0, line.find(';'))), 16);
     if (!size)
         return fail("the size of a chunk", line);
     m_headSize = 0;

@@ -62,8 +62,8 @@ void convertPlane(benchmark::State& state)
 {
     const std::array tables{table(100, 100, SignConvention::Feedback)};
     ConversionRequest request;
-    request.from = &calibrationCsvFamily();
-    request.to = &softmcFamily();
+    request.from = &calibration_csv::format();
+    request.to = &softmc::format();
     for (auto _ : state) {
         const auto conversion = convertTables(tables, request);
         if (!conversion)
@@ -74,12 +74,12 @@ void convertPlane(benchmark::State& state)
 
 } // namespace
 
-BENCHMARK_CAPTURE(readFormat, softmc, softmcFamily(), 270, {})->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(readFormat, aerotech_2d, aerotech2dFamily(), 300, {{"output-axis-1", "1"}})
+BENCHMARK_CAPTURE(readFormat, softmc, softmc::format(), 270, {})->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(readFormat, aerotech_2d, aerotech_2d::format(), 300, {{"output-axis-1", "1"}})
     ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(readFormat, isg_crosscomp2, isgCrosscomp2Family(), 100, {{"axis", "3"}})
+BENCHMARK_CAPTURE(readFormat, isg_crosscomp2, isg_crosscomp2::format(), 100, {{"axis", "3"}})
     ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(readFormat, rapidcode, rapidcodeFamily(), 400, {{"counts-per-unit", "1000000"}})
+BENCHMARK_CAPTURE(readFormat, rapidcode, rapidcode::format(), 400, {{"counts-per-unit", "1000000"}})
     ->Unit(benchmark::kMillisecond);
 BENCHMARK(convertPlane)->Unit(benchmark::kMillisecond);
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/drivecomm/link_contract.h"
+#include "tests/drivecomm/known_paths.h"
 
 #include "core/table/tam_table.h"
 #include "drivecomm/profile/profile_loader.h"
@@ -17,22 +18,9 @@ using Progress = std::vector<std::pair<std::uint64_t, std::uint64_t>>;
 
 namespace {
 
-const std::string masterX = "Axes[0]/Signals/PositionController/MasterPosition";
-const std::string tableOfX = "Axes[0]/Parameters/Compensations/Axis/Table";
-const std::string sourceOfX = "Axes[0]/Parameters/Compensations/Axis/Dim1Source";
-const std::string activationOfX = "Axes[0]/Commands/Compensations/Axis/Activation";
-const std::string small1 = "tables/small1.TAMtbl";
-
 std::string variable(int n)
 {
     return "Application/Variables/Floats[" + std::to_string(n) + "]";
-}
-
-Exchange within(std::chrono::milliseconds timeout)
-{
-    Exchange exchange;
-    exchange.timeout = timeout;
-    return exchange;
 }
 
 Bytes tableFile(std::uint32_t points, bool persistent = false, float scale = 0.001F)
@@ -53,7 +41,7 @@ Result<void> useAndActivate(VirtualDrive& drive)
     if (!source)
         return fail(source.error());
     if (auto chosen =
-            drive.writeRegisters({{tableOfX, "Small1"}, {sourceOfX, source->front().address}});
+            drive.writeRegisters({{tableOfX, "Small1"}, {source1OfX, source->front().address}});
         !chosen)
         return chosen;
     return drive.writeRegisters({{activationOfX, "AddToEncoders"}});
@@ -269,7 +257,7 @@ void LinkContract::writesSeveralRegistersAtOnce()
     for (int n = 0; n < static_cast<int>(kind().writesAtOnce); ++n)
         writes.push_back({variable(n), static_cast<float>(n) * 0.3F});
     writes[0] = {tableOfX, "Small3"};
-    writes[1] = {sourceOfX, std::uint32_t{1234}};
+    writes[1] = {source1OfX, std::uint32_t{1234}};
     writes[2] = {"Application/Tables/Small1/Header/Persistent", false};
     VERIFY_RESULT(link().writeRegisters(writes, {}));
     for (const RegisterWrite& write : writes)

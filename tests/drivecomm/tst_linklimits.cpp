@@ -54,11 +54,11 @@ private Q_SLOTS:
 void LinkLimitsTest::takesAThousandFiles()
 {
     const RawResponder good(json(directoryJson(manyFiles(1000))));
-    const auto files = linkTo(good.url())->listFiles(within(60s));
+    const auto files = webLinkTo(good.url())->listFiles(within(60s));
     VERIFY_RESULT(files);
     QCOMPARE(files->size(), std::size_t{1000});
     const RawResponder bad(json(directoryJson(manyFiles(1001))));
-    const auto refused = linkTo(bad.url())->listFiles(within(60s));
+    const auto refused = webLinkTo(bad.url())->listFiles(within(60s));
     VERIFY_ERROR(refused, ErrorCode::Protocol);
     QCOMPARE(refused.error().context.at("expected"), std::string("at most 1000 files"));
 }
@@ -66,20 +66,20 @@ void LinkLimitsTest::takesAThousandFiles()
 void LinkLimitsTest::takesAMebibyteOfRegisters()
 {
     const RawResponder good(json(registersOfSize(mebibyte)));
-    VERIFY_RESULT(linkTo(good.url())->readRegisters(twoStates, within(60s)));
+    VERIFY_RESULT(webLinkTo(good.url())->readRegisters(twoStates, within(60s)));
     const RawResponder bad(json(registersOfSize(mebibyte + 1)));
-    VERIFY_ERROR(linkTo(bad.url())->readRegisters(twoStates, within(60s)), ErrorCode::Protocol);
+    VERIFY_ERROR(webLinkTo(bad.url())->readRegisters(twoStates, within(60s)), ErrorCode::Protocol);
 }
 
 void LinkLimitsTest::takesSixteenMebibytesOfATree()
 {
     const RawResponder good(json(registersOfSize(16 * mebibyte)));
-    const auto all = linkTo(good.url())->readTree("Axes", within(60s));
+    const auto all = webLinkTo(good.url())->readTree("Axes", within(60s));
     // The index is a part of the name: both are read, and found to be somewhere else.
     VERIFY_ERROR(all, ErrorCode::Protocol);
     QCOMPARE(all.error().context.at("expected"), std::string("registers below Axes"));
     const RawResponder bad(json(registersOfSize(16 * mebibyte + 1)));
-    const auto refused = linkTo(bad.url())->readTree("Axes[0]", within(60s));
+    const auto refused = webLinkTo(bad.url())->readTree("Axes[0]", within(60s));
     VERIFY_ERROR(refused, ErrorCode::Protocol);
     QCOMPARE(refused.error().context.at("expected"), std::string("at most 16777216 bytes"));
 }
@@ -90,21 +90,21 @@ void LinkLimitsTest::takesSixteenMebibytesOfAFileItDoesNotKnow()
         return always(httpReply("200 OK", "application/octet-stream", std::string(bytes, 'x')));
     };
     const RawResponder good(file(16 * mebibyte));
-    const auto bytes = linkTo(good.url())->download("logs/all", within(60s));
+    const auto bytes = webLinkTo(good.url())->download("logs/all", within(60s));
     VERIFY_RESULT(bytes);
     QCOMPARE(bytes->size(), 16 * mebibyte);
     const RawResponder bad(file(16 * mebibyte + 1));
-    VERIFY_ERROR(linkTo(bad.url())->download("logs/all", within(60s)), ErrorCode::Protocol);
+    VERIFY_ERROR(webLinkTo(bad.url())->download("logs/all", within(60s)), ErrorCode::Protocol);
 }
 
 void LinkLimitsTest::countsAThousandAxes()
 {
     const RawResponder good(driveWithAxes(1023, Missing::Named));
-    const auto identity = linkTo(good.url())->identify(within(60s));
+    const auto identity = webLinkTo(good.url())->identify(within(60s));
     VERIFY_RESULT(identity);
     QCOMPARE(identity->axes, 1023);
     const RawResponder bad(driveWithAxes(1'000'000, Missing::Named));
-    const auto refused = linkTo(bad.url())->identify(within(60s));
+    const auto refused = webLinkTo(bad.url())->identify(within(60s));
     VERIFY_ERROR(refused, ErrorCode::Protocol);
     QCOMPARE(refused.error().context.at("expected"), std::string("at most 1024 axes"));
 }
@@ -126,7 +126,7 @@ void LinkLimitsTest::cutsALongReason()
     QFETCH(QString, type);
     const RawResponder drive(
         always(httpReply("409 Conflict", type.toStdString(), body.toStdString())));
-    const auto refused = linkTo(drive.url())->writeRegisters(oneWrite, within(60s));
+    const auto refused = webLinkTo(drive.url())->writeRegisters(oneWrite, within(60s));
     VERIFY_ERROR(refused, ErrorCode::NotAllowedNow);
     const std::string reason = refused.error().context.at("reason");
     QVERIFY2(reason.size() <= 1000, std::to_string(reason.size()).c_str());

@@ -114,7 +114,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 
     TableReadOptions options;
     options.layout = &layout();
-    options.dimensions = &family == &calibrationCsvFamily() ? 2 : 0;
+    options.dimensions = &family == &calibration_csv::format() ? 2 : 0;
     options.settings = neededSettings(family.facts, false);
     const auto reading = family.read(text, options);
     if (!reading)

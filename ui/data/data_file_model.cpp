@@ -47,7 +47,7 @@ void DataFileModel::setDimensions(int dimensions)
     m_dimensions = dimensions;
     const QString path = m_file.isReading ? m_file.readingPath : m_file.path;
     const bool knowsItsOwn =
-        !m_file.isReading && m_file.family && m_file.family != &calibrationCsvFamily();
+        !m_file.isReading && m_file.family && m_file.family != &calibration_csv::format();
     if (!path.isEmpty() && !knowsItsOwn)
         open(path, dimensions, choicesFor(path));
 }

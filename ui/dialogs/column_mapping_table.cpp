@@ -15,7 +15,7 @@ namespace axiscomp::ui {
 
 namespace {
 
-enum Column { Name, Range, Axis, ColumnCount };
+enum MappingColumn { NameColumn, RangeColumn, MappedAxisColumn, MappingColumnCount };
 constexpr int highest = 230; // pixels: more columns than fit are scrolled
 
 struct ValueRange {
@@ -52,7 +52,7 @@ ColumnAxisTable::ColumnAxisTable(
 
 void ColumnAxisTable::build()
 {
-    setColumnCount(ColumnCount);
+    setColumnCount(MappingColumnCount);
     setRowCount(static_cast<int>(m_file->tables.size()));
     verticalHeader()->hide();
     setEditTriggers(QAbstractItemView::NoEditTriggers);
@@ -72,8 +72,8 @@ void ColumnAxisTable::build()
 
 void ColumnAxisTable::addRow(int row, const AxisChoice& proposal)
 {
-    setItem(row, Name, new QTableWidgetItem);
-    setItem(row, Range, new QTableWidgetItem(QStringLiteral("…")));
+    setItem(row, NameColumn, new QTableWidgetItem);
+    setItem(row, RangeColumn, new QTableWidgetItem(QStringLiteral("…")));
     auto* combo = new QComboBox;
     combo->setObjectName(QStringLiteral("axisOfColumn%1").arg(row + 1));
     combo->addItem(QString());
@@ -81,7 +81,7 @@ void ColumnAxisTable::addRow(int row, const AxisChoice& proposal)
         combo->addItem(axisNameOnDrive(entry), entry.axis.index);
     combo->setCurrentIndex(proposal ? combo->findData(*proposal) : 0);
     connect(combo, &QComboBox::currentIndexChanged, this, &ColumnAxisTable::choiceChanged);
-    setCellWidget(row, Axis, combo);
+    setCellWidget(row, MappedAxisColumn, combo);
     m_combos.push_back(combo);
 }
 
@@ -91,7 +91,7 @@ void ColumnAxisTable::askForRanges()
         inBackground<std::vector<ValueRange>>([file = m_file] { return rangesOf(*file); });
     whenDone(ranges, this, [this](const std::vector<ValueRange>& found) {
         for (std::size_t n = 0; n < found.size(); ++n) {
-            item(static_cast<int>(n), Range)
+            item(static_cast<int>(n), RangeColumn)
                 ->setText(QStringLiteral("%1 … %2%3")
                               .arg(signedNumberText(static_cast<double>(found[n].smallest)),
                                   signedNumberText(static_cast<double>(found[n].largest)),
@@ -128,7 +128,7 @@ void ColumnAxisTable::retranslate()
     setAccessibleName(tr("Which column is for which axis"));
     for (int row = 0; row < rowCount(); ++row) {
         const QString name = columnName(row);
-        item(row, Name)->setText(name);
+        item(row, NameColumn)->setText(name);
         QComboBox* combo = m_combos[static_cast<std::size_t>(row)];
         combo->setItemText(0, tr("none", "axis"));
         combo->setAccessibleName(tr("Axis for %1").arg(name));

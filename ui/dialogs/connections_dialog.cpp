@@ -22,9 +22,9 @@ namespace axiscomp::ui {
 
 namespace {
 
-enum Column { Address, Drive, State, ColumnCount };
+enum ConnectionColumn { AddressColumn, DriveColumn, StateColumn, ConnectionColumnCount };
 constexpr int endpointRole = Qt::UserRole; ///< as typed, password included
-constexpr int symbolSize = 14;
+constexpr int connectionSymbolSize = 14;
 
 QPushButton* pushButton(const char* name, Symbol symbol)
 {
@@ -37,7 +37,7 @@ QPushButton* pushButton(const char* name, Symbol symbol)
 
 QString endpointOf(const QTreeWidgetItem& item)
 {
-    return item.data(Address, endpointRole).toString();
+    return item.data(AddressColumn, endpointRole).toString();
 }
 
 /// For changing it: the password stays behind.
@@ -123,7 +123,7 @@ void ConnectionsDialog::build()
 void ConnectionsDialog::buildList()
 {
     m_list->setObjectName(QStringLiteral("connections"));
-    m_list->setColumnCount(ColumnCount);
+    m_list->setColumnCount(ConnectionColumnCount);
     m_list->setRootIsDecorated(false);
     m_list->setAlternatingRowColors(true);
     m_list->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
@@ -212,8 +212,8 @@ void ConnectionsDialog::addItem(const QString& endpoint)
     QTreeWidgetItem* item = itemOf(endpoint);
     if (!item) {
         item = new QTreeWidgetItem(m_list);
-        item->setData(Address, endpointRole, endpoint);
-        item->setText(Address, shownEndpoint(endpoint));
+        item->setData(AddressColumn, endpointRole, endpoint);
+        item->setText(AddressColumn, shownEndpoint(endpoint));
     }
     m_list->setCurrentItem(item);
     showKnownStates();
@@ -226,16 +226,16 @@ void ConnectionsDialog::showKnownStates()
         for (const DriveState& drive : m_controller.drives()) {
             if (drive.endpoint != shownEndpoint(endpointOf(item)))
                 continue;
-            item.setText(Drive, drive.isDemo ? tr("%1 (demo)").arg(drive.name) : drive.name);
+            item.setText(DriveColumn, drive.isDemo ? tr("%1 (demo)").arg(drive.name) : drive.name);
             if (drive.certificate)
                 m_certificate->addRejected(*drive.certificate);
             const bool isConnected = drive.connection == DriveState::Connection::Connected;
             const bool isLost = drive.connection == DriveState::Connection::Lost;
-            item.setText(State,
+            item.setText(StateColumn,
                 isConnected  ? tr("connected")
                     : isLost ? drive.problem
                              : tr("connecting …"));
-            item.setToolTip(State, item.text(State));
+            item.setToolTip(StateColumn, item.text(StateColumn));
         }
     }
 }
@@ -247,17 +247,17 @@ void ConnectionsDialog::showState(QTreeWidgetItem& item, const Result<DriveIdent
         m_certificate->removeRejected(endpointOf(item));
     else if (const auto rejected = rejectedCertificate(identity.error()))
         m_certificate->addRejected(*rejected);
-    item.setIcon(State,
+    item.setIcon(StateColumn,
         symbolPixmap(identity ? Symbol::Success : Symbol::Error, frameColor(tone, palette()),
-            symbolSize, devicePixelRatioF()));
+            connectionSymbolSize, devicePixelRatioF()));
     if (identity)
-        item.setText(Drive, QString::fromStdString(identity->name));
-    item.setText(State,
+        item.setText(DriveColumn, QString::fromStdString(identity->name));
+    item.setText(StateColumn,
         identity ? tr("answers; serial number %1, axes: %2")
                        .arg(identity->serialNumber)
                        .arg(identity->axes)
                  : errorText(identity.error()));
-    item.setToolTip(State, item.text(State));
+    item.setToolTip(StateColumn, item.text(StateColumn));
 }
 
 void ConnectionsDialog::testCurrent()
@@ -269,8 +269,8 @@ void ConnectionsDialog::testCurrent()
 void ConnectionsDialog::test(const QString& endpoint)
 {
     if (QTreeWidgetItem* item = itemOf(endpoint)) {
-        item->setIcon(State, {});
-        item->setText(State, tr("asking …"));
+        item->setIcon(StateColumn, {});
+        item->setText(StateColumn, tr("asking …"));
     }
     m_probe.ask(endpoint, [this, endpoint](const Result<DriveIdentity>& identity) {
         if (QTreeWidgetItem* item = itemOf(endpoint))

@@ -23,7 +23,7 @@ public:
 
 Q_SIGNALS:
     void chosen(const std::shared_ptr<const axiscomp::CompensationTable>& table,
-        const axiscomp::ui::ImportChoices& choices);
+        const axiscomp::ImportChoices& choices);
 
 protected:
     [[nodiscard]] Words words() const override;

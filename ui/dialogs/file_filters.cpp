@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/dialogs/file_filters.h"
+#include "ui/text/value_text.h"
 
 #include "core/formats/table_format.h"
 #include "ui/text/phrase_book.h"
@@ -10,11 +11,6 @@
 namespace axiscomp::ui {
 
 namespace {
-
-QString qString(std::string_view text)
-{
-    return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
-}
 
 QStringList patternsOf(const FamilyFacts& facts)
 {

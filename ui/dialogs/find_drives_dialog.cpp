@@ -20,9 +20,9 @@ namespace axiscomp::ui {
 
 namespace {
 
-enum Column { Address, Port, Answer, ColumnCount };
-constexpr int endpointRole = Qt::UserRole;
-constexpr int symbolSize = 14;
+enum SightingColumn { SightedAddressColumn, PortColumn, AnswerColumn, SightingColumnCount };
+constexpr int sightingEndpointRole = Qt::UserRole;
+constexpr int sightingSymbolSize = 14;
 
 } // namespace
 
@@ -60,7 +60,7 @@ void FindDrivesDialog::build()
     m_search->setObjectName(QStringLiteral("searchAgain"));
     m_search->setAutoDefault(false);
     m_list->setObjectName(QStringLiteral("foundDrives"));
-    m_list->setColumnCount(ColumnCount);
+    m_list->setColumnCount(SightingColumnCount);
     m_list->setRootIsDecorated(false);
     m_list->setAlternatingRowColors(true);
     m_list->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
@@ -126,25 +126,25 @@ void FindDrivesDialog::add(const DriveSighting& sighting)
     ++m_places;
     auto* item = new QTreeWidgetItem(m_list);
     const QString endpoint = QString::fromStdString(sighting.endpoint);
-    item->setData(Address, endpointRole, endpoint);
-    item->setText(Address, shownEndpoint(endpoint));
-    item->setText(Port, QString::fromStdString(sighting.description));
+    item->setData(SightedAddressColumn, sightingEndpointRole, endpoint);
+    item->setText(SightedAddressColumn, shownEndpoint(endpoint));
+    item->setText(PortColumn, QString::fromStdString(sighting.description));
     const Tone tone = sighting.drive ? Tone::Success : Tone::Error;
-    item->setIcon(Answer,
+    item->setIcon(AnswerColumn,
         symbolPixmap(sighting.drive ? Symbol::Success : Symbol::Error, frameColor(tone, palette()),
-            symbolSize, devicePixelRatioF()));
+            sightingSymbolSize, devicePixelRatioF()));
     if (sighting.drive) {
-        item->setText(Answer,
+        item->setText(AnswerColumn,
             tr("%1, serial number %2, axes: %3")
                 .arg(QString::fromStdString(sighting.drive->name))
                 .arg(sighting.drive->serialNumber)
                 .arg(sighting.drive->axes));
-        item->setCheckState(Address, Qt::Checked);
+        item->setCheckState(SightedAddressColumn, Qt::Checked);
     } else {
-        item->setText(Answer, errorText(sighting.drive.error()));
+        item->setText(AnswerColumn, errorText(sighting.drive.error()));
         item->setFlags(item->flags() & ~Qt::ItemIsUserCheckable);
     }
-    item->setToolTip(Answer, item->text(Answer));
+    item->setToolTip(AnswerColumn, item->text(AnswerColumn));
     updateButtons();
 }
 
@@ -173,8 +173,8 @@ QStringList FindDrivesDialog::chosen() const
     QStringList endpoints;
     for (int row = 0; row < m_list->topLevelItemCount(); ++row) {
         const QTreeWidgetItem& item = *m_list->topLevelItem(row);
-        if (item.checkState(Address) == Qt::Checked)
-            endpoints += item.data(Address, endpointRole).toString();
+        if (item.checkState(SightedAddressColumn) == Qt::Checked)
+            endpoints += item.data(SightedAddressColumn, sightingEndpointRole).toString();
     }
     return endpoints;
 }

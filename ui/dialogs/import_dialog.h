@@ -22,7 +22,7 @@ public:
     explicit ImportDialog(Options options, QWidget* parent = nullptr);
 
 Q_SIGNALS:
-    void chosen(const QString& path, const axiscomp::ui::ImportChoices& choices);
+    void chosen(const QString& path, const axiscomp::ImportChoices& choices);
 
 protected:
     [[nodiscard]] Words words() const override;

@@ -17,7 +17,7 @@ namespace axiscomp::ui {
 
 namespace {
 
-enum Column { Axis, Before, After, Slot, ColumnCount };
+enum PlanColumn { AxisColumn, BeforeColumn, AfterColumn, SlotColumn, PlanColumnCount };
 
 QString persistencyText(Persistency persistency)
 {
@@ -92,7 +92,7 @@ SeveralPlanView::SeveralPlanView(QWidget* parent)
 {
     setObjectName(QStringLiteral("severalPlan"));
     m_rows->setObjectName(QStringLiteral("severalPlanRows"));
-    m_rows->setColumnCount(ColumnCount);
+    m_rows->setColumnCount(PlanColumnCount);
     m_rows->verticalHeader()->hide();
     m_rows->setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_rows->setSelectionMode(QAbstractItemView::NoSelection);
@@ -104,8 +104,8 @@ SeveralPlanView::SeveralPlanView(QWidget* parent)
     m_rows->horizontalHeader()->setHighlightSections(false);
     m_rows->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     m_rows->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
-    m_rows->horizontalHeader()->setSectionResizeMode(Axis, QHeaderView::ResizeToContents);
-    m_rows->horizontalHeader()->setSectionResizeMode(Slot, QHeaderView::ResizeToContents);
+    m_rows->horizontalHeader()->setSectionResizeMode(AxisColumn, QHeaderView::ResizeToContents);
+    m_rows->horizontalHeader()->setSectionResizeMode(SlotColumn, QHeaderView::ResizeToContents);
     m_rows->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_remarks->setObjectName(QStringLiteral("severalRemarks"));
     m_remarks->setWordWrap(true);

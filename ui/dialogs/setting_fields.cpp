@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/dialogs/setting_fields.h"
+#include "ui/text/value_text.h"
 
 #include "ui/text/error_text.h"
 #include "ui/text/phrase_book.h"
@@ -16,11 +17,6 @@
 namespace axiscomp::ui {
 
 namespace {
-
-QString qString(std::string_view text)
-{
-    return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
-}
 
 QStringList choicesOf(const FormatSetting& setting)
 {

@@ -21,7 +21,7 @@ namespace axiscomp::ui {
 
 namespace {
 
-constexpr int symbolSize = 14;
+constexpr int fieldSymbolSize = 14;
 
 /// A place to break a long path, as it has no blanks.
 QString breakable(QString text)
@@ -232,7 +232,7 @@ void FieldRow::showState()
         color = textColor(tone, palette);
         const Symbol symbol = tone == Tone::Error ? Symbol::Error : Symbol::Edit;
         m_noteSymbol->setPixmap(
-            symbolPixmap(symbol, color, symbolSize, m_editor->devicePixelRatioF()));
+            symbolPixmap(symbol, color, fieldSymbolSize, m_editor->devicePixelRatioF()));
     }
     m_noteSymbol->setVisible(tone != Tone::Information);
     QPalette notePalette = palette;

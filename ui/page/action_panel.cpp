@@ -15,7 +15,7 @@ namespace axiscomp::ui {
 
 namespace {
 
-constexpr int symbolSize = 16;
+constexpr int actionSymbolSize = 16;
 
 QPushButton* pushButton(const char* name)
 {
@@ -151,8 +151,8 @@ void ActionPanel::showActions()
     m_hint->setText(hint);
     m_hintSymbol->setPixmap(hint.isEmpty()
             ? QPixmap()
-            : symbolPixmap(
-                Symbol::Information, mutedTextColor(palette()), symbolSize, devicePixelRatioF()));
+            : symbolPixmap(Symbol::Information, mutedTextColor(palette()), actionSymbolSize,
+                devicePixelRatioF()));
 }
 
 } // namespace axiscomp::ui

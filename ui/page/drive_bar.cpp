@@ -17,7 +17,7 @@ namespace axiscomp::ui {
 
 namespace {
 
-constexpr int symbolSize = 16;
+constexpr int driveSymbolSize = 16;
 
 QString driveText(const DriveState& drive)
 {
@@ -147,7 +147,7 @@ void DriveBar::showState()
         }
     }
     m_symbol->setPixmap(
-        symbolPixmap(symbol, frameColor(tone, palette()), symbolSize, devicePixelRatioF()));
+        symbolPixmap(symbol, frameColor(tone, palette()), driveSymbolSize, devicePixelRatioF()));
     m_state->setText(text);
     m_state->setToolTip(problem);
     const ActionState refresh = m_controller.action(Action::Refresh);

@@ -14,7 +14,7 @@ namespace axiscomp::ui {
 
 namespace {
 
-constexpr int symbolSize = 18;
+constexpr int messageSymbolSize = 18;
 
 Symbol symbolOf(Tone tone)
 {
@@ -78,8 +78,8 @@ protected:
 private:
     void colour()
     {
-        m_symbol->setPixmap(symbolPixmap(
-            symbolOf(m_tone), frameColor(m_tone, palette()), symbolSize, devicePixelRatioF()));
+        m_symbol->setPixmap(symbolPixmap(symbolOf(m_tone), frameColor(m_tone, palette()),
+            messageSymbolSize, devicePixelRatioF()));
     }
     void addButton(QHBoxLayout& layout, const Message::Button& description, MessageStack& stack)
     {

@@ -22,7 +22,7 @@ namespace axiscomp::ui {
 namespace {
 
 constexpr int progressSteps = 1000;
-constexpr int symbolSize = 14;
+constexpr int stripSymbolSize = 14;
 
 /// The drive's own word in the user's language.
 QString stateText(const std::string& state, const RegisterEnums& enums)
@@ -167,7 +167,7 @@ void StatusStrip::showLive()
     const Symbol symbol = tone == Tone::Error ? Symbol::Error
         : tone == Tone::Success               ? Symbol::Success
                                               : Symbol::Information;
-    m_stateSymbol->setPixmap(symbolPixmap(symbol, color, symbolSize, devicePixelRatioF()));
+    m_stateSymbol->setPixmap(symbolPixmap(symbol, color, stripSymbolSize, devicePixelRatioF()));
     m_state->setText(stateText(status->axis.state, m_enums));
     m_live->setText(
         tr("output <b>%1</b> &nbsp; index <b>%2</b>")

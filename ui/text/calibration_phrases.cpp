@@ -8,7 +8,7 @@ namespace axiscomp::ui {
 namespace {
 
 // Core: calibration files and tables.
-constexpr const char* phrases[] = {
+constexpr const char* calibrationPhraseList[] = {
     QT_TRANSLATE_NOOP("Error", "{size} bytes"),
     QT_TRANSLATE_NOOP("Error", "at most {size} bytes"),
     QT_TRANSLATE_NOOP("Error", "{count} columns"),
@@ -115,7 +115,7 @@ constexpr const char* phrases[] = {
 
 std::span<const char* const> calibrationPhrases()
 {
-    return phrases;
+    return calibrationPhraseList;
 }
 
 } // namespace axiscomp::ui

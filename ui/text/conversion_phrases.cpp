@@ -8,7 +8,7 @@ namespace axiscomp::ui {
 namespace {
 
 // Core: what a conversion of tables reports, and why there is none.
-constexpr const char* phrases[] = {
+constexpr const char* conversionPhraseList[] = {
     QT_TRANSLATE_NOOP("Error", "the numbers of the file are taken as they are"),
     QT_TRANSLATE_NOOP("Error", "sign: {from}; {example}"),
     QT_TRANSLATE_NOOP("Error", "{format} holds feedback values"),
@@ -143,7 +143,7 @@ constexpr const char* phrases[] = {
 
 std::span<const char* const> conversionPhrases()
 {
-    return phrases;
+    return conversionPhraseList;
 }
 
 } // namespace axiscomp::ui

@@ -8,7 +8,7 @@ namespace axiscomp::ui {
 namespace {
 
 // Core/error.cpp: the sentence of each error.
-constexpr const char* phrases[] = {
+constexpr const char* errorPhraseList[] = {
     QT_TRANSLATE_NOOP("Error", "{reason}"),
     QT_TRANSLATE_NOOP("Error", "stopped by the user"),
     QT_TRANSLATE_NOOP("Error", "{file} cannot be read: {reason}"),
@@ -111,7 +111,7 @@ constexpr const char* phrases[] = {
 
 std::span<const char* const> errorPhrases()
 {
-    return phrases;
+    return errorPhraseList;
 }
 
 } // namespace axiscomp::ui

@@ -8,7 +8,7 @@ namespace axiscomp::ui {
 namespace {
 
 // Core: files, folders and documents on this computer.
-constexpr const char* phrases[] = {
+constexpr const char* filePhraseList[] = {
     QT_TRANSLATE_NOOP("Error", "{text} is not the SHA-256 of a certificate"),
     QT_TRANSLATE_NOOP("Error", "it does not exist"),
     QT_TRANSLATE_NOOP("Error", "no permission"),
@@ -71,7 +71,7 @@ constexpr const char* phrases[] = {
 
 std::span<const char* const> filePhrases()
 {
-    return phrases;
+    return filePhraseList;
 }
 
 } // namespace axiscomp::ui

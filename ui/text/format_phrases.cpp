@@ -8,7 +8,7 @@ namespace axiscomp::ui {
 namespace {
 
 // Core: what the registry of formats says about each of them.
-constexpr const char* phrases[] = {
+constexpr const char* formatPhraseList[] = {
     QT_TRANSLATE_NOOP("Error", "leadscrew compensation of one source (DEFINE COMP)"),
     QT_TRANSLATE_NOOP("Error", "compensation of a motor by two others (DEFINE COMP)"),
     QT_TRANSLATE_NOOP(
@@ -152,7 +152,7 @@ constexpr const char* settingNames[] = {
 
 std::span<const char* const> formatPhrases()
 {
-    return phrases;
+    return formatPhraseList;
 }
 
 std::span<const char* const> settingPhrases()

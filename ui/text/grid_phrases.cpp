@@ -8,7 +8,7 @@ namespace axiscomp::ui {
 namespace {
 
 // Core: directions, sign, comparison and grid of a table.
-constexpr const char* phrases[] = {
+constexpr const char* gridPhraseList[] = {
     // a table by itself
     QT_TRANSLATE_NOOP("Error", "{axis} has fewer than two positions"),
     QT_TRANSLATE_NOOP("Error", "the positions of {axis} do not increase strictly"),
@@ -111,7 +111,7 @@ constexpr const char* phrases[] = {
 
 std::span<const char* const> gridPhrases()
 {
-    return phrases;
+    return gridPhraseList;
 }
 
 } // namespace axiscomp::ui

@@ -8,7 +8,7 @@ namespace axiscomp::ui {
 namespace {
 
 // Drivecomm: connections, what a drive answers, what the virtual drive refuses.
-constexpr const char* phrases[] = {
+constexpr const char* linkPhraseList[] = {
     QT_TRANSLATE_NOOP("Error", "it was closed before the reply was complete"),
     QT_TRANSLATE_NOOP(
         "Error", "nothing listens there; is the drive switched on, and is the address right?"),
@@ -128,7 +128,7 @@ constexpr const char* phrases[] = {
 
 std::span<const char* const> linkPhrases()
 {
-    return phrases;
+    return linkPhraseList;
 }
 
 } // namespace axiscomp::ui

@@ -8,7 +8,7 @@ namespace axiscomp::ui {
 namespace {
 
 // Core: the files of machine tools and printers.
-constexpr const char* phrases[] = {
+constexpr const char* machinePhraseList[] = {
     // ISG kernel
     QT_TRANSLATE_NOOP(
         "Error", "the position {position} is the same as the one before when it is rounded"),
@@ -169,7 +169,7 @@ constexpr const char* phrases[] = {
 
 std::span<const char* const> machinePhrases()
 {
-    return phrases;
+    return machinePhraseList;
 }
 
 } // namespace axiscomp::ui

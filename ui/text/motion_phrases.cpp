@@ -8,7 +8,7 @@ namespace axiscomp::ui {
 namespace {
 
 // Core: the files of motion controllers.
-constexpr const char* phrases[] = {
+constexpr const char* motionPhraseList[] = {
     // Aerotech
     QT_TRANSLATE_NOOP("Error", "the number of one axis, from 1, behind :START"),
     QT_TRANSLATE_NOOP("Error", "SAMPLEDIST= and the distance of the corrections, which is not 0"),
@@ -183,7 +183,7 @@ constexpr const char* phrases[] = {
 
 std::span<const char* const> motionPhrases()
 {
-    return phrases;
+    return motionPhraseList;
 }
 
 } // namespace axiscomp::ui

@@ -8,7 +8,7 @@ namespace axiscomp::ui {
 namespace {
 
 // What core says of plans, drives and proofs.
-constexpr const char* phrases[] = {
+constexpr const char* planPhraseList[] = {
     QT_TRANSLATE_NOOP("Error", "axis {axis} is named twice"),
     QT_TRANSLATE_NOOP("Error",
         "together these writes cost {cost} flash operations, and {left} are possible now; write "
@@ -101,7 +101,7 @@ constexpr const char* phrases[] = {
 
 std::span<const char* const> planPhrases()
 {
-    return phrases;
+    return planPhraseList;
 }
 
 } // namespace axiscomp::ui

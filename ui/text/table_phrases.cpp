@@ -8,7 +8,7 @@ namespace axiscomp::ui {
 namespace {
 
 // Core: what readers and writers of all formats have in common.
-constexpr const char* phrases[] = {
+constexpr const char* tablePhraseList[] = {
     // what the readers of all formats say
     QT_TRANSLATE_NOOP("Error", "{number} positions of {axis}"),
     QT_TRANSLATE_NOOP("Error", "{number} positions of the points"),
@@ -136,7 +136,7 @@ constexpr const char* phrases[] = {
 
 std::span<const char* const> tablePhrases()
 {
-    return phrases;
+    return tablePhraseList;
 }
 
 } // namespace axiscomp::ui

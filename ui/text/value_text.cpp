@@ -50,6 +50,11 @@ QString withSign(double value, QString text)
 
 } // namespace
 
+QString qString(std::string_view text)
+{
+    return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
+}
+
 QString numberText(double value)
 {
     constexpr int digits = 7;

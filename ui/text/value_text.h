@@ -14,6 +14,9 @@ namespace axiscomp::ui {
 
 struct AxisEntry;
 
+/// text is UTF-8.
+[[nodiscard]] QString qString(std::string_view text);
+
 // Numbers in the words of QLocale().
 
 /// Seven digits at most, without trailing zeros.

@@ -64,7 +64,7 @@ Result<Bytes> encodeTable(Environment& environment, const ConvertOptions& option
 Result<Bytes> encodeAs(Environment& environment, const ConvertOptions& options,
     const TableFamily& format, const CalibrationData& data, bool persistent)
 {
-    if (&format == &tamTableFamily())
+    if (&format == &tam_table::format())
         return encodeTable(environment, options, data.tables.front(), persistent);
     const std::string text = writeCalibrationCsv(data);
     const ByteView view = asBytes(text);

@@ -76,7 +76,8 @@ Result<ReadTable> readAsOther(Environment& environment, DriveSession& session,
     neutral.columns.front().unit = unit;
     if (neutral.axes.size() == 1)
         neutral.axes.front().unit = unit;
-    auto request = conversionRequest(options.conversion, tamTableFamily(), to, neutral.axes.size());
+    auto request =
+        conversionRequest(options.conversion, tam_table::format(), to, neutral.axes.size());
     if (!request)
         return fail(request.error());
     request->writing.layout = &session.profile().layout;
@@ -95,7 +96,7 @@ Result<ExitCode> runRead(Environment& environment, const ReadOptions& options)
 {
     const Output output{options.output, options.drive.command};
     const bool isUnnamed = output.isStandardOutput() && options.to.empty();
-    const auto format = isUnnamed ? Result<const TableFamily*>(&calibrationCsvFamily())
+    const auto format = isUnnamed ? Result<const TableFamily*>(&calibration_csv::format())
                                   : outputFamily(options.output, options.to);
     if (!format)
         return fail(format.error());
@@ -110,9 +111,9 @@ Result<ExitCode> runRead(Environment& environment, const ReadOptions& options)
         const auto status = session.compensator().status(axis, session.operation());
         if (!status)
             return fail(status.error());
-        auto table = isOther               ? readAsOther(same, session, *status, options, **format)
-            : *format == &tamTableFamily() ? readAsTamTable(session, *status)
-                                           : readAsCsv(session, *status);
+        auto table = isOther ? readAsOther(same, session, *status, options, **format)
+            : *format == &tam_table::format() ? readAsTamTable(session, *status)
+                                              : readAsCsv(session, *status);
         if (!table)
             return fail(table.error());
         if (auto written = writeOutput(environment, output, table->file); !written)

@@ -180,7 +180,7 @@ Result<CompensationTable> driveTable(Environment& environment, const TableInput&
     if (!index)
         return fail(index.error());
     const auto request = conversionRequest(
-        options, *input.family, calibrationCsvFamily(), columns[*index].axes.size());
+        options, *input.family, calibration_csv::format(), columns[*index].axes.size());
     if (!request)
         return fail(request.error());
     const auto conversion = convertTables(std::span(columns).subspan(*index, 1), *request);

@@ -58,7 +58,7 @@ Result<const TableFamily*> familyOf(Environment& environment, const TableInputOp
     if (!options.from.empty())
         return familyNamed(options.from);
     if (options.file == standardStream)
-        return &calibrationCsvFamily();
+        return &calibration_csv::format();
     const std::string name = std::filesystem::path(options.file).filename().string();
     const auto choice = chooseFamily(beginningOf(options.file), name, options.dimensions != 0);
     if (!choice)
@@ -114,7 +114,7 @@ Result<TableInput> inspectCsv(Environment& environment, const TableInputOptions&
             + plural(reading->suppressed, "further error is", "further errors are")
             + " not listed");
     TableInput input;
-    input.family = &calibrationCsvFamily();
+    input.family = &calibration_csv::format();
     input.diagnostics = std::move(reading->diagnostics);
     input.suppressed = reading->suppressed;
     if (!reading->hasErrors()) {
@@ -141,7 +141,7 @@ Result<TableInput> inspectTamTable(Environment& environment, const TableInputOpt
             {{"table", std::to_string(dimensions)},
                 {"chosen", std::to_string(options.dimensions)}});
     TableInput input;
-    input.family = &tamTableFamily();
+    input.family = &tam_table::format();
     input.persistent = table->persistent;
     input.bytes = text->size();
     input.data = CalibrationData{table->table.grid, {}, {}};
@@ -241,9 +241,9 @@ Result<TableInput> inspectInput(Environment& environment, const TableInputOption
     const auto family = familyOf(environment, options);
     if (!family)
         return fail(family.error());
-    if (*family == &calibrationCsvFamily())
+    if (*family == &calibration_csv::format())
         return inspectCsv(environment, options);
-    if (*family == &tamTableFamily())
+    if (*family == &tam_table::format())
         return inspectTamTable(environment, options);
     return inspectOther(environment, **family, options);
 }

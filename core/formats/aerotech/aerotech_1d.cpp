@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <set>
 
-namespace axiscomp {
+namespace axiscomp::aerotech_1d {
 
 namespace {
 
@@ -97,7 +97,7 @@ std::vector<NeutralTable> parse(TextReading& reading)
 
 Result<TableReading> read(std::string_view text, const TableReadOptions& options)
 {
-    return readText(aerotech1dFamily().facts, text, options, parse);
+    return readText(aerotech_1d::format().facts, text, options, parse);
 }
 
 Recognition recognise(std::string_view text)
@@ -122,7 +122,7 @@ std::string tableText(const NeutralTable& table, const std::string& unit)
 
 Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWriteOptions& options)
 {
-    const TableFamily& family = aerotech1dFamily();
+    const TableFamily& family = aerotech_1d::format();
     const auto given = SettingValues::of(family.facts, options.settings, true);
     if (!given)
         return fail(given.error());
@@ -161,7 +161,7 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
 
 } // namespace
 
-const TableFamily& aerotech1dFamily()
+const TableFamily& format()
 {
     static const TableFamily family{.facts = {.name = "aerotech-1d",
                                         .controller = "Aerotech",
@@ -185,4 +185,4 @@ const TableFamily& aerotech1dFamily()
     return family;
 }
 
-} // namespace axiscomp
+} // namespace axiscomp::aerotech_1d

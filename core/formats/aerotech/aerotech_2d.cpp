@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace axiscomp {
+namespace axiscomp::aerotech_2d {
 
 namespace {
 
@@ -205,7 +205,7 @@ std::vector<NeutralTable> parse(TextReading& reading)
 
 Result<TableReading> read(std::string_view text, const TableReadOptions& options)
 {
-    return readText(aerotech2dFamily().facts, text, options, parse);
+    return readText(aerotech_2d::format().facts, text, options, parse);
 }
 
 Recognition recognise(std::string_view text)
@@ -216,7 +216,7 @@ Recognition recognise(std::string_view text)
 /// The table with the numbers of its axes, and with a second column at least.
 Result<NeutralTable> numbered(const NeutralTable& source, const SettingValues& given)
 {
-    const FamilyFacts& facts = aerotech2dFamily().facts;
+    const FamilyFacts& facts = aerotech_2d::format().facts;
     NeutralTable table = source;
     constexpr std::array<std::string_view, 2> sourceKeys{"column-axis", "row-axis"};
     for (std::size_t n = 0; n < 2; ++n) {
@@ -269,7 +269,7 @@ std::string tableText(const NeutralTable& table, const std::string& unit)
 
 Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWriteOptions& options)
 {
-    const TableFamily& family = aerotech2dFamily();
+    const TableFamily& family = aerotech_2d::format();
     const auto given = SettingValues::of(family.facts, options.settings, true);
     if (!given)
         return fail(given.error());
@@ -294,7 +294,7 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
 
 } // namespace
 
-const TableFamily& aerotech2dFamily()
+const TableFamily& format()
 {
     static const TableFamily family{.facts = {.name = "aerotech-2d",
                                         .controller = "Aerotech",
@@ -321,4 +321,4 @@ const TableFamily& aerotech2dFamily()
     return family;
 }
 
-} // namespace axiscomp
+} // namespace axiscomp::aerotech_2d

@@ -10,7 +10,7 @@
 #include <array>
 #include <cmath>
 
-namespace axiscomp {
+namespace axiscomp::icube {
 
 namespace {
 
@@ -237,7 +237,7 @@ Result<TableReading> read(std::string_view text, const TableReadOptions& options
 {
     if (auto checked = checkWrapSetting(options.settings); !checked)
         return fail(checked.error());
-    return readText(icubeFamily().facts, text, options, parse);
+    return readText(icube::format().facts, text, options, parse);
 }
 
 /// At most a few lines of header and then pairs in one direction.
@@ -269,7 +269,7 @@ Recognition recognise(std::string_view text)
 
 auto refuse(std::string reason, std::string wayOut)
 {
-    return cannotHold(icubeFamily().facts, std::move(reason), std::move(wayOut));
+    return cannotHold(icube::format().facts, std::move(reason), std::move(wayOut));
 }
 
 /// The wrap range of the table and that of the setting, which must not contradict each other.
@@ -306,7 +306,7 @@ Result<void> checkWritable(const NeutralTable& table)
 
 Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWriteOptions& options)
 {
-    const FamilyFacts& facts = icubeFamily().facts;
+    const FamilyFacts& facts = icube::format().facts;
     if (auto checked = checkWrapSetting(options.settings); !checked)
         return fail(checked.error());
     const auto values = SettingValues::of(facts, options.settings, true);
@@ -337,7 +337,7 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
 
 } // namespace
 
-const TableFamily& icubeFamily()
+const TableFamily& format()
 {
     static const TableFamily family{.facts = {.name = "icube",
                                         .controller = "Yaskawa iCube Control",
@@ -360,4 +360,4 @@ const TableFamily& icubeFamily()
     return family;
 }
 
-} // namespace axiscomp
+} // namespace axiscomp::icube

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace axiscomp {
+namespace axiscomp::isg_crosscomp {
 
 namespace {
 
@@ -112,7 +112,7 @@ std::vector<NeutralTable> parse(TextReading& reading)
 
 Result<TableReading> read(std::string_view text, const TableReadOptions& options)
 {
-    return readText(isgCrosscompFamily().facts, text, options, parse);
+    return readText(isg_crosscomp::format().facts, text, options, parse);
 }
 
 Recognition recognise(std::string_view text)
@@ -122,7 +122,7 @@ Recognition recognise(std::string_view text)
 
 Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWriteOptions& options)
 {
-    const FamilyFacts& facts = isgCrosscompFamily().facts;
+    const FamilyFacts& facts = isg_crosscomp::format().facts;
     const auto given = SettingValues::of(facts, options.settings, true);
     if (!given)
         return fail(given.error());
@@ -167,12 +167,12 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
     if (table.axes[0].wrap)
         reading["modulo"] = "yes";
     return isg::finish(
-        isgCrosscompFamily(), std::move(*draft), *given, std::move(reading), std::move(remarks));
+        isg_crosscomp::format(), std::move(*draft), *given, std::move(reading), std::move(remarks));
 }
 
 } // namespace
 
-const TableFamily& isgCrosscompFamily()
+const TableFamily& format()
 {
     static const TableFamily family{
         .facts = {.name = "isg-crosscomp",
@@ -198,4 +198,4 @@ const TableFamily& isgCrosscompFamily()
     return family;
 }
 
-} // namespace axiscomp
+} // namespace axiscomp::isg_crosscomp

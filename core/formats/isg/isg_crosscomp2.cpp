@@ -3,7 +3,7 @@
 #include "core/formats/isg/isg_list.h"
 #include "core/text/text_file.h"
 
-namespace axiscomp {
+namespace axiscomp::isg_crosscomp2 {
 
 namespace {
 
@@ -166,7 +166,7 @@ std::vector<NeutralTable> parse(TextReading& reading)
 
 Result<TableReading> read(std::string_view text, const TableReadOptions& options)
 {
-    return readText(isgCrosscomp2Family().facts, text, options, parse);
+    return readText(isg_crosscomp2::format().facts, text, options, parse);
 }
 
 Recognition recognise(std::string_view text)
@@ -229,7 +229,7 @@ void addHeader(isg::Draft& draft, const std::array<std::array<double, 2>, 2>& gr
 Result<isg::Draft> draftOf(const NeutralTable& source, const SettingValues& given, long axis,
     std::vector<std::string>& remarks)
 {
-    const FamilyFacts& facts = isgCrosscomp2Family().facts;
+    const FamilyFacts& facts = isg_crosscomp2::format().facts;
     const auto master1 = axisNumber(facts, given, "master1-axis", source.axes[0].name);
     const auto master2 = axisNumber(facts, given, "master2-axis", source.axes[1].name);
     if (!master1 || !master2)
@@ -261,7 +261,7 @@ Result<isg::Draft> draftOf(const NeutralTable& source, const SettingValues& give
 
 Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWriteOptions& options)
 {
-    const FamilyFacts& facts = isgCrosscomp2Family().facts;
+    const FamilyFacts& facts = isg_crosscomp2::format().facts;
     const auto given = SettingValues::of(facts, options.settings, true);
     if (!given)
         return fail(given.error());
@@ -281,13 +281,13 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
         reading["master" + number + "-kind"] = isg::kindOf(table.axes[n].unit);
         reading["modulo" + number] = table.axes[n].wrap ? "yes" : "no";
     }
-    return isg::finish(
-        isgCrosscomp2Family(), std::move(*draft), *given, std::move(reading), std::move(remarks));
+    return isg::finish(isg_crosscomp2::format(), std::move(*draft), *given, std::move(reading),
+        std::move(remarks));
 }
 
 } // namespace
 
-const TableFamily& isgCrosscomp2Family()
+const TableFamily& format()
 {
     static const TableFamily family{
         .facts = {.name = "isg-crosscomp2",
@@ -315,4 +315,4 @@ const TableFamily& isgCrosscomp2Family()
     return family;
 }
 
-} // namespace axiscomp
+} // namespace axiscomp::isg_crosscomp2

@@ -3,7 +3,7 @@
 #include "core/formats/isg/isg_list.h"
 #include "core/text/text_file.h"
 
-namespace axiscomp {
+namespace axiscomp::isg_ssfk {
 
 namespace {
 
@@ -125,7 +125,7 @@ std::vector<NeutralTable> parse(TextReading& reading)
 
 Result<TableReading> read(std::string_view text, const TableReadOptions& options)
 {
-    return readText(isgSsfkFamily().facts, text, options, parse);
+    return readText(isg_ssfk::format().facts, text, options, parse);
 }
 
 Recognition recognise(std::string_view text)
@@ -136,7 +136,7 @@ Recognition recognise(std::string_view text)
 /// The numbers of one direction; a modulo axis stays closed when they are rounded.
 Result<std::vector<double>> valuesOf(const isg::Draft& draft, const CompensationColumn& column)
 {
-    auto values = isg::inFile(isgSsfkFamily().facts, draft, column.values, "the value");
+    auto values = isg::inFile(isg_ssfk::format().facts, draft, column.values, "the value");
     if (values && draft.table.axes[0].wrap)
         values->back() = values->front();
     return values;
@@ -145,7 +145,7 @@ Result<std::vector<double>> valuesOf(const isg::Draft& draft, const Compensation
 /// The head and the positions: an interval where they are even in the file, otherwise setpoints.
 Result<void> addPositions(isg::Draft& draft)
 {
-    const FamilyFacts& facts = isgSsfkFamily().facts;
+    const FamilyFacts& facts = isg_ssfk::format().facts;
     const SourceAxis& axis = draft.table.axes[0];
     const auto knots = isg::inFile(facts, draft, axis.knots, "the position");
     if (!knots)
@@ -190,7 +190,7 @@ Result<void> addTable(isg::Draft& draft, const DirectionPair& pair)
 
 Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWriteOptions& options)
 {
-    const FamilyFacts& facts = isgSsfkFamily().facts;
+    const FamilyFacts& facts = isg_ssfk::format().facts;
     const auto given = SettingValues::of(facts, options.settings, true);
     if (!given)
         return fail(given.error());
@@ -222,12 +222,12 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
         "activate it in the axis list of axis " + std::to_string(*axis) + ": lr_param.ssfk 1");
     const std::string kind = isg::kindOf(draft->table.axes[0].unit);
     return isg::finish(
-        isgSsfkFamily(), std::move(*draft), *given, {{"axis-kind", kind}}, std::move(remarks));
+        isg_ssfk::format(), std::move(*draft), *given, {{"axis-kind", kind}}, std::move(remarks));
 }
 
 } // namespace
 
-const TableFamily& isgSsfkFamily()
+const TableFamily& format()
 {
     static const TableFamily family{
         .facts = {.name = "isg-ssfk",
@@ -254,4 +254,4 @@ const TableFamily& isgSsfkFamily()
     return family;
 }
 
-} // namespace axiscomp
+} // namespace axiscomp::isg_ssfk

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <array>
 
-namespace axiscomp {
+namespace axiscomp::klipper {
 
 namespace {
 
@@ -308,7 +308,7 @@ std::vector<NeutralTable> parse(TextReading& source)
 
 Result<TableReading> read(std::string_view text, const TableReadOptions& options)
 {
-    return readText(klipperFamily().facts, text, options, parse);
+    return readText(klipper::format().facts, text, options, parse);
 }
 
 Recognition recognise(std::string_view text)
@@ -324,7 +324,7 @@ Recognition recognise(std::string_view text)
 
 } // namespace
 
-const TableFamily& klipperFamily()
+const TableFamily& format()
 {
     static const TableFamily family{
         .facts = {.name = "klipper",
@@ -349,4 +349,4 @@ const TableFamily& klipperFamily()
     return family;
 }
 
-} // namespace axiscomp
+} // namespace axiscomp::klipper

@@ -11,7 +11,7 @@
 #include <cmath>
 #include <limits>
 
-namespace axiscomp {
+namespace axiscomp::linuxcnc {
 
 namespace {
 
@@ -206,7 +206,7 @@ std::vector<NeutralTable> parse(TextReading& source)
 
 Result<TableReading> read(std::string_view text, const TableReadOptions& options)
 {
-    return readText(linuxcncFamily().facts, text, options, parse);
+    return readText(linuxcnc::format().facts, text, options, parse);
 }
 
 /// Nothing but lines of three numbers, the first increasing.
@@ -250,7 +250,7 @@ Written measured(double nominal, double trim)
 
 Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWriteOptions& options)
 {
-    const FamilyFacts& facts = linuxcncFamily().facts;
+    const FamilyFacts& facts = linuxcnc::format().facts;
     const auto values = SettingValues::of(facts, options.settings, true);
     if (!values)
         return fail(values.error());
@@ -294,7 +294,7 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
 
 } // namespace
 
-const TableFamily& linuxcncFamily()
+const TableFamily& format()
 {
     static const TableFamily family{
         .facts = {.name = "linuxcnc",
@@ -318,4 +318,4 @@ const TableFamily& linuxcncFamily()
     return family;
 }
 
-} // namespace axiscomp
+} // namespace axiscomp::linuxcnc

@@ -2,7 +2,7 @@
 #include "core/formats/formats.h"
 #include "core/formats/pmac/pmac_file.h"
 
-namespace axiscomp {
+namespace axiscomp::pmac_2d {
 
 namespace {
 
@@ -37,7 +37,7 @@ std::vector<NeutralTable> parse(TextReading& reading)
 
 Result<TableReading> read(std::string_view text, const TableReadOptions& options)
 {
-    const FamilyFacts& facts = pmac2dFamily().facts;
+    const FamilyFacts& facts = pmac_2d::format().facts;
     if (auto fits = pmac::checkCounts(facts, options.settings); !fits)
         return fail(fits.error());
     return readText(facts, text, options, parse);
@@ -50,12 +50,12 @@ Recognition recognise(std::string_view text)
 
 Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWriteOptions& options)
 {
-    return pmac::writeTable(pmac2dFamily(), {motors, counts}, tables.front(), options.settings);
+    return pmac::writeTable(pmac_2d::format(), {motors, counts}, tables.front(), options.settings);
 }
 
 } // namespace
 
-const TableFamily& pmac2dFamily()
+const TableFamily& format()
 {
     static const TableFamily family{
         .facts = {.name = "pmac-2d",
@@ -81,4 +81,4 @@ const TableFamily& pmac2dFamily()
     return family;
 }
 
-} // namespace axiscomp
+} // namespace axiscomp::pmac_2d

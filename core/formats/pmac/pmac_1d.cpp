@@ -2,7 +2,7 @@
 #include "core/formats/formats.h"
 #include "core/formats/pmac/pmac_file.h"
 
-namespace axiscomp {
+namespace axiscomp::pmac_1d {
 
 namespace {
 
@@ -34,7 +34,7 @@ std::vector<NeutralTable> parse(TextReading& reading)
 
 Result<TableReading> read(std::string_view text, const TableReadOptions& options)
 {
-    const FamilyFacts& facts = pmac1dFamily().facts;
+    const FamilyFacts& facts = pmac_1d::format().facts;
     if (auto fits = pmac::checkCounts(facts, options.settings); !fits)
         return fail(fits.error());
     return readText(facts, text, options, parse);
@@ -47,12 +47,12 @@ Recognition recognise(std::string_view text)
 
 Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWriteOptions& options)
 {
-    return pmac::writeTable(pmac1dFamily(), {motors, counts}, tables.front(), options.settings);
+    return pmac::writeTable(pmac_1d::format(), {motors, counts}, tables.front(), options.settings);
 }
 
 } // namespace
 
-const TableFamily& pmac1dFamily()
+const TableFamily& format()
 {
     static const TableFamily family{
         .facts = {.name = "pmac-1d",
@@ -76,4 +76,4 @@ const TableFamily& pmac1dFamily()
     return family;
 }
 
-} // namespace axiscomp
+} // namespace axiscomp::pmac_1d

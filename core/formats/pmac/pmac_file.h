@@ -12,6 +12,9 @@ namespace axiscomp::pmac {
 // Compensation tables of PMAC: DEFINE COMP says sizes, motors and spans in counts, whole numbers of
 // 1/16 count follow. They begin at position 0, whose entry is left out, and roll over.
 
+/// An entry of a table is a whole number of this part of a count.
+inline constexpr double entriesPerCount = 16.0;
+
 /// The tables of one or of two dimensions in a file.
 [[nodiscard]] std::vector<NeutralTable> readTables(TextReading& reading, std::size_t dimensions);
 [[nodiscard]] Recognition recogniseFile(std::string_view text, std::size_t dimensions);

@@ -10,7 +10,6 @@ namespace axiscomp::pmac {
 
 namespace {
 
-constexpr double perCount = 16.0;
 constexpr std::array<std::string_view, 2> sourceCounts{
     "source-counts-per-unit", "column-counts-per-unit"};
 
@@ -301,7 +300,8 @@ NeutralTable tableOf(Definition& definition, const TextReading& reading, std::si
     }
     CompensationColumn& column = table.columns.emplace_back();
     column.target = definition.target;
-    const FileNumbers numbers{perCount * countsOf(settings, "target-counts-per-unit"), false};
+    const FileNumbers numbers{
+        entriesPerCount * countsOf(settings, "target-counts-per-unit"), false};
     column.values.push_back(0.0); // the entry that is left out
     for (const double entry : definition.entries)
         column.values.push_back(numbers.fromFile(entry));

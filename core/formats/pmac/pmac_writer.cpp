@@ -10,7 +10,6 @@ namespace axiscomp::pmac {
 
 namespace {
 
-constexpr double perCount = 16.0;
 constexpr double largestEntry = 8388607.0; // 24 bits
 constexpr double largestSpan = 2147483647.0;
 
@@ -163,7 +162,7 @@ Result<WrittenTables> writeTable(const TableFamily& family, const Keys& keys,
     const auto motors = motorsOf(facts, keys, *table, *given);
     if (!motors)
         return fail(motors.error());
-    const FileNumbers numbers{perCount * countsFor(*given, "target-counts-per-unit"), false};
+    const FileNumbers numbers{entriesPerCount * countsFor(*given, "target-counts-per-unit"), false};
     std::vector<Circle> circles;
     for (std::size_t n = 0; n < table->axes.size(); ++n) {
         const double counts = countsFor(*given, keys.counts[n]);

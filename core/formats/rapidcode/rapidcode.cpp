@@ -9,7 +9,7 @@
 #include <array>
 #include <cmath>
 
-namespace axiscomp {
+namespace axiscomp::rapidcode {
 
 namespace {
 
@@ -285,7 +285,7 @@ std::vector<NeutralTable> parse(TextReading& source)
 
 Result<TableReading> read(std::string_view text, const TableReadOptions& options)
 {
-    return readText(rapidcodeFamily().facts, text, options, parse);
+    return readText(rapidcode::format().facts, text, options, parse);
 }
 
 Recognition recognise(std::string_view text)
@@ -323,7 +323,7 @@ std::string headerText(const RapidCodeTable& table, const std::vector<std::strin
 
 Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWriteOptions& options)
 {
-    const FamilyFacts& facts = rapidcodeFamily().facts;
+    const FamilyFacts& facts = rapidcode::format().facts;
     const auto values = SettingValues::of(facts, options.settings, true);
     if (!values)
         return fail(values.error());
@@ -349,7 +349,7 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
 
 } // namespace
 
-const TableFamily& rapidcodeFamily()
+const TableFamily& format()
 {
     static const TableFamily family{
         .facts = {.name = "rapidcode",
@@ -376,4 +376,4 @@ const TableFamily& rapidcodeFamily()
     return family;
 }
 
-} // namespace axiscomp
+} // namespace axiscomp::rapidcode

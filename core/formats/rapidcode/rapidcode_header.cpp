@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <array>
 
-namespace axiscomp {
+namespace axiscomp::rapidcode_header {
 
 namespace {
 
@@ -95,7 +95,7 @@ std::string tableText(const RapidCodeTable& table)
 
 Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWriteOptions& options)
 {
-    const FamilyFacts& facts = rapidcodeHeaderFamily().facts;
+    const FamilyFacts& facts = rapidcode_header::format().facts;
     const auto values = SettingValues::of(facts, options.settings, true);
     if (!values)
         return fail(values.error());
@@ -128,7 +128,7 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
 
 } // namespace
 
-const TableFamily& rapidcodeHeaderFamily()
+const TableFamily& format()
 {
     static const TableFamily family{.facts = {.name = "rapidcode-header",
                                         .controller = "RSI RapidCode (RMP)",
@@ -149,4 +149,4 @@ const TableFamily& rapidcodeHeaderFamily()
     return family;
 }
 
-} // namespace axiscomp
+} // namespace axiscomp::rapidcode_header

@@ -8,7 +8,7 @@
 #include <array>
 #include <cmath>
 
-namespace axiscomp {
+namespace axiscomp::reprap {
 
 namespace {
 
@@ -228,7 +228,7 @@ std::vector<NeutralTable> parse(TextReading& source)
 
 Result<TableReading> read(std::string_view text, const TableReadOptions& options)
 {
-    return readText(reprapFamily().facts, text, options, parse);
+    return readText(reprap::format().facts, text, options, parse);
 }
 
 Recognition recognise(std::string_view text)
@@ -239,7 +239,7 @@ Recognition recognise(std::string_view text)
 
 } // namespace
 
-const TableFamily& reprapFamily()
+const TableFamily& format()
 {
     static const TableFamily family{
         .facts = {.name = "reprap",
@@ -264,4 +264,4 @@ const TableFamily& reprapFamily()
     return family;
 }
 
-} // namespace axiscomp
+} // namespace axiscomp::reprap

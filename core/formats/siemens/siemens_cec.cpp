@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace axiscomp {
+namespace axiscomp::siemens_cec {
 
 namespace {
 
@@ -237,7 +237,7 @@ std::vector<NeutralTable> parse(TextReading& reading)
 
 Result<TableReading> read(std::string_view text, const TableReadOptions& options)
 {
-    return readText(siemensCecFamily().facts, text, options, parse);
+    return readText(siemens_cec::format().facts, text, options, parse);
 }
 
 Recognition recognise(std::string_view text)
@@ -288,7 +288,7 @@ private:
 
 Result<void> Writer::add(const NeutralTable& source)
 {
-    const FamilyFacts& facts = siemensCecFamily().facts;
+    const FamilyFacts& facts = siemens_cec::format().facts;
     const std::string& target = source.columns.front().target;
     const auto input = siemens::axisName(facts, m_given, "input-axis", source.axes[0].name);
     const auto output = siemens::axisName(
@@ -325,7 +325,7 @@ Result<WrittenTables> Writer::finish()
     FormatSettings reading;
     if (!m_rotary.empty())
         reading["rotary-axes"] = m_rotary;
-    auto held = readBack(siemensCecFamily(), m_written.bytes, std::move(reading));
+    auto held = readBack(siemens_cec::format(), m_written.bytes, std::move(reading));
     if (!held)
         return fail(held.error());
     m_written.held = std::move(*held);
@@ -334,7 +334,7 @@ Result<WrittenTables> Writer::finish()
 
 Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWriteOptions& options)
 {
-    const auto given = SettingValues::of(siemensCecFamily().facts, options.settings, true);
+    const auto given = SettingValues::of(siemens_cec::format().facts, options.settings, true);
     if (!given)
         return fail(given.error());
     Writer writer(*given);
@@ -346,7 +346,7 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
 
 } // namespace
 
-const TableFamily& siemensCecFamily()
+const TableFamily& format()
 {
     static const TableFamily family{.facts = {.name = "siemens-cec",
                                         .controller = "Siemens SINUMERIK",
@@ -373,4 +373,4 @@ const TableFamily& siemensCecFamily()
     return family;
 }
 
-} // namespace axiscomp
+} // namespace axiscomp::siemens_cec

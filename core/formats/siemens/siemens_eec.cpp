@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <set>
 
-namespace axiscomp {
+namespace axiscomp::siemens_eec {
 
 namespace {
 
@@ -169,7 +169,7 @@ std::vector<NeutralTable> parse(TextReading& reading)
 
 Result<TableReading> read(std::string_view text, const TableReadOptions& options)
 {
-    return readText(siemensEecFamily().facts, text, options, parse);
+    return readText(siemens_eec::format().facts, text, options, parse);
 }
 
 Recognition recognise(std::string_view text)
@@ -181,7 +181,7 @@ Recognition recognise(std::string_view text)
 Result<std::string> tableLines(const NeutralTable& source, const std::string& axis,
     const std::string& encoder, std::vector<std::string>& remarks, std::string& rotary)
 {
-    const FamilyFacts& facts = siemensEecFamily().facts;
+    const FamilyFacts& facts = siemens_eec::format().facts;
     const CompensationColumn& first = source.columns.front();
     if (!ownAxis(source, first))
         return cannotHold(facts,
@@ -212,7 +212,7 @@ Result<std::string> tableLines(const NeutralTable& source, const std::string& ax
 
 Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWriteOptions& options)
 {
-    const TableFamily& family = siemensEecFamily();
+    const TableFamily& family = siemens_eec::format();
     const auto given = SettingValues::of(family.facts, options.settings, true);
     if (!given)
         return fail(given.error());
@@ -245,7 +245,7 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
 
 } // namespace
 
-const TableFamily& siemensEecFamily()
+const TableFamily& format()
 {
     static const TableFamily family{
         .facts = {.name = "siemens-eec",
@@ -272,4 +272,4 @@ const TableFamily& siemensEecFamily()
     return family;
 }
 
-} // namespace axiscomp
+} // namespace axiscomp::siemens_eec

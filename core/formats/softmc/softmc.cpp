@@ -8,7 +8,7 @@
 #include <array>
 #include <cmath>
 
-namespace axiscomp {
+namespace axiscomp::softmc {
 
 namespace {
 
@@ -214,7 +214,7 @@ std::vector<NeutralTable> parse(TextReading& reading)
 
 Result<TableReading> read(std::string_view text, const TableReadOptions& options)
 {
-    return readText(softmcFamily().facts, text, options, parse);
+    return readText(softmc::format().facts, text, options, parse);
 }
 
 /// A first line "N k1 .. kN" that says as many sizes as it should, and a row of more numbers.
@@ -244,7 +244,7 @@ Recognition recognise(std::string_view text)
 
 Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWriteOptions& options)
 {
-    const auto settings = SettingValues::of(softmcFamily().facts, options.settings, true);
+    const auto settings = SettingValues::of(softmc::format().facts, options.settings, true);
     if (!settings)
         return fail(settings.error());
     WrittenTables written;
@@ -281,7 +281,7 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
 
 } // namespace
 
-const TableFamily& softmcFamily()
+const TableFamily& format()
 {
     static const TableFamily family{
         .facts = {.name = "softmc",
@@ -305,4 +305,4 @@ const TableFamily& softmcFamily()
     return family;
 }
 
-} // namespace axiscomp
+} // namespace axiscomp::softmc

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <array>
 
-namespace axiscomp {
+namespace axiscomp::softmc_basic {
 
 namespace {
 
@@ -60,7 +60,7 @@ std::string shapeText(const NeutralTable& table)
 
 Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWriteOptions& options)
 {
-    const auto values = SettingValues::of(softmcBasicFamily().facts, options.settings, true);
+    const auto values = SettingValues::of(softmc_basic::format().facts, options.settings, true);
     if (!values)
         return fail(values.error());
     const std::string name = values->text("name");
@@ -93,7 +93,7 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
 
 } // namespace
 
-const TableFamily& softmcBasicFamily()
+const TableFamily& format()
 {
     static const TableFamily family{
         .facts = {.name = "softmc-basic",
@@ -116,4 +116,4 @@ const TableFamily& softmcBasicFamily()
     return family;
 }
 
-} // namespace axiscomp
+} // namespace axiscomp::softmc_basic

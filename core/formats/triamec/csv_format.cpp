@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <array>
 
-namespace axiscomp {
+namespace axiscomp::calibration_csv {
 
 namespace {
 
@@ -25,7 +25,7 @@ constexpr std::array<std::string_view, 1> assumptions{
 
 Result<TableReading> read(std::string_view text, const TableReadOptions& options)
 {
-    if (auto known = SettingValues::of(calibrationCsvFamily().facts, options.settings, false);
+    if (auto known = SettingValues::of(calibration_csv::format().facts, options.settings, false);
         !known)
         return fail(known.error());
     if (options.dimensions < 1 || options.dimensions > 3)
@@ -79,7 +79,7 @@ Recognition recognise(std::string_view text)
 
 Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWriteOptions& options)
 {
-    if (auto known = SettingValues::of(calibrationCsvFamily().facts, options.settings, true);
+    if (auto known = SettingValues::of(calibration_csv::format().facts, options.settings, true);
         !known)
         return fail(known.error());
     auto data = calibrationData(tables.front());
@@ -100,7 +100,7 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
 
 } // namespace
 
-const TableFamily& calibrationCsvFamily()
+const TableFamily& format()
 {
     static const TableFamily family{
         .facts = {.name = "csv",
@@ -127,4 +127,4 @@ const TableFamily& calibrationCsvFamily()
     return family;
 }
 
-} // namespace axiscomp
+} // namespace axiscomp::calibration_csv

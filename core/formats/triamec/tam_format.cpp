@@ -5,7 +5,7 @@
 
 #include <array>
 
-namespace axiscomp {
+namespace axiscomp::tam_table {
 
 namespace {
 
@@ -38,7 +38,7 @@ Result<TableReading> read(std::string_view text, const TableReadOptions& options
     const auto layout = layoutOf(options.layout);
     if (!layout)
         return fail(layout.error());
-    if (auto known = SettingValues::of(tamTableFamily().facts, options.settings, false); !known)
+    if (auto known = SettingValues::of(tam_table::format().facts, options.settings, false); !known)
         return fail(known.error());
     auto table = decodeTamTable(asBytes(text), **layout);
     if (!table)
@@ -59,7 +59,7 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
     const auto layout = layoutOf(options.layout);
     if (!layout)
         return fail(layout.error());
-    const auto values = SettingValues::of(tamTableFamily().facts, options.settings, true);
+    const auto values = SettingValues::of(tam_table::format().facts, options.settings, true);
     if (!values)
         return fail(values.error());
     auto data = calibrationData(tables.front());
@@ -77,7 +77,7 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
 
 } // namespace
 
-const TableFamily& tamTableFamily()
+const TableFamily& format()
 {
     static const TableFamily family{
         .facts = {.name = "tamtbl",
@@ -102,4 +102,4 @@ const TableFamily& tamTableFamily()
     return family;
 }
 
-} // namespace axiscomp
+} // namespace axiscomp::tam_table

@@ -15,7 +15,7 @@ namespace {
 
 auto refuse(std::string reason, std::string wayOut)
 {
-    return cannotHold(calibrationCsvFamily().facts, std::move(reason), std::move(wayOut));
+    return cannotHold(calibration_csv::format().facts, std::move(reason), std::move(wayOut));
 }
 
 GridAxis gridAxis(const SourceAxis& axis)
@@ -92,7 +92,7 @@ Result<CalibrationData> calibrationData(const NeutralTable& table)
     if (table.sign != SignConvention::Feedback)
         return refuse("its values are offsets of the command", "convert the sign");
     const NeutralTable tables[] = {table};
-    if (auto fits = checkHolds(calibrationCsvFamily().facts, tables); !fits)
+    if (auto fits = checkHolds(calibration_csv::format().facts, tables); !fits)
         return fail(fits.error());
     CalibrationData data;
     data.notes = table.notes;

@@ -168,7 +168,7 @@ private Q_SLOTS:
         negative.direction = Direction::Negative;
         negative.values[1] += 1.0;
         table.columns = {positive, negative};
-        ConversionRequest request = requestFor(calibrationCsvFamily(), softmcFamily());
+        ConversionRequest request = requestFor(calibration_csv::format(), softmc::format());
         request.direction = DirectionChoice::Mean;
         request.resampling = WantedDeviation{0.01, ResamplingMethod::Linear};
         const std::array tables{table};
@@ -196,7 +196,7 @@ private Q_SLOTS:
         table.columns[1].direction = Direction::Negative;
         const std::array tables{table};
         const auto conversion =
-            convertTables(tables, requestFor(isgSsfkFamily(), calibrationCsvFamily()));
+            convertTables(tables, requestFor(isg_ssfk::format(), calibration_csv::format()));
         VERIFY_ERROR(conversion, ErrorCode::FormatCannotHold);
         QVERIFY(sentence(conversion.error()).find("mean") != std::string::npos);
     }
@@ -209,7 +209,7 @@ private Q_SLOTS:
         for (const TableFamily* family : tableFamilies()) {
             if (!family->write)
                 continue;
-            VERIFY_ERROR(convertTables(tables, requestFor(calibrationCsvFamily(), *family)),
+            VERIFY_ERROR(convertTables(tables, requestFor(calibration_csv::format(), *family)),
                 ErrorCode::InvalidArgument);
             if (family->facts.fewestDimensions == 1)
                 VERIFY_ERROR(checkHolds(family->facts, tables), ErrorCode::InvalidArgument);
@@ -219,7 +219,7 @@ private Q_SLOTS:
     void anOverruledSignIsUsedAndSaid()
     {
         const std::array tables{exampleTable(1, SignConvention::Command)};
-        ConversionRequest request = requestFor(softmcFamily(), calibrationCsvFamily());
+        ConversionRequest request = requestFor(softmc::format(), calibration_csv::format());
         request.sourceSign = SignConvention::Feedback;
         const auto conversion = convertTables(tables, request);
         VERIFY_RESULT(conversion);
@@ -232,7 +232,7 @@ private Q_SLOTS:
     {
         const std::array tables{exampleTable(1, SignConvention::Feedback)};
         const auto conversion =
-            convertTables(tables, requestFor(calibrationCsvFamily(), siemensCecFamily()));
+            convertTables(tables, requestFor(calibration_csv::format(), siemens_cec::format()));
         VERIFY_RESULT(conversion);
         QVERIFY(contains(conversion->remarks, "is an assumption"));
     }
@@ -243,7 +243,7 @@ private Q_SLOTS:
         table.columns[0].unit = "um";
         const std::array tables{table};
         const auto conversion =
-            convertTables(tables, requestFor(isgSsfkFamily(), calibrationCsvFamily()));
+            convertTables(tables, requestFor(isg_ssfk::format(), calibration_csv::format()));
         VERIFY_RESULT(conversion);
         const CompensationColumn& column = conversion->tables.front().result.columns.front();
         QCOMPARE(column.unit, std::string("mm"));
@@ -256,7 +256,7 @@ private Q_SLOTS:
         NeutralTable table = exampleTable(1, SignConvention::Feedback);
         table.axes[0].wrap = 40.0;
         const std::array tables{table};
-        ConversionRequest request = requestFor(isgSsfkFamily(), calibrationCsvFamily());
+        ConversionRequest request = requestFor(isg_ssfk::format(), calibration_csv::format());
         VERIFY_ERROR(convertTables(tables, request), ErrorCode::FormatCannotHold);
         request.dropsWrap = true;
         VERIFY_RESULT(convertTables(tables, request));
@@ -265,9 +265,9 @@ private Q_SLOTS:
     void roundingIsReported()
     {
         std::array tables{exampleTable(1, SignConvention::Feedback)};
-        nameAxes(tables[0], isgSsfkFamily());
+        nameAxes(tables[0], isg_ssfk::format());
         tables[0].columns[0].values[1] += 0.00003; // the file has steps of 0.0001 mm
-        ConversionRequest request = requestFor(calibrationCsvFamily(), isgSsfkFamily());
+        ConversionRequest request = requestFor(calibration_csv::format(), isg_ssfk::format());
         const auto conversion = convertTables(tables, request);
         VERIFY_RESULT(conversion);
         const double rounding = conversion->tables.front().valueRounding;

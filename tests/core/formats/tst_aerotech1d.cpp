@@ -10,7 +10,7 @@ using test::problemLines;
 
 namespace {
 
-const TableFamily& family = aerotech1dFamily();
+const TableFamily& family = aerotech_1d::format();
 
 const std::string file = "; stage 12\n"
                          ":START 1 SAMPLEDIST=5 POSUNIT=METRIC CORUNIT=METRIC/1000\n"

@@ -10,7 +10,7 @@ using test::problemLines;
 
 namespace {
 
-const TableFamily& family = aerotech2dFamily();
+const TableFamily& family = aerotech_2d::format();
 
 /// Two rows of three points; row axis 2, column axis 1.
 const std::string file = "; granite\n"

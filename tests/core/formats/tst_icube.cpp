@@ -10,7 +10,7 @@ using test::problemLines;
 
 namespace {
 
-const TableFamily& family = icubeFamily();
+const TableFamily& family = icube::format();
 
 /// The example of the manual.
 const std::string example = "0.00 0.001\n0.25 0.001\n0.50 0.001\n1.00 0.002\n5.00 0.002\n"

@@ -10,7 +10,7 @@ using test::problemLines;
 
 namespace {
 
-const TableFamily& family = isgCrosscompFamily();
+const TableFamily& family = isg_crosscomp::format();
 
 TableReadOptions linear()
 {

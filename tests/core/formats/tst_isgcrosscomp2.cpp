@@ -10,7 +10,7 @@ using test::problemLines;
 
 namespace {
 
-const TableFamily& family = isgCrosscomp2Family();
+const TableFamily& family = isg_crosscomp2::format();
 
 TableReadOptions linear()
 {

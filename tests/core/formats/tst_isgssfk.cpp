@@ -10,7 +10,7 @@ using test::problemLines;
 
 namespace {
 
-const TableFamily& family = isgSsfkFamily();
+const TableFamily& family = isg_ssfk::format();
 
 TableReadOptions linear()
 {

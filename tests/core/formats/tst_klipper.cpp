@@ -10,7 +10,7 @@ using test::problemLines;
 
 namespace {
 
-const TableFamily& family = klipperFamily();
+const TableFamily& family = klipper::format();
 
 /// As SAVE_CONFIG writes it, behind other settings.
 const std::string autosaved = "[printer]\nkinematics: corexy\n\n"

@@ -10,7 +10,7 @@ using test::problemLines;
 
 namespace {
 
-const TableFamily& family = linuxcncFamily();
+const TableFamily& family = linuxcnc::format();
 
 /// The example in the source of the controller.
 const std::string example = "0.000000 0.000000 -0.001279\n0.100000 0.098742  0.051632\n"

@@ -10,7 +10,7 @@ using test::problemLines;
 
 namespace {
 
-const TableFamily& family = pmac1dFamily();
+const TableFamily& family = pmac_1d::format();
 
 const std::string file = "; bowed screw\n"
                          "CLOSE\nDELETE COMP\n"

@@ -10,7 +10,7 @@ using test::problemLines;
 
 namespace {
 
-const TableFamily& family = pmac2dFamily();
+const TableFamily& family = pmac_2d::format();
 
 /// 2 rows and 3 columns of intervals: 4 x 3 points, the first of which has no entry.
 const std::string file = "#3\nDEFINE COMP 2.3,#1D,#2D,#3,3000,4000\n"

@@ -13,8 +13,8 @@ using test::problemLines;
 
 namespace {
 
-const TableFamily& family = rapidcodeFamily();
-const TableFamily& headerFamily = rapidcodeHeaderFamily();
+const TableFamily& family = rapidcode::format();
+const TableFamily& headerFamily = rapidcode_header::format();
 
 bool mentions(const std::string& text, std::string_view part)
 {

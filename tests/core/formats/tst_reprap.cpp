@@ -10,7 +10,7 @@ using test::problemLines;
 
 namespace {
 
-const TableFamily& family = reprapFamily();
+const TableFamily& family = reprap::format();
 
 const std::string title = "RepRapFirmware height map file v2 generated at 2021-04-05 06:07, mean "
                           "error 0.010, deviation 0.002\n";

@@ -10,7 +10,7 @@ using test::problemLines;
 
 namespace {
 
-const TableFamily& family = siemensCecFamily();
+const TableFamily& family = siemens_cec::format();
 
 std::string tableText(const std::string& index, const std::string& direction, double factor = 1.0)
 {

@@ -10,7 +10,7 @@ using test::problemLines;
 
 namespace {
 
-const TableFamily& family = siemensEecFamily();
+const TableFamily& family = siemens_eec::format();
 
 /// The manual's example, with fewer points.
 const std::string program = "%_N_AX_EEC_INI\n"

@@ -10,7 +10,7 @@ using test::problemLines;
 
 namespace {
 
-const TableFamily& family = softmcFamily();
+const TableFamily& family = softmc::format();
 
 TableReadOptions withUnits()
 {

@@ -8,7 +8,7 @@ using namespace axiscomp;
 
 namespace {
 
-const TableFamily& family = softmcBasicFamily();
+const TableFamily& family = softmc_basic::format();
 
 NeutralTable twoSources()
 {
@@ -63,7 +63,7 @@ private Q_SLOTS:
     void theAssignmentsAreTheRowsOfTheTextTable()
     {
         const auto basic = family.write(std::array{twoSources()}, {});
-        const auto text = softmcFamily().write(std::array{twoSources()}, {});
+        const auto text = softmc::format().write(std::array{twoSources()}, {});
         VERIFY_RESULT(basic);
         VERIFY_RESULT(text);
         std::string rows = "2 2 3\n";

@@ -31,7 +31,7 @@ private Q_SLOTS:
 
     void unevenPositionsAreReadForResampling()
     {
-        READ_TABLE(table, calibrationCsvFamily(), unevenText, oneDimension());
+        READ_TABLE(table, calibration_csv::format(), unevenText, oneDimension());
         QCOMPARE(table.axes[0].knots, (std::vector<double>{0, 1, 2.5, 10}));
         QCOMPARE(table.axes[0].unit, std::string("mm"));
         QCOMPARE(table.columns[0].name, std::string("Table 1"));
@@ -43,7 +43,7 @@ private Q_SLOTS:
     {
         // 0.1 + 0.2 and the like: the file's texts and the grid differ by the rounding of doubles.
         READ_TABLE(
-            table, calibrationCsvFamily(), "X,T\n0.1,1\n0.2,2\n0.3,3\n0.4,5\n", oneDimension());
+            table, calibration_csv::format(), "X,T\n0.1,1\n0.2,2\n0.3,3\n0.4,5\n", oneDimension());
         QVERIFY(isEven(table));
         const auto data = calibrationData(table);
         VERIFY_RESULT(data);
@@ -53,9 +53,10 @@ private Q_SLOTS:
 
     void unevenPositionsAreNotWritten()
     {
-        READ_TABLE(table, calibrationCsvFamily(), unevenText, oneDimension());
+        READ_TABLE(table, calibration_csv::format(), unevenText, oneDimension());
         const std::array tables{table};
-        VERIFY_ERROR(checkHolds(calibrationCsvFamily().facts, tables), ErrorCode::FormatCannotHold);
+        VERIFY_ERROR(
+            checkHolds(calibration_csv::format().facts, tables), ErrorCode::FormatCannotHold);
         VERIFY_ERROR(calibrationData(table), ErrorCode::FormatCannotHold);
     }
 
@@ -63,7 +64,7 @@ private Q_SLOTS:
     {
         TableReadOptions options;
         options.dimensions = 2;
-        READ_TABLE(table, calibrationCsvFamily(),
+        READ_TABLE(table, calibration_csv::format(),
             "X,Y,X error,Y\n0,0,1,2\n1,0,1,2\n0,1,1,3\n1,1,2,3\n", options);
         QCOMPARE(table.columns[0].target, std::string());
         QCOMPARE(table.columns[1].target, std::string("Y"));
@@ -76,11 +77,11 @@ private Q_SLOTS:
         TableReadOptions options;
         options.dimensions = 2;
         const std::string text = exampleCalibrationCsv(2);
-        READ_TABLE(table, calibrationCsvFamily(), text, options);
+        READ_TABLE(table, calibration_csv::format(), text, options);
         const std::array tables{table};
-        const auto written = calibrationCsvFamily().write(tables, {});
+        const auto written = calibration_csv::format().write(tables, {});
         VERIFY_RESULT(written);
-        READ_TABLE(again, calibrationCsvFamily(), written->bytes, options);
+        READ_TABLE(again, calibration_csv::format(), written->bytes, options);
         QCOMPARE(again, table);
         QCOMPARE(written->held.front(), table);
     }
@@ -88,13 +89,13 @@ private Q_SLOTS:
     void valuesAreTheNumbersThatThePersonWrote()
     {
         READ_TABLE(
-            table, calibrationCsvFamily(), "X,T\n0,0.0021\n1,-3.4\n2,1e-12\n", oneDimension());
+            table, calibration_csv::format(), "X,T\n0,0.0021\n1,-3.4\n2,1e-12\n", oneDimension());
         QCOMPARE(table.columns[0].values, (std::vector<double>{0.0021, -3.4, 1e-12}));
     }
 
     void offsetsOfTheCommandAreNotTakenForErrors()
     {
-        READ_TABLE(read, calibrationCsvFamily(), "X,T\n0,1\n1,2\n", oneDimension());
+        READ_TABLE(read, calibration_csv::format(), "X,T\n0,1\n1,2\n", oneDimension());
         NeutralTable table = read;
         table.sign = SignConvention::Command;
         VERIFY_ERROR(calibrationData(table), ErrorCode::FormatCannotHold);
@@ -102,12 +103,12 @@ private Q_SLOTS:
 
     void theNumberOfDimensionsMustBeSaid()
     {
-        VERIFY_ERROR(calibrationCsvFamily().read(unevenText, {}), ErrorCode::InvalidArgument);
+        VERIFY_ERROR(calibration_csv::format().read(unevenText, {}), ErrorCode::InvalidArgument);
     }
 
     void aTamTableNeedsALayout()
     {
-        VERIFY_ERROR(tamTableFamily().read("TAM", {}), ErrorCode::InvalidArgument);
+        VERIFY_ERROR(tam_table::format().read("TAM", {}), ErrorCode::InvalidArgument);
     }
 
     void everyFormatHasItsFacts()
@@ -143,13 +144,13 @@ private Q_SLOTS:
     {
         const auto choice = chooseFamily("1 2\n0 0.1\n1 0.2\n", "table.dat", false);
         VERIFY_RESULT(choice);
-        QCOMPARE(choice->family, &softmcFamily());
+        QCOMPARE(choice->family, &softmc::format());
         const auto csv = chooseFamily("X,T\n0,1\n1,2\n", "x.csv", true);
         VERIFY_RESULT(csv);
-        QCOMPARE(csv->family, &calibrationCsvFamily());
+        QCOMPARE(csv->family, &calibration_csv::format());
         const auto tam = chooseFamily("anything", "X.TAMTBL", false);
         VERIFY_RESULT(tam);
-        QCOMPARE(tam->family, &tamTableFamily());
+        QCOMPARE(tam->family, &tam_table::format());
         VERIFY_ERROR(chooseFamily("?", "x.bin", false), ErrorCode::UnknownFormat);
     }
 };

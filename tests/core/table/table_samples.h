@@ -7,7 +7,7 @@
 
 namespace axiscomp::test {
 
-inline CompensationTable exampleTable(int dimensions)
+inline CompensationTable tamSample(int dimensions)
 {
     const std::array<GridAxis, 3> axes{GridAxis{{}, {}, -10.5, 0.25, 3},
         GridAxis{{}, {}, 100.0, 2.0, 4}, GridAxis{{}, {}, 0.1, 0.1, 5}};

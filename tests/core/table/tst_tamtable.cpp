@@ -53,7 +53,7 @@ private Q_SLOTS:
 
     void theFileIsTheDocumentedOneByteByByte()
     {
-        const CompensationTable table = exampleTable(2);
+        const CompensationTable table = tamSample(2);
         const Bytes file = encoded(table, genericTableLayout(), true);
         QCOMPARE(file.size(), std::size_t{128 + 4 * 12});
         QCOMPARE(asText(file).substr(0, 4), "TAMT");
@@ -120,7 +120,7 @@ private Q_SLOTS:
         layout.dimension1Fastest = dimension1Fastest;
         if (!tellsDimensions)
             layout.place(TableField::Dimensions).reset();
-        const CompensationTable table = exampleTable(dimensions);
+        const CompensationTable table = tamSample(dimensions);
         for (const bool persistent : {false, true}) {
             const auto file = encodeTamTable(table, persistent, layout);
             VERIFY_RESULT(file);
@@ -170,7 +170,7 @@ private Q_SLOTS:
     {
         TableLayout layout = genericTableLayout();
         layout.littleEndian = false;
-        const Bytes file = encoded(exampleTable(1), layout);
+        const Bytes file = encoded(tamSample(1), layout);
         QVERIFY(file[4] == std::byte{0} && file[5] == std::byte{1});
         QCOMPARE(loaded<std::uint32_t>(file, 20, false), 3U);
         QCOMPARE(loaded<float>(file, 128, false), -3.0F);
@@ -180,7 +180,7 @@ private Q_SLOTS:
     void aLayoutWithTheMandatoryFieldsAloneIsEnough()
     {
         const TableLayout layout = smallLayout();
-        CompensationTable table = exampleTable(2);
+        CompensationTable table = tamSample(2);
         table.name.clear();
         const auto file = encodeTamTable(table, true, layout);
         VERIFY_RESULT(file);
@@ -215,7 +215,7 @@ private Q_SLOTS:
     {
         QFETCH(std::string, name);
         QFETCH(std::string, expected);
-        CompensationTable table = exampleTable(1);
+        CompensationTable table = tamSample(1);
         table.name = name;
         const auto decoded = decodeTamTable(encoded(table), genericTableLayout());
         VERIFY_RESULT(decoded);
@@ -224,7 +224,7 @@ private Q_SLOTS:
 
     void persistentChangesInPlaceAndTheFileStaysValid()
     {
-        Bytes file = encoded(exampleTable(3));
+        Bytes file = encoded(tamSample(3));
         const Bytes before = file;
         setPersistent(file, true, genericTableLayout());
         QVERIFY(file != before);
@@ -246,7 +246,7 @@ private Q_SLOTS:
 
     void anyOtherByteMakesAnotherTable()
     {
-        const Bytes file = encoded(exampleTable(1));
+        const Bytes file = encoded(tamSample(1));
         for (std::size_t i = 0; i < file.size(); ++i) {
             Bytes other = file;
             other[i] ^= std::byte{1};
@@ -258,7 +258,7 @@ private Q_SLOTS:
 
     void anIndependentReaderFindsTheSame()
     {
-        CompensationTable table = exampleTable(3);
+        CompensationTable table = tamSample(3);
         table.name = "Tr\xC3\xA4ger";
         Bytes file = encoded(table, genericTableLayout(), true);
         const QJsonObject found = independentlyRead(file);

@@ -37,7 +37,7 @@ private Q_SLOTS:
 
     void anyFlippedBitIsFound()
     {
-        const Bytes file = encoded(exampleTable(2));
+        const Bytes file = encoded(tamSample(2));
         for (std::size_t bit = 0; bit < 8 * file.size(); ++bit) {
             Bytes wrong = file;
             wrong[bit / 8] ^= std::byte{1} << (bit % 8);
@@ -49,7 +49,7 @@ private Q_SLOTS:
 
     void anyOtherLengthIsFound()
     {
-        Bytes file = encoded(exampleTable(2));
+        Bytes file = encoded(tamSample(2));
         for (std::size_t length = 0; length < file.size(); ++length) {
             const auto decoded = decodeTamTable(ByteView(file).first(length), genericTableLayout());
             VERIFY_ERROR(decoded, ErrorCode::InvalidTable);
@@ -96,8 +96,8 @@ private Q_SLOTS:
     {
         TableLayout layout = genericTableLayout();
         layout.place(TableField::Size)->offset = 4000;
-        VERIFY_ERROR(encodeTamTable(exampleTable(1), false, layout), ErrorCode::InvalidProfile);
-        VERIFY_ERROR(decodeTamTable(encoded(exampleTable(1)), layout), ErrorCode::InvalidProfile);
+        VERIFY_ERROR(encodeTamTable(tamSample(1), false, layout), ErrorCode::InvalidProfile);
+        VERIFY_ERROR(decodeTamTable(encoded(tamSample(1)), layout), ErrorCode::InvalidProfile);
     }
 };
 
@@ -153,7 +153,7 @@ void TestTamTableFaults::aWrongFieldIsNamed()
     QFETCH(std::string, field);
     QFETCH(std::string, found);
     QFETCH(std::string, expected);
-    CompensationTable table = exampleTable(2);
+    CompensationTable table = tamSample(2);
     table.grid.axes[0].size = 3;
     table.grid.axes[0].start = 1.2e308; // "last position is none" needs little more
     table.grid.axes[0].distance = 1e300;
@@ -176,7 +176,7 @@ void TestTamTableFaults::aTableThatIsNoneIsNotWritten_data()
     QTest::addColumn<CompensationTable>("table");
     QTest::addColumn<std::string>("reason");
     const auto row = [](const char* name, const char* reason, auto change) {
-        CompensationTable table = exampleTable(2);
+        CompensationTable table = tamSample(2);
         change(table);
         QTest::newRow(name) << table << std::string(reason);
     };

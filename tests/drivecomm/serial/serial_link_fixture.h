@@ -5,6 +5,7 @@
 #include "drivecomm/profile/profile_loader.h"
 #include "drivecomm/serial/serial_drive_link.h"
 #include "drivecomm/virtualdrive/serial/serial_server.h"
+#include "tests/drivecomm/known_paths.h"
 #include "tests/support/serial_wire.h"
 #include "tests/support/verify.h"
 
@@ -15,24 +16,12 @@ namespace axiscomp::test {
 using namespace drivecomm;
 using namespace std::chrono_literals;
 
-inline const std::string small1 = "tables/small1.TAMtbl";
-inline const std::string large1 = "tables/large1.TAMtbl";
-inline const std::string variable0 = "Application/Variables/Floats[0]";
-inline const std::string stateOfX = "Axes[0]/Signals/Compensations/Axis/State";
-
-inline std::unique_ptr<DriveLink> linkTo(const std::string& url)
+inline std::unique_ptr<DriveLink> serialLinkTo(const std::string& url)
 {
     return makeSerialDriveLink(parseEndpoint(url).value(), genericProfile());
 }
 
-inline Exchange within(std::chrono::milliseconds timeout)
-{
-    Exchange exchange;
-    exchange.timeout = timeout;
-    return exchange;
-}
-
-inline Bytes tableFile(std::uint32_t points, float scale = 0.001F)
+inline Bytes serialTableFile(std::uint32_t points, float scale = 0.001F)
 {
     CompensationTable table;
     table.name = "serial";
@@ -44,7 +33,7 @@ inline Bytes tableFile(std::uint32_t points, float scale = 0.001F)
 /// Fills a small slot: 63360 bytes.
 inline Bytes fullTable(float scale = 0.001F)
 {
-    return tableFile((63360 - 128) / 4, scale);
+    return serialTableFile((63360 - 128) / 4, scale);
 }
 
 /// A virtual drive behind a serial port.

@@ -87,7 +87,7 @@ private Q_SLOTS:
 
 void SerialLinkTest::saysThatThereIsNoSuchPort()
 {
-    const auto result = linkTo("serial:/dev/no-such-port")->identify({});
+    const auto result = serialLinkTo("serial:/dev/no-such-port")->identify({});
     VERIFY_ERROR(result, ErrorCode::NotConnected);
     QCOMPARE(result.error().context.at("endpoint"), std::string("serial:/dev/no-such-port"));
     QVERIFY2(reasonOf(result).find("no such port") != std::string::npos, reasonOf(result).c_str());
@@ -98,7 +98,7 @@ void SerialLinkTest::saysThatItIsNoSerialPort()
     const QTemporaryDir folder;
     QFile file(folder.filePath(QStringLiteral("file")));
     QVERIFY(file.open(QIODevice::WriteOnly));
-    const auto result = linkTo("serial:" + file.fileName().toStdString())->identify({});
+    const auto result = serialLinkTo("serial:" + file.fileName().toStdString())->identify({});
     VERIFY_ERROR(result, ErrorCode::NotConnected);
     QVERIFY2(
         reasonOf(result).find("no serial port") != std::string::npos, reasonOf(result).c_str());
@@ -123,7 +123,7 @@ void SerialLinkTest::saysWhoMayUseThePort()
     if (groupMay)
         QCOMPARE(::chown(device.c_str(), 0, dialout->gr_gid), 0);
     QCOMPARE(::chmod(device.c_str(), groupMay ? 0660 : 0), 0);
-    const auto link = linkTo(served.front->url());
+    const auto link = serialLinkTo(served.front->url());
     {
         const WithoutPrivileges unprivileged;
         const auto result = link->identify({});
@@ -141,17 +141,17 @@ void SerialLinkTest::saysThatAnotherProgramUsesThePort()
     SerialFrontOptions options;
     options.link = folder.filePath(QStringLiteral("drive")).toStdString();
     const SerialDrive served(options);
-    auto first = linkTo(served.front->url());
+    auto first = serialLinkTo(served.front->url());
     VERIFY_RESULT(first->identify({}));
     for (const std::string& url : {served.front->url(), "serial:" + served.front->device()}) {
-        const auto result = linkTo(url)->identify({});
+        const auto result = serialLinkTo(url)->identify({});
         VERIFY_ERROR(result, ErrorCode::NotConnected);
         QVERIFY2(reasonOf(result).find("another program is using the port") != std::string::npos,
             reasonOf(result).c_str());
     }
     VERIFY_RESULT(first->identify({}));
     first.reset();
-    VERIFY_RESULT(linkTo(served.front->url())->identify({}));
+    VERIFY_RESULT(serialLinkTo(served.front->url())->identify({}));
 }
 
 void SerialLinkTest::saysThatSomethingElseAnswers_data()
@@ -180,7 +180,7 @@ void SerialLinkTest::saysThatSomethingElseAnswers()
             return "login: ";
         }
     });
-    const auto result = linkTo(stranger.url())->identify({});
+    const auto result = serialLinkTo(stranger.url())->identify({});
     VERIFY_ERROR(result, ErrorCode::Protocol);
     QVERIFY(QString::fromStdString(result.error().context.at("quote")).contains(quote));
     QVERIFY(result.error().context.at("expected").find("115200 baud") != std::string::npos);
@@ -189,7 +189,7 @@ void SerialLinkTest::saysThatSomethingElseAnswers()
 void SerialLinkTest::saysThatNothingAnswers()
 {
     const SerialStranger stranger([](const std::string&) { return std::string(); });
-    const auto result = linkTo(stranger.url())->identify(within(300ms));
+    const auto result = serialLinkTo(stranger.url())->identify(within(300ms));
     VERIFY_ERROR(result, ErrorCode::Timeout);
     QCOMPARE(result.error().context.at("seconds"), std::string("0.3"));
     QCOMPARE(result.error().context.at("endpoint"), stranger.url());
@@ -198,7 +198,7 @@ void SerialLinkTest::saysThatNothingAnswers()
 void SerialLinkTest::sendsNothingButIdentifyToAStranger()
 {
     const SerialStranger stranger([](const std::string&) { return std::string(); });
-    const auto link = linkTo(stranger.url());
+    const auto link = serialLinkTo(stranger.url());
     const std::vector<RegisterWrite> writes{{variable0, 1.0F}};
     VERIFY_ERROR(link->writeRegisters(writes, within(400ms)), ErrorCode::Timeout);
     const QRegularExpression identify(
@@ -219,7 +219,7 @@ void SerialLinkTest::doesAnySpeed()
     QFETCH(int, baud);
     const SerialDrive served;
     const std::string url = "serial:" + served.front->device() + "?baud=" + std::to_string(baud);
-    const auto link = linkTo(url);
+    const auto link = serialLinkTo(url);
     const auto identity = link->identify({});
     VERIFY_RESULT(identity);
     QVERIFY((*identity == DriveIdentity{"Serial-1", 1559, 2}));
@@ -228,7 +228,7 @@ void SerialLinkTest::doesAnySpeed()
 void SerialLinkTest::isUnpluggedInMidWrite()
 {
     SerialDrive served;
-    const auto link = linkTo(served.front->url());
+    const auto link = serialLinkTo(served.front->url());
     Exchange exchange;
     exchange.progress = [&served](auto, auto) { served.front.reset(); };
     const auto result = link->upload(small1, fullTable(), exchange);
@@ -242,7 +242,7 @@ void SerialLinkTest::isUnpluggedInMidWrite()
 void SerialLinkTest::isUnpluggedBetweenCalls()
 {
     SerialDrive served;
-    const auto link = linkTo(served.front->url());
+    const auto link = serialLinkTo(served.front->url());
     VERIFY_RESULT(link->identify({}));
     served.front.reset();
     int turns = 0;
@@ -262,7 +262,7 @@ void SerialLinkTest::findsTheDriveAgainUnderItsLink()
     SerialFrontOptions options;
     options.link = folder.filePath(QStringLiteral("drive")).toStdString();
     SerialDrive served(options);
-    const auto link = linkTo(served.front->url());
+    const auto link = serialLinkTo(served.front->url());
     VERIFY_RESULT(link->identify({}));
     const std::string before = served.front->device();
     served.faults.add({FaultSpec::Kind::DropAfter, 30, {}});
@@ -280,7 +280,7 @@ void SerialLinkTest::stopsWhileItWaits()
     });
     Exchange exchange = within(60s);
     exchange.stop = source.get_token();
-    VERIFY_ERROR(linkTo(stranger.url())->identify(exchange), ErrorCode::Cancelled);
+    VERIFY_ERROR(serialLinkTo(stranger.url())->identify(exchange), ErrorCode::Cancelled);
 }
 
 void SerialLinkTest::worksAtOnceAfterAStoppedTransfer_data()
@@ -300,7 +300,7 @@ void SerialLinkTest::worksAtOnceAfterAStoppedTransfer()
     SerialDrive served;
     const Bytes before = fullTable(0.002F);
     VERIFY_RESULT(served.drive.upload(small1, before));
-    const auto link = linkTo(served.front->url());
+    const auto link = serialLinkTo(served.front->url());
     std::stop_source source;
     Exchange exchange;
     exchange.stop = source.get_token();
@@ -325,7 +325,7 @@ void SerialLinkTest::endsATransferAtItsDeadline()
     SerialFrontOptions options;
     options.baud = 9600;
     SerialDrive served(options);
-    const auto link = linkTo("serial:" + served.front->device() + "?baud=3000000");
+    const auto link = serialLinkTo("serial:" + served.front->device() + "?baud=3000000");
     VERIFY_ERROR(link->upload(small1, fullTable(), within(1500ms)), ErrorCode::Timeout);
     QVERIFY(served.file(small1).empty());
     VERIFY_RESULT(link->identify({}));
@@ -336,8 +336,8 @@ void SerialLinkTest::aSlowLinesOwnTimeDoesNotCount()
     SerialFrontOptions options;
     options.baud = 57'600;
     SerialDrive served(options);
-    const auto link = linkTo(served.front->url());
-    const Bytes file = tableFile(4000);
+    const auto link = serialLinkTo(served.front->url());
+    const Bytes file = serialTableFile(4000);
     VERIFY_RESULT(link->upload(small1, file, within(1500ms))); // takes three seconds
     QVERIFY(served.file(small1) == file);
 }
@@ -356,7 +356,7 @@ void SerialLinkTest::leavesTheTransferOfAProgramThatVanished()
         QCOMPARE(
             ::write(client.get(), half.data(), half.size()), static_cast<ssize_t>(half.size()));
     }
-    const auto link = linkTo(served.front->url());
+    const auto link = serialLinkTo(served.front->url());
     VERIFY_RESULT(link->identify({}));
     VERIFY_RESULT(link->upload(small1, fullTable(), {}));
     QVERIFY(served.file(small1) == fullTable());
@@ -392,7 +392,7 @@ void SerialLinkTest::writesNothingToAnotherDrive()
     options.link = folder.filePath(QStringLiteral("drive")).toStdString();
     const std::vector<std::string> paths{variable0, stateOfX};
     auto first = std::make_unique<SerialDrive>(options);
-    const auto link = linkTo(first->front->url());
+    const auto link = serialLinkTo(first->front->url());
     const auto before = link->readRegisters(paths, {});
     VERIFY_RESULT(before);
     QCOMPARE(before->at(0).address, first->drive.readRegisters(paths)->at(0).address);
@@ -421,7 +421,7 @@ void SerialLinkTest::worksOnAnyThread()
     const SerialDrive served;
     Result<DriveIdentity> identity = fail(ErrorCode::Cancelled);
     std::thread plain([&] { // no QThread, no event loop
-        const auto link = linkTo(served.front->url());
+        const auto link = serialLinkTo(served.front->url());
         identity = link->identify({});
     });
     plain.join();
@@ -441,7 +441,7 @@ void SerialLinkTest::theDriveOutlivesSignals()
     for (const QString& thread : threads())
         for (int i = 0; i < 20'000 && !others.contains(thread); ++i)
             ::tgkill(::getpid(), thread.toInt(), SIGUSR1);
-    VERIFY_RESULT(linkTo(served.front->url())->identify({}));
+    VERIFY_RESULT(serialLinkTo(served.front->url())->identify({}));
     std::signal(SIGUSR1, before);
 }
 

@@ -47,7 +47,7 @@ void SerialNoiseTest::aWriteEndsCorrectOrWithAnErrorAndTheOldTable()
     VERIFY_RESULT(served.drive.upload(small1, before));
     for (int run = 0; run < runs; ++run) {
         const NoisyCable cable(served.front->device(), oneIn, static_cast<std::uint32_t>(run));
-        const auto link = linkTo(cable.url());
+        const auto link = serialLinkTo(cable.url());
         const Bytes file = fullTable(0.001F * static_cast<float>(run + 2));
         const std::vector<RegisterWrite> writes{{variable0, static_cast<float>(run)}};
         auto written = link->upload(small1, file, within(60s));
@@ -86,7 +86,7 @@ void SerialNoiseTest::readsAreRightOrAnError()
     }
     VERIFY_RESULT(served.drive.writeRegisters(writes));
     const NoisyCable cable(served.front->device(), 2000, 99);
-    const auto link = linkTo(cable.url());
+    const auto link = serialLinkTo(cable.url());
     int right = 0;
     for (int run = 0; run < 40; ++run) {
         const auto readings = link->readRegisters(paths, within(20s));
@@ -105,7 +105,7 @@ void SerialNoiseTest::theSameRegisterIsNotSetTwice()
     // The reply is lost; meanwhile somebody else sets the register. Asked again, the drive answers
     // and does not act.
     SerialDrive served;
-    const auto link = linkTo(served.front->url());
+    const auto link = serialLinkTo(served.front->url());
     VERIFY_RESULT(link->identify({}));
     served.faults.clear();
     served.faults.add(parseFault("no-reply=1").value());
@@ -135,9 +135,9 @@ void SerialNoiseTest::fillsTheLine()
     SerialFrontOptions options;
     options.baud = baud;
     SerialDrive served(options);
-    const auto link = linkTo(served.front->url());
+    const auto link = serialLinkTo(served.front->url());
     VERIFY_RESULT(link->identify({}));
-    const Bytes file = tableFile(static_cast<std::uint32_t>(points));
+    const Bytes file = serialTableFile(static_cast<std::uint32_t>(points));
     QElapsedTimer timer;
     timer.start();
     VERIFY_RESULT(link->upload(large1, file, {}));
@@ -157,7 +157,7 @@ void SerialNoiseTest::monitorsEightRegisters()
     SerialFrontOptions options;
     options.baud = 115'200;
     SerialDrive served(options);
-    const auto link = linkTo(served.front->url());
+    const auto link = serialLinkTo(served.front->url());
     const std::string axis = "Axes[0]/Signals/Compensations/Axis/";
     const std::vector<std::string> paths{axis + "State", axis + "Error", axis + "Output",
         axis + "Dim1Index", axis + "Dim2Index", axis + "Dim3Index",

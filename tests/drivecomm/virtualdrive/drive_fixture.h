@@ -4,6 +4,7 @@
 #include "core/table/tam_table.h"
 #include "drivecomm/profile/profile_loader.h"
 #include "drivecomm/virtualdrive/firmware/virtual_drive.h"
+#include "tests/drivecomm/known_paths.h"
 #include "tests/support/verify.h"
 
 #include <algorithm>
@@ -32,7 +33,6 @@ inline const std::string homingOf0 = axisPath(0, "Signals/Homing/State");
 inline const std::string homeAxis0 = axisPath(0, "Commands/Homing/Command");
 inline const std::string driveError = "General/Signals/DriveError";
 inline const std::string save = "General/Commands/SaveParameters";
-inline const std::string variable0 = "Application/Variables/Floats[0]";
 
 inline std::string sourceOf0(int n)
 {

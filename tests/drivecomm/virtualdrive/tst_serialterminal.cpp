@@ -326,8 +326,9 @@ void SerialTerminalTest::aPersonUploadsWithSb()
     QFETCH(QString, slot);
     QFETCH(QString, answer);
     const QTemporaryDir folder;
-    const Bytes file =
-        answer == u"#5 ok" ? tableFile(static_cast<std::uint32_t>(size - 128) / 4) : someFile(size);
+    const Bytes file = answer == u"#5 ok"
+        ? serialTableFile(static_cast<std::uint32_t>(size - 128) / 4)
+        : someFile(size);
     QCOMPARE(file.size(), static_cast<std::size_t>(size));
     store(folder.filePath(QStringLiteral("my.TAMtbl")), file);
     SerialDrive served;
@@ -366,7 +367,7 @@ void SerialTerminalTest::aPersonDownloadsWithRb()
     const std::string path = "tables/" + slot.toStdString() + ".TAMtbl";
     Bytes file;
     if (size > 0) {
-        file = tableFile(static_cast<std::uint32_t>(size - 128) / 4);
+        file = serialTableFile(static_cast<std::uint32_t>(size - 128) / 4);
         VERIFY_RESULT(served.drive.upload(path, file));
     }
     QCOMPARE(file.size(), static_cast<std::size_t>(size));

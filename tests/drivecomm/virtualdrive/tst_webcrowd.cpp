@@ -107,7 +107,7 @@ void WebCrowdTest::cutsAClientThatNeverFinishesOverTls()
     QSslSocket socket;
     socket.setPeerVerifyMode(QSslSocket::VerifyNone);
     socket.connectToHostEncrypted(QStringLiteral("127.0.0.1"), site.front->port());
-    QVERIFY(socket.waitForEncrypted(patienceMs));
+    QVERIFY(socket.waitForEncrypted(webPatienceMs));
     QVERIFY(isCutWhileDripping(socket, "GET / HTTP/1.1\r\nX: a"));
 }
 
@@ -119,7 +119,7 @@ void WebCrowdTest::cutsAClientThatNeverGreets()
     options.privateKeyFile = certificate.keyFile().toStdString();
     Site site(options);
     RawClient silent(site.front->port());
-    QVERIFY(silent.socket.waitForDisconnected(patienceMs));
+    QVERIFY(silent.socket.waitForDisconnected(webPatienceMs));
 }
 
 void WebCrowdTest::cutsAClientThatDoesNotTakeItsReply()
@@ -141,7 +141,7 @@ void WebCrowdTest::cutsAClientThatDoesNotTakeItsReply()
             < 0
             && errno != EAGAIN;
     }()),
-        patienceMs);
+        webPatienceMs);
     QVERIFY(site.client.Get("/directory"));
 }
 
@@ -178,7 +178,7 @@ void WebCrowdTest::answersAmongAThousandConnections()
     for (int i = 0; i < crowd; ++i) {
         clients.push_back(std::make_unique<QTcpSocket>());
         clients.back()->connectToHost(QStringLiteral("127.0.0.1"), site.front->port());
-        QVERIFY(clients.back()->waitForConnected(patienceMs));
+        QVERIFY(clients.back()->waitForConnected(webPatienceMs));
         clients.back()->write(begin);
         clients.back()->flush();
         if (i % 50 != 0)
@@ -186,7 +186,7 @@ void WebCrowdTest::answersAmongAThousandConnections()
         // Who has a connection keeps it, and who comes anew gets one.
         kept.send(get(registersOf({stateOfX})));
         while (!kept.received().endsWith("]\n"))
-            QVERIFY(kept.socket.waitForReadyRead(patienceMs));
+            QVERIFY(kept.socket.waitForReadyRead(webPatienceMs));
         QVERIFY(kept.take().startsWith("HTTP/1.1 200 "));
         RawClient fresh(site.front->port());
         fresh.send(get("/directory", "Connection: close\r\n"));
@@ -199,7 +199,7 @@ void WebCrowdTest::answersAmongAThousandConnections()
     const long long grown = processFigure("VmRSS") - memoryBefore;
     QVERIFY2(grown < 200'000, std::to_string(grown).c_str()); // KiB
     clients.clear();
-    QTRY_VERIFY_WITH_TIMEOUT(openDescriptors() < before + 20, patienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(openDescriptors() < before + 20, webPatienceMs);
 }
 
 void WebCrowdTest::keepsTheConnectionWhoseRequestItHas()

@@ -150,7 +150,7 @@ void WebHostileTest::takesAHeadAtTheLimit()
     QVERIFY(client.receiveAll().startsWith("HTTP/1.1 431 "));
     RawClient next(site.front->port());
     next.send(request + "\r\n");
-    QVERIFY(next.socket.waitForReadyRead(patienceMs));
+    QVERIFY(next.socket.waitForReadyRead(webPatienceMs));
     QVERIFY(next.received().startsWith("HTTP/1.1 200 "));
 }
 
@@ -227,7 +227,7 @@ void WebHostileTest::refusesForms()
     Site site;
     RawClient client(site.front->port());
     client.send(request.toStdString());
-    QVERIFY(client.socket.waitForReadyRead(patienceMs));
+    QVERIFY(client.socket.waitForReadyRead(webPatienceMs));
     const QByteArray expected = "HTTP/1.1 " + QByteArray::number(status) + ' ';
     QVERIFY2(client.received().startsWith(expected), client.received().left(300).constData());
     QVERIFY(site.drive.download(small1)->empty());

@@ -79,7 +79,7 @@ void WebAnswersTest::rejectsNonsenseForRegisters()
     QFETCH(Answer, answer);
     QFETCH(QString, quote);
     const RawResponder responder(answer);
-    const auto result = linkTo(responder.url())->readRegisters(twoStates, {});
+    const auto result = webLinkTo(responder.url())->readRegisters(twoStates, {});
     VERIFY_ERROR(result, ErrorCode::Protocol);
     QCOMPARE(result.error().context.at("endpoint"), responder.url());
     QVERIFY(!result.error().context.at("expected").empty());
@@ -91,7 +91,7 @@ void WebAnswersTest::rejectsNonsenseForRegisters()
 void WebAnswersTest::acceptsTheAnswerThatItRejectsVariantsOf()
 {
     const RawResponder responder(json(states(stateOfX, stateOfY)));
-    const auto result = linkTo(responder.url())->readRegisters(twoStates, {});
+    const auto result = webLinkTo(responder.url())->readRegisters(twoStates, {});
     VERIFY_RESULT(result);
     QCOMPARE(result->at(1).value, RegisterValue("Active"));
 }
@@ -141,7 +141,7 @@ void WebAnswersTest::endsAtTheDeadline()
 {
     QFETCH(Answer, answer);
     const RawResponder responder(answer);
-    const auto result = linkTo(responder.url())->readRegisters(twoStates, within(250ms));
+    const auto result = webLinkTo(responder.url())->readRegisters(twoStates, within(250ms));
     VERIFY_ERROR(result, ErrorCode::Timeout);
     QCOMPARE(result.error().context.at("seconds"), std::string("0.25"));
 }
@@ -175,7 +175,7 @@ void WebAnswersTest::limitsWhatItTakes()
 {
     QFETCH(Answer, answer);
     const RawResponder responder(answer);
-    const auto link = linkTo(responder.url());
+    const auto link = webLinkTo(responder.url());
     const auto registers = link->readRegisters(twoStates, within(60s));
     VERIFY_ERROR(registers, ErrorCode::Protocol);
     const auto file = link->download("tables/small1.TAMtbl", within(60s));
@@ -191,7 +191,7 @@ void WebAnswersTest::readsAgainAfterALostConnection()
         c.readRequest();
         c.send(++connections < 3 ? good.substr(0, good.size() - 9) : good);
     });
-    VERIFY_RESULT(linkTo(responder.url())->readRegisters(twoStates, {}));
+    VERIFY_RESULT(webLinkTo(responder.url())->readRegisters(twoStates, {}));
     QCOMPARE(responder.requests(), 3);
 }
 
@@ -199,7 +199,7 @@ void WebAnswersTest::givesUpReadingAfterTwoRepeats()
 {
     const std::string good = httpReply("200 OK", "application/json", states(stateOfX, stateOfY));
     const RawResponder responder(once(good.substr(0, good.size() - 9)));
-    const auto result = linkTo(responder.url())->readRegisters(twoStates, {});
+    const auto result = webLinkTo(responder.url())->readRegisters(twoStates, {});
     VERIFY_ERROR(result, ErrorCode::ConnectionLost);
     QCOMPARE(responder.requests(), 3);
 }
@@ -226,7 +226,7 @@ void WebAnswersTest::neverRepeatsAWrite()
 {
     QFETCH(Answer, answer);
     const RawResponder responder(answer);
-    const auto link = linkTo(responder.url());
+    const auto link = webLinkTo(responder.url());
     const bool secondFails = qstrcmp(QTest::currentDataTag(), "closed at the second request") == 0;
     if (secondFails)
         VERIFY_RESULT(link->writeRegisters(oneWrite, {}));
@@ -284,7 +284,7 @@ void WebAnswersTest::mapsAStatusWithoutJson()
         + headers.toStdString() + "Content-Type: text/html\r\nContent-Length: "
         + std::to_string(page.size()) + "\r\n\r\n" + page));
     const Bytes file(300);
-    const auto result = linkTo(responder.url())->upload("tables/small1.TAMtbl", file, {});
+    const auto result = webLinkTo(responder.url())->upload("tables/small1.TAMtbl", file, {});
     VERIFY_ERROR(result, code);
     const QString text = QString::fromStdString(sentence(result.error()));
     const bool saysAll = text.contains(QStringLiteral("The drive says no"))
@@ -299,7 +299,7 @@ void WebAnswersTest::readsTheDirectoryOfADriveThatOnlyHasThePage()
         "<html><body><table><tr><th>maximum size</th><th>File</th><th>Actual size</th></tr>"
         "<tr><td>63&nbsp;360</td><td><a href='/x'>tables/small1.TAMtbl</a></td><td>304</td></tr>"
         "</table></body></html>")));
-    const auto files = linkTo(responder.url())->listFiles({});
+    const auto files = webLinkTo(responder.url())->listFiles({});
     VERIFY_RESULT(files);
     QCOMPARE(files->size(), std::size_t{1});
     QCOMPARE(files->front(), (DriveFile{"tables/small1.TAMtbl", 304, 63360}));
@@ -327,7 +327,7 @@ void WebAnswersTest::rejectsAnotherDirectoryPage()
     QFETCH(QString, body);
     const RawResponder responder(
         always(httpReply("200 OK", type.toStdString(), body.toStdString())));
-    const auto files = linkTo(responder.url())->listFiles({});
+    const auto files = webLinkTo(responder.url())->listFiles({});
     VERIFY_ERROR(files, ErrorCode::Protocol);
     QCOMPARE(files.error().context.at("endpoint"), responder.url());
     QVERIFY(files.error().context.at("quote").size() > 2);
@@ -347,7 +347,7 @@ void WebAnswersTest::rejectsATransferThatIsNoFile()
 {
     QFETCH(QString, reply);
     const RawResponder responder(once(reply.toStdString()));
-    const auto result = linkTo(responder.url())->download("tables/small1.TAMtbl", {});
+    const auto result = webLinkTo(responder.url())->download("tables/small1.TAMtbl", {});
     VERIFY_ERROR(result, ErrorCode::Protocol);
 }
 

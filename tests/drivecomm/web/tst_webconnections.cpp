@@ -50,9 +50,9 @@ void WebConnectionsTest::answersOneRequestAfterTheOther()
     RawClient client(site.front->port());
     for (int i = 0; i < 20; ++i) {
         client.send(get(registersOf({stateOfX})));
-        QVERIFY(client.socket.waitForReadyRead(patienceMs));
+        QVERIFY(client.socket.waitForReadyRead(webPatienceMs));
         while (!client.received().endsWith("]\n"))
-            QVERIFY(client.socket.waitForReadyRead(patienceMs));
+            QVERIFY(client.socket.waitForReadyRead(webPatienceMs));
         QVERIFY(client.take().startsWith("HTTP/1.1 200 OK"));
     }
 }
@@ -132,7 +132,7 @@ void WebConnectionsTest::stopsWhateverItsClientsDo()
     QElapsedTimer timer;
     timer.start();
     site.front.reset();
-    QVERIFY(timer.elapsed() < patienceMs); // not the keep-alive time, let alone the slow reply
+    QVERIFY(timer.elapsed() < webPatienceMs); // not the keep-alive time, let alone the slow reply
     for (RawClient* client : {&hanging, &slow, &idle, &halfway}) {
         client->receiveAll();
         QCOMPARE(client->socket.state(), QAbstractSocket::UnconnectedState);
@@ -150,7 +150,7 @@ void WebConnectionsTest::stopsWhileItDecidesOverAReply()
         client.send("PUT /registers/" + variable0
             + " HTTP/1.1\r\nHost: 127.0.0.1\r\nContent-Type: application/json\r\n"
               "Content-Length: 11\r\n\r\n{\"value\":1}");
-        QTRY_COMPARE_WITH_TIMEOUT(site.value(variable0), RegisterValue(1.0F), patienceMs);
+        QTRY_COMPARE_WITH_TIMEOUT(site.value(variable0), RegisterValue(1.0F), webPatienceMs);
         site.front.reset();
         client.receiveAll();
         QCOMPARE(client.socket.state(), QAbstractSocket::UnconnectedState);

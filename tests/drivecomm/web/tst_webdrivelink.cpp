@@ -22,7 +22,7 @@ struct ServedDrive {
     explicit ServedDrive(const WebFrontOptions& options = {}, std::vector<FaultSpec> specs = {})
         : faults(std::move(specs))
         , front(WebFront::start(drive, genericProfile(), faults, options).value())
-        , link(linkTo(front->url()))
+        , link(webLinkTo(front->url()))
     {
     }
 
@@ -76,7 +76,7 @@ void WebDriveLinkTest::reportsWhyThereIsNoConnection()
 {
     QFETCH(QString, url);
     QFETCH(QString, reason);
-    const auto result = linkTo(url.toStdString())->identify({});
+    const auto result = webLinkTo(url.toStdString())->identify({});
     VERIFY_ERROR(result, ErrorCode::NotConnected);
     QCOMPARE(result.error().context.at("endpoint"), url.toStdString());
     QVERIFY(QString::fromStdString(sentence(result.error())).contains(reason));
@@ -90,7 +90,7 @@ void WebDriveLinkTest::keepsThePasswordOutOfErrors()
     const ServedDrive served(options);
     const std::string wrong =
         "http://anna:s3cret@127.0.0.1:" + std::to_string(served.front->port());
-    const auto result = linkTo(wrong)->identify({});
+    const auto result = webLinkTo(wrong)->identify({});
     VERIFY_ERROR(result, ErrorCode::Unauthorized);
     for (const auto& [key, value] : result.error().context)
         QVERIFY(value.find("s3cret") == std::string::npos);
@@ -104,8 +104,8 @@ void WebDriveLinkTest::sendsThePasswordWithEveryRequest()
     options.user = "anna";
     options.password = "pa:ss wörd";
     ServedDrive served(options);
-    const auto link =
-        linkTo("http://anna:pa%3Ass%20w%C3%B6rd@127.0.0.1:" + std::to_string(served.front->port()));
+    const auto link = webLinkTo(
+        "http://anna:pa%3Ass%20w%C3%B6rd@127.0.0.1:" + std::to_string(served.front->port()));
     VERIFY_RESULT(link->identify({}));
     VERIFY_RESULT(link->writeRegisters(oneWrite, {}));
     VERIFY_RESULT(link->listFiles({}));
@@ -118,7 +118,7 @@ void WebDriveLinkTest::countsAxesWithFewRequests()
     for (const auto& [axes, requests] :
         {std::pair(1, 2), std::pair(2, 2), std::pair(63, 2), std::pair(64, 3), std::pair(100, 3)}) {
         const RawResponder responder(driveWithAxes(axes, Missing::Named));
-        const auto identity = linkTo(responder.url())->identify({});
+        const auto identity = webLinkTo(responder.url())->identify({});
         VERIFY_RESULT(identity);
         QCOMPARE(identity->axes, axes);
         QCOMPARE(responder.requests(), requests);
@@ -129,7 +129,7 @@ void WebDriveLinkTest::countsAxesOfADriveThatDoesNotNameWhatIsMissing()
 {
     for (const int axes : {0, 1, 2, 31, 63, 64, 65, 100}) {
         const RawResponder responder(driveWithAxes(axes, Missing::Unnamed));
-        const auto identity = linkTo(responder.url())->identify({});
+        const auto identity = webLinkTo(responder.url())->identify({});
         VERIFY_RESULT(identity);
         QCOMPARE(identity->axes, axes);
         QVERIFY(responder.requests() <= 10);
@@ -146,7 +146,8 @@ void WebDriveLinkTest::stopsWhileItWaits()
     });
     Exchange exchange = within(60s);
     exchange.stop = source.get_token();
-    VERIFY_ERROR(linkTo(responder.url())->readRegisters(twoStates, exchange), ErrorCode::Cancelled);
+    VERIFY_ERROR(
+        webLinkTo(responder.url())->readRegisters(twoStates, exchange), ErrorCode::Cancelled);
 }
 
 void WebDriveLinkTest::stopsWhileItUploads()
@@ -161,7 +162,7 @@ void WebDriveLinkTest::stopsWhileItUploads()
     exchange.stop = source.get_token();
     exchange.progress = [&source](auto, auto) { source.request_stop(); };
     const Bytes file(std::size_t{15} << 20);
-    VERIFY_ERROR(linkTo(responder.url())->upload("tables/large1.TAMtbl", file, exchange),
+    VERIFY_ERROR(webLinkTo(responder.url())->upload("tables/large1.TAMtbl", file, exchange),
         ErrorCode::Cancelled);
 }
 
@@ -170,7 +171,7 @@ void WebDriveLinkTest::worksOnAnyThread()
     const ServedDrive served;
     Result<DriveIdentity> identity = fail(ErrorCode::Cancelled);
     std::thread plain([&] { // no QThread, no event loop
-        const auto link = linkTo(served.front->url());
+        const auto link = webLinkTo(served.front->url());
         identity = link->identify({});
     });
     plain.join();
@@ -186,7 +187,7 @@ void WebDriveLinkTest::servesSeveralLinksAtOnce()
     std::vector<std::jthread> clients;
     for (int n = 0; n < 12; ++n) {
         clients.emplace_back([&served, &good, n] {
-            const auto link = linkTo(served.front->url());
+            const auto link = webLinkTo(served.front->url());
             const std::string path = "Application/Variables/Floats[" + std::to_string(n) + "]";
             for (int i = 0; i < 20; ++i) {
                 const std::vector<RegisterWrite> writes{{path, static_cast<float>(i)}};

@@ -90,7 +90,7 @@ void WebHttpsTest::talksToADriveWhoseCertificateIsTrusted()
     QVERIFY(secure.certificate.isValid());
     const Trusted trusted(secure.certificate);
     QVERIFY(secure.front->url().starts_with("https://127.0.0.1:"));
-    const auto link = linkTo(secure.front->url());
+    const auto link = webLinkTo(secure.front->url());
     const auto identity = link->identify({});
     VERIFY_RESULT(identity);
     QCOMPARE(identity->name, std::string("Secure-1"));
@@ -103,7 +103,7 @@ void WebHttpsTest::talksToADriveWhoseCertificateIsTrusted()
 void WebHttpsTest::rejectsACertificateThatNobodyVouchesFor()
 {
     const SecureDrive secure(QStringLiteral("IP:127.0.0.1"));
-    const auto identity = linkTo(secure.front->url())->identify({});
+    const auto identity = webLinkTo(secure.front->url())->identify({});
     VERIFY_ERROR(identity, ErrorCode::CertificateRejected);
     QCOMPARE(identity.error().context.at("endpoint"), secure.front->url());
     const QString reason = QString::fromStdString(identity.error().context.at("reason"));
@@ -114,7 +114,7 @@ void WebHttpsTest::rejectsTheCertificateOfAnotherHost()
 {
     const SecureDrive secure(QStringLiteral("DNS:other.example"));
     const Trusted trusted(secure.certificate);
-    const auto identity = linkTo(secure.front->url())->identify({});
+    const auto identity = webLinkTo(secure.front->url())->identify({});
     VERIFY_ERROR(identity, ErrorCode::CertificateRejected);
     QVERIFY(identity.error().context.at("reason").find("host name") != std::string::npos);
 }
@@ -196,7 +196,7 @@ void WebHttpsTest::saysThatThereIsNoHttps()
         c.send("HTTP/1.1 400 Bad Request\r\nContent-Length: 0\r\n\r\n");
         c.waitUntilGone();
     });
-    const auto identity = linkTo("https" + plain.url().substr(4))->identify({});
+    const auto identity = webLinkTo("https" + plain.url().substr(4))->identify({});
     VERIFY_ERROR(identity, ErrorCode::NotConnected);
     QVERIFY(identity.error().context.at("reason").find("http://") != std::string::npos);
 }
@@ -204,7 +204,7 @@ void WebHttpsTest::saysThatThereIsNoHttps()
 void WebHttpsTest::doesNotTalkHttpToAnHttpsServer()
 {
     const SecureDrive secure(QStringLiteral("IP:127.0.0.1"));
-    const auto identity = linkTo("http" + secure.front->url().substr(5))->identify({});
+    const auto identity = webLinkTo("http" + secure.front->url().substr(5))->identify({});
     QVERIFY(!identity.has_value());
     const ErrorCode code = identity.error().code;
     QVERIFY(code == ErrorCode::Protocol || code == ErrorCode::ConnectionLost);
@@ -223,7 +223,7 @@ void WebHttpsTest::survivesFaults()
     QFETCH(QString, fault);
     SecureDrive secure(QStringLiteral("IP:127.0.0.1"));
     const Trusted trusted(secure.certificate);
-    const auto link = linkTo(secure.front->url());
+    const auto link = webLinkTo(secure.front->url());
     secure.faults.add(parseFault(fault.toStdString()).value());
     const Bytes file(2000);
     const auto first = link->upload("tables/small1.TAMtbl", file, within(2s));

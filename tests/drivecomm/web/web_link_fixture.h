@@ -6,6 +6,7 @@
 #include "drivecomm/http/percent_encoding.h"
 #include "drivecomm/profile/profile_loader.h"
 #include "drivecomm/web/web_drive_link.h"
+#include "tests/drivecomm/known_paths.h"
 #include "tests/support/raw_responder.h"
 #include "tests/support/verify.h"
 
@@ -15,21 +16,12 @@ using namespace drivecomm;
 
 using Answer = std::function<void(RawConnection&)>;
 
-inline const std::string stateOfX = "Axes[0]/Signals/Compensations/Axis/State";
-inline const std::string stateOfY = "Axes[1]/Signals/Compensations/Axis/State";
 inline const std::vector<std::string> twoStates{stateOfX, stateOfY};
 inline const std::vector<RegisterWrite> oneWrite{{"Application/Variables/Floats[0]", 1.0F}};
 
-inline std::unique_ptr<DriveLink> linkTo(const std::string& url)
+inline std::unique_ptr<DriveLink> webLinkTo(const std::string& url)
 {
     return makeWebDriveLink(parseEndpoint(url).value(), genericProfile());
-}
-
-inline Exchange within(std::chrono::milliseconds timeout)
-{
-    Exchange exchange;
-    exchange.timeout = timeout;
-    return exchange;
 }
 
 inline std::string states(const std::string& first, const std::string& second)

@@ -5,6 +5,7 @@
 #include "drivecomm/profile/profile_loader.h"
 #include "drivecomm/virtualdrive/web/web_server.h"
 #include "drivecomm/web/html_table.h"
+#include "tests/drivecomm/known_paths.h"
 #include "tests/support/verify.h"
 
 #include <QTcpSocket>
@@ -15,18 +16,10 @@ namespace axiscomp::test {
 
 using namespace drivecomm;
 
-inline const std::string tableOfX = "Axes[0]/Parameters/Compensations/Axis/Table";
-inline const std::string source1OfX = "Axes[0]/Parameters/Compensations/Axis/Dim1Source";
-inline const std::string activationOfX = "Axes[0]/Commands/Compensations/Axis/Activation";
-inline const std::string stateOfX = "Axes[0]/Signals/Compensations/Axis/State";
-inline const std::string masterX = "Axes[0]/Signals/PositionController/MasterPosition";
-inline const std::string variable0 = "Application/Variables/Floats[0]";
-inline const std::string variable1 = "Application/Variables/Floats[1]";
-inline const std::string small1 = "tables/small1.TAMtbl";
 inline const std::string htmlOnly =
     "text/html,application/xhtml+xml,application/xml;q=0.9,*/*;q=0.8";
 inline const std::string formType = "application/x-www-form-urlencoded";
-inline constexpr int patienceMs = 10'000;
+inline constexpr int webPatienceMs = 10'000;
 
 inline std::string tableFile(std::uint32_t points, float scale = 0.001F)
 {
@@ -99,12 +92,12 @@ struct RawClient {
     explicit RawClient(std::uint16_t port)
     {
         socket.connectToHost(QStringLiteral("127.0.0.1"), port);
-        socket.waitForConnected(patienceMs);
+        socket.waitForConnected(webPatienceMs);
     }
     void send(const std::string& bytes)
     {
         socket.write(bytes.data(), static_cast<qint64>(bytes.size()));
-        while (socket.bytesToWrite() > 0 && socket.waitForBytesWritten(patienceMs))
+        while (socket.bytesToWrite() > 0 && socket.waitForBytesWritten(webPatienceMs))
             continue;
     }
     QByteArray received()
@@ -117,7 +110,7 @@ struct RawClient {
     QByteArray receiveAll()
     {
         while (socket.state() == QAbstractSocket::ConnectedState
-            && socket.waitForReadyRead(patienceMs))
+            && socket.waitForReadyRead(webPatienceMs))
             continue;
         return socket.readAll();
     }

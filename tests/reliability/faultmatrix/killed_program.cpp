@@ -12,7 +12,7 @@ namespace axiscomp::test {
 
 namespace {
 
-constexpr int deadlineMs = 60'000;
+constexpr int programDeadlineMs = 60'000;
 
 /// The program as a user of a drive has it: its files, its memory, and the drive's address.
 class ProgramBench {
@@ -104,7 +104,7 @@ RecordedProgram recordProgram(const KilledProgram& program)
     recorded.states.old = bench.trial.state();
     bench.trial.requested = [&](bool) { ++recorded.requests; };
     const auto process = bench.startWrite();
-    const bool hasEnded = process->waitForFinished(deadlineMs);
+    const bool hasEnded = process->waitForFinished(programDeadlineMs);
     bench.settle();
     bench.trial.requested = {};
     if (!hasEnded || process->exitStatus() != QProcess::NormalExit || process->exitCode() != 0)
@@ -131,7 +131,7 @@ std::string runKilled(const KilledProgram& program, const RecordedProgram& recor
     const auto process = bench.startWrite();
     id = static_cast<pid_t>(process->processId());
     id.notify_all();
-    const bool hasEnded = process->waitForFinished(deadlineMs);
+    const bool hasEnded = process->waitForFinished(programDeadlineMs);
     if (!hasEnded || process->exitStatus() != QProcess::CrashExit)
         return "the program was not killed: " + process->readAllStandardError().toStdString();
     bench.settle();

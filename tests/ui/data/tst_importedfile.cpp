@@ -65,7 +65,7 @@ private Q_SLOTS:
         const DataFile& file = bench->dataFile();
         for (const Diagnostic& problem : file.problems)
             QVERIFY2(problem.severity == Severity::Warning, qPrintable(problemText(problem)));
-        QCOMPARE(file.family, &softmcFamily());
+        QCOMPARE(file.family, &softmc::format());
         const auto table = bench->selectedTable();
         QVERIFY(table);
         QCOMPARE(table->values.size(), std::size_t{5});
@@ -169,7 +169,7 @@ private Q_SLOTS:
         QVERIFY(!bench->dataFile().data);
         QCOMPARE(needed.count(), 1);
         ImportChoices choices;
-        choices.family = &icubeFamily();
+        choices.family = &icube::format();
         bench->importData(path, choices);
         QVERIFY(bench.fileRead());
         QVERIFY(bench->dataFile().data);
@@ -195,10 +195,10 @@ private Q_SLOTS:
         for (float& value : table.values)
             value *= 1e-4F;
         ImportChoices choices;
-        choices.family = &softmcFamily();
+        choices.family = &softmc::format();
         const auto exported = exportTable(table, choices, "x.txt", genericTableLayout());
         VERIFY_RESULT(exported);
-        const auto reading = softmcFamily().read(exported->bytes, {});
+        const auto reading = softmc::format().read(exported->bytes, {});
         VERIFY_RESULT(reading);
         QVERIFY(!reading->hasErrors());
         QCOMPARE(reading->tables.front().pointCount(), table.values.size());
@@ -208,14 +208,14 @@ private Q_SLOTS:
     {
         CompensationTable table{"first", "mm", {{{"X", "mm", 10.0, 10.0, 4}}}, {}};
         table.values = {0.002F, 0.003F, 0.001F, 0.004F};
-        const auto applied = appliedTable(table, softmcFamily().facts);
+        const auto applied = appliedTable(table, softmc::format().facts);
         VERIFY_RESULT(applied);
         QCOMPARE(applied->grid.axes[0].start, 0.0);
         QCOMPARE(applied->grid.axes[0].size, 6U);
         QCOMPARE(applied->values.front(), 0.0F); // the drive would hold 0.002
         QVERIFY(applied->values[1] < -0.0019F); // of the command
         QVERIFY(applied->values[5] < -0.0039F); // held above the last one
-        const auto ofDrive = appliedTable(table, calibrationCsvFamily().facts);
+        const auto ofDrive = appliedTable(table, calibration_csv::format().facts);
         VERIFY_RESULT(ofDrive);
         QCOMPARE(
             ofDrive->values, (std::vector<float>{0.002F, 0.002F, 0.003F, 0.001F, 0.004F, 0.004F}));

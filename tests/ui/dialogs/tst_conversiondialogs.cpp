@@ -150,7 +150,7 @@ private Q_SLOTS:
         QVERIFY(bench.questions.back().start.endsWith(QStringLiteral("first.txt")));
         QFile file(bench.picked);
         QVERIFY(file.open(QIODevice::ReadOnly));
-        const auto reading = softmcFamily().read(file.readAll().toStdString(), {});
+        const auto reading = softmc::format().read(file.readAll().toStdString(), {});
         VERIFY_RESULT(reading);
         QVERIFY(!reading->hasErrors());
         const NeutralTable& table = reading->tables.front();

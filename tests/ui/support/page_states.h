@@ -38,7 +38,7 @@ inline bool preview(PageBench& bench)
         && PageUser::waitFor([&] { return bench.user.sees("confirmWriteButton"); });
 }
 
-inline bool written(PageBench& bench)
+inline bool isWritten(PageBench& bench)
 {
     if (!unwritten(bench) || !bench.write())
         return false;
@@ -50,13 +50,13 @@ inline bool written(PageBench& bench)
 
 inline bool active(PageBench& bench)
 {
-    return written(bench) && bench.user.click("activateButton") && bench.idle();
+    return isWritten(bench) && bench.user.click("activateButton") && bench.idle();
 }
 
 /// As if the program had been killed before the last step of a write.
 inline bool unfinishedWrite(PageBench& bench)
 {
-    if (!written(bench))
+    if (!isWritten(bench))
         return false;
     const CompensationSetup setup = bench.controller().setup().baseline();
     DriveStore store(std::filesystem::path(bench.folder.path().toStdString()) / "store");
@@ -199,7 +199,7 @@ inline const std::vector<PageState>& allPageStates()
         {"first start", firstStart},
         {"unwritten", unwritten},
         {"preview", preview},
-        {"written", written},
+        {"written", isWritten},
         {"active", active},
         {"unfinished write", unfinishedWrite},
         {"three dimensions", threeDimensions},

@@ -9,7 +9,7 @@
 namespace axiscomp::test {
 
 /// Axes 1, 2, ... from -10 to 20 mm; 0 at the position 0.
-inline NeutralTable exampleTable(std::size_t dimensions)
+inline NeutralTable neutralExample(std::size_t dimensions)
 {
     NeutralTable table;
     table.sign = SignConvention::Command;
@@ -109,7 +109,7 @@ inline std::vector<NeutralTable> variedTables(std::size_t dimensions)
     };
     std::vector<NeutralTable> tables;
     for (const Change change : changes) {
-        tables.push_back(exampleTable(dimensions));
+        tables.push_back(neutralExample(dimensions));
         change(tables.back());
     }
     return tables;

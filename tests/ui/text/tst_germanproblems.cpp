@@ -274,7 +274,7 @@ private Q_SLOTS:
                 write(*family, {table, table}, needed, sentences);
             }
         for (const FormatSettings& settings : variedSettings(family->facts, true))
-            write(*family, {test::exampleTable(most)}, settings, sentences);
+            write(*family, {test::neutralExample(most)}, settings, sentences);
         QVERIFY2(sentences.count() >= 5, qPrintable(QString::number(sentences.count())));
         const QStringList wrong = sentences.untranslated();
         QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(u'\n')));
@@ -295,8 +295,8 @@ private Q_SLOTS:
                     if (converted)
                         sentences.add(converted->example);
                 }
-                sentences.add(conversionDifference(table, {}, test::exampleTable(1), {}, 1000));
-                sentences.add(conversionDifference(test::exampleTable(2), {}, table, {}, 1000));
+                sentences.add(conversionDifference(table, {}, test::neutralExample(1), {}, 1000));
+                sentences.add(conversionDifference(test::neutralExample(2), {}, table, {}, 1000));
             }
         QVERIFY2(sentences.count() >= 60, qPrintable(QString::number(sentences.count())));
         const QStringList wrong = sentences.untranslated();
