@@ -10,19 +10,8 @@ fail() {
     exit 1
 }
 
-launcher=()
-if command -v ccache >/dev/null; then
-    launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
-fi
 build=build/run # of ./run: the same programs
-mkdir -p "$build"
-cmake --preset release -B "$build" -DBUILD_TESTING=OFF -DAXISCOMP_BENCH=OFF \
-    -DAXISCOMP_WINDOW=ON "${launcher[@]}" \
-    >"$build/configure.log" 2>&1 || {
-    cat "$build/configure.log" >&2
-    exit 1
-}
-cmake --build "$build" -- --quiet
+packaging/build-programs.sh all
 
 output=$PWD/build/packages
 rm -rf "$output"
@@ -65,3 +54,10 @@ for program in axiscomp axiscomp-virtualdrive axis-compensation-wizard; do
     "$unpacked/usr/bin/$program" --version
 done
 sha256sum -- "${programs[@]}" "${development[@]}" | sed "s|$output/||"
+
+# Projects of their own build on what is installed.
+version=$(sed -n 's/^project(AxisCompensationWizard VERSION \([^ ]*\) .*/\1/p' CMakeLists.txt)
+cmake -DPROJECT_BUILD="$PWD/$build" -DVERSION="$version" -DWORK="$PWD/build/installed_parts" \
+    -DCONSUMER="$PWD/tests/packaging/consumer" -DCOMPILER="$(command -v c++)" -DWINDOW=ON \
+    -DEMBEDDING="$PWD/tests/packaging/embedding" -DEXAMPLE="$PWD/docs/embedding" \
+    -P tests/packaging/installed_parts.cmake
