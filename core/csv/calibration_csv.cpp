@@ -2,6 +2,7 @@
 #include "core/csv/calibration_csv.h"
 
 #include "core/csv/grid_reader.h"
+#include "core/csv/table_reader.h"
 #include "core/io/local_file.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/text/diagnostic_list.h"
+#include "core/text/diagnostic.h"
 
 #include <stop_token>
 #include <string_view>

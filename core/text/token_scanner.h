@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/csv/cells.h"
-#include "core/text/diagnostic_list.h"
+#include "core/text/diagnostic.h"
 
 #include <cstddef>
 #include <optional>
