@@ -6,7 +6,7 @@
 #include "core/drive/drive_profile.h"
 #include "core/drive/flash_wear.h"
 #include "core/store/drive_store.h"
-#include "core/table/grid.h"
+#include "core/table/compensation_table.h"
 
 #include <array>
 #include <chrono>

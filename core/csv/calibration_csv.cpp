@@ -61,7 +61,7 @@ void parse(
         reportTooLarge(diagnostics, std::to_string(text.size()), maximumBytes(options));
         return;
     }
-    const csv::TextInspection inspection(text, options.stop, diagnostics);
+    const TextInspection inspection(text, options.stop, diagnostics);
     if (diagnostics.hasErrors())
         return;
     csv::Scan scan = csv::scan(inspection, options, diagnostics);

@@ -3,6 +3,7 @@
 
 #include "core/csv/header.h"
 #include "core/table/even_spacing.h"
+#include "core/text/number_text.h"
 
 #include <algorithm>
 #include <array>

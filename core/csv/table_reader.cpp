@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/csv/table_reader.h"
 
+#include "core/text/number_text.h"
+
 #include <algorithm>
 #include <cmath>
 

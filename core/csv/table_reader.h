@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/csv/scan.h"
-#include "core/table/grid.h"
+#include "core/table/compensation_table.h"
 
 #include <cstdint>
 #include <vector>
