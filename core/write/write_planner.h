@@ -3,7 +3,9 @@
 
 #include "core/axis/axis_reader.h"
 #include "core/axis/slot_state.h"
+#include "core/store/drive_store.h"
 #include "core/write/slot_choice.h"
+#include "core/write/write_plan.h"
 
 namespace axiscomp {
 
