@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/axis/activation.h"
 
+#include "core/axis/axis_reader.h"
 #include "core/axis/verified_transfer.h"
 
 #include <array>

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/axis/axis_reader.h"
+#include "core/axis/axis_status.h"
+#include "core/base/result.h"
 
 namespace axiscomp {
+
+class DriveAccess;
+class SourceDirectory;
 
 /// Switch the compensation of one axis and wait for the resulting state.
 [[nodiscard]] Result<AxisStatus> activateAxis(

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/axis/axis_status.h"
 #include "core/axis/register_access.h"
 #include "core/axis/source_directory.h"
 

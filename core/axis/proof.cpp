@@ -2,6 +2,7 @@
 #include "core/axis/proof.h"
 
 #include "core/axis/activation.h"
+#include "core/axis/axis_reader.h"
 #include "core/table/lookup.h"
 
 #include <algorithm>

@@ -1,9 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/axis/axis_reader.h"
+#include "core/axis/axis_status.h"
+#include "core/base/result.h"
+#include "core/table/compensation_table.h"
+
+#include <array>
+#include <vector>
 
 namespace axiscomp {
+
+class DriveAccess;
+
+/// The drive's own numbers against core's lookup at the same sources.
+struct Proof {
+    struct Sample {
+        std::array<double, 3> sources{};
+        double output = 0.0; ///< the drive's
+        double expected = 0.0; ///< computed here
+        std::array<double, 3> indices{};
+        std::array<double, 3> expectedIndices{};
+    };
+    std::vector<Sample> samples;
+    double largestDifference = 0.0; ///< |output - expected|
+    double tolerance = 0.0; ///< float32 rounding of the table's largest value
+};
 
 /// The end-to-end proof (DESIGN.md): the drive's own output and indices against core's lookup in
 /// the table that the drive holds, at the sources that the drive reports with them. Finds mistakes

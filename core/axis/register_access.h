@@ -1,9 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/compensator/axis_compensator.h"
+#include "core/base/result.h"
+#include "core/drive/drive_link.h"
+#include "core/drive/drive_profile.h"
+#include "core/drive/operation.h"
 
+#include <chrono>
+#include <cstdint>
+#include <functional>
 #include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
 
 namespace axiscomp {
 

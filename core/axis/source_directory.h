@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/axis/register_access.h"
+#include "core/drive/compensation_setup.h"
 
 #include <unordered_map>
 

@@ -1,131 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/drive/compensation_setup.h"
+#include "core/axis/axis_status.h"
+#include "core/axis/proof.h"
 #include "core/drive/drive_link.h"
 #include "core/drive/drive_profile.h"
-#include "core/drive/flash_wear.h"
+#include "core/drive/operation.h"
 #include "core/store/drive_store.h"
-#include "core/table/grid.h"
+#include "core/table/compensation_table.h"
+#include "core/write/flash_account.h"
+#include "core/write/unfinished_write.h"
+#include "core/write/write_plan.h"
 
-#include <array>
 #include <chrono>
+#include <filesystem>
 #include <functional>
 #include <memory>
-#include <optional>
-#include <stop_token>
 #include <string>
 #include <vector>
 
 namespace axiscomp {
-
-struct AxisInfo {
-    int index = 0;
-    std::string name; ///< may be empty
-    std::string unit; ///< the drive's PositionUnit: "Millimeter"
-    std::string homing; ///< "HomingDone"
-    std::string state; ///< compensation state; empty when the axis has no compensation registers
-};
-
-/// The header of the table in the axis's slot, as the drive shows it.
-struct TableHeader {
-    Grid grid;
-    std::uint32_t elements = 0;
-    std::uint32_t crc = 0;
-    bool persistent = false;
-};
-
-/// Everything the drive says about one axis, read at one instant where the profile allows.
-struct AxisStatus {
-    DriveIdentity drive;
-    AxisInfo axis;
-    CompensationSetup setup;
-    std::optional<TableHeader> table; ///< none: no slot chosen, or the slot is empty
-    std::string activation;
-    std::string error; ///< the drive's compensation error, "None"
-    double output = 0.0; ///< value now added to the encoder position, in position units
-    std::array<double, 3> indices{};
-    std::array<double, 3> sourceValues{}; ///< of the set sources
-    std::string driveError;
-    std::optional<JournalEntry> unfinishedWrite; ///< an earlier write that did not end
-};
-
-/// How far an operation is: a step in words and a fraction of the whole.
-struct Progress {
-    std::string step; ///< "verify": an id, translated by the window
-    double fraction = 0.0;
-};
-
-struct OperationOptions {
-    std::chrono::milliseconds timeout{5000}; ///< of each exchange
-    std::stop_token stop;
-    std::function<void(const Progress&)> progress;
-};
-
-/// What a write shall bring about for one axis.
-struct WriteRequest {
-    int dimensionality = 1;
-    std::vector<std::string>
-        sources; ///< path, tam:// URI or hex address, one per dimension; empty: keep
-    std::optional<CompensationTable> table; ///< none: keep the table that the axis uses
-    std::optional<Persistency> persistency; ///< none: keep (a new table is volatile)
-    std::optional<std::string> slot; ///< none: chosen
-    bool withoutTable = false; ///< the axis shall use none: sources, which may be gaps (""), remain
-    std::optional<CompensationSetup> expected; ///< when set: refuse if the drive no longer has this
-};
-
-enum class SlotReason { Named, Empty, OwnPrevious, KeepTable, OverwriteOwn };
-
-/// One line of the list shown before a write.
-struct PlannedChange {
-    std::string field; ///< "Table", "Dim1Source" ..., "Persistency"
-    std::string before;
-    std::string after;
-};
-
-struct WritePlan {
-    DriveIdentity drive;
-    int axis = 0;
-    CompensationSetup before;
-    CompensationSetup after;
-    SlotReason slotReason = SlotReason::KeepTable;
-    std::size_t tableBytes = 0;
-    std::vector<PlannedChange> changes; ///< empty: nothing to write
-    int flashOperations = 0; ///< that the write costs
-    int flashReserve = 0; ///< more that must be possible, so that it can be put back
-    FlashBudget flashBudget; ///< before the write
-    std::vector<std::string> warnings; ///< sentences
-};
-
-struct WriteReport {
-    WritePlan plan;
-    AxisStatus now; ///< read back after the write
-    std::filesystem::path backup;
-};
-
-/// What a drive's flash has gone through, and what it may still do now. Wear is per slot.
-struct FlashUse {
-    FlashBudget budget;
-    std::uint64_t operationsRecorded = 0; ///< by this computer, all slots together
-    std::string mostUsedSlot; ///< empty: the drive does not count
-    std::uint32_t mostCycles = 0; ///< of that slot, whoever spent them
-    std::uint64_t allCycles = 0; ///< of all slots that are counted
-    std::uint32_t ratedCycles = 0; ///< usual life of one slot, 0: not known
-};
-
-/// The drive's own numbers against core's lookup at the same sources.
-struct Proof {
-    struct Sample {
-        std::array<double, 3> sources{};
-        double output = 0.0; ///< the drive's
-        double expected = 0.0; ///< computed here
-        std::array<double, 3> indices{};
-        std::array<double, 3> expectedIndices{};
-    };
-    std::vector<Sample> samples;
-    double largestDifference = 0.0; ///< |output - expected|
-    double tolerance = 0.0; ///< float32 rounding of the table's largest value
-};
 
 /// The service: reads and changes the compensation of a drive's axes in the safe order (DESIGN.md,
 /// "The safe order of a write"). Blocking; one instance per link, used on the link's thread. All
@@ -202,23 +96,14 @@ public:
     [[nodiscard]] Result<std::vector<WriteReport>> restore(
         const DriveBackup& backup, bool force, const OperationOptions& options = {});
 
+    using UnfinishedOutcome = axiscomp::UnfinishedOutcome;
+    using Recovery = axiscomp::Recovery;
     /// Which state the drive holds after an unfinished write; forgets that write when it is the new
     /// one completely. Errors: OtherDrive, FileNotReadable, InvalidBackup.
-    enum class UnfinishedOutcome {
-        Old, ///< complete, whatever lies in the slot that the write had chosen
-        New,
-        NewUnsaved, ///< new, but the parameters may not be saved
-        Neither,
-    };
     [[nodiscard]] Result<UnfinishedOutcome> settleUnfinished(
         const JournalEntry& entry, const OperationOptions& options = {});
 
     /// What can be done about an unfinished write; changes nothing.
-    struct Recovery {
-        std::optional<Error> finishObstacle; ///< none: finishUnfinished is possible now
-        std::optional<Error> undoObstacle; ///< none: undoUnfinished is possible now
-        int flashOperations = 0; ///< that finishing costs
-    };
     [[nodiscard]] Result<Recovery> recovery(
         const JournalEntry& entry, const OperationOptions& options = {});
     /// A normal write that brings about the complete new state, from whatever the interruption

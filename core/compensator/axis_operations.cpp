@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/compensator/axis_operations.h"
 
-#include "core/base/link_failure.h"
+#include "core/base/error.h"
 #include "core/write/previous_state.h"
 
 #include <algorithm>

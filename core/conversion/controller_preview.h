@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/formats/table_format.h"
-#include "core/table/grid.h"
+#include "core/table/compensation_table.h"
 
 namespace axiscomp {
 

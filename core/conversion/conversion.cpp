@@ -6,7 +6,6 @@
 #include "core/formats/units.h"
 #include "core/neutral/table_motion.h"
 #include "core/table/position_unit.h"
-#include "core/text/text_file.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/conversion/conversion.h"
 #include "core/neutral/table_motion.h"
-#include "core/table/grid.h"
-#include "core/text/text_file.h"
+#include "core/table/compensation_table.h"
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,7 @@
 #include "core/conversion/line_inversion.h"
 #include "core/conversion/conversion_errors.h"
 
-#include "core/text/text_file.h"
+#include "core/text/number_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -182,8 +182,7 @@ Result<SlopeMatrix> checkContraction(const NeutralTable& table, const std::vecto
     if (contracts(slopes))
         return slopes;
     return notConvertible(table, knotPosition(table, steepest.index),
-        "the correction of " + axisText(table, row) + " changes by "
-            + csv::roundedText(steepest.size)
+        "the correction of " + axisText(table, row) + " changes by " + roundedText(steepest.size)
             + " for each unit of the way, too much for several axes that are corrected together"
             + std::string(unitHint));
 }

@@ -3,7 +3,6 @@
 #include "core/conversion/conversion_errors.h"
 
 #include "core/conversion/axis_interpolant.h"
-#include "core/conversion/resampler.h"
 #include "core/neutral/table_motion.h"
 
 #include <algorithm>

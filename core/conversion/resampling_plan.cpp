@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/conversion/conversion_errors.h"
-#include "core/conversion/resampler.h"
+#include "core/conversion/resampling.h"
 #include "core/neutral/table_motion.h"
 
 #include <algorithm>
@@ -55,7 +55,7 @@ public:
         auto planned = m_request.points > 0
             ? Result<PlannedAxis>(planPoints(m_axis, m_from, m_to, m_request.points))
             : byDistance(holdsEnds);
-        // as core/table/grid_points.h has it: closer points are one place for a controller
+        // as pointsAreDistinct has it: closer points are one place for a controller
         if (planned && !(planned->grid.distance > 4.0 * roundingOf(m_from, m_to)))
             return resamplingImpossible("the points along " + m_name
                 + " would be so close that positions " + "cannot tell them apart; take fewer");

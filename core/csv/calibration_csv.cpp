@@ -2,6 +2,7 @@
 #include "core/csv/calibration_csv.h"
 
 #include "core/csv/grid_reader.h"
+#include "core/csv/table_reader.h"
 #include "core/io/local_file.h"
 
 #include <algorithm>
@@ -60,7 +61,7 @@ void parse(
         reportTooLarge(diagnostics, std::to_string(text.size()), maximumBytes(options));
         return;
     }
-    const csv::TextInspection inspection(text, options.stop, diagnostics);
+    const TextInspection inspection(text, options.stop, diagnostics);
     if (diagnostics.hasErrors())
         return;
     csv::Scan scan = csv::scan(inspection, options, diagnostics);

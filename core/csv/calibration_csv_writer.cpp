@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/csv/calibration_csv.h"
 #include "core/text/number_parser.h"
+#include "core/text/number_text.h"
 #include "core/text/text_file.h"
 
 #include <algorithm>
@@ -13,11 +14,11 @@ namespace {
 /// which in rare cases rounds the shortest float32 text twice.
 std::string valueText(float value)
 {
-    std::string text = csv::toText(value);
-    csv::Number read;
-    const bool same = csv::parseNumber(text, '.', read) == csv::NumberFault::None
+    std::string text = toText(value);
+    Number read;
+    const bool same = parseNumber(text, '.', read) == NumberFault::None
         && static_cast<float>(read.value) == value;
-    return same ? text : csv::toText(static_cast<double>(value));
+    return same ? text : toText(static_cast<double>(value));
 }
 
 std::string oneLine(std::string text)
@@ -34,7 +35,7 @@ std::string headerText(const std::string& name, const std::string& unit)
     std::string inBrackets = oneLine(unit);
     std::ranges::replace(inBrackets, '[', '(');
     std::ranges::replace(inBrackets, ']', ')');
-    if (!inBrackets.empty() || csv::trimmed(text).ends_with(']'))
+    if (!inBrackets.empty() || trimmed(text).ends_with(']'))
         text += (text.empty() ? "[" : " [") + inBrackets + ']';
     return text;
 }
@@ -51,9 +52,9 @@ std::string quotedField(const std::string& text)
 
 bool isNumber(const std::string& text)
 {
-    csv::Number number;
-    return csv::parseNumber(csv::trimmed(text), '.', number) != csv::NumberFault::NotANumber
-        || csv::parseNumber(csv::trimmed(text), ',', number) != csv::NumberFault::NotANumber;
+    Number number;
+    return parseNumber(trimmed(text), '.', number) != NumberFault::NotANumber
+        || parseNumber(trimmed(text), ',', number) != NumberFault::NotANumber;
 }
 
 std::string headerLine(const CalibrationData& data)
@@ -95,7 +96,7 @@ std::string writeCalibrationCsv(const CalibrationData& data)
     for (const GridAxis& axis : data.grid.axes) {
         positions.emplace_back();
         for (std::uint32_t i = 0; i < axis.size; ++i)
-            positions.back().push_back(csv::toText(axis.position(i)));
+            positions.back().push_back(toText(axis.position(i)));
     }
     std::string text = notes(data) + headerLine(data);
     const std::size_t points = data.grid.pointCount();

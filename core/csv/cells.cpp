@@ -2,18 +2,10 @@
 #include "core/csv/cells.h"
 
 #include <algorithm>
-#include <cstring>
 
 namespace axiscomp::csv {
 
 namespace {
-
-const char* find(const char* begin, const char* end, char c)
-{
-    const void* found =
-        begin == end ? nullptr : std::memchr(begin, c, static_cast<std::size_t>(end - begin));
-    return found == nullptr ? end : static_cast<const char*>(found);
-}
 
 /// Takes one cell off the line; more is false when it was the last.
 Cell takeCell(std::string_view& line, char separator, bool& more)
@@ -43,39 +35,6 @@ Cell takeCell(std::string_view& line, char separator, bool& more)
 }
 
 } // namespace
-
-LineReader::LineReader(std::string_view text)
-    : m_position(text.data())
-    , m_end(text.data() + text.size())
-    , m_nextFeed(find(m_position, m_end, '\n'))
-    , m_nextReturn(find(m_position, m_end, '\r'))
-{
-}
-
-std::string_view LineReader::next()
-{
-    const char* begin = m_position;
-    const char* end = std::min(m_nextFeed, m_nextReturn);
-    const char* following = end;
-    if (following != m_end)
-        ++following;
-    if (end == m_nextReturn && following == m_nextFeed && following != m_end)
-        ++following;
-    skipTo(following, 1);
-    return {begin, static_cast<std::size_t>(end - begin)};
-}
-
-void LineReader::skipTo(const char* position, std::size_t lines)
-{
-    m_position = position;
-    m_lineNumber += lines;
-    // Searched for once each, so that a text without the one or the other is not read to its end
-    // again and again.
-    if (m_nextFeed < position)
-        m_nextFeed = find(position, m_end, '\n');
-    if (m_nextReturn < position)
-        m_nextReturn = find(position, m_end, '\r');
-}
 
 void RowLines::add(std::size_t row, std::size_t line)
 {

@@ -10,30 +10,6 @@
 
 namespace axiscomp::csv {
 
-/// The lines of a text, ended by LF, CRLF or CR.
-class LineReader {
-public:
-    explicit LineReader(std::string_view text);
-
-    [[nodiscard]] bool atEnd() const { return m_position == m_end; }
-    [[nodiscard]] const char* position() const { return m_position; }
-    [[nodiscard]] const char* end() const { return m_end; }
-    /// The number of the line that begins at position(), from 1.
-    [[nodiscard]] std::size_t lineNumber() const { return m_lineNumber; }
-
-    /// The line at position() without its end. Not at the end.
-    [[nodiscard]] std::string_view next();
-    /// After `lines` lines were read by other means, up to the beginning of another line.
-    void skipTo(const char* position, std::size_t lines);
-
-private:
-    const char* m_position;
-    const char* m_end;
-    const char* m_nextFeed; ///< the first LF at or after the position, or the end
-    const char* m_nextReturn;
-    std::size_t m_lineNumber = 1;
-};
-
 /// Which line each data row stands in. Rows follow each other without a gap mostly.
 class RowLines {
 public:

@@ -24,18 +24,17 @@ char csvSeparator(std::string_view headerLine)
 
 bool isCsvComment(std::string_view line)
 {
-    const std::string_view text = csv::trimmed(line);
+    const std::string_view text = trimmed(line);
     return text.empty() || text.starts_with("//");
 }
 
 std::vector<std::string> csvFields(std::string_view line, char separator, std::size_t maximum)
 {
     // A line by itself: in a file that is not UTF-8 most lines are ASCII all the same.
-    const auto encoding = findInvalidUtf8(line) == std::string_view::npos
-        ? csv::Encoding::Utf8
-        : csv::Encoding::Windows1252;
+    const auto encoding =
+        findInvalidUtf8(line) == std::string_view::npos ? Encoding::Utf8 : Encoding::Windows1252;
     if (isCsvComment(line))
-        return {csv::toUtf8(line, encoding)};
+        return {toUtf8(line, encoding)};
     std::vector<csv::Cell> cells;
     csv::splitCells(line, separator, maximum, cells);
     std::vector<std::string> fields;

@@ -44,8 +44,4 @@ template <typename Visit> void forEachRow(const Scan& scan, Visit&& visit)
 [[nodiscard]] std::vector<std::uint32_t> readPoints(
     const Scan& scan, const GridReading& grid, DiagnosticList& diagnostics);
 
-/// Puts the values in their places and looks at the tables. points: as from readPoints.
-[[nodiscard]] std::vector<CompensationTable> readTables(const Scan& scan, const Grid& grid,
-    const std::vector<std::uint32_t>& points, DiagnosticList& diagnostics);
-
 } // namespace axiscomp::csv

@@ -3,6 +3,7 @@
 
 #include "core/csv/fast_rows.h"
 #include "core/csv/header.h"
+#include "core/text/line_reader.h"
 
 #include <cmath>
 

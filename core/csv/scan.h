@@ -4,7 +4,6 @@
 #include "core/csv/calibration_csv.h"
 #include "core/csv/cells.h"
 #include "core/csv/columns.h"
-#include "core/csv/csv_rows.h"
 #include "core/text/text_file.h"
 
 namespace axiscomp::csv {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/csv/grid_reader.h"
+#include "core/csv/table_reader.h"
+
+#include "core/text/number_text.h"
 
 #include <algorithm>
 #include <cmath>

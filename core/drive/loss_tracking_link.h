@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/link_failure.h"
+#include "core/base/error.h"
 #include "core/drive/drive_link.h"
 
 #include <atomic>

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/drive/register_value.h"
 
+#include "core/text/number_text.h"
+
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <limits>
 #include <type_traits>
@@ -10,14 +11,6 @@
 namespace axiscomp {
 
 namespace {
-
-template <typename T> std::string numberText(T value)
-{
-    // 17 digits, sign, point and a four character exponent are the longest shortest form
-    std::array<char, 32> buffer{};
-    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
-    return {buffer.data(), end};
-}
 
 tl::unexpected<Error> notA(std::string_view type, std::string_view text, std::string_view expected)
 {
@@ -45,13 +38,13 @@ Result<RegisterValue> number(std::string_view type, std::string_view text, std::
 
 template <typename T> std::string integerRange()
 {
-    return "a whole number from " + numberText(std::numeric_limits<T>::min()) + " to "
-        + numberText(std::numeric_limits<T>::max());
+    return "a whole number from " + std::to_string(std::numeric_limits<T>::min()) + " to "
+        + std::to_string(std::numeric_limits<T>::max());
 }
 
 template <typename T> std::string floatRange()
 {
-    return "a number such as 12.5, at most " + numberText(std::numeric_limits<T>::max())
+    return "a number such as 12.5, at most " + shortestText(std::numeric_limits<T>::max())
         + " in magnitude";
 }
 
@@ -103,8 +96,10 @@ std::string toText(const RegisterValue& value)
                 return held ? "true" : "false";
             else if constexpr (std::is_same_v<Held, std::string>)
                 return held;
+            else if constexpr (std::is_floating_point_v<Held>)
+                return shortestText(held);
             else
-                return numberText(held);
+                return std::to_string(held);
         },
         value);
 }

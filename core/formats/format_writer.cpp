@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/formats/format_writer.h"
 
+#include "core/text/number_text.h"
 #include "core/text/text_file.h"
 
 #include <algorithm>
@@ -74,13 +75,13 @@ Result<void> checkOnePeriod(
     const std::string which = "source " + std::to_string(axis + 1);
     if (std::abs(span - period) > 1e-9 * period + source.step / 2.0)
         return cannotHold(facts,
-            "its positions of " + which + " span " + csv::roundedText(span)
-                + ", and a modulo axis needs exactly one period of " + csv::roundedText(period),
+            "its positions of " + which + " span " + roundedText(span)
+                + ", and a modulo axis needs exactly one period of " + roundedText(period),
             "resample it over one whole period");
     if (largestGap(table, axis) > allowance)
         return cannotHold(facts,
             "the values at both ends of the modulo axis, " + which + ", differ by "
-                + csv::roundedText(largestGap(table, axis)),
+                + roundedText(largestGap(table, axis)),
             "make both ends equal: they are the same place");
     return {};
 }
@@ -108,14 +109,14 @@ std::string plainNumber(double value)
     std::array<char, 400> buffer{}; // the smallest double has 324 decimals
     const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(),
         value == 0.0 ? 0.0 : value, std::chars_format::fixed);
-    return end.ec == std::errc{} ? std::string(buffer.data(), end.ptr) : csv::toText(value);
+    return end.ec == std::errc{} ? std::string(buffer.data(), end.ptr) : toText(value);
 }
 
 double FileNumbers::inFile(double x) const
 {
     const double exact = x * perUnit;
     const double rounded =
-        hasDecimals ? numberOf(csv::roundedText(exact)).value_or(exact) : std::round(exact);
+        hasDecimals ? numberOf(roundedText(exact)).value_or(exact) : std::round(exact);
     return rounded == 0.0 ? 0.0 : rounded; // no -0
 }
 
@@ -160,7 +161,7 @@ void keepNote(std::vector<std::string>& notes, std::string_view comment)
             || static_cast<unsigned char>(c) >= 0x80;
     };
     if (notes.size() < mostNotes && std::ranges::any_of(comment, isTelling))
-        notes.push_back(csv::toUtf8(csv::trimmed(comment), csv::Encoding::Utf8));
+        notes.push_back(toUtf8(trimmed(comment), Encoding::Utf8));
 }
 
 Result<std::vector<NeutralTable>> readBack(

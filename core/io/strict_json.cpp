@@ -8,6 +8,8 @@ namespace axiscomp {
 
 namespace {
 
+constexpr int documentVersion = 1;
+
 using nlohmann::json;
 
 std::string lineAndColumn(std::string_view text, std::size_t position)
@@ -283,6 +285,27 @@ std::int64_t JsonNode::integerWithin(std::int64_t minimum, std::int64_t maximum)
     refuse("a whole number from " + std::to_string(minimum) + " to " + std::to_string(maximum)
         + " is expected, not " + described(m_value));
     return minimum;
+}
+
+std::string jsonText(const OrderedJson& document)
+{
+    return document.dump(2, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
+}
+
+OrderedJson newDocument(std::string_view format)
+{
+    return {{"format", format}, {"version", documentVersion}};
+}
+
+void expectFormat(const JsonNode& document, std::string_view format)
+{
+    const JsonNode found = document["format"];
+    if (found.textView() != format)
+        found.refuse("\"" + std::string(format) + "\" is expected");
+    const JsonNode foundVersion = document["version"];
+    if (foundVersion.integer<int>() != documentVersion)
+        foundVersion.refuse("only version " + std::to_string(documentVersion)
+            + " can be read; a newer version of this program may have written it");
 }
 
 } // namespace axiscomp

@@ -90,4 +90,16 @@ private:
     std::string m_path;
 };
 
+/// Written in the order in which the members were added, as a person would read them.
+using OrderedJson = nlohmann::ordered_json;
+
+/// Indented, with a line break at the end. Text that is not UTF-8 (a drive's name may be any bytes)
+/// gets replacement characters.
+[[nodiscard]] std::string jsonText(const OrderedJson& document);
+
+/// {"format": format, "version": 1}, to which the rest is added.
+[[nodiscard]] OrderedJson newDocument(std::string_view format);
+/// Refuses another format or version.
+void expectFormat(const JsonNode& document, std::string_view format);
+
 } // namespace axiscomp

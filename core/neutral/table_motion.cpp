@@ -2,7 +2,7 @@
 #include "core/neutral/table_motion.h"
 
 #include "core/table/position_unit.h"
-#include "core/text/text_file.h"
+#include "core/text/number_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -97,7 +97,7 @@ Position knotPosition(const NeutralTable& table, std::size_t index)
 
 std::string quantityText(double number, const std::string& unit)
 {
-    return csv::roundedText(number) + (unit.empty() ? "" : " " + unit);
+    return roundedText(number) + (unit.empty() ? "" : " " + unit);
 }
 
 std::string axisText(const NeutralTable& table, std::size_t axis)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/store/backup.h"
 
-#include "core/base/base64.h"
+#include "core/base/bytes.h"
 #include "core/store/backup_json.h"
 
 #include <array>

@@ -13,7 +13,6 @@ namespace axiscomp {
 
 namespace {
 
-constexpr int version = 1;
 constexpr std::string_view enumType = "Enum";
 constexpr std::array<std::string_view, 6> typeNames{
     "Boolean", "Int32", "UInt32", "Single", "Double", enumType}; // as in RegisterValue
@@ -78,27 +77,6 @@ RegisterValue valueFromJson(const JsonNode& node, std::string_view type)
 }
 
 } // namespace
-
-std::string jsonText(const OrderedJson& document)
-{
-    return document.dump(2, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
-}
-
-OrderedJson newDocument(std::string_view format)
-{
-    return {{"format", format}, {"version", version}};
-}
-
-void expectFormat(const JsonNode& document, std::string_view format)
-{
-    const JsonNode found = document["format"];
-    if (found.textView() != format)
-        found.refuse("\"" + std::string(format) + "\" is expected");
-    const JsonNode foundVersion = document["version"];
-    if (foundVersion.integer<int>() != version)
-        foundVersion.refuse("only version " + std::to_string(version)
-            + " can be read; a newer version of this program may have written it");
-}
 
 OrderedJson toJson(std::span<const RegisterWrite> registers)
 {

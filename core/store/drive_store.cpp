@@ -271,6 +271,58 @@ Result<void> DriveStore::recordOwnTable(std::int32_t serialNumber, int axis, con
     return saveFile(folder.tables(), asBytes(writeTables(tables)));
 }
 
+Result<SavedState> DriveStore::savedState(std::int32_t serialNumber)
+{
+    const StoreFolder folder{m_root, serialNumber, m_lockWait};
+    return folder.look<SavedState>(folder.saved(), readSavedState);
+}
+
+template <typename Change>
+Result<void> DriveStore::changeSavedState(std::int32_t serialNumber, const Change& change)
+{
+    const StoreFolder folder{m_root, serialNumber, m_lockWait};
+    auto lock = folder.lock();
+    if (!lock)
+        return fail(lock.error());
+    auto state = folder.take<SavedState>(folder.saved(), readSavedState);
+    if (!state)
+        return fail(state.error());
+    const SavedState before = *state;
+    change(*state);
+    if (*state == before)
+        return {};
+    return saveFile(folder.saved(), asBytes(writeSavedState(*state)));
+}
+
+Result<void> DriveStore::recordSaving(
+    std::int32_t serialNumber, const std::vector<SavedState::Use>& uses)
+{
+    return changeSavedState(serialNumber, [&](SavedState& state) {
+        for (const SavedState::Use& use : uses)
+            if (std::ranges::find(state.uses, use) == state.uses.end())
+                state.uses.push_back(use);
+    });
+}
+
+Result<void> DriveStore::recordSaved(
+    std::int32_t serialNumber, const std::vector<SavedState::Use>& uses)
+{
+    return changeSavedState(serialNumber, [&](SavedState& state) {
+        state.isKnown = true;
+        state.uses = uses;
+    });
+}
+
+Result<void> DriveStore::recordCovered(
+    std::int32_t serialNumber, const std::string& slot, bool isCovered)
+{
+    return changeSavedState(serialNumber, [&](SavedState& state) {
+        std::erase(state.covered, slot);
+        if (isCovered)
+            state.covered.push_back(slot);
+    });
+}
+
 Result<FileLock> DriveStore::lockWrites(std::int32_t serialNumber)
 {
     return StoreFolder{m_root, serialNumber, m_lockWait}.lock("write.lock");

@@ -4,10 +4,11 @@
 #include "core/base/result.h"
 #include "core/base/wall_time.h"
 #include "core/drive/flash_wear.h"
-#include "core/drive/register_value.h"
+#include "core/drive/journal_entry.h"
 #include "core/io/file_lock.h"
 #include "core/io/local_file.h"
 #include "core/store/backup.h"
+#include "core/store/saved_state.h"
 
 #include <chrono>
 #include <cstdint>
@@ -18,30 +19,6 @@
 #include <vector>
 
 namespace axiscomp {
-
-/// A write that has begun: kept from before its first change until it has ended.
-struct JournalEntry {
-    std::int32_t serialNumber = 0;
-    int axis = 0;
-    WallTime time{};
-    std::string step; ///< the last step that was begun: "upload", "switch", "commit", ...
-    std::filesystem::path backup; ///< the AxisBackup file
-    std::vector<RegisterWrite> newRegisters; ///< what the axis has when the write is complete
-    std::string newSlot;
-    std::uint32_t newCrc = 0; ///< of the new table's elements
-    bool persistent = false;
-    /// The new table's file, kept beside the journal: with it the write can be finished.
-    struct KeptTable {
-        std::filesystem::path file;
-        std::uint64_t size = 0; ///< bytes
-        std::uint32_t crc = 0; ///< CRC-32 of all bytes
-        friend bool operator==(const KeptTable&, const KeptTable&) = default;
-    };
-    std::optional<KeptTable>
-        newTable{}; ///< none: the write keeps the table, or did not keep a file
-
-    friend bool operator==(const JournalEntry&, const JournalEntry&) = default;
-};
 
 /// What the program remembers about drives across runs and programs: backups, journal, flash
 /// history, which table it put into which slot, and what the saved parameters name. One folder per
@@ -116,29 +93,6 @@ public:
     [[nodiscard]] Result<void> recordOwnTable(
         std::int32_t serialNumber, int axis, const OwnTable& table);
 
-    /// What a drive does not tell about what a reboot brings back, as far as the programs of this
-    /// computer have brought it about.
-    struct SavedState {
-        /// A slot that the saved parameters of an axis name, or may name.
-        struct Use {
-            int axis = 0;
-            std::string slot;
-            std::uint32_t crc = 0; ///< of the elements that the slot held when they were saved
-            friend bool operator==(const Use&, const Use&) = default;
-        };
-        bool isKnown = false; ///< a program has saved the parameters of this drive
-        std::vector<Use> uses;
-        /// Slots where flash may hold another table than the volatile one that lies over it.
-        std::vector<std::string> covered;
-        friend bool operator==(const SavedState&, const SavedState&) = default;
-
-        [[nodiscard]] bool isCovered(std::string_view slot) const;
-        /// The first axis but this one whose saved parameters name the slot.
-        [[nodiscard]] std::optional<int> otherUser(std::string_view slot, int axis) const;
-        /// To put this table into the slot's flash would give an axis the table of one write and
-        /// the saved sources of another.
-        [[nodiscard]] bool isInTheWay(std::string_view slot, int axis, std::uint32_t crc) const;
-    };
     /// A broken file is moved aside to *.broken and counts as empty.
     [[nodiscard]] Result<SavedState> savedState(std::int32_t serialNumber);
     /// The parameters are about to be saved: what they named before stays until recordSaved.

@@ -137,12 +137,12 @@ DocumentResult<std::vector<WrittenTable>> readTables(std::string_view text)
     return resultOf(document, std::move(tables));
 }
 
-std::string writeSavedState(const DriveStore::SavedState& state)
+std::string writeSavedState(const SavedState& state)
 {
     OrderedJson document = newDocument(savedFormat);
     document["known"] = state.isKnown;
     document["uses"] = OrderedJson::array();
-    for (const DriveStore::SavedState::Use& use : state.uses)
+    for (const SavedState::Use& use : state.uses)
         document["uses"].push_back(
             {{"axis", use.axis}, {"slot", use.slot}, {"crc", crcText(use.crc)}});
     document["covered"] = OrderedJson::array();
@@ -151,13 +151,13 @@ std::string writeSavedState(const DriveStore::SavedState& state)
     return jsonText(document);
 }
 
-DocumentResult<DriveStore::SavedState> readSavedState(std::string_view text)
+DocumentResult<SavedState> readSavedState(std::string_view text)
 {
     StrictJson document{text, storeLimits};
     const JsonNode root = document.root();
     expectFormat(root, savedFormat);
     root.expectMembers({"format", "version", "known", "uses", "covered"});
-    DriveStore::SavedState state;
+    SavedState state;
     state.isKnown = root["known"].boolean();
     for (const JsonNode& item : root["uses"].items()) {
         item.expectMembers({"axis", "slot", "crc"});

@@ -39,7 +39,7 @@ struct WrittenTable {
 [[nodiscard]] std::string writeTables(const std::vector<WrittenTable>& tables);
 [[nodiscard]] DocumentResult<std::vector<WrittenTable>> readTables(std::string_view text);
 
-[[nodiscard]] std::string writeSavedState(const DriveStore::SavedState& state);
-[[nodiscard]] DocumentResult<DriveStore::SavedState> readSavedState(std::string_view text);
+[[nodiscard]] std::string writeSavedState(const SavedState& state);
+[[nodiscard]] DocumentResult<SavedState> readSavedState(std::string_view text);
 
 } // namespace axiscomp

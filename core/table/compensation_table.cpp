@@ -7,6 +7,32 @@
 
 namespace axiscomp {
 
+namespace {
+
+template <typename Values> TableStatistics figuresOf(const Values& values)
+{
+    if (values.empty())
+        return {};
+    const auto [minimum, maximum] = std::ranges::minmax(values);
+    double squares = 0.0;
+    for (const auto value : values)
+        squares += static_cast<double>(value) * static_cast<double>(value);
+    return {static_cast<double>(minimum), static_cast<double>(maximum),
+        std::sqrt(squares / static_cast<double>(values.size()))};
+}
+
+} // namespace
+
+TableStatistics statistics(const CompensationTable& table)
+{
+    return figuresOf(table.values);
+}
+
+TableStatistics statisticsOf(std::span<const double> values)
+{
+    return figuresOf(values);
+}
+
 SurveyedTable surveyed(std::shared_ptr<const CompensationTable> table)
 {
     if (!table)

@@ -5,8 +5,29 @@
 
 #include <cstddef>
 #include <memory>
+#include <span>
+#include <string>
+#include <vector>
 
 namespace axiscomp {
+
+/// One compensation value x_ref - x_enc per grid point, added to the encoder position (AN140 3.1).
+struct CompensationTable {
+    std::string name;
+    std::string unit; ///< of the values, "um" of "Table 1 [um]"; may be empty
+    Grid grid;
+    std::vector<float> values; ///< grid.pointCount() finite values, dimension 1 fastest
+
+    friend bool operator==(const CompensationTable&, const CompensationTable&) = default;
+};
+
+struct TableStatistics {
+    double minimum = 0.0;
+    double maximum = 0.0;
+    double rms = 0.0;
+};
+[[nodiscard]] TableStatistics statistics(const CompensationTable& table);
+[[nodiscard]] TableStatistics statisticsOf(std::span<const double> values);
 
 /// A table, and what can only be found out by looking at all of its values: found out once, on the
 /// thread that has read the table.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace axiscomp {
 
@@ -13,30 +14,11 @@ bool sameSpans(const Grid& a, const Grid& b)
     });
 }
 
-namespace {
-
-template <typename Values> TableStatistics figuresOf(const Values& values)
+bool pointsAreDistinct(const GridAxis& axis)
 {
-    if (values.empty())
-        return {};
-    const auto [minimum, maximum] = std::ranges::minmax(values);
-    double squares = 0.0;
-    for (const auto value : values)
-        squares += static_cast<double>(value) * static_cast<double>(value);
-    return {static_cast<double>(minimum), static_cast<double>(maximum),
-        std::sqrt(squares / static_cast<double>(values.size()))};
-}
-
-} // namespace
-
-TableStatistics statistics(const CompensationTable& table)
-{
-    return figuresOf(table.values);
-}
-
-TableStatistics statisticsOf(std::span<const double> values)
-{
-    return figuresOf(values);
+    const double largest = std::max(std::abs(axis.start), std::abs(axis.last()));
+    return std::isnormal(axis.distance)
+        && axis.distance > 32.0 * std::numeric_limits<double>::epsilon() * largest;
 }
 
 } // namespace axiscomp

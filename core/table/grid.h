@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -43,22 +43,25 @@ struct Grid {
 /// The same sizes, starts and distances, whatever the names and units.
 [[nodiscard]] bool sameSpans(const Grid& a, const Grid& b);
 
-/// One compensation value x_ref - x_enc per grid point, added to the encoder position (AN140 3.1).
-struct CompensationTable {
-    std::string name;
-    std::string unit; ///< of the values, "um" of "Table 1 [um]"; may be empty
-    Grid grid;
-    std::vector<float> values; ///< grid.pointCount() finite values, dimension 1 fastest
+/// False where the distance is below some thirty times the resolution of the positions: neighbours
+/// would be one place, or at uneven places, and a lookup could not tell which of them is meant. Or
+/// below the resolution of numbers at all.
+[[nodiscard]] bool pointsAreDistinct(const GridAxis& axis);
 
-    friend bool operator==(const CompensationTable&, const CompensationTable&) = default;
-};
-
-struct TableStatistics {
-    double minimum = 0.0;
-    double maximum = 0.0;
-    double rms = 0.0;
-};
-[[nodiscard]] TableStatistics statistics(const CompensationTable& table);
-[[nodiscard]] TableStatistics statisticsOf(std::span<const double> values);
+/// Calls visit(index in the file, index in the values of a table, dimension 1 fastest) for every
+/// element of a file in which the last dimension is the fastest.
+template <typename Visit> void visitLastDimensionFastest(const Grid& grid, Visit visit)
+{
+    std::array<std::size_t, 3> size{1, 1, 1};
+    for (std::size_t i = 0; i < grid.axes.size(); ++i)
+        size[i] = grid.axes[i].size;
+    std::size_t fileIndex = 0;
+    for (std::size_t i1 = 0; i1 < size[0]; ++i1) {
+        for (std::size_t i2 = 0; i2 < size[1]; ++i2) {
+            for (std::size_t i3 = 0; i3 < size[2]; ++i3)
+                visit(fileIndex++, i1 + size[0] * (i2 + size[1] * i3));
+        }
+    }
+}
 
 } // namespace axiscomp

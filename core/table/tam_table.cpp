@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/table/tam_table.h"
 
-#include "core/drive/register_value.h"
+#include "core/table/compensation_table.h"
 #include "core/table/field_codec.h"
-#include "core/table/grid_points.h"
+#include "core/text/number_text.h"
 #include "core/text/utf8.h"
 
 #include <algorithm>
@@ -188,10 +188,9 @@ Result<void> Decoder::checkPositions()
     for (std::uint32_t i = 0; i < m_dimensions; ++i) {
         const double start = number(TableField::Start, i);
         if (!std::isfinite(start))
-            return invalidItem(
-                TableField::Start, i, toText(RegisterValue{start}), "a finite number");
+            return invalidItem(TableField::Start, i, shortestText(start), "a finite number");
         const double distance = number(TableField::Distance, i);
-        const std::string found = toText(RegisterValue{distance});
+        const std::string found = shortestText(distance);
         if (!(distance > 0.0) || !std::isfinite(distance))
             return invalidItem(TableField::Distance, i, found, "a finite number above 0");
         const GridAxis stored = axis(i);
@@ -200,8 +199,7 @@ Result<void> Decoder::checkPositions()
                 TableField::Distance, i, found, "one that leads to a finite last position");
         if (!pointsAreDistinct(stored))
             return invalidItem(TableField::Distance, i, found,
-                "one that tells positions such as " + toText(RegisterValue{stored.last()})
-                    + " apart");
+                "one that tells positions such as " + shortestText(stored.last()) + " apart");
     }
     return {};
 }
@@ -232,7 +230,7 @@ Result<void> Decoder::checkValues()
         const auto value = loadAt<float>(bytes.subspan(offset), m_layout.littleEndian);
         if (!std::isfinite(value))
             return invalid("element " + std::to_string(offset / sizeof(float)),
-                m_layout.headerSize + offset, toText(RegisterValue{value}), "a finite number");
+                m_layout.headerSize + offset, shortestText(value), "a finite number");
     }
     return {};
 }

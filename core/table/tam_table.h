@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/bytes.h"
-#include "core/table/grid.h"
+#include "core/table/compensation_table.h"
 #include "core/table/table_layout.h"
 
 namespace axiscomp {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/drive/register_value.h"
+#include "core/table/compensation_table.h"
 #include "core/table/field_codec.h"
-#include "core/table/grid_points.h"
 #include "core/table/tam_table.h"
+#include "core/text/number_text.h"
 #include "core/text/utf8.h"
 
 #include <algorithm>
@@ -26,27 +26,22 @@ std::string ofDimension(std::string_view what, std::size_t index)
     return "the " + std::string(what) + " of dimension " + std::to_string(index + 1);
 }
 
-std::string text(double value)
-{
-    return toText(RegisterValue{value});
-}
-
 Result<void> checkAxis(const GridAxis& axis, std::size_t index)
 {
     if (axis.size < 2)
         return refused(ofDimension("size", index) + " is " + std::to_string(axis.size)
             + ", at least 2 is needed");
     if (!std::isfinite(axis.start))
-        return refused(ofDimension("start value", index) + " is " + text(axis.start)
+        return refused(ofDimension("start value", index) + " is " + shortestText(axis.start)
             + ", a finite number is needed");
     if (!(axis.distance > 0.0) || !std::isfinite(axis.distance))
-        return refused(ofDimension("distance", index) + " is " + text(axis.distance)
+        return refused(ofDimension("distance", index) + " is " + shortestText(axis.distance)
             + ", a finite number above 0 is needed");
     if (!std::isfinite(axis.last()))
         return refused(ofDimension("last position", index) + " is too large to be a number");
     if (!pointsAreDistinct(axis))
-        return refused(ofDimension("distance", index) + " is " + text(axis.distance)
-            + ", too little to tell positions such as " + text(axis.last()) + " apart");
+        return refused(ofDimension("distance", index) + " is " + shortestText(axis.distance)
+            + ", too little to tell positions such as " + shortestText(axis.last()) + " apart");
     return {};
 }
 
@@ -79,7 +74,7 @@ Result<void> checkTable(const CompensationTable& table)
         const auto found = std::ranges::find_if_not(
             table.values, [](float value) { return std::isfinite(value); });
         return refused("value " + std::to_string(found - table.values.begin() + 1) + " is "
-            + text(static_cast<double>(*found)) + ", a finite number is needed");
+            + shortestText(static_cast<double>(*found)) + ", a finite number is needed");
     }
     return {};
 }
@@ -118,8 +113,8 @@ public:
         if (!rounds(stored.start, start.type) || !rounds(stored.distance, distance.type)
             || !isSameGrid(axis, stored)) {
             if (m_fault.empty())
-                m_fault = ofDimension("grid", index) + ", start " + text(axis.start)
-                    + " and distance " + text(axis.distance)
+                m_fault = ofDimension("grid", index) + ", start " + shortestText(axis.start)
+                    + " and distance " + shortestText(axis.distance)
                     + ", cannot be held by fields of the types "
                     + std::string(fieldTypeName(start.type)) + " and "
                     + std::string(fieldTypeName(distance.type));

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string>
 
-namespace axiscomp::csv {
+namespace axiscomp {
 
 namespace {
 
@@ -74,4 +74,4 @@ NumberFault parseNumber(std::string_view text, char decimal, Number& number)
     return NumberFault::None;
 }
 
-} // namespace axiscomp::csv
+} // namespace axiscomp

@@ -6,7 +6,7 @@
 #include <cstring>
 #include <string_view>
 
-namespace axiscomp::csv {
+namespace axiscomp {
 
 struct Number {
     double value = 0.0;
@@ -98,4 +98,4 @@ inline const char* parseShortNumber(const char* p, char decimal, Number& number)
     return p;
 }
 
-} // namespace axiscomp::csv
+} // namespace axiscomp

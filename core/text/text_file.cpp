@@ -5,10 +5,10 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
+#include <cstdint>
 #include <cstring>
 
-namespace axiscomp::csv {
+namespace axiscomp {
 
 namespace {
 
@@ -90,19 +90,6 @@ void appendUtf8(std::string& text, char16_t code)
         put(0x80U | ((code >> 6U) & 0x3FU));
         put(0x80U | (code & 0x3FU));
     }
-}
-
-/// Without an exponent where people would not write one.
-template <typename Float> std::string shortestText(Float value)
-{
-    constexpr Float smallest = static_cast<Float>(1e-7);
-    constexpr Float largest = static_cast<Float>(1e15);
-    const Float size = value < 0 ? -value : value;
-    const bool plain = size == 0 || (size >= smallest && size < largest);
-    std::array<char, 64> buffer{};
-    const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
-        plain ? std::chars_format::fixed : std::chars_format::scientific);
-    return {buffer.data(), result.ptr};
 }
 
 struct Format {
@@ -210,23 +197,4 @@ std::string_view trimmed(std::string_view text)
     return text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
-std::string toText(double value)
-{
-    return shortestText(value);
-}
-
-std::string toText(float value)
-{
-    return shortestText(value);
-}
-
-std::string roundedText(double value)
-{
-    constexpr int digits = 12;
-    std::array<char, 32> buffer{};
-    const auto result = std::to_chars(
-        buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, digits);
-    return {buffer.data(), result.ptr};
-}
-
-} // namespace axiscomp::csv
+} // namespace axiscomp

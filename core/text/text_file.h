@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/text/diagnostic_list.h"
+#include "core/text/diagnostic.h"
 
+#include <cstddef>
 #include <stop_token>
+#include <string>
 #include <string_view>
 
-namespace axiscomp::csv {
+namespace axiscomp {
 
 enum class Encoding { Utf8, Windows1252 };
 
@@ -41,11 +43,4 @@ private:
 /// Blanks are space and tab.
 [[nodiscard]] std::string_view trimmed(std::string_view text);
 
-/// A number in its shortest exact form.
-[[nodiscard]] std::string toText(double value);
-[[nodiscard]] std::string toText(float value);
-
-/// A computed number without the rounding of doubles: 12 digits.
-[[nodiscard]] std::string roundedText(double value);
-
-} // namespace axiscomp::csv
+} // namespace axiscomp

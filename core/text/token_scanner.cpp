@@ -2,6 +2,7 @@
 #include "core/text/token_scanner.h"
 
 #include "core/text/number_parser.h"
+#include "core/text/number_text.h"
 #include "core/text/text_file.h"
 
 #include <algorithm>
@@ -18,7 +19,7 @@ constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
 
 std::string quoted(const Token& token)
 {
-    return csv::excerpt(token.text, csv::Encoding::Utf8);
+    return excerpt(token.text, Encoding::Utf8);
 }
 
 char lower(char c)
@@ -68,7 +69,7 @@ void splitCells(const Token& line, char separator, std::vector<Token>& cells)
 Token trimmedToken(const Token& token)
 {
     const std::size_t first = std::min(token.text.find_first_not_of(blanks), token.text.size());
-    return {csv::trimmed(token.text), token.line, token.column + first};
+    return {trimmed(token.text), token.line, token.column + first};
 }
 
 Token withoutComment(const Token& line, std::string_view commentCharacters)
@@ -79,11 +80,11 @@ Token withoutComment(const Token& line, std::string_view commentCharacters)
 
 std::optional<double> numberOf(std::string_view text)
 {
-    csv::Number number;
-    const csv::NumberFault fault = csv::parseNumber(text, '.', number);
-    if (fault == csv::NumberFault::TooSmall)
+    Number number;
+    const NumberFault fault = parseNumber(text, '.', number);
+    if (fault == NumberFault::TooSmall)
         return 0.0;
-    return fault == csv::NumberFault::None ? std::optional(number.value) : std::nullopt;
+    return fault == NumberFault::None ? std::optional(number.value) : std::nullopt;
 }
 
 std::optional<long> wholeNumberOf(std::string_view text)
@@ -129,7 +130,7 @@ bool isReadableText(std::string_view text, std::size_t mostBytes, DiagnosticList
             "at most " + std::to_string(mostBytes) + " bytes");
         return false;
     }
-    const csv::TextInspection inspection(text, {}, diagnostics);
+    const TextInspection inspection(text, {}, diagnostics);
     if (!diagnostics.hasErrors()
         && inspection.body().find_first_not_of(" \t\r\n") == std::string_view::npos)
         diagnostics.error(DiagnosticCode::EmptyFile, 0, 0, "", "");
@@ -152,7 +153,7 @@ bool checkKnots(std::span<const double> knots, std::span<const std::size_t> line
         if (knots[i] > knots[i - 1] && std::isfinite(knots[i] - knots.front()))
             continue;
         diagnostics.error(DiagnosticCode::NotMonotonic, lineOf(i), 0,
-            csv::toText(knots[i]) + " after " + csv::toText(knots[i - 1]),
+            toText(knots[i]) + " after " + toText(knots[i - 1]),
             "strictly increasing " + positions);
         return false;
     }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/csv/cells.h"
-#include "core/text/diagnostic_list.h"
+#include "core/text/diagnostic.h"
+#include "core/text/line_reader.h"
 
 #include <cstddef>
 #include <optional>
@@ -29,7 +29,7 @@ public:
     [[nodiscard]] std::optional<Token> next();
 
 private:
-    csv::LineReader m_lines;
+    LineReader m_lines;
 };
 
 /// The pieces of a line between any of the separators; empty pieces are left out.

@@ -2,6 +2,7 @@
 #include "core/write/backup_restore.h"
 
 #include "core/axis/verified_transfer.h"
+#include "core/io/local_file.h"
 #include "core/store/backup_json.h"
 #include "core/table/tam_table.h"
 
@@ -244,10 +245,10 @@ std::vector<std::string> sourceTexts(
     return texts;
 }
 
-Result<AxisCompensator::UnfinishedOutcome> unfinishedOutcome(const DriveAccess& access,
-    const DriveIdentity& drive, const JournalEntry& entry, SourceDirectory& sources)
+Result<UnfinishedOutcome> unfinishedOutcome(const DriveAccess& access, const DriveIdentity& drive,
+    const JournalEntry& entry, SourceDirectory& sources)
 {
-    using Outcome = AxisCompensator::UnfinishedOutcome;
+    using Outcome = UnfinishedOutcome;
     auto status = readStatus(access, drive, entry.axis, sources);
     if (!status)
         return fail(status.error());

@@ -2,6 +2,9 @@
 #pragma once
 
 #include "core/axis/axis_reader.h"
+#include "core/store/backup.h"
+#include "core/write/unfinished_write.h"
+#include "core/write/write_plan.h"
 
 namespace axiscomp {
 
@@ -30,8 +33,7 @@ namespace axiscomp {
     const DriveAccess& access, const std::vector<RegisterWrite>& registers, int axis, int count);
 
 /// Which state an axis has after a write that did not end.
-[[nodiscard]] Result<AxisCompensator::UnfinishedOutcome> unfinishedOutcome(
-    const DriveAccess& access, const DriveIdentity& drive, const JournalEntry& entry,
-    SourceDirectory& sources);
+[[nodiscard]] Result<UnfinishedOutcome> unfinishedOutcome(const DriveAccess& access,
+    const DriveIdentity& drive, const JournalEntry& entry, SourceDirectory& sources);
 
 } // namespace axiscomp

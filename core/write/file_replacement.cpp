@@ -152,7 +152,7 @@ Result<void> FileReplacement::checkSavedUse(ByteView bytes) const
     if (!saved)
         return fail(saved.error());
     const std::uint32_t crc = elementCrc(bytes, m_access.profile().layout);
-    for (const DriveStore::SavedState::Use& use : saved->uses)
+    for (const SavedState::Use& use : saved->uses)
         if (use.slot == m_slot.name && use.crc != crc)
             return fail(ErrorCode::SlotInUse,
                 {{"slot", m_slot.name},

@@ -3,6 +3,7 @@
 
 #include "core/axis/axis_reader.h"
 #include "core/axis/slot_state.h"
+#include "core/store/drive_store.h"
 #include "core/write/flash_account.h"
 
 namespace axiscomp {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/write/flash_account.h"
 
+#include "core/axis/register_access.h"
+
 #include <algorithm>
 #include <charconv>
 #include <limits>

@@ -1,20 +1,36 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/axis/register_access.h"
+#include "core/base/result.h"
+#include "core/base/wall_time.h"
+#include "core/drive/flash_wear.h"
+#include "core/store/drive_store.h"
 
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace axiscomp {
+
+class DriveAccess;
 
 /// Flash cycles by slot: the drive's EraseCount registers, as far as it has them.
 using EraseCounts = std::map<std::string, std::uint32_t, std::less<>>;
 [[nodiscard]] Result<EraseCounts> readEraseCounts(
     const DriveAccess& access, const std::vector<std::string>& slots);
 
+/// What a drive's flash has gone through, and what it may still do now. Wear is per slot.
+struct FlashUse {
+    FlashBudget budget;
+    std::uint64_t operationsRecorded = 0; ///< by this computer, all slots together
+    std::string mostUsedSlot; ///< empty: the drive does not count
+    std::uint32_t mostCycles = 0; ///< of that slot, whoever spent them
+    std::uint64_t allCycles = 0; ///< of all slots that are counted
+    std::uint32_t ratedCycles = 0; ///< usual life of one slot, 0: not known
+};
 [[nodiscard]] Result<FlashUse> readFlashUse(
     const DriveAccess& access, DriveStore& store, const DriveIdentity& drive, WallTime now);
 

@@ -9,7 +9,7 @@ namespace axiscomp {
 
 namespace {
 
-using Use = DriveStore::SavedState::Use;
+using Use = SavedState::Use;
 
 /// What the parameters name, and which of those slots hold a volatile table.
 struct Named {

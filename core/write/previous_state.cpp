@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/write/previous_state.h"
 
-#include "core/compensator/axis_operations.h"
 #include "core/table/tam_table.h"
 
 #include <algorithm>

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/compensator/axis_compensator.h"
+#include "core/axis/axis_status.h"
+#include "core/base/result.h"
+#include "core/drive/drive_profile.h"
+#include "core/store/drive_store.h"
 
 #include <filesystem>
 

@@ -32,7 +32,7 @@ Result<WriteReport> WriteProcedure::undoEarlier(const UnfinishedWrite& unfinishe
     // It is switched off in the saved parameters as well, by this write or by the next of another
     // axis.
     const bool isSavedOff = saved->isKnown
-        && std::ranges::find(saved->uses, m_write.plan.axis, &DriveStore::SavedState::Use::axis)
+        && std::ranges::find(saved->uses, m_write.plan.axis, &SavedState::Use::axis)
             == saved->uses.end();
     const bool wasPersistent = unfinished.oldFile() && unfinished.oldFile()->persistent;
     m_savedTouched = m_savedTouched || (isSavedOff && (m_flashTouched || wasPersistent));

@@ -2,6 +2,8 @@
 #pragma once
 
 #include "core/axis/slot_state.h"
+#include "core/store/drive_store.h"
+#include "core/write/write_plan.h"
 
 namespace axiscomp {
 

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/write/unfinished_write.h"
 
+#include "core/axis/axis_reader.h"
+#include "core/axis/slot_state.h"
+#include "core/store/drive_store.h"
 #include "core/table/tam_table.h"
 #include "core/write/backup_restore.h"
+#include "core/write/write_planner.h"
 
 #include <algorithm>
 #include <array>

@@ -1,11 +1,40 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/axis/axis_reader.h"
-#include "core/axis/slot_state.h"
-#include "core/write/write_planner.h"
+#include "core/base/bytes.h"
+#include "core/base/error.h"
+#include "core/base/result.h"
+#include "core/drive/drive_link.h"
+#include "core/drive/journal_entry.h"
+#include "core/store/backup.h"
+#include "core/write/write_plan.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
 
 namespace axiscomp {
+
+class DriveAccess;
+class DriveStore;
+struct PreparedWrite;
+struct SlotState;
+
+/// Which state the drive holds after a write that did not end.
+enum class UnfinishedOutcome {
+    Old, ///< complete, whatever lies in the slot that the write had chosen
+    New,
+    NewUnsaved, ///< new, but the parameters may not be saved
+    Neither,
+};
+
+/// What can be done about it.
+struct Recovery {
+    std::optional<Error> finishObstacle; ///< none: finishUnfinished is possible now
+    std::optional<Error> undoObstacle; ///< none: undoUnfinished is possible now
+    int flashOperations = 0; ///< that finishing costs
+};
 
 /// A write that did not end, with what was kept before its first change.
 class UnfinishedWrite {

@@ -3,7 +3,9 @@
 
 #include "core/axis/axis_reader.h"
 #include "core/axis/slot_state.h"
+#include "core/store/drive_store.h"
 #include "core/write/slot_choice.h"
+#include "core/write/write_plan.h"
 
 namespace axiscomp {
 
@@ -61,7 +63,7 @@ private:
     int m_axis = 0;
     AxisStatus m_status;
     std::vector<AxisStatus> m_others; ///< the other axes, when the parameters will be saved
-    DriveStore::SavedState m_saved;
+    SavedState m_saved;
     PreparedWrite m_write;
     bool m_isStored = false; ///< the new table is in the flash of its slot already
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/base/link_failure.h"
+#include "core/base/error.h"
 #include "ui/controller/wizard_controller_p.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/table/table_change.h"
+#include "core/table/table_math.h"
 #include "ui/controller/wizard_controller.h"
 
 #include <QWidget>

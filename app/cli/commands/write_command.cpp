@@ -5,7 +5,7 @@
 #include "app/cli/session/write_run.h"
 #include "app/common/arguments.h"
 #include "app/common/number_text.h"
-#include "core/compensator/several_writes.h"
+#include "core/compensator/multi_axis_write.h"
 #include "core/text/token_scanner.h"
 
 #include <algorithm>

@@ -46,8 +46,7 @@ std::optional<NeutralTable> tableOf(aerotech::Block& block, const TextReading& r
     const auto axisNumber = wholeNumberOf(block.numbers.empty() ? "" : first.text);
     if (block.numbers.size() != 1 || axisNumber.value_or(0) < 1) {
         diagnostics.error(DiagnosticCode::Syntax, first.line, first.column,
-            csv::excerpt(first.text, csv::Encoding::Utf8),
-            "the number of one axis, from 1, behind :START");
+            excerpt(first.text, Encoding::Utf8), "the number of one axis, from 1, behind :START");
         return std::nullopt;
     }
     const auto distance = aerotech::numberOption(block, "SAMPLEDIST", 0.0, diagnostics);

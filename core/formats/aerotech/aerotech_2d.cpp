@@ -71,7 +71,7 @@ std::optional<Head> readHead(const aerotech::Block& block, DiagnosticList& diagn
     const std::vector<Token>& numbers = block.numbers;
     if (numbers.size() != 7) {
         diagnostics.error(DiagnosticCode::Syntax, block.start.line, block.start.column,
-            csv::excerpt(block.start.text, csv::Encoding::Utf8),
+            excerpt(block.start.text, Encoding::Utf8),
             "7 numbers behind :START2D: row axis, column axis, two output axes, distance along "
             "rows, distance along columns, number of columns");
         return std::nullopt;

@@ -17,7 +17,7 @@ constexpr std::string_view endDirective = ":END";
 
 std::string quoted(std::string_view text)
 {
-    return csv::excerpt(text, csv::Encoding::Utf8);
+    return excerpt(text, Encoding::Utf8);
 }
 
 /// The pieces of a directive: words, and keys with their values, also with blanks round '='.

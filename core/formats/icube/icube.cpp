@@ -3,6 +3,7 @@
 #include "core/formats/format_writer.h"
 #include "core/formats/formats.h"
 #include "core/formats/own_axis.h"
+#include "core/text/number_text.h"
 #include "core/text/text_file.h"
 #include "core/text/token_scanner.h"
 
@@ -92,7 +93,7 @@ void takeRow(const std::vector<Token>& cells, Points& points, TextReading& sourc
     for (const Token& cell : cells)
         if (!numberOf(cell.text))
             source.error(invalidFormat, DiagnosticCode::NotANumber, cell.line, cell.column,
-                csv::excerpt(cell.text, csv::Encoding::Utf8),
+                excerpt(cell.text, Encoding::Utf8),
                 &cell == &first ? "a position such as 0.25" : "an offset such as 0.001");
     points.positions.push_back(position.value_or(0.0));
     points.offsets.push_back(offset.value_or(0.0));
@@ -118,7 +119,7 @@ Points pointsOf(TextReading& source)
         else if (!rowInHeader && looksLikeRow(*line))
             rowInHeader = *line;
     }
-    const std::string found = csv::excerpt(rowInHeader.text, csv::Encoding::Utf8);
+    const std::string found = excerpt(rowInHeader.text, Encoding::Utf8);
     if (isInHeader)
         source.error(invalidFormat, DiagnosticCode::Syntax, rowInHeader.line, 0, found,
             "lines of " + std::string(twoNumbers));
@@ -145,14 +146,14 @@ std::size_t turningPoint(const std::vector<double>& positions, const std::vector
 
 std::string turnText(const std::vector<double>& positions, std::size_t i)
 {
-    return csv::toText(positions[i]) + " after " + csv::toText(positions[i - 1]);
+    return toText(positions[i]) + " after " + toText(positions[i - 1]);
 }
 
 std::string sumTurnText(
     const std::vector<double>& positions, const std::vector<double>& offsets, std::size_t i)
 {
-    return "position + offset " + csv::roundedText(positions[i] + offsets[i]) + " after "
-        + csv::roundedText(positions[i - 1] + offsets[i - 1]);
+    return "position + offset " + roundedText(positions[i] + offsets[i]) + " after "
+        + roundedText(positions[i - 1] + offsets[i - 1]);
 }
 
 bool checkDirection(const Points& points, TextReading& source)
@@ -187,12 +188,12 @@ std::optional<RangeFault> rangeFault(
     const double span = std::abs(positions.back() - positions.front());
     const double size = std::abs(positions.front()) + std::abs(positions.back());
     if (!(std::abs(span - wrap) <= 1e-12 * size))
-        return RangeFault{"positions from " + csv::toText(positions.front()) + " to "
-                + csv::toText(positions.back()),
-            "a span of exactly " + csv::toText(wrap) + ", the wrap range"};
+        return RangeFault{
+            "positions from " + toText(positions.front()) + " to " + toText(positions.back()),
+            "a span of exactly " + toText(wrap) + ", the wrap range"};
     if (offsets.front() != offsets.back())
-        return RangeFault{"the offsets " + csv::toText(offsets.front()) + " and "
-                + csv::toText(offsets.back()) + " at the ends",
+        return RangeFault{"the offsets " + toText(offsets.front()) + " and "
+                + toText(offsets.back()) + " at the ends",
             "the same offset at both ends, which are one place"};
     return std::nullopt;
 }
@@ -281,8 +282,8 @@ Result<void> takeWrap(SourceAxis& axis, const SettingValues& values)
     if (axis.wrap && std::abs(*axis.wrap - wrap) > 1e-12 * wrap)
         return fail(ErrorCode::InvalidArgument,
             {{"reason",
-                "the setting wrap-range is " + csv::toText(wrap) + ", and the table repeats after "
-                    + csv::roundedText(*axis.wrap)}});
+                "the setting wrap-range is " + toText(wrap) + ", and the table repeats after "
+                    + roundedText(*axis.wrap)}});
     axis.wrap = wrap;
     return {};
 }
@@ -292,7 +293,7 @@ Result<void> checkWritable(const NeutralTable& table)
     const std::vector<double>& positions = table.axes[0].knots;
     const std::vector<double>& offsets = table.columns[0].values;
     if (const std::size_t i = turningPoint(positions, offsets); i > 0)
-        return refuse("at " + csv::toText(positions[i]) + " " + sumTurnText(positions, offsets, i)
+        return refuse("at " + toText(positions[i]) + " " + sumTurnText(positions, offsets, i)
                 + " does not increase (error 4900 of the controller)",
             "check the unit of the values, or smooth them");
     if (!table.axes[0].wrap)
@@ -321,8 +322,8 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
     if (auto fits = checkWritable(*table); !fits)
         return fail(fits.error());
     for (std::size_t i = 0; i < table->pointCount(); ++i)
-        written.bytes += csv::toText(table->axes[0].knots[i]) + ','
-            + csv::toText(table->columns[0].values[i]) + '\n';
+        written.bytes +=
+            toText(table->axes[0].knots[i]) + ',' + toText(table->columns[0].values[i]) + '\n';
     if (written.bytes.size() > facts.mostBytes)
         return refuse(std::to_string(written.bytes.size()) + " bytes are more than the "
                 + std::to_string(facts.mostBytes) + " of a file",

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/formats/formats.h"
 #include "core/formats/isg/isg_list.h"
-#include "core/text/text_file.h"
+#include "core/text/number_text.h"
 
 #include <algorithm>
 
@@ -77,8 +77,8 @@ std::optional<NeutralTable> build(const isg::List& list, const SettingValues& se
                 .code = DiagnosticCode::NotMonotonic,
                 .line = setpoints->lines[i],
                 .column = 0,
-                .found = csv::toText(setpoints->numbers[i]) + " after "
-                    + csv::toText(setpoints->numbers[i - 1]),
+                .found =
+                    toText(setpoints->numbers[i]) + " after " + toText(setpoints->numbers[i - 1]),
                 .expected = "ascending setpoints",
                 .controllerError = "70245"});
     if (list.diagnostics().hasErrors())
@@ -99,8 +99,8 @@ std::optional<NeutralTable> build(const isg::List& list, const SettingValues& se
         axis.wrap = axis.knots.back() - axis.knots.front();
         if (!isClosed(table, 0))
             list.diagnostics().error(DiagnosticCode::NotPeriodic, corrections->lines.back(), 0,
-                csv::toText(corrections->numbers.back()) + " at the end",
-                csv::toText(corrections->numbers.front()) + ", as at the beginning");
+                toText(corrections->numbers.back()) + " at the end",
+                toText(corrections->numbers.front()) + ", as at the beginning");
     }
     return table;
 }
@@ -143,7 +143,7 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
     for (std::size_t i = 1; i < knots->size(); ++i)
         if ((*knots)[i] <= (*knots)[i - 1])
             return cannotHold(facts,
-                "the position " + csv::roundedText(table.axes[0].knots[i])
+                "the position " + roundedText(table.axes[0].knots[i])
                     + " is the same as the one before when it is rounded",
                 "resample it onto a coarser grid");
     if (table.axes[0].wrap) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/formats/formats.h"
 #include "core/formats/isg/isg_list.h"
+#include "core/text/number_text.h"
 #include "core/text/text_file.h"
 
 namespace axiscomp::isg_crosscomp2 {
@@ -71,7 +72,7 @@ std::optional<std::array<double, 2>> intervals(const isg::List& list)
     const bool isSquare = grid.empty() || grid == "QUADRATIC";
     if (!isSquare && grid != "RECTANGULAR") {
         list.diagnostics().error(DiagnosticCode::Syntax, list.line("grid"), 0,
-            csv::excerpt(grid, csv::Encoding::Utf8), "QUADRATIC or RECTANGULAR");
+            excerpt(grid, Encoding::Utf8), "QUADRATIC or RECTANGULAR");
         return std::nullopt;
     }
     constexpr std::array<std::string_view, 2> own{"interval1", "interval2"};
@@ -85,7 +86,7 @@ std::optional<std::array<double, 2>> intervals(const isg::List& list)
         if (*distance > 0.0)
             continue;
         list.diagnostics().error(DiagnosticCode::LimitExceeded, list.line(key), 0,
-            list.path(key) + ' ' + csv::toText(*distance), "a distance above 0");
+            list.path(key) + ' ' + toText(*distance), "a distance above 0");
         return std::nullopt;
     }
     return distances;
@@ -189,9 +190,9 @@ Result<std::array<double, 2>> gridOf(
         return fail(inFile.error());
     if (!isg::isEvenInFile((*inFile)[0], (*inFile)[1], exact))
         return cannotHold(facts,
-            "the distance of " + csv::roundedText(inUnits[1]) + ' ' + axis.unit + " along master "
+            "the distance of " + roundedText(inUnits[1]) + ' ' + axis.unit + " along master "
                 + axis.name + " is no whole number of "
-                + csv::roundedText(1.0 / draft.scale.numbers.perUnit) + ' ' + axis.unit,
+                + roundedText(1.0 / draft.scale.numbers.perUnit) + ' ' + axis.unit,
             "resample it with such a distance");
     return std::array{(*inFile)[0], (*inFile)[1]};
 }

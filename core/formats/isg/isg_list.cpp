@@ -16,7 +16,7 @@ constexpr std::string_view blanks = " \t";
 
 std::string quoted(std::string_view text)
 {
-    return csv::excerpt(text, csv::Encoding::Utf8);
+    return excerpt(text, Encoding::Utf8);
 }
 
 /// "crosscomp" of "kw.crosscomp.unit"; empty for other entries.
@@ -57,7 +57,7 @@ bool List::readName(const Token& line, Name& name) const
         const std::size_t end = text.find(']', i);
         const auto inside = end == std::string_view::npos
             ? std::string_view()
-            : csv::trimmed(text.substr(i + 1, end - i - 1));
+            : trimmed(text.substr(i + 1, end - i - 1));
         const auto index = wholeNumberOf(inside);
         if (!index || *index < 0 || name.indices == name.index.size()) {
             m_diagnostics.error(DiagnosticCode::Syntax, line.line, line.column + i,
@@ -211,7 +211,7 @@ std::string List::text(std::string_view key) const
     if (!entry)
         return {};
     const std::string_view value = entry->value.text;
-    return csv::toUtf8(csv::trimmed(value.substr(0, value.find('('))), csv::Encoding::Utf8);
+    return toUtf8(trimmed(value.substr(0, value.find('('))), Encoding::Utf8);
 }
 
 void List::missing(std::string_view key) const

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/formats/formats.h"
 #include "core/formats/isg/isg_list.h"
-#include "core/text/text_file.h"
+#include "core/text/number_text.h"
 
 namespace axiscomp::isg_ssfk {
 
@@ -51,12 +51,12 @@ std::optional<isg::Field> positions(const isg::List& list, std::size_t count)
         return list.field("setpoint", {1, count});
     if (*interval < 0.0) {
         list.diagnostics().error(DiagnosticCode::LimitExceeded, list.line("interval"), 0,
-            list.path("interval") + ' ' + csv::toText(*interval), "0, or a distance above 0");
+            list.path("interval") + ' ' + toText(*interval), "0, or a distance above 0");
         return std::nullopt;
     }
     if (list.hasField("setpoint"))
         list.diagnostics().error(DiagnosticCode::Contradiction, list.line("interval"), 0,
-            list.path("interval") + ' ' + csv::toText(*interval) + " and setpoints of each point",
+            list.path("interval") + ' ' + toText(*interval) + " and setpoints of each point",
             "an interval of 0 with setpoints, or an interval without");
     const auto start = list.number("kw_startpos");
     if (!start)
@@ -153,7 +153,7 @@ Result<void> addPositions(isg::Draft& draft)
     for (std::size_t i = 1; i < knots->size(); ++i)
         if ((*knots)[i] <= (*knots)[i - 1])
             return cannotHold(facts,
-                "the position " + csv::roundedText(axis.knots[i])
+                "the position " + roundedText(axis.knots[i])
                     + " is the same as the one before when it is rounded",
                 "resample it onto a coarser grid");
     std::vector<double> exact = axis.knots;

@@ -2,6 +2,7 @@
 #include "core/formats/isg/isg_list.h"
 
 #include "core/formats/units.h"
+#include "core/text/number_text.h"
 #include "core/text/text_file.h"
 
 #include <algorithm>
@@ -66,7 +67,7 @@ std::optional<Scale> scaleOf(const List& list, const SettingValues& settings)
     if (scale.numbers.perUnit > 0.0)
         return scale;
     list.diagnostics().error(DiagnosticCode::LimitExceeded, 0, 0,
-        "increments-per-unit " + csv::toText(scale.numbers.perUnit), "a number above 0");
+        "increments-per-unit " + toText(scale.numbers.perUnit), "a number above 0");
     return std::nullopt;
 }
 
@@ -130,7 +131,7 @@ Result<Draft> beginDraft(const Section& section, const NeutralTable& table,
     draft.text += "kopf.achs_nr " + std::to_string(axis) + '\n';
     std::string name = draft.table.name;
     std::erase_if(name, [](char c) { return c == '(' || c == '\n' || c == '\r'; });
-    if (!csv::trimmed(name).empty())
+    if (!trimmed(name).empty())
         draft.text += "kopf.log_achs_name " + name + '\n';
     draft.add("unit", std::size_t{scale->isMetric ? 1U : 0U});
     return draft;
@@ -144,7 +145,7 @@ Result<std::vector<double>> inFile(const FamilyFacts& facts, const Draft& draft,
         rounded[i] = draft.scale.numbers.inFile(numbers[i]);
     if (const auto at = beyond32Bits(rounded))
         return cannotHold(facts,
-            std::string(what) + ' ' + csv::roundedText(numbers[*at])
+            std::string(what) + ' ' + roundedText(numbers[*at])
                 + " is beyond the 32 bits of its numbers",
             "check the unit of the table");
     return rounded;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/formats/format_reader.h"
 #include "core/formats/formats.h"
+#include "core/text/number_text.h"
 #include "core/text/text_file.h"
 #include "core/text/token_scanner.h"
 
@@ -99,8 +100,7 @@ void Sections::begin(const Token& section)
         return;
     Profile profile;
     profile.section = section;
-    profile.name =
-        csv::toUtf8(csv::trimmed(section.text.substr(sectionPrefix.size())), csv::Encoding::Utf8);
+    profile.name = toUtf8(trimmed(section.text.substr(sectionPrefix.size())), Encoding::Utf8);
     if (std::ranges::find(m_profiles, profile.name, &Profile::name) != m_profiles.end())
         m_source.diagnostics.error(DiagnosticCode::Contradiction, section.line, section.column,
             "a second section for the profile " + profile.name, "each profile once");
@@ -114,12 +114,12 @@ void Sections::takeEntry(const Token& line)
     m_isInPoints = key.text == "points";
     if (equals == std::string_view::npos) {
         m_source.diagnostics.error(DiagnosticCode::Syntax, key.line, key.column,
-            csv::excerpt(key.text, csv::Encoding::Utf8), "an entry such as min_x = 10");
+            excerpt(key.text, Encoding::Utf8), "an entry such as min_x = 10");
         return;
     }
     if (!isKnownKey(key.text)) {
         m_source.diagnostics.warning(DiagnosticCode::UnknownKey, key.line, key.column,
-            csv::excerpt(key.text, csv::Encoding::Utf8), "");
+            excerpt(key.text, Encoding::Utf8), "");
         return;
     }
     const Token value =
@@ -150,7 +150,7 @@ void Sections::take(const Token& line)
         m_profiles.back().rows.push_back(content);
     else
         m_source.diagnostics.error(DiagnosticCode::Syntax, content.line, content.column,
-            csv::excerpt(content.text, csv::Encoding::Utf8), "an entry such as min_x = 10");
+            excerpt(content.text, Encoding::Utf8), "an entry such as min_x = 10");
 }
 
 /// The numbers of one profile.
@@ -190,8 +190,7 @@ void ProfileReader::checkVersion()
     const auto version = m_profile.entries.find("version");
     if (version != m_profile.entries.end() && version->second.text != "1")
         m_source.diagnostics.error(DiagnosticCode::Contradiction, version->second.line,
-            version->second.column,
-            "version " + csv::excerpt(version->second.text, csv::Encoding::Utf8),
+            version->second.column, "version " + excerpt(version->second.text, Encoding::Utf8),
             "1; the firmware does not use other versions");
 }
 
@@ -257,8 +256,7 @@ SourceAxis ProfileReader::axis(const std::string& name, const std::string& small
                 readNumber(offset->second, "an offset in mm", m_source.diagnostics).value_or(0.0);
     if (isKnown && !(ends[1] > ends[0]))
         m_source.diagnostics.error(DiagnosticCode::NotMonotonic, entry(keys[1])->line, 0,
-            keys[1] + " = " + csv::toText(ends[1]) + " after " + keys[0] + " = "
-                + csv::toText(ends[0]),
+            keys[1] + " = " + toText(ends[1]) + " after " + keys[0] + " = " + toText(ends[0]),
             "a maximum above the minimum");
     if (m_source.diagnostics.hasErrors())
         return axis;

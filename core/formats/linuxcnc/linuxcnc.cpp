@@ -3,6 +3,7 @@
 #include "core/formats/format_writer.h"
 #include "core/formats/formats.h"
 #include "core/formats/own_axis.h"
+#include "core/text/number_text.h"
 #include "core/text/text_file.h"
 #include "core/text/token_scanner.h"
 
@@ -80,14 +81,14 @@ void takeLine(
     const auto entry = entryOf(tokens, line.line);
     if (!entry) {
         source.diagnostics.error(DiagnosticCode::Syntax, line.line, 0,
-            csv::excerpt(line.text, csv::Encoding::Utf8),
+            excerpt(line.text, Encoding::Utf8),
             "three numbers: nominal forward reverse; the controller stops reading here without a "
             "message");
         return;
     }
     if (tokens.size() > 3)
         source.diagnostics.warning(DiagnosticCode::Assumption, line.line, tokens[3].column,
-            csv::excerpt(tokens[3].text, csv::Encoding::Utf8) + " after three numbers",
+            excerpt(tokens[3].text, Encoding::Utf8) + " after three numbers",
             "nothing; it is left out, as the controller does");
     entries.push_back(*entry);
 }
@@ -161,7 +162,7 @@ void checkType(const std::vector<Entry>& entries, TextReading& source)
         const double trims = std::abs(entries.back().forward - entries.front().forward);
         if (trims > 0.5 * (entries.back().nominal - entries.front().nominal))
             source.diagnostics.warning(DiagnosticCode::Assumption, 0, 0,
-                "trims that change by " + csv::roundedText(trims),
+                "trims that change by " + roundedText(trims),
                 "less than the positions do; perhaps these are measured positions (type=0)");
     }
 }
@@ -242,10 +243,10 @@ Written measured(double nominal, double trim)
     const double exact = nominal - trim;
     const double rounding =
         4 * std::numeric_limits<double>::epsilon() * (std::abs(nominal) + std::abs(trim));
-    const std::string brief = csv::roundedText(exact);
+    const std::string brief = roundedText(exact);
     const double rounded = numberOf(brief).value_or(exact);
     const double position = std::abs(rounded - exact) <= rounding ? rounded : exact;
-    return {csv::toText(position), nominal - position};
+    return {toText(position), nominal - position};
 }
 
 Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWriteOptions& options)
@@ -267,15 +268,14 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
     std::array<std::vector<double>, 2> trims;
     for (std::size_t i = 0; i < table->pointCount(); ++i) {
         const double nominal = table->axes[0].knots[i];
-        written.bytes += csv::toText(nominal);
+        written.bytes += toText(nominal);
         for (std::size_t n = 0; n < trims.size(); ++n) {
             const double trim = (n == 0 ? forward : reverse)[i];
             const Written number =
-                isMeasured ? measured(nominal, trim) : Written{csv::toText(trim), trim};
+                isMeasured ? measured(nominal, trim) : Written{toText(trim), trim};
             if (!std::isfinite(number.trim))
                 return cannotHold(facts,
-                    "a measured position at " + csv::toText(nominal)
-                        + " is beyond what a number can be",
+                    "a measured position at " + toText(nominal) + " is beyond what a number can be",
                     "check the unit of positions and values");
             written.bytes += ' ' + number.text;
             trims[n].push_back(number.trim);

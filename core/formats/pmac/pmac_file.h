@@ -61,6 +61,10 @@ inline constexpr FormatSetting countsForReading{.key = "counts-per-unit",
         .meaning = meaning,
         .forWriting = true};
 }
+inline constexpr FormatSetting targetCounts =
+    countsSetting("target-counts-per-unit", "encoder counts for one unit of the values");
+inline constexpr FormatSetting targetMotor =
+    motorSetting("target-motor", "number of the motor that is compensated, 1 to 32");
 inline constexpr FormatSetting usesActual{.key = "position",
     .kind = FormatSetting::Kind::Choice,
     .meaning = "position of the sources that counts: desired (written with D) or actual",

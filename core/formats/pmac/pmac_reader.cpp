@@ -15,7 +15,7 @@ constexpr std::array<std::string_view, 2> sourceCounts{
 
 std::string quoted(std::string_view text)
 {
-    return csv::excerpt(text, csv::Encoding::Utf8);
+    return excerpt(text, Encoding::Utf8);
 }
 
 /// The rest behind a word in capital or small letters; nothing when the token begins otherwise.
@@ -82,10 +82,10 @@ std::optional<std::size_t> readSize(const Token& cell, DiagnosticList& diagnosti
 /// "#3" or "#3D"
 std::optional<std::string> readMotor(const Token& cell, DiagnosticList& diagnostics)
 {
-    std::string_view digits = csv::trimmed(cell.text.substr(1));
+    std::string_view digits = trimmed(cell.text.substr(1));
     if (digits.ends_with('D') || digits.ends_with('d'))
         digits.remove_suffix(1);
-    const auto motor = wholeNumberOf(csv::trimmed(digits));
+    const auto motor = wholeNumberOf(trimmed(digits));
     if (motor && *motor >= 1 && *motor <= 32)
         return std::to_string(*motor);
     diagnostics.error(DiagnosticCode::Syntax, cell.line, cell.column, quoted(cell.text),

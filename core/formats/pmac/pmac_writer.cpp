@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/formats/pmac/pmac_file.h"
 #include "core/formats/units.h"
-#include "core/text/text_file.h"
+#include "core/text/number_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -52,7 +52,7 @@ Result<Circle> circleOf(const FamilyFacts& facts, const NeutralTable& table, std
     }
     const double span = static_cast<double>(circle.size) * distance * counts;
     if (!(span <= largestSpan) || !(span >= 0.5))
-        return cannotHold(facts, "a span of " + csv::roundedText(span) + " counts",
+        return cannotHold(facts, "a span of " + roundedText(span) + " counts",
             "check counts-per-unit and the unit of the positions");
     circle.span = std::lround(span);
     return circle;
@@ -76,14 +76,14 @@ Result<std::vector<double>> entriesOf(const FamilyFacts& facts, const NeutralTab
         const double entry = numbers.inFile(values[i]);
         if (!(std::abs(entry) <= largestEntry))
             return cannotHold(facts,
-                "the value " + csv::roundedText(values[i]) + " is beyond the 24 bits of an entry",
+                "the value " + roundedText(values[i]) + " is beyond the 24 bits of an entry",
                 "check counts-per-unit and the unit of the values");
         const std::size_t row = circles.size() == 2 ? circles[1].place(i / width) : 0;
         entries[row * circles[0].size + circles[0].place(i % width)] = entry;
     }
     if (entries[0] != 0.0)
         return cannotHold(facts,
-            "its value at position 0 is " + csv::roundedText(numbers.fromFile(entries[0]))
+            "its value at position 0 is " + roundedText(numbers.fromFile(entries[0]))
                 + ", and the controller takes it to be 0 there",
             "subtract this value from all values");
     return entries;

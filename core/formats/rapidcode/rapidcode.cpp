@@ -3,6 +3,7 @@
 #include "core/formats/formats.h"
 #include "core/formats/rapidcode/rapidcode_table.h"
 #include "core/table/position_unit.h"
+#include "core/text/number_text.h"
 #include "core/text/text_file.h"
 
 #include <algorithm>
@@ -101,7 +102,7 @@ void takeComment(const Token& line, Header& header, TextReading& source)
         header.notes.push_back(oneLine(value.text));
     } else if (!isKnownKey(key.text)) {
         source.diagnostics.warning(DiagnosticCode::UnknownKey, key.line, key.column,
-            csv::excerpt(key.text, csv::Encoding::Utf8), "");
+            excerpt(key.text, Encoding::Utf8), "");
     } else if (!header.entries.emplace(std::string(key.text), value).second) {
         source.diagnostics.error(DiagnosticCode::Contradiction, key.line, key.column,
             "a second " + std::string(key.text), "each entry once");
@@ -149,7 +150,7 @@ std::optional<RapidCodeInput> inputOf(const Header& header, int number, TextRead
         return std::nullopt;
     const Token& place = *header.find(prefix + "delta");
     const std::string range =
-        csv::toText(*minimum) + " to " + csv::toText(*maximum) + " by " + csv::toText(*delta);
+        toText(*minimum) + " to " + toText(*maximum) + " by " + toText(*delta);
     if (!(*delta > 0.0 && *maximum > *minimum)) {
         source.diagnostics.error(DiagnosticCode::Contradiction, place.line, 0, range,
             "a maximum above the minimum, and a delta above 0");
@@ -198,8 +199,8 @@ std::optional<double> countsPerUnitOf(const Header& header, TextReading& source)
     const auto said = entry ? readNumber(*entry, "a number of counts", source.diagnostics) : given;
     if (said && isSet && *said != given)
         source.diagnostics.error(DiagnosticCode::Contradiction, entry->line, 0,
-            csv::toText(*said) + " counts per unit",
-            csv::toText(given) + ", as the setting counts-per-unit says");
+            toText(*said) + " counts per unit",
+            toText(given) + ", as the setting counts-per-unit says");
     if (said && *said == 0.0) {
         source.diagnostics.error(DiagnosticCode::Contradiction, entry ? entry->line : 0, 0,
             "0 counts per unit", "a number other than 0");
@@ -311,13 +312,13 @@ std::string headerText(const RapidCodeTable& table, const std::vector<std::strin
         const std::string prefix = "input." + std::to_string(n + 1) + ".";
         addEntry(text, prefix + "axis", table.held.axes[n].name);
         addEntry(text, prefix + "unit", table.held.axes[n].unit);
-        addEntry(text, prefix + "min", csv::toText(table.inputs[n].minimum));
-        addEntry(text, prefix + "max", csv::toText(table.inputs[n].maximum));
-        addEntry(text, prefix + "delta", csv::toText(table.inputs[n].delta));
+        addEntry(text, prefix + "min", toText(table.inputs[n].minimum));
+        addEntry(text, prefix + "max", toText(table.inputs[n].maximum));
+        addEntry(text, prefix + "delta", toText(table.inputs[n].delta));
     }
     addEntry(text, "output.axis", table.held.columns[0].target);
     addEntry(text, "output.unit", table.held.columns[0].unit);
-    addEntry(text, "output.counts-per-unit", csv::toText(table.countsPerUnit));
+    addEntry(text, "output.counts-per-unit", toText(table.countsPerUnit));
     return text;
 }
 

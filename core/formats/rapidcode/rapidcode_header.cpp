@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/formats/formats.h"
 #include "core/formats/rapidcode/rapidcode_table.h"
-#include "core/text/text_file.h"
+#include "core/text/number_text.h"
 
 #include <algorithm>
 #include <array>
@@ -67,9 +67,8 @@ std::string explanation(const RapidCodeTable& table)
             + (axis.unit.empty() ? "" : " (" + oneLine(axis.unit) + ")");
     std::string text = "// Table of a RapidCode compensator, for CompensatorConfigSet.\n";
     text += "// Input: " + inputs + ".\n";
-    text += "// Output: " + quoted(column.target) + " in raw counts, "
-        + csv::toText(table.countsPerUnit) + " for 1 "
-        + (column.unit.empty() ? "unit" : oneLine(column.unit)) + ".\n";
+    text += "// Output: " + quoted(column.target) + " in raw counts, " + toText(table.countsPerUnit)
+        + " for 1 " + (column.unit.empty() ? "unit" : oneLine(column.unit)) + ".\n";
     return text + "// Note: " + rapidCodeInputAdvice(table) + ".\n";
 }
 
@@ -115,9 +114,9 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
     for (std::size_t n = 0; n < table->inputs.size(); ++n) {
         const RapidCodeInput& input = table->inputs[n];
         const std::string ordinal = ordinals[n];
-        text += constant("double", ordinal + "Minimum", csv::toText(input.minimum));
-        text += constant("double", ordinal + "Maximum", csv::toText(input.maximum));
-        text += constant("double", ordinal + "Delta", csv::toText(input.delta));
+        text += constant("double", ordinal + "Minimum", toText(input.minimum));
+        text += constant("double", ordinal + "Maximum", toText(input.maximum));
+        text += constant("double", ordinal + "Delta", toText(input.delta));
         text += constant("int", ordinal + "Points", std::to_string(input.points)) + '\n';
     }
     text += constant("int", "points", std::to_string(table->counts.size())) + '\n';

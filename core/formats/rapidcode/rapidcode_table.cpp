@@ -5,6 +5,7 @@
 #include "core/formats/units.h"
 #include "core/table/even_spacing.h"
 #include "core/table/position_unit.h"
+#include "core/text/number_text.h"
 #include "core/text/text_file.h"
 
 #include <algorithm>
@@ -58,7 +59,7 @@ Result<std::vector<std::int64_t>> countsOf(
         const double count = std::round(value * countsPerUnit);
         if (!(std::abs(count) <= largest))
             return cannotHold(facts,
-                "the value " + csv::toText(value) + " is " + csv::toText(count)
+                "the value " + toText(value) + " is " + toText(count)
                     + " counts, and at most 2147483647 can be held",
                 "check counts-per-unit and the unit of the values");
         counts.push_back(static_cast<std::int64_t>(count));
@@ -115,7 +116,7 @@ Result<RapidCodeTable> rapidCodeTable(const FamilyFacts& facts, const NeutralTab
     }
     converted->notes.clear();
     result.held = std::move(*converted);
-    remarks.push_back("counts-per-unit is understood as " + csv::toText(result.countsPerUnit)
+    remarks.push_back("counts-per-unit is understood as " + toText(result.countsPerUnit)
         + " counts for 1 " + (column.unit.empty() ? "unit of the values" : column.unit));
     remarks.push_back(rapidCodeInputAdvice(result));
     return result;
@@ -131,8 +132,8 @@ std::string rapidCodeInputAdvice(const RapidCodeTable& table)
 
 std::string oneLine(std::string_view text)
 {
-    const std::string clean = csv::toUtf8(text, csv::Encoding::Utf8);
-    return std::string(csv::trimmed(clean));
+    const std::string clean = toUtf8(text, Encoding::Utf8);
+    return std::string(trimmed(clean));
 }
 
 } // namespace axiscomp

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/formats/table_format.h"
-#include "core/text/diagnostic_list.h"
+#include "core/text/diagnostic.h"
 #include "core/text/token_scanner.h"
 
 #include <cstdint>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/formats/format_reader.h"
 #include "core/formats/formats.h"
+#include "core/text/number_text.h"
 #include "core/text/text_file.h"
 #include "core/text/token_scanner.h"
 
@@ -59,8 +60,8 @@ struct Axis {
 /// Checks that the entries of an axis fit each other, as far as their two decimals tell.
 bool checkAxis(const Axis& axis, std::size_t line, TextReading& source)
 {
-    const std::string found = axis.name + " from " + csv::toText(axis.minimum) + " to "
-        + csv::toText(axis.maximum) + " by " + csv::toText(axis.spacing) + " in "
+    const std::string found = axis.name + " from " + toText(axis.minimum) + " to "
+        + toText(axis.maximum) + " by " + toText(axis.spacing) + " in "
         + std::to_string(axis.points) + " points";
     if (axis.points < 2) {
         source.diagnostics.error(
@@ -94,7 +95,7 @@ std::optional<std::array<Axis, 2>> axesOf(
     std::array<Axis, 2> axes{Axis{.name = "X"}, Axis{.name = "Y"}};
     const std::size_t first = labels.hasLetters ? 2 : 0;
     for (std::size_t n = 0; n < first; ++n)
-        axes[n].name = csv::toUtf8(cells[n].text, csv::Encoding::Utf8);
+        axes[n].name = toUtf8(cells[n].text, Encoding::Utf8);
     std::array<double, 7> numbers{};
     bool isRead = true;
     for (std::size_t n = 0; n < numbers.size(); ++n) {
@@ -135,7 +136,7 @@ void takeRow(const Token& line, const std::array<Axis, 2>& axes, std::size_t row
     }
     const auto position = [](const Axis& axis, std::size_t i) {
         return axis.name + " = "
-            + csv::roundedText(axis.minimum + static_cast<double>(i) * axis.spacing);
+            + roundedText(axis.minimum + static_cast<double>(i) * axis.spacing);
     };
     for (std::size_t i = 0; i < cells.size(); ++i) {
         const bool isProbed = cells[i].text != "0";
@@ -183,7 +184,7 @@ const Labels* labelsOf(const std::optional<Token>& line, TextReading& source)
         labelLines, [&](const Labels& known) { return text.starts_with(known.text); });
     if (labels != labelLines.end())
         return labels;
-    source.diagnostics.error(DiagnosticCode::Syntax, 2, 0, csv::excerpt(text, csv::Encoding::Utf8),
+    source.diagnostics.error(DiagnosticCode::Syntax, 2, 0, excerpt(text, Encoding::Utf8),
         "the line " + std::string(labelLines[0].text) + ", or " + std::string(labelLines[1].text));
     return nullptr;
 }
@@ -193,8 +194,8 @@ std::vector<NeutralTable> parse(TextReading& source)
     TextLines lines(source.text);
     const Token first = lines.next().value_or(Token{});
     if (!first.text.starts_with(title)) {
-        source.diagnostics.error(DiagnosticCode::Syntax, 1, 0,
-            csv::excerpt(first.text, csv::Encoding::Utf8), "the line " + std::string(title));
+        source.diagnostics.error(DiagnosticCode::Syntax, 1, 0, excerpt(first.text, Encoding::Utf8),
+            "the line " + std::string(title));
         return {};
     }
     const Labels* const labels = labelsOf(lines.next(), source);
@@ -206,7 +207,7 @@ std::vector<NeutralTable> parse(TextReading& source)
         return {};
     NeutralTable table;
     table.sign = SignConvention::Command;
-    const std::string note = csv::toUtf8(first.text.substr(title.size()), csv::Encoding::Utf8);
+    const std::string note = toUtf8(first.text.substr(title.size()), Encoding::Utf8);
     if (const std::size_t text = note.find_first_not_of(", "); text != std::string::npos)
         table.notes.push_back(note.substr(text));
     CompensationColumn column;

@@ -2,6 +2,7 @@
 #include "core/formats/formats.h"
 #include "core/formats/siemens/siemens_program.h"
 #include "core/formats/units.h"
+#include "core/text/number_text.h"
 #include "core/text/text_file.h"
 
 #include <algorithm>
@@ -104,7 +105,7 @@ void Collector::takeAxis(std::string& axis, const siemens::Assignment& said)
     if (!axis.empty())
         m_diagnostics.error(DiagnosticCode::Contradiction, said.name.line, said.name.column,
             std::string(said.name.text) + " a second time", "each variable once");
-    axis = csv::toUtf8(said.value.text, csv::Encoding::Utf8);
+    axis = toUtf8(said.value.text, Encoding::Utf8);
 }
 
 void Collector::takeOther(const Token& name)
@@ -117,7 +118,7 @@ void Collector::takeOther(const Token& name)
             "the format siemens-eec to read them; they are left out here");
     else if (!isOther)
         m_diagnostics.warning(DiagnosticCode::UnknownKey, name.line, name.column,
-            csv::excerpt(name.text, csv::Encoding::Utf8), "");
+            excerpt(name.text, Encoding::Utf8), "");
     m_hasOther = m_hasOther || isOther;
 }
 
@@ -137,7 +138,7 @@ void Collector::take(const siemens::Assignment& said)
     }
     if (said.arguments.size() != (isPoint ? 2U : 1U)) {
         m_diagnostics.error(DiagnosticCode::Syntax, said.name.line, said.name.column,
-            csv::excerpt(name, csv::Encoding::Utf8),
+            excerpt(name, Encoding::Utf8),
             isPoint ? "two indices: [table,point]" : "one index: [table]");
         return;
     }
@@ -160,7 +161,7 @@ std::optional<Direction> directionOf(const siemens::Curve& curve, DiagnosticList
     if (value == 1.0 || value == -1.0)
         return value > 0.0 ? Direction::Positive : Direction::Negative;
     diagnostics.error(DiagnosticCode::LimitExceeded, curve.lines[siemens::Curve::Direction], 0,
-        "$AN_CEC_DIRECTION " + csv::toText(value), "0, 1 or -1");
+        "$AN_CEC_DIRECTION " + toText(value), "0, 1 or -1");
     return std::nullopt;
 }
 

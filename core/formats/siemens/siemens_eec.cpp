@@ -88,13 +88,13 @@ siemens::Curve* Collector::curveOf(const Token& encoder, const Token& axis)
     if (*number < 0 || *number > 1 || !axis || m_entries.size() == mostTables) {
         m_diagnostics.error(DiagnosticCode::LimitExceeded, encoder.line, encoder.column,
             "measuring system " + std::to_string(*number) + " of axis "
-                + csv::excerpt(axis.text, csv::Encoding::Utf8),
+                + excerpt(axis.text, Encoding::Utf8),
             "0 or 1, and the name of an axis, at most " + std::to_string(mostTables) + " of them");
         return nullptr;
     }
     Entry entry{{*number, std::string(axis.text)}, {}};
-    entry.curve.label = "axis " + csv::toUtf8(axis.text, csv::Encoding::Utf8) + ", encoder "
-        + std::to_string(*number);
+    entry.curve.label =
+        "axis " + toUtf8(axis.text, Encoding::Utf8) + ", encoder " + std::to_string(*number);
     entry.curve.prefix = prefix;
     m_entries.push_back(std::move(entry));
     return &m_entries.back().curve;
@@ -117,14 +117,14 @@ void Collector::take(const siemens::Assignment& said)
                 "the format siemens-cec to read them; they are left out here");
         else if (!isOther)
             m_diagnostics.warning(DiagnosticCode::UnknownKey, said.name.line, said.name.column,
-                csv::excerpt(name, csv::Encoding::Utf8), "");
+                excerpt(name, Encoding::Utf8), "");
         m_hasOther = m_hasOther || isOther;
         return;
     }
     const std::size_t wanted = isPoint ? 3 : 2;
     if (said.arguments.size() != wanted) {
         m_diagnostics.error(DiagnosticCode::Syntax, said.name.line, said.name.column,
-            csv::excerpt(name, csv::Encoding::Utf8),
+            excerpt(name, Encoding::Utf8),
             isPoint ? "three indices: [encoder,point,axis]" : "two indices: [encoder,axis]");
         return;
     }

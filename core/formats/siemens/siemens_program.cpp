@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/formats/siemens/siemens_program.h"
 
+#include "core/text/number_text.h"
 #include "core/text/text_file.h"
 
 #include <algorithm>
@@ -12,7 +13,7 @@ namespace {
 
 std::string quoted(std::string_view text)
 {
-    return csv::excerpt(text, csv::Encoding::Utf8);
+    return excerpt(text, Encoding::Utf8);
 }
 
 bool isNameCharacter(char c)
@@ -202,8 +203,8 @@ std::optional<std::size_t> pointCount(const Curve& curve, DiagnosticList& diagno
     const double max = curve.value(Curve::Max);
     const double step = curve.value(Curve::Step);
     const double last = (max - min) / step;
-    const std::string found = "MIN " + csv::toText(min) + ", MAX " + csv::toText(max) + " and STEP "
-        + csv::toText(step) + " of " + curve.label;
+    const std::string found = "MIN " + toText(min) + ", MAX " + toText(max) + " and STEP "
+        + toText(step) + " of " + curve.label;
     if (!(step > 0.0) || !(max > min) || !(last < 1e9)) {
         diagnostics.error(DiagnosticCode::LimitExceeded, curve.lines[Curve::Step], 0, found,
             "a STEP above 0 and a MAX above MIN");
@@ -264,7 +265,7 @@ std::optional<bool> isModulo(const Curve& curve, DiagnosticList& diagnostics)
     if (value == 0.0 || value == 1.0)
         return value == 1.0;
     diagnostics.error(DiagnosticCode::LimitExceeded, curve.lines[Curve::IsModulo], 0,
-        name + ' ' + csv::toText(value), "0 or 1");
+        name + ' ' + toText(value), "0 or 1");
     return std::nullopt;
 }
 
@@ -288,8 +289,8 @@ std::optional<Sampled> sample(const Curve& curve, DiagnosticList& diagnostics)
         sampled.axis.wrap = curve.value(Curve::Max) - min;
         if (sampled.values.front() != sampled.values.back())
             diagnostics.warning(DiagnosticCode::NotPeriodic, curve.lines[Curve::IsModulo], 0,
-                csv::toText(sampled.values.back()) + " at MAX of " + curve.label,
-                csv::toText(sampled.values.front()) + ", as at MIN, which follows it");
+                toText(sampled.values.back()) + " at MAX of " + curve.label,
+                toText(sampled.values.front()) + ", as at MIN, which follows it");
     }
     if (!checkKnots(sampled.axis.knots, {}, curve.label, diagnostics))
         return std::nullopt;

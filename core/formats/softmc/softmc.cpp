@@ -2,7 +2,7 @@
 #include "core/formats/format_reader.h"
 #include "core/formats/formats.h"
 #include "core/formats/units.h"
-#include "core/text/text_file.h"
+#include "core/text/number_text.h"
 #include "core/text/token_scanner.h"
 
 #include <array>
@@ -137,8 +137,8 @@ std::vector<double> knotsOf(
         if (std::abs(found - expected) <= allowance)
             continue;
         diagnostics.error(DiagnosticCode::Contradiction, rows.lines[row], source + 1,
-            csv::toText(found) + " for source " + std::to_string(source + 1),
-            csv::toText(expected) + ": the first source changes fastest");
+            toText(found) + " for source " + std::to_string(source + 1),
+            toText(expected) + ": the first source changes fastest");
         break;
     }
     return knots;
@@ -149,8 +149,8 @@ void checkEven(const SourceAxis& axis, DiagnosticList& diagnostics)
     if (isEven(axis))
         return;
     diagnostics.error(DiagnosticCode::UnevenSpacing, 0, 0,
-        "positions of source " + axis.name + " from " + csv::toText(axis.knots.front()) + " to "
-            + csv::toText(axis.knots.back()),
+        "positions of source " + axis.name + " from " + toText(axis.knots.front()) + " to "
+            + toText(axis.knots.back()),
         "equal distances");
 }
 
@@ -259,12 +259,11 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
     for (std::size_t row = 0; row < table->pointCount(); ++row) {
         std::size_t rest = row;
         for (const SourceAxis& axis : table->axes) {
-            text += csv::toText(axis.knots[rest % axis.knots.size()]) + ' ';
+            text += toText(axis.knots[rest % axis.knots.size()]) + ' ';
             rest /= axis.knots.size();
         }
         for (const CompensationColumn& column : table->columns)
-            text +=
-                csv::toText(column.values[row]) + (&column == &table->columns.back() ? '\n' : ' ');
+            text += toText(column.values[row]) + (&column == &table->columns.back() ? '\n' : ' ');
     }
     // The file has no names.
     table->name.clear();

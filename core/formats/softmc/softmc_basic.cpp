@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/formats/formats.h"
 #include "core/formats/units.h"
-#include "core/text/text_file.h"
+#include "core/text/number_text.h"
 #include "core/text/token_scanner.h"
 
 #include <algorithm>
@@ -47,7 +47,7 @@ bool isBasicName(std::string_view name)
 std::string assignment(const std::string& array, std::size_t axis, std::size_t point, double value)
 {
     return array + '[' + std::to_string(axis + 1) + "][" + std::to_string(point + 1)
-        + "] = " + csv::toText(value) + '\n';
+        + "] = " + toText(value) + '\n';
 }
 
 std::string shapeText(const NeutralTable& table)

@@ -4,7 +4,7 @@
 #include "core/formats/format_writer.h"
 #include "core/formats/formats.h"
 #include "core/table/even_spacing.h"
-#include "core/text/text_file.h"
+#include "core/text/number_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,7 +29,7 @@ GridAxis gridAxis(const SourceAxis& axis)
 /// a float32 again it is the same.
 double plainValue(float value)
 {
-    const std::string text = csv::toText(value);
+    const std::string text = toText(value);
     return numberOf(text).value_or(static_cast<double>(value));
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/compensator/several_writes.h"
+#include "core/compensator/multi_axis_write.h"
 #include "tests/support/compensator_fixture.h"
 #include "tests/support/test_registry.h"
 #include "tests/support/verify.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/conversion/resampling.h"
+#include "core/text/number_text.h"
 
 #include "tests/core/conversion/numeric_tables.h"
 #include "tests/support/test_registry.h"
@@ -166,7 +167,7 @@ private Q_SLOTS:
             {unevenAxis("X", 60)}, "X", [](const Values& p) { return std::sin(p[0] / 3); });
         const auto result = coarsestGrid(table, 0.001, linear, {.mostPerAxis = {12}});
         VERIFY_ERROR(result, ErrorCode::ResamplingImpossible);
-        const std::string possible = csv::roundedText(deviationWith(table, {12}, linear));
+        const std::string possible = roundedText(deviationWith(table, {12}, linear));
         QCOMPARE(sentence(result.error()),
             "the table cannot be resampled: a deviation of 0.001 mm takes more than 12 points "
             "along X; with 12 it is "

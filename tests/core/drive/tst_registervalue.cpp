@@ -134,12 +134,12 @@ private Q_SLOTS:
             float single = 0.0F;
             std::memcpy(&single, &bits, sizeof(single));
             if (std::isfinite(number)) {
-                const auto back = registerValueFromText("Double", toText(number));
+                const auto back = registerValueFromText("Double", toText(RegisterValue{number}));
                 VERIFY_RESULT(back);
                 QVERIFY(std::get<double>(*back) == number);
             }
             if (std::isfinite(single)) {
-                const auto back = registerValueFromText("Single", toText(single));
+                const auto back = registerValueFromText("Single", toText(RegisterValue{single}));
                 VERIFY_RESULT(back);
                 QVERIFY(std::get<float>(*back) == single);
             }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/formats/formats.h"
-#include "core/text/text_file.h"
+#include "core/text/number_text.h"
 #include "tests/support/verify.h"
 
 #include <QTest>
@@ -97,7 +97,7 @@ inline std::string difference(
                 + std::string(directionName(a.direction));
         if (!(largestDifference(a.values, b.values) <= allowance))
             return "the values for " + a.target + " differ by "
-                + csv::toText(largestDifference(a.values, b.values));
+                + toText(largestDifference(a.values, b.values));
     }
     return {};
 }

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/text/number_text.h"
+
 #include "tests/core/formats/format_checks.h"
 #include "tests/support/test_registry.h"
 
@@ -17,7 +19,7 @@ std::string tableText(const std::string& index, const std::string& direction, do
     std::string text;
     for (int i = 0; i < 3; ++i)
         text += "$AN_CEC[" + index + ',' + std::to_string(i)
-            + "]=" + csv::toText(factor * 0.01 * (i + 1)) + " ; +\n";
+            + "]=" + toText(factor * 0.01 * (i + 1)) + " ; +\n";
     return text + "$AN_CEC_INPUT_AXIS[" + index + "]=(AX2) ; basic axis Y1\n$AN_CEC_OUTPUT_AXIS["
         + index + "]=(AX1)\n$AN_CEC_STEP[" + index + "]=400\n$AN_CEC_MIN[" + index
         + "]=-400.0\n$AN_CEC_MAX[" + index + "]=400.0\n$AN_CEC_DIRECTION[" + index
@@ -242,4 +244,5 @@ AXISCOMP_TEST(TestSiemensCec)
 
 } // namespace tst_siemenscec
 
+#include "core/text/number_text.h"
 #include "tst_siemenscec.moc"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/base/base64.h"
+#include "core/base/bytes.h"
 #include "core/store/backup.h"
 #include "tests/support/test_registry.h"
 #include "tests/support/verify.h"

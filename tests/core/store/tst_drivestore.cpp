@@ -426,7 +426,7 @@ void TestDriveStore::brokenFileIsMovedAside()
     QVERIFY(own->empty());
     const auto saved = m_store->savedState(serial);
     VERIFY_RESULT(saved);
-    QVERIFY(*saved == DriveStore::SavedState{});
+    QVERIFY(*saved == SavedState{});
     QVERIFY(!fs::exists(file));
     QCOMPARE(contentOf(aside), text.toStdString());
 
@@ -457,7 +457,7 @@ void TestDriveStore::whatStandsInTheWayIsNoObstacle()
 
 void TestDriveStore::whatIsBeingSavedIsAddedAndWhatIsSavedReplaces()
 {
-    using Use = DriveStore::SavedState::Use;
+    using Use = SavedState::Use;
     const Use first{0, "Small1", 1};
     const Use second{1, "Small2", 2};
     VERIFY_RESULT(m_store->recordSaving(serial, {first}));

@@ -37,12 +37,12 @@ bool sameBits(double a, double b)
 }
 
 /// The short form as the reader of plain rows uses it; nullptr where it declines.
-const char* parseShort(const std::string& text, char decimal, csv::Number& number)
+const char* parseShort(const std::string& text, char decimal, Number& number)
 {
     // What stands behind a number in a file must not matter.
     static std::string padded;
     padded = text + ";87654321012345678901234567890123456789012";
-    const char* after = csv::parseShortNumber(padded.data(), decimal, number);
+    const char* after = parseShortNumber(padded.data(), decimal, number);
     return after == nullptr || after != padded.data() + text.size() ? nullptr : after;
 }
 
@@ -90,13 +90,13 @@ private Q_SLOTS:
             std::string text = randomNumber(random);
             const Reference due = reference(text);
             std::ranges::replace(text, '.', decimal);
-            csv::Number number;
-            const bool isNumber = csv::parseNumber(text, decimal, number) == csv::NumberFault::None;
+            Number number;
+            const bool isNumber = parseNumber(text, decimal, number) == NumberFault::None;
             QVERIFY2(isNumber == due.number, text.c_str());
             if (isNumber)
                 QVERIFY2(sameBits(number.value, due.value), text.c_str());
             read += isNumber ? 1 : 0;
-            csv::Number shortNumber;
+            Number shortNumber;
             if (parseShort(text, decimal, shortNumber) == nullptr)
                 continue;
             ++readShort;
@@ -117,9 +117,9 @@ private Q_SLOTS:
             if (!std::isfinite(value))
                 continue;
             const auto written = std::to_chars(buffer.data(), buffer.data() + 32, value);
-            csv::Number number;
+            Number number;
             const std::string text(buffer.data(), written.ptr);
-            QVERIFY2(csv::parseNumber(text, '.', number) == csv::NumberFault::None, text.c_str());
+            QVERIFY2(parseNumber(text, '.', number) == NumberFault::None, text.c_str());
             QVERIFY2(sameBits(number.value, value), text.c_str());
         }
     }
@@ -128,7 +128,6 @@ private Q_SLOTS:
     {
         QTest::addColumn<QByteArray>("text");
         QTest::addColumn<int>("fault");
-        using csv::NumberFault;
         const auto row = [](const char* text, NumberFault fault) {
             QTest::newRow(*text == '\0' ? "empty" : text)
                 << QByteArray(text) << static_cast<int>(fault);
@@ -157,8 +156,8 @@ private Q_SLOTS:
     {
         QFETCH(QByteArray, text);
         QFETCH(int, fault);
-        csv::Number number;
-        QCOMPARE(static_cast<int>(csv::parseNumber(text.toStdString(), '.', number)), fault);
+        Number number;
+        QCOMPARE(static_cast<int>(parseNumber(text.toStdString(), '.', number)), fault);
     }
 
     void theLastDecimalIsTheOnePrinted_data()
@@ -176,8 +175,8 @@ private Q_SLOTS:
     {
         QFETCH(QByteArray, text);
         QFETCH(int, lastDecimal);
-        csv::Number number;
-        QVERIFY(csv::parseNumber(text.toStdString(), '.', number) == csv::NumberFault::None);
+        Number number;
+        QVERIFY(parseNumber(text.toStdString(), '.', number) == NumberFault::None);
         QCOMPARE(number.lastDecimal, lastDecimal);
     }
 };

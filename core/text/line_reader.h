@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+
+namespace axiscomp {
+
+/// The lines of a text, ended by LF, CRLF or CR.
+class LineReader {
+public:
+    explicit LineReader(std::string_view text);
+
+    [[nodiscard]] bool atEnd() const { return m_position == m_end; }
+    [[nodiscard]] const char* position() const { return m_position; }
+    [[nodiscard]] const char* end() const { return m_end; }
+    /// The number of the line that begins at position(), from 1.
+    [[nodiscard]] std::size_t lineNumber() const { return m_lineNumber; }
+
+    /// The line at position() without its end. Not at the end.
+    [[nodiscard]] std::string_view next();
+    /// After `lines` lines were read by other means, up to the beginning of another line.
+    void skipTo(const char* position, std::size_t lines);
+
+private:
+    const char* m_position;
+    const char* m_end;
+    const char* m_nextFeed; ///< the first LF at or after the position, or the end
+    const char* m_nextReturn;
+    std::size_t m_lineNumber = 1;
+};
+
+} // namespace axiscomp

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace axiscomp {
+
+/// A number in its shortest exact form, without an exponent where people would not write one.
+[[nodiscard]] std::string toText(double value);
+[[nodiscard]] std::string toText(float value);
+
+/// A computed number without the rounding of doubles: 12 digits.
+[[nodiscard]] std::string roundedText(double value);
+
+/// The fewest characters that are exactly this number again: with an exponent where that is
+/// shorter.
+[[nodiscard]] std::string shortestText(double value);
+[[nodiscard]] std::string shortestText(float value);
+
+} // namespace axiscomp

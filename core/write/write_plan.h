@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/axis/axis_status.h"
+#include "core/drive/compensation_setup.h"
+#include "core/drive/flash_wear.h"
+#include "core/table/compensation_table.h"
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace axiscomp {
+
+/// What a write shall bring about for one axis.
+struct WriteRequest {
+    int dimensionality = 1;
+    std::vector<std::string>
+        sources; ///< path, tam:// URI or hex address, one per dimension; empty: keep
+    std::optional<CompensationTable> table; ///< none: keep the table that the axis uses
+    std::optional<Persistency> persistency; ///< none: keep (a new table is volatile)
+    std::optional<std::string> slot; ///< none: chosen
+    bool withoutTable = false; ///< the axis shall use none: sources, which may be gaps (""), remain
+    std::optional<CompensationSetup> expected; ///< when set: refuse if the drive no longer has this
+};
+
+enum class SlotReason { Named, Empty, OwnPrevious, KeepTable, OverwriteOwn };
+
+/// One line of the list shown before a write.
+struct PlannedChange {
+    std::string field; ///< "Table", "Dim1Source" ..., "Persistency"
+    std::string before;
+    std::string after;
+};
+
+struct WritePlan {
+    DriveIdentity drive;
+    int axis = 0;
+    CompensationSetup before;
+    CompensationSetup after;
+    SlotReason slotReason = SlotReason::KeepTable;
+    std::size_t tableBytes = 0;
+    std::vector<PlannedChange> changes; ///< empty: nothing to write
+    int flashOperations = 0; ///< that the write costs
+    int flashReserve = 0; ///< more that must be possible, so that it can be put back
+    FlashBudget flashBudget; ///< before the write
+    std::vector<std::string> warnings; ///< sentences
+};
+
+struct WriteReport {
+    WritePlan plan;
+    AxisStatus now; ///< read back after the write
+    std::filesystem::path backup;
+};
+
+} // namespace axiscomp
