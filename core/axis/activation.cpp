@@ -14,16 +14,16 @@ using Clock = std::chrono::steady_clock;
 constexpr std::chrono::milliseconds pollInterval{5};
 
 struct Hint {
-    std::string_view error;
+    CompensationFault fault;
     std::string_view hint;
 };
-/// The drive's own error names (spec/drive.md, Signals/Compensations/Axis/Error).
 constexpr std::array hints{
-    Hint{"NotHomed", "the axis must be homed first"},
-    Hint{"NoTable", "the axis has no table; write one first"},
-    Hint{"DimensionMismatch", "the number of sources must equal the table's dimensions"},
-    Hint{"BadSource", "a source is not a Single or Double register of this drive"},
-    Hint{"BadTable", "the drive cannot use the table; write it again"},
+    Hint{CompensationFault::NotHomed, "the axis must be homed first"},
+    Hint{CompensationFault::NoTable, "the axis has no table; write one first"},
+    Hint{CompensationFault::DimensionMismatch,
+        "the number of sources must equal the table's dimensions"},
+    Hint{CompensationFault::BadSource, "a source is not a Single or Double register of this drive"},
+    Hint{CompensationFault::BadTable, "the drive cannot use the table; write it again"},
 };
 
 Result<void> requestActivation(
@@ -31,7 +31,7 @@ Result<void> requestActivation(
 {
     const std::string path = access.axisPath(access.registers().activation, status.axis.index);
     // An error stays until the request is withdrawn.
-    const bool isStuck = status.axis.state == access.enums().stateError;
+    const bool isStuck = status.axis.state == CompensationState::Error;
     if (isStuck && value != access.enums().activationDisabled) {
         if (auto cleared = writeSurely(access, {{path, access.enums().activationDisabled}});
             !cleared)
@@ -57,7 +57,7 @@ Result<AxisStatus> waitForState(const DriveAccess& access, const DriveIdentity& 
         if (!readings)
             return fail(readings.error());
         const std::string state = textAt(*readings, path);
-        const bool isError = state == access.enums().stateError;
+        const bool isError = compensationState(access.enums(), state) == CompensationState::Error;
         if (state == wanted || isError) {
             auto status = readStatus(access, drive, axis, sources);
             if (status && isError)
@@ -98,7 +98,7 @@ Error compensationError(const AxisStatus& status)
 {
     std::string hint = "see the drive's manual";
     for (const Hint& row : hints) {
-        if (row.error == status.error)
+        if (row.fault == status.fault)
             hint = row.hint;
     }
     return Error{ErrorCode::CompensationError,
@@ -109,9 +109,9 @@ Result<AxisStatus> activateAxis(
     const DriveAccess& access, const DriveIdentity& drive, int axis, SourceDirectory& sources)
 {
     auto status = readyStatus(access, drive, axis, sources);
-    if (!status || status->axis.state == access.enums().stateActive)
+    if (!status || status->axis.state == CompensationState::Active)
         return status;
-    if (status->axis.homing != access.enums().homingDone)
+    if (!status->axis.isHomed)
         return fail(ErrorCode::NotHomed, {{"axis", std::to_string(axis)}});
     return requestAndWait(access, *status, sources, access.enums().activationAddToEncoders,
         access.enums().stateActive);
@@ -121,10 +121,9 @@ Result<AxisStatus> evaluateAxis(
     const DriveAccess& access, const DriveIdentity& drive, int axis, SourceDirectory& sources)
 {
     auto status = readyStatus(access, drive, axis, sources);
-    if (!status || status->axis.state == access.enums().stateEvaluating)
+    if (!status || status->axis.state == CompensationState::Evaluating)
         return status;
-    if (status->axis.state == access.enums().stateActive
-        || status->axis.state == access.enums().stateRamping)
+    if (status->isOn())
         return fail(ErrorCode::CompensationActive, {{"axis", std::to_string(axis)}});
     return requestAndWait(access, *status, sources, access.enums().activationEvaluate,
         access.enums().stateEvaluating);
@@ -135,7 +134,7 @@ Result<AxisStatus> deactivateAxis(
 {
     auto status = readStatus(access, drive, axis, sources);
     if (!status
-        || (status->axis.state == access.enums().stateDisabled
+        || (status->axis.state == CompensationState::Disabled
             && status->activation == access.enums().activationDisabled))
         return status;
     return requestAndWait(

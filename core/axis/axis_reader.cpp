@@ -44,8 +44,10 @@ AxisInfo infoFrom(const DriveAccess& access, const Readings& readings, int axis)
     info.index = axis;
     info.name = axisNameFrom(access, readings, axis);
     info.unit = textAt(readings, access.axisPath(names.positionUnit, axis));
-    info.homing = textAt(readings, access.axisPath(names.homingState, axis));
-    info.state = textAt(readings, access.axisPath(names.state, axis));
+    info.homingWord = textAt(readings, access.axisPath(names.homingState, axis));
+    info.isHomed = info.homingWord == access.enums().homingDone;
+    info.stateWord = textAt(readings, access.axisPath(names.state, axis));
+    info.state = compensationState(access.enums(), info.stateWord);
     return info;
 }
 
@@ -133,8 +135,11 @@ AxisStatus statusFrom(
     status.setup.dimensionality = dimensionalityOf(status.setup, status.table);
     status.activation = textAt(readings, access.axisPath(names.activation, axis));
     status.error = textAt(readings, access.axisPath(names.error, axis));
+    status.fault = compensationFault(access.enums(), status.error);
     status.output = numberAt(readings, access.axisPath(names.output, axis));
     status.driveError = textAt(readings, names.driveError);
+    status.hasDriveError =
+        !status.driveError.empty() && status.driveError != access.enums().driveErrorNone;
     for (std::size_t n = 0; n < sourceCount; ++n) {
         const int number = static_cast<int>(n) + 1;
         status.indices[n] = numberAt(readings, access.axisPath(names.index, axis, number));
@@ -174,10 +179,34 @@ Result<AxisStatus> readStatus(
     return std::move(reading->status);
 }
 
-bool isOn(const DriveAccess& access, const AxisStatus& status)
+CompensationState compensationState(const RegisterEnums& enums, std::string_view word)
 {
-    return status.axis.state == access.enums().stateActive
-        || status.axis.state == access.enums().stateRamping;
+    using enum CompensationState;
+    const std::array words{std::pair(&enums.stateDisabled, Disabled),
+        std::pair(&enums.stateEvaluating, Evaluating), std::pair(&enums.stateRamping, Ramping),
+        std::pair(&enums.stateActive, Active), std::pair(&enums.stateError, Error)};
+    for (const auto& [known, state] : words) {
+        if (*known == word)
+            return state;
+    }
+    return Unknown;
+}
+
+CompensationFault compensationFault(const RegisterEnums& enums, std::string_view word)
+{
+    using enum CompensationFault;
+    // A drive without the register, and an axis without compensation, says nothing.
+    if (word.empty() || word == enums.errorNone)
+        return None;
+    const std::array words{std::pair(&enums.errorNotHomed, NotHomed),
+        std::pair(&enums.errorNoTable, NoTable),
+        std::pair(&enums.errorDimensionMismatch, DimensionMismatch),
+        std::pair(&enums.errorBadSource, BadSource), std::pair(&enums.errorBadTable, BadTable)};
+    for (const auto& [known, fault] : words) {
+        if (*known == word)
+            return fault;
+    }
+    return Other;
 }
 
 Error compensationActive(const AxisStatus& status)

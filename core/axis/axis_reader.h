@@ -10,13 +10,17 @@ namespace axiscomp {
 [[nodiscard]] Result<std::vector<AxisInfo>> readAxes(
     const DriveAccess& access, const DriveIdentity& drive);
 
+/// What the drive's words mean, by its profile.
+[[nodiscard]] CompensationState compensationState(
+    const RegisterEnums& enums, std::string_view word);
+[[nodiscard]] CompensationFault compensationFault(
+    const RegisterEnums& enums, std::string_view word);
+
 /// unfinishedWrite is left empty. Errors: NoCompensation; ChangedMeanwhile when somebody else keeps
 /// changing the axis while it is read.
 [[nodiscard]] Result<AxisStatus> readStatus(
     const DriveAccess& access, const DriveIdentity& drive, int axis, SourceDirectory& sources);
 
-/// Active, or on the way: nothing of the axis may be changed.
-[[nodiscard]] bool isOn(const DriveAccess& access, const AxisStatus& status);
 [[nodiscard]] Error compensationActive(const AxisStatus& status);
 
 /// The same, with more registers that are read at the same instant; those that the drive does not

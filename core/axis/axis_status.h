@@ -13,12 +13,32 @@
 
 namespace axiscomp {
 
+/// What the compensation of an axis is doing (AN140 4.3). Unknown: the axis has no compensation, or
+/// the drive says a word that its profile does not have.
+enum class CompensationState { Disabled, Evaluating, Ramping, Active, Error, Unknown };
+
+/// Why a compensation does not work. Other: a reason that the profile does not have.
+enum class CompensationFault {
+    None,
+    NotHomed,
+    NoTable,
+    DimensionMismatch,
+    BadSource,
+    BadTable,
+    Other
+};
+
+/// The words are the drive's own, to be shown; what they mean is decided once, by axis_reader.
 struct AxisInfo {
     int index = 0;
     std::string name; ///< may be empty
     std::string unit; ///< the drive's PositionUnit: "Millimeter"
-    std::string homing; ///< "HomingDone"
-    std::string state; ///< compensation state; empty when the axis has no compensation registers
+    std::string homingWord; ///< "HomingDone"
+    bool isHomed = false;
+    std::string stateWord; ///< "Active"; empty when the axis has no compensation registers
+    CompensationState state = CompensationState::Unknown;
+
+    [[nodiscard]] bool hasCompensation() const { return !stateWord.empty(); }
 };
 
 /// The header of the table in the axis's slot, as the drive shows it.
@@ -36,12 +56,20 @@ struct AxisStatus {
     CompensationSetup setup;
     std::optional<TableHeader> table; ///< none: no slot chosen, or the slot is empty
     std::string activation;
-    std::string error; ///< the drive's compensation error, "None"
+    std::string error; ///< the drive's word for its compensation error, "None"
+    CompensationFault fault = CompensationFault::None;
     double output = 0.0; ///< value now added to the encoder position, in position units
     std::array<double, 3> indices{};
     std::array<double, 3> sourceValues{}; ///< of the set sources
-    std::string driveError;
+    std::string driveError; ///< the drive's word for an error of the whole drive, "None"
+    bool hasDriveError = false;
     std::optional<JournalEntry> unfinishedWrite; ///< an earlier write that did not end
+
+    /// Active, or on the way: nothing of the axis may be changed.
+    [[nodiscard]] bool isOn() const
+    {
+        return axis.state == CompensationState::Active || axis.state == CompensationState::Ramping;
+    }
 };
 
 } // namespace axiscomp

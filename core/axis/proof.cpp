@@ -174,7 +174,7 @@ private:
 Result<Proof> proveAxis(const DriveAccess& access, const AxisStatus& status,
     const CompensationTable& table, int samples)
 {
-    if (status.axis.state == access.enums().stateError)
+    if (status.axis.state == CompensationState::Error)
         return fail(compensationError(status));
     for (std::size_t n = 0; n < static_cast<std::size_t>(table.grid.dimensions()); ++n) {
         if (status.setup.sources[n].path.empty())

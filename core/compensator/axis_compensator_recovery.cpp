@@ -99,7 +99,7 @@ Result<AxisCompensator::Recovery> AxisCompensator::recovery(
         recovery.finishObstacle = recovery.undoObstacle = unfinished.error();
         return recovery;
     }
-    if (isOn(access, *status))
+    if (status->isOn())
         recovery.undoObstacle = compensationActive(*status);
     auto prepared = d->prepareFinish(access, *drive, *unfinished);
     if (!prepared && isUnreachable(prepared.error().code))

@@ -58,6 +58,8 @@ struct RegisterEnums {
     std::string activationDisabled, activationEvaluate, activationAddToEncoders;
     std::string stateDisabled, stateEvaluating, stateRamping, stateActive, stateError;
     std::string errorNone;
+    /// What the drive calls the reasons that this program explains; may be empty.
+    std::string errorNotHomed, errorNoTable, errorDimensionMismatch, errorBadSource, errorBadTable;
     std::string homingDone;
     std::string saveParametersSave;
     std::string rebootReboot;

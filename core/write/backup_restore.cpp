@@ -159,7 +159,7 @@ Result<DriveBackup> readBackupOf(
         return fail(axes.error());
     DriveBackup backup;
     for (const AxisInfo& info : *axes) {
-        if (info.state.empty())
+        if (info.stateWord.empty())
             continue;
         access.report("backup",
             static_cast<double>(info.index) / static_cast<double>(std::max(drive.axes, 1)));

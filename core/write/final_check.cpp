@@ -25,7 +25,7 @@ Result<void> WriteProcedure::checkUnchanged()
     if (!reading)
         return fail(reading.error());
     const AxisStatus& now = reading->status;
-    if (isOn(m_access, now))
+    if (now.isOn())
         return fail(compensationActive(now));
     if (!(now.setup == plan.before))
         return fail(ErrorCode::ChangedMeanwhile,

@@ -105,7 +105,7 @@ Result<AxisStatus> WriteProcedure::lookBeforeUndo(const UnfinishedWrite& unfinis
     auto reading = readStatusWith(m_access, plan.drive, plan.axis, m_sources, lastLookPaths());
     if (!reading)
         return fail(reading.error());
-    if (isOn(m_access, reading->status))
+    if (reading->status.isOn())
         return fail(compensationActive(reading->status));
     noteEraseCounts(reading->readings);
     for (const std::string& slot : slots) {

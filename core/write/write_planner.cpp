@@ -82,7 +82,7 @@ Result<PreparedWrite> WritePlanner::prepare(int axis, const WriteRequest& reques
     if (!status)
         return fail(status.error());
     m_status = *status;
-    if (isOn(m_access, m_status))
+    if (m_status.isOn())
         return fail(compensationActive(m_status));
     if (request.expected && !(*request.expected == m_status.setup))
         return fail(ErrorCode::ChangedMeanwhile,

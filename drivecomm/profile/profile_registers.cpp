@@ -64,6 +64,7 @@ struct EnumKey {
     std::string_view key;
     std::string RegisterEnums::*member;
     std::string_view registerKey; ///< values of one register differ from each other
+    bool isOptional = false;
 };
 
 constexpr std::array enumKeys{
@@ -77,6 +78,11 @@ constexpr std::array enumKeys{
     EnumKey{"stateActive", &RegisterEnums::stateActive, "state"},
     EnumKey{"stateError", &RegisterEnums::stateError, "state"},
     EnumKey{"errorNone", &RegisterEnums::errorNone, "error"},
+    EnumKey{"errorNotHomed", &RegisterEnums::errorNotHomed, "error", true},
+    EnumKey{"errorNoTable", &RegisterEnums::errorNoTable, "error", true},
+    EnumKey{"errorDimensionMismatch", &RegisterEnums::errorDimensionMismatch, "error", true},
+    EnumKey{"errorBadSource", &RegisterEnums::errorBadSource, "error", true},
+    EnumKey{"errorBadTable", &RegisterEnums::errorBadTable, "error", true},
     EnumKey{"homingDone", &RegisterEnums::homingDone, "homingState"},
     EnumKey{"saveParametersSave", &RegisterEnums::saveParametersSave, "saveParameters"},
     EnumKey{"rebootReboot", &RegisterEnums::rebootReboot, "reboot"},
@@ -257,13 +263,16 @@ RegisterPaths readRegisterPaths(const JsonNode& node)
 RegisterEnums readRegisterEnums(const JsonNode& node)
 {
     std::vector<std::string_view> keys;
+    std::vector<std::string_view> optional;
     for (const EnumKey& row : enumKeys)
-        keys.push_back(row.key);
-    node.expectMembers(keys);
+        (row.isOptional ? optional : keys).push_back(row.key);
+    node.expectMembers(keys, optional);
 
     RegisterEnums enums;
     std::map<std::pair<std::string_view, std::string>, std::string_view> usedBy;
     for (const EnumKey& row : enumKeys) {
+        if (row.isOptional && !node.has(row.key))
+            continue;
         const JsonNode place = node[row.key];
         enums.*row.member = readWord(place);
         const auto [used, isNew] =

@@ -28,13 +28,11 @@ void WizardController::Private::snapshotDrive(WizardSnapshot& now) const
     now.isFlashLimitKnown = budget.left != std::numeric_limits<int>::max();
     if (!status)
         return;
-    const RegisterEnums& names = profile.enums;
-    const std::string& state = status->axis.state;
-    now.isActive = state == names.stateActive || state == names.stateRamping;
-    now.isEvaluating = state == names.stateEvaluating;
-    now.isHomed = status->axis.homing == names.homingDone;
+    now.isActive = status->isOn();
+    now.isEvaluating = status->axis.state == CompensationState::Evaluating;
+    now.isHomed = status->axis.isHomed;
     now.hasDriveTable = status->table.has_value();
-    if (state == names.stateError)
+    if (status->axis.state == CompensationState::Error)
         now.problem = compensationError(*status);
 }
 

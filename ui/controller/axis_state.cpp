@@ -13,8 +13,8 @@ bool sameButLive(const AxisStatus& a, const AxisStatus& b)
         && (!a.table
             || (a.table->crc == b.table->crc && a.table->grid == b.table->grid
                 && a.table->persistent == b.table->persistent));
-    return sameTable && a.setup == b.setup && a.axis.state == b.axis.state
-        && a.axis.homing == b.axis.homing && a.axis.unit == b.axis.unit
+    return sameTable && a.setup == b.setup && a.axis.stateWord == b.axis.stateWord
+        && a.axis.homingWord == b.axis.homingWord && a.axis.unit == b.axis.unit
         && a.axis.name == b.axis.name && a.activation == b.activation && a.error == b.error
         && a.driveError == b.driveError && a.unfinishedWrite == b.unfinishedWrite;
 }
@@ -91,21 +91,21 @@ void WizardController::Private::takeStatus(const AxisStatus& now, bool isComplet
 void WizardController::Private::noteChanges(const AxisStatus& before, const AxisStatus& now)
 {
     const auto text = [](const std::string& name) { return QString::fromStdString(name); };
-    if (before.axis.state != now.axis.state)
+    if (before.axis.stateWord != now.axis.stateWord)
         log(
             LogLine::Kind::Information,
-            [state = text(now.axis.state)] { return tr("Compensation: %1.").arg(state); },
-            text(before.axis.state + " -> " + now.axis.state));
-    if (before.axis.homing != now.axis.homing)
+            [state = text(now.axis.stateWord)] { return tr("Compensation: %1.").arg(state); },
+            text(before.axis.stateWord + " -> " + now.axis.stateWord));
+    if (before.axis.homingWord != now.axis.homingWord)
         log(
             LogLine::Kind::Information,
-            [homing = text(now.axis.homing)] { return tr("Homing: %1.").arg(homing); },
-            text(before.axis.homing + " -> " + now.axis.homing));
-    if (before.error != now.error && now.error != profile.enums.errorNone)
+            [homing = text(now.axis.homingWord)] { return tr("Homing: %1.").arg(homing); },
+            text(before.axis.homingWord + " -> " + now.axis.homingWord));
+    if (before.error != now.error && now.fault != CompensationFault::None)
         log(LogLine::Kind::Error, [error = text(now.error)] {
             return tr("The compensation is in error: %1.").arg(error);
         });
-    if (before.driveError != now.driveError && now.driveError != profile.enums.driveErrorNone)
+    if (before.driveError != now.driveError && now.hasDriveError)
         log(LogLine::Kind::Error,
             [error = text(now.driveError)] { return tr("The drive is in error: %1.").arg(error); });
     if (!task && !(before.setup == now.setup))

@@ -160,7 +160,7 @@ void WizardController::Private::select(const AxisEntry& entry)
         return AxisKey{other.endpoint, other.axis.index} == key;
     });
     currentIndex = static_cast<int>(position - axes.begin());
-    hasCompensation = !position->axis.state.empty();
+    hasCompensation = position->axis.hasCompensation();
     dismissOutcome();
     live.watch(connection(), key.axis);
     Q_EMIT q.currentAxisChanged();
@@ -198,7 +198,7 @@ void WizardController::Private::driveFound(DriveConnection* found, bool wasAnoth
         listAxes();
         if (current != key)
             return;
-        hasCompensation = !axes[static_cast<std::size_t>(currentIndex)].axis.state.empty();
+        hasCompensation = axes[static_cast<std::size_t>(currentIndex)].axis.hasCompensation();
         live.watch(found, key.axis);
         refuse([name, endpoint] {
             return tr("Another drive answers at %1 now: %2. Unwritten changes were dropped.")

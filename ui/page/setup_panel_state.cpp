@@ -107,8 +107,7 @@ void SetupPanel::showAxisState()
         m_axisRow->setInformation({});
         return;
     }
-    const bool isHomed = status->axis.homing == m_profile.enums.homingDone;
-    const QString homing = isHomed ? tr("homed") : tr("not homed");
+    const QString homing = status->axis.isHomed ? tr("homed") : tr("not homed");
     const QString unit = unitSymbol(status->axis.unit);
     const QString serial = tr("serial number %1").arg(status->drive.serialNumber);
     m_axisRow->setInformation(unit.isEmpty()

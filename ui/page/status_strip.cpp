@@ -24,27 +24,31 @@ namespace {
 constexpr int progressSteps = 1000;
 constexpr int stripSymbolSize = 14;
 
-/// The drive's own word in the user's language.
-QString stateText(const std::string& state, const RegisterEnums& enums)
+/// In the user's language; a word that the profile does not have is shown as it is.
+QString stateText(const AxisInfo& axis)
 {
-    if (state == enums.stateDisabled)
+    switch (axis.state) {
+    case CompensationState::Disabled:
         return StatusStrip::tr("compensation off");
-    if (state == enums.stateEvaluating)
+    case CompensationState::Evaluating:
         return StatusStrip::tr("compensation evaluating");
-    if (state == enums.stateRamping)
+    case CompensationState::Ramping:
         return StatusStrip::tr("compensation ramping");
-    if (state == enums.stateActive)
+    case CompensationState::Active:
         return StatusStrip::tr("compensation active");
-    if (state == enums.stateError)
+    case CompensationState::Error:
         return StatusStrip::tr("compensation error");
-    return QString::fromStdString(state);
+    case CompensationState::Unknown:
+        break;
+    }
+    return QString::fromStdString(axis.stateWord);
 }
 
-Tone toneOf(const std::string& state, const RegisterEnums& enums)
+Tone toneOf(const AxisStatus& status)
 {
-    if (state == enums.stateActive || state == enums.stateRamping)
+    if (status.isOn())
         return Tone::Success;
-    return state == enums.stateError ? Tone::Error : Tone::Information;
+    return status.axis.state == CompensationState::Error ? Tone::Error : Tone::Information;
 }
 
 QString indexText(const AxisStatus& status)
@@ -57,10 +61,9 @@ QString indexText(const AxisStatus& status)
 
 } // namespace
 
-StatusStrip::StatusStrip(WizardController& controller, const RegisterEnums& enums, QWidget* parent)
+StatusStrip::StatusStrip(WizardController& controller, QWidget* parent)
     : QWidget(parent)
     , m_controller(controller)
-    , m_enums(enums)
     , m_step(new QLabel)
     , m_progress(new QProgressBar)
     , m_cancel(new QPushButton)
@@ -161,14 +164,14 @@ void StatusStrip::showLive()
     m_live->setVisible(isLive);
     if (!isLive)
         return;
-    const Tone tone = toneOf(status->axis.state, m_enums);
+    const Tone tone = toneOf(*status);
     const QColor color =
         tone == Tone::Information ? mutedTextColor(palette()) : frameColor(tone, palette());
     const Symbol symbol = tone == Tone::Error ? Symbol::Error
         : tone == Tone::Success               ? Symbol::Success
                                               : Symbol::Information;
     m_stateSymbol->setPixmap(symbolPixmap(symbol, color, stripSymbolSize, devicePixelRatioF()));
-    m_state->setText(stateText(status->axis.state, m_enums));
+    m_state->setText(stateText(status->axis));
     m_live->setText(
         tr("output <b>%1</b> &nbsp; index <b>%2</b>")
             .arg(smallValueText(status->output, status->axis.unit), indexText(*status)));

@@ -22,9 +22,7 @@ class StatusStrip : public QWidget {
     Q_OBJECT
 
 public:
-    /// enums must outlive the strip.
-    StatusStrip(
-        WizardController& controller, const RegisterEnums& enums, QWidget* parent = nullptr);
+    explicit StatusStrip(WizardController& controller, QWidget* parent = nullptr);
 
     void retranslate();
     void setLogShown(bool isShown);
@@ -38,7 +36,6 @@ private:
     [[nodiscard]] bool isConnected() const;
 
     WizardController& m_controller;
-    const RegisterEnums& m_enums;
     QLabel* m_step;
     QProgressBar* m_progress;
     QPushButton* m_cancel;

@@ -42,7 +42,7 @@ WizardPage::WizardPage(WizardController& controller, const DriveProfile& profile
     , actions(new ActionPanel(controller))
     , preview(new PreviewPanel(controller, profile))
     , log(new LogView(controller))
-    , status(new StatusStrip(controller, profile.enums))
+    , status(new StatusStrip(controller))
     , m_columns(new QSplitter(Qt::Horizontal))
     , m_rows(new QSplitter(Qt::Vertical))
 {

@@ -55,7 +55,7 @@ public:
     {
         if (!isConnected)
             return tr("The drive %1 is not connected.").arg(entry.driveName);
-        if (entry.axis.state.empty())
+        if (!entry.axis.hasCompensation())
             return tr("This axis has no compensation registers.");
         return {};
     }
@@ -69,7 +69,7 @@ private:
 
     [[nodiscard]] static QString suffix(const AxisEntry& entry)
     {
-        if (entry.axis.state.empty())
+        if (!entry.axis.hasCompensation())
             return tr(" (no compensation)");
         return entry.isDemo ? tr(" (demo)") : QString();
     }

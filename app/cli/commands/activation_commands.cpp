@@ -36,7 +36,7 @@ Result<ExitCode> runActivation(
     if (!status)
         return fail(status.error());
     environment.print("The compensation of " + axisWords(status->axis) + " of "
-        + driveWords(status->drive) + " is " + status->axis.state + ".\n");
+        + driveWords(status->drive) + " is " + status->axis.stateWord + ".\n");
     Json json = {{"status", toJson(*status)}};
     if (activation != Activation::Deactivate) {
         const auto proof = session.compensator().prove(axis, proofSamples, session.operation());

@@ -62,8 +62,8 @@ std::string axesText(const std::vector<DriveAnswer>& answers)
             continue;
         for (const AxisInfo& axis : *answer.axes)
             table.add({answer.drive.name, std::to_string(answer.drive.serialNumber),
-                std::to_string(axis.index), axis.name, axis.unit, axis.homing,
-                axis.state.empty() ? "not available" : axis.state, answer.endpoint});
+                std::to_string(axis.index), axis.name, axis.unit, axis.homingWord,
+                axis.stateWord.empty() ? "not available" : axis.stateWord, answer.endpoint});
     }
     return table.text("");
 }

@@ -75,7 +75,7 @@ Json toJson(const Error& error, const Json& diagnostics)
 Json toJson(const AxisInfo& axis)
 {
     return {{"index", axis.index}, {"name", axis.name}, {"unit", axis.unit},
-        {"homing", axis.homing}, {"state", textOrNull(axis.state)}};
+        {"homing", axis.homingWord}, {"state", textOrNull(axis.stateWord)}};
 }
 
 Json toJson(const AxisStatus& status)
@@ -90,9 +90,9 @@ Json toJson(const AxisStatus& status)
         {"slot", textOrNull(status.setup.slot)},
         {"persistent", status.table && status.table->persistent}, {"dimensions", dimensions},
         {"table", std::move(table)}, {"sources", sourceTexts(status.drive.name, status.setup)},
-        {"activation", status.activation}, {"state", status.axis.state}, {"error", status.error},
-        {"output", status.output}, {"indices", numbers(status.indices, dimensions)},
-        {"homing", status.axis.homing}};
+        {"activation", status.activation}, {"state", status.axis.stateWord},
+        {"error", status.error}, {"output", status.output},
+        {"indices", numbers(status.indices, dimensions)}, {"homing", status.axis.homingWord}};
 }
 
 Json toJson(const FlashUse& use)

@@ -80,13 +80,13 @@ std::string statusText(const AxisStatus& status, const DriveProfile& profile)
             std::to_string(status.axis.index)
                 + (status.axis.name.empty() ? "" : " (" + status.axis.name + ")") + ", position in "
                 + status.axis.unit},
-        {"Homing", status.axis.homing},
-        {"Compensation", status.axis.state + ", activation " + status.activation},
+        {"Homing", status.axis.homingWord},
+        {"Compensation", status.axis.stateWord + ", activation " + status.activation},
         {"Error", status.error},
         {"Output", withUnit(signedText(shortText(status.output)), unit)},
         {"Table", tableWords(status, profile)},
     };
-    if (status.driveError != profile.enums.driveErrorNone && !status.driveError.empty())
+    if (status.hasDriveError)
         lines.emplace_back("Drive error", status.driveError);
     std::string text = labelled(lines);
     if (!status.setup.slot.empty() || status.setup.sources[0].isSet())

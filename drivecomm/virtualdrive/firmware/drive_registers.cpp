@@ -19,20 +19,24 @@ std::vector<std::string> unitNames(const std::string& own)
 
 std::string faultName(CompensationState::Fault fault, const RegisterEnums& enums)
 {
+    // A profile may leave these out.
+    const auto word = [](const std::string& known, const char* own) {
+        return known.empty() ? std::string(own) : known;
+    };
     using enum CompensationState::Fault;
     switch (fault) {
     case None:
         return enums.errorNone;
     case NotHomed:
-        return "NotHomed";
+        return word(enums.errorNotHomed, "NotHomed");
     case NoTable:
-        return "NoTable";
+        return word(enums.errorNoTable, "NoTable");
     case DimensionMismatch:
-        return "DimensionMismatch";
+        return word(enums.errorDimensionMismatch, "DimensionMismatch");
     case BadSource:
-        return "BadSource";
+        return word(enums.errorBadSource, "BadSource");
     case BadTable:
-        return "BadTable";
+        return word(enums.errorBadTable, "BadTable");
     }
     return {};
 }

@@ -255,7 +255,7 @@ private Q_SLOTS:
         VERIFY_RESULT(f.compensator.write(0, request));
         const auto active = f.compensator.activate(0);
         VERIFY_RESULT(active);
-        QCOMPARE(active->axis.state, "Active");
+        QCOMPARE(active->axis.stateWord, "Active");
         const auto proof = f.compensator.prove(0);
         VERIFY_RESULT(proof);
         QCOMPARE(proof->samples.size(), std::size_t{5});
@@ -263,7 +263,7 @@ private Q_SLOTS:
         QVERIFY(proof->largestDifference <= proof->tolerance);
         const auto off = f.compensator.deactivate(0);
         VERIFY_RESULT(off);
-        QCOMPARE(off->axis.state, "Disabled");
+        QCOMPARE(off->axis.stateWord, "Disabled");
         QCOMPARE(off->output, 0.0);
     }
 
@@ -273,7 +273,7 @@ private Q_SLOTS:
         VERIFY_RESULT(f.compensator.write(0, exampleRequest()));
         const auto status = f.compensator.evaluate(0);
         VERIFY_RESULT(status);
-        QCOMPARE(status->axis.state, "Evaluating");
+        QCOMPARE(status->axis.stateWord, "Evaluating");
         QCOMPARE(status->output, 0.0);
         VERIFY_RESULT(f.compensator.prove(0));
     }

@@ -77,7 +77,7 @@ private Q_SLOTS:
         QTRY_VERIFY(bench->status().has_value());
         QVERIFY(bench->drives().front().isDemo);
         QCOMPARE(labels(bench.controller()).front(), QStringLiteral("X · Demo (demo)"));
-        QTRY_COMPARE(bench->status()->axis.state, "Active"); // after its ramp
+        QTRY_COMPARE(bench->status()->axis.stateWord, "Active"); // after its ramp
         QCOMPARE(bench->hint(), QStringLiteral("The compensation is active."));
         QTRY_VERIFY(bench->driveTable());
         QCOMPARE(bench->selectedTable(), bench->driveTable());
@@ -85,7 +85,7 @@ private Q_SLOTS:
         QVERIFY(!bench->signSentence().isEmpty());
         bench->deactivate();
         QVERIFY(bench.idle());
-        QCOMPARE(bench->status()->axis.state, "Disabled");
+        QCOMPARE(bench->status()->axis.stateWord, "Disabled");
         QVERIFY(bench->action(Action::Activate).isEnabled);
     }
 

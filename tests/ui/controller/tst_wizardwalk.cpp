@@ -188,7 +188,7 @@ bool hasAxis(const WizardController& c)
 
 bool isActive(const WizardController& c)
 {
-    return c.status()->axis.state == "Active" || c.status()->axis.state == "Ramping";
+    return c.status()->axis.stateWord == "Active" || c.status()->axis.stateWord == "Ramping";
 }
 
 /// Table and sources, from what the controller shows to everybody.
@@ -230,7 +230,7 @@ bool mayWrite(const WizardController& c)
 bool mayActivate(const WizardController& c)
 {
     return hasAxis(c) && !isActive(c) && !c.setup().isChanged() && c.status()->table && fits(c)
-        && c.status()->axis.homing == "HomingDone";
+        && c.status()->axis.homingWord == "HomingDone";
 }
 
 } // namespace

@@ -51,7 +51,7 @@ bool activateTable(WebBench& bench)
     if (!writeTable(bench))
         return false;
     bench->activate();
-    return bench.idle() && bench->status()->axis.state == "Active";
+    return bench.idle() && bench->status()->axis.stateWord == "Active";
 }
 
 const std::vector<std::pair<const char*, Operation>>& operations()
@@ -110,13 +110,13 @@ private Q_SLOTS:
         QVERIFY(bench.idle());
         QVERIFY2(bench->outcome().contains(QStringLiteral("Proved")), qPrintable(bench->outcome()));
         QVERIFY(bench->proof().has_value());
-        QCOMPARE(bench->status()->axis.state, "Active");
+        QCOMPARE(bench->status()->axis.stateWord, "Active");
         QCOMPARE(bench->action(Action::Write).reason,
             QStringLiteral("The compensation is active: deactivate it first."));
 
         bench->deactivate();
         QVERIFY(bench.idle());
-        QCOMPARE(bench->status()->axis.state, "Disabled");
+        QCOMPARE(bench->status()->axis.stateWord, "Disabled");
 
         QVERIFY(bench.prepare2D(2));
         QVERIFY(bench.planAndWrite());
@@ -177,7 +177,7 @@ private Q_SLOTS:
         VERIFY_RESULT(other->writeRegisters(activation, {}));
         bench.drive().milliseconds += 60'000; // its ramp
         QVERIFY(bench.readLive());
-        QCOMPARE(bench->status()->axis.state, "Active");
+        QCOMPARE(bench->status()->axis.stateWord, "Active");
         QCOMPARE(bench->hint(), QStringLiteral("The compensation is active: deactivate it first."));
         QVERIFY(bench->setup().isChanged(Field::Persistency));
         QVERIFY(std::ranges::any_of(bench->log(), [](const LogLine& line) {
@@ -255,7 +255,7 @@ private:
         for (int n = 1; n <= 3; ++n)
             QCOMPARE(bench.drive().text(base + "Dim" + std::to_string(n) + "Source"),
                 std::to_string(shown.sources[static_cast<std::size_t>(n - 1)].address));
-        QCOMPARE(bench->status()->axis.state,
+        QCOMPARE(bench->status()->axis.stateWord,
             bench.drive().text("Axes[0]/Signals/Compensations/Axis/State"));
     }
 };

@@ -55,7 +55,7 @@ private Q_SLOTS:
 
         bench->activate();
         QVERIFY(bench.idle());
-        QCOMPARE(bench->status()->axis.state, "Active");
+        QCOMPARE(bench->status()->axis.stateWord, "Active");
         QVERIFY(bench->proof().has_value());
         QCOMPARE(bench->proof()->samples.size(), std::size_t{5});
         QVERIFY2(bench->outcome().startsWith(
@@ -67,7 +67,7 @@ private Q_SLOTS:
 
         bench->deactivate();
         QVERIFY(bench.idle());
-        QCOMPARE(bench->status()->axis.state, "Disabled");
+        QCOMPARE(bench->status()->axis.stateWord, "Disabled");
         QCOMPARE(bench->outcome(), QStringLiteral("The compensation is off."));
     }
 
@@ -99,7 +99,7 @@ private Q_SLOTS:
         QVERIFY(bench.planAndWrite());
         bench->evaluate();
         QVERIFY(bench.idle());
-        QCOMPARE(bench->status()->axis.state, "Evaluating");
+        QCOMPARE(bench->status()->axis.stateWord, "Evaluating");
         QVERIFY(bench->outcome().startsWith(
             QStringLiteral("The compensation is being evaluated: the drive adds nothing. Proved")));
         QVERIFY(bench->action(Action::Deactivate).isEnabled);

@@ -180,7 +180,7 @@ void activate(ControllerBench& bench)
     QVERIFY(bench.planAndWrite());
     bench->activate();
     QVERIFY(bench.idle());
-    QCOMPARE(bench->status()->axis.state, "Active");
+    QCOMPARE(bench->status()->axis.stateWord, "Active");
 }
 
 void activateWithoutHoming(ControllerBench& bench)

@@ -55,7 +55,7 @@ DriveAxes drive(const char* endpoint, const char* name, int serial, std::vector<
         AxisInfo axis;
         axis.index = static_cast<int>(i);
         axis.name = names[i];
-        axis.state = "Disabled";
+        axis.stateWord = "Disabled";
         drive.axes.push_back(axis);
     }
     return drive;
