@@ -11,7 +11,7 @@ namespace axiscomp {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr std::chrono::milliseconds pollInterval{5};
+constexpr std::chrono::milliseconds statePollInterval{5};
 
 struct Hint {
     CompensationFault fault;
@@ -69,7 +69,7 @@ Result<AxisStatus> waitForState(const DriveAccess& access, const DriveIdentity& 
                 state, "the drive has restarted, or somebody else has switched the compensation");
         if (Clock::now() >= deadline)
             return notReached(state, "it did not become " + wanted + " in time");
-        if (auto paused = access.pause(pollInterval); !paused)
+        if (auto paused = access.pause(statePollInterval); !paused)
             return fail(paused.error());
     }
 }

@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/conversion/import_choices.h"
 
+#include "core/conversion/conversion_errors.h"
+
 #include <cmath>
 
 namespace axiscomp {
 
 namespace {
-
-auto refuse(std::string reason)
-{
-    return fail(ErrorCode::InvalidArgument, {{"reason", std::move(reason)}});
-}
 
 /// One request for each source axis.
 Result<ResamplingRequest> gridRequest(const ResamplingChoice& choice, std::size_t dimensions)
@@ -25,7 +22,7 @@ Result<ResamplingRequest> gridRequest(const ResamplingChoice& choice, std::size_
         if (choice.kind == ResamplingChoice::Kind::Distance)
             request.axes[n].distance = number;
         else if (number < 2.0 || number > mostPoints || number != std::floor(number))
-            return refuse("a number of points is a whole number, at least 2");
+            return invalidArgument("a number of points is a whole number, at least 2");
         else
             request.axes[n].points = static_cast<std::size_t>(number);
     }
@@ -46,11 +43,11 @@ Result<decltype(ConversionRequest::resampling)> resamplingRequest(
     if (choice.kind == ResamplingChoice::Kind::None)
         return Answer{};
     if (choice.numbers.empty())
-        return refuse("the number for the even grid is missing");
+        return invalidArgument("the number for the even grid is missing");
     if (choice.kind == ResamplingChoice::Kind::Within)
         return Answer{WantedDeviation{choice.numbers.front(), choice.method}};
     if (choice.numbers.size() != 1 && choice.numbers.size() != dimensions)
-        return refuse("the even grid needs one number, or one for each of the "
+        return invalidArgument("the even grid needs one number, or one for each of the "
             + std::to_string(dimensions) + " source axes");
     auto request = gridRequest(choice, dimensions);
     if (!request)

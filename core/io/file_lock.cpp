@@ -16,7 +16,7 @@ namespace axiscomp {
 namespace {
 
 // flock has no time-out of its own; a store operation takes a few milliseconds.
-constexpr std::chrono::milliseconds pollInterval{10};
+constexpr std::chrono::milliseconds lockPollInterval{10};
 
 } // namespace
 
@@ -38,7 +38,7 @@ Result<FileLock> FileLock::acquire(const std::filesystem::path& lockFile,
             return failed("it cannot be locked: " + fileErrorReason(errno));
         if (std::chrono::steady_clock::now() >= end)
             return failed("another program is using it; try again when that one has finished");
-        std::this_thread::sleep_for(pollInterval);
+        std::this_thread::sleep_for(lockPollInterval);
     }
     return lock;
 }

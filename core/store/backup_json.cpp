@@ -14,7 +14,7 @@ namespace axiscomp {
 namespace {
 
 constexpr std::string_view enumType = "Enum";
-constexpr std::array<std::string_view, 6> typeNames{
+constexpr std::array<std::string_view, 6> valueTypeNames{
     "Boolean", "Int32", "UInt32", "Single", "Double", enumType}; // as in RegisterValue
 
 OrderedJson numberToJson(double value)
@@ -82,7 +82,7 @@ OrderedJson toJson(std::span<const RegisterWrite> registers)
 {
     OrderedJson list = OrderedJson::array();
     for (const RegisterWrite& write : registers)
-        list.push_back({{"path", write.path}, {"type", typeNames.at(write.value.index())},
+        list.push_back({{"path", write.path}, {"type", valueTypeNames.at(write.value.index())},
             {"value", valueToJson(write.value)}});
     return list;
 }
@@ -94,7 +94,7 @@ std::vector<RegisterWrite> registersFromJson(const JsonNode& node)
     for (const JsonNode& item : node.items()) {
         item.expectMembers({"path", "type", "value"});
         const JsonNode type = item["type"];
-        if (std::ranges::find(typeNames, type.textView()) == typeNames.end())
+        if (std::ranges::find(valueTypeNames, type.textView()) == valueTypeNames.end())
             type.refuse("one of Boolean, Int32, UInt32, Single, Double, Enum is expected");
         RegisterWrite write{item["path"].text(), valueFromJson(item["value"], type.textView())};
         if (write.path.empty() || !paths.insert(write.path).second)

@@ -9,12 +9,12 @@ namespace axiscomp {
 
 namespace {
 
-struct Named {
+struct NamedUnit {
     std::string_view positionUnit;
     std::string_view symbol;
 };
-constexpr std::array positionUnits{Named{"None", ""}, Named{"Meter", "m"},
-    Named{"Millimeter", "mm"}, Named{"Radian", "rad"}, Named{"Degree", "deg"}};
+constexpr std::array positionUnits{NamedUnit{"None", ""}, NamedUnit{"Meter", "m"},
+    NamedUnit{"Millimeter", "mm"}, NamedUnit{"Radian", "rad"}, NamedUnit{"Degree", "deg"}};
 
 enum class Kind { Length, Angle };
 
@@ -70,7 +70,8 @@ const Unit* unitNamed(std::string_view text)
 
 std::string unitSymbol(std::string_view positionUnit)
 {
-    const auto* const unit = std::ranges::find(positionUnits, positionUnit, &Named::positionUnit);
+    const auto* const unit =
+        std::ranges::find(positionUnits, positionUnit, &NamedUnit::positionUnit);
     return std::string(unit == positionUnits.end() ? positionUnit : unit->symbol);
 }
 

@@ -16,7 +16,7 @@ constexpr std::array<std::string_view, tableFieldCount> fieldNames{"magic", "ver
     "elementType", "persistent", "dimensions", "size", "start", "distance", "elementCount",
     "elementCrc", "name", "headerCrc"};
 
-constexpr std::array<std::string_view, 7> typeNames{
+constexpr std::array<std::string_view, 7> fieldTypeNames{
     "u8", "u16", "u32", "i32", "f32", "f64", "char"};
 constexpr std::array<std::uint32_t, 7> typeSizes{1, 2, 4, 4, 4, 8, 1};
 
@@ -186,7 +186,7 @@ std::string_view tableFieldName(TableField field)
 
 std::string_view fieldTypeName(FieldType type)
 {
-    return typeNames[static_cast<std::size_t>(type)];
+    return fieldTypeNames[static_cast<std::size_t>(type)];
 }
 
 Result<void> checkLayout(const TableLayout& layout)

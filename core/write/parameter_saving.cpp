@@ -12,12 +12,12 @@ namespace {
 using Use = SavedState::Use;
 
 /// What the parameters name, and which of those slots hold a volatile table.
-struct Named {
+struct NamedSlots {
     std::vector<Use> uses;
     std::vector<std::string> volatileSlots;
 };
 
-Result<Named> readNamed(const DriveAccess& access, const DriveIdentity& drive)
+Result<NamedSlots> readNamed(const DriveAccess& access, const DriveIdentity& drive)
 {
     const RegisterPaths& registers = access.registers();
     std::vector<std::string> paths;
@@ -30,7 +30,7 @@ Result<Named> readNamed(const DriveAccess& access, const DriveIdentity& drive)
     auto readings = access.readAvailable(std::move(paths));
     if (!readings)
         return fail(readings.error());
-    Named named;
+    NamedSlots named;
     for (int axis = 0; axis < drive.axes; ++axis) {
         const std::string slot = textAt(*readings, access.axisPath(registers.table, axis));
         if (!access.profile().slotNamed(slot))

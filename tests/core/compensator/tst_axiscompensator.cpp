@@ -35,8 +35,10 @@ private Q_SLOTS:
         QCOMPARE(axes->size(), std::size_t{2});
         QCOMPARE(axes->at(1).name, "Y");
         QCOMPARE(axes->at(1).unit, "Millimeter");
-        QCOMPARE(axes->at(1).homing, "HomingDone");
-        QCOMPARE(axes->at(1).state, "Disabled");
+        QCOMPARE(axes->at(1).homingWord, "HomingDone");
+        QVERIFY(axes->at(1).isHomed);
+        QCOMPARE(axes->at(1).stateWord, "Disabled");
+        QCOMPARE(axes->at(1).state, CompensationState::Disabled);
     }
 
     void anAxisIsFoundByIndexOrName()
