@@ -2,63 +2,10 @@
 #include "drivecomm/link_factory.h"
 
 #include "drivecomm/serial/serial_drive_link.h"
-#include "drivecomm/virtualdrive/firmware/virtual_drive.h"
+#include "drivecomm/virtualdrive/demo_link.h"
 #include "drivecomm/web/web_drive_link.h"
 
 namespace axiscomp::drivecomm {
-
-namespace {
-
-/// A link with the drive that it leads to.
-class DemoLink final : public DriveLink {
-public:
-    explicit DemoLink(const DriveProfile& profile)
-        : m_drive(profile, demoDriveOptions())
-        , m_link(makeDirectLink(m_drive))
-    {
-    }
-
-    [[nodiscard]] Result<void> loadState() { return loadDemoState(m_drive); }
-
-    std::string endpoint() const override { return m_link->endpoint(); }
-    Result<DriveIdentity> identify(const Exchange& exchange) override
-    {
-        return m_link->identify(exchange);
-    }
-    Result<std::vector<RegisterReading>> readRegisters(
-        std::span<const std::string> paths, const Exchange& exchange) override
-    {
-        return m_link->readRegisters(paths, exchange);
-    }
-    Result<std::vector<RegisterReading>> readTree(
-        const std::string& prefix, const Exchange& exchange) override
-    {
-        return m_link->readTree(prefix, exchange);
-    }
-    Result<void> writeRegisters(
-        std::span<const RegisterWrite> writes, const Exchange& exchange) override
-    {
-        return m_link->writeRegisters(writes, exchange);
-    }
-    Result<std::vector<DriveFile>> listFiles(const Exchange& exchange) override
-    {
-        return m_link->listFiles(exchange);
-    }
-    Result<Bytes> download(const std::string& path, const Exchange& exchange) override
-    {
-        return m_link->download(path, exchange);
-    }
-    Result<void> upload(const std::string& path, ByteView bytes, const Exchange& exchange) override
-    {
-        return m_link->upload(path, bytes, exchange);
-    }
-
-private:
-    VirtualDrive m_drive;
-    std::unique_ptr<DriveLink> m_link;
-};
-
-} // namespace
 
 Result<std::unique_ptr<DriveLink>> makeLink(const DriveEndpoint& endpoint,
     const DriveProfile& profile, const CertificateCheck& certificateCheck)
@@ -72,10 +19,7 @@ Result<std::unique_ptr<DriveLink>> makeLink(const DriveEndpoint& endpoint,
     case DriveEndpoint::Kind::Demo:
         break;
     }
-    auto demo = std::make_unique<DemoLink>(profile);
-    if (auto loaded = demo->loadState(); !loaded)
-        return fail(std::move(loaded.error()));
-    return demo;
+    return makeDemoLink(profile);
 }
 
 LinkFactory linkFactory(const DriveProfile& profile, CertificateCheck certificateCheck)

@@ -4253,37 +4253,258 @@
     </message>
 </context>
 <context>
-    <name>axiscomp::ui::AppliedBox</name>
+    <name>axiscomp::ui::ActionRules</name>
     <message>
-        <source>As applied by %1</source>
-        <translation>Wie von %1 angewendet</translation>
+        <source>No drive is connected: add a connection first.</source>
+        <translation>Kein Antrieb ist verbunden: zuerst eine Verbindung hinzufügen.</translation>
     </message>
     <message>
-        <source>As applied by the drive</source>
-        <translation>Wie vom Antrieb angewendet</translation>
+        <source>The drives are being asked for their axes.</source>
+        <translation>Die Antriebe werden nach ihren Achsen gefragt.</translation>
     </message>
     <message>
-        <source>The table as the drive applies it, or converted for another controller as that one would: with its sign, and with its rules beyond the ends</source>
-        <translation>Die Tabelle, wie der Antrieb sie anwendet, oder für eine andere Steuerung umgerechnet, wie diese es täte: mit ihrem Vorzeichen und ihren Regeln jenseits der Enden</translation>
+        <source>Choose an axis first.</source>
+        <translation>Zuerst eine Achse wählen.</translation>
     </message>
     <message>
-        <source>Applied by</source>
-        <translation>Angewendet von</translation>
-    </message>
-</context>
-<context>
-    <name>axiscomp::ui::AxisAssignment</name>
-    <message>
-        <source>No axis is chosen: choose at least one.</source>
-        <translation>Keine Achse ist gewählt: mindestens eine wählen.</translation>
+        <source>The drive is not connected.</source>
+        <translation>Der Antrieb ist nicht verbunden.</translation>
     </message>
     <message>
-        <source>%1 is chosen twice: an axis has one table only.</source>
-        <translation>%1 ist zweimal gewählt: Eine Achse hat nur eine Tabelle.</translation>
+        <source>This axis has no compensation registers.</source>
+        <translation>Diese Achse hat keine Kompensationsregister.</translation>
     </message>
     <message>
-        <source>Axis %1</source>
-        <translation>Achse %1</translation>
+        <source>Please wait: %1.</source>
+        <translation>Bitte warten: %1.</translation>
+    </message>
+    <message>
+        <source>The axis is being read.</source>
+        <translation>Die Achse wird gelesen.</translation>
+    </message>
+    <message>
+        <source>The compensation is active: deactivate it first.</source>
+        <translation>Die Kompensation ist aktiv: zuerst deaktivieren.</translation>
+    </message>
+    <message>
+        <source>No table is chosen: open compensation data.</source>
+        <translation>Keine Tabelle gewählt: Kompensationsdaten öffnen.</translation>
+    </message>
+    <message>
+        <source>The table has 1 dimension, but %1D is chosen.</source>
+        <translation>Die Tabelle hat 1 Dimension, gewählt ist aber %1D.</translation>
+    </message>
+    <message>
+        <source>The table has %1 dimensions, but %2D is chosen.</source>
+        <translation>Die Tabelle hat %1 Dimensionen, gewählt ist aber %2D.</translation>
+    </message>
+    <message>
+        <source>A source is being checked.</source>
+        <translation>Eine Quelle wird geprüft.</translation>
+    </message>
+    <message>
+        <source>Dim%1 Source is missing.</source>
+        <translation>Die Dim%1-Quelle fehlt.</translation>
+    </message>
+    <message>
+        <source>Dim%1 Source is the same as another source.</source>
+        <translation>Die Dim%1-Quelle ist dieselbe wie eine andere.</translation>
+    </message>
+    <message>
+        <source>The table needs %1 bytes, but the largest slot has %2.</source>
+        <translation>Die Tabelle braucht %1 Byte, der größte Tabellenplatz hat %2.</translation>
+    </message>
+    <message>
+        <source>Flash wear: wait %1, or write volatile.</source>
+        <translation>Flash-Abnutzung: %1 warten oder flüchtig schreiben.</translation>
+    </message>
+    <message>
+        <source>Flash wear: wait %1.</source>
+        <translation>Flash-Abnutzung: %1 warten.</translation>
+    </message>
+    <message>
+        <source>Nothing has changed.</source>
+        <translation>Nichts ist geändert.</translation>
+    </message>
+    <message>
+        <source>The file is being read.</source>
+        <translation>Die Datei wird gelesen.</translation>
+    </message>
+    <message>
+        <source>Parameters must be written.</source>
+        <translation>Zuerst müssen die Parameter geschrieben werden.</translation>
+    </message>
+    <message>
+        <source>The axis has no table on the drive: write one first.</source>
+        <translation>Die Achse hat keine Tabelle im Antrieb: zuerst eine schreiben.</translation>
+    </message>
+    <message>
+        <source>An earlier write left the axis in neither the old nor the new state: write again, or restore the previous state.</source>
+        <translation>Ein früheres Schreiben hat die Achse weder im alten noch im neuen Stand hinterlassen: neu schreiben oder den vorherigen Stand wiederherstellen.</translation>
+    </message>
+    <message>
+        <source>The compensation is active already.</source>
+        <translation>Die Kompensation ist schon aktiv.</translation>
+    </message>
+    <message>
+        <source>The axis must be homed first.</source>
+        <translation>Die Achse muss zuerst referenziert werden.</translation>
+    </message>
+    <message>
+        <source>The compensation is being evaluated already.</source>
+        <translation>Die Kompensation wird schon ausgewertet.</translation>
+    </message>
+    <message>
+        <source>The compensation is not active.</source>
+        <translation>Die Kompensation ist nicht aktiv.</translation>
+    </message>
+    <message>
+        <source>There is no backup of this axis yet: one is made before every write.</source>
+        <translation>Von dieser Achse gibt es noch keine Sicherung: vor jedem Schreiben wird eine angelegt.</translation>
+    </message>
+    <message>
+        <source>Nothing is running.</source>
+        <translation>Es läuft nichts.</translation>
+    </message>
+    <message>
+        <source>It is being stopped already.</source>
+        <translation>Es wird schon gestoppt.</translation>
+    </message>
+    <message>
+        <source>Finishes an earlier write: saves the parameters of the drive.</source>
+        <translation>Schließt ein früheres Schreiben ab: speichert die Parameter des Antriebs.</translation>
+    </message>
+    <message>
+        <source>Writes to the drive and stores in flash: %1 of %2 flash operations that are possible now.</source>
+        <translation>Schreibt in den Antrieb und in seinen Flash-Speicher: %1 von %2 jetzt möglichen Flash-Vorgängen.</translation>
+    </message>
+    <message>
+        <source>Writes to the drive and stores in flash.</source>
+        <translation>Schreibt in den Antrieb und in seinen Flash-Speicher.</translation>
+    </message>
+    <message>
+        <source>Writes to the drive and saves its parameters; the table in flash stays.</source>
+        <translation>Schreibt in den Antrieb und speichert seine Parameter; die Tabelle im Flash-Speicher bleibt.</translation>
+    </message>
+    <message>
+        <source>Writes to the drive; a reboot of the drive brings the stored state back.</source>
+        <translation>Schreibt in den Antrieb; ein Neustart des Antriebs bringt den gespeicherten Stand zurück.</translation>
+    </message>
+    <message>
+        <source>Adds the table&apos;s values to the encoder position, then proves that the drive adds what the table says.</source>
+        <translation>Addiert die Werte der Tabelle zur Geberposition und weist dann nach, dass der Antrieb addiert, was die Tabelle sagt.</translation>
+    </message>
+    <message>
+        <source>Lets the drive check table and sources and look up, without adding anything.</source>
+        <translation>Lässt den Antrieb Tabelle und Quellen prüfen und nachschlagen, ohne etwas zu addieren.</translation>
+    </message>
+    <message>
+        <source>Switches the compensation off; table and settings stay on the drive.</source>
+        <translation>Schaltet die Kompensation aus; Tabelle und Einstellungen bleiben im Antrieb.</translation>
+    </message>
+    <message>
+        <source>Puts the drive&apos;s values back into the fields.</source>
+        <translation>Stellt in den Feldern die Werte des Antriebs wieder her.</translation>
+    </message>
+    <message>
+        <source>Writes the table and the sources that the axis had before.</source>
+        <translation>Schreibt die Tabelle und die Quellen, die die Achse vorher hatte.</translation>
+    </message>
+    <message>
+        <source>Looks for drives and axes again and reads the axis.</source>
+        <translation>Sucht erneut nach Antrieben und Achsen und liest die Achse.</translation>
+    </message>
+    <message>
+        <source>Opens a file of compensation data, .csv or .TAMtbl.</source>
+        <translation>Öffnet eine Datei mit Kompensationsdaten, .csv oder .TAMtbl.</translation>
+    </message>
+    <message>
+        <source>Stops reading the file.</source>
+        <translation>Bricht das Lesen der Datei ab.</translation>
+    </message>
+    <message>
+        <source>Stops the write and puts the old state back.</source>
+        <translation>Bricht das Schreiben ab und stellt den alten Stand zurück.</translation>
+    </message>
+    <message>
+        <source>Stops what is running.</source>
+        <translation>Bricht den laufenden Vorgang ab.</translation>
+    </message>
+    <message>
+        <source>%1 ...</source>
+        <translation>%1 ...</translation>
+    </message>
+    <message>
+        <source>An earlier write did not end: the parameters may not be saved. Write to finish it.</source>
+        <translation>Ein früheres Schreiben wurde nicht beendet: die Parameter sind vielleicht nicht gespeichert. Zum Abschließen schreiben.</translation>
+    </message>
+    <message>
+        <source>The compensation is active.</source>
+        <translation>Die Kompensation ist aktiv.</translation>
+    </message>
+    <message>
+        <source>The compensation is being evaluated: the drive adds nothing.</source>
+        <translation>Die Kompensation wird nur ausgewertet: der Antrieb addiert nichts.</translation>
+    </message>
+    <message>
+        <source>No write to this axis is unfinished.</source>
+        <translation>Für diese Achse ist kein Schreibvorgang unvollendet.</translation>
+    </message>
+    <message>
+        <source>Brings the drive to the complete new state of the write that did not end.</source>
+        <translation>Bringt den Antrieb auf den vollständigen neuen Stand des nicht beendeten Schreibvorgangs.</translation>
+    </message>
+    <message>
+        <source>Brings the drive back to the complete state before the write that did not end.</source>
+        <translation>Bringt den Antrieb auf den vollständigen Stand vor dem nicht beendeten Schreibvorgang zurück.</translation>
+    </message>
+    <message>
+        <source>Open a file with several columns of values first.</source>
+        <translation>Zuerst eine Datei mit mehreren Spalten von Werten öffnen.</translation>
+    </message>
+    <message>
+        <source>The drive has no second axis with compensation registers.</source>
+        <translation>Der Antrieb hat keine zweite Achse mit Kompensationsregistern.</translation>
+    </message>
+    <message>
+        <source>Writes columns of the open file, each to an axis of its own.</source>
+        <translation>Schreibt Spalten der geöffneten Datei, jede in ihre eigene Achse.</translation>
+    </message>
+    <message>
+        <source>planning</source>
+        <translation>Planung</translation>
+    </message>
+    <message>
+        <source>writing</source>
+        <translation>Schreiben</translation>
+    </message>
+    <message>
+        <source>writing several axes</source>
+        <translation>mehrere Achsen schreiben</translation>
+    </message>
+    <message>
+        <source>activating</source>
+        <translation>Aktivieren</translation>
+    </message>
+    <message>
+        <source>evaluating</source>
+        <translation>Auswerten</translation>
+    </message>
+    <message>
+        <source>deactivating</source>
+        <translation>Deaktivieren</translation>
+    </message>
+    <message>
+        <source>finishing the write</source>
+        <translation>Schreiben wird abgeschlossen</translation>
+    </message>
+    <message>
+        <source>undoing the write</source>
+        <translation>Schreiben wird zurückgenommen</translation>
+    </message>
+    <message>
+        <source>restoring</source>
+        <translation>Wiederherstellen</translation>
     </message>
 </context>
 <context>
@@ -4388,7 +4609,22 @@
     </message>
 </context>
 <context>
-    <name>axiscomp::ui::ColumnAxisTable</name>
+    <name>axiscomp::ui::ColumnMapping</name>
+    <message>
+        <source>No axis is chosen: choose at least one.</source>
+        <translation>Keine Achse ist gewählt: mindestens eine wählen.</translation>
+    </message>
+    <message>
+        <source>%1 is chosen twice: an axis has one table only.</source>
+        <translation>%1 ist zweimal gewählt: Eine Achse hat nur eine Tabelle.</translation>
+    </message>
+    <message>
+        <source>Axis %1</source>
+        <translation>Achse %1</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::ColumnMappingTable</name>
     <message>
         <source>column %1</source>
         <translation>Spalte %1</translation>
@@ -4570,26 +4806,22 @@
     </message>
 </context>
 <context>
-    <name>axiscomp::ui::ContentBox</name>
+    <name>axiscomp::ui::ControllerCombo</name>
     <message>
-        <source>Selected table</source>
-        <translation>Gewählte Tabelle</translation>
+        <source>As applied by %1</source>
+        <translation>Wie von %1 angewendet</translation>
     </message>
     <message>
-        <source>Table on the drive</source>
-        <translation>Tabelle im Antrieb</translation>
+        <source>As applied by the drive</source>
+        <translation>Wie vom Antrieb angewendet</translation>
     </message>
     <message>
-        <source>Selected - drive</source>
-        <translation>Gewählte - Antrieb</translation>
+        <source>The table as the drive applies it, or converted for another controller as that one would: with its sign, and with its rules beyond the ends</source>
+        <translation>Die Tabelle, wie der Antrieb sie anwendet, oder für eine andere Steuerung umgerechnet, wie diese es täte: mit ihrem Vorzeichen und ihren Regeln jenseits der Enden</translation>
     </message>
     <message>
-        <source>Which values are shown</source>
-        <translation>Welche Werte gezeigt werden</translation>
-    </message>
-    <message>
-        <source>Values shown</source>
-        <translation>Gezeigte Werte</translation>
+        <source>Applied by</source>
+        <translation>Angewendet von</translation>
     </message>
 </context>
 <context>
@@ -4787,7 +5019,7 @@
     </message>
 </context>
 <context>
-    <name>axiscomp::ui::DataField</name>
+    <name>axiscomp::ui::DataFileField</name>
     <message>
         <source>No file is open</source>
         <translation>Es ist keine Datei offen</translation>
@@ -5165,33 +5397,6 @@
     </message>
 </context>
 <context>
-    <name>axiscomp::ui::LeaveGuard</name>
-    <message>
-        <source>Close Without Writin&amp;g</source>
-        <translation>Ohne Schreiben s&amp;chließen</translation>
-    </message>
-    <message>
-        <source>The drive is being written. Stopping puts the old state back first.</source>
-        <translation>Es wird gerade in den Antrieb geschrieben. Beim Stoppen wird zuerst der alte Stand zurückgestellt.</translation>
-    </message>
-    <message>
-        <source>&amp;Stop and Close</source>
-        <translation>&amp;Stoppen und schließen</translation>
-    </message>
-    <message>
-        <source>Close When Don&amp;e</source>
-        <translation>Danac&amp;h schließen</translation>
-    </message>
-    <message>
-        <source>Sta&amp;y</source>
-        <translation>Bleib&amp;en</translation>
-    </message>
-    <message>
-        <source>%1 has changes that are not written to the drive.</source>
-        <translation>%1 hat Änderungen, die nicht in den Antrieb geschrieben sind.</translation>
-    </message>
-</context>
-<context>
     <name>axiscomp::ui::LogModel</name>
     <message>
         <source>Time</source>
@@ -5226,10 +5431,256 @@
     </message>
 </context>
 <context>
+    <name>axiscomp::ui::MessagePresenter</name>
+    <message>
+        <source>No drive is set up yet, so this is the built-in demo drive: everything can be tried, nothing is real.</source>
+        <translation>Noch ist kein Antrieb eingerichtet, daher dieser eingebaute Demo-Antrieb: alles lässt sich ausprobieren, nichts ist echt.</translation>
+    </message>
+    <message>
+        <source>Wor&amp;k with Real Drives…</source>
+        <translation>Mit echten A&amp;ntrieben arbeiten…</translation>
+    </message>
+    <message>
+        <source>%1 What you have changed is kept; the program keeps trying.</source>
+        <translation>%1 Die Änderungen bleiben erhalten; das Programm versucht es weiter.</translation>
+    </message>
+    <message>
+        <source>%1 The program keeps trying.</source>
+        <translation>%1 Das Programm versucht es weiter.</translation>
+    </message>
+    <message>
+        <source>%1 has changed on disk.</source>
+        <translation>%1 hat sich auf dem Datenträger geändert.</translation>
+    </message>
+    <message>
+        <source>Read A&amp;gain</source>
+        <translation>Neu &amp;einlesen</translation>
+    </message>
+    <message>
+        <source>&amp;Finish Write</source>
+        <translation>Schreiben a&amp;bschließen</translation>
+    </message>
+    <message>
+        <source>Undo Wri&amp;te</source>
+        <translation>Schreiben zurück&amp;nehmen</translation>
+    </message>
+    <message>
+        <source>&amp;Keep for Later</source>
+        <translation>S&amp;päter</translation>
+    </message>
+    <message>
+        <source>Look at t&amp;he Certificate…</source>
+        <translation>Z&amp;um Zertifikat…</translation>
+    </message>
+</context>
+<context>
     <name>axiscomp::ui::MessageStack</name>
     <message>
         <source>Close this message</source>
         <translation>Meldung schließen</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::MultiAxisDialog</name>
+    <message>
+        <source>Write Several Axes</source>
+        <translation>Mehrere Achsen schreiben</translation>
+    </message>
+    <message>
+        <source>Columns of %1 are written to axes of %2, one after the other. Each write is verified and keeps the old table and settings in a backup file first; none begins before all of them are found possible.</source>
+        <translation>Spalten von %1 werden in Achsen von %2 geschrieben, eine nach der anderen. Jeder Schreibvorgang wird geprüft und sichert vorher die alte Tabelle und die alten Einstellungen in einer Datei; keiner beginnt, bevor alle als möglich erkannt sind.</translation>
+    </message>
+    <message>
+        <source>&amp;Sources</source>
+        <translation>&amp;Quellen</translation>
+    </message>
+    <message>
+        <source>Each axis keeps its sources</source>
+        <translation>Jede Achse behält ihre Quellen</translation>
+    </message>
+    <message>
+        <source>The registers whose values look the tables up</source>
+        <translation>Die Register, deren Werte in den Tabellen nachschlagen</translation>
+    </message>
+    <message>
+        <source>For all of them, as chosen in the page: %1</source>
+        <translation>Für alle, wie auf der Seite gewählt: %1</translation>
+    </message>
+    <message>
+        <source>Persistency, as chosen in the page: persistent, all tables are stored in flash.</source>
+        <translation>Speicherung, wie auf der Seite gewählt: dauerhaft, alle Tabellen werden im Flash gespeichert.</translation>
+    </message>
+    <message>
+        <source>Persistency, as chosen in the page: volatile, a reboot of the drive brings the stored states back.</source>
+        <translation>Speicherung, wie auf der Seite gewählt: flüchtig, ein Neustart des Antriebs bringt die gespeicherten Zustände zurück.</translation>
+    </message>
+    <message>
+        <source>What will be written</source>
+        <translation>Was geschrieben wird</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>&amp;Write All</source>
+        <translation>Alle &amp;schreiben</translation>
+    </message>
+    <message>
+        <source>Write these to the drive now</source>
+        <translation>Diese jetzt in den Antrieb schreiben</translation>
+    </message>
+    <message>
+        <source>S&amp;top</source>
+        <translation>A&amp;nhalten</translation>
+    </message>
+    <message>
+        <source>Stops the writes; the one that runs is put back first (Esc)</source>
+        <translation>Hält die Schreibvorgänge an; der laufende wird zuerst zurückgenommen (Esc)</translation>
+    </message>
+    <message>
+        <source>C&amp;lose</source>
+        <translation>Sch&amp;ließen</translation>
+    </message>
+    <message>
+        <source>Go back to the page (Esc)</source>
+        <translation>Zurück zur Seite (Esc)</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>Abbre&amp;chen</translation>
+    </message>
+    <message>
+        <source>Change nothing and go back (Esc)</source>
+        <translation>Nichts ändern und zurückgehen (Esc)</translation>
+    </message>
+    <message>
+        <source>The drive is asked what would change …</source>
+        <translation>Der Antrieb wird gefragt, was sich ändern würde …</translation>
+    </message>
+    <message>
+        <source>The drive has all of this already.</source>
+        <translation>Der Antrieb hat das alles schon.</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::MultiAxisOutcome</name>
+    <message>
+        <source>They are stored in flash.</source>
+        <translation>Sie sind im Flash gespeichert.</translation>
+    </message>
+    <message>
+        <source>They are volatile: a reboot of the drive brings the stored states back.</source>
+        <translation>Sie sind flüchtig: Ein Neustart des Antriebs bringt die gespeicherten Zustände zurück.</translation>
+    </message>
+    <message>
+        <source>Written, read back and compared; the new state is on: %1. %2</source>
+        <translation>Geschrieben, zurückgelesen und verglichen; den neuen Zustand haben: %1. %2</translation>
+    </message>
+    <message>
+        <source>The writes were stopped.</source>
+        <translation>Die Schreibvorgänge wurden angehalten.</translation>
+    </message>
+    <message>
+        <source>The writes were stopped at %1.</source>
+        <translation>Die Schreibvorgänge wurden bei %1 angehalten.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>axis and sentence</comment>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>No axis has the new state.</source>
+        <translation>Keine Achse hat den neuen Zustand.</translation>
+    </message>
+    <message>
+        <source>The new state is on: %1.</source>
+        <translation>Den neuen Zustand haben: %1.</translation>
+    </message>
+    <message>
+        <source>The complete old state is on: %1.</source>
+        <translation>Den vollständigen alten Zustand haben: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::MultiAxisPlanView</name>
+    <message>
+        <source>persistent</source>
+        <translation>dauerhaft</translation>
+    </message>
+    <message>
+        <source>volatile</source>
+        <translation>flüchtig</translation>
+    </message>
+    <message>
+        <source>no table</source>
+        <translation>keine Tabelle</translation>
+    </message>
+    <message>
+        <source>%1D in %2, %3</source>
+        <translation>%1D in %2, %3</translation>
+    </message>
+    <message>
+        <source>nothing: the drive has all of this already</source>
+        <translation>nichts: Der Antrieb hat das alles schon</translation>
+    </message>
+    <message>
+        <source>chosen when its turn comes</source>
+        <translation>wird gewählt, wenn sie an der Reihe ist</translation>
+    </message>
+    <message>
+        <source>%1 (empty)</source>
+        <translation>%1 (leer)</translation>
+    </message>
+    <message>
+        <source>%1 (held an earlier table of this axis)</source>
+        <translation>%1 (enthielt eine frühere Tabelle dieser Achse)</translation>
+    </message>
+    <message>
+        <source>%1 (is overwritten)</source>
+        <translation>%1 (wird überschrieben)</translation>
+    </message>
+    <message>
+        <source>Dim%1: %2</source>
+        <translation>Dim%1: %2</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Achse</translation>
+    </message>
+    <message>
+        <source>On the drive</source>
+        <translation>Im Antrieb</translation>
+    </message>
+    <message>
+        <source>New</source>
+        <translation>Neu</translation>
+    </message>
+    <message>
+        <source>Slot</source>
+        <translation>Platz</translation>
+    </message>
+    <message>
+        <source>What will be written</source>
+        <translation>Was geschrieben wird</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>axis and remark</comment>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Costs no flash operation.</source>
+        <translation>Kostet keinen Flash-Vorgang.</translation>
+    </message>
+    <message>
+        <source>Flash operations of all together: %1.</source>
+        <translation>Flash-Vorgänge aller zusammen: %1.</translation>
+    </message>
+    <message>
+        <source>Flash operations of all together: %1; left for now afterwards: %2.</source>
+        <translation>Flash-Vorgänge aller zusammen: %1; danach vorerst übrig: %2.</translation>
     </message>
 </context>
 <context>
@@ -5376,49 +5827,6 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
     <message>
         <source>&amp;Write Several Axes…</source>
         <translation>&amp;Mehrere Achsen schreiben…</translation>
-    </message>
-</context>
-<context>
-    <name>axiscomp::ui::PageMessages</name>
-    <message>
-        <source>No drive is set up yet, so this is the built-in demo drive: everything can be tried, nothing is real.</source>
-        <translation>Noch ist kein Antrieb eingerichtet, daher dieser eingebaute Demo-Antrieb: alles lässt sich ausprobieren, nichts ist echt.</translation>
-    </message>
-    <message>
-        <source>Wor&amp;k with Real Drives…</source>
-        <translation>Mit echten A&amp;ntrieben arbeiten…</translation>
-    </message>
-    <message>
-        <source>%1 What you have changed is kept; the program keeps trying.</source>
-        <translation>%1 Die Änderungen bleiben erhalten; das Programm versucht es weiter.</translation>
-    </message>
-    <message>
-        <source>%1 The program keeps trying.</source>
-        <translation>%1 Das Programm versucht es weiter.</translation>
-    </message>
-    <message>
-        <source>%1 has changed on disk.</source>
-        <translation>%1 hat sich auf dem Datenträger geändert.</translation>
-    </message>
-    <message>
-        <source>Read A&amp;gain</source>
-        <translation>Neu &amp;einlesen</translation>
-    </message>
-    <message>
-        <source>&amp;Finish Write</source>
-        <translation>Schreiben a&amp;bschließen</translation>
-    </message>
-    <message>
-        <source>Undo Wri&amp;te</source>
-        <translation>Schreiben zurück&amp;nehmen</translation>
-    </message>
-    <message>
-        <source>&amp;Keep for Later</source>
-        <translation>S&amp;päter</translation>
-    </message>
-    <message>
-        <source>Look at t&amp;he Certificate…</source>
-        <translation>Z&amp;um Zertifikat…</translation>
     </message>
 </context>
 <context>
@@ -5753,220 +6161,6 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
     </message>
 </context>
 <context>
-    <name>axiscomp::ui::SeveralAxesDialog</name>
-    <message>
-        <source>Write Several Axes</source>
-        <translation>Mehrere Achsen schreiben</translation>
-    </message>
-    <message>
-        <source>Columns of %1 are written to axes of %2, one after the other. Each write is verified and keeps the old table and settings in a backup file first; none begins before all of them are found possible.</source>
-        <translation>Spalten von %1 werden in Achsen von %2 geschrieben, eine nach der anderen. Jeder Schreibvorgang wird geprüft und sichert vorher die alte Tabelle und die alten Einstellungen in einer Datei; keiner beginnt, bevor alle als möglich erkannt sind.</translation>
-    </message>
-    <message>
-        <source>&amp;Sources</source>
-        <translation>&amp;Quellen</translation>
-    </message>
-    <message>
-        <source>Each axis keeps its sources</source>
-        <translation>Jede Achse behält ihre Quellen</translation>
-    </message>
-    <message>
-        <source>The registers whose values look the tables up</source>
-        <translation>Die Register, deren Werte in den Tabellen nachschlagen</translation>
-    </message>
-    <message>
-        <source>For all of them, as chosen in the page: %1</source>
-        <translation>Für alle, wie auf der Seite gewählt: %1</translation>
-    </message>
-    <message>
-        <source>Persistency, as chosen in the page: persistent, all tables are stored in flash.</source>
-        <translation>Speicherung, wie auf der Seite gewählt: dauerhaft, alle Tabellen werden im Flash gespeichert.</translation>
-    </message>
-    <message>
-        <source>Persistency, as chosen in the page: volatile, a reboot of the drive brings the stored states back.</source>
-        <translation>Speicherung, wie auf der Seite gewählt: flüchtig, ein Neustart des Antriebs bringt die gespeicherten Zustände zurück.</translation>
-    </message>
-    <message>
-        <source>What will be written</source>
-        <translation>Was geschrieben wird</translation>
-    </message>
-    <message>
-        <source>Progress</source>
-        <translation>Fortschritt</translation>
-    </message>
-    <message>
-        <source>&amp;Write All</source>
-        <translation>Alle &amp;schreiben</translation>
-    </message>
-    <message>
-        <source>Write these to the drive now</source>
-        <translation>Diese jetzt in den Antrieb schreiben</translation>
-    </message>
-    <message>
-        <source>S&amp;top</source>
-        <translation>A&amp;nhalten</translation>
-    </message>
-    <message>
-        <source>Stops the writes; the one that runs is put back first (Esc)</source>
-        <translation>Hält die Schreibvorgänge an; der laufende wird zuerst zurückgenommen (Esc)</translation>
-    </message>
-    <message>
-        <source>C&amp;lose</source>
-        <translation>Sch&amp;ließen</translation>
-    </message>
-    <message>
-        <source>Go back to the page (Esc)</source>
-        <translation>Zurück zur Seite (Esc)</translation>
-    </message>
-    <message>
-        <source>&amp;Cancel</source>
-        <translation>Abbre&amp;chen</translation>
-    </message>
-    <message>
-        <source>Change nothing and go back (Esc)</source>
-        <translation>Nichts ändern und zurückgehen (Esc)</translation>
-    </message>
-    <message>
-        <source>The drive is asked what would change …</source>
-        <translation>Der Antrieb wird gefragt, was sich ändern würde …</translation>
-    </message>
-    <message>
-        <source>The drive has all of this already.</source>
-        <translation>Der Antrieb hat das alles schon.</translation>
-    </message>
-</context>
-<context>
-    <name>axiscomp::ui::SeveralOutcome</name>
-    <message>
-        <source>They are stored in flash.</source>
-        <translation>Sie sind im Flash gespeichert.</translation>
-    </message>
-    <message>
-        <source>They are volatile: a reboot of the drive brings the stored states back.</source>
-        <translation>Sie sind flüchtig: Ein Neustart des Antriebs bringt die gespeicherten Zustände zurück.</translation>
-    </message>
-    <message>
-        <source>Written, read back and compared; the new state is on: %1. %2</source>
-        <translation>Geschrieben, zurückgelesen und verglichen; den neuen Zustand haben: %1. %2</translation>
-    </message>
-    <message>
-        <source>The writes were stopped.</source>
-        <translation>Die Schreibvorgänge wurden angehalten.</translation>
-    </message>
-    <message>
-        <source>The writes were stopped at %1.</source>
-        <translation>Die Schreibvorgänge wurden bei %1 angehalten.</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <comment>axis and sentence</comment>
-        <translation>%1: %2</translation>
-    </message>
-    <message>
-        <source>No axis has the new state.</source>
-        <translation>Keine Achse hat den neuen Zustand.</translation>
-    </message>
-    <message>
-        <source>The new state is on: %1.</source>
-        <translation>Den neuen Zustand haben: %1.</translation>
-    </message>
-    <message>
-        <source>The complete old state is on: %1.</source>
-        <translation>Den vollständigen alten Zustand haben: %1.</translation>
-    </message>
-</context>
-<context>
-    <name>axiscomp::ui::SeveralPlanView</name>
-    <message>
-        <source>persistent</source>
-        <translation>dauerhaft</translation>
-    </message>
-    <message>
-        <source>volatile</source>
-        <translation>flüchtig</translation>
-    </message>
-    <message>
-        <source>no table</source>
-        <translation>keine Tabelle</translation>
-    </message>
-    <message>
-        <source>%1D in %2, %3</source>
-        <translation>%1D in %2, %3</translation>
-    </message>
-    <message>
-        <source>nothing: the drive has all of this already</source>
-        <translation>nichts: Der Antrieb hat das alles schon</translation>
-    </message>
-    <message>
-        <source>chosen when its turn comes</source>
-        <translation>wird gewählt, wenn sie an der Reihe ist</translation>
-    </message>
-    <message>
-        <source>%1 (empty)</source>
-        <translation>%1 (leer)</translation>
-    </message>
-    <message>
-        <source>%1 (held an earlier table of this axis)</source>
-        <translation>%1 (enthielt eine frühere Tabelle dieser Achse)</translation>
-    </message>
-    <message>
-        <source>%1 (is overwritten)</source>
-        <translation>%1 (wird überschrieben)</translation>
-    </message>
-    <message>
-        <source>Dim%1: %2</source>
-        <translation>Dim%1: %2</translation>
-    </message>
-    <message>
-        <source>Axis</source>
-        <translation>Achse</translation>
-    </message>
-    <message>
-        <source>On the drive</source>
-        <translation>Im Antrieb</translation>
-    </message>
-    <message>
-        <source>New</source>
-        <translation>Neu</translation>
-    </message>
-    <message>
-        <source>Slot</source>
-        <translation>Platz</translation>
-    </message>
-    <message>
-        <source>What will be written</source>
-        <translation>Was geschrieben wird</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <comment>axis and remark</comment>
-        <translation>%1: %2</translation>
-    </message>
-    <message>
-        <source>Costs no flash operation.</source>
-        <translation>Kostet keinen Flash-Vorgang.</translation>
-    </message>
-    <message>
-        <source>Flash operations of all together: %1.</source>
-        <translation>Flash-Vorgänge aller zusammen: %1.</translation>
-    </message>
-    <message>
-        <source>Flash operations of all together: %1; left for now afterwards: %2.</source>
-        <translation>Flash-Vorgänge aller zusammen: %1; danach vorerst übrig: %2.</translation>
-    </message>
-</context>
-<context>
-    <name>axiscomp::ui::ShownTable</name>
-    <message>
-        <source>No table</source>
-        <translation>Keine Tabelle</translation>
-    </message>
-    <message>
-        <source>%1, step %2 · min %3, max %4, rms %5</source>
-        <translation>%1, Schritt %2 · min. %3, max. %4, RMS %5</translation>
-    </message>
-</context>
-<context>
     <name>axiscomp::ui::SignSentence</name>
     <message>
         <source>all values are 0: the drive will add nothing</source>
@@ -6072,6 +6266,29 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
     </message>
 </context>
 <context>
+    <name>axiscomp::ui::TableContentCombo</name>
+    <message>
+        <source>Selected table</source>
+        <translation>Gewählte Tabelle</translation>
+    </message>
+    <message>
+        <source>Table on the drive</source>
+        <translation>Tabelle im Antrieb</translation>
+    </message>
+    <message>
+        <source>Selected - drive</source>
+        <translation>Gewählte - Antrieb</translation>
+    </message>
+    <message>
+        <source>Which values are shown</source>
+        <translation>Welche Werte gezeigt werden</translation>
+    </message>
+    <message>
+        <source>Values shown</source>
+        <translation>Gezeigte Werte</translation>
+    </message>
+</context>
+<context>
     <name>axiscomp::ui::TablePlot</name>
     <message>
         <source>Save the picture or its values</source>
@@ -6142,6 +6359,44 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
 B - A: %3</source>
         <translation>A: %1     B: %2
 B - A: %3</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::TableViewModel</name>
+    <message>
+        <source>No table</source>
+        <translation>Keine Tabelle</translation>
+    </message>
+    <message>
+        <source>%1, step %2 · min %3, max %4, rms %5</source>
+        <translation>%1, Schritt %2 · min. %3, max. %4, RMS %5</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::UnsavedChangesGuard</name>
+    <message>
+        <source>Close Without Writin&amp;g</source>
+        <translation>Ohne Schreiben s&amp;chließen</translation>
+    </message>
+    <message>
+        <source>The drive is being written. Stopping puts the old state back first.</source>
+        <translation>Es wird gerade in den Antrieb geschrieben. Beim Stoppen wird zuerst der alte Stand zurückgestellt.</translation>
+    </message>
+    <message>
+        <source>&amp;Stop and Close</source>
+        <translation>&amp;Stoppen und schließen</translation>
+    </message>
+    <message>
+        <source>Close When Don&amp;e</source>
+        <translation>Danac&amp;h schließen</translation>
+    </message>
+    <message>
+        <source>Sta&amp;y</source>
+        <translation>Bleib&amp;en</translation>
+    </message>
+    <message>
+        <source>%1 has changes that are not written to the drive.</source>
+        <translation>%1 hat Änderungen, die nicht in den Antrieb geschrieben sind.</translation>
     </message>
 </context>
 <context>
@@ -6229,30 +6484,6 @@ B - A: %3</translation>
         <translation>Unter %1 antwortet jetzt ein anderer Antrieb: %2. Nicht geschriebene Änderungen wurden verworfen.</translation>
     </message>
     <message>
-        <source>planning</source>
-        <translation>Planung</translation>
-    </message>
-    <message>
-        <source>writing</source>
-        <translation>Schreiben</translation>
-    </message>
-    <message>
-        <source>activating</source>
-        <translation>Aktivieren</translation>
-    </message>
-    <message>
-        <source>evaluating</source>
-        <translation>Auswerten</translation>
-    </message>
-    <message>
-        <source>deactivating</source>
-        <translation>Deaktivieren</translation>
-    </message>
-    <message>
-        <source>restoring</source>
-        <translation>Wiederherstellen</translation>
-    </message>
-    <message>
         <source>Begin: %1 %2.</source>
         <translation>Beginn: %1 %2.</translation>
     </message>
@@ -6289,14 +6520,6 @@ B - A: %3</translation>
         <translation>%1 ist nicht verwendbar, Anzahl der Fehler: %2.</translation>
     </message>
     <message>
-        <source>finishing the write</source>
-        <translation>Schreiben wird abgeschlossen</translation>
-    </message>
-    <message>
-        <source>undoing the write</source>
-        <translation>Schreiben wird zurückgenommen</translation>
-    </message>
-    <message>
         <source>Begin: %1, %2.</source>
         <comment>task and drive</comment>
         <translation>Beginn: %1, %2.</translation>
@@ -6309,229 +6532,6 @@ B - A: %3</translation>
     <message>
         <source>The writes are not planned yet.</source>
         <translation>Die Schreibvorgänge sind noch nicht geplant.</translation>
-    </message>
-    <message>
-        <source>writing several axes</source>
-        <translation>mehrere Achsen schreiben</translation>
-    </message>
-</context>
-<context>
-    <name>axiscomp::ui::WizardRules</name>
-    <message>
-        <source>No drive is connected: add a connection first.</source>
-        <translation>Kein Antrieb ist verbunden: zuerst eine Verbindung hinzufügen.</translation>
-    </message>
-    <message>
-        <source>The drives are being asked for their axes.</source>
-        <translation>Die Antriebe werden nach ihren Achsen gefragt.</translation>
-    </message>
-    <message>
-        <source>Choose an axis first.</source>
-        <translation>Zuerst eine Achse wählen.</translation>
-    </message>
-    <message>
-        <source>The drive is not connected.</source>
-        <translation>Der Antrieb ist nicht verbunden.</translation>
-    </message>
-    <message>
-        <source>This axis has no compensation registers.</source>
-        <translation>Diese Achse hat keine Kompensationsregister.</translation>
-    </message>
-    <message>
-        <source>Please wait: %1.</source>
-        <translation>Bitte warten: %1.</translation>
-    </message>
-    <message>
-        <source>The axis is being read.</source>
-        <translation>Die Achse wird gelesen.</translation>
-    </message>
-    <message>
-        <source>The compensation is active: deactivate it first.</source>
-        <translation>Die Kompensation ist aktiv: zuerst deaktivieren.</translation>
-    </message>
-    <message>
-        <source>No table is chosen: open compensation data.</source>
-        <translation>Keine Tabelle gewählt: Kompensationsdaten öffnen.</translation>
-    </message>
-    <message>
-        <source>The table has 1 dimension, but %1D is chosen.</source>
-        <translation>Die Tabelle hat 1 Dimension, gewählt ist aber %1D.</translation>
-    </message>
-    <message>
-        <source>The table has %1 dimensions, but %2D is chosen.</source>
-        <translation>Die Tabelle hat %1 Dimensionen, gewählt ist aber %2D.</translation>
-    </message>
-    <message>
-        <source>A source is being checked.</source>
-        <translation>Eine Quelle wird geprüft.</translation>
-    </message>
-    <message>
-        <source>Dim%1 Source is missing.</source>
-        <translation>Die Dim%1-Quelle fehlt.</translation>
-    </message>
-    <message>
-        <source>Dim%1 Source is the same as another source.</source>
-        <translation>Die Dim%1-Quelle ist dieselbe wie eine andere.</translation>
-    </message>
-    <message>
-        <source>The table needs %1 bytes, but the largest slot has %2.</source>
-        <translation>Die Tabelle braucht %1 Byte, der größte Tabellenplatz hat %2.</translation>
-    </message>
-    <message>
-        <source>Flash wear: wait %1, or write volatile.</source>
-        <translation>Flash-Abnutzung: %1 warten oder flüchtig schreiben.</translation>
-    </message>
-    <message>
-        <source>Flash wear: wait %1.</source>
-        <translation>Flash-Abnutzung: %1 warten.</translation>
-    </message>
-    <message>
-        <source>Nothing has changed.</source>
-        <translation>Nichts ist geändert.</translation>
-    </message>
-    <message>
-        <source>The file is being read.</source>
-        <translation>Die Datei wird gelesen.</translation>
-    </message>
-    <message>
-        <source>Parameters must be written.</source>
-        <translation>Zuerst müssen die Parameter geschrieben werden.</translation>
-    </message>
-    <message>
-        <source>The axis has no table on the drive: write one first.</source>
-        <translation>Die Achse hat keine Tabelle im Antrieb: zuerst eine schreiben.</translation>
-    </message>
-    <message>
-        <source>An earlier write left the axis in neither the old nor the new state: write again, or restore the previous state.</source>
-        <translation>Ein früheres Schreiben hat die Achse weder im alten noch im neuen Stand hinterlassen: neu schreiben oder den vorherigen Stand wiederherstellen.</translation>
-    </message>
-    <message>
-        <source>The compensation is active already.</source>
-        <translation>Die Kompensation ist schon aktiv.</translation>
-    </message>
-    <message>
-        <source>The axis must be homed first.</source>
-        <translation>Die Achse muss zuerst referenziert werden.</translation>
-    </message>
-    <message>
-        <source>The compensation is being evaluated already.</source>
-        <translation>Die Kompensation wird schon ausgewertet.</translation>
-    </message>
-    <message>
-        <source>The compensation is not active.</source>
-        <translation>Die Kompensation ist nicht aktiv.</translation>
-    </message>
-    <message>
-        <source>There is no backup of this axis yet: one is made before every write.</source>
-        <translation>Von dieser Achse gibt es noch keine Sicherung: vor jedem Schreiben wird eine angelegt.</translation>
-    </message>
-    <message>
-        <source>Nothing is running.</source>
-        <translation>Es läuft nichts.</translation>
-    </message>
-    <message>
-        <source>It is being stopped already.</source>
-        <translation>Es wird schon gestoppt.</translation>
-    </message>
-    <message>
-        <source>Finishes an earlier write: saves the parameters of the drive.</source>
-        <translation>Schließt ein früheres Schreiben ab: speichert die Parameter des Antriebs.</translation>
-    </message>
-    <message>
-        <source>Writes to the drive and stores in flash: %1 of %2 flash operations that are possible now.</source>
-        <translation>Schreibt in den Antrieb und in seinen Flash-Speicher: %1 von %2 jetzt möglichen Flash-Vorgängen.</translation>
-    </message>
-    <message>
-        <source>Writes to the drive and stores in flash.</source>
-        <translation>Schreibt in den Antrieb und in seinen Flash-Speicher.</translation>
-    </message>
-    <message>
-        <source>Writes to the drive and saves its parameters; the table in flash stays.</source>
-        <translation>Schreibt in den Antrieb und speichert seine Parameter; die Tabelle im Flash-Speicher bleibt.</translation>
-    </message>
-    <message>
-        <source>Writes to the drive; a reboot of the drive brings the stored state back.</source>
-        <translation>Schreibt in den Antrieb; ein Neustart des Antriebs bringt den gespeicherten Stand zurück.</translation>
-    </message>
-    <message>
-        <source>Adds the table&apos;s values to the encoder position, then proves that the drive adds what the table says.</source>
-        <translation>Addiert die Werte der Tabelle zur Geberposition und weist dann nach, dass der Antrieb addiert, was die Tabelle sagt.</translation>
-    </message>
-    <message>
-        <source>Lets the drive check table and sources and look up, without adding anything.</source>
-        <translation>Lässt den Antrieb Tabelle und Quellen prüfen und nachschlagen, ohne etwas zu addieren.</translation>
-    </message>
-    <message>
-        <source>Switches the compensation off; table and settings stay on the drive.</source>
-        <translation>Schaltet die Kompensation aus; Tabelle und Einstellungen bleiben im Antrieb.</translation>
-    </message>
-    <message>
-        <source>Puts the drive&apos;s values back into the fields.</source>
-        <translation>Stellt in den Feldern die Werte des Antriebs wieder her.</translation>
-    </message>
-    <message>
-        <source>Writes the table and the sources that the axis had before.</source>
-        <translation>Schreibt die Tabelle und die Quellen, die die Achse vorher hatte.</translation>
-    </message>
-    <message>
-        <source>Looks for drives and axes again and reads the axis.</source>
-        <translation>Sucht erneut nach Antrieben und Achsen und liest die Achse.</translation>
-    </message>
-    <message>
-        <source>Opens a file of compensation data, .csv or .TAMtbl.</source>
-        <translation>Öffnet eine Datei mit Kompensationsdaten, .csv oder .TAMtbl.</translation>
-    </message>
-    <message>
-        <source>Stops reading the file.</source>
-        <translation>Bricht das Lesen der Datei ab.</translation>
-    </message>
-    <message>
-        <source>Stops the write and puts the old state back.</source>
-        <translation>Bricht das Schreiben ab und stellt den alten Stand zurück.</translation>
-    </message>
-    <message>
-        <source>Stops what is running.</source>
-        <translation>Bricht den laufenden Vorgang ab.</translation>
-    </message>
-    <message>
-        <source>%1 ...</source>
-        <translation>%1 ...</translation>
-    </message>
-    <message>
-        <source>An earlier write did not end: the parameters may not be saved. Write to finish it.</source>
-        <translation>Ein früheres Schreiben wurde nicht beendet: die Parameter sind vielleicht nicht gespeichert. Zum Abschließen schreiben.</translation>
-    </message>
-    <message>
-        <source>The compensation is active.</source>
-        <translation>Die Kompensation ist aktiv.</translation>
-    </message>
-    <message>
-        <source>The compensation is being evaluated: the drive adds nothing.</source>
-        <translation>Die Kompensation wird nur ausgewertet: der Antrieb addiert nichts.</translation>
-    </message>
-    <message>
-        <source>No write to this axis is unfinished.</source>
-        <translation>Für diese Achse ist kein Schreibvorgang unvollendet.</translation>
-    </message>
-    <message>
-        <source>Brings the drive to the complete new state of the write that did not end.</source>
-        <translation>Bringt den Antrieb auf den vollständigen neuen Stand des nicht beendeten Schreibvorgangs.</translation>
-    </message>
-    <message>
-        <source>Brings the drive back to the complete state before the write that did not end.</source>
-        <translation>Bringt den Antrieb auf den vollständigen Stand vor dem nicht beendeten Schreibvorgang zurück.</translation>
-    </message>
-    <message>
-        <source>Open a file with several columns of values first.</source>
-        <translation>Zuerst eine Datei mit mehreren Spalten von Werten öffnen.</translation>
-    </message>
-    <message>
-        <source>The drive has no second axis with compensation registers.</source>
-        <translation>Der Antrieb hat keine zweite Achse mit Kompensationsregistern.</translation>
-    </message>
-    <message>
-        <source>Writes columns of the open file, each to an axis of its own.</source>
-        <translation>Schreibt Spalten der geöffneten Datei, jede in ihre eigene Achse.</translation>
     </message>
 </context>
 <context>

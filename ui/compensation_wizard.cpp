@@ -70,15 +70,15 @@ struct CompensationWizard::Private {
     WizardOptions options;
     WizardSettings settings;
     Language language;
-    ChangedStyle style;
+    DirtyStyle style;
     WizardController controller;
     PageMenu* menu;
     WizardPage* page;
     DropFrame* dropFrame;
     FileActions files;
     WriteFlow writeFlow;
-    LeaveGuard guard;
-    PageMessages messages;
+    UnsavedChangesGuard guard;
+    MessagePresenter messages;
     QPointer<ConnectionsDialog> connections;
     bool isStarted = false;
 };
@@ -109,8 +109,8 @@ void CompensationWizard::Private::connectParts()
     connect(page->driveBar, &DriveBar::driveChosen, &q,
         [this](const QString& endpoint) { chooseDrive(endpoint); });
     connect(page->driveBar, &DriveBar::connectionsRequested, &q, [this] { showConnections(); });
-    connect(&messages, &PageMessages::connectionsRequested, &q, [this] { showConnections(); });
-    connect(&messages, &PageMessages::certificateRequested, &q,
+    connect(&messages, &MessagePresenter::connectionsRequested, &q, [this] { showConnections(); });
+    connect(&messages, &MessagePresenter::certificateRequested, &q,
         [this](const RejectedCertificate& certificate) { askAboutCertificate(certificate); });
     connect(page->setup, &SetupPanel::axisChosen, &q, [this](int index) { chooseAxis(index); });
     connect(page->actions, &ActionPanel::writeRequested, &writeFlow, &WriteFlow::proceed);
@@ -121,8 +121,8 @@ void CompensationWizard::Private::connectParts()
     connect(&page->preview->writePreview(), &WritePreview::skipForVolatileChanged, &q,
         [this](bool isSkipped) { skipPreview(isSkipped); });
     connect(page->log, &LogView::saveRequested, &q, [this] { files.saveLog(page->log->text()); });
-    connect(&files, &FileActions::failed, &messages, &PageMessages::showFailure);
-    connect(&guard, &LeaveGuard::closeAgreed, &q, &CompensationWizard::closeRequested);
+    connect(&files, &FileActions::failed, &messages, &MessagePresenter::showFailure);
+    connect(&guard, &UnsavedChangesGuard::closeAgreed, &q, &CompensationWizard::closeRequested);
     connect(menu, &PageMenu::exportRequested, &files, &FileActions::exportTable);
     const auto offerExport = [this] {
         menu->setExportEnabled(controller.selectedTable() != nullptr);
@@ -220,7 +220,7 @@ void CompensationWizard::Private::askAboutCertificate(const RejectedCertificate&
 {
     auto* dialog = new CertificateDialog(certificate, options.storeRoot, &q);
     connect(dialog, &CertificateDialog::trusted, &controller, &WizardController::refresh);
-    connect(dialog, &QDialog::rejected, &messages, &PageMessages::showConnection);
+    connect(dialog, &QDialog::rejected, &messages, &MessagePresenter::showConnection);
     dialog->open();
 }
 
@@ -239,7 +239,7 @@ void CompensationWizard::Private::writeSeveral()
 {
     if (!controller.action(Action::WriteSeveral).isEnabled)
         return;
-    auto* dialog = new SeveralAxesDialog(controller, &q);
+    auto* dialog = new MultiAxisDialog(controller, &q);
     dialog->open();
 }
 
@@ -270,7 +270,7 @@ void CompensationWizard::Private::announceTitle()
     const QString title = axis < 0 ? program
                                    : program + QStringLiteral(" - ")
             + controller.axes().at(static_cast<std::size_t>(axis)).label;
-    Q_EMIT q.titleChanged(QStringLiteral("[*]") + title, controller.setup().isChanged());
+    Q_EMIT q.titleChanged(QStringLiteral("[*]") + title, controller.setup().isDirty());
 }
 
 CompensationWizard::CompensationWizard(WizardOptions options, QSettings* settings, QWidget* parent)

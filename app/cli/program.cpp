@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/program.h"
 
-#include "app/cli/command_line.h"
+#include "app/cli/commands/command_line.h"
 #include "app/cli/output/json_output.h"
 #include "app/common/arguments.h"
 #include "app/common/guarded_program.h"

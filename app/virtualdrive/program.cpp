@@ -27,8 +27,8 @@ struct RunningDrive {
     std::string name;
     std::unique_ptr<drivecomm::VirtualDrive> drive;
     std::unique_ptr<drivecomm::FaultPlan> faults;
-    std::unique_ptr<drivecomm::WebFront> web; ///< none when only the serial link is asked for
-    std::unique_ptr<drivecomm::SerialFront> serial;
+    std::unique_ptr<drivecomm::WebServer> web; ///< none when only the serial link is asked for
+    std::unique_ptr<drivecomm::SerialServer> serial;
 };
 
 void addOptions(CLI::App& app, VirtualDriveArguments& arguments)
@@ -96,9 +96,9 @@ Result<void> checkArguments(const VirtualDriveArguments& arguments)
     return {};
 }
 
-Result<drivecomm::WebFrontOptions> webOptions(const VirtualDriveArguments& arguments)
+Result<drivecomm::WebServerOptions> webOptions(const VirtualDriveArguments& arguments)
 {
-    drivecomm::WebFrontOptions options;
+    drivecomm::WebServerOptions options;
     const auto address = parseHostAndPort(arguments.http.empty() ? "127.0.0.1:0" : arguments.http);
     if (!address)
         return fail(address.error());
@@ -141,17 +141,17 @@ std::function<std::chrono::nanoseconds()> simulatedClock(double speed)
 
 Result<void> serveDrive(RunningDrive& drive, std::size_t index,
     const VirtualDriveArguments& arguments, const DriveProfile& profile,
-    const drivecomm::WebFrontOptions& webOptions)
+    const drivecomm::WebServerOptions& webOptions)
 {
     if (!arguments.http.empty() || arguments.serial.empty()) {
-        auto web = drivecomm::WebFront::start(*drive.drive, profile, *drive.faults, webOptions);
+        auto web = drivecomm::WebServer::start(*drive.drive, profile, *drive.faults, webOptions);
         if (!web)
             return fail(web.error());
         drive.web = std::move(*web);
     }
     if (arguments.serial.empty())
         return {};
-    auto serial = drivecomm::SerialFront::start(
+    auto serial = drivecomm::SerialServer::start(
         *drive.drive, *drive.faults, {serialLinkOf(arguments.serial, index), arguments.baud});
     if (!serial)
         return fail(serial.error());

@@ -10,7 +10,7 @@
 #include "drivecomm/drive_candidates.h"
 #include "drivecomm/link_factory.h"
 #include "drivecomm/profile/profile_loader.h"
-#include "ui/text/wizard_resources.h"
+#include "ui/text/language.h"
 
 #include <QApplication>
 #include <QSettings>

@@ -5,7 +5,7 @@
 #include "drivecomm/link_factory.h"
 #include "drivecomm/profile/profile_loader.h"
 #include "ui/compensation_wizard.h"
-#include "ui/text/wizard_resources.h"
+#include "ui/text/language.h"
 
 #include <QCloseEvent>
 #include <QLabel>

@@ -32,10 +32,10 @@ struct HttpClient::Private {
     }
 
     [[nodiscard]] Result<HttpReply> sendOnce(
-        const HttpRequest& request, const RunningExchange& running);
+        const HttpRequest& request, const ExchangeDeadline& running);
     [[nodiscard]] tl::unexpected<Error> late(const Exchange& exchange) const
     {
-        return lateError(displayText(endpoint), exchange);
+        return timeoutError(displayText(endpoint), exchange);
     }
 
     DriveEndpoint endpoint;
@@ -56,7 +56,7 @@ HttpClient::~HttpClient()
 }
 
 Result<HttpReply> HttpClient::Private::sendOnce(
-    const HttpRequest& request, const RunningExchange& running)
+    const HttpRequest& request, const ExchangeDeadline& running)
 {
     const Exchange& exchange = running.exchange;
     if (exchange.stop.stop_requested())
@@ -98,7 +98,7 @@ Result<HttpReply> HttpClient::Private::sendOnce(
     return std::move(*pending->outcome);
 }
 
-Result<HttpReply> HttpClient::send(const HttpRequest& request, const RunningExchange& running)
+Result<HttpReply> HttpClient::send(const HttpRequest& request, const ExchangeDeadline& running)
 {
     auto reply = d->sendOnce(request, running);
     for (int i = 0; i < repeats && request.method == HttpRequest::Method::Get; ++i) {

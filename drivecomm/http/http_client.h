@@ -40,7 +40,7 @@ public:
     /// Any complete reply, whatever its status. Errors: NotConnected, ConnectionLost, Timeout,
     /// Protocol, CertificateRejected, Cancelled.
     [[nodiscard]] Result<HttpReply> send(
-        const HttpRequest& request, const RunningExchange& running);
+        const HttpRequest& request, const ExchangeDeadline& running);
 
 private:
     struct Private;

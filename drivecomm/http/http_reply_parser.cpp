@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "drivecomm/http/http_reply_parser.h"
 
-#include "drivecomm/http/media_type.h"
+#include "drivecomm/http/percent_encoding.h"
 
 #include <algorithm>
 #include <charconv>
@@ -17,23 +17,6 @@ constexpr std::string_view version = "HTTP/1.";
 bool isDigit(char c)
 {
     return c >= '0' && c <= '9';
-}
-
-std::string lowerCase(std::string_view text)
-{
-    std::string result(text);
-    std::ranges::transform(result, result.begin(),
-        [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-    return result;
-}
-
-std::string_view withoutBlanks(std::string_view text)
-{
-    constexpr std::string_view blanks = " \t";
-    const std::size_t begin = text.find_first_not_of(blanks);
-    if (begin == std::string_view::npos)
-        return {};
-    return text.substr(begin, text.find_last_not_of(blanks) - begin + 1);
 }
 
 std::optional<std::uint64_t> number(std::string_view text, int base)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "drivecomm/http/percent_encoding.h"
 
+#include <algorithm>
 #include <charconv>
 
 namespace axiscomp::drivecomm {
@@ -45,6 +46,32 @@ std::string formDecoded(std::string_view text)
         }
     }
     return result;
+}
+
+std::string mediaType(std::string_view contentType)
+{
+    std::string type;
+    for (const char c : contentType.substr(0, contentType.find(';')))
+        if (c != ' ' && c != '\t')
+            type += c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
+    return type;
+}
+
+std::string lowerCase(std::string_view text)
+{
+    std::string result(text);
+    std::ranges::transform(result, result.begin(),
+        [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+    return result;
+}
+
+std::string_view withoutBlanks(std::string_view text)
+{
+    constexpr std::string_view blanks = " \t";
+    const std::size_t begin = text.find_first_not_of(blanks);
+    if (begin == std::string_view::npos)
+        return {};
+    return text.substr(begin, text.find_last_not_of(blanks) - begin + 1);
 }
 
 } // namespace axiscomp::drivecomm

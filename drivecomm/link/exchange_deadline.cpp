@@ -6,7 +6,7 @@
 
 namespace axiscomp::drivecomm {
 
-tl::unexpected<Error> lateError(const std::string& endpoint, const Exchange& exchange)
+tl::unexpected<Error> timeoutError(const std::string& endpoint, const Exchange& exchange)
 {
     std::array<char, 32> text{};
     const double seconds = static_cast<double>(exchange.timeout.count()) / 1000.0;

@@ -10,8 +10,8 @@
 namespace axiscomp::drivecomm {
 
 /// An Exchange with its clock started: several requests share one deadline.
-struct RunningExchange {
-    explicit RunningExchange(const Exchange& theExchange)
+struct ExchangeDeadline {
+    explicit ExchangeDeadline(const Exchange& theExchange)
         : exchange(theExchange)
         , deadline(std::chrono::steady_clock::now()
               + std::min<std::chrono::milliseconds>(theExchange.timeout, std::chrono::years(1)))
@@ -25,7 +25,7 @@ struct RunningExchange {
 };
 
 /// Timeout with the endpoint and the seconds of the exchange.
-[[nodiscard]] tl::unexpected<Error> lateError(
+[[nodiscard]] tl::unexpected<Error> timeoutError(
     const std::string& endpoint, const Exchange& exchange);
 
 } // namespace axiscomp::drivecomm

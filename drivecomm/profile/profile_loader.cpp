@@ -15,11 +15,11 @@ namespace axiscomp::drivecomm {
 
 namespace {
 
-constexpr std::size_t largestFile = std::size_t{1} << 20;
+constexpr std::size_t maximumProfileSize = std::size_t{1} << 20;
 constexpr int deepestNesting = 8;
 constexpr std::size_t mostValues = 20'000;
 constexpr std::size_t mostSlots = 256;
-constexpr std::size_t longestPath = 256;
+constexpr std::size_t maximumPathLength = 256;
 constexpr std::uint32_t largestSlot = std::uint32_t{1} << 30;
 constexpr int mostFlashOperations = 1'000'000;
 constexpr std::int64_t longestFlashWindowSeconds = 366 * 86'400;
@@ -42,7 +42,7 @@ std::string readFileName(const JsonNode& node)
     const auto isAllowed = [](char c) {
         return isGraphic(c) && std::string_view("\"\\%?#&*:<>|").find(c) == std::string_view::npos;
     };
-    if (name.empty() || name.size() > longestPath || !std::ranges::all_of(name, isAllowed))
+    if (name.empty() || name.size() > maximumPathLength || !std::ranges::all_of(name, isAllowed))
         node.refuse("a file path such as tables/small1.TAMtbl is expected");
     for (std::size_t begin = 0; begin <= name.size();) {
         const std::size_t end = std::min(name.find('/', begin), name.size());
@@ -90,7 +90,7 @@ std::string readUrlPath(const JsonNode& node, UrlPathEnd end)
     const auto isAllowed = [](char c) {
         return isGraphic(c) && std::string_view("\"\\%?#<>{}").find(c) == std::string_view::npos;
     };
-    if (path.size() > longestPath || !path.starts_with('/') || path.find("//") != path.npos
+    if (path.size() > maximumPathLength || !path.starts_with('/') || path.find("//") != path.npos
         || !std::ranges::all_of(path, isAllowed))
         node.refuse("the path of a web page is expected, such as /directory");
     if (end == UrlPathEnd::Slash && !path.ends_with('/'))
@@ -158,7 +158,7 @@ DriveProfile readProfile(const JsonNode& root)
 
 Result<DriveProfile> parseProfile(std::string_view json, const std::string& fileName)
 {
-    StrictJson document(json, {largestFile, deepestNesting, mostValues});
+    StrictJson document(json, {maximumProfileSize, deepestNesting, mostValues});
     DriveProfile profile = readProfile(document.root());
     if (const auto& problem = document.problem())
         return invalid(fileName, problem->place, problem->fault);
@@ -172,7 +172,7 @@ Result<DriveProfile> parseProfile(std::string_view json, const std::string& file
 
 Result<DriveProfile> loadProfile(const std::filesystem::path& file)
 {
-    return loadFile(file, largestFile).and_then([&](const Bytes& bytes) {
+    return loadFile(file, maximumProfileSize).and_then([&](const Bytes& bytes) {
         return parseProfile(asText(bytes), file.string());
     });
 }

@@ -11,7 +11,7 @@ namespace axiscomp::drivecomm {
 
 namespace {
 
-constexpr std::size_t longestPath = 256;
+constexpr std::size_t maximumPatternLength = 256;
 constexpr std::size_t longestWord = 64;
 constexpr std::size_t longestShortlist = 1024;
 constexpr int mostNameWords = 64;
@@ -114,9 +114,9 @@ std::string shapeFault(std::string_view pattern)
 {
     if (pattern.empty())
         return "it is empty; a register path is expected";
-    if (pattern.size() > longestPath)
+    if (pattern.size() > maximumPatternLength)
         return "it has " + std::to_string(pattern.size()) + " characters, at most "
-            + std::to_string(longestPath) + " are possible";
+            + std::to_string(maximumPatternLength) + " are possible";
     if (pattern.front() == '/' || pattern.back() == '/' || pattern.find("//") != pattern.npos)
         return "a path has one slash between its parts and none at its ends";
     const auto other = std::ranges::find_if_not(pattern, [](char c) {
@@ -288,7 +288,7 @@ std::vector<std::string> readSourceShortlist(const JsonNode& node)
     std::vector<std::string> list;
     for (const JsonNode& item : node.items()) {
         const std::string entry = item.text();
-        if (entry.size() > longestPath)
+        if (entry.size() > maximumPatternLength)
             item.refuse(shapeFault(entry));
         else
             static_cast<void>(appendExpanded(item, entry, list));

@@ -10,7 +10,7 @@ namespace axiscomp::drivecomm {
 
 namespace {
 
-constexpr std::uint64_t largestFile = std::uint64_t{16} << 20;
+constexpr std::uint64_t maximumTake = std::uint64_t{16} << 20;
 constexpr std::size_t mostTreeRegisters = 100'000;
 
 class SerialDriveLink final : public DriveLink {
@@ -36,9 +36,9 @@ public:
 
 private:
     [[nodiscard]] Result<std::vector<RegisterReading>> readOnce(
-        std::span<const std::string> paths, RunningExchange& running);
+        std::span<const std::string> paths, ExchangeDeadline& running);
     [[nodiscard]] Result<void> learnAddresses(
-        std::span<const RegisterReading> readings, RunningExchange& running);
+        std::span<const RegisterReading> readings, ExchangeDeadline& running);
     void forgetOtherDrives();
 
     std::string m_endpoint;
@@ -57,7 +57,7 @@ void SerialDriveLink::forgetOtherDrives()
 
 Result<DriveIdentity> SerialDriveLink::identify(const Exchange& exchange)
 {
-    RunningExchange running(exchange);
+    ExchangeDeadline running(exchange);
     const int before = m_session.beginnings();
     m_session.expectAnyDrive();
     if (auto begun = m_session.begin(running); !begun)
@@ -78,7 +78,7 @@ Result<DriveIdentity> SerialDriveLink::identify(const Exchange& exchange)
 Result<std::vector<RegisterReading>> SerialDriveLink::readRegisters(
     std::span<const std::string> paths, const Exchange& exchange)
 {
-    RunningExchange running(exchange);
+    ExchangeDeadline running(exchange);
     std::vector<RegisterReading> all;
     all.reserve(paths.size());
     while (!paths.empty()) {
@@ -97,7 +97,7 @@ Result<std::vector<RegisterReading>> SerialDriveLink::readRegisters(
 }
 
 Result<std::vector<RegisterReading>> SerialDriveLink::readOnce(
-    std::span<const std::string> paths, RunningExchange& running)
+    std::span<const std::string> paths, ExchangeDeadline& running)
 {
     std::string words = "get";
     for (const std::string& path : paths)
@@ -125,7 +125,7 @@ Result<std::vector<RegisterReading>> SerialDriveLink::readOnce(
 }
 
 Result<void> SerialDriveLink::learnAddresses(
-    std::span<const RegisterReading> readings, RunningExchange& running)
+    std::span<const RegisterReading> readings, ExchangeDeadline& running)
 {
     std::string words = "address";
     std::vector<std::string> unknown;
@@ -157,7 +157,7 @@ Result<void> SerialDriveLink::learnAddresses(
 Result<std::vector<RegisterReading>> SerialDriveLink::readTree(
     const std::string& prefix, const Exchange& exchange)
 {
-    RunningExchange running(exchange);
+    ExchangeDeadline running(exchange);
     std::vector<RegisterReading> all;
     while (true) {
         const std::string words =
@@ -198,7 +198,7 @@ Result<void> SerialDriveLink::writeRegisters(
             {{"reason",
                 "the serial link writes 1 to " + std::to_string(mostSerialWrites)
                     + " registers at one instant, not " + std::to_string(writes.size())}});
-    RunningExchange running(exchange);
+    ExchangeDeadline running(exchange);
     const auto reply = m_session.ask(words, SerialSession::Shape::Words, running);
     if (!reply)
         return fail(reply.error());
@@ -207,7 +207,7 @@ Result<void> SerialDriveLink::writeRegisters(
 
 Result<std::vector<DriveFile>> SerialDriveLink::listFiles(const Exchange& exchange)
 {
-    RunningExchange running(exchange);
+    ExchangeDeadline running(exchange);
     const auto reply = m_session.ask("list", SerialSession::Shape::Lines, running);
     if (!reply)
         return fail(reply.error());
@@ -223,15 +223,15 @@ Result<std::vector<DriveFile>> SerialDriveLink::listFiles(const Exchange& exchan
 
 Result<Bytes> SerialDriveLink::download(const std::string& path, const Exchange& exchange)
 {
-    RunningExchange running(exchange);
+    ExchangeDeadline running(exchange);
     const TableSlot* slot = m_profile.slotOfFile(path);
-    return m_session.take(path, slot ? slot->maximumSize : largestFile, running);
+    return m_session.take(path, slot ? slot->maximumSize : maximumTake, running);
 }
 
 Result<void> SerialDriveLink::upload(
     const std::string& path, ByteView bytes, const Exchange& exchange)
 {
-    RunningExchange running(exchange);
+    ExchangeDeadline running(exchange);
     return m_session.put(path, bytes, running);
 }
 

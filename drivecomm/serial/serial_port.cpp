@@ -107,18 +107,18 @@ void SerialPortLine::close()
     m_port.reset();
 }
 
-Result<void> SerialPortLine::check(const RunningExchange& running)
+Result<void> SerialPortLine::check(const ExchangeDeadline& running)
 {
     if (!m_port || !m_failure.empty() || !m_port->isOpen())
         return lost();
     if (running.isStopped())
         return fail(ErrorCode::Cancelled);
     if (running.isLate())
-        return lateError(m_name, running.exchange);
+        return timeoutError(m_name, running.exchange);
     return {};
 }
 
-Result<void> SerialPortLine::write(ByteView bytes, const RunningExchange& running)
+Result<void> SerialPortLine::write(ByteView bytes, const ExchangeDeadline& running)
 {
     if (auto usable = check(running); !usable)
         return usable;
@@ -138,7 +138,7 @@ Result<void> SerialPortLine::write(ByteView bytes, const RunningExchange& runnin
     return check(running);
 }
 
-Result<Bytes> SerialPortLine::read(Clock::time_point until, const RunningExchange& running)
+Result<Bytes> SerialPortLine::read(Clock::time_point until, const ExchangeDeadline& running)
 {
     while (true) {
         if (auto usable = check(running); !usable)

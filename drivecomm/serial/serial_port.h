@@ -31,11 +31,11 @@ public:
     void close();
 
     /// Returns when the system has taken all bytes. Errors: ConnectionLost, Cancelled, Timeout.
-    [[nodiscard]] Result<void> write(ByteView bytes, const RunningExchange& running);
+    [[nodiscard]] Result<void> write(ByteView bytes, const ExchangeDeadline& running);
     /// What has come, waiting until something does: empty at `until`. Errors: ConnectionLost,
     /// Cancelled, Timeout (at the exchange's deadline).
     [[nodiscard]] Result<Bytes> read(
-        std::chrono::steady_clock::time_point until, const RunningExchange& running);
+        std::chrono::steady_clock::time_point until, const ExchangeDeadline& running);
 
     /// That the line itself needs for so many bytes: 10 bits each.
     [[nodiscard]] std::chrono::nanoseconds timeFor(std::uint64_t bytes) const;
@@ -43,7 +43,7 @@ public:
 private:
     [[nodiscard]] tl::unexpected<Error> notConnected(std::string reason, std::string detail = {});
     [[nodiscard]] tl::unexpected<Error> lost();
-    [[nodiscard]] Result<void> check(const RunningExchange& running);
+    [[nodiscard]] Result<void> check(const ExchangeDeadline& running);
 
     DriveEndpoint m_endpoint;
     std::string m_name;

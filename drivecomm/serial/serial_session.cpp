@@ -74,7 +74,7 @@ tl::unexpected<Error> SerialSession::unexpected(
         {{"endpoint", m_name}, {"expected", std::move(expected)}, {"quote", quoteOf(text)}});
 }
 
-Result<void> SerialSession::begin(RunningExchange& running)
+Result<void> SerialSession::begin(ExchangeDeadline& running)
 {
     if (running.isStopped())
         return fail(ErrorCode::Cancelled);
@@ -98,7 +98,7 @@ Result<void> SerialSession::begin(RunningExchange& running)
     return checkDrive();
 }
 
-Result<void> SerialSession::dropLateReplies(const RunningExchange& running)
+Result<void> SerialSession::dropLateReplies(const ExchangeDeadline& running)
 {
     m_assembler.clear();
     while (true) {
@@ -121,7 +121,7 @@ Result<void> SerialSession::checkDrive()
             {"found", std::to_string(m_identity.serialNumber)}});
 }
 
-Result<void> SerialSession::find(RunningExchange& running)
+Result<void> SerialSession::find(ExchangeDeadline& running)
 {
     Request request;
     request.words = "identify";
@@ -155,7 +155,7 @@ Result<void> SerialSession::find(RunningExchange& running)
 
 /// A drive that waits for a file takes what comes for a part of it, until there is a pause: the
 /// second time one that even ends a block in its middle.
-Result<void> SerialSession::leaveTransfer(int attempt, RunningExchange& running)
+Result<void> SerialSession::leaveTransfer(int attempt, ExchangeDeadline& running)
 {
     if (auto sent = m_line.write(asBytes(serialCancel), running); !sent)
         return sent;
@@ -165,7 +165,7 @@ Result<void> SerialSession::leaveTransfer(int attempt, RunningExchange& running)
 }
 
 Result<void> SerialSession::send(
-    const Request& request, std::string_view before, RunningExchange& running)
+    const Request& request, std::string_view before, ExchangeDeadline& running)
 {
     m_assembler.clear();
     const std::string text = std::string(before) + serialLine(request.number, request.words, true)
@@ -174,7 +174,7 @@ Result<void> SerialSession::send(
     return m_line.write(asBytes(text), running);
 }
 
-Result<Bytes> SerialSession::receive(Clock::time_point until, const RunningExchange& running)
+Result<Bytes> SerialSession::receive(Clock::time_point until, const ExchangeDeadline& running)
 {
     if (!m_input.empty()) {
         const ByteView bytes = asBytes(m_input);
@@ -188,7 +188,8 @@ Result<Bytes> SerialSession::receive(Clock::time_point until, const RunningExcha
     return bytes;
 }
 
-Result<std::string> SerialSession::nextLine(Clock::time_point until, const RunningExchange& running)
+Result<std::string> SerialSession::nextLine(
+    Clock::time_point until, const ExchangeDeadline& running)
 {
     while (true) {
         for (std::size_t i = 0; i < m_input.size(); ++i) {
@@ -209,7 +210,7 @@ Result<std::string> SerialSession::nextLine(Clock::time_point until, const Runni
 
 /// Nothing when the reply did not come, or not intact.
 Result<std::optional<SerialReply>> SerialSession::collect(
-    const Request& request, RunningExchange& running)
+    const Request& request, ExchangeDeadline& running)
 {
     SerialReply reply;
     std::optional<std::uint32_t> expectedLines;
@@ -259,7 +260,7 @@ Result<std::optional<SerialReply>> SerialSession::collect(
 }
 
 Result<SerialReply> SerialSession::repeatUntilAnswered(
-    const Request& request, bool isSent, RunningExchange& running)
+    const Request& request, bool isSent, ExchangeDeadline& running)
 {
     while (true) {
         if (!isSent)
@@ -278,7 +279,7 @@ Result<SerialReply> SerialSession::repeatUntilAnswered(
 }
 
 Result<SerialReply> SerialSession::ask(
-    const std::string& words, Shape shape, RunningExchange& running)
+    const std::string& words, Shape shape, ExchangeDeadline& running)
 {
     if (auto begun = begin(running); !begun)
         return fail(begun.error());

@@ -32,7 +32,7 @@ public:
     /// Opens the port where it is not open, and finds the drive behind it, by nothing but
     /// `identify`. Every other function begins with this. Errors: OtherDrive when the port was
     /// lost in the meantime, and now leads to another drive than before.
-    [[nodiscard]] Result<void> begin(RunningExchange& running);
+    [[nodiscard]] Result<void> begin(ExchangeDeadline& running);
     /// From here on another drive than the one that answered first is welcome.
     void expectAnyDrive() { m_expected.reset(); }
     /// What `identify` said.
@@ -48,11 +48,11 @@ public:
 
     enum class Shape { Words, Lines };
     [[nodiscard]] Result<SerialReply> ask(
-        const std::string& words, Shape shape, RunningExchange& running);
+        const std::string& words, Shape shape, ExchangeDeadline& running);
     [[nodiscard]] Result<void> put(
-        const std::string& path, ByteView bytes, RunningExchange& running);
+        const std::string& path, ByteView bytes, ExchangeDeadline& running);
     [[nodiscard]] Result<Bytes> take(
-        const std::string& path, std::uint64_t limit, RunningExchange& running);
+        const std::string& path, std::uint64_t limit, ExchangeDeadline& running);
 
     /// Protocol, with what a drive would have said.
     [[nodiscard]] tl::unexpected<Error> unexpected(
@@ -66,32 +66,32 @@ private:
         bool hasLines = false;
         bool endsTransfer = false; ///< BadCrc is about the file, not about the line
     };
-    [[nodiscard]] Result<void> find(RunningExchange& running);
-    [[nodiscard]] Result<void> leaveTransfer(int attempt, RunningExchange& running);
-    [[nodiscard]] Result<void> dropLateReplies(const RunningExchange& running);
+    [[nodiscard]] Result<void> find(ExchangeDeadline& running);
+    [[nodiscard]] Result<void> leaveTransfer(int attempt, ExchangeDeadline& running);
+    [[nodiscard]] Result<void> dropLateReplies(const ExchangeDeadline& running);
     [[nodiscard]] Result<void> checkDrive();
     [[nodiscard]] std::uint16_t nextNumber();
     [[nodiscard]] Result<void> send(
-        const Request& request, std::string_view before, RunningExchange& running);
+        const Request& request, std::string_view before, ExchangeDeadline& running);
     [[nodiscard]] Result<std::optional<SerialReply>> collect(
-        const Request& request, RunningExchange& running);
+        const Request& request, ExchangeDeadline& running);
     [[nodiscard]] Result<SerialReply> repeatUntilAnswered(
-        const Request& request, bool isSent, RunningExchange& running);
+        const Request& request, bool isSent, ExchangeDeadline& running);
     struct Started {
         std::uint16_t number = 0;
         SerialReply reply;
     };
-    [[nodiscard]] Result<Started> start(const std::string& words, RunningExchange& running);
+    [[nodiscard]] Result<Started> start(const std::string& words, ExchangeDeadline& running);
     [[nodiscard]] Result<std::string> nextLine(
-        std::chrono::steady_clock::time_point until, const RunningExchange& running);
+        std::chrono::steady_clock::time_point until, const ExchangeDeadline& running);
     [[nodiscard]] Result<Bytes> receive(
-        std::chrono::steady_clock::time_point until, const RunningExchange& running);
+        std::chrono::steady_clock::time_point until, const ExchangeDeadline& running);
     template <typename Machine, typename Position>
     [[nodiscard]] Result<void> transfer(
-        Machine& machine, Position position, std::uint64_t total, RunningExchange& running);
+        Machine& machine, Position position, std::uint64_t total, ExchangeDeadline& running);
     void settle(std::uint16_t number);
     [[nodiscard]] std::optional<Error> finalError(std::uint16_t number);
-    void reportProgress(std::uint64_t done, std::uint64_t total, const RunningExchange& running);
+    void reportProgress(std::uint64_t done, std::uint64_t total, const ExchangeDeadline& running);
     [[nodiscard]] Error failed(Error error);
     [[nodiscard]] tl::unexpected<Error> lost(std::string reason, std::string detail = {});
 

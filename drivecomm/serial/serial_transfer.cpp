@@ -10,7 +10,7 @@ namespace {
 using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 
-constexpr auto farewell = 1500ms; ///< for the drive to leave a broken transfer
+constexpr auto cancelTimeout = 1500ms; ///< for the drive to leave a broken transfer
 constexpr int attemptsToStart = 6;
 constexpr int attemptsToTransfer = 4;
 
@@ -23,7 +23,7 @@ bool isGarbled(const Error& error)
     return error.detail == serialBadCrc;
 }
 
-std::string nameOf(const std::string& path)
+std::string fileNameOf(const std::string& path)
 {
     return path.substr(path.rfind('/') + 1);
 }
@@ -41,7 +41,7 @@ ymodem::Patience patienceWithDrive()
 /// Each attempt has a number of its own: nothing has been done yet, and a drive that has begun must
 /// leave its transfer first.
 Result<SerialSession::Started> SerialSession::start(
-    const std::string& words, RunningExchange& running)
+    const std::string& words, ExchangeDeadline& running)
 {
     for (int attempt = 0; attempt < attemptsToStart; ++attempt) {
         Request request;
@@ -67,7 +67,7 @@ Result<SerialSession::Started> SerialSession::start(
 
 template <typename Machine, typename Position>
 Result<void> SerialSession::transfer(
-    Machine& machine, Position position, std::uint64_t total, RunningExchange& running)
+    Machine& machine, Position position, std::uint64_t total, ExchangeDeadline& running)
 {
     while (true) {
         const Bytes output = machine.output();
@@ -95,7 +95,7 @@ Result<void> SerialSession::transfer(
 }
 
 void SerialSession::reportProgress(
-    std::uint64_t done, std::uint64_t total, const RunningExchange& running)
+    std::uint64_t done, std::uint64_t total, const ExchangeDeadline& running)
 {
     if (done <= m_progress)
         return;
@@ -111,8 +111,8 @@ void SerialSession::settle(std::uint16_t number)
     if (!m_line.isOpen())
         return;
     Exchange exchange;
-    exchange.timeout = farewell;
-    RunningExchange running(exchange);
+    exchange.timeout = cancelTimeout;
+    ExchangeDeadline running(exchange);
     running.deadline += 2 * m_line.timeFor(2048); // a block on its way
     m_isSynced =
         m_line.write(asBytes(serialCancel), running).has_value() && finalError(number).has_value();
@@ -122,8 +122,8 @@ void SerialSession::settle(std::uint16_t number)
 std::optional<Error> SerialSession::finalError(std::uint16_t number)
 {
     Exchange exchange;
-    exchange.timeout = farewell;
-    RunningExchange running(exchange);
+    exchange.timeout = cancelTimeout;
+    ExchangeDeadline running(exchange);
     running.deadline += 2 * m_line.timeFor(2048);
     m_assembler.clear();
     while (true) {
@@ -137,7 +137,7 @@ std::optional<Error> SerialSession::finalError(std::uint16_t number)
     }
 }
 
-Result<void> SerialSession::put(const std::string& path, ByteView bytes, RunningExchange& running)
+Result<void> SerialSession::put(const std::string& path, ByteView bytes, ExchangeDeadline& running)
 {
     if (auto begun = begin(running); !begun)
         return begun;
@@ -148,7 +148,7 @@ Result<void> SerialSession::put(const std::string& path, ByteView bytes, Running
         const auto started = start(words, running);
         if (!started)
             return fail(started.error());
-        ymodem::Sender sender(nameOf(path), bytes, Clock::now(), patienceWithDrive());
+        ymodem::Sender sender(fileNameOf(path), bytes, Clock::now(), patienceWithDrive());
         const auto sent = transfer(
             sender, [&] { return sender.acknowledged(); }, bytes.size(), running);
         if (!sent) {
@@ -181,7 +181,7 @@ Result<void> SerialSession::put(const std::string& path, ByteView bytes, Running
 }
 
 Result<Bytes> SerialSession::take(
-    const std::string& path, std::uint64_t limit, RunningExchange& running)
+    const std::string& path, std::uint64_t limit, ExchangeDeadline& running)
 {
     if (auto begun = begin(running); !begun)
         return fail(begun.error());

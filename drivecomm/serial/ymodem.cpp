@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "drivecomm/serial/ymodem.h"
 
-#include "drivecomm/serial/ymodem_p.h"
-
 #include <algorithm>
 #include <charconv>
 

@@ -4,6 +4,7 @@
 #include "core/base/bytes.h"
 
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -22,6 +23,21 @@ namespace axiscomp::drivecomm {
 namespace ymodem {
 
 using Clock = std::chrono::steady_clock;
+
+// What the bytes on the line say.
+inline constexpr std::uint8_t soh = 0x01; ///< begins a block of 128 bytes
+inline constexpr std::uint8_t stx = 0x02; ///< begins a block of 1024 bytes
+inline constexpr std::uint8_t eot = 0x04;
+inline constexpr std::uint8_t ack = 0x06;
+inline constexpr std::uint8_t nak = 0x15;
+inline constexpr std::uint8_t can = 0x18;
+inline constexpr std::uint8_t backspace = 0x08; ///< some send it after CAN, to tidy up a terminal
+inline constexpr std::uint8_t promptCrc = 'C';
+inline constexpr std::uint8_t padding = 0x1A;
+
+inline constexpr std::size_t shortBlock = 128;
+inline constexpr std::size_t longBlock = 1024;
+inline constexpr std::size_t blockOverhead = 5; ///< kind, number and its complement, CRC
 
 enum class State {
     Running,

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "drivecomm/codec/crc16.h"
 #include "drivecomm/serial/ymodem.h"
-#include "drivecomm/serial/ymodem_p.h"
 
 #include <algorithm>
 

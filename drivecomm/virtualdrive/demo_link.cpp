@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "drivecomm/virtualdrive/demo_link.h"
+
 #include "core/table/tam_table.h"
+#include "drivecomm/virtualdrive/direct_link.h"
 #include "drivecomm/virtualdrive/firmware/drive_registers.h"
-#include "drivecomm/virtualdrive/firmware/virtual_drive.h"
 
 #include <cmath>
 #include <numbers>
@@ -40,6 +42,54 @@ CompensationTable demoTable()
     return table;
 }
 
+class DemoLink final : public DriveLink {
+public:
+    explicit DemoLink(const DriveProfile& profile)
+        : m_drive(profile, demoDriveOptions())
+        , m_link(makeDirectLink(m_drive))
+    {
+    }
+
+    [[nodiscard]] Result<void> loadState() { return loadDemoState(m_drive); }
+
+    std::string endpoint() const override { return m_link->endpoint(); }
+    Result<DriveIdentity> identify(const Exchange& exchange) override
+    {
+        return m_link->identify(exchange);
+    }
+    Result<std::vector<RegisterReading>> readRegisters(
+        std::span<const std::string> paths, const Exchange& exchange) override
+    {
+        return m_link->readRegisters(paths, exchange);
+    }
+    Result<std::vector<RegisterReading>> readTree(
+        const std::string& prefix, const Exchange& exchange) override
+    {
+        return m_link->readTree(prefix, exchange);
+    }
+    Result<void> writeRegisters(
+        std::span<const RegisterWrite> writes, const Exchange& exchange) override
+    {
+        return m_link->writeRegisters(writes, exchange);
+    }
+    Result<std::vector<DriveFile>> listFiles(const Exchange& exchange) override
+    {
+        return m_link->listFiles(exchange);
+    }
+    Result<Bytes> download(const std::string& path, const Exchange& exchange) override
+    {
+        return m_link->download(path, exchange);
+    }
+    Result<void> upload(const std::string& path, ByteView bytes, const Exchange& exchange) override
+    {
+        return m_link->upload(path, bytes, exchange);
+    }
+
+private:
+    VirtualDrive m_drive;
+    std::unique_ptr<DriveLink> m_link;
+};
+
 } // namespace
 
 VirtualDriveOptions demoDriveOptions()
@@ -73,6 +123,14 @@ Result<void> loadDemoState(VirtualDrive& drive)
     return drive.writeRegisters({{expandPath(paths.table, {.axis = 0}), slot.name}, source(0),
         source(1), {paths.saveParameters, profile.enums.saveParametersSave},
         {expandPath(paths.activation, {.axis = 0}), profile.enums.activationAddToEncoders}});
+}
+
+Result<std::unique_ptr<DriveLink>> makeDemoLink(const DriveProfile& profile)
+{
+    auto demo = std::make_unique<DemoLink>(profile);
+    if (auto loaded = demo->loadState(); !loaded)
+        return fail(std::move(loaded.error()));
+    return demo;
 }
 
 } // namespace axiscomp::drivecomm

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "drivecomm/virtualdrive/faults.h"
-#include "drivecomm/virtualdrive/firmware/virtual_drive.h"
+#include "drivecomm/virtualdrive/direct_link.h"
 
 #include <algorithm>
 

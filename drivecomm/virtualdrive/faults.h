@@ -38,7 +38,7 @@ struct FaultSpec {
 /// What a drive answers for reject=CODE.
 [[nodiscard]] Error errorAskedFor(const std::string& code);
 
-/// What a front must do with one request. Thread-safe; shared by all fronts of a drive.
+/// What a server must do with one request. Thread-safe; shared by all servers of a drive.
 class FaultPlan {
 public:
     /// Told of every request before it is carried out, on the thread that serves it; may change

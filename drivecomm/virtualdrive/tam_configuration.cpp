@@ -23,7 +23,7 @@ namespace {
 constexpr std::uint64_t maximumBytes = std::uint64_t{64} << 20;
 constexpr std::size_t maximumRegisters = 100'000; ///< a drive has some 3000
 constexpr std::size_t longestValue = 64;
-constexpr int maximumAxes = 64;
+constexpr int axisLimit = 64;
 constexpr std::int32_t firstSerialNumber = 100001; ///< for stations that have none
 
 struct Station {
@@ -54,7 +54,7 @@ std::optional<int> axesNeeded(std::string_view path)
         return 0;
     int index = -1;
     const auto end = std::from_chars(path.data() + axes.size(), path.data() + path.size(), index);
-    if (end.ec != std::errc{} || index < 0 || index >= maximumAxes
+    if (end.ec != std::errc{} || index < 0 || index >= axisLimit
         || end.ptr == path.data() + path.size() || *end.ptr != ']')
         return {};
     return index + 1;
@@ -162,8 +162,8 @@ private:
             return wrong("a RegisterComponent needs Address, Type and Value");
         const std::optional<int> axes = axesNeeded(read.path);
         if (!axes)
-            return wrong(read.path + ": the axis index must be from 0 to "
-                + std::to_string(maximumAxes - 1));
+            return wrong(
+                read.path + ": the axis index must be from 0 to " + std::to_string(axisLimit - 1));
         Result<RegisterValue> value =
             parseValue(read.type, text(attributes.value(QLatin1String("Value"))));
         if (!value)

@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::size_t maximumFiles = 1000;
 
-bool isDigit(char c)
+bool isDecimal(char c)
 {
     return c >= '0' && c <= '9';
 }
@@ -41,14 +41,14 @@ std::optional<std::uint32_t> byteCount(std::string_view text)
     std::size_t group = 0;
     bool grouped = false;
     while (!text.empty()) {
-        if (isDigit(text.front())) {
+        if (isDecimal(text.front())) {
             digits += text.front();
             text.remove_prefix(1);
             ++group;
             continue;
         }
         const std::size_t separator = separatorLength(text);
-        if (separator == 0 || text.size() == separator || !isDigit(text[separator]))
+        if (separator == 0 || text.size() == separator || !isDecimal(text[separator]))
             break;
         if (group == 0 || group > 3 || (grouped && group != 3))
             return std::nullopt;

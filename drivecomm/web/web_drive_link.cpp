@@ -17,7 +17,7 @@ namespace axiscomp::drivecomm {
 namespace {
 
 constexpr std::uint64_t mebibyte = std::uint64_t{1} << 20;
-constexpr std::uint64_t largestFile = 16 * mebibyte;
+constexpr std::uint64_t maximumDownload = 16 * mebibyte;
 constexpr std::uint64_t largestTree = 16 * mebibyte;
 constexpr std::size_t longestTarget = 7000; ///< servers take 8 KiB with room for the rest
 constexpr int mostAxes = 1024;
@@ -57,15 +57,15 @@ public:
 
 private:
     [[nodiscard]] Result<HttpReply> ask(
-        const HttpRequest& request, const AskedFor& asked, const RunningExchange& running);
+        const HttpRequest& request, const AskedFor& asked, const ExchangeDeadline& running);
     [[nodiscard]] Result<std::vector<RegisterReading>> read(
-        std::span<const std::string> paths, const RunningExchange& running);
+        std::span<const std::string> paths, const ExchangeDeadline& running);
     [[nodiscard]] Result<std::vector<RegisterReading>> readOnce(
-        std::span<const std::string> paths, const RunningExchange& running);
+        std::span<const std::string> paths, const ExchangeDeadline& running);
     [[nodiscard]] Result<std::string> readName(
-        const RunningExchange& running, std::int32_t& serial);
-    [[nodiscard]] Result<int> countAxes(const RunningExchange& running);
-    [[nodiscard]] Result<bool> hasAxis(int axis, const RunningExchange& running);
+        const ExchangeDeadline& running, std::int32_t& serial);
+    [[nodiscard]] Result<int> countAxes(const ExchangeDeadline& running);
+    [[nodiscard]] Result<bool> hasAxis(int axis, const ExchangeDeadline& running);
     [[nodiscard]] std::string axisProbe(int axis) const
     {
         return expandPath(m_profile.registers.axisName, {axis, {}, 0});
@@ -81,7 +81,7 @@ private:
 };
 
 Result<HttpReply> WebDriveLink::ask(
-    const HttpRequest& request, const AskedFor& asked, const RunningExchange& running)
+    const HttpRequest& request, const AskedFor& asked, const ExchangeDeadline& running)
 {
     auto reply = m_http.send(request, running);
     if (!reply)
@@ -93,7 +93,7 @@ Result<HttpReply> WebDriveLink::ask(
 
 Result<DriveIdentity> WebDriveLink::identify(const Exchange& exchange)
 {
-    const RunningExchange running(exchange);
+    const ExchangeDeadline running(exchange);
     DriveIdentity identity;
     auto name = readName(running, identity.serialNumber);
     if (!name)
@@ -106,7 +106,7 @@ Result<DriveIdentity> WebDriveLink::identify(const Exchange& exchange)
     return identity;
 }
 
-Result<std::string> WebDriveLink::readName(const RunningExchange& running, std::int32_t& serial)
+Result<std::string> WebDriveLink::readName(const ExchangeDeadline& running, std::int32_t& serial)
 {
     std::vector<std::string> paths{m_profile.registers.serialNumber};
     for (int n = 0; n < m_profile.registers.deviceNameWords; ++n)
@@ -131,7 +131,7 @@ Result<std::string> WebDriveLink::readName(const RunningExchange& running, std::
 
 /// An axis is there when its AxisName is. All probes of a request fail together, and the error
 /// names the first register that is missing, which is the number of axes.
-Result<int> WebDriveLink::countAxes(const RunningExchange& running)
+Result<int> WebDriveLink::countAxes(const ExchangeDeadline& running)
 {
     for (int first = 0; first < mostAxes; first += static_cast<int>(maximumReads)) {
         std::vector<std::string> probes;
@@ -163,7 +163,7 @@ Result<int> WebDriveLink::countAxes(const RunningExchange& running)
     return failed(notExpected("at most 1024 axes", "more").value());
 }
 
-Result<bool> WebDriveLink::hasAxis(int axis, const RunningExchange& running)
+Result<bool> WebDriveLink::hasAxis(int axis, const ExchangeDeadline& running)
 {
     const std::vector<std::string> probe{axisProbe(axis)};
     const auto reading = read(probe, running);
@@ -177,11 +177,11 @@ Result<bool> WebDriveLink::hasAxis(int axis, const RunningExchange& running)
 Result<std::vector<RegisterReading>> WebDriveLink::readRegisters(
     std::span<const std::string> paths, const Exchange& exchange)
 {
-    return read(paths, RunningExchange(exchange));
+    return read(paths, ExchangeDeadline(exchange));
 }
 
 Result<std::vector<RegisterReading>> WebDriveLink::read(
-    std::span<const std::string> paths, const RunningExchange& running)
+    std::span<const std::string> paths, const ExchangeDeadline& running)
 {
     std::vector<RegisterReading> all;
     all.reserve(paths.size());
@@ -202,7 +202,7 @@ Result<std::vector<RegisterReading>> WebDriveLink::read(
 }
 
 Result<std::vector<RegisterReading>> WebDriveLink::readOnce(
-    std::span<const std::string> paths, const RunningExchange& running)
+    std::span<const std::string> paths, const ExchangeDeadline& running)
 {
     HttpRequest request;
     request.target = m_profile.web.registers;
@@ -229,7 +229,7 @@ Result<std::vector<RegisterReading>> WebDriveLink::readOnce(
 Result<std::vector<RegisterReading>> WebDriveLink::readTree(
     const std::string& prefix, const Exchange& exchange)
 {
-    const RunningExchange running(exchange);
+    const ExchangeDeadline running(exchange);
     const std::string root = normalisedPath(prefix);
     HttpRequest request;
     request.target = m_profile.web.registers + "?prefix=" + percentEncoded(root);
@@ -253,7 +253,7 @@ Result<std::vector<RegisterReading>> WebDriveLink::readTree(
 Result<void> WebDriveLink::writeRegisters(
     std::span<const RegisterWrite> writes, const Exchange& exchange)
 {
-    const RunningExchange running(exchange);
+    const ExchangeDeadline running(exchange);
     std::vector<std::string> paths;
     std::ranges::transform(writes, std::back_inserter(paths), &RegisterWrite::path);
     const std::string json = writesJson(writes);
@@ -272,7 +272,7 @@ Result<void> WebDriveLink::writeRegisters(
 
 Result<std::vector<DriveFile>> WebDriveLink::listFiles(const Exchange& exchange)
 {
-    const RunningExchange running(exchange);
+    const ExchangeDeadline running(exchange);
     HttpRequest request;
     request.target = m_profile.web.directory;
     request.accept = "application/json, text/html;q=0.5";
@@ -288,12 +288,12 @@ Result<std::vector<DriveFile>> WebDriveLink::listFiles(const Exchange& exchange)
 
 Result<Bytes> WebDriveLink::download(const std::string& path, const Exchange& exchange)
 {
-    const RunningExchange running(exchange);
+    const ExchangeDeadline running(exchange);
     const TableSlot* slot = m_profile.slotOfFile(path);
     HttpRequest request;
     request.target = m_profile.web.files + percentEncoded(path);
     request.accept = "application/octet-stream, application/json;q=0.5";
-    request.replyLimit = slot ? slot->maximumSize : largestFile;
+    request.replyLimit = slot ? slot->maximumSize : maximumDownload;
     request.reportsProgress = true;
     const auto reply = ask(request, {ErrorCode::UnknownFile, path}, running);
     if (!reply)
@@ -310,7 +310,7 @@ Result<Bytes> WebDriveLink::download(const std::string& path, const Exchange& ex
 
 Result<void> WebDriveLink::upload(const std::string& path, ByteView bytes, const Exchange& exchange)
 {
-    const RunningExchange running(exchange);
+    const ExchangeDeadline running(exchange);
     const MultipartForm form(
         m_profile.web.transferPathField, path, m_profile.web.transferFileField, path, bytes);
     HttpRequest request;

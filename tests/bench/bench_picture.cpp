@@ -20,7 +20,7 @@ using namespace axiscomp::ui;
 
 constexpr QSize pageSize(780, 430);
 
-ShownTable::Table waves(const std::vector<std::uint32_t>& sizes, double phase = 0.0)
+TableViewModel::Table waves(const std::vector<std::uint32_t>& sizes, double phase = 0.0)
 {
     CompensationTable table;
     for (const std::uint32_t size : sizes)
@@ -65,7 +65,7 @@ void redraw(benchmark::State& state, const std::vector<std::uint32_t>& sizes)
 void change(benchmark::State& state, const std::vector<std::uint32_t>& sizes)
 {
     Picture picture;
-    const std::array<ShownTable::Table, 2> tables{waves(sizes), waves(sizes, 1.0)};
+    const std::array<TableViewModel::Table, 2> tables{waves(sizes), waves(sizes, 1.0)};
     std::size_t turn = 0;
     for (auto _ : state) {
         picture.canvas.show(tables.at(++turn % 2), nullptr, 0.003);
@@ -105,7 +105,7 @@ void map724Crosshair(benchmark::State& state)
 /// What a view asks for to draw 24 rows of 8 cells, somewhere in 720 x 720.
 void valuesScreen(benchmark::State& state)
 {
-    ShownTable shown;
+    TableViewModel shown;
     shown.setTables(waves({720, 720}), nullptr);
     const ValuesModel model(shown);
     int first = 0;

@@ -35,9 +35,9 @@ inline CompensationTable exampleTable(int dimensions, int seed = 1, std::uint32_
 /// A virtual drive of two homed axes whose time passes only when it is asked something, one
 /// millisecond each time, with a compensator and a store of its own. It misbehaves by its faults,
 /// as a drive, or by its link, exchange by exchange.
-struct DriveFixture {
+struct CompensatorFixture {
     /// profile: what the compensator takes the drive for; outlives this.
-    explicit DriveFixture(const AttachmentKind& kind = inProcess(),
+    explicit CompensatorFixture(const AttachmentKind& kind = inProcess(),
         const DriveProfile& profile = drivecomm::genericProfile())
         : drive(drivecomm::genericProfile(), options(time))
         , attachment(kind.attach(drive, faults))

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "drivecomm/virtualdrive/faults.h"
-#include "drivecomm/virtualdrive/firmware/virtual_drive.h"
+#include "drivecomm/virtualdrive/direct_link.h"
 
 #include <functional>
 #include <memory>

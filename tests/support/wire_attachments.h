@@ -19,10 +19,10 @@ namespace axiscomp::test {
 class Web final : public LinkAttachment {
 public:
     Web(drivecomm::VirtualDrive& drive, drivecomm::FaultPlan& faults)
-        : m_front(drivecomm::WebFront::start(drive, drivecomm::genericProfile(), faults).value())
+        : m_server(drivecomm::WebServer::start(drive, drivecomm::genericProfile(), faults).value())
     {
     }
-    std::string url() const override { return m_front->url(); }
+    std::string url() const override { return m_server->url(); }
     DriveLink& link() override
     {
         if (!m_link)
@@ -32,7 +32,7 @@ public:
     }
 
 private:
-    std::unique_ptr<drivecomm::WebFront> m_front;
+    std::unique_ptr<drivecomm::WebServer> m_server;
     std::unique_ptr<DriveLink> m_link;
 };
 
@@ -41,11 +41,11 @@ class Serial final : public LinkAttachment {
 public:
     Serial(drivecomm::VirtualDrive& drive, drivecomm::FaultPlan& faults)
         : m_faults(faults)
-        , m_front(drivecomm::SerialFront::start(drive, faults, {linkIn(m_folder), 0}).value())
-        , m_port(::open(m_front->device().c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC))
+        , m_server(drivecomm::SerialServer::start(drive, faults, {linkIn(m_folder), 0}).value())
+        , m_port(::open(m_server->device().c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC))
     {
     }
-    std::string url() const override { return m_front->url(); }
+    std::string url() const override { return m_server->url(); }
     DriveLink& link() override
     {
         if (!m_link) {
@@ -68,10 +68,10 @@ private:
 
     drivecomm::FaultPlan& m_faults;
     QTemporaryDir m_folder;
-    std::unique_ptr<drivecomm::SerialFront> m_front;
+    std::unique_ptr<drivecomm::SerialServer> m_server;
     /// Held, so that a port that was cut off is nobody else's until the link has let it go: the
     /// lock of a port goes by its name.
-    drivecomm::Socket m_port;
+    drivecomm::FileDescriptor m_port;
     std::unique_ptr<DriveLink> m_link;
 };
 

@@ -1,15 +1,50 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/async/background.h"
-#include "ui/async/future_handler.h"
+#include <QFuture>
+#include <QFutureWatcher>
+#include <QObject>
+#include <QPromise>
+#include <QThreadPool>
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <stop_token>
 #include <utility>
 
 namespace axiscomp::ui {
+
+/// Computes something off the window's thread; watch the future with a context object. The function
+/// refers to nothing that may go away.
+template <typename T> [[nodiscard]] QFuture<T> inBackground(std::function<T()> function)
+{
+    auto promise = std::make_shared<QPromise<T>>();
+    promise->start();
+    QFuture<T> future = promise->future();
+    QThreadPool::globalInstance()->start([promise, function = std::move(function)] {
+        promise->addResult(function());
+        promise->finish();
+    });
+    return future;
+}
+
+/// Calls handler(result) on the context's thread when the future has its result; not when it was
+/// cancelled, and not after the context's end. Always from the event loop, never before this
+/// returns, and in the order in which the futures ended: QFuture::then would call at once when the
+/// future has already ended.
+template <typename T, typename Handler>
+void whenDone(const QFuture<T>& future, QObject* context, Handler handler)
+{
+    auto* watcher = new QFutureWatcher<T>(context);
+    QObject::connect(watcher, &QFutureWatcherBase::finished, context,
+        [watcher, handler = std::move(handler)]() mutable {
+            watcher->deleteLater();
+            if (!watcher->isCanceled())
+                handler(watcher->result());
+        });
+    watcher->setFuture(future);
+}
 
 /// Computes off the window's thread, one thing at a time: a new request asks the one that runs to
 /// stop, and of those made meanwhile only the newest is carried out. Only the result of the newest

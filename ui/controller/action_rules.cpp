@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/controller/action_rules.h"
 
-#include "ui/text/error_text.h"
+#include "ui/text/message_text.h"
 #include "ui/text/value_text.h"
 
 #include <QCoreApplication>
@@ -13,7 +13,7 @@ namespace axiscomp::ui {
 
 namespace {
 
-using Unfinished = WizardSnapshot::Unfinished;
+using Unfinished = ActionSnapshot::Unfinished;
 
 /// A sentence; nothing: it can be done.
 using Obstacle = std::optional<QString>;
@@ -21,10 +21,10 @@ using Obstacle = std::optional<QString>;
 /// Each check knows one obstacle. What stands against an action is a list of checks, the most
 /// important first: the first that finds something is the reason.
 class Rules {
-    Q_DECLARE_TR_FUNCTIONS(axiscomp::ui::WizardRules)
+    Q_DECLARE_TR_FUNCTIONS(axiscomp::ui::ActionRules)
 
 public:
-    explicit Rules(const WizardSnapshot& now) : m_now(now) { }
+    explicit Rules(const ActionSnapshot& now) : m_now(now) { }
 
     [[nodiscard]] ActionState state(Action action) const;
     [[nodiscard]] QString hint() const;
@@ -65,7 +65,7 @@ private:
     [[nodiscard]] Obstacle unfit() const;
     [[nodiscard]] Obstacle notSeveral() const;
 
-    const WizardSnapshot& m_now;
+    const ActionSnapshot& m_now;
 };
 
 Obstacle Rules::first(std::initializer_list<Check> checks) const
@@ -259,7 +259,7 @@ Obstacle Rules::notUndoable() const
 
 Obstacle Rules::unchanged() const
 {
-    if (!m_now.isChanged)
+    if (!m_now.isDirty)
         return tr("Nothing has changed.");
     return {};
 }
@@ -271,7 +271,7 @@ Obstacle Rules::nothingToWrite() const
 
 Obstacle Rules::unwritten() const
 {
-    if (m_now.isChanged)
+    if (m_now.isDirty)
         return tr("Parameters must be written.");
     return {};
 }
@@ -311,7 +311,7 @@ Obstacle Rules::notSeveral() const
 
 QString Rules::writeConsequence() const
 {
-    if (!m_now.isChanged)
+    if (!m_now.isDirty)
         return tr("Finishes an earlier write: saves the parameters of the drive.");
     if (m_now.flashOperationsNeeded > 0 && m_now.isFlashLimitKnown)
         return tr("Writes to the drive and stores in flash: %1 of %2 flash operations that are "
@@ -394,10 +394,35 @@ QString Rules::hint() const
 
 } // namespace
 
-WizardDecision decide(const WizardSnapshot& now)
+QString taskText(Task task)
+{
+    switch (task) {
+    case Task::Plan:
+        return Rules::tr("planning");
+    case Task::Write:
+        return Rules::tr("writing");
+    case Task::WriteSeveral:
+        return Rules::tr("writing several axes");
+    case Task::Activate:
+        return Rules::tr("activating");
+    case Task::Evaluate:
+        return Rules::tr("evaluating");
+    case Task::Deactivate:
+        return Rules::tr("deactivating");
+    case Task::Finish:
+        return Rules::tr("finishing the write");
+    case Task::Undo:
+        return Rules::tr("undoing the write");
+    case Task::Restore:
+        break;
+    }
+    return Rules::tr("restoring");
+}
+
+ActionStates decideActions(const ActionSnapshot& now)
 {
     const Rules rules(now);
-    WizardDecision decision;
+    ActionStates decision;
     for (const Action action : allActions)
         decision.actions[static_cast<std::size_t>(action)] = rules.state(action);
     decision.hint = rules.hint();

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/controller/wizard_options.h"
-#include "ui/controller/wizard_task.h"
+#include "core/base/error.h"
+
+#include <QString>
 
 #include <array>
 #include <cstddef>
@@ -10,8 +11,56 @@
 
 namespace axiscomp::ui {
 
+/// The page's actions. Each says why it cannot be done now.
+enum class Action {
+    Write,
+    Activate,
+    Evaluate,
+    Deactivate,
+    Revert,
+    RestorePrevious,
+    FinishWrite, ///< one that did not end
+    UndoWrite,
+    Refresh,
+    OpenData,
+    WriteSeveral, ///< columns of the file, each to an axis of its own
+    Cancel,
+};
+inline constexpr std::array allActions{Action::Write, Action::Activate, Action::Evaluate,
+    Action::Deactivate, Action::Revert, Action::RestorePrevious, Action::FinishWrite,
+    Action::UndoWrite, Action::Refresh, Action::OpenData, Action::WriteSeveral, Action::Cancel};
+
+struct ActionState {
+    bool isEnabled = false;
+    QString reason; ///< a translated sentence: why not, or what will happen
+    friend bool operator==(const ActionState&, const ActionState&) = default;
+};
+
+/// What a busy controller is doing.
+enum class Task {
+    Plan,
+    Write,
+    WriteSeveral,
+    Activate,
+    Evaluate,
+    Deactivate,
+    Restore,
+    Finish,
+    Undo,
+};
+
+/// "writing", translated.
+[[nodiscard]] QString taskText(Task task);
+
+/// The drive would be left to a roll-back if the task were stopped.
+[[nodiscard]] constexpr bool isWrite(Task task)
+{
+    return task == Task::Write || task == Task::WriteSeveral || task == Task::Restore
+        || task == Task::Finish || task == Task::Undo;
+}
+
 /// Everything that decides what can be done now, as plain values.
-struct WizardSnapshot {
+struct ActionSnapshot {
     // The way to the axis
     bool hasDrives = false; ///< at least one connection is set up
     bool isConnecting = false; ///< some drive has not answered yet, and none is known to be lost
@@ -36,7 +85,7 @@ struct WizardSnapshot {
     bool isFlashLimitKnown = true;
 
     // What the user has chosen
-    bool isChanged = false;
+    bool isDirty = false;
     int dimensionality = 1;
     int missingSource = 0; ///< the first dimension without one; 0: none is missing
     int repeatedSource = 0; ///< the second dimension with the same one; 0: none
@@ -57,7 +106,7 @@ struct WizardSnapshot {
     bool canCancel = false;
 };
 
-struct WizardDecision {
+struct ActionStates {
     std::array<ActionState, allActions.size()> actions;
     QString hint; ///< the one sentence that matters most
 
@@ -65,11 +114,11 @@ struct WizardDecision {
     {
         return actions[static_cast<std::size_t>(action)];
     }
-    friend bool operator==(const WizardDecision&, const WizardDecision&) = default;
+    friend bool operator==(const ActionStates&, const ActionStates&) = default;
 };
 
 /// spec/wizard.md, "Buttons and their reasons": a pure function. Exactly one reason each, never an
 /// empty one.
-[[nodiscard]] WizardDecision decide(const WizardSnapshot& now);
+[[nodiscard]] ActionStates decideActions(const ActionSnapshot& now);
 
 } // namespace axiscomp::ui

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/axis/activation.h"
 #include "ui/controller/wizard_controller_p.h"
+#include "ui/text/message_text.h"
 
 #include <algorithm>
 #include <limits>
@@ -8,7 +9,7 @@
 
 namespace axiscomp::ui {
 
-void WizardController::Private::snapshotDrive(WizardSnapshot& now) const
+void WizardController::Private::snapshotDrive(ActionSnapshot& now) const
 {
     const DriveConnection* drive = connection();
     now.hasDrives = !connections.empty();
@@ -36,10 +37,10 @@ void WizardController::Private::snapshotDrive(WizardSnapshot& now) const
         now.problem = compensationError(*status);
 }
 
-void WizardController::Private::snapshotUnfinished(WizardSnapshot& now) const
+void WizardController::Private::snapshotUnfinished(ActionSnapshot& now) const
 {
     using Held = AxisCompensator::UnfinishedOutcome;
-    using Unfinished = WizardSnapshot::Unfinished;
+    using Unfinished = ActionSnapshot::Unfinished;
     if (!unfinished || unfinished->outcome == Held::New)
         return;
     now.unfinished = unfinished->outcome == Held::Old ? Unfinished::Old
@@ -49,10 +50,10 @@ void WizardController::Private::snapshotUnfinished(WizardSnapshot& now) const
     now.undoObstacle = unfinished->recovery.undoObstacle;
 }
 
-void WizardController::Private::snapshotSetup(WizardSnapshot& now) const
+void WizardController::Private::snapshotSetup(ActionSnapshot& now) const
 {
     const EditedSetup& edited = setup.edited();
-    now.isChanged = setup.isChanged();
+    now.isDirty = setup.isDirty();
     now.dimensionality = edited.dimensionality;
     for (int n = edited.dimensionality; n >= 1; --n) {
         const DimSource& source = edited.sources[static_cast<std::size_t>(n - 1)];
@@ -77,16 +78,16 @@ void WizardController::Private::snapshotSetup(WizardSnapshot& now) const
         now.tableDimensions = status->table->grid.dimensions();
     }
     const bool storesOrErases =
-        now.isNewTable ? now.isPersistent : setup.isChanged(Field::Persistency);
+        now.isNewTable ? now.isPersistent : setup.isDirty(Field::Persistency);
     now.flashOperationsNeeded = storesOrErases ? 1 : 0;
     const auto& data = file.file().data;
     now.fileTables = data ? static_cast<int>(data->tables.size()) : 0;
     now.usableAxes = static_cast<int>(usableAxes().size());
 }
 
-WizardSnapshot WizardController::Private::snapshot() const
+ActionSnapshot WizardController::Private::snapshot() const
 {
-    WizardSnapshot now;
+    ActionSnapshot now;
     snapshotDrive(now);
     snapshotSetup(now);
     now.isReadingFile = file.file().isReading;
@@ -97,12 +98,12 @@ WizardSnapshot WizardController::Private::snapshot() const
 
 void WizardController::Private::update()
 {
-    const WizardSnapshot now = snapshot();
+    const ActionSnapshot now = snapshot();
     if (now.flashWaitSeconds > 0 && !countdown.isActive())
         countdown.start();
     else if (now.flashWaitSeconds == 0)
         countdown.stop();
-    WizardDecision decided = decide(now);
+    ActionStates decided = decideActions(now);
     if (decided == decision)
         return;
     decision = std::move(decided);

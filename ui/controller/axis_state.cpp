@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/error.h"
 #include "ui/controller/wizard_controller_p.h"
+#include "ui/text/message_text.h"
 
 namespace axiscomp::ui {
 

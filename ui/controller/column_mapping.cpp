@@ -13,7 +13,7 @@ namespace axiscomp::ui {
 namespace {
 
 class Assignment {
-    Q_DECLARE_TR_FUNCTIONS(axiscomp::ui::AxisAssignment)
+    Q_DECLARE_TR_FUNCTIONS(axiscomp::ui::ColumnMapping)
 
 public:
     [[nodiscard]] static QString nothingChosen()

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/controller/wizard_options.h"
+#include "core/table/grid.h"
+#include "ui/session/axis_entry.h"
+
+#include <QString>
 
 #include <optional>
 #include <span>
@@ -9,6 +12,13 @@
 
 /// Which column of a file is for which axis, as plain values.
 namespace axiscomp::ui {
+
+/// A table of the open file, by its index, and the axis of the current drive that it is for.
+struct ColumnForAxis {
+    int column = 0;
+    int axis = 0;
+    friend bool operator==(const ColumnForAxis&, const ColumnForAxis&) = default;
+};
 
 /// An index on the drive; none: the column is not written.
 using AxisChoice = std::optional<int>;

@@ -2,6 +2,7 @@
 #include "ui/controller/wizard_controller_p.h"
 #include "ui/session/axis_list.h"
 #include "ui/text/endpoint_text.h"
+#include "ui/text/message_text.h"
 
 #include <algorithm>
 

@@ -3,7 +3,7 @@
 
 #include "ui/controller/column_mapping.h"
 #include "ui/session/axis_list.h"
-#include "ui/text/error_text.h"
+#include "ui/text/message_text.h"
 
 #include <QCoreApplication>
 #include <QStringList>
@@ -15,7 +15,7 @@ namespace axiscomp::ui {
 namespace {
 
 class SeveralOutcomes {
-    Q_DECLARE_TR_FUNCTIONS(axiscomp::ui::SeveralOutcome)
+    Q_DECLARE_TR_FUNCTIONS(axiscomp::ui::MultiAxisOutcome)
 
 public:
     [[nodiscard]] static Outcome allWritten(const QStringList& axes, bool isPersistent)

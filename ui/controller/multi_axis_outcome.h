@@ -3,7 +3,9 @@
 
 #include "core/compensator/multi_axis_write.h"
 #include "ui/controller/outcome_text.h"
-#include "ui/controller/wizard_options.h"
+#include "ui/session/axis_entry.h"
+
+#include <span>
 
 namespace axiscomp::ui {
 

@@ -2,6 +2,7 @@
 #include "core/base/error.h"
 #include "ui/controller/wizard_controller_p.h"
 #include "ui/session/axis_list.h"
+#include "ui/text/message_text.h"
 
 #include <algorithm>
 #include <utility>
@@ -118,7 +119,7 @@ bool WizardController::Private::mayStart(Action action)
     update();
     const bool may = decision[action].isEnabled;
     if (!may)
-        refuse([now = snapshot(), action] { return decide(now)[action].reason; });
+        refuse([now = snapshot(), action] { return decideActions(now)[action].reason; });
     return may;
 }
 
@@ -131,7 +132,7 @@ void WizardController::Private::planWrite()
     plannedSetup = edited;
     request = requestFor(edited, setup.baseline());
     requestTable = edited.table.fileTable ? file.table(*edited.table.fileTable) : SurveyedTable{};
-    if (!setup.isChanged()) {
+    if (!setup.isDirty()) {
         // Only an earlier write is finished: its parameters are saved.
         request.sources.clear();
         request.persistency = Persistency::Persistent;

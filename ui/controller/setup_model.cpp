@@ -83,14 +83,14 @@ const EditedSetup& SetupModel::edited() const
 template <typename Change> void SetupModel::apply(const Change& change)
 {
     const EditedSetup before = m_edited;
-    std::array<bool, allFields.size()> wasChanged{};
+    std::array<bool, allFields.size()> wasDirty{};
     for (std::size_t i = 0; i < allFields.size(); ++i)
-        wasChanged[i] = isChanged(allFields[i]);
+        wasDirty[i] = isDirty(allFields[i]);
     const std::optional<CompensationSetup> baselineBefore = m_baseline;
     change();
     for (std::size_t i = 0; i < allFields.size(); ++i) {
         const Field field = allFields[i];
-        if (!sameValue(field, before, m_edited) || wasChanged[i] != isChanged(field)
+        if (!sameValue(field, before, m_edited) || wasDirty[i] != isDirty(field)
             || baselineBefore != m_baseline)
             Q_EMIT fieldChanged(field);
     }
@@ -101,7 +101,7 @@ void SetupModel::setBaseline(const CompensationSetup& setup)
     apply([&] {
         EditedSetup followed = asEdited(setup);
         for (const Field field : allFields) {
-            if (m_baseline && isChanged(field))
+            if (m_baseline && isDirty(field))
                 copyValue(field, m_edited, followed);
         }
         m_baseline = setup;
@@ -146,7 +146,7 @@ void SetupModel::setPersistency(Persistency persistency)
     apply([&] { m_edited.persistency = persistency; });
 }
 
-bool SetupModel::isChanged(Field field) const
+bool SetupModel::isDirty(Field field) const
 {
     if (!m_baseline)
         return false;
@@ -155,10 +155,10 @@ bool SetupModel::isChanged(Field field) const
     return !sameValue(field, m_edited, asEdited(*m_baseline));
 }
 
-bool SetupModel::isChanged() const
+bool SetupModel::isDirty() const
 {
     for (const Field field : allFields) {
-        if (isChanged(field))
+        if (isDirty(field))
             return true;
     }
     return false;

@@ -55,8 +55,8 @@ public:
     void setPersistency(Persistency persistency);
 
     /// Sources above the dimensionality do not count as changed.
-    [[nodiscard]] bool isChanged(Field field) const;
-    [[nodiscard]] bool isChanged() const;
+    [[nodiscard]] bool isDirty(Field field) const;
+    [[nodiscard]] bool isDirty() const;
     void revert(Field field);
     void revert();
 

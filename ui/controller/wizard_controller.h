@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/compensator/axis_compensator.h"
 #include "core/conversion/import_choices.h"
+#include "ui/controller/action_rules.h"
+#include "ui/controller/column_mapping.h"
 #include "ui/controller/setup_model.h"
+#include "ui/controller/wizard_log.h"
 #include "ui/controller/wizard_options.h"
-#include "ui/text/error_text.h"
+#include "ui/data/data_file_state.h"
+#include "ui/session/axis_entry.h"
 
 #include <QObject>
 #include <QString>
@@ -15,6 +20,14 @@
 #include <vector>
 
 namespace axiscomp::ui {
+
+/// What a busy page shows.
+struct BusyState {
+    bool isBusy = false;
+    QString step; ///< translated: "writing: verifying table"
+    double fraction = 0.0;
+    bool canCancel = false;
+};
 
 /// Everything of the wizard but its widgets: which drives and axes there are, the setup of the
 /// chosen axis, the open file, what runs, and each action with its reason. Never blocks: drives are
@@ -32,7 +45,7 @@ public:
     [[nodiscard]] const std::vector<DriveState>& drives() const;
     [[nodiscard]] const std::vector<AxisEntry>& axes() const;
     [[nodiscard]] int currentAxis() const; ///< index into axes(), -1 none
-    /// Drops unwritten changes; the page asks first when setup().isChanged().
+    /// Drops unwritten changes; the page asks first when setup().isDirty().
     void selectAxis(int index);
     void refresh();
 

@@ -3,7 +3,7 @@
 
 #include "core/compensator/multi_axis_write.h"
 #include "core/drive/flash_wear.h"
-#include "ui/async/future_handler.h"
+#include "ui/async/background_job.h"
 #include "ui/controller/action_rules.h"
 #include "ui/controller/outcome_text.h"
 #include "ui/controller/wizard_controller.h"
@@ -12,7 +12,7 @@
 #include "ui/data/drive_table.h"
 #include "ui/session/drive_connection.h"
 #include "ui/session/live_monitor.h"
-#include "ui/text/wording.h"
+#include "ui/text/language.h"
 
 #include <QCoreApplication>
 #include <QPointer>
@@ -118,10 +118,10 @@ public:
         const Result<SeveralReport>& report) const;
 
     // What is shown (wizard_state.cpp)
-    [[nodiscard]] WizardSnapshot snapshot() const;
-    void snapshotDrive(WizardSnapshot& now) const;
-    void snapshotUnfinished(WizardSnapshot& now) const;
-    void snapshotSetup(WizardSnapshot& now) const;
+    [[nodiscard]] ActionSnapshot snapshot() const;
+    void snapshotDrive(ActionSnapshot& now) const;
+    void snapshotUnfinished(ActionSnapshot& now) const;
+    void snapshotSetup(ActionSnapshot& now) const;
     void update(); ///< actions and hint
     void show(const std::function<Outcome()>& makeOutcome);
     void refuse(const Wording& reason);
@@ -178,7 +178,7 @@ public:
     Outcome outcome;
     std::function<Outcome()> makeOutcome; ///< none: there is no outcome
 
-    WizardDecision decision;
+    ActionStates decision;
     WizardLog logLines;
     QTimer countdown; ///< while flash wear makes the user wait
     QTimer readAgain; ///< after a reading that failed

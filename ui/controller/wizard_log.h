@@ -1,11 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/controller/wizard_options.h"
+#include "core/base/wall_time.h"
+#include "ui/text/language.h"
+
+#include <QString>
 
 #include <vector>
 
 namespace axiscomp::ui {
+
+/// What happened once.
+struct LogLine {
+    int number = 0; ///< of all lines that there have been, from 1
+    WallTime time;
+    enum class Kind { Information, Warning, Error } kind = Kind::Information;
+    Wording text;
+    QString detail; ///< for experts, in English
+};
 
 /// What happened, in order; only the newest lines are kept.
 class WizardLog {

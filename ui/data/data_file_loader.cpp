@@ -36,7 +36,7 @@ FileStamp stampOf(const QString& path)
     return {info.exists(), info.size(), info.lastModified()};
 }
 
-CalibrationLoader::CalibrationLoader(const TableLayout& layout, QObject* parent)
+DataFileLoader::DataFileLoader(const TableLayout& layout, QObject* parent)
     : QObject(parent)
     , m_layout(layout)
     , m_worker(new QObject)
@@ -49,14 +49,14 @@ CalibrationLoader::CalibrationLoader(const TableLayout& layout, QObject* parent)
     m_thread.start();
 }
 
-CalibrationLoader::~CalibrationLoader()
+DataFileLoader::~DataFileLoader()
 {
     cancel();
     m_thread.quit();
     m_thread.wait();
 }
 
-void CalibrationLoader::load(const QString& path, int dimensions, const ImportChoices& choices)
+void DataFileLoader::load(const QString& path, int dimensions, const ImportChoices& choices)
 {
     cancel();
     m_stop = std::stop_source();
@@ -81,14 +81,14 @@ void CalibrationLoader::load(const QString& path, int dimensions, const ImportCh
     QMetaObject::invokeMethod(m_worker, read, Qt::QueuedConnection);
 }
 
-void CalibrationLoader::cancel()
+void DataFileLoader::cancel()
 {
     ++m_number;
     m_stop.request_stop();
     m_relay.clear();
 }
 
-void CalibrationLoader::finish(int number, const LoadedFile& file)
+void DataFileLoader::finish(int number, const LoadedFile& file)
 {
     if (number != m_number)
         return;

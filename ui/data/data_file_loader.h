@@ -44,13 +44,13 @@ struct LoadedFile {
 /// Reads and parses files of compensation data on a thread of its own: calibration CSV by the
 /// chosen number of dimensions, TAM tables (.TAMtbl) with their own, and files of other
 /// controllers, which are converted. One file at a time: the next one cancels the one before.
-class CalibrationLoader : public QObject {
+class DataFileLoader : public QObject {
     Q_OBJECT
 
 public:
     /// layout must outlive the loader.
-    explicit CalibrationLoader(const TableLayout& layout, QObject* parent = nullptr);
-    ~CalibrationLoader() override;
+    explicit DataFileLoader(const TableLayout& layout, QObject* parent = nullptr);
+    ~DataFileLoader() override;
 
     void load(const QString& path, int dimensions, const ImportChoices& choices);
     /// Nothing is reported for what is cancelled.

@@ -14,8 +14,8 @@ DataFileModel::DataFileModel(const TableLayout& layout, QObject* parent)
     : QObject(parent)
     , m_loader(layout)
 {
-    connect(&m_loader, &CalibrationLoader::loaded, this, &DataFileModel::take);
-    connect(&m_loader, &CalibrationLoader::progressed, this, [this](double fraction) {
+    connect(&m_loader, &DataFileLoader::loaded, this, &DataFileModel::take);
+    connect(&m_loader, &DataFileLoader::progressed, this, [this](double fraction) {
         m_file.progress = fraction;
         Q_EMIT changed();
     });

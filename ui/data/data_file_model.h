@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/controller/wizard_options.h"
 #include "ui/data/data_file_loader.h"
+#include "ui/data/data_file_state.h"
 
 #include <QFileSystemWatcher>
 #include <QObject>
@@ -51,7 +51,7 @@ private:
     FileStamp m_stamp;
     std::map<QString, ImportChoices> m_choices; ///< by file
     int m_dimensions = 1; ///< with which the data was read, or is being read
-    CalibrationLoader m_loader;
+    DataFileLoader m_loader;
     QFileSystemWatcher m_watcher;
 };
 

@@ -2,8 +2,7 @@
 #include "ui/data/table_view_model.h"
 
 #include "core/table/table_math.h"
-#include "ui/async/background.h"
-#include "ui/async/future_handler.h"
+#include "ui/async/background_job.h"
 #include "ui/text/value_text.h"
 
 #include <algorithm>
@@ -18,7 +17,7 @@ constexpr double smallestScale = 1e-9;
 
 } // namespace
 
-struct ShownTable::Private {
+struct TableViewModel::Private {
     Table selected;
     Table onDrive;
     Table difference; ///< of these two, once it was wanted
@@ -32,11 +31,13 @@ struct ShownTable::Private {
     int request = 0; ///< the newest one for a difference
 };
 
-ShownTable::ShownTable(QObject* parent) : QObject(parent), d(std::make_unique<Private>()) { }
+TableViewModel::TableViewModel(QObject* parent)
+    : QObject(parent)
+    , d(std::make_unique<Private>()) { }
 
-ShownTable::~ShownTable() = default;
+TableViewModel::~TableViewModel() = default;
 
-void ShownTable::setTables(Table selected, Table onDrive)
+void TableViewModel::setTables(Table selected, Table onDrive)
 {
     if (selected == d->selected && onDrive == d->onDrive)
         return;
@@ -49,7 +50,7 @@ void ShownTable::setTables(Table selected, Table onDrive)
     update();
 }
 
-bool ShownTable::canShow(TableContent content) const
+bool TableViewModel::canShow(TableContent content) const
 {
     switch (content) {
     case TableContent::Selected:
@@ -63,7 +64,7 @@ bool ShownTable::canShow(TableContent content) const
     return false;
 }
 
-void ShownTable::setContent(TableContent content)
+void TableViewModel::setContent(TableContent content)
 {
     if (!canShow(content) || content == d->content)
         return;
@@ -71,12 +72,12 @@ void ShownTable::setContent(TableContent content)
     update();
 }
 
-TableContent ShownTable::content() const
+TableContent TableViewModel::content() const
 {
     return d->content;
 }
 
-void ShownTable::update()
+void TableViewModel::update()
 {
     if (d->content == TableContent::Difference && !d->difference)
         computeDifference();
@@ -86,7 +87,7 @@ void ShownTable::update()
         show(d->content == TableContent::Drive ? d->onDrive : d->selected);
 }
 
-void ShownTable::computeDifference()
+void TableViewModel::computeDifference()
 {
     const auto difference =
         inBackground<Table>([selected = d->selected, onDrive = d->onDrive]() -> Table {
@@ -102,7 +103,7 @@ void ShownTable::computeDifference()
     });
 }
 
-void ShownTable::show(Table table)
+void TableViewModel::show(Table table)
 {
     const bool isSameGrid = table && d->table && table->grid.axes == d->table->grid.axes;
     d->table = std::move(table);
@@ -114,7 +115,7 @@ void ShownTable::show(Table table)
     cut();
 }
 
-void ShownTable::cut()
+void TableViewModel::cut()
 {
     d->drawn = isCut() ? std::make_shared<const CompensationTable>(
                    tableSlice(*d->table, d->cutDimension, d->cutIndex))
@@ -122,17 +123,17 @@ void ShownTable::cut()
     Q_EMIT changed();
 }
 
-const ShownTable::Table& ShownTable::table() const
+const TableViewModel::Table& TableViewModel::table() const
 {
     return d->table;
 }
 
-const ShownTable::Table& ShownTable::drawn() const
+const TableViewModel::Table& TableViewModel::drawn() const
 {
     return d->drawn;
 }
 
-ShownTable::Table ShownTable::second() const
+TableViewModel::Table TableViewModel::second() const
 {
     const bool isBeside = d->content == TableContent::Selected && d->selected && d->onDrive
         && d->onDrive != d->selected && d->selected->grid.dimensions() == 1
@@ -140,12 +141,12 @@ ShownTable::Table ShownTable::second() const
     return isBeside ? d->onDrive : nullptr;
 }
 
-double ShownTable::scale() const
+double TableViewModel::scale() const
 {
     return std::max({-d->numbers.minimum, d->numbers.maximum, smallestScale});
 }
 
-QString ShownTable::description() const
+QString TableViewModel::description() const
 {
     if (!d->table)
         return tr("No table");
@@ -159,7 +160,7 @@ QString ShownTable::description() const
             signedNumberText(d->numbers.maximum) + unit, numberText(d->numbers.rms) + unit);
 }
 
-void ShownTable::setSlice(int dimension, int index)
+void TableViewModel::setSlice(int dimension, int index)
 {
     if (!isCut())
         return;
@@ -175,37 +176,37 @@ void ShownTable::setSlice(int dimension, int index)
     cut();
 }
 
-bool ShownTable::isCut() const
+bool TableViewModel::isCut() const
 {
     return d->table && d->table->grid.dimensions() == 3;
 }
 
-int ShownTable::sliceDimension() const
+int TableViewModel::sliceDimension() const
 {
     return static_cast<int>(d->cutDimension) + 1;
 }
 
-int ShownTable::sliceIndex() const
+int TableViewModel::sliceIndex() const
 {
     return static_cast<int>(d->cutIndex);
 }
 
-std::size_t ShownTable::dimensionOf(std::size_t drawnAxis) const
+std::size_t TableViewModel::dimensionOf(std::size_t drawnAxis) const
 {
     return isCut() && drawnAxis >= d->cutDimension ? drawnAxis + 1 : drawnAxis;
 }
 
-QString ShownTable::nameOf(std::size_t drawnAxis) const
+QString TableViewModel::nameOf(std::size_t drawnAxis) const
 {
     return dimensionName(d->table->grid, dimensionOf(drawnAxis));
 }
 
-float ShownTable::valueAt(const GridPoint& point) const
+float TableViewModel::valueAt(const GridPoint& point) const
 {
     return d->drawn->values[point.i + point.j * std::size_t{d->drawn->grid.axes[0].size}];
 }
 
-QString ShownTable::pointText(const GridPoint& point) const
+QString TableViewModel::pointText(const GridPoint& point) const
 {
     const std::array<std::size_t, 2> indices{point.i, point.j};
     QString text;
@@ -217,7 +218,7 @@ QString ShownTable::pointText(const GridPoint& point) const
     return text + valueText(valueAt(point)) + unitSuffix(d->drawn->unit);
 }
 
-void ShownTable::setCurrent(const std::optional<GridPoint>& point)
+void TableViewModel::setCurrent(const std::optional<GridPoint>& point)
 {
     const auto isInside = [this](const GridPoint& p) {
         const auto& axes = d->drawn->grid.axes;
@@ -230,7 +231,7 @@ void ShownTable::setCurrent(const std::optional<GridPoint>& point)
     Q_EMIT currentChanged();
 }
 
-const std::optional<GridPoint>& ShownTable::current() const
+const std::optional<GridPoint>& TableViewModel::current() const
 {
     return d->current;
 }

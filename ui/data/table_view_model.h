@@ -26,14 +26,14 @@ struct GridPoint {
 
 /// What picture and values show together: which table, which slice of it, and the point that is
 /// looked at.
-class ShownTable : public QObject {
+class TableViewModel : public QObject {
     Q_OBJECT
 
 public:
     using Table = std::shared_ptr<const CompensationTable>;
 
-    explicit ShownTable(QObject* parent = nullptr);
-    ~ShownTable() override;
+    explicit TableViewModel(QObject* parent = nullptr);
+    ~TableViewModel() override;
 
     /// Null: none. The tables are kept as long as they are shown.
     void setTables(Table selected, Table onDrive);

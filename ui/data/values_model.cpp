@@ -5,12 +5,12 @@
 
 namespace axiscomp::ui {
 
-ValuesModel::ValuesModel(const ShownTable& shown, QObject* parent)
+ValuesModel::ValuesModel(const TableViewModel& shown, QObject* parent)
     : QAbstractTableModel(parent)
     , m_shown(shown)
     , m_table(shown.drawn())
 {
-    connect(&shown, &ShownTable::changed, this, &ValuesModel::follow);
+    connect(&shown, &TableViewModel::changed, this, &ValuesModel::follow);
 }
 
 int ValuesModel::rowCount(const QModelIndex& parent) const

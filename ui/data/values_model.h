@@ -18,7 +18,7 @@ public:
     enum Column { Position, Value, ColumnCount }; ///< of 1D
 
     /// shown must outlive the model.
-    explicit ValuesModel(const ShownTable& shown, QObject* parent = nullptr);
+    explicit ValuesModel(const TableViewModel& shown, QObject* parent = nullptr);
 
     [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
@@ -36,8 +36,8 @@ private:
     void follow();
     [[nodiscard]] bool isMap() const { return m_table && m_table->grid.dimensions() == 2; }
 
-    const ShownTable& m_shown;
-    ShownTable::Table m_table; ///< what the views know
+    const TableViewModel& m_shown;
+    TableViewModel::Table m_table; ///< what the views know
 };
 
 } // namespace axiscomp::ui

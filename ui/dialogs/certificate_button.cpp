@@ -2,11 +2,10 @@
 #include "ui/dialogs/certificate_button.h"
 
 #include "core/store/trusted_certificates.h"
-#include "ui/async/background.h"
-#include "ui/async/future_handler.h"
+#include "ui/async/background_job.h"
 #include "ui/dialogs/certificate_dialog.h"
 #include "ui/style/symbols.h"
-#include "ui/text/error_text.h"
+#include "ui/text/message_text.h"
 
 namespace axiscomp::ui {
 

@@ -2,10 +2,9 @@
 #include "ui/dialogs/certificate_dialog.h"
 
 #include "core/store/trusted_certificates.h"
-#include "ui/async/background.h"
-#include "ui/async/future_handler.h"
+#include "ui/async/background_job.h"
 #include "ui/style/contrast.h"
-#include "ui/text/error_text.h"
+#include "ui/text/message_text.h"
 
 #include <QBoxLayout>
 #include <QDate>

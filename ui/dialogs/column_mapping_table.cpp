@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/dialogs/column_mapping_table.h"
 
-#include "ui/async/background.h"
-#include "ui/async/future_handler.h"
+#include "ui/async/background_job.h"
 #include "ui/session/axis_list.h"
 #include "ui/text/value_text.h"
 
@@ -35,7 +34,7 @@ std::vector<ValueRange> rangesOf(const CalibrationData& file)
 
 } // namespace
 
-ColumnAxisTable::ColumnAxisTable(
+ColumnMappingTable::ColumnMappingTable(
     std::shared_ptr<const CalibrationData> file, std::vector<AxisEntry> axes, QWidget* parent)
     : QTableWidget(parent)
     , m_file(std::move(file))
@@ -50,7 +49,7 @@ ColumnAxisTable::ColumnAxisTable(
     retranslate();
 }
 
-void ColumnAxisTable::build()
+void ColumnMappingTable::build()
 {
     setColumnCount(MappingColumnCount);
     setRowCount(static_cast<int>(m_file->tables.size()));
@@ -70,7 +69,7 @@ void ColumnAxisTable::build()
     verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
 }
 
-void ColumnAxisTable::addRow(int row, const AxisChoice& proposal)
+void ColumnMappingTable::addRow(int row, const AxisChoice& proposal)
 {
     setItem(row, NameColumn, new QTableWidgetItem);
     setItem(row, RangeColumn, new QTableWidgetItem(QStringLiteral("…")));
@@ -80,12 +79,12 @@ void ColumnAxisTable::addRow(int row, const AxisChoice& proposal)
     for (const AxisEntry& entry : m_axes)
         combo->addItem(axisNameOnDrive(entry), entry.axis.index);
     combo->setCurrentIndex(proposal ? combo->findData(*proposal) : 0);
-    connect(combo, &QComboBox::currentIndexChanged, this, &ColumnAxisTable::choiceChanged);
+    connect(combo, &QComboBox::currentIndexChanged, this, &ColumnMappingTable::choiceChanged);
     setCellWidget(row, MappedAxisColumn, combo);
     m_combos.push_back(combo);
 }
 
-void ColumnAxisTable::askForRanges()
+void ColumnMappingTable::askForRanges()
 {
     const auto ranges =
         inBackground<std::vector<ValueRange>>([file = m_file] { return rangesOf(*file); });
@@ -100,13 +99,13 @@ void ColumnAxisTable::askForRanges()
     });
 }
 
-QString ColumnAxisTable::columnName(int row) const
+QString ColumnMappingTable::columnName(int row) const
 {
     const std::string& name = m_file->tables[static_cast<std::size_t>(row)].name;
     return name.empty() ? tr("column %1").arg(row + 1) : QString::fromStdString(name);
 }
 
-std::vector<AxisChoice> ColumnAxisTable::choices() const
+std::vector<AxisChoice> ColumnMappingTable::choices() const
 {
     std::vector<AxisChoice> chosen;
     for (const QComboBox* combo : m_combos) {
@@ -116,13 +115,13 @@ std::vector<AxisChoice> ColumnAxisTable::choices() const
     return chosen;
 }
 
-void ColumnAxisTable::setChoosable(bool isChoosable)
+void ColumnMappingTable::setChoosable(bool isChoosable)
 {
     for (QComboBox* combo : m_combos)
         combo->setEnabled(isChoosable);
 }
 
-void ColumnAxisTable::retranslate()
+void ColumnMappingTable::retranslate()
 {
     setHorizontalHeaderLabels({tr("Column of the file"), tr("Values"), tr("Axis")});
     setAccessibleName(tr("Which column is for which axis"));

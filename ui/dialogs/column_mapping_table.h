@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/csv/calibration_csv.h"
 #include "ui/controller/column_mapping.h"
 
 #include <QTableWidget>
@@ -13,12 +14,12 @@ namespace axiscomp::ui {
 
 /// The columns of a file, one row each: name, range of values, and a choice of the axis that shall
 /// have it.
-class ColumnAxisTable : public QTableWidget {
+class ColumnMappingTable : public QTableWidget {
     Q_OBJECT
 
 public:
     /// Begins with what proposedAxes() proposes.
-    ColumnAxisTable(std::shared_ptr<const CalibrationData> file, std::vector<AxisEntry> axes,
+    ColumnMappingTable(std::shared_ptr<const CalibrationData> file, std::vector<AxisEntry> axes,
         QWidget* parent = nullptr);
 
     [[nodiscard]] std::vector<AxisChoice> choices() const; ///< one per column

@@ -7,6 +7,7 @@
 #include "ui/style/contrast.h"
 #include "ui/style/symbols.h"
 #include "ui/text/endpoint_text.h"
+#include "ui/text/message_text.h"
 
 #include <QBoxLayout>
 #include <QDialogButtonBox>
@@ -26,7 +27,7 @@ enum ConnectionColumn { AddressColumn, DriveColumn, StateColumn, ConnectionColum
 constexpr int endpointRole = Qt::UserRole; ///< as typed, password included
 constexpr int connectionSymbolSize = 14;
 
-QPushButton* pushButton(const char* name, Symbol symbol)
+QPushButton* dialogButton(const char* name, Symbol symbol)
 {
     auto* button = new QPushButton;
     button->setObjectName(QLatin1StringView(name));
@@ -57,15 +58,15 @@ ConnectionsDialog::ConnectionsDialog(
     , m_probe(m_options)
     , m_introduction(new QLabel)
     , m_list(new QTreeWidget)
-    , m_edit(pushButton("editConnection", Symbol::Edit))
-    , m_remove(pushButton("removeConnection", Symbol::Remove))
-    , m_test(pushButton("testConnection", Symbol::Connections))
+    , m_edit(dialogButton("editConnection", Symbol::Edit))
+    , m_remove(dialogButton("removeConnection", Symbol::Remove))
+    , m_test(dialogButton("testConnection", Symbol::Connections))
     , m_certificate(new CertificateButton(m_options.storeRoot))
-    , m_find(pushButton("findDrives", Symbol::Refresh))
-    , m_demo(pushButton("addDemo", Symbol::Add))
+    , m_find(dialogButton("findDrives", Symbol::Refresh))
+    , m_demo(dialogButton("addDemo", Symbol::Add))
     , m_addressLabel(new QLabel)
     , m_address(new QLineEdit)
-    , m_add(pushButton("addConnection", Symbol::Add))
+    , m_add(dialogButton("addConnection", Symbol::Add))
     , m_busy(new BusyMark)
     , m_note(new QLabel)
     , m_buttons(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel))

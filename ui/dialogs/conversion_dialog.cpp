@@ -4,7 +4,7 @@
 #include "ui/dialogs/setting_fields.h"
 #include "ui/style/busy_mark.h"
 #include "ui/style/contrast.h"
-#include "ui/text/error_text.h"
+#include "ui/text/message_text.h"
 
 #include <QBoxLayout>
 #include <QDialogButtonBox>

@@ -2,7 +2,7 @@
 #include "ui/dialogs/export_dialog.h"
 
 #include "core/formats/formats.h"
-#include "ui/text/error_text.h"
+#include "ui/text/message_text.h"
 
 namespace axiscomp::ui {
 

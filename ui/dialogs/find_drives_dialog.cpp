@@ -5,7 +5,7 @@
 #include "ui/style/contrast.h"
 #include "ui/style/symbols.h"
 #include "ui/text/endpoint_text.h"
-#include "ui/text/error_text.h"
+#include "ui/text/message_text.h"
 
 #include <QBoxLayout>
 #include <QCheckBox>
@@ -42,8 +42,8 @@ FindDrivesDialog::FindDrivesDialog(Options options, QWidget* parent)
     build();
     connect(m_search, &QPushButton::clicked, this, &FindDrivesDialog::search);
     connect(m_list, &QTreeWidget::itemChanged, this, &FindDrivesDialog::updateButtons);
-    connect(&m_scan, &DriveScan::sighted, this, &FindDrivesDialog::add);
-    connect(&m_scan, &DriveScan::finished, this, &FindDrivesDialog::showEnd);
+    connect(&m_scan, &DriveSearchJob::sighted, this, &FindDrivesDialog::add);
+    connect(&m_scan, &DriveSearchJob::finished, this, &FindDrivesDialog::showEnd);
     connect(m_buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     connect(m_buttons, &QDialogButtonBox::accepted, this, [this] {
         Q_EMIT endpointsChosen(chosen());

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ui/session/drive_search_job.h"
+#include "ui/session/port_candidates.h"
 
 #include <QDialog>
 
@@ -44,7 +45,7 @@ private:
     [[nodiscard]] QStringList chosen() const;
 
     Options m_options;
-    DriveScan m_scan;
+    DriveSearchJob m_scan;
     QLabel* m_introduction;
     QCheckBox* m_anyBaudRate;
     QPushButton* m_search;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/dialogs/import_dialog.h"
 
-#include "ui/text/error_text.h"
+#include "ui/text/message_text.h"
 
 #include <QFileInfo>
 #include <QSignalBlocker>

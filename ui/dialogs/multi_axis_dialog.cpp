@@ -22,7 +22,7 @@ namespace axiscomp::ui {
 
 namespace {
 
-constexpr int progressSteps = 1000;
+constexpr int writingSteps = 1000;
 enum SourcesEntry { KeepSources, PageSources };
 
 QLabel* wrappedLabel(const char* name)
@@ -35,18 +35,18 @@ QLabel* wrappedLabel(const char* name)
 
 } // namespace
 
-SeveralAxesDialog::SeveralAxesDialog(WizardController& controller, QWidget* parent)
+MultiAxisDialog::MultiAxisDialog(WizardController& controller, QWidget* parent)
     : QDialog(parent)
     , m_controller(controller)
     , m_data(controller.dataFile().data)
     , m_axes(controller.usableAxes())
     , m_introduction(wrappedLabel("severalIntroduction"))
-    , m_columns(new ColumnAxisTable(m_data, m_axes))
+    , m_columns(new ColumnMappingTable(m_data, m_axes))
     , m_sourcesLabel(new QLabel)
     , m_sources(new QComboBox)
     , m_persistency(wrappedLabel("severalPersistency"))
     , m_planTitle(new QLabel)
-    , m_plan(new SeveralPlanView)
+    , m_plan(new MultiAxisPlanView)
     , m_busy(new BusyMark)
     , m_reason(wrappedLabel("severalReason"))
     , m_progress(new QProgressBar)
@@ -62,12 +62,12 @@ SeveralAxesDialog::SeveralAxesDialog(WizardController& controller, QWidget* pare
     plan();
 }
 
-SeveralAxesDialog::~SeveralAxesDialog()
+MultiAxisDialog::~MultiAxisDialog()
 {
     m_controller.dropSeveral();
 }
 
-void SeveralAxesDialog::build()
+void MultiAxisDialog::build()
 {
     m_sources->setObjectName(QStringLiteral("severalSources"));
     m_sources->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
@@ -76,7 +76,7 @@ void SeveralAxesDialog::build()
     titleFont.setBold(true);
     m_planTitle->setFont(titleFont);
     m_progress->setObjectName(QStringLiteral("severalProgress"));
-    m_progress->setRange(0, progressSteps);
+    m_progress->setRange(0, writingSteps);
     m_write->setObjectName(QStringLiteral("writeSeveralButton"));
     m_write->setDefault(true);
     m_close->setObjectName(QStringLiteral("closeSeveralButton"));
@@ -105,28 +105,28 @@ void SeveralAxesDialog::build()
     resize(940, 620);
 }
 
-void SeveralAxesDialog::follow()
+void MultiAxisDialog::follow()
 {
-    connect(m_columns, &ColumnAxisTable::choiceChanged, this, &SeveralAxesDialog::plan);
-    connect(m_sources, &QComboBox::activated, this, &SeveralAxesDialog::plan);
-    connect(m_write, &QPushButton::clicked, this, &SeveralAxesDialog::write);
-    connect(m_close, &QPushButton::clicked, this, &SeveralAxesDialog::reject);
-    connect(&m_controller, &WizardController::severalPlanned, this, &SeveralAxesDialog::takePlans);
-    connect(&m_controller, &WizardController::severalWritten, this, &SeveralAxesDialog::end);
-    connect(&m_controller, &WizardController::busyChanged, this, &SeveralAxesDialog::showBusy);
-    connect(&m_controller, &WizardController::actionsChanged, this, &SeveralAxesDialog::planAgain);
+    connect(m_columns, &ColumnMappingTable::choiceChanged, this, &MultiAxisDialog::plan);
+    connect(m_sources, &QComboBox::activated, this, &MultiAxisDialog::plan);
+    connect(m_write, &QPushButton::clicked, this, &MultiAxisDialog::write);
+    connect(m_close, &QPushButton::clicked, this, &MultiAxisDialog::reject);
+    connect(&m_controller, &WizardController::severalPlanned, this, &MultiAxisDialog::takePlans);
+    connect(&m_controller, &WizardController::severalWritten, this, &MultiAxisDialog::end);
+    connect(&m_controller, &WizardController::busyChanged, this, &MultiAxisDialog::showBusy);
+    connect(&m_controller, &WizardController::actionsChanged, this, &MultiAxisDialog::planAgain);
     connect(&m_controller, &WizardController::currentAxisChanged, this,
-        &SeveralAxesDialog::leaveLostDrive);
+        &MultiAxisDialog::leaveLostDrive);
 }
 
-void SeveralAxesDialog::changeEvent(QEvent* event)
+void MultiAxisDialog::changeEvent(QEvent* event)
 {
     if (event->type() == QEvent::LanguageChange)
         retranslate();
     QDialog::changeEvent(event);
 }
 
-void SeveralAxesDialog::retranslate()
+void MultiAxisDialog::retranslate()
 {
     setWindowTitle(tr("Write Several Axes"));
     m_introduction->setText(
@@ -156,7 +156,7 @@ void SeveralAxesDialog::retranslate()
     enter(m_state);
 }
 
-void SeveralAxesDialog::fillSources()
+void MultiAxisDialog::fillSources()
 {
     m_sources->addItem(QString());
     if (m_controller.sourcesForSeveral().empty())
@@ -165,7 +165,7 @@ void SeveralAxesDialog::fillSources()
     m_sources->setCurrentIndex(PageSources);
 }
 
-std::vector<ColumnForAxis> SeveralAxesDialog::chosen() const
+std::vector<ColumnForAxis> MultiAxisDialog::chosen() const
 {
     std::vector<ColumnForAxis> columns;
     const std::vector<AxisChoice> choices = m_columns->choices();
@@ -176,12 +176,12 @@ std::vector<ColumnForAxis> SeveralAxesDialog::chosen() const
     return columns;
 }
 
-QString SeveralAxesDialog::obstacle() const
+QString MultiAxisDialog::obstacle() const
 {
     return assignmentObstacle(m_columns->choices(), m_axes);
 }
 
-void SeveralAxesDialog::plan()
+void MultiAxisDialog::plan()
 {
     m_controller.dropSeveral();
     m_plan->clear();
@@ -192,7 +192,7 @@ void SeveralAxesDialog::plan()
 }
 
 /// A drive that could not be asked, or was not there, may be there again.
-void SeveralAxesDialog::planAgain()
+void MultiAxisDialog::planAgain()
 {
     const auto& plans = m_controller.severalPlans();
     const bool hasFailed = m_state == State::Planned && plans && !*plans;
@@ -204,12 +204,12 @@ void SeveralAxesDialog::planAgain()
         showReason();
 }
 
-void SeveralAxesDialog::takePlans()
+void MultiAxisDialog::takePlans()
 {
     enter(State::Planned);
 }
 
-void SeveralAxesDialog::write()
+void MultiAxisDialog::write()
 {
     if (!m_write->isEnabled())
         return;
@@ -218,18 +218,18 @@ void SeveralAxesDialog::write()
     enter(m_controller.busy().isBusy ? State::Writing : State::Choosing);
 }
 
-void SeveralAxesDialog::showBusy()
+void MultiAxisDialog::showBusy()
 {
     if (m_state != State::Writing)
         return;
     const BusyState& busy = m_controller.busy();
-    m_progress->setValue(qRound(busy.fraction * progressSteps));
+    m_progress->setValue(qRound(busy.fraction * writingSteps));
     showReason();
     showButtons();
 }
 
 /// The connection was removed: nobody says any more what becomes of the writes.
-void SeveralAxesDialog::leaveLostDrive()
+void MultiAxisDialog::leaveLostDrive()
 {
     const auto now = m_controller.usableAxes();
     const bool isAnother =
@@ -238,13 +238,13 @@ void SeveralAxesDialog::leaveLostDrive()
         QDialog::reject();
 }
 
-void SeveralAxesDialog::end()
+void MultiAxisDialog::end()
 {
     enter(State::Ended);
     m_close->setFocus();
 }
 
-void SeveralAxesDialog::reject()
+void MultiAxisDialog::reject()
 {
     if (m_state != State::Writing) {
         QDialog::reject();
@@ -254,7 +254,7 @@ void SeveralAxesDialog::reject()
         m_controller.cancel();
 }
 
-void SeveralAxesDialog::enter(State state)
+void MultiAxisDialog::enter(State state)
 {
     m_state = state;
     const bool isChoosable = state != State::Writing && state != State::Ended;
@@ -273,7 +273,7 @@ void SeveralAxesDialog::enter(State state)
     showButtons();
 }
 
-void SeveralAxesDialog::showButtons()
+void MultiAxisDialog::showButtons()
 {
     const auto& plans = m_controller.severalPlans();
     const bool hasChanges = m_state == State::Planned && plans && *plans
@@ -301,7 +301,7 @@ void SeveralAxesDialog::showButtons()
     m_close->setAccessibleDescription(m_close->toolTip());
 }
 
-QString SeveralAxesDialog::reason() const
+QString MultiAxisDialog::reason() const
 {
     const auto& plans = m_controller.severalPlans();
     switch (m_state) {
@@ -320,7 +320,7 @@ QString SeveralAxesDialog::reason() const
         if (std::ranges::all_of(
                 **plans, [](const WritePlan& plan) { return plan.changes.empty(); }))
             return tr("The drive has all of this already.");
-        return SeveralPlanView::costText(**plans);
+        return MultiAxisPlanView::costText(**plans);
     case State::Writing:
         return m_controller.busy().step;
     case State::Ended:
@@ -329,7 +329,7 @@ QString SeveralAxesDialog::reason() const
     return {};
 }
 
-void SeveralAxesDialog::showReason()
+void MultiAxisDialog::showReason()
 {
     m_reason->setText(reason());
     const auto& plans = m_controller.severalPlans();

@@ -13,19 +13,19 @@ class QPushButton;
 namespace axiscomp::ui {
 
 class BusyMark;
-class ColumnAxisTable;
-class SeveralPlanView;
+class ColumnMappingTable;
+class MultiAxisPlanView;
 
 /// Columns of the open file for several axes of the current drive: what is for which, the plan of
 /// all, and the writes one after the other. Nothing is written that was not planned with all
 /// others.
-class SeveralAxesDialog : public QDialog {
+class MultiAxisDialog : public QDialog {
     Q_OBJECT
 
 public:
     /// The controller has an open file and an axis.
-    explicit SeveralAxesDialog(WizardController& controller, QWidget* parent = nullptr);
-    ~SeveralAxesDialog() override;
+    explicit MultiAxisDialog(WizardController& controller, QWidget* parent = nullptr);
+    ~MultiAxisDialog() override;
 
     /// While the drive is written: stops the writes; the dialog stays and says what has become of
     /// them.
@@ -61,12 +61,12 @@ private:
     std::vector<ColumnForAxis> m_asked; ///< what the plan is of
     State m_state = State::Choosing;
     QLabel* m_introduction;
-    ColumnAxisTable* m_columns;
+    ColumnMappingTable* m_columns;
     QLabel* m_sourcesLabel;
     QComboBox* m_sources;
     QLabel* m_persistency;
     QLabel* m_planTitle;
-    SeveralPlanView* m_plan;
+    MultiAxisPlanView* m_plan;
     BusyMark* m_busy;
     QLabel* m_reason;
     QProgressBar* m_progress;

@@ -2,7 +2,8 @@
 #include "ui/dialogs/multi_axis_plan_view.h"
 
 #include "ui/controller/column_mapping.h"
-#include "ui/text/error_text.h"
+#include "ui/session/axis_list.h"
+#include "ui/text/message_text.h"
 #include "ui/text/value_text.h"
 
 #include <QBoxLayout>
@@ -19,19 +20,19 @@ namespace {
 
 enum PlanColumn { AxisColumn, BeforeColumn, AfterColumn, SlotColumn, PlanColumnCount };
 
-QString persistencyText(Persistency persistency)
+QString persistencyWord(Persistency persistency)
 {
-    return persistency == Persistency::Persistent ? SeveralPlanView::tr("persistent")
-                                                  : SeveralPlanView::tr("volatile");
+    return persistency == Persistency::Persistent ? MultiAxisPlanView::tr("persistent")
+                                                  : MultiAxisPlanView::tr("volatile");
 }
 
 QString beforeText(const CompensationSetup& setup, std::span<const AxisEntry> axes)
 {
     QStringList lines{setup.slot.empty()
-            ? SeveralPlanView::tr("no table")
-            : SeveralPlanView::tr("%1D in %2, %3")
+            ? MultiAxisPlanView::tr("no table")
+            : MultiAxisPlanView::tr("%1D in %2, %3")
                   .arg(QString::number(setup.dimensionality), QString::fromStdString(setup.slot),
-                      persistencyText(setup.persistency))};
+                      persistencyWord(setup.persistency))};
     lines += sourceLines(setup.sources, axes);
     return lines.join(u'\n');
 }
@@ -40,10 +41,10 @@ QString afterText(
     const WritePlan& plan, const CompensationTable& table, std::span<const AxisEntry> axes)
 {
     if (plan.changes.empty())
-        return SeveralPlanView::tr("nothing: the drive has all of this already");
+        return MultiAxisPlanView::tr("nothing: the drive has all of this already");
     QStringList lines{
         QStringLiteral("%1: %2").arg(QString::fromStdString(table.name), gridText(table.grid)),
-        persistencyText(plan.after.persistency)};
+        persistencyWord(plan.after.persistency)};
     lines += sourceLines(plan.after.sources, axes);
     return lines.join(u'\n');
 }
@@ -53,14 +54,14 @@ QString slotText(const WritePlan& plan, bool isTaken)
 {
     const QString slot = QString::fromStdString(plan.after.slot);
     if (isTaken)
-        return SeveralPlanView::tr("chosen when its turn comes");
+        return MultiAxisPlanView::tr("chosen when its turn comes");
     switch (plan.slotReason) {
     case SlotReason::Empty:
-        return SeveralPlanView::tr("%1 (empty)").arg(slot);
+        return MultiAxisPlanView::tr("%1 (empty)").arg(slot);
     case SlotReason::OwnPrevious:
-        return SeveralPlanView::tr("%1 (held an earlier table of this axis)").arg(slot);
+        return MultiAxisPlanView::tr("%1 (held an earlier table of this axis)").arg(slot);
     case SlotReason::OverwriteOwn:
-        return SeveralPlanView::tr("%1 (is overwritten)").arg(slot);
+        return MultiAxisPlanView::tr("%1 (is overwritten)").arg(slot);
     case SlotReason::Named:
     case SlotReason::KeepTable:
         break;
@@ -80,12 +81,12 @@ QStringList sourceLines(std::span<const DimSource> sources, std::span<const Axis
         const QString name = source.path.empty()
             ? QStringLiteral("0x%1").arg(source.address, 8, 16, QChar(u'0'))
             : registerName(source.path, axes);
-        lines += SeveralPlanView::tr("Dim%1: %2").arg(QString::number(n + 1), name);
+        lines += MultiAxisPlanView::tr("Dim%1: %2").arg(QString::number(n + 1), name);
     }
     return lines;
 }
 
-SeveralPlanView::SeveralPlanView(QWidget* parent)
+MultiAxisPlanView::MultiAxisPlanView(QWidget* parent)
     : QWidget(parent)
     , m_rows(new QTableWidget)
     , m_remarks(new QLabel)
@@ -117,20 +118,20 @@ SeveralPlanView::SeveralPlanView(QWidget* parent)
     retranslate();
 }
 
-void SeveralPlanView::retranslate()
+void MultiAxisPlanView::retranslate()
 {
     m_rows->setHorizontalHeaderLabels({tr("Axis"), tr("On the drive"), tr("New"), tr("Slot")});
     m_rows->setAccessibleName(tr("What will be written"));
 }
 
-void SeveralPlanView::clear()
+void MultiAxisPlanView::clear()
 {
     m_rows->setRowCount(0);
     m_remarks->clear();
     m_remarks->hide();
 }
 
-void SeveralPlanView::showPlans(std::span<const WritePlan> plans,
+void MultiAxisPlanView::showPlans(std::span<const WritePlan> plans,
     std::span<const CompensationTable* const> tables, std::span<const AxisEntry> axes)
 {
     clear();
@@ -147,7 +148,7 @@ void SeveralPlanView::showPlans(std::span<const WritePlan> plans,
     m_remarks->setVisible(!remarks.isEmpty());
 }
 
-void SeveralPlanView::addRow(const WritePlan& plan, const CompensationTable& table,
+void MultiAxisPlanView::addRow(const WritePlan& plan, const CompensationTable& table,
     std::span<const AxisEntry> axes, bool isSlotTaken)
 {
     const int row = m_rows->rowCount();
@@ -162,7 +163,7 @@ void SeveralPlanView::addRow(const WritePlan& plan, const CompensationTable& tab
     }
 }
 
-QString SeveralPlanView::costText(std::span<const WritePlan> plans)
+QString MultiAxisPlanView::costText(std::span<const WritePlan> plans)
 {
     int operations = 0;
     for (const WritePlan& plan : plans)

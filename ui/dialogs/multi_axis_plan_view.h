@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/controller/wizard_options.h"
+#include "core/compensator/axis_compensator.h"
+#include "ui/session/axis_entry.h"
 
 #include <QWidget>
 
@@ -14,11 +15,11 @@ namespace axiscomp::ui {
 
 /// What several writes will change, one row per axis: on the drive, new, slot; and what to know
 /// about it.
-class SeveralPlanView : public QWidget {
+class MultiAxisPlanView : public QWidget {
     Q_OBJECT
 
 public:
-    explicit SeveralPlanView(QWidget* parent = nullptr);
+    explicit MultiAxisPlanView(QWidget* parent = nullptr);
 
     /// tables: one per plan. axes: those of the drive.
     void showPlans(std::span<const WritePlan> plans,

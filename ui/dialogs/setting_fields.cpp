@@ -2,7 +2,7 @@
 #include "ui/dialogs/setting_fields.h"
 #include "ui/text/value_text.h"
 
-#include "ui/text/error_text.h"
+#include "ui/text/message_text.h"
 #include "ui/text/phrase_book.h"
 
 #include <QCheckBox>

@@ -17,11 +17,11 @@ namespace axiscomp::ui {
 
 namespace {
 
-constexpr int progressSteps = 1000;
+constexpr int readingSteps = 1000;
 
 } // namespace
 
-DataField::DataField(QWidget* parent)
+DataFileField::DataFileField(QWidget* parent)
     : QWidget(parent)
     , m_stack(new QStackedWidget)
     , m_name(new QLineEdit)
@@ -35,7 +35,7 @@ DataField::DataField(QWidget* parent)
     m_name->setObjectName(QStringLiteral("dataFile"));
     m_name->setReadOnly(true);
     m_progress->setObjectName(QStringLiteral("dataProgress"));
-    m_progress->setRange(0, progressSteps);
+    m_progress->setRange(0, readingSteps);
     m_open->setObjectName(QStringLiteral("openButton"));
     m_open->setIcon(symbolIcon(Symbol::Open));
     m_open->setAutoDefault(true);
@@ -58,18 +58,18 @@ DataField::DataField(QWidget* parent)
     layout->addWidget(m_open);
     layout->addWidget(m_cancel);
     layout->addWidget(m_more);
-    connect(m_open, &QPushButton::clicked, this, &DataField::openRequested);
-    connect(m_cancel, &QPushButton::clicked, this, &DataField::cancelRequested);
-    connect(m_menu, &QMenu::aboutToShow, this, &DataField::fillMenu);
+    connect(m_open, &QPushButton::clicked, this, &DataFileField::openRequested);
+    connect(m_cancel, &QPushButton::clicked, this, &DataFileField::cancelRequested);
+    connect(m_menu, &QMenu::aboutToShow, this, &DataFileField::fillMenu);
     retranslate();
 }
 
-QWidget& DataField::nameField()
+QWidget& DataFileField::nameField()
 {
     return *m_name;
 }
 
-void DataField::showFile(const QString& path)
+void DataFileField::showFile(const QString& path)
 {
     m_path = path;
     m_stack->setCurrentWidget(m_name);
@@ -80,15 +80,15 @@ void DataField::showFile(const QString& path)
     m_cancel->setVisible(false);
 }
 
-void DataField::showReading(double fraction)
+void DataFileField::showReading(double fraction)
 {
     m_stack->setCurrentWidget(m_progress);
-    m_progress->setValue(static_cast<int>(fraction * progressSteps));
+    m_progress->setValue(static_cast<int>(fraction * readingSteps));
     m_open->setVisible(false);
     m_cancel->setVisible(true);
 }
 
-void DataField::setOpenEnabled(bool isEnabled, const QString& reason)
+void DataFileField::setOpenEnabled(bool isEnabled, const QString& reason)
 {
     m_reason = reason;
     m_open->setEnabled(isEnabled);
@@ -98,12 +98,12 @@ void DataField::setOpenEnabled(bool isEnabled, const QString& reason)
             : reason);
 }
 
-void DataField::setRecentFiles(const QStringList& paths)
+void DataFileField::setRecentFiles(const QStringList& paths)
 {
     m_recent = paths;
 }
 
-void DataField::retranslate()
+void DataFileField::retranslate()
 {
     m_name->setPlaceholderText(tr("no file"));
     m_name->setToolTip(m_path.isEmpty() ? tr("No file is open") : m_name->toolTip());
@@ -119,7 +119,7 @@ void DataField::retranslate()
     setOpenEnabled(m_open->isEnabled(), m_reason);
 }
 
-void DataField::fillMenu()
+void DataFileField::fillMenu()
 {
     m_menu->clear();
     for (qsizetype i = 0; i < m_recent.size(); ++i) {
@@ -139,14 +139,14 @@ void DataField::fillMenu()
     import->setObjectName(QStringLiteral("importOptionsAction"));
     import->setToolTip(tr("Format, sign and even grid of the open file"));
     import->setEnabled(!m_path.isEmpty());
-    connect(import, &QAction::triggered, this, &DataField::importOptionsRequested);
+    connect(import, &QAction::triggered, this, &DataFileField::importOptionsRequested);
     QAction* close = m_menu->addAction(symbolIcon(Symbol::Close), tr("&Close File"));
     again->setObjectName(QStringLiteral("readAgainAction"));
     close->setObjectName(QStringLiteral("closeFileAction"));
     again->setEnabled(!m_path.isEmpty());
     close->setEnabled(!m_path.isEmpty());
-    connect(again, &QAction::triggered, this, &DataField::readAgainRequested);
-    connect(close, &QAction::triggered, this, &DataField::closeRequested);
+    connect(again, &QAction::triggered, this, &DataFileField::readAgainRequested);
+    connect(close, &QAction::triggered, this, &DataFileField::closeRequested);
 }
 
 } // namespace axiscomp::ui

@@ -14,11 +14,11 @@ class QToolButton;
 namespace axiscomp::ui {
 
 /// The name of the open file, or how far it is read, with the buttons to open and to cancel.
-class DataField : public QWidget {
+class DataFileField : public QWidget {
     Q_OBJECT
 
 public:
-    explicit DataField(QWidget* parent = nullptr);
+    explicit DataFileField(QWidget* parent = nullptr);
 
     /// What the label of the field leads to.
     [[nodiscard]] QWidget& nameField();

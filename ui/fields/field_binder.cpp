@@ -86,8 +86,8 @@ void FieldBinder::add(Binding binding)
 void FieldBinder::show(const SetupModel& model, const Binding& binding)
 {
     binding.show();
-    const bool isChanged = model.isChanged(binding.field);
-    binding.row->setChanged(isChanged, isChanged ? binding.driveText(model.baseline()) : QString());
+    const bool isDirty = model.isDirty(binding.field);
+    binding.row->setDirty(isDirty, isDirty ? binding.driveText(model.baseline()) : QString());
 }
 
 } // namespace axiscomp::ui

@@ -62,7 +62,7 @@ FieldRow::FieldRow(QWidget* editor, QStyle* style, QWidget* parent)
 {
     editor->setParent(parent);
     editor->setStyle(style);
-    ChangedStyle::setChanged(*editor, false);
+    DirtyStyle::setDirty(*editor, false);
     editor->installEventFilter(this);
     if (auto* combo = qobject_cast<QComboBox*>(editor); combo && combo->isEditable())
         combo->lineEdit()->installEventFilter(this);
@@ -144,7 +144,7 @@ void FieldRow::setVisible(bool isVisible)
     m_editor->setVisible(isVisible);
     m_noteLine->setVisible(isVisible);
     m_buttons->setVisible(isVisible);
-    m_revert->setVisible(isVisible && m_isChanged && m_isRevertible);
+    m_revert->setVisible(isVisible && m_isDirty && m_isRevertible);
 }
 
 bool FieldRow::isVisible() const
@@ -159,19 +159,19 @@ void FieldRow::setEnabled(bool isEnabled)
     m_revert->setEnabled(isEnabled);
 }
 
-void FieldRow::setChanged(bool isChanged, const QString& driveText)
+void FieldRow::setDirty(bool isDirty, const QString& driveText)
 {
-    if (m_isChanged == isChanged && m_driveText == driveText)
+    if (m_isDirty == isDirty && m_driveText == driveText)
         return;
-    m_isChanged = isChanged;
+    m_isDirty = isDirty;
     m_driveText = driveText;
-    ChangedStyle::setChanged(*m_editor, isChanged);
+    DirtyStyle::setDirty(*m_editor, isDirty);
     showState();
 }
 
-bool FieldRow::isChanged() const
+bool FieldRow::isDirty() const
 {
-    return m_isChanged;
+    return m_isDirty;
 }
 
 void FieldRow::setProblem(const QString& sentence)
@@ -224,7 +224,7 @@ void FieldRow::showState()
     if (!m_problem.isEmpty()) {
         tone = Tone::Error;
         text = m_problem;
-    } else if (m_isChanged) {
+    } else if (m_isDirty) {
         tone = Tone::Changed;
         text = changedText();
     }
@@ -239,12 +239,12 @@ void FieldRow::showState()
     notePalette.setColor(QPalette::WindowText, color);
     m_note->setPalette(notePalette);
     m_note->setText(breakable(text));
-    m_revert->setVisible(m_isVisible && m_isChanged && m_isRevertible);
+    m_revert->setVisible(m_isVisible && m_isDirty && m_isRevertible);
 
     QString toolTip =
         m_wholeValue.isEmpty() ? m_texts.toolTip : m_wholeValue + u'\n' + m_texts.toolTip;
     QString description = m_texts.description;
-    if (m_isChanged) {
+    if (m_isDirty) {
         const QString onDrive = tr("on the drive: %1").arg(m_driveText);
         toolTip = toolTip.isEmpty() ? onDrive : onDrive + u'\n' + toolTip;
         description = changedText() + QStringLiteral(". ") + description;
@@ -289,7 +289,7 @@ void FieldRow::showContextMenu(const QPoint& position)
     menu->setObjectName(objectNameOf(*m_editor, QLatin1StringView("Menu")));
     QAction* revert =
         menu->addAction(symbolIcon(Symbol::Revert), tr("&Revert to the drive's value"));
-    revert->setEnabled(m_isChanged);
+    revert->setEnabled(m_isDirty);
     connect(revert, &QAction::triggered, this, &FieldRow::revertRequested);
     menu->popup(position);
 }

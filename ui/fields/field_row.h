@@ -46,8 +46,8 @@ public:
     void setEnabled(bool isEnabled);
 
     /// driveText: the drive's value in words.
-    void setChanged(bool isChanged, const QString& driveText);
-    [[nodiscard]] bool isChanged() const;
+    void setDirty(bool isDirty, const QString& driveText);
+    [[nodiscard]] bool isDirty() const;
     void setProblem(const QString& sentence);
     void setInformation(const QString& text);
     /// The value in full, for the tooltip of an editor that may be too narrow for it.
@@ -80,7 +80,7 @@ private:
     QString m_problem;
     QString m_information;
     QString m_wholeValue;
-    bool m_isChanged = false;
+    bool m_isDirty = false;
     bool m_isRevertible = true;
     bool m_isVisible = true;
 };

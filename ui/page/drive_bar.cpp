@@ -27,7 +27,7 @@ QString driveText(const DriveState& drive)
                                 : drive.name + QStringLiteral("   ") + drive.endpoint;
 }
 
-QPushButton* pushButton(const char* name, Symbol symbol)
+QPushButton* barButton(const char* name, Symbol symbol)
 {
     auto* button = new QPushButton;
     button->setObjectName(QLatin1StringView(name));
@@ -43,8 +43,8 @@ DriveBar::DriveBar(WizardController& controller, QMenu& menu, QWidget* parent)
     , m_controller(controller)
     , m_label(new QLabel)
     , m_drives(new QComboBox)
-    , m_connections(pushButton("connectionsButton", Symbol::Connections))
-    , m_refresh(pushButton("refreshButton", Symbol::Refresh))
+    , m_connections(barButton("connectionsButton", Symbol::Connections))
+    , m_refresh(barButton("refreshButton", Symbol::Refresh))
     , m_symbol(new QLabel)
     , m_state(new QLabel)
     , m_menuButton(new QToolButton)

@@ -2,14 +2,14 @@
 #include "ui/page/file_actions.h"
 
 #include "core/io/local_file.h"
-#include "ui/async/background.h"
-#include "ui/async/future_handler.h"
+#include "ui/async/background_job.h"
 #include "ui/controller/wizard_controller.h"
 #include "ui/controller/wizard_settings.h"
 #include "ui/dialogs/export_dialog.h"
 #include "ui/dialogs/file_filters.h"
 #include "ui/dialogs/import_dialog.h"
 #include "ui/fields/data_file_field.h"
+#include "ui/text/message_text.h"
 
 #include <QDateTime>
 #include <QDir>
@@ -29,8 +29,8 @@ Bytes bytesOf(const std::string& text)
 
 } // namespace
 
-FileActions::FileActions(WizardController& controller, WizardSettings& settings, DataField& field,
-    const TableLayout& layout, QWidget& window, QObject* parent)
+FileActions::FileActions(WizardController& controller, WizardSettings& settings,
+    DataFileField& field, const TableLayout& layout, QWidget& window, QObject* parent)
     : QObject(parent)
     , m_controller(controller)
     , m_settings(settings)
@@ -40,14 +40,15 @@ FileActions::FileActions(WizardController& controller, WizardSettings& settings,
     , m_picker(systemFilePicker())
 {
     field.setRecentFiles(settings.recentFiles());
-    connect(&field, &DataField::openRequested, this, &FileActions::askAndOpen);
-    connect(&field, &DataField::fileChosen, this, &FileActions::open);
-    connect(&field, &DataField::readAgainRequested, this, [this] { m_controller.readDataAgain(); });
-    connect(&field, &DataField::importOptionsRequested, this,
+    connect(&field, &DataFileField::openRequested, this, &FileActions::askAndOpen);
+    connect(&field, &DataFileField::fileChosen, this, &FileActions::open);
+    connect(
+        &field, &DataFileField::readAgainRequested, this, [this] { m_controller.readDataAgain(); });
+    connect(&field, &DataFileField::importOptionsRequested, this,
         [this] { askForImport(m_controller.dataFile().path); });
     connect(&controller, &WizardController::importChoiceNeeded, this, &FileActions::askForImport);
-    connect(&field, &DataField::closeRequested, &controller, &WizardController::closeData);
-    connect(&field, &DataField::cancelRequested, &controller, &WizardController::cancelReading);
+    connect(&field, &DataFileField::closeRequested, &controller, &WizardController::closeData);
+    connect(&field, &DataFileField::cancelRequested, &controller, &WizardController::cancelReading);
 }
 
 void FileActions::setPicker(FilePicker picker)

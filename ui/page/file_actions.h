@@ -17,7 +17,7 @@ struct CompensationTable;
 
 namespace axiscomp::ui {
 
-class DataField;
+class DataFileField;
 class ImportDialog;
 class WizardController;
 class WizardSettings;
@@ -29,7 +29,7 @@ class FileActions : public QObject {
 
 public:
     /// All references must outlive this; window is what dialogs belong to.
-    FileActions(WizardController& controller, WizardSettings& settings, DataField& field,
+    FileActions(WizardController& controller, WizardSettings& settings, DataFileField& field,
         const TableLayout& layout, QWidget& window, QObject* parent = nullptr);
 
     void setPicker(FilePicker picker);
@@ -55,7 +55,7 @@ private:
 
     WizardController& m_controller;
     WizardSettings& m_settings;
-    DataField& m_field;
+    DataFileField& m_field;
     const TableLayout& m_layout;
     QWidget& m_window;
     FilePicker m_picker;

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/page/file_lines_view.h"
 
-#include "ui/async/background.h"
-#include "ui/async/future_handler.h"
+#include "ui/async/background_job.h"
 #include "ui/text/value_text.h"
 
 #include <QBoxLayout>

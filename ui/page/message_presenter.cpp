@@ -32,22 +32,24 @@ const DriveState* lostDrive(const WizardController& controller)
 
 } // namespace
 
-PageMessages::PageMessages(WizardController& controller, MessageStack& messages, QObject* parent)
+MessagePresenter::MessagePresenter(
+    WizardController& controller, MessageStack& messages, QObject* parent)
     : QObject(parent)
     , m_controller(controller)
     , m_messages(messages)
 {
-    connect(&controller, &WizardController::outcomeChanged, this, &PageMessages::showOutcome);
-    connect(&controller, &WizardController::dataFileChanged, this, &PageMessages::showFileChange);
-    connect(&controller, &WizardController::drivesChanged, this, &PageMessages::showConnection);
+    connect(&controller, &WizardController::outcomeChanged, this, &MessagePresenter::showOutcome);
     connect(
-        &controller, &WizardController::currentAxisChanged, this, &PageMessages::showConnection);
+        &controller, &WizardController::dataFileChanged, this, &MessagePresenter::showFileChange);
+    connect(&controller, &WizardController::drivesChanged, this, &MessagePresenter::showConnection);
+    connect(&controller, &WizardController::currentAxisChanged, this,
+        &MessagePresenter::showConnection);
     for (const auto changed : {&WizardController::statusChanged, &WizardController::actionsChanged,
              &WizardController::busyChanged, &WizardController::currentAxisChanged})
-        connect(&controller, changed, this, &PageMessages::showUnfinishedWrite);
+        connect(&controller, changed, this, &MessagePresenter::showUnfinishedWrite);
 }
 
-void PageMessages::offerDemo()
+void MessagePresenter::offerDemo()
 {
     Message message;
     message.id = demoId;
@@ -58,7 +60,7 @@ void PageMessages::offerDemo()
     m_messages.show(message);
 }
 
-void PageMessages::showFailure(const QString& sentence)
+void MessagePresenter::showFailure(const QString& sentence)
 {
     Message message;
     message.id = failureId;
@@ -67,7 +69,7 @@ void PageMessages::showFailure(const QString& sentence)
     m_messages.show(message);
 }
 
-void PageMessages::retranslate()
+void MessagePresenter::retranslate()
 {
     if (m_messages.contains(demoId))
         offerDemo();
@@ -79,7 +81,7 @@ void PageMessages::retranslate()
     showConnection();
 }
 
-void PageMessages::showConnection()
+void MessagePresenter::showConnection()
 {
     const DriveState* drive = lostDrive(m_controller);
     if (!drive) {
@@ -89,7 +91,7 @@ void PageMessages::showConnection()
     Message message;
     message.id = connectionId;
     message.tone = Tone::Error;
-    message.text = m_controller.setup().isChanged()
+    message.text = m_controller.setup().isDirty()
         ? tr("%1 What you have changed is kept; the program keeps trying.").arg(drive->problem)
         : tr("%1 The program keeps trying.").arg(drive->problem);
     if (drive->certificate)
@@ -101,7 +103,7 @@ void PageMessages::showConnection()
         m_messages.show(message);
 }
 
-void PageMessages::showOutcome()
+void MessagePresenter::showOutcome()
 {
     Message message;
     message.id = outcomeId;
@@ -114,7 +116,7 @@ void PageMessages::showOutcome()
 }
 
 /// In the page, not in the way: everything else can be done before this is decided.
-void PageMessages::showUnfinishedWrite()
+void MessagePresenter::showUnfinishedWrite()
 {
     const QString text = m_controller.unfinishedWrite();
     const ActionState finish = m_controller.action(Action::FinishWrite);
@@ -148,12 +150,12 @@ void PageMessages::showUnfinishedWrite()
     m_messages.show(message);
 }
 
-void PageMessages::putUnfinishedWriteAway()
+void MessagePresenter::putUnfinishedWriteAway()
 {
     m_putAway = m_controller.unfinishedWrite();
 }
 
-void PageMessages::showFileChange()
+void MessagePresenter::showFileChange()
 {
     const DataFile& file = m_controller.dataFile();
     if (!file.hasChangedOnDisk || file.isReading) {

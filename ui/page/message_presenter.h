@@ -11,11 +11,12 @@ struct RejectedCertificate;
 
 /// What the page tells on its own: how an operation ended, that the open file has changed, that the
 /// drive is the demo.
-class PageMessages : public QObject {
+class MessagePresenter : public QObject {
     Q_OBJECT
 
 public:
-    PageMessages(WizardController& controller, MessageStack& messages, QObject* parent = nullptr);
+    MessagePresenter(
+        WizardController& controller, MessageStack& messages, QObject* parent = nullptr);
 
     /// Nothing is configured: the demo drive is what there is.
     void offerDemo();

@@ -12,6 +12,7 @@
 #include "ui/plot/values_view.h"
 #include "ui/style/contrast.h"
 #include "ui/style/symbols.h"
+#include "ui/text/message_text.h"
 #include "ui/text/value_text.h"
 
 #include <QBoxLayout>
@@ -29,7 +30,7 @@ namespace axiscomp::ui {
 
 namespace {
 
-QLabel* wrappedLabel(const char* name)
+QLabel* selectableLabel(const char* name)
 {
     auto* label = new QLabel;
     label->setObjectName(QLatin1StringView(name));
@@ -59,23 +60,23 @@ PreviewPanel::PreviewPanel(
     , m_controller(controller)
     , m_profile(profile)
     , m_title(new QLabel)
-    , m_explanation(wrappedLabel("explanation"))
+    , m_explanation(selectableLabel("explanation"))
     , m_exampleLabel(new QLabel)
     , m_example(new QPushButton)
     , m_stack(new QStackedWidget)
     , m_tabs(new QTabWidget)
-    , m_shown(new ShownTable(this))
+    , m_shown(new TableViewModel(this))
     , m_plot(new TablePlot(*m_shown))
-    , m_applied(new AppliedBox)
+    , m_applied(new ControllerCombo)
     , m_valuesStack(new QStackedWidget)
     , m_values(new ValuesView(*m_shown))
     , m_lines(new FileLinesView)
     , m_problems(new ProblemList(this))
     , m_writePreview(new WritePreview(controller))
-    , m_facts(wrappedLabel("tableFacts"))
-    , m_size(wrappedLabel("tableSize"))
-    , m_warnings(wrappedLabel("tableWarnings"))
-    , m_sign(wrappedLabel("signSentence"))
+    , m_facts(selectableLabel("tableFacts"))
+    , m_size(selectableLabel("tableSize"))
+    , m_warnings(selectableLabel("tableWarnings"))
+    , m_sign(selectableLabel("signSentence"))
 {
     setObjectName(QStringLiteral("previewPanel"));
     build();
@@ -168,8 +169,8 @@ void PreviewPanel::connectProblems()
 
 void PreviewPanel::connectController()
 {
-    connect(m_shown, &ShownTable::changed, this, &PreviewPanel::showFacts);
-    connect(m_applied, &AppliedBox::changed, this, &PreviewPanel::showApplied);
+    connect(m_shown, &TableViewModel::changed, this, &PreviewPanel::showFacts);
+    connect(m_applied, &ControllerCombo::changed, this, &PreviewPanel::showApplied);
     connect(m_example, &QPushButton::clicked, this,
         [this] { Q_EMIT saveExampleRequested(m_controller.setup().edited().dimensionality); });
     connect(

@@ -14,10 +14,10 @@ struct DriveProfile;
 
 namespace axiscomp::ui {
 
-class AppliedBox;
+class ControllerCombo;
 class FileLinesView;
 class ProblemList;
-class ShownTable;
+class TableViewModel;
 class TablePlot;
 class ValuesView;
 class WizardController;
@@ -64,9 +64,9 @@ private:
     QPushButton* m_example;
     QStackedWidget* m_stack;
     QTabWidget* m_tabs;
-    ShownTable* m_shown;
+    TableViewModel* m_shown;
     TablePlot* m_plot;
-    AppliedBox* m_applied;
+    ControllerCombo* m_applied;
     QStackedWidget* m_valuesStack; ///< the table's values, or the file's lines
     ValuesView* m_values;
     FileLinesView* m_lines;

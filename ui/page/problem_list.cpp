@@ -3,7 +3,7 @@
 
 #include "ui/style/contrast.h"
 #include "ui/style/symbols.h"
-#include "ui/text/error_text.h"
+#include "ui/text/message_text.h"
 #include "ui/text/value_text.h"
 
 #include <QBoxLayout>
@@ -18,7 +18,7 @@ namespace axiscomp::ui {
 
 namespace {
 
-enum Column { Line, ColumnOfFile, Sentence, ColumnCount };
+enum Column { Line, ColumnOfFile, Statement, ColumnCount };
 
 QString placeText(std::size_t number)
 {
@@ -92,7 +92,7 @@ void ProblemList::fill()
                 size, devicePixelRatioF()));
         item->setData(Line, Qt::AccessibleTextRole,
             (isError ? tr("error, line %1") : tr("warning, line %1")).arg(placeText(problem.line)));
-        item->setToolTip(Sentence, item->text(Sentence));
+        item->setToolTip(Statement, item->text(Statement));
     }
     const QString name = QFileInfo(m_path).fileName();
     const bool hasErrors =

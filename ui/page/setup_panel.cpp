@@ -36,7 +36,7 @@ SetupPanel::SetupPanel(
     , m_profile(profile)
     , m_axis(comboBox("axisField"))
     , m_dimensionality(comboBox("dimensionalityField"))
-    , m_data(new DataField)
+    , m_data(new DataFileField)
     , m_table(comboBox("tableField"))
     , m_persistency(new QCheckBox)
     , m_axisRow(new FieldRow(m_axis, &style, this))
@@ -153,7 +153,7 @@ void SetupPanel::connectController()
     });
 }
 
-DataField& SetupPanel::dataField()
+DataFileField& SetupPanel::dataField()
 {
     return *m_data;
 }

@@ -17,7 +17,7 @@ struct DriveProfile;
 
 namespace axiscomp::ui {
 
-class DataField;
+class DataFileField;
 class FieldBinder;
 class FieldRow;
 class SourceCombo;
@@ -32,7 +32,7 @@ public:
     SetupPanel(WizardController& controller, const DriveProfile& profile, QStyle& style,
         QWidget* parent = nullptr);
 
-    [[nodiscard]] DataField& dataField();
+    [[nodiscard]] DataFileField& dataField();
     /// Puts the drive's value back into the field that has the focus.
     void revertFocused();
     void retranslate();
@@ -68,7 +68,7 @@ private:
     QComboBox* m_axis;
     QComboBox* m_dimensionality;
     std::array<SourceCombo*, 3> m_sources{};
-    DataField* m_data;
+    DataFileField* m_data;
     QComboBox* m_table;
     QCheckBox* m_persistency;
     FieldRow* m_axisRow;

@@ -8,6 +8,7 @@
 #include "ui/fields/field_binder.h"
 #include "ui/fields/field_row.h"
 #include "ui/fields/source_combo.h"
+#include "ui/session/axis_list.h"
 #include "ui/text/value_text.h"
 
 #include <QCheckBox>

@@ -21,29 +21,30 @@ QString currentLabel(const WizardController& controller)
 
 } // namespace
 
-LeaveGuard::LeaveGuard(WizardController& controller, MessageStack& messages, QObject* parent)
+UnsavedChangesGuard::UnsavedChangesGuard(
+    WizardController& controller, MessageStack& messages, QObject* parent)
     : QObject(parent)
     , m_controller(controller)
     , m_messages(messages)
 {
     // Queued: the outcome of what has ended is told right after that it has ended.
-    connect(&controller, &WizardController::busyChanged, this, &LeaveGuard::follow,
+    connect(&controller, &WizardController::busyChanged, this, &UnsavedChangesGuard::follow,
         Qt::QueuedConnection);
     connect(&controller.setup(), &SetupModel::fieldChanged, this, [this] {
-        if (!m_controller.setup().isChanged() && !m_controller.isWriting())
+        if (!m_controller.setup().isDirty() && !m_controller.isWriting())
             m_messages.remove(questionId());
     });
 }
 
-void LeaveGuard::loseChanges(const QString& actionText, std::function<void()> action)
+void UnsavedChangesGuard::loseChanges(const QString& actionText, std::function<void()> action)
 {
-    if (m_controller.setup().isChanged())
+    if (m_controller.setup().isDirty())
         askAboutChanges(actionText, std::move(action));
     else
         action();
 }
 
-bool LeaveGuard::mayClose()
+bool UnsavedChangesGuard::mayClose()
 {
     if (m_isAgreed)
         return true;
@@ -51,26 +52,26 @@ bool LeaveGuard::mayClose()
         askWhileWriting();
         return false;
     }
-    if (m_controller.setup().isChanged()) {
+    if (m_controller.setup().isDirty()) {
         askAboutChanges(tr("Close Without Writin&g"), [this] { agree(); });
         return false;
     }
     return true;
 }
 
-void LeaveGuard::closeNow()
+void UnsavedChangesGuard::closeNow()
 {
     m_messages.remove(questionId());
     agree();
 }
 
-void LeaveGuard::closeWhen(Closing when)
+void UnsavedChangesGuard::closeWhen(Closing when)
 {
     m_closing = when;
     follow();
 }
 
-void LeaveGuard::askWhileWriting()
+void UnsavedChangesGuard::askWhileWriting()
 {
     Message question;
     question.id = questionId();
@@ -90,7 +91,7 @@ void LeaveGuard::askWhileWriting()
     m_messages.show(question);
 }
 
-void LeaveGuard::askAboutChanges(const QString& actionText, std::function<void()> action)
+void UnsavedChangesGuard::askAboutChanges(const QString& actionText, std::function<void()> action)
 {
     Message question;
     question.id = questionId();
@@ -105,7 +106,7 @@ void LeaveGuard::askAboutChanges(const QString& actionText, std::function<void()
     m_messages.show(question);
 }
 
-void LeaveGuard::follow()
+void UnsavedChangesGuard::follow()
 {
     if (m_controller.isWriting())
         return;
@@ -121,7 +122,7 @@ void LeaveGuard::follow()
         agree();
 }
 
-void LeaveGuard::agree()
+void UnsavedChangesGuard::agree()
 {
     m_isAgreed = true;
     Q_EMIT closeAgreed();

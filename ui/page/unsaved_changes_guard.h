@@ -12,11 +12,12 @@ class WizardController;
 
 /// Asks, within the page, before something is lost: unwritten changes when another axis is chosen
 /// or the window is closed, and a write that runs when it is closed.
-class LeaveGuard : public QObject {
+class UnsavedChangesGuard : public QObject {
     Q_OBJECT
 
 public:
-    LeaveGuard(WizardController& controller, MessageStack& messages, QObject* parent = nullptr);
+    UnsavedChangesGuard(
+        WizardController& controller, MessageStack& messages, QObject* parent = nullptr);
 
     /// Does it at once when nothing is unwritten, otherwise when the user agrees. action in words:
     /// "Change the Axis".

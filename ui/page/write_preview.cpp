@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/page/write_preview.h"
 
-#include "ui/async/background.h"
-#include "ui/async/future_handler.h"
+#include "ui/async/background_job.h"
+#include "ui/session/axis_list.h"
 #include "ui/style/symbols.h"
-#include "ui/text/error_text.h"
+#include "ui/text/message_text.h"
 #include "ui/text/value_text.h"
 
 #include <QBoxLayout>
@@ -20,7 +20,7 @@ namespace {
 
 constexpr int largestChangeRow = 0; // of the table's rows: the first after the table itself
 
-QLabel* wrappedLabel(const char* name)
+QLabel* noteLabel(const char* name)
 {
     auto* label = new QLabel;
     label->setObjectName(QLatin1StringView(name));
@@ -40,10 +40,10 @@ WritePreview::WritePreview(WizardController& controller, QWidget* parent)
     : QWidget(parent)
     , m_controller(controller)
     , m_title(new QLabel)
-    , m_introduction(wrappedLabel("previewIntroduction"))
+    , m_introduction(noteLabel("previewIntroduction"))
     , m_rows(new QTableWidget)
-    , m_cost(wrappedLabel("previewCost"))
-    , m_remarks(wrappedLabel("previewRemarks"))
+    , m_cost(noteLabel("previewCost"))
+    , m_remarks(noteLabel("previewRemarks"))
     , m_skip(new QCheckBox)
     , m_write(new QPushButton)
     , m_back(new QPushButton)

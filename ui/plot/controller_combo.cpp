@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/plot/controller_combo.h"
 
-#include "ui/text/error_text.h"
+#include "ui/text/message_text.h"
 
 #include <QSignalBlocker>
 
@@ -24,23 +24,23 @@ QVariant dataOf(const TableFamily* family)
 
 } // namespace
 
-AppliedBox::AppliedBox(QWidget* parent)
+ControllerCombo::ControllerCombo(QWidget* parent)
     : QComboBox(parent)
     , m_job([this](const Result<CompensationTable>& applied) { take(applied); })
 {
     setObjectName(QStringLiteral("appliedBy"));
     fill();
-    connect(this, &QComboBox::currentIndexChanged, this, &AppliedBox::compute);
+    connect(this, &QComboBox::currentIndexChanged, this, &ControllerCombo::compute);
     retranslate();
 }
 
-const TableFamily* AppliedBox::family() const
+const TableFamily* ControllerCombo::family() const
 {
     return static_cast<const TableFamily*>(currentData().value<const void*>());
 }
 
 /// A controller that cannot have the table is not offered.
-void AppliedBox::fill()
+void ControllerCombo::fill()
 {
     const QSignalBlocker blocker(this);
     const QVariant before = currentData();
@@ -55,7 +55,7 @@ void AppliedBox::fill()
     retranslate();
 }
 
-void AppliedBox::retranslate()
+void ControllerCombo::retranslate()
 {
     for (int i = 0; i < count(); ++i) {
         const auto* family = static_cast<const TableFamily*>(itemData(i).value<const void*>());
@@ -69,7 +69,7 @@ void AppliedBox::retranslate()
     setAccessibleDescription(toolTip());
 }
 
-void AppliedBox::setTable(const Table& table)
+void ControllerCombo::setTable(const Table& table)
 {
     if (table == m_table)
         return;
@@ -81,7 +81,7 @@ void AppliedBox::setTable(const Table& table)
     compute();
 }
 
-void AppliedBox::compute()
+void ControllerCombo::compute()
 {
     m_job.cancel();
     m_problem.reset();
@@ -93,7 +93,7 @@ void AppliedBox::compute()
     Q_EMIT changed();
 }
 
-void AppliedBox::take(const Result<CompensationTable>& applied)
+void ControllerCombo::take(const Result<CompensationTable>& applied)
 {
     if (applied)
         m_shown = std::make_shared<const CompensationTable>(*applied);
@@ -102,7 +102,7 @@ void AppliedBox::take(const Result<CompensationTable>& applied)
     Q_EMIT changed();
 }
 
-QString AppliedBox::problem() const
+QString ControllerCombo::problem() const
 {
     return m_problem ? errorText(*m_problem) : QString();
 }

@@ -12,13 +12,13 @@ namespace axiscomp::ui {
 
 /// By which controller the shown table is applied: the drive, or another one, whose table is
 /// computed in the background.
-class AppliedBox : public QComboBox {
+class ControllerCombo : public QComboBox {
     Q_OBJECT
 
 public:
     using Table = std::shared_ptr<const CompensationTable>;
 
-    explicit AppliedBox(QWidget* parent = nullptr);
+    explicit ControllerCombo(QWidget* parent = nullptr);
 
     /// The table of the drive; null: none.
     void setTable(const Table& table);

@@ -4,9 +4,9 @@
 #include "core/base/bytes.h"
 #include "core/csv/calibration_csv.h"
 #include "core/io/local_file.h"
-#include "ui/async/background.h"
+#include "ui/async/background_job.h"
 #include "ui/plot/plot_canvas.h"
-#include "ui/text/error_text.h"
+#include "ui/text/message_text.h"
 
 #include <QBuffer>
 #include <QCoreApplication>

@@ -12,7 +12,7 @@
 
 namespace axiscomp::ui {
 
-SliceRow::SliceRow(ShownTable& shown, QWidget* parent)
+SliceRow::SliceRow(TableViewModel& shown, QWidget* parent)
     : QWidget(parent)
     , m_shown(shown)
     , m_label(new QLabel)
@@ -35,7 +35,7 @@ SliceRow::SliceRow(ShownTable& shown, QWidget* parent)
         [this](int index) { m_shown.setSlice(index + 1, m_shown.sliceIndex()); });
     connect(m_index, &QSlider::valueChanged, &m_shown,
         [this](int index) { m_shown.setSlice(m_shown.sliceDimension(), index); });
-    connect(&m_shown, &ShownTable::changed, this, &SliceRow::follow);
+    connect(&m_shown, &TableViewModel::changed, this, &SliceRow::follow);
     retranslate();
     follow();
 }

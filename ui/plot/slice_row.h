@@ -9,22 +9,22 @@ class QSlider;
 
 namespace axiscomp::ui {
 
-class ShownTable;
+class TableViewModel;
 
 /// Which slice of a 3D table is shown: the dimension that is cut, and where. Hidden otherwise. All
-/// rows of one ShownTable show the same slice.
+/// rows of one TableViewModel show the same slice.
 class SliceRow : public QWidget {
     Q_OBJECT
 
 public:
     /// shown must outlive the row.
-    explicit SliceRow(ShownTable& shown, QWidget* parent = nullptr);
+    explicit SliceRow(TableViewModel& shown, QWidget* parent = nullptr);
     void retranslate();
 
 private:
     void follow();
 
-    ShownTable& m_shown;
+    TableViewModel& m_shown;
     QLabel* m_label;
     QComboBox* m_dimension;
     QSlider* m_index;

@@ -7,7 +7,9 @@
 
 namespace axiscomp::ui {
 
-ContentBox::ContentBox(ShownTable& shown, QWidget* parent) : QComboBox(parent), m_shown(shown)
+TableContentCombo::TableContentCombo(TableViewModel& shown, QWidget* parent)
+    : QComboBox(parent)
+    , m_shown(shown)
 {
     for (const TableContent content :
         {TableContent::Selected, TableContent::Drive, TableContent::Difference})
@@ -17,10 +19,10 @@ ContentBox::ContentBox(ShownTable& shown, QWidget* parent) : QComboBox(parent), 
     connect(this, &QComboBox::activated, &m_shown, [this](int index) {
         m_shown.setContent(static_cast<TableContent>(itemData(index).toInt()));
     });
-    connect(&m_shown, &ShownTable::changed, this, &ContentBox::follow);
+    connect(&m_shown, &TableViewModel::changed, this, &TableContentCombo::follow);
 }
 
-void ContentBox::retranslate()
+void TableContentCombo::retranslate()
 {
     setItemText(0, tr("Selected table"));
     setItemText(1, tr("Table on the drive"));
@@ -30,7 +32,7 @@ void ContentBox::retranslate()
     setAccessibleDescription(toolTip());
 }
 
-void ContentBox::follow()
+void TableContentCombo::follow()
 {
     const auto* items = qobject_cast<QStandardItemModel*>(model());
     for (int i = 0; i < count(); ++i)

@@ -5,22 +5,22 @@
 
 namespace axiscomp::ui {
 
-class ShownTable;
+class TableViewModel;
 
 /// Chooses what is shown: the selected table, the drive's, or their difference. All boxes of one
-/// ShownTable show the same choice.
-class ContentBox : public QComboBox {
+/// TableViewModel show the same choice.
+class TableContentCombo : public QComboBox {
     Q_OBJECT
 
 public:
     /// shown must outlive the box.
-    explicit ContentBox(ShownTable& shown, QWidget* parent = nullptr);
+    explicit TableContentCombo(TableViewModel& shown, QWidget* parent = nullptr);
     void retranslate();
 
 private:
     void follow();
 
-    ShownTable& m_shown;
+    TableViewModel& m_shown;
 };
 
 } // namespace axiscomp::ui

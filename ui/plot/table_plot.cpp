@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/async/future_handler.h"
+#include "ui/async/background_job.h"
 #include "ui/plot/plot_export.h"
 #include "ui/plot/slice_row.h"
 #include "ui/plot/table_content_combo.h"
@@ -18,7 +18,7 @@
 
 namespace axiscomp::ui {
 
-TablePlot::TablePlot(ShownTable& shown, QWidget* parent)
+TablePlot::TablePlot(TableViewModel& shown, QWidget* parent)
     : QWidget(parent)
     , d(std::make_unique<Private>(shown))
 {
@@ -39,7 +39,7 @@ void TablePlot::build()
         button->setFocusPolicy(Qt::StrongFocus);
         return button;
     };
-    d->contentBox = new ContentBox(d->shown, this);
+    d->contentBox = new TableContentCombo(d->shown, this);
     d->contentBox->setObjectName(QStringLiteral("plotContent"));
     d->cursorsButton = tool("plotCursors");
     d->cursorsButton->setCheckable(true);
@@ -82,8 +82,8 @@ void TablePlot::connectTools()
     connect(d->cursorsButton, &QToolButton::toggled, this, &TablePlot::setCursorsShown);
     connect(d->resetButton, &QToolButton::clicked, this, [this] { d->canvas->resetZoom(); });
     connect(d->exportButton, &QToolButton::clicked, this, &TablePlot::askForExport);
-    connect(&d->shown, &ShownTable::changed, this, &TablePlot::showTable);
-    connect(&d->shown, &ShownTable::currentChanged, this, &TablePlot::currentChanged);
+    connect(&d->shown, &TableViewModel::changed, this, &TablePlot::showTable);
+    connect(&d->shown, &TableViewModel::currentChanged, this, &TablePlot::currentChanged);
 }
 
 void TablePlot::showTable()

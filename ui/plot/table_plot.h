@@ -12,7 +12,7 @@ class QMouseEvent;
 
 namespace axiscomp::ui {
 
-class ShownTable;
+class TableViewModel;
 
 /// The picture of a compensation table: a curve in 1D, a colour map in 2D (diverging scale,
 /// symmetric about zero), slices with a slider in 3D. Zoom by wheel and rectangle, pan by drag, a
@@ -22,7 +22,7 @@ class TablePlot : public QWidget {
 
 public:
     /// shown must outlive the plot.
-    explicit TablePlot(ShownTable& shown, QWidget* parent = nullptr);
+    explicit TablePlot(TableViewModel& shown, QWidget* parent = nullptr);
     ~TablePlot() override;
 
     /// Puts something that belongs to the picture behind the choice of its values.

@@ -12,13 +12,13 @@ class QToolButton;
 
 namespace axiscomp::ui {
 
-class ContentBox;
+class TableContentCombo;
 class SliceRow;
 
 struct TablePlot::Private {
-    explicit Private(ShownTable& shownTable) : shown(shownTable) { }
+    explicit Private(TableViewModel& shownTable) : shown(shownTable) { }
 
-    ShownTable& shown;
+    TableViewModel& shown;
     std::optional<Marker> marker;
     bool hasCursors = false;
     std::size_t activeCursor = 0;
@@ -26,7 +26,7 @@ struct TablePlot::Private {
     std::optional<GridPoint> hovered;
     QPointF pressed; ///< where the mouse button went down
 
-    ContentBox* contentBox = nullptr;
+    TableContentCombo* contentBox = nullptr;
     QHBoxLayout* tools = nullptr;
     QToolButton* cursorsButton = nullptr;
     QToolButton* resetButton = nullptr;

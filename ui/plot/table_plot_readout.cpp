@@ -22,7 +22,7 @@ std::size_t moved(std::size_t index, int step, std::uint32_t size)
 }
 
 /// The way from a to b: "X +20 mm, Y -10 mm, "
-QString distanceText(const ShownTable& shown, const GridPoint& a, const GridPoint& b)
+QString distanceText(const TableViewModel& shown, const GridPoint& a, const GridPoint& b)
 {
     const Grid& grid = shown.drawn()->grid;
     const std::array<double, 2> steps{static_cast<double>(b.i) - static_cast<double>(a.i),

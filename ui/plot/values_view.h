@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/table/grid.h"
+
+#include <QString>
 #include <QWidget>
+
+#include <vector>
 
 class QAction;
 class QLabel;
@@ -10,10 +15,31 @@ class QToolButton;
 
 namespace axiscomp::ui {
 
-class ContentBox;
-class ShownTable;
+class TableContentCombo;
+class TableViewModel;
 class SliceRow;
 class ValuesModel;
+
+/// A rectangle of cells as ValuesModel lays them out, both ends included.
+struct CellRange {
+    int top = 0;
+    int left = 0;
+    int bottom = 0;
+    int right = 0;
+};
+
+/// What goes with the values: the names of 1D's columns, or of a map's dimensions.
+struct CopyHeaders {
+    QString first; ///< 1D: the position; 2D: dimension 1
+    QString second; ///< 1D: the value; 2D: dimension 2
+};
+
+/// Cells as tab-separated lines for spreadsheets: decimal point, every digit the value has, an
+/// empty cell where a row or column is only partly chosen. headers null: the cells alone; otherwise
+/// with a line of names or positions above and the positions on the left. drawn: 1 or 2 dimensions.
+/// Takes a tenth of a second for the largest tables: not for the window's thread.
+[[nodiscard]] QString copiedText(const CompensationTable& drawn,
+    const std::vector<CellRange>& ranges, const CopyHeaders* headers);
 
 /// The numbers of the table, beside its picture: the same choice, the same slice, and the cell that
 /// is current is the picture's cross-hair. Cells are copied for spreadsheets.
@@ -22,7 +48,7 @@ class ValuesView : public QWidget {
 
 public:
     /// shown must outlive the view.
-    explicit ValuesView(ShownTable& shown, QWidget* parent = nullptr);
+    explicit ValuesView(TableViewModel& shown, QWidget* parent = nullptr);
     void retranslate();
 
 private:
@@ -33,9 +59,9 @@ private:
     void showReadout();
     void copy(bool withPositions);
 
-    ShownTable& m_shown;
+    TableViewModel& m_shown;
     ValuesModel* m_model;
-    ContentBox* m_contentBox;
+    TableContentCombo* m_contentBox;
     QLabel* m_layoutNote;
     QToolButton* m_copyButton;
     QTableView* m_table;

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/controller/wizard_options.h"
+#include "core/drive/drive_link.h"
+#include "ui/session/axis_entry.h"
+
+#include <QString>
 
 #include <span>
+#include <string>
 #include <vector>
 
 namespace axiscomp::ui {
@@ -27,5 +31,8 @@ struct DriveAxes {
 
 /// The same without the drive: "X", "X [1]" when the drive has several of that name.
 [[nodiscard]] QString axisNameOnDrive(const AxisEntry& entry);
+
+/// "X · PositionController/MasterPosition", "Application/Variables/Floats[3]"
+[[nodiscard]] QString registerName(const std::string& path, std::span<const AxisEntry> axesOfDrive);
 
 } // namespace axiscomp::ui

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/session/drive_connection.h"
 
-#include "ui/async/future_handler.h"
+#include "ui/async/background_job.h"
 #include "ui/text/endpoint_text.h"
-#include "ui/text/error_text.h"
+#include "ui/text/message_text.h"
 
 #include <utility>
 

@@ -6,19 +6,19 @@
 
 namespace axiscomp::ui {
 
-DriveScan::DriveScan(QObject* parent) : QObject(parent)
+DriveSearchJob::DriveSearchJob(QObject* parent) : QObject(parent)
 {
     connect(&m_watcher, &QFutureWatcherBase::resultReadyAt, this,
         [this](int index) { Q_EMIT sighted(*m_watcher.resultAt(index)); });
-    connect(&m_watcher, &QFutureWatcherBase::finished, this, &DriveScan::finished);
+    connect(&m_watcher, &QFutureWatcherBase::finished, this, &DriveSearchJob::finished);
 }
 
-DriveScan::~DriveScan()
+DriveSearchJob::~DriveSearchJob()
 {
     m_stop.request_stop();
 }
 
-void DriveScan::start(
+void DriveSearchJob::start(
     LinkFactory linkFactory, std::function<std::vector<DriveCandidate>()> candidates)
 {
     m_stop.request_stop();
@@ -38,12 +38,12 @@ void DriveScan::start(
         });
 }
 
-void DriveScan::stop()
+void DriveSearchJob::stop()
 {
     m_stop.request_stop();
 }
 
-bool DriveScan::isRunning() const
+bool DriveSearchJob::isRunning() const
 {
     return m_watcher.isRunning();
 }

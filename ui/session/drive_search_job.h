@@ -2,7 +2,6 @@
 #pragma once
 
 #include "core/drive/drive_search.h"
-#include "ui/controller/wizard_options.h"
 
 #include <QFutureWatcher>
 #include <QObject>
@@ -13,13 +12,13 @@
 namespace axiscomp::ui {
 
 /// Looks for drives on threads of its own.
-class DriveScan : public QObject {
+class DriveSearchJob : public QObject {
     Q_OBJECT
 
 public:
-    explicit DriveScan(QObject* parent = nullptr);
+    explicit DriveSearchJob(QObject* parent = nullptr);
     /// Stops without waiting.
-    ~DriveScan() override;
+    ~DriveSearchJob() override;
 
     /// candidates is called on another thread: listing ports takes time. A scan that runs is
     /// stopped.

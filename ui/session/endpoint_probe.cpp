@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/session/endpoint_probe.h"
 
-#include "ui/async/future_handler.h"
+#include "ui/async/background_job.h"
 
 namespace axiscomp::ui {
 

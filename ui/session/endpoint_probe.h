@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/controller/wizard_options.h"
+#include "ui/session/drive_session.h"
+#include "ui/session/port_candidates.h"
 
 #include <QObject>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/session/live_monitor.h"
 
-#include "ui/async/future_handler.h"
+#include "ui/async/background_job.h"
 
 namespace axiscomp::ui {
 

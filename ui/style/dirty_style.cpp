@@ -13,7 +13,7 @@ namespace axiscomp::ui {
 
 namespace {
 
-constexpr char propertyName[] = "axiscompChanged";
+constexpr char propertyName[] = "axiscompDirty";
 // A check box has no frame of its own: its contents keep clear of ours, changed or not.
 constexpr int checkBoxPadding = 6;
 
@@ -26,11 +26,11 @@ void drawFrame(const QStyleOption& option, QPainter& painter)
 {
     // The native frame shows the focus by its outermost pixel: it stays visible around ours.
     const bool hasFocus = option.state.testFlag(QStyle::State_HasFocus);
-    const qreal inset = ChangedStyle::frameWidth / 2.0 + (hasFocus ? 1.0 : 0.0);
+    const qreal inset = DirtyStyle::frameWidth / 2.0 + (hasFocus ? 1.0 : 0.0);
     const QRectF frame = QRectF(option.rect).adjusted(inset, inset, -inset, -inset);
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(QPen(frameColor(Tone::Changed, option.palette), ChangedStyle::frameWidth));
+    painter.setPen(QPen(frameColor(Tone::Changed, option.palette), DirtyStyle::frameWidth));
     painter.setBrush(Qt::NoBrush);
     painter.drawRoundedRect(frame, 2.0, 2.0);
     painter.restore();
@@ -38,46 +38,46 @@ void drawFrame(const QStyleOption& option, QPainter& painter)
 
 } // namespace
 
-ChangedStyle::ChangedStyle() : QProxyStyle(QStyleFactory::create(QApplication::style()->name())) { }
+DirtyStyle::DirtyStyle() : QProxyStyle(QStyleFactory::create(QApplication::style()->name())) { }
 
-void ChangedStyle::setChanged(QWidget& editor, bool changed)
+void DirtyStyle::setDirty(QWidget& editor, bool dirty)
 {
-    if (isField(&editor) && isChanged(editor) == changed)
+    if (isField(&editor) && isDirty(editor) == dirty)
         return;
-    editor.setProperty(propertyName, changed);
+    editor.setProperty(propertyName, dirty);
     editor.update();
 }
 
-bool ChangedStyle::isChanged(const QWidget& editor)
+bool DirtyStyle::isDirty(const QWidget& editor)
 {
     return editor.property(propertyName).toBool();
 }
 
-void ChangedStyle::drawComplexControl(ComplexControl control, const QStyleOptionComplex* option,
+void DirtyStyle::drawComplexControl(ComplexControl control, const QStyleOptionComplex* option,
     QPainter* painter, const QWidget* widget) const
 {
     QProxyStyle::drawComplexControl(control, option, painter, widget);
-    if (control == CC_ComboBox && widget != nullptr && isChanged(*widget))
+    if (control == CC_ComboBox && widget != nullptr && isDirty(*widget))
         drawFrame(*option, *painter);
 }
 
-void ChangedStyle::drawControl(ControlElement element, const QStyleOption* option,
-    QPainter* painter, const QWidget* widget) const
+void DirtyStyle::drawControl(ControlElement element, const QStyleOption* option, QPainter* painter,
+    const QWidget* widget) const
 {
     QProxyStyle::drawControl(element, option, painter, widget);
-    if (element == CE_CheckBox && widget != nullptr && isChanged(*widget))
+    if (element == CE_CheckBox && widget != nullptr && isDirty(*widget))
         drawFrame(*option, *painter);
 }
 
-void ChangedStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* option,
+void DirtyStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* option,
     QPainter* painter, const QWidget* widget) const
 {
     QProxyStyle::drawPrimitive(element, option, painter, widget);
-    if (element == PE_PanelLineEdit && widget != nullptr && isChanged(*widget))
+    if (element == PE_PanelLineEdit && widget != nullptr && isDirty(*widget))
         drawFrame(*option, *painter);
 }
 
-QRect ChangedStyle::subElementRect(
+QRect DirtyStyle::subElementRect(
     SubElement element, const QStyleOption* option, const QWidget* widget) const
 {
     const QRect rect = QProxyStyle::subElementRect(element, option, widget);
@@ -89,7 +89,7 @@ QRect ChangedStyle::subElementRect(
     return rect.translated(shift, 0);
 }
 
-QSize ChangedStyle::sizeFromContents(
+QSize DirtyStyle::sizeFromContents(
     ContentsType type, const QStyleOption* option, const QSize& size, const QWidget* widget) const
 {
     const QSize native = QProxyStyle::sizeFromContents(type, option, size, widget);

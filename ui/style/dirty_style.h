@@ -8,19 +8,19 @@ namespace axiscomp::ui {
 /// Draws a 2 px frame round editors whose value differs from the drive's. Everything else, size
 /// included, is the native style's. Set on the editors themselves, so that a program that embeds
 /// the wizard keeps its own style.
-class ChangedStyle : public QProxyStyle {
+class DirtyStyle : public QProxyStyle {
     Q_OBJECT
 
 public:
     /// On a style of its own, of the same kind as the application's.
-    ChangedStyle();
+    DirtyStyle();
 
     static constexpr int frameWidth = 2;
 
-    /// Marks an editor as one whose frame shows changes: combo boxes, line edits and check
+    /// Marks an editor as one whose frame shows that it is dirty: combo boxes, line edits and check
     /// boxes.
-    static void setChanged(QWidget& editor, bool changed);
-    [[nodiscard]] static bool isChanged(const QWidget& editor);
+    static void setDirty(QWidget& editor, bool dirty);
+    [[nodiscard]] static bool isDirty(const QWidget& editor);
 
     void drawComplexControl(ComplexControl control, const QStyleOptionComplex* option,
         QPainter* painter, const QWidget* widget) const override;

@@ -1,13 +1,36 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/text/error_text.h"
+#include "ui/text/message_text.h"
+
 #include "ui/text/phrase_book.h"
 
 #include <QCoreApplication>
 #include <QSet>
 
+#include <algorithm>
+#include <array>
+
 namespace axiscomp::ui {
 
 namespace {
+
+struct Step {
+    const char* id;
+    const char* words;
+};
+constexpr std::array steps{
+    Step{"plan", QT_TRANSLATE_NOOP("Step", "planning")},
+    Step{"backup", QT_TRANSLATE_NOOP("Step", "keeping the old state in a backup")},
+    Step{"begin", QT_TRANSLATE_NOOP("Step", "checking that nothing has changed meanwhile")},
+    Step{"switch off", QT_TRANSLATE_NOOP("Step", "switching the axis to no table")},
+    Step{"upload", QT_TRANSLATE_NOOP("Step", "uploading the table")},
+    Step{"verify", QT_TRANSLATE_NOOP("Step", "verifying the table")},
+    Step{"commit", QT_TRANSLATE_NOOP("Step", "storing the table in flash")},
+    Step{"switch", QT_TRANSLATE_NOOP("Step", "switching the axis over")},
+    Step{"save", QT_TRANSLATE_NOOP("Step", "saving the parameters")},
+    Step{"done", QT_TRANSLATE_NOOP("Step", "reading back")},
+    Step{"putting back", QT_TRANSLATE_NOOP("Step", "putting the old state back")},
+    Step{"download", QT_TRANSLATE_NOOP("Step", "reading the table")},
+};
 
 /// What is wrong, and what to do about it where the expected text does not say that already.
 struct Words {
@@ -107,7 +130,7 @@ Words wordsOf(DiagnosticCode code)
     return {"", ""};
 }
 
-QString translated(const char* text)
+QString problemWords(const char* text)
 {
     return *text == '\0' ? QString() : QCoreApplication::translate("Problem", text);
 }
@@ -128,6 +151,50 @@ QString foundText(const Diagnostic& diagnostic, bool quotesFile)
 
 } // namespace
 
+QString errorText(const Error& error)
+{
+    const std::string text(errorTemplate(error));
+    const QString sentence = QCoreApplication::translate("Error", text.c_str());
+    ErrorContext context;
+    for (const auto& [key, value] : error.context)
+        context.emplace(key, placeholderText(QString::fromStdString(key), value).toStdString());
+    return asSentence(QString::fromStdString(fillTemplate(sentence.toStdString(), context)));
+}
+
+bool saysTheSame(const Error& a, const Error& b)
+{
+    return a.code == b.code && a.context == b.context;
+}
+
+QString stepText(const QString& step)
+{
+    const auto* const known =
+        std::ranges::find_if(steps, [&](const Step& row) { return step == QLatin1String(row.id); });
+    return known == steps.end() ? step : QCoreApplication::translate("Step", known->words);
+}
+
+QString phraseText(const std::string& english)
+{
+    return asSentence(translatedPhrase(english));
+}
+
+QString asSentence(const QString& text)
+{
+    QString sentence = text.trimmed();
+    if (sentence.isEmpty())
+        return sentence;
+    // An address at the beginning is not a word.
+    const qsizetype wordEnd = sentence.indexOf(u' ');
+    const QStringView firstWord = QStringView(sentence).left(wordEnd);
+    const bool isWord = std::ranges::all_of(firstWord, [](QChar c) { return c.isLetter(); });
+    if (isWord)
+        sentence[0] = sentence[0].toUpper();
+    static const QString ends = QStringLiteral(".!?:");
+    if (!ends.contains(sentence.back()))
+        sentence += u'.';
+    return sentence;
+}
+
 bool isProblemPhrase(const QString& english)
 {
     static const QSet<QString> phrases = [] {
@@ -145,13 +212,13 @@ bool isProblemPhrase(const QString& english)
 QString problemText(const Diagnostic& diagnostic)
 {
     const Words words = wordsOf(diagnostic.code);
-    QString text = translated(words.problem);
+    QString text = problemWords(words.problem);
     if (const QString found = foundText(diagnostic, words.quotesFile); !found.isEmpty())
         text += QStringLiteral(": ") + found;
     if (!diagnostic.expected.empty())
         text += QCoreApplication::translate("Problem", ", expected %1")
                     .arg(translatedPhrase(diagnostic.expected));
-    if (const QString wayOut = translated(words.wayOut); !wayOut.isEmpty())
+    if (const QString wayOut = problemWords(words.wayOut); !wayOut.isEmpty())
         text += QStringLiteral("; ") + wayOut;
     if (!diagnostic.controllerError.empty())
         text += QCoreApplication::translate("Problem", " (error %1 of the controller)")

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/text/value_text.h"
 
-#include "ui/controller/wizard_controller.h"
-
 #include <QCoreApplication>
 #include <QLocale>
 
@@ -143,27 +141,6 @@ QString smallValueText(double value, const std::string& positionUnit)
     const double small = value * unit->smallPerUnit;
     return withSign(small, QLocale().toString(small, 'f', decimals)) + u' '
         + QString::fromUtf8(unit->smallSymbol);
-}
-
-QString registerName(const std::string& path, std::span<const AxisEntry> axesOfDrive)
-{
-    const QString text = QString::fromStdString(path);
-    const QString prefix = QStringLiteral("Axes[");
-    const qsizetype close = text.indexOf(u']');
-    if (!text.startsWith(prefix) || close < 0)
-        return text;
-    bool isNumber = false;
-    const int axis = text.mid(prefix.size(), close - prefix.size()).toInt(&isNumber);
-    QString rest = text.mid(close + 2);
-    const QString signals_ = QStringLiteral("Signals/");
-    if (rest.startsWith(signals_))
-        rest.remove(0, signals_.size());
-    QString name = translated(QT_TRANSLATE_NOOP("ValueText", "Axis %1")).arg(axis);
-    for (const AxisEntry& entry : axesOfDrive) {
-        if (isNumber && entry.axis.index == axis && !entry.axis.name.empty())
-            name = QString::fromStdString(entry.axis.name);
-    }
-    return name + QStringLiteral(" · ") + rest;
 }
 
 QString dimensionName(const Grid& grid, std::size_t dimension)

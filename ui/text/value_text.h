@@ -12,8 +12,6 @@
 
 namespace axiscomp::ui {
 
-struct AxisEntry;
-
 /// text is UTF-8.
 [[nodiscard]] QString qString(std::string_view text);
 
@@ -45,8 +43,6 @@ struct AxisEntry;
 /// the drive names it.
 [[nodiscard]] QString smallValueText(double value, const std::string& positionUnit);
 
-/// "X · PositionController/MasterPosition", "Application/Variables/Floats[3]"
-[[nodiscard]] QString registerName(const std::string& path, std::span<const AxisEntry> axesOfDrive);
 /// "5 × 4 points, X 0 … 40, Y 0 … 30"
 [[nodiscard]] QString gridText(const Grid& grid);
 /// The name of a dimension: the file's, or "Dim 2".

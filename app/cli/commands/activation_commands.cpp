@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli/command_line.h"
+#include "app/cli/commands/command_line.h"
 #include "app/cli/output/json_output.h"
 #include "app/cli/output/status_text.h"
 #include "app/cli/session/command_session.h"
@@ -13,7 +13,7 @@ constexpr int proofSamples = 5;
 
 enum class Activation { Evaluate, Activate, Deactivate };
 
-Result<AxisStatus> carryOut(DriveSession& session, Activation activation, int axis)
+Result<AxisStatus> carryOut(CommandSession& session, Activation activation, int axis)
 {
     switch (activation) {
     case Activation::Evaluate:
@@ -27,7 +27,7 @@ Result<AxisStatus> carryOut(DriveSession& session, Activation activation, int ax
 }
 
 Result<ExitCode> runActivation(
-    Environment& environment, DriveSession& session, Activation activation, int axis)
+    Environment& environment, CommandSession& session, Activation activation, int axis)
 {
     const auto before = settledStatus(environment, session, axis);
     if (!before)
@@ -67,7 +67,7 @@ void addActivation(CommandLine& line, const std::string& name, const std::string
     CLI::App* command =
         line.add(name, driveCommands, description, [options, activation](Environment& environment) {
             return withAxis(environment, *options,
-                [activation](Environment& sameEnvironment, DriveSession& session, int axis) {
+                [activation](Environment& sameEnvironment, CommandSession& session, int axis) {
                     return runActivation(sameEnvironment, session, activation, axis);
                 });
         });

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli/command_line.h"
+#include "app/cli/commands/command_line.h"
 #include "app/cli/output/json_output.h"
 #include "app/cli/output/status_text.h"
 #include "app/cli/session/command_session.h"
 #include "app/cli/session/drive_search.h"
-#include "app/cli/session/remembered_drives.h"
 #include "app/common/arguments.h"
 #include "app/common/text_table.h"
 
@@ -23,7 +22,7 @@ struct DriveAnswer {
 DriveAnswer ask(Environment& environment, const DriveOptions& options, const std::string& endpoint)
 {
     DriveAnswer answer{shownEndpoint(endpoint), {}, {}};
-    auto session = DriveSession::open(environment, options, endpoint);
+    auto session = CommandSession::open(environment, options, endpoint);
     if (!session) {
         answer.axes = fail(session.error());
         return answer;

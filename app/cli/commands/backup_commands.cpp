@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli/command_line.h"
+#include "app/cli/commands/command_line.h"
 #include "app/cli/output/json_output.h"
 #include "app/cli/output/output_file.h"
 #include "app/cli/output/status_text.h"
@@ -33,7 +33,7 @@ Result<ExitCode> runBackup(Environment& environment, const BackupOptions& option
     if (auto possible = checkOutput(environment, output, true); !possible)
         return fail(possible.error());
     return withDrive(
-        environment, options.drive, [&](Environment&, DriveSession& session) -> Result<ExitCode> {
+        environment, options.drive, [&](Environment&, CommandSession& session) -> Result<ExitCode> {
             const auto backup = session.compensator().backup(session.operation());
             if (!backup)
                 return fail(backup.error());
@@ -59,7 +59,7 @@ Result<ExitCode> runRestore(Environment& environment, const BackupOptions& optio
     if (!backup)
         return fail(backup.error());
     return withDrive(
-        environment, options.drive, [&](Environment&, DriveSession& session) -> Result<ExitCode> {
+        environment, options.drive, [&](Environment&, CommandSession& session) -> Result<ExitCode> {
             const WriteInterruption interruption(environment);
             const auto reports =
                 session.compensator().restore(*backup, options.force, session.operation());

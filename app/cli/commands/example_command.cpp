@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli/command_line.h"
+#include "app/cli/commands/command_line.h"
 #include "app/cli/output/output_file.h"
 #include "core/csv/calibration_csv.h"
 

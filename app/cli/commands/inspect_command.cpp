@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli/command_line.h"
+#include "app/cli/commands/command_line.h"
 #include "app/cli/input/table_input.h"
 #include "app/cli/output/json_output.h"
 #include "app/common/number_text.h"

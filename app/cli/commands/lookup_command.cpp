@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli/command_line.h"
+#include "app/cli/commands/command_line.h"
 #include "app/cli/input/conversion_options.h"
 #include "app/cli/input/point_file.h"
 #include "app/cli/input/table_input.h"

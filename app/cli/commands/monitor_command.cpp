@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli/command_line.h"
+#include "app/cli/commands/command_line.h"
 #include "app/cli/output/json_output.h"
 #include "app/cli/session/command_session.h"
 #include "app/common/number_text.h"
@@ -30,7 +30,7 @@ bool sleepUntil(std::chrono::steady_clock::time_point moment, const std::stop_to
 /// Reads the registers of a running compensation in one request, line by line.
 class Monitor {
 public:
-    Monitor(Environment& environment, DriveSession& session, const AxisStatus& status)
+    Monitor(Environment& environment, CommandSession& session, const AxisStatus& status)
         : m_environment(environment)
         , m_session(session)
         , m_dimensions(status.table ? status.table->grid.dimensions() : status.setup.dimensionality)
@@ -126,7 +126,7 @@ private:
     }
 
     Environment& m_environment;
-    DriveSession& m_session;
+    CommandSession& m_session;
     int m_dimensions = 1;
     std::vector<std::string> m_names;
     std::vector<std::string> m_paths;
@@ -134,7 +134,7 @@ private:
 };
 
 Result<ExitCode> runMonitor(
-    Environment& environment, DriveSession& session, int axis, const MonitorOptions& options)
+    Environment& environment, CommandSession& session, int axis, const MonitorOptions& options)
 {
     const auto status = session.compensator().status(axis, session.operation());
     if (!status)
@@ -152,7 +152,7 @@ void addMonitorCommand(CommandLine& line)
         "Print output, indices and sources of an axis as CSV lines until stopped",
         [options](Environment& environment) {
             return withAxis(environment, options->drive,
-                [&](Environment& sameEnvironment, DriveSession& session, int axis) {
+                [&](Environment& sameEnvironment, CommandSession& session, int axis) {
                     return runMonitor(sameEnvironment, session, axis, *options);
                 });
         });

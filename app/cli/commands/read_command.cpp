@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli/command_line.h"
+#include "app/cli/commands/command_line.h"
 #include "app/cli/input/conversion_options.h"
 #include "app/cli/output/json_output.h"
 #include "app/cli/output/output_file.h"
@@ -32,7 +32,7 @@ struct ReadTable {
 };
 
 /// A table file is handed out byte by byte as the drive has it.
-Result<ReadTable> readAsTamTable(DriveSession& session, const AxisStatus& status)
+Result<ReadTable> readAsTamTable(CommandSession& session, const AxisStatus& status)
 {
     const TableSlot* const slot = session.profile().slotNamed(status.setup.slot);
     if (!slot || !status.table)
@@ -46,7 +46,7 @@ Result<ReadTable> readAsTamTable(DriveSession& session, const AxisStatus& status
     return ReadTable{std::move(decoded->table), std::move(*bytes)};
 }
 
-Result<ReadTable> readAsCsv(DriveSession& session, const AxisStatus& status)
+Result<ReadTable> readAsCsv(CommandSession& session, const AxisStatus& status)
 {
     auto table = session.compensator().readTable(status.axis.index, session.operation());
     if (!table)
@@ -65,7 +65,7 @@ Result<ReadTable> readAsCsv(DriveSession& session, const AxisStatus& status)
 }
 
 /// For another controller: what the axis uses, converted; the report goes to standard error.
-Result<ReadTable> readAsOther(Environment& environment, DriveSession& session,
+Result<ReadTable> readAsOther(Environment& environment, CommandSession& session,
     const AxisStatus& status, const ReadOptions& options, const TableFamily& to)
 {
     auto table = session.compensator().readTable(status.axis.index, session.operation());
@@ -107,7 +107,8 @@ Result<ExitCode> runRead(Environment& environment, const ReadOptions& options)
     if (!isOther && options.conversion.isAnything())
         return wrongUsage("the table is handed out as the drive has it: convert it afterwards",
             options.drive.command);
-    const auto read = [&](Environment& same, DriveSession& session, int axis) -> Result<ExitCode> {
+    const auto read = [&](Environment& same, CommandSession& session,
+                          int axis) -> Result<ExitCode> {
         const auto status = session.compensator().status(axis, session.operation());
         if (!status)
             return fail(status.error());

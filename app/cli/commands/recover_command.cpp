@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli/command_line.h"
+#include "app/cli/commands/command_line.h"
 #include "app/cli/output/json_output.h"
 #include "app/cli/output/status_text.h"
 #include "app/cli/session/write_run.h"
@@ -46,7 +46,8 @@ std::string recoveryText(const Recovery& recovery)
 }
 
 /// Only says what there is and what is possible.
-Result<ExitCode> explain(Environment& environment, DriveSession& session, const JournalEntry& entry)
+Result<ExitCode> explain(
+    Environment& environment, CommandSession& session, const JournalEntry& entry)
 {
     const auto outcome = session.compensator().settleUnfinished(entry, session.operation());
     if (!outcome)
@@ -71,7 +72,7 @@ Result<ExitCode> explain(Environment& environment, DriveSession& session, const 
 }
 
 Result<WriteReport> carryOut(
-    Environment& environment, DriveSession& session, const JournalEntry& entry, bool finishes)
+    Environment& environment, CommandSession& session, const JournalEntry& entry, bool finishes)
 {
     const WriteInterruption interruption(environment);
     StepLog log(environment);
@@ -92,7 +93,7 @@ Result<WriteReport> carryOut(
 }
 
 Result<ExitCode> runRecover(
-    Environment& environment, DriveSession& session, int axis, const RecoverOptions& options)
+    Environment& environment, CommandSession& session, int axis, const RecoverOptions& options)
 {
     const auto status = session.compensator().status(axis, session.operation());
     if (!status)
@@ -130,7 +131,7 @@ void addRecoverCommand(CommandLine& line)
         "Finish or undo a write that did not end; without an option, say what can be done",
         [options](Environment& environment) {
             return withAxis(environment, options->drive,
-                [options](Environment& sameEnvironment, DriveSession& session, int axis) {
+                [options](Environment& sameEnvironment, CommandSession& session, int axis) {
                     return runRecover(sameEnvironment, session, axis, *options);
                 });
         });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli/command_line.h"
+#include "app/cli/commands/command_line.h"
 #include "app/cli/output/json_output.h"
 #include "app/cli/output/status_text.h"
 #include "app/cli/session/command_session.h"
@@ -9,7 +9,7 @@ namespace axiscomp::app {
 
 namespace {
 
-Result<ExitCode> runStatus(Environment& environment, DriveSession& session, int axis)
+Result<ExitCode> runStatus(Environment& environment, CommandSession& session, int axis)
 {
     const auto settled = settledStatus(environment, session, axis);
     if (!settled)

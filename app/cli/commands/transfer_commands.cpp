@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli/command_line.h"
+#include "app/cli/commands/command_line.h"
 #include "app/cli/output/json_output.h"
 #include "app/cli/output/output_file.h"
 #include "app/cli/session/write_run.h"
@@ -21,13 +21,13 @@ struct TransferOptions {
     std::string path; ///< on the drive
 };
 
-std::string slotOf(const DriveSession& session, const std::string& path)
+std::string slotOf(const CommandSession& session, const std::string& path)
 {
     const TableSlot* const slot = session.profile().slotOfFile(path);
     return slot ? slot->name : "";
 }
 
-Result<ExitCode> runFiles(Environment& environment, DriveSession& session)
+Result<ExitCode> runFiles(Environment& environment, CommandSession& session)
 {
     const auto files = session.compensator().files(session.operation());
     if (!files)
@@ -50,7 +50,7 @@ Result<ExitCode> runUpload(Environment& environment, const TransferOptions& opti
     if (!bytes)
         return fail(bytes.error());
     return withDrive(
-        environment, options.drive, [&](Environment&, DriveSession& session) -> Result<ExitCode> {
+        environment, options.drive, [&](Environment&, CommandSession& session) -> Result<ExitCode> {
             const WriteInterruption interruption(environment);
             auto uploaded = session.compensator().upload(options.path, *bytes, session.operation());
             if (!uploaded)
@@ -75,7 +75,7 @@ Result<ExitCode> runDownload(Environment& environment, const TransferOptions& op
     if (auto possible = checkOutput(environment, output, false); !possible)
         return fail(possible.error());
     return withDrive(
-        environment, options.drive, [&](Environment&, DriveSession& session) -> Result<ExitCode> {
+        environment, options.drive, [&](Environment&, CommandSession& session) -> Result<ExitCode> {
             const auto bytes = session.compensator().download(options.path, session.operation());
             if (!bytes)
                 return fail(bytes.error());

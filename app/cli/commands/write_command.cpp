@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli/command_line.h"
+#include "app/cli/commands/command_line.h"
 #include "app/cli/input/conversion_options.h"
 #include "app/cli/input/table_input.h"
 #include "app/cli/session/write_run.h"
@@ -138,7 +138,7 @@ std::string axisList(const std::vector<MappedColumn>& columns, std::size_t begin
 }
 
 /// All are planned before the first is written; then one after the other.
-Result<ExitCode> writeMapped(Environment& environment, DriveSession& session,
+Result<ExitCode> writeMapped(Environment& environment, CommandSession& session,
     const std::vector<MappedColumn>& columns, bool isDryRun)
 {
     std::vector<AxisWrite> writes;
@@ -177,7 +177,7 @@ Result<ExitCode> runMapped(Environment& environment, const WriteOptions& options
     const auto columns = mappedColumns(environment, options);
     if (!columns)
         return fail(columns.error());
-    return withDrive(environment, options.drive, [&](Environment& same, DriveSession& session) {
+    return withDrive(environment, options.drive, [&](Environment& same, CommandSession& session) {
         return writeMapped(same, session, *columns, options.isDryRun);
     });
 }
@@ -191,7 +191,7 @@ Result<ExitCode> runWriteCommand(Environment& environment, const WriteOptions& o
     if (!request)
         return fail(request.error());
     return withAxis(environment, options.drive,
-        [&](Environment& sameEnvironment, DriveSession& session, int axis) -> Result<ExitCode> {
+        [&](Environment& sameEnvironment, CommandSession& session, int axis) -> Result<ExitCode> {
             if (!options.slot.empty())
                 request->slot = slotName(session.profile(), options.slot);
             if (request->dimensionality == 0) {
@@ -289,7 +289,7 @@ void addPersistencyCommands(CommandLine& line)
         CLI::App* command = line.add(row.name, driveCommands, row.description,
             [options, persistency](Environment& environment) {
                 return withAxis(environment, *options,
-                    [persistency](Environment& sameEnvironment, DriveSession& session,
+                    [persistency](Environment& sameEnvironment, CommandSession& session,
                         int axis) -> Result<ExitCode> {
                         const auto now = session.compensator().status(axis, session.operation());
                         if (!now)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/cli/environment.h"
 #include "app/cli/input/table_input.h"
+#include "app/cli/output/environment.h"
 #include "core/conversion/conversion.h"
 
 #include <CLI/App.hpp>

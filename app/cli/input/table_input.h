@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/cli/environment.h"
+#include "app/cli/output/environment.h"
 #include "core/csv/calibration_csv.h"
 #include "core/drive/drive_profile.h"
 #include "core/formats/table_format.h"

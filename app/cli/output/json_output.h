@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/cli/environment.h"
+#include "app/cli/output/json.h"
 #include "core/compensator/axis_compensator.h"
 #include "core/csv/calibration_csv.h"
 

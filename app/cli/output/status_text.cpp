@@ -7,11 +7,31 @@
 #include "core/table/position_unit.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 namespace axiscomp::app {
 
 namespace {
+
+struct Step {
+    std::string_view id;
+    std::string_view words;
+};
+
+constexpr std::array steps{
+    Step{"plan", "look at the drive and plan"},
+    Step{"backup", "keep the old state in a backup"},
+    Step{"begin", "check that nothing has changed meanwhile"},
+    Step{"switch off", "switch the axis to no table"},
+    Step{"upload", "upload the table"},
+    Step{"verify", "read the table back and compare every byte"},
+    Step{"commit", "store the table in flash"},
+    Step{"switch", "switch the axis over and read back"},
+    Step{"save", "save the parameters and read back"},
+    Step{"putting back", "put the old state back"},
+    Step{"download", "download"},
+};
 
 int dimensionsOf(const AxisStatus& status)
 {
@@ -152,6 +172,53 @@ std::string proofText(const Proof& proof, const AxisStatus& status)
     return table.text() + "  largest difference "
         + withUnit(shortText(proof.largestDifference), unit) + ", allowed "
         + withUnit(shortText(proof.tolerance), unit) + "\n";
+}
+
+std::string stepWords(std::string_view step)
+{
+    const auto* const known = std::ranges::find(steps, step, &Step::id);
+    return std::string(known == steps.end() ? step : known->words);
+}
+
+std::string_view outcomeName(AxisCompensator::UnfinishedOutcome outcome)
+{
+    switch (outcome) {
+    case AxisCompensator::UnfinishedOutcome::Old:
+        return "Old";
+    case AxisCompensator::UnfinishedOutcome::New:
+        return "New";
+    case AxisCompensator::UnfinishedOutcome::NewUnsaved:
+        return "NewUnsaved";
+    case AxisCompensator::UnfinishedOutcome::Neither:
+        return "Neither";
+    }
+    return "";
+}
+
+std::string outcomeSentence(const JournalEntry& entry, AxisCompensator::UnfinishedOutcome outcome)
+{
+    const std::string head = "a write to axis " + std::to_string(entry.axis) + " that began at "
+        + utcText(entry.time) + " did not end (last step: " + stepWords(entry.step) + "). ";
+    switch (outcome) {
+    case AxisCompensator::UnfinishedOutcome::Old:
+        return head
+            + "The drive holds the complete old state: `axiscomp recover --finish` brings the new "
+              "one about, `axiscomp recover --undo` puts an end to it";
+    case AxisCompensator::UnfinishedOutcome::New:
+        return head + "The drive holds the complete new state; nothing needs to be done";
+    case AxisCompensator::UnfinishedOutcome::NewUnsaved:
+        return head
+            + "The drive holds the complete new state, but its parameters may not be saved: "
+              "`axiscomp recover --finish` saves them, `axiscomp recover --undo` brings the old "
+              "state back";
+    case AxisCompensator::UnfinishedOutcome::Neither:
+        break;
+    }
+    return head
+        + "The drive holds neither the old nor the new state: do not activate the axis; finish the "
+          "write with `axiscomp recover --finish`, or undo it with `axiscomp recover --undo`. The "
+          "old state is kept in "
+        + entry.backup.string();
 }
 
 } // namespace axiscomp::app

@@ -4,6 +4,7 @@
 #include "core/compensator/axis_compensator.h"
 
 #include <string>
+#include <string_view>
 
 namespace axiscomp::app {
 
@@ -19,5 +20,14 @@ namespace axiscomp::app {
 [[nodiscard]] std::string flashText(const FlashUse& use);
 /// The figures of a proof, one line per sample.
 [[nodiscard]] std::string proofText(const Proof& proof, const AxisStatus& status);
+
+/// What a step of the compensator (Progress::step) does, in words; an unknown one is its own word.
+[[nodiscard]] std::string stepWords(std::string_view step);
+
+/// "Old", "New", "NewUnsaved", "Neither"
+[[nodiscard]] std::string_view outcomeName(AxisCompensator::UnfinishedOutcome outcome);
+/// Sentences for people about it, and about what can be done.
+[[nodiscard]] std::string outcomeSentence(
+    const JournalEntry& entry, AxisCompensator::UnfinishedOutcome outcome);
 
 } // namespace axiscomp::app

@@ -2,9 +2,14 @@
 #include "app/cli/session/command_session.h"
 
 #include "app/cli/input/table_input.h"
-#include "app/cli/output/step_words.h"
+#include "app/cli/output/status_text.h"
 #include "app/common/arguments.h"
 #include "drivecomm/link_factory.h"
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <utility>
 
 namespace axiscomp::app {
 
@@ -77,7 +82,38 @@ QtRuntime::QtRuntime() : m_arguments{m_name.data(), nullptr}
     m_application.emplace(m_count, m_arguments.data());
 }
 
-DriveSession::DriveSession(Environment& environment, DriveOptions options, DriveProfile profile,
+Result<TemporaryFolder> TemporaryFolder::make()
+{
+    std::error_code error;
+    const std::filesystem::path parent = std::filesystem::temp_directory_path(error);
+    std::string pattern = (parent / "axiscomp-XXXXXX").string();
+    if (error || !::mkdtemp(pattern.data()))
+        return fail(ErrorCode::FileNotWritable,
+            {{"file", pattern}, {"reason", error ? error.message() : std::strerror(errno)}});
+    return TemporaryFolder(pattern);
+}
+
+TemporaryFolder::TemporaryFolder(std::filesystem::path path) : m_path(std::move(path)) { }
+
+TemporaryFolder::TemporaryFolder(TemporaryFolder&& other) noexcept
+    : m_path(std::exchange(other.m_path, {}))
+{
+}
+
+TemporaryFolder& TemporaryFolder::operator=(TemporaryFolder&& other) noexcept
+{
+    std::swap(m_path, other.m_path);
+    return *this;
+}
+
+TemporaryFolder::~TemporaryFolder()
+{
+    std::error_code ignored;
+    if (!m_path.empty())
+        std::filesystem::remove_all(m_path, ignored);
+}
+
+CommandSession::CommandSession(Environment& environment, DriveOptions options, DriveProfile profile,
     std::optional<TemporaryFolder> demoState)
     : m_environment(environment)
     , m_options(std::move(options))
@@ -87,7 +123,7 @@ DriveSession::DriveSession(Environment& environment, DriveOptions options, Drive
 {
 }
 
-Result<std::unique_ptr<DriveSession>> DriveSession::open(
+Result<std::unique_ptr<CommandSession>> CommandSession::open(
     Environment& environment, const DriveOptions& options, const std::string& endpoint)
 {
     const auto parsed = drivecomm::parseEndpoint(endpoint);
@@ -104,8 +140,8 @@ Result<std::unique_ptr<DriveSession>> DriveSession::open(
             return fail(folder.error());
         demoState = std::move(*folder);
     }
-    std::unique_ptr<DriveSession> session(
-        new DriveSession(environment, options, std::move(*profile), std::move(demoState)));
+    std::unique_ptr<CommandSession> session(
+        new CommandSession(environment, options, std::move(*profile), std::move(demoState)));
     auto link = drivecomm::makeLink(*parsed, session->m_profile, certificateCheck(options));
     if (!link)
         return fail(link.error());
@@ -115,7 +151,7 @@ Result<std::unique_ptr<DriveSession>> DriveSession::open(
     return session;
 }
 
-Result<std::unique_ptr<DriveSession>> DriveSession::open(
+Result<std::unique_ptr<CommandSession>> CommandSession::open(
     Environment& environment, const DriveOptions& options)
 {
     if (options.endpoints.empty())
@@ -126,7 +162,7 @@ Result<std::unique_ptr<DriveSession>> DriveSession::open(
     return open(environment, options, options.endpoints.front());
 }
 
-OperationOptions DriveSession::operation() const
+OperationOptions CommandSession::operation() const
 {
     OperationOptions operation;
     operation.timeout =
@@ -138,7 +174,7 @@ OperationOptions DriveSession::operation() const
     return operation;
 }
 
-Exchange DriveSession::exchange() const
+Exchange CommandSession::exchange() const
 {
     Exchange exchange;
     exchange.timeout = operation().timeout;
@@ -146,7 +182,7 @@ Exchange DriveSession::exchange() const
     return exchange;
 }
 
-Result<int> DriveSession::axis()
+Result<int> CommandSession::axis()
 {
     if (!m_options.axis.empty())
         return m_compensator->findAxis(m_options.axis, operation());
@@ -159,7 +195,7 @@ Result<int> DriveSession::axis()
         m_options.command);
 }
 
-Result<SettledStatus> settledStatus(Environment& environment, DriveSession& session, int axis)
+Result<SettledStatus> settledStatus(Environment& environment, CommandSession& session, int axis)
 {
     auto status = session.compensator().status(axis, session.operation());
     if (!status)
@@ -176,52 +212,11 @@ Result<SettledStatus> settledStatus(Environment& environment, DriveSession& sess
     return settled;
 }
 
-std::string_view outcomeName(AxisCompensator::UnfinishedOutcome outcome)
-{
-    switch (outcome) {
-    case AxisCompensator::UnfinishedOutcome::Old:
-        return "Old";
-    case AxisCompensator::UnfinishedOutcome::New:
-        return "New";
-    case AxisCompensator::UnfinishedOutcome::NewUnsaved:
-        return "NewUnsaved";
-    case AxisCompensator::UnfinishedOutcome::Neither:
-        return "Neither";
-    }
-    return "";
-}
-
-std::string outcomeSentence(const JournalEntry& entry, AxisCompensator::UnfinishedOutcome outcome)
-{
-    const std::string head = "a write to axis " + std::to_string(entry.axis) + " that began at "
-        + utcText(entry.time) + " did not end (last step: " + stepWords(entry.step) + "). ";
-    switch (outcome) {
-    case AxisCompensator::UnfinishedOutcome::Old:
-        return head
-            + "The drive holds the complete old state: `axiscomp recover --finish` brings the new "
-              "one about, `axiscomp recover --undo` puts an end to it";
-    case AxisCompensator::UnfinishedOutcome::New:
-        return head + "The drive holds the complete new state; nothing needs to be done";
-    case AxisCompensator::UnfinishedOutcome::NewUnsaved:
-        return head
-            + "The drive holds the complete new state, but its parameters may not be saved: "
-              "`axiscomp recover --finish` saves them, `axiscomp recover --undo` brings the old "
-              "state back";
-    case AxisCompensator::UnfinishedOutcome::Neither:
-        break;
-    }
-    return head
-        + "The drive holds neither the old nor the new state: do not activate the axis; finish the "
-          "write with `axiscomp recover --finish`, or undo it with `axiscomp recover --undo`. The "
-          "old state is kept in "
-        + entry.backup.string();
-}
-
 Result<ExitCode> withDrive(
     Environment& environment, const DriveOptions& options, const DriveFunction& function)
 {
     const QtRuntime runtime;
-    auto session = DriveSession::open(environment, options);
+    auto session = CommandSession::open(environment, options);
     if (!session)
         return fail(session.error());
     auto outcome = function(environment, **session);
@@ -233,7 +228,7 @@ Result<ExitCode> withAxis(
     Environment& environment, const DriveOptions& options, const AxisFunction& function)
 {
     return withDrive(
-        environment, options, [&](Environment& sameEnvironment, DriveSession& session) {
+        environment, options, [&](Environment& sameEnvironment, CommandSession& session) {
             const auto axis = session.axis();
             return axis ? function(sameEnvironment, session, *axis)
                         : Result<ExitCode>(fail(axis.error()));

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/cli/environment.h"
-#include "app/cli/session/temporary_folder.h"
+#include "app/cli/output/environment.h"
 #include "core/compensator/axis_compensator.h"
 #include "drivecomm/link/certificate_check.h"
 
 #include <CLI/App.hpp>
 #include <QCoreApplication>
 
+#include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -46,15 +47,32 @@ private:
     std::optional<QCoreApplication> m_application;
 };
 
+/// A folder of its own that is removed with everything in it.
+class TemporaryFolder {
+public:
+    /// Errors: FileNotWritable.
+    [[nodiscard]] static Result<TemporaryFolder> make();
+    TemporaryFolder(TemporaryFolder&& other) noexcept;
+    TemporaryFolder& operator=(TemporaryFolder&& other) noexcept;
+    ~TemporaryFolder();
+
+    [[nodiscard]] const std::filesystem::path& path() const { return m_path; }
+
+private:
+    explicit TemporaryFolder(std::filesystem::path path);
+
+    std::filesystem::path m_path; ///< empty: moved from
+};
+
 /// A connection to one drive with what works on it; used on the thread that made it. A QtRuntime
 /// must exist.
-class DriveSession {
+class CommandSession {
 public:
     /// Errors: InvalidEndpoint, InvalidProfile, ...; nothing is sent yet.
-    [[nodiscard]] static Result<std::unique_ptr<DriveSession>> open(
+    [[nodiscard]] static Result<std::unique_ptr<CommandSession>> open(
         Environment& environment, const DriveOptions& options, const std::string& endpoint);
     /// Of the one drive that the options name. Errors: InvalidArgument when they name none.
-    [[nodiscard]] static Result<std::unique_ptr<DriveSession>> open(
+    [[nodiscard]] static Result<std::unique_ptr<CommandSession>> open(
         Environment& environment, const DriveOptions& options);
 
     [[nodiscard]] AxisCompensator& compensator() { return *m_compensator; }
@@ -71,7 +89,7 @@ public:
     [[nodiscard]] Result<int> axis();
 
 private:
-    DriveSession(Environment& environment, DriveOptions options, DriveProfile profile,
+    CommandSession(Environment& environment, DriveOptions options, DriveProfile profile,
         std::optional<TemporaryFolder> demoState);
 
     Environment& m_environment;
@@ -90,19 +108,13 @@ struct SettledStatus {
     std::optional<AxisCompensator::UnfinishedOutcome> unfinished;
 };
 [[nodiscard]] Result<SettledStatus> settledStatus(
-    Environment& environment, DriveSession& session, int axis);
-
-/// "Old", "New", "NewUnsaved", "Neither"
-[[nodiscard]] std::string_view outcomeName(AxisCompensator::UnfinishedOutcome outcome);
-/// Sentences for people about it, and about what can be done.
-[[nodiscard]] std::string outcomeSentence(
-    const JournalEntry& entry, AxisCompensator::UnfinishedOutcome outcome);
+    Environment& environment, CommandSession& session, int axis);
 
 /// Reads the options of a command, opens a session and runs the function with it and the axis.
-using AxisFunction = std::function<Result<ExitCode>(Environment&, DriveSession&, int axis)>;
+using AxisFunction = std::function<Result<ExitCode>(Environment&, CommandSession&, int axis)>;
 [[nodiscard]] Result<ExitCode> withAxis(
     Environment& environment, const DriveOptions& options, const AxisFunction& function);
-using DriveFunction = std::function<Result<ExitCode>(Environment&, DriveSession&)>;
+using DriveFunction = std::function<Result<ExitCode>(Environment&, CommandSession&)>;
 [[nodiscard]] Result<ExitCode> withDrive(
     Environment& environment, const DriveOptions& options, const DriveFunction& function);
 

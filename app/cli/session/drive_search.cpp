@@ -6,11 +6,16 @@
 #include "drivecomm/link/drive_endpoint.h"
 #include "drivecomm/link_factory.h"
 
+#include <QSettings>
+
 #include <algorithm>
 
 namespace axiscomp::app {
 
 namespace {
+
+constexpr std::size_t mostEndpoints = 64;
+constexpr qsizetype longestEndpoint = 4096;
 
 std::string answerText(const Result<DriveIdentity>& drive)
 {
@@ -67,6 +72,19 @@ Result<std::vector<DriveSighting>> lookForDrives(
                                    : "none of the places looked at ("
                             + std::to_string(places.size()) + ") has one that answers"}});
     return sightings;
+}
+
+std::vector<std::string> rememberedDrives()
+{
+    // As the window writes them (tests/app compares).
+    const QSettings settings(
+        QStringLiteral("axiscomp"), QStringLiteral("axis-compensation-wizard"));
+    std::vector<std::string> endpoints;
+    for (const QString& endpoint :
+        settings.value(QStringLiteral("compensationWizard/endpoints")).toStringList())
+        if (endpoint.size() <= longestEndpoint && endpoints.size() < mostEndpoints)
+            endpoints.push_back(endpoint.toStdString());
+    return endpoints;
 }
 
 } // namespace axiscomp::app

@@ -4,6 +4,9 @@
 #include "app/cli/session/command_session.h"
 #include "drivecomm/drive_candidates.h"
 
+#include <string>
+#include <vector>
+
 namespace axiscomp::app {
 
 /// Without a password; empty when it is not valid.
@@ -14,5 +17,9 @@ namespace axiscomp::app {
 /// Errors: NotConnected when none did, Cancelled, those of the profile.
 [[nodiscard]] Result<std::vector<DriveSighting>> lookForDrives(
     Environment& environment, const DriveOptions& options, drivecomm::BaudRates rates);
+
+/// The addresses of the window's connections, without users and passwords; none when there has been
+/// no window yet.
+[[nodiscard]] std::vector<std::string> rememberedDrives();
 
 } // namespace axiscomp::app

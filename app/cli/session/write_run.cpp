@@ -2,7 +2,7 @@
 #include "app/cli/session/write_run.h"
 
 #include "app/cli/output/json_output.h"
-#include "app/cli/output/step_words.h"
+#include "app/cli/output/status_text.h"
 #include "app/cli/output/write_text.h"
 
 namespace axiscomp::app {
@@ -27,7 +27,7 @@ std::string_view driveHolds(ErrorCode code)
 }
 
 Result<WriteReport> carryOut(
-    Environment& environment, DriveSession& session, int axis, const WriteRequest& request)
+    Environment& environment, CommandSession& session, int axis, const WriteRequest& request)
 {
     const WriteInterruption interruption(environment);
     StepLog log(environment);
@@ -95,7 +95,7 @@ void StepLog::end(const char* outcome)
     static_cast<void>(m_environment.console().flush());
 }
 
-Result<Json> writeAndReport(Environment& environment, DriveSession& session, int axis,
+Result<Json> writeAndReport(Environment& environment, CommandSession& session, int axis,
     const WriteRequest& request, bool isDryRun)
 {
     const auto before = settledStatus(environment, session, axis);
@@ -129,7 +129,7 @@ Result<Json> writeAndReport(Environment& environment, DriveSession& session, int
     return json;
 }
 
-Result<ExitCode> runWrite(Environment& environment, DriveSession& session, int axis,
+Result<ExitCode> runWrite(Environment& environment, CommandSession& session, int axis,
     const WriteRequest& request, bool isDryRun)
 {
     const auto document = writeAndReport(environment, session, axis, request, isDryRun);

@@ -35,10 +35,10 @@ private:
 
 /// Plans, shows the plan, writes and reports in text; only shows the plan when isDryRun. The
 /// document: {"plan", "report"}.
-[[nodiscard]] Result<Json> writeAndReport(Environment& environment, DriveSession& session, int axis,
-    const WriteRequest& request, bool isDryRun);
+[[nodiscard]] Result<Json> writeAndReport(Environment& environment, CommandSession& session,
+    int axis, const WriteRequest& request, bool isDryRun);
 /// The same, with its document.
-[[nodiscard]] Result<ExitCode> runWrite(Environment& environment, DriveSession& session, int axis,
+[[nodiscard]] Result<ExitCode> runWrite(Environment& environment, CommandSession& session, int axis,
     const WriteRequest& request, bool isDryRun);
 
 } // namespace axiscomp::app

@@ -9,7 +9,7 @@ namespace axiscomp::drivecomm {
 
 namespace {
 
-tl::unexpected<Error> rejected(std::string reason)
+tl::unexpected<Error> refusedWrite(std::string reason)
 {
     return fail(ErrorCode::DriveRejected, {{"reason", std::move(reason)}});
 }
@@ -66,7 +66,7 @@ bool VirtualDrive::Private::savesParameters(const std::vector<Change>& changes)
 Result<void> VirtualDrive::Private::write(const std::vector<RegisterWrite>& writes)
 {
     if (writes.empty() || writes.size() > DriveLink::maximumWrites)
-        return rejected("a request writes 1 to " + std::to_string(DriveLink::maximumWrites)
+        return refusedWrite("a request writes 1 to " + std::to_string(DriveLink::maximumWrites)
             + " registers, not " + std::to_string(writes.size()));
     Result<std::vector<Change>> changes = resolve(writes);
     if (!changes)
@@ -91,10 +91,10 @@ Result<std::vector<VirtualDrive::Private::Change>> VirtualDrive::Private::resolv
             return fail(ErrorCode::UnknownRegister,
                 {{"path", write.path}, {"nearest", tree.nearest(write.path)}});
         if (std::ranges::find(named, target) != named.end())
-            return rejected(target->path + " is written twice in one request");
+            return refusedWrite(target->path + " is written twice in one request");
         named.push_back(target);
         if (target->role == RegisterRole::ReadOnly)
-            return rejected(target->path + " is read-only");
+            return refusedWrite(target->path + " is read-only");
         Result<RegisterValue> value = fitted(*target, write.value);
         if (!value)
             return fail(value.error());
@@ -155,7 +155,7 @@ Result<void> VirtualDrive::Private::takeOver(FlashMemory trial, const std::vecto
     const bool used = trial.operationCount() != memory.operationCount();
     if (folder && (used || savesParameters(changes)))
         if (Result<void> saved = folder->save(snapshot(trial, changes)); !saved)
-            return rejected("the drive's flash failed: " + sentence(saved.error()));
+            return refusedWrite("the drive's flash failed: " + sentence(saved.error()));
     storeWrong = false;
     memory = std::move(trial);
     for (const Change& change : changes) {

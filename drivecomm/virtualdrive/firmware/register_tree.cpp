@@ -37,14 +37,14 @@ std::uint32_t blockOf(std::string_view path)
     return otherBlock;
 }
 
-char lower(char c)
+char smallLetter(char c)
 {
     return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
 
 bool sameName(std::string_view a, std::string_view b)
 {
-    return std::ranges::equal(a, b, {}, lower, lower);
+    return std::ranges::equal(a, b, {}, smallLetter, smallLetter);
 }
 
 /// Levenshtein distance without regard to case; limit when it is not below limit.
@@ -61,7 +61,7 @@ std::size_t editDistance(std::string_view a, std::string_view b, std::size_t lim
         for (std::size_t j = 1; j <= b.size(); ++j) {
             const std::size_t above = row[j];
             row[j] = std::min({above + 1, row[j - 1] + 1,
-                diagonal + (lower(a[i - 1]) == lower(b[j - 1]) ? 0 : 1)});
+                diagonal + (smallLetter(a[i - 1]) == smallLetter(b[j - 1]) ? 0 : 1)});
             diagonal = above;
             smallest = std::min(smallest, row[j]);
         }

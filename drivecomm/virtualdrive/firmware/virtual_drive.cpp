@@ -124,6 +124,15 @@ Result<void> VirtualDrive::writeRegisters(const std::vector<RegisterWrite>& writ
     return d->write(writes);
 }
 
+RegisterEntry VirtualDrive::registerEntry(const std::string& path) const
+{
+    const std::scoped_lock lock(d->mutex);
+    const Register* found = d->tree.find(path);
+    if (found == nullptr)
+        return {};
+    return {found->role != RegisterRole::ReadOnly, found->enumValues};
+}
+
 std::vector<DriveFile> VirtualDrive::listFiles()
 {
     const std::scoped_lock lock(d->mutex);

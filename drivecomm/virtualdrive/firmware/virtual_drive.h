@@ -18,8 +18,6 @@
 
 namespace axiscomp::drivecomm {
 
-class FaultPlan;
-
 /// One axis of a virtual drive: a slow sine over its range.
 struct VirtualAxis {
     std::string name;
@@ -105,17 +103,5 @@ private:
     explicit VirtualDrive(std::unique_ptr<Private> d);
     std::unique_ptr<Private> d;
 };
-
-/// DriveLink to a virtual drive in the same process. drive and faults must outlive the link.
-/// With faults the link fails as a real one would: a reply that does not come is a Timeout (at
-/// once), a garbled one a Protocol error, a cut or a reboot ConnectionLost.
-[[nodiscard]] std::unique_ptr<DriveLink> makeDirectLink(
-    VirtualDrive& drive, FaultPlan* faults = nullptr);
-
-/// The drive behind "demo:": axes X and Y in millimetres, homed. loadDemoState gives X a persistent
-/// 2D table over both axes and activates it.
-[[nodiscard]] VirtualDriveOptions demoDriveOptions();
-/// Errors: those of the drive; none for a drive that demoDriveOptions made.
-[[nodiscard]] Result<void> loadDemoState(VirtualDrive& drive);
 
 } // namespace axiscomp::drivecomm

@@ -21,39 +21,39 @@ std::string counted(std::size_t count)
 
 SerialReplyLines linesOf(Result<SerialReplyLines> lines)
 {
-    return lines ? *std::move(lines) : SerialService::refused(lines.error());
+    return lines ? *std::move(lines) : CommandHandler::refused(lines.error());
 }
 
 } // namespace
 
-bool SerialService::isWrite(const std::vector<std::string>& words)
+bool CommandHandler::isWrite(const std::vector<std::string>& words)
 {
     return words.front() == "set" || words.front() == "put";
 }
 
-SerialReplyLines SerialService::refused(const Error& error)
+SerialReplyLines CommandHandler::refused(const Error& error)
 {
     return {serialError(error)};
 }
 
-SerialReplyLines SerialService::rejected(const std::string& reason)
+SerialReplyLines CommandHandler::rejected(const std::string& reason)
 {
     return refused({ErrorCode::DriveRejected, {{"reason", reason}}, {}});
 }
 
-SerialReplyLines SerialService::garbled(const std::string& message)
+SerialReplyLines CommandHandler::garbled(const std::string& message)
 {
     return {"error " + std::string(serialBadCrc) + " " + serialQuoted(message)};
 }
 
-std::string SerialService::bootLine() const
+std::string CommandHandler::bootLine() const
 {
     const DriveIdentity identity = m_drive.identity();
     return std::string(serialBootWord) + " " + serialQuoted(identity.name) + " "
         + std::to_string(identity.serialNumber);
 }
 
-SerialReplyLines SerialService::answer(const std::vector<std::string>& words) const
+SerialReplyLines CommandHandler::answer(const std::vector<std::string>& words) const
 {
     const std::string& request = words.front();
     const auto arguments = std::span(words).subspan(1);
@@ -76,7 +76,7 @@ SerialReplyLines SerialService::answer(const std::vector<std::string>& words) co
           "put PATH SIZE CRC32, take PATH, tree PREFIX [FIRST], address PATH...");
 }
 
-Result<std::vector<RegisterReading>> SerialService::read(std::span<const std::string> paths) const
+Result<std::vector<RegisterReading>> CommandHandler::read(std::span<const std::string> paths) const
 {
     if (paths.empty() || paths.size() > mostSerialReads)
         return wrong("name 1 to " + std::to_string(mostSerialReads) + " registers, not "
@@ -84,7 +84,7 @@ Result<std::vector<RegisterReading>> SerialService::read(std::span<const std::st
     return m_drive.readRegisters({paths.begin(), paths.end()});
 }
 
-Result<SerialReplyLines> SerialService::get(std::span<const std::string> paths) const
+Result<SerialReplyLines> CommandHandler::get(std::span<const std::string> paths) const
 {
     const auto readings = read(paths);
     if (!readings)
@@ -95,7 +95,7 @@ Result<SerialReplyLines> SerialService::get(std::span<const std::string> paths) 
     return lines;
 }
 
-Result<SerialReplyLines> SerialService::addresses(std::span<const std::string> paths) const
+Result<SerialReplyLines> CommandHandler::addresses(std::span<const std::string> paths) const
 {
     const auto readings = read(paths);
     if (!readings)
@@ -106,7 +106,7 @@ Result<SerialReplyLines> SerialService::addresses(std::span<const std::string> p
     return lines;
 }
 
-Result<void> SerialService::set(std::span<const std::string> words) const
+Result<void> CommandHandler::set(std::span<const std::string> words) const
 {
     if (words.empty() || words.size() % 2 != 0 || words.size() / 2 > mostSerialWrites)
         return wrong(
@@ -128,7 +128,7 @@ Result<void> SerialService::set(std::span<const std::string> words) const
     return m_drive.writeRegisters(writes);
 }
 
-SerialReplyLines SerialService::list() const
+SerialReplyLines CommandHandler::list() const
 {
     const auto files = m_drive.listFiles();
     SerialReplyLines lines{counted(files.size())};
@@ -137,7 +137,7 @@ SerialReplyLines SerialService::list() const
     return lines;
 }
 
-Result<SerialReplyLines> SerialService::tree(std::span<const std::string> words) const
+Result<SerialReplyLines> CommandHandler::tree(std::span<const std::string> words) const
 {
     const auto first = words.size() == 2 ? parseSerialNumber(words[1]) : std::optional(0U);
     if (words.empty() || words.size() > 2 || !first)
@@ -151,7 +151,7 @@ Result<SerialReplyLines> SerialService::tree(std::span<const std::string> words)
     return lines;
 }
 
-Result<SerialService::Put> SerialService::beginPut(const std::vector<std::string>& words) const
+Result<CommandHandler::Put> CommandHandler::beginPut(const std::vector<std::string>& words) const
 {
     const auto size = words.size() == 4 ? parseSerialNumber(words[2]) : std::nullopt;
     const auto crc = words.size() == 4 ? parseSerialNumber(words[3], 16) : std::nullopt;
@@ -169,7 +169,7 @@ Result<SerialService::Put> SerialService::beginPut(const std::vector<std::string
     return Put{file->path, *size, *crc, file->maximumSize};
 }
 
-SerialReplyLines SerialService::endPut(const Put& put, ByteView file) const
+SerialReplyLines CommandHandler::endPut(const Put& put, ByteView file) const
 {
     if (file.size() != put.size)
         return garbled("announced were " + std::to_string(put.size) + " bytes, "
@@ -181,7 +181,7 @@ SerialReplyLines SerialService::endPut(const Put& put, ByteView file) const
     return done ? SerialReplyLines{"ok"} : refused(done.error());
 }
 
-Result<Bytes> SerialService::take(const std::vector<std::string>& words) const
+Result<Bytes> CommandHandler::take(const std::vector<std::string>& words) const
 {
     if (words.size() != 2)
         return wrong("write take PATH");

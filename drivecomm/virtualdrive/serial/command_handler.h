@@ -16,9 +16,9 @@ using SerialReplyLines = std::vector<std::string>;
 
 /// Answers the requests of spec/drive.md ("Serial link") from a virtual drive; knows nothing of
 /// lines on a wire. words[0] is the request.
-class SerialService {
+class CommandHandler {
 public:
-    explicit SerialService(VirtualDrive& drive) : m_drive(drive) { }
+    explicit CommandHandler(VirtualDrive& drive) : m_drive(drive) { }
 
     [[nodiscard]] static bool isWrite(const std::vector<std::string>& words);
     [[nodiscard]] SerialReplyLines answer(const std::vector<std::string>& words) const;

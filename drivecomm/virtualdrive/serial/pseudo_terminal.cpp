@@ -28,7 +28,7 @@ std::string systemReason()
 }
 
 /// No echo, no line editing, no translation: a serial line.
-bool makeRaw(const Socket& slave)
+bool makeRaw(const FileDescriptor& slave)
 {
     termios settings{};
     if (::tcgetattr(slave.get(), &settings) != 0)
@@ -59,14 +59,14 @@ Result<void> placeLink(const std::string& link, const std::string& device)
 Result<PseudoTerminal> PseudoTerminal::open(const std::string& link)
 {
     PseudoTerminal terminal;
-    terminal.m_master = Socket(::posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC | O_NONBLOCK));
+    terminal.m_master = FileDescriptor(::posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC | O_NONBLOCK));
     const int master = terminal.m_master.get();
     std::array<char, 128> name{};
     if (!terminal.m_master.isOpen() || ::grantpt(master) != 0 || ::unlockpt(master) != 0
         || ::ptsname_r(master, name.data(), name.size()) != 0)
         return refused(link, "no pseudo-terminal: " + systemReason());
     terminal.m_device = name.data();
-    terminal.m_slave = Socket(::open(name.data(), O_RDWR | O_NOCTTY | O_CLOEXEC));
+    terminal.m_slave = FileDescriptor(::open(name.data(), O_RDWR | O_NOCTTY | O_CLOEXEC));
     if (!terminal.m_slave.isOpen() || !makeRaw(terminal.m_slave))
         return refused(link, "no pseudo-terminal: " + systemReason());
     if (!link.empty()) {

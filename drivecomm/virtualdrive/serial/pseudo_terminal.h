@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/result.h"
-#include "drivecomm/virtualdrive/web/socket.h"
+#include "drivecomm/virtualdrive/file_descriptor.h"
 
 #include <string>
 
@@ -20,15 +20,15 @@ public:
     PseudoTerminal& operator=(PseudoTerminal&& other) noexcept;
     ~PseudoTerminal();
 
-    [[nodiscard]] const Socket& master() const { return m_master; } ///< non-blocking
+    [[nodiscard]] const FileDescriptor& master() const { return m_master; } ///< non-blocking
     [[nodiscard]] const std::string& device() const { return m_device; } ///< /dev/pts/N
 
 private:
     PseudoTerminal() = default;
     void removeLink() const;
 
-    Socket m_master;
-    Socket m_slave; ///< keeps the terminal as it is while no client has it open
+    FileDescriptor m_master;
+    FileDescriptor m_slave; ///< keeps the terminal as it is while no client has it open
     std::string m_device;
     std::string m_link;
 };

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t repliesKept = 8;
 
-void flipBytes(std::string& text)
+void garbleText(std::string& text)
 {
     if (text.empty())
         return;
@@ -92,11 +92,11 @@ void SerialConversation::lineArrived(const std::string& text, Clock::time_point 
     const bool isGood = line.state == SerialLine::State::Good;
     m_wantsCrc |= isGood && line.hasCrc;
     if (line.state == SerialLine::State::BadCrc)
-        return reply(context, SerialService::garbled("the line came garbled"), now);
+        return reply(context, CommandHandler::garbled("the line came garbled"), now);
     if (!isGood) {
         context.number.reset();
         return reply(context,
-            SerialService::rejected(text.size() > longestSerialLine
+            CommandHandler::rejected(text.size() > longestSerialLine
                     ? "the line has more than " + std::to_string(longestSerialLine) + " characters"
                     : "this is no request; a line is [#n ]words[ *XXXX]"),
             now);
@@ -104,7 +104,7 @@ void SerialConversation::lineArrived(const std::string& text, Clock::time_point 
     // A line that noise has cut in two must not be taken for one without a CRC.
     if (m_wantsCrc && !line.hasCrc && line.number && line.words.front() == "set")
         return reply(
-            context, SerialService::garbled("the CRC is missing that other lines had"), now);
+            context, CommandHandler::garbled("the CRC is missing that other lines had"), now);
     request(line, now);
 }
 
@@ -116,10 +116,10 @@ void SerialConversation::request(const SerialLine& line, Clock::time_point now)
         context.decision = m_faults.next(false);
         return reply(context, again, now);
     }
-    context.decision = m_faults.next(SerialService::isWrite(line.words));
+    context.decision = m_faults.next(CommandHandler::isWrite(line.words));
     if (context.decision.rejectCode) {
         const SerialReplyLines lines =
-            SerialService::refused(errorAskedFor(*context.decision.rejectCode));
+            CommandHandler::refused(errorAskedFor(*context.decision.rejectCode));
         remember(context, lines);
         return reply(context, lines, now);
     }
@@ -129,16 +129,16 @@ void SerialConversation::request(const SerialLine& line, Clock::time_point now)
         return beginTake(line, std::move(context), now);
     if (context.decision.storeWrong)
         m_drive.storeNextWrong();
-    const SerialReplyLines lines = m_service.answer(line.words);
+    const SerialReplyLines lines = m_handler.answer(line.words);
     remember(context, lines);
     reply(context, lines, now);
 }
 
 void SerialConversation::beginPut(const SerialLine& line, Context context, Clock::time_point now)
 {
-    const auto put = m_service.beginPut(line.words);
+    const auto put = m_handler.beginPut(line.words);
     if (!put) {
-        const SerialReplyLines lines = SerialService::refused(put.error());
+        const SerialReplyLines lines = CommandHandler::refused(put.error());
         remember(context, lines);
         return reply(context, lines, now);
     }
@@ -149,9 +149,9 @@ void SerialConversation::beginPut(const SerialLine& line, Context context, Clock
 
 void SerialConversation::beginTake(const SerialLine& line, Context context, Clock::time_point now)
 {
-    auto file = m_service.take(line.words);
+    auto file = m_handler.take(line.words);
     if (!file) {
-        const SerialReplyLines lines = SerialService::refused(file.error());
+        const SerialReplyLines lines = CommandHandler::refused(file.error());
         remember(context, lines);
         return reply(context, lines, now);
     }
@@ -188,9 +188,9 @@ void SerialConversation::endPut(Clock::time_point now)
     if (receiving.receiver.state() == ymodem::State::Done) {
         if (receiving.context.decision.storeWrong)
             m_drive.storeNextWrong();
-        lines = m_service.endPut(receiving.put, receiving.receiver.takeFile());
+        lines = m_handler.endPut(receiving.put, receiving.receiver.takeFile());
     } else {
-        lines = SerialService::garbled("the transfer was broken off: "
+        lines = CommandHandler::garbled("the transfer was broken off: "
             + (receiving.receiver.failure().empty() ? "the sender cancelled it"
                                                     : receiving.receiver.failure()));
     }
@@ -207,7 +207,7 @@ void SerialConversation::endTake()
     m_output += std::string(serialLineEnd)
         + written(sending.context,
             isDone ? SerialReplyLines{"ok"}
-                   : SerialService::garbled("the transfer was broken off: "
+                   : CommandHandler::garbled("the transfer was broken off: "
                        + (sending.sender.failure().empty() ? "the receiver cancelled it"
                                                            : sending.sender.failure())));
 }
@@ -246,14 +246,14 @@ void SerialConversation::reply(
 {
     std::string text = context.decision.noReply ? std::string() : written(context, lines);
     if (context.decision.garble)
-        flipBytes(text);
+        garbleText(text);
     if (context.decision.reboot) {
         m_drive.reboot();
         m_memory.clear();
         m_wantsCrc = false;
         m_assembler.clear();
         text = text.substr(0, text.size() / 2) + std::string(serialLineEnd)
-            + serialLine(std::nullopt, m_service.bootLine(), true) + std::string(serialLineEnd);
+            + serialLine(std::nullopt, m_handler.bootLine(), true) + std::string(serialLineEnd);
     }
     if (context.decision.delay > std::chrono::milliseconds(0))
         m_held = Held{now + context.decision.delay, std::move(text)};

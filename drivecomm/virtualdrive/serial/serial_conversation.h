@@ -20,7 +20,7 @@ public:
     SerialConversation(VirtualDrive& drive, FaultPlan& faults)
         : m_drive(drive)
         , m_faults(faults)
-        , m_service(drive)
+        , m_handler(drive)
     {
     }
 
@@ -43,7 +43,7 @@ private:
     };
     struct Receiving {
         Context context;
-        SerialService::Put put;
+        CommandHandler::Put put;
         ymodem::Receiver receiver;
     };
     struct Sending {
@@ -76,7 +76,7 @@ private:
 
     VirtualDrive& m_drive;
     FaultPlan& m_faults;
-    SerialService m_service;
+    CommandHandler m_handler;
     SerialLineAssembler m_assembler;
     std::string m_input;
     std::string m_output;

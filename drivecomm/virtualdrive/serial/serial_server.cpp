@@ -2,7 +2,6 @@
 #include "drivecomm/virtualdrive/serial/serial_server.h"
 
 #include "drivecomm/link/drive_endpoint.h"
-#include "drivecomm/virtualdrive/serial/line_pace.h"
 #include "drivecomm/virtualdrive/serial/pseudo_terminal.h"
 #include "drivecomm/virtualdrive/serial/serial_conversation.h"
 
@@ -10,8 +9,11 @@
 #include <sys/eventfd.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
+#include <chrono>
+#include <cstddef>
 #include <mutex>
 #include <thread>
 
@@ -27,6 +29,29 @@ constexpr std::size_t mostWaiting = 256 * 1024; ///< of what nobody reads, befor
 /// quicker, and lrzsz empties its input after each answer that it gives: what comes at once is
 /// lost.
 constexpr std::chrono::microseconds turnaround{500};
+
+/// When the bytes of one direction of a serial line arrive: ten bits each, one after the other.
+class LinePace {
+public:
+    /// 0: at once
+    explicit LinePace(int baud) : m_byteTime(baud == 0 ? 0.0 : 10e9 / baud) { }
+
+    /// Bytes that were ready at `now`. Those that follow without a pause take up the line's time
+    /// where the last ones left it, however late somebody looked.
+    [[nodiscard]] Clock::time_point arrivalOf(
+        std::size_t bytes, bool followsWithoutPause, Clock::time_point now)
+    {
+        const auto begin = followsWithoutPause ? m_free : std::max(m_free, now);
+        const std::chrono::duration<double, std::nano> time(
+            m_byteTime * static_cast<double>(bytes));
+        m_free = begin + std::chrono::duration_cast<Clock::duration>(time);
+        return m_free;
+    }
+
+private:
+    double m_byteTime; ///< ns
+    Clock::time_point m_free;
+};
 
 /// Bytes on their way through one direction.
 struct Lane {
@@ -49,8 +74,8 @@ struct Lane {
 
 } // namespace
 
-struct SerialFront::Private {
-    Private(VirtualDrive& drive, FaultPlan& theFaults, const SerialFrontOptions& theOptions,
+struct SerialServer::Private {
+    Private(VirtualDrive& drive, FaultPlan& theFaults, const SerialServerOptions& theOptions,
         PseudoTerminal theTerminal)
         : faults(theFaults)
         , options(theOptions)
@@ -72,7 +97,7 @@ struct SerialFront::Private {
     void unplug();
 
     FaultPlan& faults;
-    SerialFrontOptions options;
+    SerialServerOptions options;
     mutable std::mutex mutex; ///< of terminal, which others ask for its name
     PseudoTerminal terminal;
     SerialConversation conversation;
@@ -81,11 +106,11 @@ struct SerialFront::Private {
     std::string waiting; ///< for the outgoing lane
     bool isFull = false; ///< the client does not read
     bool isGone = false; ///< there is no terminal any more
-    Socket ending{::eventfd(0, EFD_CLOEXEC)};
+    FileDescriptor ending{::eventfd(0, EFD_CLOEXEC)};
     std::thread thread;
 };
 
-SerialFront::Private::~Private()
+SerialServer::Private::~Private()
 {
     const std::uint64_t one = 1;
     [[maybe_unused]] const ssize_t written = ::write(ending.get(), &one, sizeof one);
@@ -93,13 +118,13 @@ SerialFront::Private::~Private()
         thread.join();
 }
 
-std::size_t SerialFront::Private::untilCut(std::size_t bytes) const
+std::size_t SerialServer::Private::untilCut(std::size_t bytes) const
 {
     const auto left = faults.bytesUntilDrop();
     return left ? static_cast<std::size_t>(std::min<std::uint64_t>(bytes, *left)) : bytes;
 }
 
-bool SerialFront::Private::count(std::size_t bytes)
+bool SerialServer::Private::count(std::size_t bytes)
 {
     const auto left = faults.bytesUntilDrop();
     faults.countBytes(bytes);
@@ -110,7 +135,7 @@ bool SerialFront::Private::count(std::size_t bytes)
     return true;
 }
 
-void SerialFront::Private::unplug()
+void SerialServer::Private::unplug()
 {
     conversation.hangUp();
     incoming = Lane(options.baud);
@@ -124,7 +149,7 @@ void SerialFront::Private::unplug()
         terminal = *std::move(fresh);
 }
 
-void SerialFront::Private::receive(Clock::time_point now)
+void SerialServer::Private::receive(Clock::time_point now)
 {
     while (!incoming.bytes.empty() && incoming.arrival <= now) {
         const std::size_t whole = untilCut(incoming.bytes.size());
@@ -143,7 +168,7 @@ void SerialFront::Private::receive(Clock::time_point now)
         incoming.wasBusy = false;
 }
 
-void SerialFront::Private::send(Clock::time_point now)
+void SerialServer::Private::send(Clock::time_point now)
 {
     waiting += conversation.output();
     while (true) {
@@ -168,7 +193,7 @@ void SerialFront::Private::send(Clock::time_point now)
     }
 }
 
-void SerialFront::Private::wait()
+void SerialServer::Private::wait()
 {
     const bool reads = incoming.bytes.empty() && waiting.size() <= mostWaiting;
     const auto events = static_cast<short>((reads ? POLLIN : 0) | (isFull ? POLLOUT : 0));
@@ -193,7 +218,7 @@ void SerialFront::Private::wait()
     isFull = isFull && (polled[1].revents & POLLOUT) == 0;
 }
 
-void SerialFront::Private::run()
+void SerialServer::Private::run()
 {
     pollfd ended{ending.get(), POLLIN, 0};
     while (::poll(&ended, 1, 0) <= 0) { // below 0: a signal came
@@ -207,28 +232,28 @@ void SerialFront::Private::run()
     }
 }
 
-SerialFront::SerialFront(std::unique_ptr<Private> theD) : d(std::move(theD)) { }
+SerialServer::SerialServer(std::unique_ptr<Private> theD) : d(std::move(theD)) { }
 
-SerialFront::~SerialFront() = default;
+SerialServer::~SerialServer() = default;
 
-Result<std::unique_ptr<SerialFront>> SerialFront::start(
-    VirtualDrive& drive, FaultPlan& faults, const SerialFrontOptions& options)
+Result<std::unique_ptr<SerialServer>> SerialServer::start(
+    VirtualDrive& drive, FaultPlan& faults, const SerialServerOptions& options)
 {
     auto terminal = PseudoTerminal::open(options.link);
     if (!terminal)
         return fail(terminal.error());
     auto made = std::make_unique<Private>(drive, faults, options, *std::move(terminal));
     made->thread = std::thread([d = made.get()] { d->run(); });
-    return std::unique_ptr<SerialFront>(new SerialFront(std::move(made)));
+    return std::unique_ptr<SerialServer>(new SerialServer(std::move(made)));
 }
 
-std::string SerialFront::device() const
+std::string SerialServer::device() const
 {
     const std::scoped_lock lock(d->mutex);
     return d->terminal.device();
 }
 
-std::string SerialFront::url() const
+std::string SerialServer::url() const
 {
     DriveEndpoint endpoint;
     endpoint.kind = DriveEndpoint::Kind::Serial;

@@ -9,7 +9,7 @@
 
 namespace axiscomp::drivecomm {
 
-struct SerialFrontOptions {
+struct SerialServerOptions {
     std::string link; ///< a symbolic link to the port, kept up to date; empty: none
     int baud = 0; ///< each direction carries a tenth of it in bytes per second; 0: no limit
 };
@@ -17,12 +17,12 @@ struct SerialFrontOptions {
 /// The virtual drive's serial link of spec/drive.md, on a pseudo-terminal, from a thread of its
 /// own, until it is destroyed. A connection that is cut (drop-after) is a port that disappears; a
 /// new one takes its place, under the same link.
-class SerialFront {
+class SerialServer {
 public:
-    /// drive and faults must outlive the front. Errors: InvalidEndpoint (endpoint = link).
-    [[nodiscard]] static Result<std::unique_ptr<SerialFront>> start(
-        VirtualDrive& drive, FaultPlan& faults, const SerialFrontOptions& options = {});
-    ~SerialFront();
+    /// drive and faults must outlive the server. Errors: InvalidEndpoint (endpoint = link).
+    [[nodiscard]] static Result<std::unique_ptr<SerialServer>> start(
+        VirtualDrive& drive, FaultPlan& faults, const SerialServerOptions& options = {});
+    ~SerialServer();
 
     /// "/dev/pts/7"
     [[nodiscard]] std::string device() const;
@@ -31,7 +31,7 @@ public:
 
 private:
     struct Private;
-    explicit SerialFront(std::unique_ptr<Private> d);
+    explicit SerialServer(std::unique_ptr<Private> d);
     std::unique_ptr<Private> d;
 };
 

@@ -9,7 +9,7 @@ namespace axiscomp::drivecomm {
 
 namespace {
 
-bool isLoopback(const std::string& host)
+bool isThisComputer(const std::string& host)
 {
     return host == "localhost" || QHostAddress(QString::fromStdString(host)).isLoopback();
 }
@@ -35,7 +35,7 @@ std::string withoutPort(const std::string& host)
 
 WebAccess::WebAccess(std::string host, const std::string& user, const std::string& password)
     : m_host(std::move(host))
-    , m_isLoopback(isLoopback(m_host))
+    , m_isLoopback(isThisComputer(m_host))
 {
     if (!user.empty() || !password.empty())
         m_authorization =
@@ -60,7 +60,7 @@ std::optional<WebAccess::Denial> WebAccess::denial(const WebRequest& request) co
 bool WebAccess::isKnownHost(const std::string& host) const
 {
     const std::string name = withoutPort(host);
-    return !m_isLoopback || name == m_host || isLoopback(name);
+    return !m_isLoopback || name == m_host || isThisComputer(name);
 }
 
 bool WebAccess::isFromOtherSite(const WebRequest& request)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "drivecomm/virtualdrive/web/body.h"
 
-#include "drivecomm/http/media_type.h"
+#include "drivecomm/http/percent_encoding.h"
 
 namespace axiscomp::drivecomm {
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "drivecomm/virtualdrive/web/connection_relay.h"
 
-#include "drivecomm/virtualdrive/web/relayed_connection.h"
 #include "drivecomm/virtualdrive/web/socket.h"
 
 #include <poll.h>
@@ -28,7 +27,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 using Fate = ConnectionRelay::Fate;
-using Connection = RelayedConnection;
 
 /// After file descriptors ran out, so long no more connections than there were.
 constexpr std::chrono::seconds shortage{1};
@@ -37,6 +35,63 @@ constexpr std::chrono::seconds farewell{2};
 /// httplib takes a client that has said all it wants to say for one that is gone, and does not
 /// answer it: it learns of that only when nothing was said on either side for this time.
 constexpr std::chrono::milliseconds silence{250};
+constexpr std::size_t bufferSize = 64 * 1024;
+
+/// Bytes on their way from one socket to the other.
+struct RelayLane {
+    std::vector<char> bytes;
+    std::size_t begin = 0;
+    bool sourceEnded = false;
+    bool endPassedOn = false;
+    bool discards = false;
+
+    [[nodiscard]] bool isEmpty() const { return begin == bytes.size(); }
+    [[nodiscard]] bool wantsToRead() const { return !sourceEnded && isEmpty(); }
+};
+
+/// A client, and the connection by which the server is asked for it.
+struct Connection {
+    Socket client;
+    Socket server;
+    std::uint16_t serverSidePort = 0;
+    RelayLane request;
+    RelayLane reply;
+    std::optional<Fate> fate;
+    Clock::time_point lastPassed = Clock::now();
+    std::optional<Clock::time_point> endRequestAt;
+    std::optional<Clock::time_point> closeAt;
+    std::optional<Clock::time_point> replyWaitsSince; ///< the client does not take it
+    Clock::time_point waitsSince = Clock::now(); ///< for a request that is complete
+    bool answersRequest = false; ///< the server has it
+    bool hasReplied = false; ///< and nothing was asked since
+    bool isDead = false;
+
+    /// A client has this time for its request before another one may take its place.
+    static constexpr std::chrono::milliseconds protection{250};
+
+    [[nodiscard]] Clock::time_point replaceableAt() const { return waitsSince + protection; }
+};
+
+/// What poll shall wait for at socket. One of which nothing is wanted is left out: its hang-up
+/// would wake poll again and again.
+pollfd watch(const Socket& socket, const RelayLane& readFrom, const RelayLane& writtenTo)
+{
+    const int events = (readFrom.wantsToRead() ? POLLIN : 0) | (writtenTo.isEmpty() ? 0 : POLLOUT);
+    return {events == 0 ? -1 : socket.get(), static_cast<short>(events), 0};
+}
+
+/// False when the connection is broken.
+bool readInto(RelayLane& lane, const Socket& source)
+{
+    lane.bytes.resize(bufferSize);
+    lane.begin = 0;
+    const ssize_t count = ::recv(source.get(), lane.bytes.data(), lane.bytes.size(), 0);
+    const int error = errno;
+    lane.bytes.resize(count > 0 && !lane.discards ? static_cast<std::size_t>(count) : 0);
+    if (count == 0)
+        lane.sourceEnded = true;
+    return count >= 0 || error == EAGAIN || error == EINTR;
+}
 
 } // namespace
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "drivecomm/virtualdrive/web/message.h"
 
-#include "drivecomm/http/media_type.h"
 #include "drivecomm/http/percent_encoding.h"
 
 #include <charconv>
@@ -9,15 +8,6 @@
 namespace axiscomp::drivecomm {
 
 namespace {
-
-std::string_view trimmed(std::string_view text)
-{
-    while (!text.empty() && (text.front() == ' ' || text.front() == '\t'))
-        text.remove_prefix(1);
-    while (!text.empty() && (text.back() == ' ' || text.back() == '\t'))
-        text.remove_suffix(1);
-    return text;
-}
 
 /// Calls take with each part of text between separators.
 template <typename Take> void split(std::string_view text, char separator, Take take)
@@ -58,7 +48,7 @@ double quality(std::string_view accept, std::string_view type)
         if (semicolon == std::string_view::npos)
             return;
         split(entry.substr(semicolon + 1), ';', [&](std::string_view parameter) {
-            parameter = trimmed(parameter);
+            parameter = withoutBlanks(parameter);
             if (!parameter.starts_with("q="))
                 return;
             double q = 0.0;

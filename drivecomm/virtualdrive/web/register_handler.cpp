@@ -38,7 +38,7 @@ std::string withoutDrive(const std::string& uri)
 
 } // namespace
 
-WebReply WebService::answerRegisters(const WebRequest& request) const
+WebReply RequestHandler::answerRegisters(const WebRequest& request) const
 {
     const bool isOne = request.path != m_profile.web.registers;
     if (request.method == "PUT")
@@ -50,7 +50,7 @@ WebReply WebService::answerRegisters(const WebRequest& request) const
     return request.method == "GET" ? showRegisters(request) : notAllowed(request, "GET, PUT, POST");
 }
 
-WebReply WebService::showRegisters(const WebRequest& request) const
+WebReply RequestHandler::showRegisters(const WebRequest& request) const
 {
     std::vector<std::string> paths;
     std::optional<std::string> prefix;
@@ -76,7 +76,7 @@ WebReply WebService::showRegisters(const WebRequest& request) const
     return htmlReply(registerListPage(frame(), m_profile, rows, suggestedSources()));
 }
 
-WebReply WebService::showTree(const WebRequest& request, const std::string& prefix) const
+WebReply RequestHandler::showTree(const WebRequest& request, const std::string& prefix) const
 {
     const auto readings = m_drive.readTree(prefix);
     if (formFor(request) == Form::Json)
@@ -99,7 +99,7 @@ WebReply WebService::showTree(const WebRequest& request, const std::string& pref
         registerTreePage(frame(), m_profile, prefix, folders, rowsFor(own), suggestedSources()));
 }
 
-WebReply WebService::putRegisters(const WebRequest& request) const
+WebReply RequestHandler::putRegisters(const WebRequest& request) const
 {
     if (request.contentType != "application/json")
         return refusal(request, rejected("registers are written as application/json"), 415);
@@ -142,7 +142,7 @@ WebReply WebService::putRegisters(const WebRequest& request) const
 
 /// What a browser can send: the form of a register page. Each field is named after its register;
 /// empty ones are left out.
-WebReply WebService::setByForm(const WebRequest& request) const
+WebReply RequestHandler::setByForm(const WebRequest& request) const
 {
     if (request.contentType != "application/x-www-form-urlencoded")
         return refusal(request,
@@ -175,7 +175,7 @@ WebReply WebService::setByForm(const WebRequest& request) const
     return htmlReply(registersSetPage(frame(), rowsFor(*readings), pageBefore(request)));
 }
 
-Result<RegisterValue> WebService::enteredValue(
+Result<RegisterValue> RequestHandler::enteredValue(
     const RegisterReading& reading, const std::string& text) const
 {
     if (isSource(reading.path)) {
@@ -193,7 +193,7 @@ Result<RegisterValue> WebService::enteredValue(
     return value;
 }
 
-bool WebService::isSource(const std::string& path) const
+bool RequestHandler::isSource(const std::string& path) const
 {
     const int axes = m_drive.identity().axes;
     for (int axis = 0; axis < axes; ++axis)
@@ -203,7 +203,7 @@ bool WebService::isSource(const std::string& path) const
     return false;
 }
 
-std::vector<std::string> WebService::suggestedSources() const
+std::vector<std::string> RequestHandler::suggestedSources() const
 {
     std::vector<std::string> sources;
     for (const std::string& pattern : m_profile.sourceShortlist) {
@@ -218,7 +218,7 @@ std::vector<std::string> WebService::suggestedSources() const
     return sources;
 }
 
-std::vector<RegisterRow> WebService::rowsFor(std::span<const RegisterReading> readings) const
+std::vector<RegisterRow> RequestHandler::rowsFor(std::span<const RegisterReading> readings) const
 {
     std::vector<RegisterRow> rows;
     std::map<std::uint32_t, std::string> pathOfAddress;

@@ -43,30 +43,30 @@ std::string entityTag(ByteView bytes)
 
 } // namespace
 
-PageFrame WebService::frame() const
+PageFrame RequestHandler::frame() const
 {
     const DriveIdentity identity = m_drive.identity();
     return {identity.name, std::to_string(identity.serialNumber), m_profile.web.directory,
         m_profile.web.transfer, m_profile.web.registers + "?prefix="};
 }
 
-bool WebService::isRegisterPath(const std::string& path) const
+bool RequestHandler::isRegisterPath(const std::string& path) const
 {
     return path == m_profile.web.registers || path.starts_with(m_profile.web.registers + "/");
 }
 
-Form WebService::formFor(const WebRequest& request) const
+Form RequestHandler::formFor(const WebRequest& request) const
 {
     const bool isForProgram = isRegisterPath(request.path) && request.method != "POST";
     return preferredForm(request.accept, isForProgram ? Form::Json : Form::Html);
 }
 
-WebReply WebService::refusal(const WebRequest& request, const Error& error) const
+WebReply RequestHandler::refusal(const WebRequest& request, const Error& error) const
 {
     return refusal(request, error, httpStatus(error.code));
 }
 
-WebReply WebService::refusal(const WebRequest& request, const Error& error, int status) const
+WebReply RequestHandler::refusal(const WebRequest& request, const Error& error, int status) const
 {
     WebReply reply = formFor(request) == Form::Json
         ? jsonReply(errorJson(error), status)
@@ -76,7 +76,7 @@ WebReply WebService::refusal(const WebRequest& request, const Error& error, int 
     return reply;
 }
 
-WebReply WebService::notAllowed(const WebRequest& request, const std::string& methods) const
+WebReply RequestHandler::notAllowed(const WebRequest& request, const std::string& methods) const
 {
     WebReply reply = refusal(
         request, rejected(request.path + " takes " + methods + ", not " + request.method), 405);
@@ -84,7 +84,7 @@ WebReply WebService::notAllowed(const WebRequest& request, const std::string& me
     return reply;
 }
 
-WebReply WebService::answer(const WebRequest& request) const
+WebReply RequestHandler::answer(const WebRequest& request) const
 {
     if (request.isTooLarge)
         return refusal(request,
@@ -111,7 +111,7 @@ WebReply WebService::answer(const WebRequest& request) const
     return refusal(request, {ErrorCode::UnknownFile, {{"path", request.path}}, {}});
 }
 
-WebReply WebService::showStart(const WebRequest&) const
+WebReply RequestHandler::showStart(const WebRequest&) const
 {
     StartPage start;
     if (const auto error = m_drive.readRegisters({m_profile.registers.driveError}))
@@ -132,7 +132,7 @@ WebReply WebService::showStart(const WebRequest&) const
     return htmlReply(startPage(frame(), m_profile, start));
 }
 
-WebReply WebService::showDirectory(const WebRequest& request) const
+WebReply RequestHandler::showDirectory(const WebRequest& request) const
 {
     const auto files = m_drive.listFiles();
     if (formFor(request) == Form::Json)
@@ -140,12 +140,12 @@ WebReply WebService::showDirectory(const WebRequest& request) const
     return htmlReply(directoryPage(frame(), m_profile, files));
 }
 
-WebReply WebService::showTransfer() const
+WebReply RequestHandler::showTransfer() const
 {
     return htmlReply(transferPage(frame(), m_profile, m_drive.listFiles()));
 }
 
-WebReply WebService::transfer(const WebRequest& request) const
+WebReply RequestHandler::transfer(const WebRequest& request) const
 {
     if (request.contentType != "multipart/form-data")
         return refusal(request, rejected("the Transfer form is sent as multipart/form-data"), 415);
@@ -167,7 +167,7 @@ WebReply WebService::transfer(const WebRequest& request) const
     return htmlReply(transferDonePage(frame(), m_profile, taken));
 }
 
-WebReply WebService::sendFile(const WebRequest& request) const
+WebReply RequestHandler::sendFile(const WebRequest& request) const
 {
     const std::string path = request.path.substr(m_profile.web.files.size());
     const auto bytes = m_drive.download(path);

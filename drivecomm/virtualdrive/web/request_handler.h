@@ -14,9 +14,9 @@ namespace axiscomp::drivecomm {
 
 /// Answers the requests of spec/drive.md ("Web server") from a virtual drive; knows nothing of
 /// sockets. May be called from several threads.
-class WebService {
+class RequestHandler {
 public:
-    WebService(VirtualDrive& drive, const DriveProfile& profile)
+    RequestHandler(VirtualDrive& drive, const DriveProfile& profile)
         : m_drive(drive)
         , m_profile(profile)
     {

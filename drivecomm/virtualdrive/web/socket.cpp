@@ -47,12 +47,6 @@ sockaddr_storage localAddress(const Socket& socket)
 
 } // namespace
 
-void Socket::close()
-{
-    if (m_descriptor >= 0)
-        ::close(std::exchange(m_descriptor, -1));
-}
-
 std::string hostAndPort(const std::string& host, std::uint16_t port)
 {
     const bool isIPv6 = host.find(':') != std::string::npos;

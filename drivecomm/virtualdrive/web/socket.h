@@ -2,33 +2,15 @@
 #pragma once
 
 #include "core/base/result.h"
+#include "drivecomm/virtualdrive/file_descriptor.h"
 
 #include <cstdint>
 #include <string>
-#include <utility>
 
 namespace axiscomp::drivecomm {
 
-/// A file descriptor that closes itself.
-class Socket {
-public:
-    Socket() = default;
-    explicit Socket(int descriptor) : m_descriptor(descriptor) { }
-    Socket(Socket&& other) noexcept : m_descriptor(std::exchange(other.m_descriptor, -1)) { }
-    Socket& operator=(Socket&& other) noexcept
-    {
-        std::swap(m_descriptor, other.m_descriptor);
-        return *this;
-    }
-    ~Socket() { close(); }
-
-    [[nodiscard]] int get() const { return m_descriptor; }
-    [[nodiscard]] bool isOpen() const { return m_descriptor >= 0; }
-    void close();
-
-private:
-    int m_descriptor = -1;
-};
+/// A connection, or what waits for one.
+using Socket = FileDescriptor;
 
 /// All non-blocking, without Nagle's delay.
 /// Errors: InvalidEndpoint (endpoint, reason).

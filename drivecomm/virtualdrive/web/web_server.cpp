@@ -4,7 +4,6 @@
 #include "drivecomm/virtualdrive/web/access.h"
 #include "drivecomm/virtualdrive/web/body.h"
 #include "drivecomm/virtualdrive/web/connection_relay.h"
-#include "drivecomm/virtualdrive/web/connection_threads.h"
 #include "drivecomm/virtualdrive/web/guarded_server.h"
 #include "drivecomm/virtualdrive/web/request_handler.h"
 #include "drivecomm/virtualdrive/web/socket.h"
@@ -42,14 +41,14 @@ void flipBytes(std::string& body)
 
 } // namespace
 
-struct WebFront::Private {
+struct WebServer::Private {
     Private(VirtualDrive& theDrive, const DriveProfile& profile, FaultPlan& theFaults,
-        const WebFrontOptions& theOptions)
+        const WebServerOptions& theOptions)
         : drive(theDrive)
         , faults(theFaults)
         , options(theOptions)
         , access(options.host, options.user, options.password)
-        , service(drive, profile)
+        , handler(drive, profile)
         , transferPath(profile.web.transfer)
     {
         for (const TableSlot& slot : profile.tableSlots)
@@ -80,9 +79,9 @@ struct WebFront::Private {
 
     VirtualDrive& drive;
     FaultPlan& faults;
-    WebFrontOptions options;
+    WebServerOptions options;
     WebAccess access;
-    WebService service;
+    RequestHandler handler;
     std::string transferPath;
     std::uint64_t largestForm = formOverhead;
 
@@ -95,7 +94,7 @@ struct WebFront::Private {
     bool stopping = false;
 };
 
-WebFront::Private::~Private()
+WebServer::Private::~Private()
 {
     {
         const std::scoped_lock lock(mutex);
@@ -113,11 +112,11 @@ WebFront::Private::~Private()
     thread.join();
 }
 
-ServerGuard WebFront::Private::guard() const
+ServerGuard WebServer::Private::guard() const
 {
     // Nothing is known of what the client would rather read.
     const auto refusal = [this](const HeadFault& fault) {
-        const WebReply reply = service.refusal({}, rejected(fault.reason), fault.status);
+        const WebReply reply = handler.refusal({}, rejected(fault.reason), fault.status);
         std::string text = "HTTP/1.1 " + std::to_string(reply.status) + " Refused\r\n";
         for (const auto& [name, value] : defaultHeaders())
             text += name + ": " + value + "\r\n";
@@ -127,7 +126,7 @@ ServerGuard WebFront::Private::guard() const
     return {options.patience, keepAlive, refusal};
 }
 
-Result<int> WebFront::Private::bind()
+Result<int> WebServer::Private::bind()
 {
     int port = 0;
     if (isSecure()) {
@@ -148,7 +147,7 @@ Result<int> WebFront::Private::bind()
     return port;
 }
 
-Result<void> WebFront::Private::start()
+Result<void> WebServer::Private::start()
 {
     if (options.certificateFile.empty() != options.privateKeyFile.empty())
         return refused("https needs both a certificate and its private key");
@@ -171,7 +170,7 @@ Result<void> WebFront::Private::start()
     return {};
 }
 
-void WebFront::Private::configure()
+void WebServer::Private::configure()
 {
     server->new_task_queue = [] { return new ConnectionThreads(ConnectionRelay::mostConnections); };
     server->set_default_headers(defaultHeaders());
@@ -193,7 +192,7 @@ void WebFront::Private::configure()
             from.has_header("Content-Length") || from.has_header("Transfer-Encoding");
         if (from.method == "GET" || from.method == "HEAD" || from.method == "OPTIONS" || hasBody)
             return httplib::Server::HandlerResponse::Unhandled;
-        put(service.refusal(requestWithoutBody(from), rejected("Content-Length is missing"), 411),
+        put(handler.refusal(requestWithoutBody(from), rejected("Content-Length is missing"), 411),
             to);
         return httplib::Server::HandlerResponse::Handled;
     });
@@ -201,17 +200,17 @@ void WebFront::Private::configure()
     server->set_error_handler([this](const httplib::Request& from, httplib::Response& to) {
         if (!to.body.empty() || from.method == "HEAD")
             return;
-        put(service.refusal(
+        put(handler.refusal(
                 requestWithoutBody(from), rejected("the request is malformed"), to.status),
             to);
     });
     server->set_exception_handler(
         [this](const httplib::Request& from, httplib::Response& to, std::exception_ptr) {
-            put(service.refusal(requestWithoutBody(from), rejected("the server failed"), 500), to);
+            put(handler.refusal(requestWithoutBody(from), rejected("the server failed"), 500), to);
         });
 }
 
-void WebFront::Private::serve(const httplib::Request& from, httplib::Response& to,
+void WebServer::Private::serve(const httplib::Request& from, httplib::Response& to,
     const httplib::ContentReader* contentReader)
 {
     WebRequest request = requestWithoutBody(from);
@@ -227,18 +226,18 @@ void WebFront::Private::serve(const httplib::Request& from, httplib::Response& t
     respond(from, to, request);
 }
 
-void WebFront::Private::respond(
+void WebServer::Private::respond(
     const httplib::Request& from, httplib::Response& to, const WebRequest& request)
 {
     relay->keepUntilReply(static_cast<std::uint16_t>(from.remote_port));
     if (const auto denial = access.denial(request)) {
-        put(service.refusal(request, denial->error, denial->status), to);
+        put(handler.refusal(request, denial->error, denial->status), to);
         if (denial->status == 401)
             to.set_header("WWW-Authenticate", "Basic realm=\"drive\", charset=\"UTF-8\"");
         return;
     }
     if (request.isMalformed || request.isTooLarge) {
-        put(service.answer(request), to);
+        put(handler.answer(request), to);
         return;
     }
     const FaultPlan::Decision decision = faults.next(request.method != "GET");
@@ -246,8 +245,8 @@ void WebFront::Private::respond(
     if (decision.storeWrong)
         drive.storeNextWrong();
     WebReply reply = decision.rejectCode
-        ? service.refusal(request, errorAskedFor(*decision.rejectCode))
-        : service.answer(request);
+        ? handler.refusal(request, errorAskedFor(*decision.rejectCode))
+        : handler.answer(request);
     waitFor(decision.delay);
     if (decision.reboot) {
         drive.reboot();
@@ -262,7 +261,7 @@ void WebFront::Private::respond(
     put(reply, to);
 }
 
-void WebFront::Private::put(const WebReply& reply, httplib::Response& to)
+void WebServer::Private::put(const WebReply& reply, httplib::Response& to)
 {
     to.status = reply.status;
     for (const auto& [name, value] : reply.headers)
@@ -271,36 +270,36 @@ void WebFront::Private::put(const WebReply& reply, httplib::Response& to)
         to.set_content(reply.body, reply.contentType);
 }
 
-void WebFront::Private::waitFor(std::chrono::milliseconds delay)
+void WebServer::Private::waitFor(std::chrono::milliseconds delay)
 {
     std::unique_lock lock(mutex);
     stopped.wait_for(lock, delay, [this] { return stopping; });
 }
 
-WebFront::WebFront(std::unique_ptr<Private> theD) : d(std::move(theD)) { }
+WebServer::WebServer(std::unique_ptr<Private> theD) : d(std::move(theD)) { }
 
-WebFront::~WebFront() = default;
+WebServer::~WebServer() = default;
 
-Result<std::unique_ptr<WebFront>> WebFront::start(VirtualDrive& drive, const DriveProfile& profile,
-    FaultPlan& faults, const WebFrontOptions& options)
+Result<std::unique_ptr<WebServer>> WebServer::start(VirtualDrive& drive,
+    const DriveProfile& profile, FaultPlan& faults, const WebServerOptions& options)
 {
     auto made = std::make_unique<Private>(drive, profile, faults, options);
     if (const auto started = made->start(); !started)
         return fail(started.error());
-    return std::unique_ptr<WebFront>(new WebFront(std::move(made)));
+    return std::unique_ptr<WebServer>(new WebServer(std::move(made)));
 }
 
-std::uint16_t WebFront::port() const
+std::uint16_t WebServer::port() const
 {
     return d->relay->port();
 }
 
-bool WebFront::isOnLoopbackOnly() const
+bool WebServer::isOnLoopbackOnly() const
 {
     return d->relay->isOnLoopback();
 }
 
-std::string WebFront::url() const
+std::string WebServer::url() const
 {
     return d->address(port());
 }

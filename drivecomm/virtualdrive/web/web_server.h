@@ -11,7 +11,7 @@
 
 namespace axiscomp::drivecomm {
 
-struct WebFrontOptions {
+struct WebServerOptions {
     std::string host = "127.0.0.1"; ///< loopback unless told otherwise
     std::uint16_t port = 0; ///< 0: a free one
     std::string user; ///< both set: HTTP Basic authentication is asked for
@@ -24,13 +24,13 @@ struct WebFrontOptions {
 
 /// The virtual drive's web server: the pages, files and registers of spec/drive.md. Serves from its
 /// own threads until it is destroyed.
-class WebFront {
+class WebServer {
 public:
-    /// drive, profile and faults must outlive the front. Errors: InvalidEndpoint (address in use,
+    /// drive, profile and faults must outlive the server. Errors: InvalidEndpoint (address in use,
     /// ...).
-    [[nodiscard]] static Result<std::unique_ptr<WebFront>> start(VirtualDrive& drive,
-        const DriveProfile& profile, FaultPlan& faults, const WebFrontOptions& options = {});
-    ~WebFront();
+    [[nodiscard]] static Result<std::unique_ptr<WebServer>> start(VirtualDrive& drive,
+        const DriveProfile& profile, FaultPlan& faults, const WebServerOptions& options = {});
+    ~WebServer();
 
     [[nodiscard]] std::uint16_t port() const;
     /// Whether no other computer reaches it.
@@ -40,7 +40,7 @@ public:
 
 private:
     struct Private;
-    explicit WebFront(std::unique_ptr<Private> d);
+    explicit WebServer(std::unique_ptr<Private> d);
     std::unique_ptr<Private> d;
 };
 

@@ -40,12 +40,12 @@ AxisState stateOf(const QJsonObject& status)
 }
 
 /// An axis with an old, stored table and a slow drive, so that a write can be met in the middle.
-struct Bench {
+struct Fixture {
     Sandbox box;
     AxisState before;
     AxisState after;
 
-    Bench()
+    Fixture()
     {
         box.file("old.csv", oldTable);
         box.file("new.csv", newTable);
@@ -122,7 +122,7 @@ private Q_SLOTS:
     void interruptLeavesTheOldStateOrTheNewOne()
     {
         QFETCH(const int, steps);
-        Bench bench;
+        Fixture bench;
         QString url;
         {
             const VirtualDriveProcess quick(bench.box, driveOptions({}, nullptr));
@@ -158,7 +158,7 @@ private Q_SLOTS:
     void killedProgramIsExplainedByTheNextRun()
     {
         QFETCH(const int, steps);
-        Bench bench;
+        Fixture bench;
         QString url;
         {
             const VirtualDriveProcess quick(bench.box, driveOptions({}, nullptr));
@@ -186,7 +186,7 @@ private Q_SLOTS:
     {
         QFETCH(const int, steps);
         QFETCH(const QString, option);
-        Bench bench;
+        Fixture bench;
         QString url;
         {
             const VirtualDriveProcess quick(bench.box, driveOptions({}, nullptr));
@@ -222,7 +222,7 @@ private Q_SLOTS:
     void killedDriveIsExplainedByTheNextRun()
     {
         QFETCH(const int, steps);
-        Bench bench;
+        Fixture bench;
         QString url;
         {
             const VirtualDriveProcess quick(bench.box, driveOptions({}, nullptr));
@@ -249,7 +249,7 @@ private Q_SLOTS:
 
 private:
     /// `status` says which of the two states the drive holds, and a new write succeeds.
-    void checkNextRun(const Bench& bench, const QString& url, bool mayHaveEnded)
+    void checkNextRun(const Fixture& bench, const QString& url, bool mayHaveEnded)
     {
         const ProgramRun status = bench.status(url);
         VERIFY_CODE(status, 0);

@@ -26,11 +26,11 @@ const QStringList planKeys{"after", "axis", "before", "changes", "drive", "flash
     "warnings"};
 
 /// A drive, and the files of this test.
-struct Bench {
+struct Fixture {
     Sandbox box;
     VirtualDriveProcess drive;
 
-    explicit Bench(const QStringList& options = {}) : drive(box, options)
+    explicit Fixture(const QStringList& options = {}) : drive(box, options)
     {
         box.file("first.csv", first1D);
         box.file("second.csv", second1D);
@@ -60,7 +60,7 @@ private Q_SLOTS:
 
     void theWholeWriteIsShown()
     {
-        const Bench bench;
+        const Fixture bench;
         const ProgramRun run = bench.write("first.csv", {"--persistent"});
         VERIFY_CODE(run, 0);
         for (const char* const part : {"Plan for axis 0 (X) of Virtual-1 (serial number 100001)",
@@ -80,7 +80,7 @@ private Q_SLOTS:
 
     void theDocumentHasPlanAndReport()
     {
-        const Bench bench;
+        const Fixture bench;
         const ProgramRun run = bench.write("first.csv", {"--persistent", "--json"});
         VERIFY_CODE(run, 0);
         QCOMPARE(run.json().keys(), (QStringList{"plan", "report"}));
@@ -104,7 +104,7 @@ private Q_SLOTS:
 
     void aDryRunChangesNothing()
     {
-        const Bench bench;
+        const Fixture bench;
         const QJsonObject before = bench.status();
         const ProgramRun run = bench.write("first.csv", {"--dry-run", "--json"});
         VERIFY_CODE(run, 0);
@@ -118,7 +118,7 @@ private Q_SLOTS:
 
     void writingTheSameAgainIsDoneAtOnce()
     {
-        const Bench bench;
+        const Fixture bench;
         VERIFY_CODE(bench.write("first.csv", {"--persistent"}), 0);
         const QJsonObject before = bench.status();
         const ProgramRun again = bench.write("first.csv", {"--persistent"});
@@ -132,7 +132,7 @@ private Q_SLOTS:
 
     void slotsAreTakenInTurn()
     {
-        const Bench bench;
+        const Fixture bench;
         VERIFY_CODE(bench.write("first.csv"), 0);
         QCOMPARE(bench.status().value("slot").toString(), "Small1");
         VERIFY_CODE(bench.write("second.csv"), 0);
@@ -158,7 +158,7 @@ private Q_SLOTS:
     {
         QFETCH(const QString, slot);
         QFETCH(const int, code);
-        const Bench bench;
+        const Fixture bench;
         const ProgramRun run = bench.write("first.csv", {"--slot", slot});
         VERIFY_CODE(run, code);
         QTEST(bench.status().value("slot").toString(), "used");
@@ -168,7 +168,7 @@ private Q_SLOTS:
 
     void aTableFileNeedsNoDimensions()
     {
-        const Bench bench;
+        const Fixture bench;
         VERIFY_CODE(bench.box.run({"convert", "plane.csv", "p.TAMtbl", "--dims", "2"}), 0);
         const ProgramRun run = bench.run({"write", "--data", "p.TAMtbl", "--source1",
             test::positionSource(0), "--source2", test::positionSource(1)});
@@ -179,7 +179,7 @@ private Q_SLOTS:
 
     void sourcesAreKeptUnlessGiven()
     {
-        const Bench bench;
+        const Fixture bench;
         VERIFY_CODE(bench.write("first.csv"), 0);
         const QJsonValue sources = bench.status().value("sources");
         VERIFY_CODE(bench.run({"write", "--data", "second.csv", "--dims", "1"}), 0);
@@ -217,7 +217,7 @@ private Q_SLOTS:
         QFETCH(const QStringList, sources);
         QFETCH(const QByteArray, error);
         QFETCH(const QByteArray, part);
-        const Bench bench;
+        const Fixture bench;
         const QJsonObject before = bench.status();
         const ProgramRun run =
             bench.run(QStringList{"write", "--data", "first.csv", "--dims", "1"} + sources);
@@ -244,7 +244,7 @@ private Q_SLOTS:
 
     void aTableThatFitsNoSlotNamesItsSize()
     {
-        const Bench bench;
+        const Fixture bench;
         QByteArray csv = "X,Y,T\n";
         for (int y = 0; y < 800; ++y)
             for (int x = 0; x < 800; ++x)
@@ -261,7 +261,7 @@ private Q_SLOTS:
 
     void anotherUnitIsWarnedOf()
     {
-        const Bench bench;
+        const Fixture bench;
         bench.box.file("um.csv", "X [mm],T [um]\n0,0\n1000,0.5\n2000,1\n");
         const ProgramRun run = bench.write("um.csv", {"--dry-run", "--json"});
         VERIFY_CODE(run, 0);
@@ -272,7 +272,7 @@ private Q_SLOTS:
 
     void anActiveAxisIsNotWritten()
     {
-        const Bench bench;
+        const Fixture bench;
         VERIFY_CODE(bench.write("first.csv"), 0);
         VERIFY_CODE(bench.run({"activate"}), 0);
         const QJsonValue table = bench.status().value("table");
@@ -284,7 +284,7 @@ private Q_SLOTS:
 
     void persistencyIsChangedBothWays()
     {
-        const Bench bench;
+        const Fixture bench;
         VERIFY_CODE(bench.write("first.csv"), 0);
         QCOMPARE(bench.status().value("persistent").toBool(true), false);
         const ProgramRun persisted = bench.run({"persist", "--json"});
@@ -297,7 +297,7 @@ private Q_SLOTS:
 
     void persistencyNeedsATable()
     {
-        const Bench bench;
+        const Fixture bench;
         const ProgramRun run = bench.run({"persist"});
         VERIFY_CODE(run, 4);
         QVERIFY2(run.err.startsWith("error: NoTable: "), run.err.constData());
@@ -305,7 +305,7 @@ private Q_SLOTS:
 
     void wornFlashIsRefusedBeforehandAndTheLastOperationKeptForPuttingBack()
     {
-        const Bench bench;
+        const Fixture bench;
         VERIFY_CODE(bench.write("first.csv"), 0);
         ProgramRun run;
         int operations = 0;
@@ -330,7 +330,7 @@ private Q_SLOTS:
 
     void whatWasStoredWronglyIsFoundAndPutBack()
     {
-        const Bench bench({"--fault", "stores-wrong=1"});
+        const Fixture bench({"--fault", "stores-wrong=1"});
         const ProgramRun run = bench.write("first.csv", {"--json"});
         VERIFY_CODE(run, 6);
         QVERIFY2(run.err.contains("error: VerifyMismatch: "), run.err.constData());
@@ -344,7 +344,7 @@ private Q_SLOTS:
 
     void whatTheDriveRefusesIsPutBack()
     {
-        const Bench bench({"--fault", "reject=TableRefused"});
+        const Fixture bench({"--fault", "reject=TableRefused"});
         const ProgramRun run = bench.write("first.csv");
         VERIFY_CODE(run, 4);
         QVERIFY2(run.out.contains("  failed  upload the table\n"), run.out.constData());

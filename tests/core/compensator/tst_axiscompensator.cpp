@@ -8,7 +8,7 @@
 namespace tst_axiscompensator {
 
 using namespace axiscomp;
-using axiscomp::test::DriveFixture;
+using axiscomp::test::CompensatorFixture;
 using axiscomp::test::exampleRequest;
 using axiscomp::test::exampleTable;
 using axiscomp::test::masterX;
@@ -29,7 +29,7 @@ private Q_SLOTS:
 
     void axesAreListedWithNameUnitAndHoming()
     {
-        DriveFixture f;
+        CompensatorFixture f;
         const auto axes = f.compensator.axes();
         VERIFY_RESULT(axes);
         QCOMPARE(axes->size(), std::size_t{2});
@@ -43,7 +43,7 @@ private Q_SLOTS:
 
     void anAxisIsFoundByIndexOrName()
     {
-        DriveFixture f;
+        CompensatorFixture f;
         QCOMPARE(f.compensator.findAxis("1").value_or(-1), 1);
         QCOMPARE(f.compensator.findAxis("Y").value_or(-1), 1);
         const auto missing = f.compensator.findAxis("Z");
@@ -54,7 +54,7 @@ private Q_SLOTS:
 
     void aWriteLeavesExactlyWhatWasAskedFor()
     {
-        DriveFixture f;
+        CompensatorFixture f;
         const auto report = f.compensator.write(0, exampleRequest());
         VERIFY_RESULT(report);
         QCOMPARE(report->now.setup.slot, report->plan.after.slot);
@@ -71,7 +71,7 @@ private Q_SLOTS:
 
     void aVolatileWriteCostsNoFlashAndIsGoneAfterAReboot()
     {
-        DriveFixture f;
+        CompensatorFixture f;
         const auto report = f.compensator.write(0, exampleRequest());
         VERIFY_RESULT(report);
         QCOMPARE(report->plan.flashOperations, 0);
@@ -83,7 +83,7 @@ private Q_SLOTS:
 
     void aPersistentWriteCostsOneFlashOperationAndSurvivesAReboot()
     {
-        DriveFixture f;
+        CompensatorFixture f;
         const auto report = f.compensator.write(0, exampleRequest(1, Persistency::Persistent));
         VERIFY_RESULT(report);
         QCOMPARE(report->plan.flashOperations, 1);
@@ -96,7 +96,7 @@ private Q_SLOTS:
 
     void anAxisTakesTwoSlotsInTurn()
     {
-        DriveFixture f;
+        CompensatorFixture f;
         std::vector<std::string> slots;
         for (int seed = 1; seed <= 4; ++seed) {
             const auto report =
@@ -111,14 +111,14 @@ private Q_SLOTS:
 
     void theSameAgainIsNothingToWrite()
     {
-        DriveFixture f;
+        CompensatorFixture f;
         VERIFY_RESULT(f.compensator.write(0, exampleRequest()));
         VERIFY_ERROR(f.compensator.write(0, exampleRequest()), ErrorCode::NothingToWrite);
     }
 
     void sourcesAloneCanBeChanged()
     {
-        DriveFixture f;
+        CompensatorFixture f;
         VERIFY_RESULT(f.compensator.write(0, exampleRequest()));
         const auto slot = f.state().registers[0];
         WriteRequest request;
@@ -134,7 +134,7 @@ private Q_SLOTS:
 
     void persistencyOfTheTableOnTheDriveCanBeChanged()
     {
-        DriveFixture f;
+        CompensatorFixture f;
         VERIFY_RESULT(f.compensator.write(0, exampleRequest()));
         const auto persisted = f.compensator.setPersistency(0, Persistency::Persistent);
         VERIFY_RESULT(persisted);
@@ -149,7 +149,7 @@ private Q_SLOTS:
 
     void whatFlashHoldsIsNotCommittedAgain()
     {
-        DriveFixture f;
+        CompensatorFixture f;
         VERIFY_RESULT(f.compensator.write(0, exampleRequest(1, Persistency::Persistent)));
         const auto again = f.compensator.setPersistency(0, Persistency::Persistent);
         VERIFY_RESULT(again);
@@ -159,7 +159,7 @@ private Q_SLOTS:
 
     void aTableThatTheOtherSlotStillHoldsCostsNothing()
     {
-        DriveFixture f;
+        CompensatorFixture f;
         VERIFY_RESULT(f.compensator.write(0, exampleRequest(1, Persistency::Persistent)));
         VERIFY_RESULT(f.compensator.write(0, exampleRequest(2, Persistency::Persistent)));
         const auto back = f.compensator.write(0, exampleRequest(1, Persistency::Persistent));
@@ -179,7 +179,7 @@ private Q_SLOTS:
     /// Operations of others are not in the history of this computer.
     void whatTheDriveRefusesIsRememberedByTheNextProgram()
     {
-        DriveFixture f;
+        CompensatorFixture f;
         const auto& layout = drivecomm::genericProfile().layout;
         for (int seed = 1; seed <= 8; ++seed)
             VERIFY_RESULT(f.drive.upload(
@@ -205,7 +205,7 @@ private Q_SLOTS:
 
     void aPlainUploadKeepsTheOldFile()
     {
-        DriveFixture f;
+        CompensatorFixture f;
         const auto& layout = drivecomm::genericProfile().layout;
         const auto first = encodeTamTable(exampleTable(1, 1), false, layout);
         const auto second = encodeTamTable(exampleTable(1, 2), false, layout);
@@ -226,7 +226,7 @@ private Q_SLOTS:
 
     void aWornFlashIsSaidBeforeTheWrite()
     {
-        DriveFixture f;
+        CompensatorFixture f;
         for (int seed = 1; seed <= 8; ++seed)
             VERIFY_RESULT(f.compensator.write(0, exampleRequest(seed, Persistency::Persistent)));
         const auto state = f.state();
@@ -248,7 +248,7 @@ private Q_SLOTS:
     void activationIsProvedByTheDrivesOwnOutput()
     {
         QFETCH(int, dimensions);
-        DriveFixture f;
+        CompensatorFixture f;
         WriteRequest request;
         request.dimensionality = dimensions;
         request.sources = {masterX, masterY, "Axes[0]/Signals/General/MotorTemperature"};
@@ -271,7 +271,7 @@ private Q_SLOTS:
 
     void evaluationLooksUpAndAddsNothing()
     {
-        DriveFixture f;
+        CompensatorFixture f;
         VERIFY_RESULT(f.compensator.write(0, exampleRequest()));
         const auto status = f.compensator.evaluate(0);
         VERIFY_RESULT(status);
@@ -285,7 +285,7 @@ private Q_SLOTS:
         int restarts = 0;
         bool isDone = false;
         for (int exchange = 1; !isDone; ++exchange) {
-            DriveFixture f;
+            CompensatorFixture f;
             VERIFY_RESULT(f.compensator.write(0, exampleRequest(1, Persistency::Persistent)));
             f.link.actBefore(exchange, [&f] { f.drive.reboot(); });
             const int before = f.link.exchanges();
@@ -302,7 +302,7 @@ private Q_SLOTS:
 
     void anAxisThatIsNotHomedIsNotActivated()
     {
-        DriveFixture f;
+        CompensatorFixture f;
         VERIFY_RESULT(f.compensator.write(0, exampleRequest(1, Persistency::Persistent)));
         f.drive.reboot();
         VERIFY_ERROR(f.compensator.activate(0), ErrorCode::NotHomed);
@@ -311,7 +311,7 @@ private Q_SLOTS:
 
     void anAxisWithoutATableIsNotActivated()
     {
-        DriveFixture f;
+        CompensatorFixture f;
         VERIFY_ERROR(f.compensator.activate(0), ErrorCode::NoTable);
         VERIFY_ERROR(f.compensator.evaluate(0), ErrorCode::NoTable);
         VERIFY_ERROR(f.compensator.setPersistency(0, Persistency::Persistent), ErrorCode::NoTable);
@@ -320,7 +320,7 @@ private Q_SLOTS:
 
     void anActiveCompensationIsNotWritten()
     {
-        DriveFixture f;
+        CompensatorFixture f;
         VERIFY_RESULT(f.compensator.write(0, exampleRequest()));
         VERIFY_RESULT(f.compensator.activate(0));
         const auto state = f.state();
@@ -374,7 +374,7 @@ private Q_SLOTS:
         QFETCH(WriteRequest, request);
         QFETCH(ErrorCode, code);
         QFETCH(QString, says);
-        DriveFixture f;
+        CompensatorFixture f;
         const auto state = f.state();
         const auto report = f.compensator.write(0, request);
         VERIFY_ERROR(report, code);
@@ -388,7 +388,7 @@ private Q_SLOTS:
 
     void aSourceIsGivenByPathUriOrAddress()
     {
-        DriveFixture f;
+        CompensatorFixture f;
         const auto byPath = f.compensator.resolveSource(masterX);
         VERIFY_RESULT(byPath);
         std::string dotted = masterX;
@@ -405,7 +405,7 @@ private Q_SLOTS:
 
     void whatSomebodyElseChangedIsNotOverwritten()
     {
-        DriveFixture f;
+        CompensatorFixture f;
         VERIFY_RESULT(f.compensator.write(0, exampleRequest()));
         const auto seen = f.compensator.status(0);
         VERIFY_RESULT(seen);
@@ -419,7 +419,7 @@ private Q_SLOTS:
 
     void slotsOfOthersAreLeftAlone()
     {
-        DriveFixture f;
+        CompensatorFixture f;
         f.set("Axes[1]/Parameters/Compensations/Cogging/Table", std::string("Small1"));
         const auto file =
             encodeTamTable(exampleTable(1, 5), false, drivecomm::genericProfile().layout);
@@ -432,7 +432,7 @@ private Q_SLOTS:
 
     void savingAllParametersWarnsOfVolatileTablesOfOtherAxes()
     {
-        DriveFixture f;
+        CompensatorFixture f;
         VERIFY_RESULT(f.compensator.write(1, exampleRequest(3)));
         const auto report = f.compensator.write(0, exampleRequest(1, Persistency::Persistent));
         VERIFY_RESULT(report);
@@ -442,7 +442,7 @@ private Q_SLOTS:
 
     void plainFilesAreVerifiedAndPutBackWhenTheyDiffer()
     {
-        DriveFixture f;
+        CompensatorFixture f;
         const auto& layout = drivecomm::genericProfile().layout;
         const auto first = encodeTamTable(exampleTable(1, 1), false, layout);
         const auto second = encodeTamTable(exampleTable(1, 2), false, layout);
@@ -456,7 +456,7 @@ private Q_SLOTS:
 
     void aBackupBringsAllAxesBack()
     {
-        DriveFixture f;
+        CompensatorFixture f;
         VERIFY_RESULT(f.compensator.write(0, exampleRequest(1, Persistency::Persistent)));
         WriteRequest other = exampleRequest(2);
         VERIFY_RESULT(f.compensator.write(1, other));
@@ -478,7 +478,7 @@ private Q_SLOTS:
 
     void aBackupOfAnotherDriveIsRefused()
     {
-        DriveFixture f;
+        CompensatorFixture f;
         VERIFY_RESULT(f.compensator.write(0, exampleRequest()));
         auto backup = f.compensator.backup();
         VERIFY_RESULT(backup);

@@ -9,7 +9,7 @@
 namespace tst_multiaxiswrite {
 
 using namespace axiscomp;
-using test::DriveFixture;
+using test::CompensatorFixture;
 using test::exampleRequest;
 
 class TestSeveralWrites : public QObject {
@@ -20,7 +20,7 @@ private Q_SLOTS:
 
     void planningChangesNothing()
     {
-        DriveFixture fixture;
+        CompensatorFixture fixture;
         const auto before = fixture.state(0);
         const std::vector<AxisWrite> writes{{0, exampleRequest(1)}, {1, exampleRequest(2)}};
         const auto plans = planSeveral(fixture.compensator, writes);
@@ -32,7 +32,7 @@ private Q_SLOTS:
 
     void plannedWritesGetASlotEach()
     {
-        DriveFixture fixture;
+        CompensatorFixture fixture;
         const std::vector<AxisWrite> writes{{0, exampleRequest(1)}, {1, exampleRequest(2)}};
         VERIFY_RESULT(planSeveral(fixture.compensator, writes));
         for (const AxisWrite& write : writes)
@@ -43,14 +43,14 @@ private Q_SLOTS:
 
     void anAxisIsNotNamedTwice()
     {
-        DriveFixture fixture;
+        CompensatorFixture fixture;
         const std::vector<AxisWrite> writes{{1, exampleRequest(1)}, {1, exampleRequest(2)}};
         VERIFY_ERROR(planSeveral(fixture.compensator, writes), ErrorCode::InvalidArgument);
     }
 
     void theErrorOfOneAxisIsThatOfAllAndNamesIt()
     {
-        DriveFixture fixture;
+        CompensatorFixture fixture;
         WriteRequest wrong = exampleRequest(2);
         wrong.sources.pop_back();
         const std::vector<AxisWrite> writes{{0, exampleRequest(1)}, {1, wrong}};
@@ -61,7 +61,7 @@ private Q_SLOTS:
 
     void theFlashOperationsOfAllAreCountedTogether()
     {
-        DriveFixture fixture;
+        CompensatorFixture fixture;
         const int limit = drivecomm::genericProfile().flashWear.operations;
         for (int n = 0; n + 1 < limit; ++n)
             VERIFY_RESULT(

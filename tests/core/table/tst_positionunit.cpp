@@ -9,7 +9,7 @@
 namespace tst_positionunit {
 
 using namespace axiscomp;
-using test::DriveFixture;
+using test::CompensatorFixture;
 using test::exampleRequest;
 
 class TestPositionUnit : public QObject {
@@ -91,7 +91,7 @@ private Q_SLOTS:
     {
         QFETCH(QByteArray, unit);
         QFETCH(QByteArray, warning);
-        DriveFixture fixture;
+        CompensatorFixture fixture;
         WriteRequest request = exampleRequest(1);
         request.table->unit = unit.toStdString();
         const auto plan = fixture.compensator.plan(0, request);

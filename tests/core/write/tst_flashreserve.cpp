@@ -33,14 +33,14 @@ WriteRequest trial(int seed, const char* slot)
     return into(exampleRequest(seed, Persistency::Volatile), slot);
 }
 
-int operationsLeft(DriveFixture& f)
+int operationsLeft(CompensatorFixture& f)
 {
     const auto use = f.compensator.flashUse();
     return use ? use->budget.left : -1;
 }
 
 /// Spends operations, by the drive's count and by the store's, until this many are left.
-void leave(DriveFixture& f, int left)
+void leave(CompensatorFixture& f, int left)
 {
     const auto& layout = drivecomm::genericProfile().layout;
     for (int seed = 100; operationsLeft(f) > left; ++seed) {
@@ -51,28 +51,29 @@ void leave(DriveFixture& f, int left)
     QCOMPARE(operationsLeft(f), left);
 }
 
-using Step = std::function<Result<WriteReport>(DriveFixture&)>;
+using Step = std::function<Result<WriteReport>(CompensatorFixture&)>;
 
 /// A write, and the operations that must be possible before it begins.
 struct Kind {
-    std::function<void(DriveFixture&)> prepare;
+    std::function<void(CompensatorFixture&)> prepare;
     Step write;
     int needed = 0;
 };
 
 Step writing(const WriteRequest& request)
 {
-    return [request](DriveFixture& f) { return f.compensator.write(0, request); };
+    return [request](CompensatorFixture& f) { return f.compensator.write(0, request); };
 }
 
 Step making(Persistency persistency)
 {
-    return [persistency](DriveFixture& f) { return f.compensator.setPersistency(0, persistency); };
+    return [persistency](
+               CompensatorFixture& f) { return f.compensator.setPersistency(0, persistency); };
 }
 
-std::function<void(DriveFixture&)> having(const std::vector<WriteRequest>& requests)
+std::function<void(CompensatorFixture&)> having(const std::vector<WriteRequest>& requests)
 {
-    return [requests](DriveFixture& f) {
+    return [requests](CompensatorFixture& f) {
         for (const WriteRequest& request : requests)
             VERIFY_RESULT(f.compensator.write(0, request));
     };
@@ -87,8 +88,8 @@ private:
     static void kinds()
     {
         QTest::addColumn<Kind>("kind");
-        QTest::newRow("first, to an empty slot")
-            << Kind{[](DriveFixture&) {}, writing(exampleRequest(1, Persistency::Persistent)), 1};
+        QTest::newRow("first, to an empty slot") << Kind{
+            [](CompensatorFixture&) {}, writing(exampleRequest(1, Persistency::Persistent)), 1};
         QTest::newRow("in turn") << Kind{having({persistent(1, "Small1"), persistent(2, "Small2")}),
             writing(exampleRequest(3, Persistency::Persistent)), 1};
         QTest::newRow("in place") << Kind{
@@ -119,11 +120,11 @@ private Q_SLOTS:
     void aWriteThatCouldNotBePutBackDoesNotBegin()
     {
         QFETCH(Kind, kind);
-        DriveFixture f;
+        CompensatorFixture f;
         kind.prepare(f);
         if (kind.needed > 0) {
             leave(f, kind.needed - 1);
-            const DriveFixture::State old = f.state();
+            const CompensatorFixture::State old = f.state();
             f.link.forgetChange();
             const auto refused = kind.write(f);
             VERIFY_ERROR(refused, ErrorCode::FlashWear);
@@ -143,21 +144,21 @@ private Q_SLOTS:
     void aWriteThatBeginsCanBePutBackFromEveryExchange()
     {
         QFETCH(Kind, kind);
-        DriveFixture whole;
+        CompensatorFixture whole;
         kind.prepare(whole);
         leave(whole, kind.needed);
         const int begin = whole.link.exchanges();
         VERIFY_RESULT(kind.write(whole));
         const int exchanges = whole.link.exchanges() - begin;
-        const DriveFixture::State wanted = whole.state();
+        const CompensatorFixture::State wanted = whole.state();
         int putBack = 0;
         for (int exchange = 1; exchange <= exchanges; ++exchange) {
             for (const LinkFault fault : {LinkFault::Refused, LinkFault::ReplyLost,
                      LinkFault::StoresWrong, LinkFault::RequestLost}) {
-                DriveFixture f;
+                CompensatorFixture f;
                 kind.prepare(f);
                 leave(f, kind.needed);
-                const DriveFixture::State old = f.state();
+                const CompensatorFixture::State old = f.state();
                 f.link.failAt(exchange, fault);
                 const auto written = kind.write(f);
                 const std::string place = std::to_string(exchange) + " of "
@@ -178,7 +179,7 @@ private Q_SLOTS:
     {
         const auto& layout = drivecomm::genericProfile().layout;
         const std::string path = "tables/small5.TAMtbl";
-        DriveFixture f;
+        CompensatorFixture f;
         VERIFY_RESULT(
             f.compensator.upload(path, *encodeTamTable(exampleTable(1, 1), true, layout)));
         leave(f, 1);

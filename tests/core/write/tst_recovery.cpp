@@ -8,7 +8,7 @@
 namespace tst_recovery {
 
 using namespace axiscomp;
-using axiscomp::test::DriveFixture;
+using axiscomp::test::CompensatorFixture;
 using axiscomp::test::exampleRequest;
 using axiscomp::test::exampleTable;
 using axiscomp::test::LinkFault;
@@ -16,12 +16,12 @@ using axiscomp::test::LinkFault;
 namespace {
 
 /// A write of a persistent table that was interrupted: exchange counts from its first change.
-struct Interrupted : DriveFixture {
+struct Interrupted : CompensatorFixture {
     explicit Interrupted(int exchange = 2)
     {
         QVERIFY(compensator.write(0, exampleRequest(1, Persistency::Persistent)).has_value());
         old = state();
-        DriveFixture whole;
+        CompensatorFixture whole;
         QVERIFY(whole.compensator.write(0, exampleRequest(1, Persistency::Persistent)).has_value());
         const int begin = whole.link.exchanges();
         whole.link.forgetChange();
@@ -67,7 +67,7 @@ constexpr std::array scenarios{
 };
 
 /// A drive in the state before the write, and the write.
-struct Begun : DriveFixture {
+struct Begun : CompensatorFixture {
     explicit Begun(const Scenario& chosen)
     {
         if (!chosen.isSlotFree)
@@ -138,9 +138,9 @@ private Q_SLOTS:
         const int begin = whole.link.exchanges();
         VERIFY_RESULT(whole.write());
         const int exchanges = whole.link.exchanges() - begin;
-        const DriveFixture::State wanted = whole.state();
+        const CompensatorFixture::State wanted = whole.state();
         whole.drive.reboot();
-        const DriveFixture::State wantedAfterReboot = whole.state();
+        const CompensatorFixture::State wantedAfterReboot = whole.state();
 
         int unfinished = 0;
         for (int exchange = 1; exchange <= exchanges; ++exchange) {

@@ -34,23 +34,23 @@ WriteRequest into(WriteRequest request, const char* slot)
 
 /// Runs act with the drive gone after each of its exchanges in turn, and off and on again: what an
 /// axis has then must satisfy isRight.
-void interruptEverywhere(const std::function<void(DriveFixture&)>& prepare,
-    const std::function<void(DriveFixture&)>& act,
-    const std::function<bool(const DriveFixture::State&)>& isRight)
+void interruptEverywhere(const std::function<void(CompensatorFixture&)>& prepare,
+    const std::function<void(CompensatorFixture&)>& act,
+    const std::function<bool(const CompensatorFixture::State&)>& isRight)
 {
-    DriveFixture whole;
+    CompensatorFixture whole;
     prepare(whole);
     const int begin = whole.link.exchanges();
     act(whole);
     const int exchanges = whole.link.exchanges() - begin;
     QVERIFY(exchanges > 10);
     for (int exchange = 1; exchange <= exchanges; ++exchange) {
-        DriveFixture f;
+        CompensatorFixture f;
         prepare(f);
         f.link.failAt(exchange, LinkFault::DriveGoneAfter);
         act(f);
         f.drive.reboot();
-        const DriveFixture::State now = f.state();
+        const CompensatorFixture::State now = f.state();
         QVERIFY2(isRight(now),
             qPrintable(QStringLiteral("exchange %1 of %2: %3")
                            .arg(exchange)
@@ -60,9 +60,9 @@ void interruptEverywhere(const std::function<void(DriveFixture&)>& prepare,
 }
 
 /// What a reboot leaves of what prepare does.
-DriveFixture::State rebooted(const std::function<void(DriveFixture&)>& prepare)
+CompensatorFixture::State rebooted(const std::function<void(CompensatorFixture&)>& prepare)
 {
-    DriveFixture f;
+    CompensatorFixture f;
     prepare(f);
     f.drive.reboot();
     return f.state();
@@ -84,44 +84,44 @@ private Q_SLOTS:
 
     void savingAnAxisBringsNoEarlierTableBackToAnother()
     {
-        DriveFixture f;
+        CompensatorFixture f;
         VERIFY_RESULT(f.compensator.write(1, exampleRequest(1, Persistency::Persistent)));
-        const DriveFixture::State saved = f.state(1);
+        const CompensatorFixture::State saved = f.state(1);
         VERIFY_RESULT(f.compensator.write(1, exampleRequest(2, Persistency::Volatile)));
         VERIFY_RESULT(f.compensator.write(1, swapped(3, Persistency::Volatile)));
         VERIFY_RESULT(f.compensator.write(0, exampleRequest(4, Persistency::Persistent)));
         f.drive.reboot();
         // Its table was volatile, so that there is none now; above all not the first.
-        const DriveFixture::State now = f.state(1);
+        const CompensatorFixture::State now = f.state(1);
         QVERIFY(now.table.empty());
         QVERIFY(now.registers != saved.registers);
     }
 
     void aPersistentWriteLeavesTheSavedTableUntilItIsSavedItself()
     {
-        const auto prepare = [](DriveFixture& f) {
+        const auto prepare = [](CompensatorFixture& f) {
             VERIFY_RESULT(f.compensator.write(0, exampleRequest(1, Persistency::Persistent)));
             VERIFY_RESULT(f.compensator.write(0, exampleRequest(2, Persistency::Volatile)));
         };
-        DriveFixture whole;
+        CompensatorFixture whole;
         prepare(whole);
         const int begin = whole.link.exchanges();
         VERIFY_RESULT(whole.compensator.write(0, swapped(3, Persistency::Persistent)));
         const int exchanges = whole.link.exchanges() - begin;
         QVERIFY(exchanges > 10);
         whole.drive.reboot();
-        const DriveFixture::State wanted = whole.state();
+        const CompensatorFixture::State wanted = whole.state();
 
         for (int exchange = 1; exchange <= exchanges; ++exchange) {
-            DriveFixture f;
+            CompensatorFixture f;
             prepare(f);
             f.link.failAt(exchange, LinkFault::DriveGoneAfter);
             (void)f.compensator.write(0, swapped(3, Persistency::Persistent));
             f.drive.reboot();
-            DriveFixture old;
+            CompensatorFixture old;
             prepare(old);
             old.drive.reboot();
-            const DriveFixture::State now = f.state();
+            const CompensatorFixture::State now = f.state();
             QVERIFY2(now == old.state() || now == wanted,
                 qPrintable(QStringLiteral("exchange %1 of %2").arg(exchange).arg(exchanges)));
         }
@@ -129,7 +129,7 @@ private Q_SLOTS:
 
     void savingDeletesWhatAVolatileTableCoversInFlash()
     {
-        DriveFixture f;
+        CompensatorFixture f;
         VERIFY_RESULT(
             f.compensator.write(1, into(exampleRequest(1, Persistency::Persistent), "Small3")));
         VERIFY_RESULT(f.compensator.write(1, into(swapped(2, Persistency::Volatile), "Small3")));
@@ -151,7 +151,7 @@ private Q_SLOTS:
 
     void aVolatileTableThatCoversAnotherIsAnnounced()
     {
-        DriveFixture f;
+        CompensatorFixture f;
         VERIFY_RESULT(
             f.compensator.write(0, into(exampleRequest(1, Persistency::Persistent), "Small1")));
         VERIFY_RESULT(
@@ -163,55 +163,55 @@ private Q_SLOTS:
 
     void makingACoveringTablePersistentBringsNoMixture()
     {
-        const auto prepare = [](DriveFixture& f) {
+        const auto prepare = [](CompensatorFixture& f) {
             VERIFY_RESULT(
                 f.compensator.write(0, into(exampleRequest(1, Persistency::Persistent), "Small1")));
             VERIFY_RESULT(
                 f.compensator.write(0, into(swapped(2, Persistency::Volatile), "Small1")));
         };
-        const auto act = [](DriveFixture& f) {
+        const auto act = [](CompensatorFixture& f) {
             (void)f.compensator.setPersistency(0, Persistency::Persistent);
         };
-        const DriveFixture::State old = rebooted(prepare);
-        const DriveFixture::State wanted = rebooted([&](DriveFixture& f) {
+        const CompensatorFixture::State old = rebooted(prepare);
+        const CompensatorFixture::State wanted = rebooted([&](CompensatorFixture& f) {
             prepare(f);
             act(f);
         });
         QVERIFY(!wanted.table.empty() && wanted.registers != old.registers);
-        interruptEverywhere(prepare, act, [&](const DriveFixture::State& now) {
+        interruptEverywhere(prepare, act, [&](const CompensatorFixture::State& now) {
             return now == old || now == wanted || now.table.empty();
         });
     }
 
     void aPersistentTableForTheSlotThatIsSavedBringsNoMixture()
     {
-        const auto prepare = [](DriveFixture& f) {
+        const auto prepare = [](CompensatorFixture& f) {
             VERIFY_RESULT(
                 f.compensator.write(0, into(exampleRequest(1, Persistency::Persistent), "Small1")));
             VERIFY_RESULT(
                 f.compensator.write(0, into(exampleRequest(2, Persistency::Volatile), "Small2")));
         };
         const WriteRequest request = into(swapped(3, Persistency::Persistent), "Small1");
-        const auto act = [&](DriveFixture& f) { (void)f.compensator.write(0, request); };
-        DriveFixture planned;
+        const auto act = [&](CompensatorFixture& f) { (void)f.compensator.write(0, request); };
+        CompensatorFixture planned;
         prepare(planned);
         const auto plan = planned.compensator.plan(0, request);
         VERIFY_RESULT(plan);
         QVERIFY(contains(plan->warnings, "the axis may have no table after a reboot"));
-        const DriveFixture::State old = rebooted(prepare);
-        const DriveFixture::State wanted = rebooted([&](DriveFixture& f) {
+        const CompensatorFixture::State old = rebooted(prepare);
+        const CompensatorFixture::State wanted = rebooted([&](CompensatorFixture& f) {
             prepare(f);
             act(f);
         });
         QVERIFY(!wanted.table.empty() && wanted.registers != old.registers);
-        interruptEverywhere(prepare, act, [&](const DriveFixture::State& now) {
+        interruptEverywhere(prepare, act, [&](const CompensatorFixture::State& now) {
             return now == old || now == wanted || now.table.empty();
         });
     }
 
     void aSlotThatAnotherAxisNamesAfterARebootIsNotTaken()
     {
-        DriveFixture f;
+        CompensatorFixture f;
         VERIFY_RESULT(f.compensator.write(1, into(exampleRequest(1), "Small1")));
         VERIFY_RESULT(
             f.compensator.write(0, into(exampleRequest(2, Persistency::Persistent), "Small2")));
@@ -230,13 +230,13 @@ private Q_SLOTS:
 
     void aSavingThatDidNotEndForgetsNoSlot()
     {
-        DriveFixture f;
+        CompensatorFixture f;
         VERIFY_RESULT(f.compensator.write(1, into(exampleRequest(1), "Small1")));
         VERIFY_RESULT(
             f.compensator.write(0, into(exampleRequest(2, Persistency::Persistent), "Small2")));
         VERIFY_RESULT(f.compensator.write(1, into(exampleRequest(3), "Small3")));
         const WriteRequest request = into(exampleRequest(4, Persistency::Persistent), "Small4");
-        DriveFixture counting;
+        CompensatorFixture counting;
         const int begin = counting.link.exchanges();
         VERIFY_RESULT(counting.compensator.write(0, request));
         for (int exchange = 1; exchange <= counting.link.exchanges() - begin; ++exchange) {
@@ -254,7 +254,7 @@ private Q_SLOTS:
 
     void restoringLeavesASlotThatAnAxisNamesAfterAReboot()
     {
-        DriveFixture f;
+        CompensatorFixture f;
         VERIFY_RESULT(
             f.compensator.write(0, into(exampleRequest(1, Persistency::Persistent), "Small1")));
         VERIFY_RESULT(
@@ -270,8 +270,8 @@ private Q_SLOTS:
         VERIFY_ERROR(restored, ErrorCode::SlotInUse);
         QCOMPARE(restored.error().context.at("user"), std::string("axis 0 after a reboot"));
         f.drive.reboot();
-        const DriveFixture::State now = f.state();
-        DriveFixture saved;
+        const CompensatorFixture::State now = f.state();
+        CompensatorFixture saved;
         VERIFY_RESULT(
             saved.compensator.write(0, into(swapped(3, Persistency::Persistent), "Small1")));
         QVERIFY(now == saved.state());
@@ -279,11 +279,11 @@ private Q_SLOTS:
 
     void aRestoreThatTheDriveForgotInBetweenIsNotDone()
     {
-        const auto prepare = [](DriveFixture& f) {
+        const auto prepare = [](CompensatorFixture& f) {
             VERIFY_RESULT(f.compensator.write(0, exampleRequest(1)));
             VERIFY_RESULT(f.compensator.write(1, exampleRequest(2)));
         };
-        DriveFixture source;
+        CompensatorFixture source;
         prepare(source);
         const auto backup = source.compensator.backup();
         VERIFY_RESULT(backup);
@@ -293,7 +293,7 @@ private Q_SLOTS:
         const int exchanges = source.link.exchanges() - begin;
         int notDone = 0;
         for (int exchange = 1; exchange <= exchanges; ++exchange) {
-            DriveFixture f;
+            CompensatorFixture f;
             f.link.actBefore(exchange, [&f] { f.drive.reboot(); });
             const auto restored = f.compensator.restore(*backup, false);
             notDone += restored ? 0 : 1;
@@ -306,19 +306,19 @@ private Q_SLOTS:
 
     void aFlashOperationIsRecordedAlsoWhenTheDriveIsGoneAfterIt()
     {
-        const auto counted = [](DriveFixture& f) {
+        const auto counted = [](CompensatorFixture& f) {
             std::uint64_t cycles = 0;
             for (const TableSlot& slot : drivecomm::genericProfile().tableSlots)
                 cycles += std::stoul(f.text("Application/Tables/" + slot.name + "/EraseCount"));
             return cycles;
         };
         const WriteRequest request = exampleRequest(1, Persistency::Persistent);
-        DriveFixture whole;
+        CompensatorFixture whole;
         VERIFY_RESULT(whole.compensator.write(0, request));
         QCOMPARE(whole.store.flashHistory(4711)->total, std::uint64_t{1});
         for (int exchange = 1; exchange <= whole.link.exchanges(); ++exchange) {
             for (const LinkFault fault : {LinkFault::DriveGone, LinkFault::DriveGoneAfter}) {
-                DriveFixture f;
+                CompensatorFixture f;
                 f.link.failAt(exchange, fault);
                 (void)f.compensator.write(0, request);
                 QVERIFY2(f.store.flashHistory(4711)->total >= counted(f),
@@ -329,7 +329,7 @@ private Q_SLOTS:
 
     void anUndoingKeepsTheTableThatARebootHasBroughtBack()
     {
-        DriveFixture f;
+        CompensatorFixture f;
         VERIFY_RESULT(f.compensator.write(0, exampleRequest(1, Persistency::Persistent)));
         VERIFY_RESULT(f.compensator.write(0, swapped(2, Persistency::Volatile)));
         f.link.failAt(17, LinkFault::ProgramDies);
@@ -337,7 +337,7 @@ private Q_SLOTS:
             ProgramDied, (void)f.compensator.write(0, into(exampleRequest(3), "Small5")));
         f.link.heal();
         f.drive.reboot();
-        const DriveFixture::State present = f.state();
+        const CompensatorFixture::State present = f.state();
         QVERIFY(!present.table.empty());
         const auto journal = f.store.journal(4711, 0);
         VERIFY_RESULT(journal);
@@ -362,7 +362,7 @@ private Q_SLOTS:
     void anUndoingThatIsRefusedOnceIsDoneAllTheSame()
     {
         QFETCH(int, fault);
-        const auto interrupted = [](DriveFixture& f) {
+        const auto interrupted = [](CompensatorFixture& f) {
             VERIFY_RESULT(
                 f.compensator.write(0, into(exampleRequest(1, Persistency::Persistent), "Small1")));
             f.link.failAt(27, LinkFault::ProgramDies);
@@ -370,26 +370,26 @@ private Q_SLOTS:
                 (void)f.compensator.write(0, into(swapped(2, Persistency::Persistent), "Small1")));
             f.link.heal();
         };
-        DriveFixture whole;
+        CompensatorFixture whole;
         interrupted(whole);
         const auto journal = whole.store.journal(4711, 0);
         VERIFY_RESULT(journal);
         QVERIFY(journal->has_value());
-        const DriveFixture::State present = whole.state();
+        const CompensatorFixture::State present = whole.state();
         whole.link.forgetChange();
         const int begin = whole.link.exchanges();
         VERIFY_RESULT(whole.compensator.undoUnfinished(**journal));
         const int first = whole.link.firstChange() - begin;
         const int last = whole.link.exchanges() - begin;
-        const DriveFixture::State old = whole.state();
+        const CompensatorFixture::State old = whole.state();
         QVERIFY(old != present);
         QVERIFY(0 < first && first < last);
         for (int exchange = first; exchange < last; ++exchange) {
-            DriveFixture f;
+            CompensatorFixture f;
             interrupted(f);
             f.link.failAt(exchange, static_cast<LinkFault>(fault));
             (void)f.compensator.undoUnfinished(*f.store.journal(4711, 0).value());
-            const DriveFixture::State now = f.state();
+            const CompensatorFixture::State now = f.state();
             QVERIFY2(now == old || now == present,
                 qPrintable(QStringLiteral("exchange %1 of %2: %3")
                                .arg(exchange)
@@ -400,7 +400,7 @@ private Q_SLOTS:
 
     void anUndoingThatFlashIsTooWornForDoesNotBegin()
     {
-        DriveFixture f;
+        CompensatorFixture f;
         VERIFY_RESULT(
             f.compensator.write(0, into(exampleRequest(1, Persistency::Persistent), "Small1")));
         f.link.failAt(27, LinkFault::ProgramDies);
@@ -408,7 +408,7 @@ private Q_SLOTS:
             (void)f.compensator.write(0, into(swapped(2, Persistency::Persistent), "Small1")));
         f.link.heal();
         VERIFY_RESULT(f.store.recordFlash(4711, f.wallTime(), 8));
-        const DriveFixture::State present = f.state();
+        const CompensatorFixture::State present = f.state();
         const auto journal = f.store.journal(4711, 0);
         VERIFY_ERROR(f.compensator.undoUnfinished(**journal), ErrorCode::FlashWear);
         QVERIFY(f.state() == present);
@@ -418,10 +418,10 @@ private Q_SLOTS:
 
     void whatIsUndoneIsSavedAgainWhenAnotherAxisHasSavedItSwitchedOff()
     {
-        DriveFixture f;
+        CompensatorFixture f;
         VERIFY_RESULT(
             f.compensator.write(0, into(exampleRequest(1, Persistency::Persistent), "Small1")));
-        const DriveFixture::State old = f.state();
+        const CompensatorFixture::State old = f.state();
         f.link.failAt(17, LinkFault::ProgramDies);
         QVERIFY_THROWS_EXCEPTION(ProgramDied,
             (void)f.compensator.write(0, into(swapped(2, Persistency::Volatile), "Small1")));

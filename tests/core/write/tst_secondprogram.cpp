@@ -12,7 +12,7 @@
 namespace tst_secondprogram {
 
 using namespace axiscomp;
-using axiscomp::test::DriveFixture;
+using axiscomp::test::CompensatorFixture;
 using axiscomp::test::exampleRequest;
 using axiscomp::test::exampleTable;
 
@@ -46,7 +46,7 @@ Bytes tableFile(int seed)
 }
 
 /// An axis with one table; the write of another one takes `target`.
-struct Case : DriveFixture {
+struct Case : CompensatorFixture {
     explicit Case(Persistency before)
     {
         const auto written = compensator.write(0, exampleRequest(1, before));

@@ -38,8 +38,8 @@ inline Bytes fullTable(float scale = 0.001F)
 
 /// A virtual drive behind a serial port.
 struct SerialDrive {
-    explicit SerialDrive(const SerialFrontOptions& options = {})
-        : front(SerialFront::start(drive, faults, options).value())
+    explicit SerialDrive(const SerialServerOptions& options = {})
+        : server(SerialServer::start(drive, faults, options).value())
     {
     }
 
@@ -59,7 +59,7 @@ struct SerialDrive {
 
     VirtualDrive drive{genericProfile(), options()};
     FaultPlan faults;
-    std::unique_ptr<SerialFront> front;
+    std::unique_ptr<SerialServer> server;
 };
 
 } // namespace axiscomp::test

@@ -115,7 +115,7 @@ void SerialLinkTest::saysWhoMayUseThePort()
 {
     QFETCH(bool, groupMay);
     const SerialDrive served;
-    const std::string device = served.front->device();
+    const std::string device = served.server->device();
     const group* dialout = ::getgrnam("dialout");
     const bool isRoot = ::geteuid() == 0;
     if (groupMay && (!isRoot || dialout == nullptr))
@@ -123,7 +123,7 @@ void SerialLinkTest::saysWhoMayUseThePort()
     if (groupMay)
         QCOMPARE(::chown(device.c_str(), 0, dialout->gr_gid), 0);
     QCOMPARE(::chmod(device.c_str(), groupMay ? 0660 : 0), 0);
-    const auto link = serialLinkTo(served.front->url());
+    const auto link = serialLinkTo(served.server->url());
     {
         const WithoutPrivileges unprivileged;
         const auto result = link->identify({});
@@ -138,12 +138,12 @@ void SerialLinkTest::saysWhoMayUseThePort()
 void SerialLinkTest::saysThatAnotherProgramUsesThePort()
 {
     const QTemporaryDir folder;
-    SerialFrontOptions options;
+    SerialServerOptions options;
     options.link = folder.filePath(QStringLiteral("drive")).toStdString();
     const SerialDrive served(options);
-    auto first = serialLinkTo(served.front->url());
+    auto first = serialLinkTo(served.server->url());
     VERIFY_RESULT(first->identify({}));
-    for (const std::string& url : {served.front->url(), "serial:" + served.front->device()}) {
+    for (const std::string& url : {served.server->url(), "serial:" + served.server->device()}) {
         const auto result = serialLinkTo(url)->identify({});
         VERIFY_ERROR(result, ErrorCode::NotConnected);
         QVERIFY2(reasonOf(result).find("another program is using the port") != std::string::npos,
@@ -151,7 +151,7 @@ void SerialLinkTest::saysThatAnotherProgramUsesThePort()
     }
     VERIFY_RESULT(first->identify({}));
     first.reset();
-    VERIFY_RESULT(serialLinkTo(served.front->url())->identify({}));
+    VERIFY_RESULT(serialLinkTo(served.server->url())->identify({}));
 }
 
 void SerialLinkTest::saysThatSomethingElseAnswers_data()
@@ -218,7 +218,7 @@ void SerialLinkTest::doesAnySpeed()
 {
     QFETCH(int, baud);
     const SerialDrive served;
-    const std::string url = "serial:" + served.front->device() + "?baud=" + std::to_string(baud);
+    const std::string url = "serial:" + served.server->device() + "?baud=" + std::to_string(baud);
     const auto link = serialLinkTo(url);
     const auto identity = link->identify({});
     VERIFY_RESULT(identity);
@@ -228,9 +228,9 @@ void SerialLinkTest::doesAnySpeed()
 void SerialLinkTest::isUnpluggedInMidWrite()
 {
     SerialDrive served;
-    const auto link = serialLinkTo(served.front->url());
+    const auto link = serialLinkTo(served.server->url());
     Exchange exchange;
-    exchange.progress = [&served](auto, auto) { served.front.reset(); };
+    exchange.progress = [&served](auto, auto) { served.server.reset(); };
     const auto result = link->upload(small1, fullTable(), exchange);
     VERIFY_ERROR(result, ErrorCode::ConnectionLost);
     QVERIFY(result.error().context.at("reason").find("unplugged") != std::string::npos);
@@ -242,9 +242,9 @@ void SerialLinkTest::isUnpluggedInMidWrite()
 void SerialLinkTest::isUnpluggedBetweenCalls()
 {
     SerialDrive served;
-    const auto link = serialLinkTo(served.front->url());
+    const auto link = serialLinkTo(served.server->url());
     VERIFY_RESULT(link->identify({}));
-    served.front.reset();
+    served.server.reset();
     int turns = 0;
     const auto counting = connect(QAbstractEventDispatcher::instance(),
         &QAbstractEventDispatcher::awake, this, [&turns] { ++turns; });
@@ -259,16 +259,16 @@ void SerialLinkTest::isUnpluggedBetweenCalls()
 void SerialLinkTest::findsTheDriveAgainUnderItsLink()
 {
     const QTemporaryDir folder;
-    SerialFrontOptions options;
+    SerialServerOptions options;
     options.link = folder.filePath(QStringLiteral("drive")).toStdString();
     SerialDrive served(options);
-    const auto link = serialLinkTo(served.front->url());
+    const auto link = serialLinkTo(served.server->url());
     VERIFY_RESULT(link->identify({}));
-    const std::string before = served.front->device();
+    const std::string before = served.server->device();
     served.faults.add({FaultSpec::Kind::DropAfter, 30, {}});
     VERIFY_ERROR(link->listFiles({}), ErrorCode::ConnectionLost);
     VERIFY_RESULT(link->listFiles({}));
-    QVERIFY(served.front->device() != before);
+    QVERIFY(served.server->device() != before);
 }
 
 void SerialLinkTest::stopsWhileItWaits()
@@ -300,7 +300,7 @@ void SerialLinkTest::worksAtOnceAfterAStoppedTransfer()
     SerialDrive served;
     const Bytes before = fullTable(0.002F);
     VERIFY_RESULT(served.drive.upload(small1, before));
-    const auto link = serialLinkTo(served.front->url());
+    const auto link = serialLinkTo(served.server->url());
     std::stop_source source;
     Exchange exchange;
     exchange.stop = source.get_token();
@@ -322,10 +322,10 @@ void SerialLinkTest::worksAtOnceAfterAStoppedTransfer()
 
 void SerialLinkTest::endsATransferAtItsDeadline()
 {
-    SerialFrontOptions options;
+    SerialServerOptions options;
     options.baud = 9600;
     SerialDrive served(options);
-    const auto link = serialLinkTo("serial:" + served.front->device() + "?baud=3000000");
+    const auto link = serialLinkTo("serial:" + served.server->device() + "?baud=3000000");
     VERIFY_ERROR(link->upload(small1, fullTable(), within(1500ms)), ErrorCode::Timeout);
     QVERIFY(served.file(small1).empty());
     VERIFY_RESULT(link->identify({}));
@@ -333,10 +333,10 @@ void SerialLinkTest::endsATransferAtItsDeadline()
 
 void SerialLinkTest::aSlowLinesOwnTimeDoesNotCount()
 {
-    SerialFrontOptions options;
+    SerialServerOptions options;
     options.baud = 57'600;
     SerialDrive served(options);
-    const auto link = serialLinkTo(served.front->url());
+    const auto link = serialLinkTo(served.server->url());
     const Bytes file = serialTableFile(4000);
     VERIFY_RESULT(link->upload(small1, file, within(1500ms))); // takes three seconds
     QVERIFY(served.file(small1) == file);
@@ -346,7 +346,8 @@ void SerialLinkTest::leavesTheTransferOfAProgramThatVanished()
 {
     SerialDrive served;
     {
-        const Socket client(::open(served.front->device().c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC));
+        const FileDescriptor client(
+            ::open(served.server->device().c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC));
         const std::string begun = "put " + small1 + " 304 1c291ca3\r";
         QCOMPARE(
             ::write(client.get(), begun.data(), begun.size()), static_cast<ssize_t>(begun.size()));
@@ -356,7 +357,7 @@ void SerialLinkTest::leavesTheTransferOfAProgramThatVanished()
         QCOMPARE(
             ::write(client.get(), half.data(), half.size()), static_cast<ssize_t>(half.size()));
     }
-    const auto link = serialLinkTo(served.front->url());
+    const auto link = serialLinkTo(served.server->url());
     VERIFY_RESULT(link->identify({}));
     VERIFY_RESULT(link->upload(small1, fullTable(), {}));
     QVERIFY(served.file(small1) == fullTable());
@@ -366,7 +367,8 @@ void SerialLinkTest::takesNoReplyMeantForAnotherProgram()
 {
     SerialDrive served;
     const auto exchange = [&](const std::string& text) {
-        const Socket client(::open(served.front->device().c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC));
+        const FileDescriptor client(
+            ::open(served.server->device().c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC));
         [[maybe_unused]] const ssize_t size = ::write(client.get(), text.data(), text.size());
         std::string reply;
         while (!reply.ends_with('\n')) {
@@ -388,11 +390,11 @@ void SerialLinkTest::takesNoReplyMeantForAnotherProgram()
 void SerialLinkTest::writesNothingToAnotherDrive()
 {
     const QTemporaryDir folder;
-    SerialFrontOptions options;
+    SerialServerOptions options;
     options.link = folder.filePath(QStringLiteral("drive")).toStdString();
     const std::vector<std::string> paths{variable0, stateOfX};
     auto first = std::make_unique<SerialDrive>(options);
-    const auto link = serialLinkTo(first->front->url());
+    const auto link = serialLinkTo(first->server->url());
     const auto before = link->readRegisters(paths, {});
     VERIFY_RESULT(before);
     QCOMPARE(before->at(0).address, first->drive.readRegisters(paths)->at(0).address);
@@ -402,7 +404,7 @@ void SerialLinkTest::writesNothingToAnotherDrive()
     other.serialNumber = 1560;
     VirtualDrive drive(genericProfile(), other);
     FaultPlan faults;
-    const auto front = SerialFront::start(drive, faults, options).value();
+    const auto server = SerialServer::start(drive, faults, options).value();
     const std::vector<RegisterWrite> writes{{variable0, 1.0F}};
     const auto refused = link->writeRegisters(writes, {});
     VERIFY_ERROR(refused, ErrorCode::OtherDrive);
@@ -421,7 +423,7 @@ void SerialLinkTest::worksOnAnyThread()
     const SerialDrive served;
     Result<DriveIdentity> identity = fail(ErrorCode::Cancelled);
     std::thread plain([&] { // no QThread, no event loop
-        const auto link = serialLinkTo(served.front->url());
+        const auto link = serialLinkTo(served.server->url());
         identity = link->identify({});
     });
     plain.join();
@@ -441,14 +443,14 @@ void SerialLinkTest::theDriveOutlivesSignals()
     for (const QString& thread : threads())
         for (int i = 0; i < 20'000 && !others.contains(thread); ++i)
             ::tgkill(::getpid(), thread.toInt(), SIGUSR1);
-    VERIFY_RESULT(serialLinkTo(served.front->url())->identify({}));
+    VERIFY_RESULT(serialLinkTo(served.server->url())->identify({}));
     std::signal(SIGUSR1, before);
 }
 
 void SerialLinkTest::makesLinksFromEndpoints()
 {
     const SerialDrive served;
-    const std::string url = "serial:" + served.front->device() + "?baud=921600";
+    const std::string url = "serial:" + served.server->device() + "?baud=921600";
     const auto link = makeLink(parseEndpoint(url).value(), genericProfile());
     VERIFY_RESULT(link);
     QCOMPARE((*link)->endpoint(), url);

@@ -46,7 +46,7 @@ void SerialNoiseTest::aWriteEndsCorrectOrWithAnErrorAndTheOldTable()
     Bytes before = fullTable(1.0F);
     VERIFY_RESULT(served.drive.upload(small1, before));
     for (int run = 0; run < runs; ++run) {
-        const NoisyCable cable(served.front->device(), oneIn, static_cast<std::uint32_t>(run));
+        const NoisyCable cable(served.server->device(), oneIn, static_cast<std::uint32_t>(run));
         const auto link = serialLinkTo(cable.url());
         const Bytes file = fullTable(0.001F * static_cast<float>(run + 2));
         const std::vector<RegisterWrite> writes{{variable0, static_cast<float>(run)}};
@@ -85,7 +85,7 @@ void SerialNoiseTest::readsAreRightOrAnError()
         writes.push_back({paths.back(), static_cast<float>(n) * 1.1F});
     }
     VERIFY_RESULT(served.drive.writeRegisters(writes));
-    const NoisyCable cable(served.front->device(), 2000, 99);
+    const NoisyCable cable(served.server->device(), 2000, 99);
     const auto link = serialLinkTo(cable.url());
     int right = 0;
     for (int run = 0; run < 40; ++run) {
@@ -105,7 +105,7 @@ void SerialNoiseTest::theSameRegisterIsNotSetTwice()
     // The reply is lost; meanwhile somebody else sets the register. Asked again, the drive answers
     // and does not act.
     SerialDrive served;
-    const auto link = serialLinkTo(served.front->url());
+    const auto link = serialLinkTo(served.server->url());
     VERIFY_RESULT(link->identify({}));
     served.faults.clear();
     served.faults.add(parseFault("no-reply=1").value());
@@ -132,10 +132,10 @@ void SerialNoiseTest::fillsTheLine()
     QFETCH(int, baud);
     QFETCH(int, points);
     QFETCH(double, least);
-    SerialFrontOptions options;
+    SerialServerOptions options;
     options.baud = baud;
     SerialDrive served(options);
-    const auto link = serialLinkTo(served.front->url());
+    const auto link = serialLinkTo(served.server->url());
     VERIFY_RESULT(link->identify({}));
     const Bytes file = serialTableFile(static_cast<std::uint32_t>(points));
     QElapsedTimer timer;
@@ -154,10 +154,10 @@ void SerialNoiseTest::monitorsEightRegisters()
 {
     if (!qEnvironmentVariableIsSet("AXISCOMP_SERIAL_SPEED"))
         QSKIP("a measurement, not a test");
-    SerialFrontOptions options;
+    SerialServerOptions options;
     options.baud = 115'200;
     SerialDrive served(options);
-    const auto link = serialLinkTo(served.front->url());
+    const auto link = serialLinkTo(served.server->url());
     const std::string axis = "Axes[0]/Signals/Compensations/Axis/";
     const std::vector<std::string> paths{axis + "State", axis + "Error", axis + "Output",
         axis + "Dim1Index", axis + "Dim2Index", axis + "Dim3Index",

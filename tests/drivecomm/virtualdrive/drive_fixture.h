@@ -68,8 +68,8 @@ inline CompensationTable flatTable(float value)
 }
 
 /// A virtual drive of two axes X and Y whose clock is moved by hand.
-struct DriveBench {
-    explicit DriveBench(int axes = 2)
+struct DriveFixture {
+    explicit DriveFixture(int axes = 2)
     {
         for (int n = 0; n < axes; ++n)
             options.axes.push_back({n < 2 ? std::string(1, static_cast<char>('X' + n)) : "",

@@ -71,7 +71,7 @@ void TestDriveFlash::rebootBringsStoredTablesBack()
 {
     QFETCH(int, way);
     QFETCH(bool, survives);
-    DriveBench bench;
+    DriveFixture bench;
     VERIFY_RESULT(bench.upload("Small1", evenTable(1), way == 1 || way >= 4));
     if (way == 2 || way == 3)
         VERIFY_RESULT(bench.set(persistent("Small1"), true));
@@ -91,7 +91,7 @@ void TestDriveFlash::rebootBringsStoredTablesBack()
 
 void TestDriveFlash::rebootForgetsTheRest()
 {
-    DriveBench bench;
+    DriveFixture bench;
     VERIFY_RESULT(bench.activate(flatTable(0.5F)));
     VERIFY_RESULT(bench.set(variable0, 3.0F));
     bench.time = 1s;
@@ -110,7 +110,7 @@ void TestDriveFlash::rebootForgetsTheRest()
 
 void TestDriveFlash::rebootRegisterDoesTheSame()
 {
-    DriveBench bench;
+    DriveFixture bench;
     VERIFY_RESULT(bench.upload("Small1", evenTable(1)));
     // even in one request with what it takes away again
     VERIFY_RESULT(bench.drive->writeRegisters({{"General/Commands/Reboot", "Reboot"},
@@ -123,7 +123,7 @@ void TestDriveFlash::rebootRegisterDoesTheSame()
 
 void TestDriveFlash::countsOnlyRealOperations()
 {
-    DriveBench bench;
+    DriveFixture bench;
     const auto erased = [&] { return bench.number(slotPath("Small1", "EraseCount")); };
     VERIFY_RESULT(bench.set(command("Small1"), "Delete"));
     VERIFY_RESULT(bench.upload("Small1", evenTable(1), false));
@@ -160,7 +160,7 @@ void TestDriveFlash::refusesTheNinthOperationInTenMinutes_data()
 void TestDriveFlash::refusesTheNinthOperationInTenMinutes()
 {
     QFETCH(int, operation);
-    DriveBench bench;
+    DriveFixture bench;
     for (int n = 0; n < 8; ++n) { // at 0, 10, ... 70 s
         bench.time = std::chrono::seconds(10 * n);
         VERIFY_RESULT(
@@ -208,7 +208,7 @@ void TestDriveFlash::refusesTheNinthOperationInTenMinutes()
 
 void TestDriveFlash::refusedRequestCostsNothing()
 {
-    DriveBench bench;
+    DriveFixture bench;
     for (int n = 1; n <= 7; ++n)
         VERIFY_RESULT(bench.upload("Small1", evenTable(1, 0.001F * static_cast<float>(n)), true));
     VERIFY_RESULT(bench.upload("Small2", evenTable(1)));
@@ -227,7 +227,7 @@ void TestDriveFlash::refusedRequestCostsNothing()
 
 void TestDriveFlash::savesParametersOnly()
 {
-    DriveBench bench;
+    DriveFixture bench;
     const std::string parameter = "Application/Parameters/Floats[7]";
     VERIFY_RESULT(bench.drive->writeRegisters(
         {{tableOf0, "Large1"}, {sourceOf0(1), bench.address(masterOf0)}, {parameter, 1.25F},
@@ -246,7 +246,7 @@ void TestDriveFlash::savesParametersOnly()
 void TestDriveFlash::keepsItsStateInAFolder()
 {
     QTemporaryDir folder;
-    DriveBench bench;
+    DriveFixture bench;
     bench.options.stateFolder = path(folder) / "new" / "state";
     bench.start();
     const std::string parameter = "Application/Parameters/Floats[255]";
@@ -276,7 +276,7 @@ void TestDriveFlash::keepsItsStateInAFolder()
 void TestDriveFlash::keepsTheWearAcrossRuns()
 {
     QTemporaryDir folder;
-    DriveBench bench;
+    DriveFixture bench;
     bench.options.stateFolder = path(folder);
     bench.time = 1h;
     bench.start();
@@ -304,7 +304,7 @@ void TestDriveFlash::keepsTheWearAcrossRuns()
 void TestDriveFlash::doesNotSaveWhatWasNotSaved()
 {
     QTemporaryDir folder;
-    DriveBench bench;
+    DriveFixture bench;
     bench.options.stateFolder = path(folder);
     bench.start();
     VERIFY_RESULT(bench.set(tableOf0, "Small1"));
@@ -318,7 +318,7 @@ void TestDriveFlash::doesNotSaveWhatWasNotSaved()
 void TestDriveFlash::leavesNoOldTables()
 {
     QTemporaryDir folder;
-    DriveBench bench;
+    DriveFixture bench;
     bench.options.stateFolder = path(folder);
     bench.start();
     const auto files = [&] {
@@ -352,7 +352,7 @@ void TestDriveFlash::leavesNoOldTables()
 void TestDriveFlash::damagedTableIsABadTable()
 {
     QTemporaryDir folder;
-    DriveBench bench;
+    DriveFixture bench;
     bench.options.stateFolder = path(folder);
     bench.start();
     VERIFY_RESULT(bench.upload("Small1", evenTable(1), true));
@@ -421,7 +421,7 @@ void TestDriveFlash::refusesABrokenStateFolder()
     QFETCH(QString, to);
     QFETCH(QString, reason);
     QTemporaryDir folder;
-    DriveBench bench;
+    DriveFixture bench;
     bench.options.stateFolder = path(folder);
     bench.start();
     VERIFY_RESULT(bench.upload("Small1", evenTable(1), true));
@@ -460,7 +460,7 @@ void TestDriveFlash::refusesAStateThatIsTooLarge()
 {
     QFETCH(QString, name);
     QTemporaryDir folder;
-    DriveBench bench;
+    DriveFixture bench;
     bench.options.stateFolder = path(folder);
     bench.start();
     VERIFY_RESULT(bench.upload("Small1", evenTable(1), true));
@@ -473,7 +473,7 @@ void TestDriveFlash::refusesAStateThatIsTooLarge()
 void TestDriveFlash::refusesAFolderThatIsInUse()
 {
     QTemporaryDir folder;
-    DriveBench bench;
+    DriveFixture bench;
     bench.options.stateFolder = path(folder);
     bench.start();
     VERIFY_ERROR(VirtualDrive::create(bench.profile, bench.options), ErrorCode::FileNotWritable);
@@ -486,7 +486,7 @@ void TestDriveFlash::refusesAFolderThatIsInUse()
 void TestDriveFlash::refusesToStoreWhenTheFolderCannotBeWritten()
 {
     QTemporaryDir folder;
-    DriveBench bench;
+    DriveFixture bench;
     bench.options.stateFolder = path(folder) / "state";
     bench.start();
     VERIFY_RESULT(bench.upload("Small1", evenTable(1), true));

@@ -95,7 +95,7 @@ void TestDriveRegisters::hasTheRegistersOfTheSpecification()
     QFETCH(QString, path);
     QFETCH(QString, type);
     QFETCH(QString, value);
-    DriveBench bench;
+    DriveFixture bench;
     const auto read = bench.drive->readRegisters({path.toStdString()});
     VERIFY_RESULT(read);
     COMPARE_TEXT(read->front().path, path.toStdString());
@@ -106,7 +106,7 @@ void TestDriveRegisters::hasTheRegistersOfTheSpecification()
 
 void TestDriveRegisters::hasNothingThatTheProfileDoesNotReach()
 {
-    DriveBench bench;
+    DriveFixture bench;
     const auto count = [&](const std::string& prefix) {
         return bench.drive->readTree(prefix).size();
     };
@@ -120,7 +120,7 @@ void TestDriveRegisters::hasNothingThatTheProfileDoesNotReach()
 
 void TestDriveRegisters::addressesAreUniqueAndLookReal()
 {
-    DriveBench bench(64);
+    DriveFixture bench(64);
     QCOMPARE(bench.drive->identity().axes, 64);
     std::set<std::uint32_t> addresses;
     for (const RegisterReading& one : bench.drive->readTree("")) {
@@ -133,8 +133,8 @@ void TestDriveRegisters::addressesAreUniqueAndLookReal()
 
 void TestDriveRegisters::addressesStayTheSame()
 {
-    DriveBench small(1);
-    DriveBench large(8);
+    DriveFixture small(1);
+    DriveFixture large(8);
     large.time = 12345ms;
     VERIFY_RESULT(large.set(tableOf0, "Small3"));
     large.options.parameters = {{"Axes[0]/Parameters/Commutation/Angle", 0, "Single", 1.5F}};
@@ -155,7 +155,7 @@ void TestDriveRegisters::acceptsEverySpellingOfAPath_data()
 void TestDriveRegisters::acceptsEverySpellingOfAPath()
 {
     QFETCH(QString, path);
-    DriveBench bench;
+    DriveFixture bench;
     const RegisterReading read = bench.reading(path.toStdString());
     COMPARE_TEXT(read.path, homingOf0);
     COMPARE_TEXT(toText(read.value), "HomingDone");
@@ -182,7 +182,7 @@ void TestDriveRegisters::namesTheNearestPaths()
 {
     QFETCH(QString, path);
     QFETCH(QString, first);
-    DriveBench bench;
+    DriveFixture bench;
     const auto read = bench.drive->readRegisters({path.toStdString()});
     VERIFY_ERROR(read, ErrorCode::UnknownRegister);
     COMPARE_TEXT(read.error().context.at("path"), path.toStdString());
@@ -209,7 +209,7 @@ void TestDriveRegisters::readsASubtreeAtComponentBoundaries()
 {
     QFETCH(QString, prefix);
     QFETCH(int, count);
-    DriveBench bench(11);
+    DriveFixture bench(11);
     QCOMPARE(static_cast<int>(bench.drive->readTree(prefix.toStdString()).size()), count);
 }
 
@@ -239,7 +239,7 @@ void TestDriveRegisters::takesValuesThatFit()
     QFETCH(QString, path);
     QFETCH(RegisterValue, written);
     QFETCH(RegisterValue, kept);
-    DriveBench bench;
+    DriveFixture bench;
     VERIFY_RESULT(bench.set(path.toStdString(), written));
     QVERIFY(bench.reading(path.toStdString()).value == kept);
 }
@@ -277,7 +277,7 @@ void TestDriveRegisters::refusesValuesThatDoNotFit()
 {
     QFETCH(QString, path);
     QFETCH(RegisterValue, value);
-    DriveBench bench;
+    DriveFixture bench;
     const RegisterReading before = bench.reading(path.toStdString());
     const auto written = bench.set(path.toStdString(), value);
     VERIFY_ERROR(written, ErrorCode::DriveRejected);
@@ -307,7 +307,7 @@ void TestDriveRegisters::writesAllOrNothing()
     QFETCH(QString, path);
     QFETCH(RegisterValue, value);
     QFETCH(ErrorCode, code);
-    DriveBench bench;
+    DriveFixture bench;
     VERIFY_RESULT(bench.upload("Small1", evenTable(1)));
     const auto before = bench.drive->readTree("");
     const RegisterWrite refused{path.toStdString(), value};
@@ -341,7 +341,7 @@ void TestDriveRegisters::commandsFallBackToIdle()
 {
     QFETCH(QString, path);
     QFETCH(QString, value);
-    DriveBench bench;
+    DriveFixture bench;
     VERIFY_RESULT(bench.set(path.toStdString(), "Idle"));
     VERIFY_RESULT(bench.set(path.toStdString(), value.toStdString()));
     COMPARE_TEXT(bench.text(path.toStdString()), "Idle");
@@ -350,7 +350,7 @@ void TestDriveRegisters::commandsFallBackToIdle()
 
 void TestDriveRegisters::limitsTheSizeOfARequest()
 {
-    DriveBench bench;
+    DriveFixture bench;
     std::vector<std::string> paths(DriveLink::maximumReads, masterOf0);
     VERIFY_RESULT(bench.drive->readRegisters(paths));
     paths.push_back(masterOf0);
@@ -367,7 +367,7 @@ void TestDriveRegisters::limitsTheSizeOfARequest()
 
 void TestDriveRegisters::packsNamesAsTheDriveDoes()
 {
-    DriveBench bench;
+    DriveFixture bench;
     bench.options.name = "Cross-Axis Drive of the Longest Name";
     bench.start();
     COMPARE_TEXT(bench.drive->identity().name, "Cross-Axis Drive of the Long");
@@ -378,7 +378,7 @@ void TestDriveRegisters::packsNamesAsTheDriveDoes()
 
 void TestDriveRegisters::takesParametersAndAddsUnknownOnes()
 {
-    DriveBench bench;
+    DriveFixture bench;
     const std::string kp = axisPath(1, "Parameters/PositionController/Controllers[0]/Kp");
     bench.options.parameters = {{kp, 0x1234, "Single", 17.0F},
         {axisPath(1, "Parameters/Commutation/Source"), 0, "CommutationSource", "Encoder0"},

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "drivecomm/virtualdrive/direct_link.h"
 #include "drivecomm/virtualdrive/faults.h"
 #include "tests/drivecomm/virtualdrive/drive_fixture.h"
 #include "tests/support/test_registry.h"
@@ -238,7 +239,7 @@ void TestFaults::directLinkFails()
     QFETCH(QString, fault);
     QFETCH(int, code);
     QFETCH(double, variable);
-    DriveBench bench;
+    DriveFixture bench;
     FaultPlan plan({parseFault(fault.toStdString()).value()});
     const auto link = drivecomm::makeDirectLink(*bench.drive, &plan);
     const std::vector<std::string> paths{variable0};
@@ -255,7 +256,7 @@ void TestFaults::directLinkFails()
 
 void TestFaults::directLinkCutsOnce()
 {
-    DriveBench bench;
+    DriveFixture bench;
     const Bytes file = bench.encoded(evenTable(2));
     FaultPlan plan({{FaultSpec::Kind::DropAfter, 500, {}}});
     const auto link = drivecomm::makeDirectLink(*bench.drive, &plan);
@@ -267,7 +268,7 @@ void TestFaults::directLinkCutsOnce()
 
 void TestFaults::directLinkHasNoFaultsUnlessAsked()
 {
-    DriveBench bench;
+    DriveFixture bench;
     const auto link = drivecomm::makeDirectLink(*bench.drive);
     const auto identity = link->identify({});
     VERIFY_RESULT(identity);

@@ -61,7 +61,7 @@ public:
     }
 
 private:
-    Socket m_port;
+    FileDescriptor m_port;
     std::string m_heard;
 };
 
@@ -106,7 +106,7 @@ void store(const QString& path, const Bytes& bytes)
 
 /// Runs one side of a transfer on this side of a pseudo-terminal, no quicker than a real line is:
 /// rb empties its input after each of its answers, and what came at once would be lost.
-template <typename Machine> void runOn(const Socket& master, Machine& machine)
+template <typename Machine> void runOn(const FileDescriptor& master, Machine& machine)
 {
     using Clock = ymodem::Clock;
     while (true) {
@@ -181,7 +181,7 @@ private Q_SLOTS:
 void SerialTerminalTest::answersAPerson()
 {
     SerialDrive served;
-    Terminal terminal(served.front->device());
+    Terminal terminal(served.server->device());
     QCOMPARE(terminal.ask("identify", "ok"), QStringLiteral("ok \"Serial-1\" 1559 2 generic\r\n"));
     QCOMPARE(terminal.ask("get " + variable0 + " Axes[1].Signals.Homing.State", "HomingState"),
         QStringLiteral("ok 2\r\nSingle 0\r\nHomingState HomingDone\r\n"));
@@ -233,7 +233,7 @@ void SerialTerminalTest::explainsWhatIsWrong()
     QFETCH(QString, line);
     QFETCH(QString, answer);
     SerialDrive served;
-    Terminal terminal(served.front->device());
+    Terminal terminal(served.server->device());
     const QString said = terminal.ask(line.toStdString(), answer.toStdString());
     QVERIFY2(said.startsWith(answer), qPrintable(said));
     QVERIFY(terminal.ask("identify", "ok").startsWith(QStringLiteral("ok ")));
@@ -243,7 +243,7 @@ void SerialTerminalTest::explainsWhatIsWrong()
 void SerialTerminalTest::carriesNumberAndCrcWhereTheRequestDoes()
 {
     SerialDrive served;
-    Terminal terminal(served.front->device());
+    Terminal terminal(served.server->device());
     QCOMPARE(terminal.ask("#7 get " + variable0, "#7 Single"),
         QStringLiteral("#7 ok 1\r\n#7 Single 0\r\n"));
     const QString checked = terminal.ask(serialLine(8, "get " + variable0, true), "#8 Single");
@@ -260,7 +260,7 @@ void SerialTerminalTest::carriesNumberAndCrcWhereTheRequestDoes()
 void SerialTerminalTest::survivesGarbage()
 {
     SerialDrive served;
-    Terminal terminal(served.front->device());
+    Terminal terminal(served.server->device());
     std::mt19937 random(11);
     for (int n = 0; n < 200; ++n) {
         std::string junk;
@@ -276,7 +276,7 @@ void SerialTerminalTest::survivesGarbage()
 void SerialTerminalTest::cancelsByHand()
 {
     SerialDrive served;
-    Terminal terminal(served.front->device());
+    Terminal terminal(served.server->device());
     QCOMPARE(terminal.ask("put " + small1 + " 304 1c291ca3", "ready"), QStringLiteral("ready\r\n"));
     terminal.type("\x18\x18"); // Ctrl-X twice
     const QString said = terminal.readUntil("error");
@@ -289,19 +289,19 @@ void SerialTerminalTest::keepsAFileThatIsNoLink()
     const QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("drive"));
     store(path, someFile(5));
-    SerialFrontOptions options;
+    SerialServerOptions options;
     options.link = path.toStdString();
     VirtualDrive drive(genericProfile(), {});
     FaultPlan faults;
-    const auto refused = SerialFront::start(drive, faults, options);
+    const auto refused = SerialServer::start(drive, faults, options);
     VERIFY_ERROR(refused, ErrorCode::InvalidEndpoint);
     QCOMPARE(refused.error().context.at("endpoint"), options.link);
     QVERIFY(contentOf(path) == someFile(5));
     QVERIFY(QFile::remove(path));
     {
-        const auto front = SerialFront::start(drive, faults, options);
-        VERIFY_RESULT(front);
-        QCOMPARE(QFile::symLinkTarget(path).toStdString(), (*front)->device());
+        const auto server = SerialServer::start(drive, faults, options);
+        VERIFY_RESULT(server);
+        QCOMPARE(QFile::symLinkTarget(path).toStdString(), (*server)->device());
     }
     QVERIFY(!QFileInfo(path).isSymLink()); // it tidies up
 }
@@ -332,13 +332,13 @@ void SerialTerminalTest::aPersonUploadsWithSb()
     QCOMPARE(file.size(), static_cast<std::size_t>(size));
     store(folder.filePath(QStringLiteral("my.TAMtbl")), file);
     SerialDrive served;
-    Terminal terminal(served.front->device());
+    Terminal terminal(served.server->device());
     const std::string path = "tables/" + slot.toStdString() + ".TAMtbl";
     const std::string put =
         "#5 put " + path + " " + std::to_string(size) + " " + serialCrc32(crc32(file));
     QCOMPARE(terminal.ask(put, "#5 ready"), QStringLiteral("#5 ready\r\n"));
     QVERIFY(Lrzsz(QStringLiteral("sb"), {QStringLiteral("-k"), QStringLiteral("my.TAMtbl")},
-        served.front->device(), folder.path())
+        served.server->device(), folder.path())
                 .succeeds());
     // sb may have swallowed the answer: asked again, it comes from memory.
     const QString said = terminal.ask("\r\n" + put, answer.toStdString());
@@ -371,13 +371,13 @@ void SerialTerminalTest::aPersonDownloadsWithRb()
         VERIFY_RESULT(served.drive.upload(path, file));
     }
     QCOMPARE(file.size(), static_cast<std::size_t>(size));
-    Terminal terminal(served.front->device());
+    Terminal terminal(served.server->device());
     QCOMPARE(terminal.ask("take " + path, "ready"),
         QStringLiteral("ready %1 %2\r\n")
             .arg(size)
             .arg(QString::fromStdString(serialCrc32(crc32(file)))));
     QVERIFY(
-        Lrzsz(QStringLiteral("rb"), {QStringLiteral("-y")}, served.front->device(), folder.path())
+        Lrzsz(QStringLiteral("rb"), {QStringLiteral("-y")}, served.server->device(), folder.path())
             .succeeds());
     QVERIFY(contentOf(folder.filePath(slot + QStringLiteral(".TAMtbl"))) == file);
 }

@@ -18,8 +18,8 @@ namespace fs = std::filesystem;
 namespace {
 
 /// A bench whose drive keeps its flash in the folder.
-struct KeptDrive : DriveBench {
-    explicit KeptDrive(const fs::path& folder) : DriveBench(1)
+struct KeptDrive : DriveFixture {
+    explicit KeptDrive(const fs::path& folder) : DriveFixture(1)
     {
         drive.reset();
         options.stateFolder = folder;

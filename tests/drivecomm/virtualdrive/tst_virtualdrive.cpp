@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/table/lookup.h"
+#include "drivecomm/virtualdrive/demo_link.h"
 #include "tests/drivecomm/virtualdrive/drive_fixture.h"
 #include "tests/support/test_registry.h"
 
@@ -54,7 +55,7 @@ private Q_SLOTS:
 
 void TestVirtualDrive::axesMoveOverTheirRange()
 {
-    DriveBench bench;
+    DriveFixture bench;
     double lowest = 1e9;
     double highest = -1e9;
     for (int second = 0; second < 62; ++second) {
@@ -78,7 +79,7 @@ void TestVirtualDrive::axesMoveOverTheirRange()
 
 void TestVirtualDrive::signalsAreThoseOfTheLastTick()
 {
-    DriveBench bench;
+    DriveFixture bench;
     bench.time = 1700us;
     const double first = bench.number(masterOf0);
     bench.time = 1799999ns;
@@ -89,7 +90,7 @@ void TestVirtualDrive::signalsAreThoseOfTheLastTick()
 
 void TestVirtualDrive::timeNeverGoesBack()
 {
-    DriveBench bench;
+    DriveFixture bench;
     bench.time = 5s;
     const double then = bench.number(masterOf0);
     bench.time = 4s;
@@ -115,7 +116,7 @@ void TestVirtualDrive::rampsInLinearly()
     QFETCH(std::chrono::nanoseconds, after);
     QFETCH(double, output);
     QFETCH(QString, state);
-    DriveBench bench;
+    DriveFixture bench;
     bench.time = 12345678ns; // between two ticks
     VERIFY_RESULT(bench.activate(flatTable(0.5F)));
     bench.time += after;
@@ -142,7 +143,7 @@ void TestVirtualDrive::rampsOutLinearly()
     QFETCH(std::chrono::nanoseconds, after);
     QFETCH(double, output);
     QFETCH(QString, state);
-    DriveBench bench;
+    DriveFixture bench;
     VERIFY_RESULT(bench.activate(flatTable(0.5F)));
     bench.time = 1s;
     VERIFY_RESULT(bench.set(activationOf0, "Disabled"));
@@ -153,7 +154,7 @@ void TestVirtualDrive::rampsOutLinearly()
 
 void TestVirtualDrive::turnsRoundHalfWay()
 {
-    DriveBench bench;
+    DriveFixture bench;
     VERIFY_RESULT(bench.activate(flatTable(0.5F)));
     bench.time = 5ms;
     VERIFY_RESULT(bench.set(activationOf0, "Disabled"));
@@ -168,7 +169,7 @@ void TestVirtualDrive::turnsRoundHalfWay()
 
 void TestVirtualDrive::evaluateRampsOutFirst()
 {
-    DriveBench bench;
+    DriveFixture bench;
     VERIFY_RESULT(bench.activate(flatTable(0.5F)));
     bench.time = 10ms;
     VERIFY_RESULT(bench.set(activationOf0, "Evaluate"));
@@ -182,7 +183,7 @@ void TestVirtualDrive::evaluateRampsOutFirst()
 
 void TestVirtualDrive::evaluateShowsIndicesAndAddsNothing()
 {
-    DriveBench bench;
+    DriveFixture bench;
     VERIFY_RESULT(bench.upload("Small1", evenTable(2)));
     VERIFY_RESULT(bench.select("Small1", {variable0, masterOf0}));
     QCOMPARE(bench.number(indexOf0(1)), 0.0);
@@ -218,7 +219,7 @@ void TestVirtualDrive::outputIsTheLookupAtTheSourcesReadWithIt()
 {
     QFETCH(int, dimensions);
     QFETCH(QStringList, sources);
-    DriveBench bench;
+    DriveFixture bench;
     const CompensationTable table = evenTable(dimensions);
     const Lookup lookup(table);
     std::vector<std::string> paths;
@@ -253,7 +254,7 @@ void TestVirtualDrive::outputIsTheLookupAtTheSourcesReadWithIt()
 
 void TestVirtualDrive::holdsTheEndsOutsideTheTable()
 {
-    DriveBench bench;
+    DriveFixture bench;
     CompensationTable table = evenTable(1, 0.001F, 4);
     table.values = {1.0F, 2.0F, 3.0F, 4.0F};
     VERIFY_RESULT(bench.upload("Small1", table));
@@ -305,7 +306,7 @@ void TestVirtualDrive::checksBeforeItActivates()
     QFETCH(QString, slot);
     QFETCH(QStringList, sources);
     QFETCH(QString, error);
-    DriveBench bench;
+    DriveFixture bench;
     VERIFY_RESULT(bench.upload("Small2", evenTable(2)));
     std::vector<RegisterWrite> writes{{tableOf0, slot.toStdString()}};
     for (int n = 0; n < sources.size(); ++n)
@@ -335,7 +336,7 @@ void TestVirtualDrive::checksBeforeItActivates()
 
 void TestVirtualDrive::needsHomingToActivate()
 {
-    DriveBench bench;
+    DriveFixture bench;
     bench.options.axes[0].homed = false;
     bench.start();
     COMPARE_TEXT(bench.text(homingOf0), "NotHomed");
@@ -358,7 +359,7 @@ void TestVirtualDrive::needsHomingToActivate()
 
 void TestVirtualDrive::errorStaysUntilTheNextActivation()
 {
-    DriveBench bench;
+    DriveFixture bench;
     VERIFY_RESULT(bench.select("Small1", {masterOf0}));
     VERIFY_RESULT(bench.set(activationOf0, "AddToEncoders"));
     COMPARE_TEXT(bench.text(errorOf0), "NoTable");
@@ -387,7 +388,7 @@ void TestVirtualDrive::checksAgainWhileEvaluating()
 {
     QFETCH(int, change);
     QFETCH(QString, error);
-    DriveBench bench;
+    DriveFixture bench;
     VERIFY_RESULT(bench.upload("Small1", evenTable(1)));
     VERIFY_RESULT(bench.select("Small1", {masterOf0}));
     VERIFY_RESULT(bench.set(activationOf0, "Evaluate"));
@@ -422,7 +423,7 @@ void TestVirtualDrive::refusesChangesWhileOn()
 {
     QFETCH(std::chrono::nanoseconds, after);
     QFETCH(bool, deactivated);
-    DriveBench bench;
+    DriveFixture bench;
     VERIFY_RESULT(bench.activate(flatTable(0.5F)));
     if (deactivated) {
         bench.time = 1s;
@@ -459,7 +460,7 @@ void TestVirtualDrive::refusesChangesWhileOn()
 
 void TestVirtualDrive::allowsOtherChangesWhileOn()
 {
-    DriveBench bench;
+    DriveFixture bench;
     VERIFY_RESULT(bench.activate(flatTable(0.5F)));
     bench.time = 10ms;
     VERIFY_RESULT(bench.upload("Small2", evenTable(1)));
@@ -475,7 +476,7 @@ void TestVirtualDrive::allowsOtherChangesWhileOn()
 
 void TestVirtualDrive::valuesTakeEffectBeforeCommands()
 {
-    DriveBench bench;
+    DriveFixture bench;
     VERIFY_RESULT(bench.upload("Small1", flatTable(0.5F)));
     VERIFY_RESULT(bench.drive->writeRegisters({{activationOf0, "AddToEncoders"},
         {slotPath("Small1", "Command"), "Commit"}, {slotPath("Small1", "Header/Persistent"), true},
@@ -506,7 +507,7 @@ void TestVirtualDrive::takesAFileWholeOrNotAtAll()
     QFETCH(QString, path);
     QFETCH(int, fault);
     QFETCH(int, code);
-    DriveBench bench;
+    DriveFixture bench;
     VERIFY_RESULT(bench.upload("Small1", evenTable(1)));
     const Bytes before = bench.file("Small1");
     Bytes bytes = bench.encoded(evenTable(2));
@@ -530,7 +531,7 @@ void TestVirtualDrive::takesAFileWholeOrNotAtAll()
 
 void TestVirtualDrive::showsTheHeaderOfTheTable()
 {
-    DriveBench bench;
+    DriveFixture bench;
     CompensationTable table = evenTable(2);
     table.grid.axes[1] = {{}, {}, -2.5, 0.125, 5};
     table.values.resize(table.grid.pointCount());
@@ -559,7 +560,7 @@ void TestVirtualDrive::showsTheHeaderOfTheTable()
 
 void TestVirtualDrive::storesSomethingElseOnce()
 {
-    DriveBench bench;
+    DriveFixture bench;
     const Bytes sent = bench.encoded(evenTable(1));
     bench.drive->storeNextWrong();
     VERIFY_ERROR(bench.drive->upload("tables/small1.TAMtbl", Bytes{}), ErrorCode::TableRefused);
@@ -580,7 +581,7 @@ void TestVirtualDrive::storesSomethingElseOnce()
 
 void TestVirtualDrive::loseACommandWhenStoringWrong()
 {
-    DriveBench bench;
+    DriveFixture bench;
     VERIFY_RESULT(bench.upload("Small1", evenTable(1)));
     bench.drive->storeNextWrong();
     VERIFY_RESULT(bench.set(slotPath("Small1", "Command"), "Delete"));

@@ -20,9 +20,9 @@ using namespace axiscomp::test;
 
 namespace {
 
-WebFrontOptions impatient()
+WebServerOptions impatient()
 {
-    WebFrontOptions options;
+    WebServerOptions options;
     options.patience = std::chrono::milliseconds(300);
     return options;
 }
@@ -91,7 +91,7 @@ void WebCrowdTest::cutsAClientThatNeverFinishes()
 {
     QFETCH(QByteArray, request);
     Site site(impatient());
-    RawClient client(site.front->port());
+    RawClient client(site.server->port());
     client.send(request.chopped(4).toStdString());
     QVERIFY(isCutWhileDripping(client.socket, request.last(4)));
     QVERIFY(site.client.Get("/directory"));
@@ -100,13 +100,13 @@ void WebCrowdTest::cutsAClientThatNeverFinishes()
 void WebCrowdTest::cutsAClientThatNeverFinishesOverTls()
 {
     const TestCertificate certificate(QStringLiteral("IP:127.0.0.1"));
-    WebFrontOptions options = impatient();
+    WebServerOptions options = impatient();
     options.certificateFile = certificate.certificateFile().toStdString();
     options.privateKeyFile = certificate.keyFile().toStdString();
     Site site(options);
     QSslSocket socket;
     socket.setPeerVerifyMode(QSslSocket::VerifyNone);
-    socket.connectToHostEncrypted(QStringLiteral("127.0.0.1"), site.front->port());
+    socket.connectToHostEncrypted(QStringLiteral("127.0.0.1"), site.server->port());
     QVERIFY(socket.waitForEncrypted(webPatienceMs));
     QVERIFY(isCutWhileDripping(socket, "GET / HTTP/1.1\r\nX: a"));
 }
@@ -114,11 +114,11 @@ void WebCrowdTest::cutsAClientThatNeverFinishesOverTls()
 void WebCrowdTest::cutsAClientThatNeverGreets()
 {
     const TestCertificate certificate(QStringLiteral("IP:127.0.0.1"));
-    WebFrontOptions options = impatient();
+    WebServerOptions options = impatient();
     options.certificateFile = certificate.certificateFile().toStdString();
     options.privateKeyFile = certificate.keyFile().toStdString();
     Site site(options);
-    RawClient silent(site.front->port());
+    RawClient silent(site.server->port());
     QVERIFY(silent.socket.waitForDisconnected(webPatienceMs));
 }
 
@@ -126,7 +126,7 @@ void WebCrowdTest::cutsAClientThatDoesNotTakeItsReply()
 {
     Site site(impatient());
     VERIFY_RESULT(site.drive.upload("tables/large1.TAMtbl", asBytes(tableFile(500'000))));
-    RawClient client(site.front->port());
+    RawClient client(site.server->port());
     const auto descriptor = static_cast<int>(client.socket.socketDescriptor());
     const int small = 4096;
     ::setsockopt(descriptor, SOL_SOCKET, SO_RCVBUF, &small, sizeof small);
@@ -173,11 +173,11 @@ void WebCrowdTest::answersAmongAThousandConnections()
     const long long memoryBefore = processFigure("VmRSS");
     constexpr int crowd = 1000;
     // Not httplib's client, which cannot have more than 1024 descriptors beside it.
-    RawClient kept(site.front->port());
+    RawClient kept(site.server->port());
     std::vector<std::unique_ptr<QTcpSocket>> clients;
     for (int i = 0; i < crowd; ++i) {
         clients.push_back(std::make_unique<QTcpSocket>());
-        clients.back()->connectToHost(QStringLiteral("127.0.0.1"), site.front->port());
+        clients.back()->connectToHost(QStringLiteral("127.0.0.1"), site.server->port());
         QVERIFY(clients.back()->waitForConnected(webPatienceMs));
         clients.back()->write(begin);
         clients.back()->flush();
@@ -188,7 +188,7 @@ void WebCrowdTest::answersAmongAThousandConnections()
         while (!kept.received().endsWith("]\n"))
             QVERIFY(kept.socket.waitForReadyRead(webPatienceMs));
         QVERIFY(kept.take().startsWith("HTTP/1.1 200 "));
-        RawClient fresh(site.front->port());
+        RawClient fresh(site.server->port());
         fresh.send(get("/directory", "Connection: close\r\n"));
         QVERIFY(fresh.receiveAll().startsWith("HTTP/1.1 200 "));
     }
@@ -206,11 +206,11 @@ void WebCrowdTest::keepsTheConnectionWhoseRequestItHas()
 {
     Site site;
     site.fault("slow=2000");
-    RawClient first(site.front->port());
+    RawClient first(site.server->port());
     first.send(get(registersOf({stateOfX}), "Connection: close\r\n"));
     std::vector<std::unique_ptr<RawClient>> clients;
     for (std::size_t i = 0; i < 2 * ConnectionRelay::mostConnections; ++i)
-        clients.push_back(std::make_unique<RawClient>(site.front->port()));
+        clients.push_back(std::make_unique<RawClient>(site.server->port()));
     QVERIFY(first.receiveAll().startsWith("HTTP/1.1 200 "));
 }
 

@@ -128,7 +128,7 @@ void WebHostileTest::refusesAHeadAndCloses()
     QFETCH(QByteArray, request);
     QFETCH(int, status);
     Site site;
-    RawClient client(site.front->port());
+    RawClient client(site.server->port());
     client.send(request.toStdString() + writeVariable); // what follows must not be understood
     const QByteArray reply = client.receiveAll();
     const QByteArray expected = "HTTP/1.1 " + QByteArray::number(status) + ' ';
@@ -145,10 +145,10 @@ void WebHostileTest::takesAHeadAtTheLimit()
     std::string request = "GET /directory HTTP/1.1\r\n" + local;
     for (std::size_t i = 1; i < mostHeadFields; ++i)
         request += "X" + std::to_string(i) + ": " + std::string(200, 'x') + "\r\n";
-    RawClient client(site.front->port());
+    RawClient client(site.server->port());
     client.send(request + "Connection: close\r\n\r\n"); // one too many
     QVERIFY(client.receiveAll().startsWith("HTTP/1.1 431 "));
-    RawClient next(site.front->port());
+    RawClient next(site.server->port());
     next.send(request + "\r\n");
     QVERIFY(next.socket.waitForReadyRead(webPatienceMs));
     QVERIFY(next.received().startsWith("HTTP/1.1 200 "));
@@ -157,7 +157,7 @@ void WebHostileTest::takesAHeadAtTheLimit()
 void WebHostileTest::takesAHeadInPieces()
 {
     Site site;
-    RawClient client(site.front->port());
+    RawClient client(site.server->port());
     for (const char c : get("/directory", "Connection: close\r\n"))
         client.send(std::string(1, c));
     QVERIFY(client.receiveAll().startsWith("HTTP/1.1 200 "));
@@ -170,7 +170,7 @@ void WebHostileTest::knowsEveryLineEndThatIsCutInTwo()
     for (std::size_t cut = 1; cut < request.size(); ++cut) {
         if (request[cut - 1] != '\r' && request[cut - 1] != '\n')
             continue;
-        RawClient client(site.front->port());
+        RawClient client(site.server->port());
         client.send(request.substr(0, cut));
         client.send(request.substr(cut));
         QVERIFY(client.receiveAll().startsWith("HTTP/1.1 200 "));
@@ -225,7 +225,7 @@ void WebHostileTest::refusesForms()
     QFETCH(QByteArray, request);
     QFETCH(int, status);
     Site site;
-    RawClient client(site.front->port());
+    RawClient client(site.server->port());
     client.send(request.toStdString());
     QVERIFY(client.socket.waitForReadyRead(webPatienceMs));
     const QByteArray expected = "HTTP/1.1 " + QByteArray::number(status) + ' ';
@@ -252,7 +252,7 @@ void WebHostileTest::neverLeadsBackToAnotherSite()
     QFETCH(QByteArray, referer);
     QFETCH(QByteArray, link);
     Site site;
-    RawClient client(site.front->port());
+    RawClient client(site.server->port());
     client.send(get("/nix", "Connection: close\r\nReferer: " + referer.toStdString() + "\r\n"));
     const QByteArray reply = client.receiveAll();
     QVERIFY(reply.startsWith("HTTP/1.1 404 "));

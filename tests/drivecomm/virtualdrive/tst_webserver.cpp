@@ -220,7 +220,7 @@ void WebFrontTest::filesComeFromTheDirectoryOnly()
     QFETCH(QString, path);
     Site site;
     VERIFY_RESULT(site.drive.upload(small1, asBytes(tableFile(50))));
-    RawClient client(site.front->port());
+    RawClient client(site.server->port());
     client.send(get("/files/" + path.toStdString(), "Connection: close\r\n"));
     QVERIFY(client.receiveAll().startsWith("HTTP/1.1 404 "));
     const auto upload = site.client.Post("/transfer",
@@ -255,12 +255,12 @@ void WebFrontTest::refusesBodiesThatAreTooLarge()
     body.resize(static_cast<std::size_t>(size), 'x');
     body += isForm ? "\r\n--b--\r\n" : "";
     {
-        RawClient client(site.front->port());
+        RawClient client(site.server->port());
         client.send(head + "Connection: close\r\nContent-Length: " + std::to_string(body.size())
             + "\r\n\r\n" + body);
         QVERIFY(client.receiveAll().startsWith("HTTP/1.1 413 "));
     }
-    RawClient chunks(site.front->port());
+    RawClient chunks(site.server->port());
     chunks.send(head + "Connection: close\r\nTransfer-Encoding: chunked\r\n\r\n");
     for (std::size_t sent = 0; sent < body.size(); sent += 0x8000) {
         const std::string chunk = body.substr(sent, 0x8000);
@@ -270,7 +270,7 @@ void WebFrontTest::refusesBodiesThatAreTooLarge()
     }
     chunks.send("0\r\n\r\n");
     QVERIFY(chunks.receiveAll().startsWith("HTTP/1.1 413 "));
-    RawClient noLength(site.front->port());
+    RawClient noLength(site.server->port());
     noLength.send(head + "Connection: close\r\n\r\n");
     QVERIFY(noLength.receiveAll().startsWith("HTTP/1.1 411 "));
 }
@@ -293,7 +293,7 @@ void WebFrontTest::asksForThePassword()
 {
     QFETCH(QString, header);
     QFETCH(int, status);
-    WebFrontOptions options;
+    WebServerOptions options;
     options.user = "anna";
     options.password = "secret";
     Site site(options);
@@ -348,7 +348,7 @@ void WebFrontTest::keepsOtherSitesOut()
     QFETCH(QString, value);
     QFETCH(int, status);
     Site site;
-    value.replace(QStringLiteral("@host"), QStringLiteral("127.0.0.1:%1").arg(site.front->port()));
+    value.replace(QStringLiteral("@host"), QStringLiteral("127.0.0.1:%1").arg(site.server->port()));
     const httplib::Headers headers{{name.toStdString(), value.toStdString()}};
     const auto form = site.client.Post("/registers", headers, variable0 + "=1", formType);
     QVERIFY(form);

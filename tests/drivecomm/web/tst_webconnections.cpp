@@ -35,7 +35,7 @@ private Q_SLOTS:
 void WebConnectionsTest::answersAClientThatHasSaidAll()
 {
     Site site;
-    RawClient client(site.front->port());
+    RawClient client(site.server->port());
     client.send(get(registersOf({stateOfX})));
     ::shutdown(static_cast<int>(client.socket.socketDescriptor()), SHUT_WR);
     const QByteArray reply = client.receiveAll();
@@ -47,7 +47,7 @@ void WebConnectionsTest::answersAClientThatHasSaidAll()
 void WebConnectionsTest::answersOneRequestAfterTheOther()
 {
     Site site;
-    RawClient client(site.front->port());
+    RawClient client(site.server->port());
     for (int i = 0; i < 20; ++i) {
         client.send(get(registersOf({stateOfX})));
         QVERIFY(client.socket.waitForReadyRead(webPatienceMs));
@@ -70,13 +70,13 @@ void WebConnectionsTest::cutsAtTheExactByte()
     Site site;
     VERIFY_RESULT(site.drive.upload(small1, asBytes(tableFile(300))));
     const std::string request = get("/files/" + small1, "Connection: close\r\n");
-    RawClient whole(site.front->port());
+    RawClient whole(site.server->port());
     whole.send(request);
     const QByteArray complete = whole.receiveAll();
     QVERIFY(complete.size() > 1200);
 
     site.fault("drop-after=" + std::to_string(bytes));
-    RawClient cut(site.front->port());
+    RawClient cut(site.server->port());
     cut.send(request);
     const QByteArray received = cut.receiveAll();
     const auto expected = std::max<qsizetype>(0, bytes - static_cast<qsizetype>(request.size()));
@@ -100,11 +100,11 @@ void WebConnectionsTest::aHangingClientKeepsNobodyWaiting()
 {
     Site site;
     site.fault("no-reply=1");
-    RawClient hanging(site.front->port());
+    RawClient hanging(site.server->port());
     hanging.send(get("/directory"));
     std::vector<std::unique_ptr<RawClient>> idle;
     for (int i = 0; i < 40; ++i) {
-        idle.push_back(std::make_unique<RawClient>(site.front->port()));
+        idle.push_back(std::make_unique<RawClient>(site.server->port()));
         idle.back()->send("GET / HTTP/1.1\r\nHost: 127.0"); // and never the rest
     }
     // The fault waits for the first request that is complete.
@@ -120,18 +120,18 @@ void WebConnectionsTest::stopsWhateverItsClientsDo()
 {
     Site site;
     site.fault("no-reply=1");
-    RawClient hanging(site.front->port());
+    RawClient hanging(site.server->port());
     hanging.send(get("/directory"));
     QVERIFY(!hanging.socket.waitForReadyRead(50));
     site.fault("slow=600000");
-    RawClient slow(site.front->port());
+    RawClient slow(site.server->port());
     slow.send(get("/directory"));
-    RawClient idle(site.front->port());
-    RawClient halfway(site.front->port());
+    RawClient idle(site.server->port());
+    RawClient halfway(site.server->port());
     halfway.send("POST /transfer HTTP/1.1\r\nHost: 127.0.0.1\r\nContent-Length: 1000\r\n\r\nabc");
     QElapsedTimer timer;
     timer.start();
-    site.front.reset();
+    site.server.reset();
     QVERIFY(timer.elapsed() < webPatienceMs); // not the keep-alive time, let alone the slow reply
     for (RawClient* client : {&hanging, &slow, &idle, &halfway}) {
         client->receiveAll();
@@ -146,12 +146,12 @@ void WebConnectionsTest::stopsWhileItDecidesOverAReply()
         Site site;
         site.fault("slow=600000");
         site.fault("no-reply=1");
-        RawClient client(site.front->port());
+        RawClient client(site.server->port());
         client.send("PUT /registers/" + variable0
             + " HTTP/1.1\r\nHost: 127.0.0.1\r\nContent-Type: application/json\r\n"
               "Content-Length: 11\r\n\r\n{\"value\":1}");
         QTRY_COMPARE_WITH_TIMEOUT(site.value(variable0), RegisterValue(1.0F), webPatienceMs);
-        site.front.reset();
+        site.server.reset();
         client.receiveAll();
         QCOMPARE(client.socket.state(), QAbstractSocket::UnconnectedState);
     }
@@ -178,31 +178,31 @@ void WebConnectionsTest::refusesAnAddressInUse()
     const Site site;
     VirtualDrive drive(genericProfile(), Site::driveOptions("Other"));
     FaultPlan faults;
-    WebFrontOptions options;
-    options.port = site.front->port();
-    const auto second = WebFront::start(drive, genericProfile(), faults, options);
+    WebServerOptions options;
+    options.port = site.server->port();
+    const auto second = WebServer::start(drive, genericProfile(), faults, options);
     VERIFY_ERROR(second, ErrorCode::InvalidEndpoint);
-    QCOMPARE(second.error().context.at("endpoint"), site.front->url());
+    QCOMPARE(second.error().context.at("endpoint"), site.server->url());
     options.host = "not an address";
     VERIFY_ERROR(
-        WebFront::start(drive, genericProfile(), faults, options), ErrorCode::InvalidEndpoint);
+        WebServer::start(drive, genericProfile(), faults, options), ErrorCode::InvalidEndpoint);
     options.host = "192.0.2.1";
     VERIFY_ERROR(
-        WebFront::start(drive, genericProfile(), faults, options), ErrorCode::InvalidEndpoint);
+        WebServer::start(drive, genericProfile(), faults, options), ErrorCode::InvalidEndpoint);
 }
 
 void WebConnectionsTest::refusesACertificateThatIsNone()
 {
     VirtualDrive drive(genericProfile(), Site::driveOptions("Secure"));
     FaultPlan faults;
-    WebFrontOptions options;
+    WebServerOptions options;
     options.certificateFile = "/nonexistent/certificate.pem";
     VERIFY_ERROR(
-        WebFront::start(drive, genericProfile(), faults, options), ErrorCode::InvalidEndpoint);
+        WebServer::start(drive, genericProfile(), faults, options), ErrorCode::InvalidEndpoint);
     options.privateKeyFile = "/nonexistent/key.pem";
-    const auto front = WebFront::start(drive, genericProfile(), faults, options);
-    VERIFY_ERROR(front, ErrorCode::InvalidEndpoint);
-    QVERIFY(sentence(front.error()).find("/nonexistent/certificate.pem") != std::string::npos);
+    const auto server = WebServer::start(drive, genericProfile(), faults, options);
+    VERIFY_ERROR(server, ErrorCode::InvalidEndpoint);
+    QVERIFY(sentence(server.error()).find("/nonexistent/certificate.pem") != std::string::npos);
 }
 
 AXISCOMP_TEST(WebConnectionsTest)

@@ -19,10 +19,10 @@ namespace {
 
 /// A drive for tests that need no special answers.
 struct ServedDrive {
-    explicit ServedDrive(const WebFrontOptions& options = {}, std::vector<FaultSpec> specs = {})
+    explicit ServedDrive(const WebServerOptions& options = {}, std::vector<FaultSpec> specs = {})
         : faults(std::move(specs))
-        , front(WebFront::start(drive, genericProfile(), faults, options).value())
-        , link(webLinkTo(front->url()))
+        , server(WebServer::start(drive, genericProfile(), faults, options).value())
+        , link(webLinkTo(server->url()))
     {
     }
 
@@ -37,7 +37,7 @@ struct ServedDrive {
 
     VirtualDrive drive{genericProfile(), options()};
     FaultPlan faults;
-    std::unique_ptr<WebFront> front;
+    std::unique_ptr<WebServer> server;
     std::unique_ptr<DriveLink> link;
 };
 
@@ -84,12 +84,12 @@ void WebDriveLinkTest::reportsWhyThereIsNoConnection()
 
 void WebDriveLinkTest::keepsThePasswordOutOfErrors()
 {
-    WebFrontOptions options;
+    WebServerOptions options;
     options.user = "anna";
     options.password = "right";
     const ServedDrive served(options);
     const std::string wrong =
-        "http://anna:s3cret@127.0.0.1:" + std::to_string(served.front->port());
+        "http://anna:s3cret@127.0.0.1:" + std::to_string(served.server->port());
     const auto result = webLinkTo(wrong)->identify({});
     VERIFY_ERROR(result, ErrorCode::Unauthorized);
     for (const auto& [key, value] : result.error().context)
@@ -100,12 +100,12 @@ void WebDriveLinkTest::keepsThePasswordOutOfErrors()
 
 void WebDriveLinkTest::sendsThePasswordWithEveryRequest()
 {
-    WebFrontOptions options;
+    WebServerOptions options;
     options.user = "anna";
     options.password = "pa:ss wörd";
     ServedDrive served(options);
     const auto link = webLinkTo(
-        "http://anna:pa%3Ass%20w%C3%B6rd@127.0.0.1:" + std::to_string(served.front->port()));
+        "http://anna:pa%3Ass%20w%C3%B6rd@127.0.0.1:" + std::to_string(served.server->port()));
     VERIFY_RESULT(link->identify({}));
     VERIFY_RESULT(link->writeRegisters(oneWrite, {}));
     VERIFY_RESULT(link->listFiles({}));
@@ -171,7 +171,7 @@ void WebDriveLinkTest::worksOnAnyThread()
     const ServedDrive served;
     Result<DriveIdentity> identity = fail(ErrorCode::Cancelled);
     std::thread plain([&] { // no QThread, no event loop
-        const auto link = webLinkTo(served.front->url());
+        const auto link = webLinkTo(served.server->url());
         identity = link->identify({});
     });
     plain.join();
@@ -187,7 +187,7 @@ void WebDriveLinkTest::servesSeveralLinksAtOnce()
     std::vector<std::jthread> clients;
     for (int n = 0; n < 12; ++n) {
         clients.emplace_back([&served, &good, n] {
-            const auto link = webLinkTo(served.front->url());
+            const auto link = webLinkTo(served.server->url());
             const std::string path = "Application/Variables/Floats[" + std::to_string(n) + "]";
             for (int i = 0; i < 20; ++i) {
                 const std::vector<RegisterWrite> writes{{path, static_cast<float>(i)}};
@@ -208,9 +208,9 @@ void WebDriveLinkTest::servesSeveralLinksAtOnce()
 void WebDriveLinkTest::makesLinksFromEndpoints()
 {
     const ServedDrive served;
-    const auto web = makeLink(parseEndpoint(served.front->url()).value(), genericProfile());
+    const auto web = makeLink(parseEndpoint(served.server->url()).value(), genericProfile());
     VERIFY_RESULT(web);
-    QCOMPARE((*web)->endpoint(), served.front->url());
+    QCOMPARE((*web)->endpoint(), served.server->url());
     VERIFY_RESULT((*web)->identify({}));
     const auto demo = makeLink(parseEndpoint("demo:").value(), genericProfile());
     VERIFY_RESULT(demo);

@@ -22,10 +22,10 @@ namespace {
 struct SecureDrive {
     explicit SecureDrive(const QString& name) : certificate(name)
     {
-        WebFrontOptions options;
+        WebServerOptions options;
         options.certificateFile = certificate.certificateFile().toStdString();
         options.privateKeyFile = certificate.keyFile().toStdString();
-        front = WebFront::start(drive, genericProfile(), faults, options).value();
+        server = WebServer::start(drive, genericProfile(), faults, options).value();
     }
 
     static VirtualDriveOptions options()
@@ -38,7 +38,7 @@ struct SecureDrive {
     TestCertificate certificate;
     FaultPlan faults;
     VirtualDrive drive{genericProfile(), options()};
-    std::unique_ptr<WebFront> front;
+    std::unique_ptr<WebServer> server;
 };
 
 /// A link with what somebody has decided about certificates.
@@ -89,8 +89,8 @@ void WebHttpsTest::talksToADriveWhoseCertificateIsTrusted()
     const SecureDrive secure(QStringLiteral("IP:127.0.0.1"));
     QVERIFY(secure.certificate.isValid());
     const Trusted trusted(secure.certificate);
-    QVERIFY(secure.front->url().starts_with("https://127.0.0.1:"));
-    const auto link = webLinkTo(secure.front->url());
+    QVERIFY(secure.server->url().starts_with("https://127.0.0.1:"));
+    const auto link = webLinkTo(secure.server->url());
     const auto identity = link->identify({});
     VERIFY_RESULT(identity);
     QCOMPARE(identity->name, std::string("Secure-1"));
@@ -103,9 +103,9 @@ void WebHttpsTest::talksToADriveWhoseCertificateIsTrusted()
 void WebHttpsTest::rejectsACertificateThatNobodyVouchesFor()
 {
     const SecureDrive secure(QStringLiteral("IP:127.0.0.1"));
-    const auto identity = webLinkTo(secure.front->url())->identify({});
+    const auto identity = webLinkTo(secure.server->url())->identify({});
     VERIFY_ERROR(identity, ErrorCode::CertificateRejected);
-    QCOMPARE(identity.error().context.at("endpoint"), secure.front->url());
+    QCOMPARE(identity.error().context.at("endpoint"), secure.server->url());
     const QString reason = QString::fromStdString(identity.error().context.at("reason"));
     QVERIFY2(reason.contains(QStringLiteral("self-signed")), qPrintable(reason));
 }
@@ -114,7 +114,7 @@ void WebHttpsTest::rejectsTheCertificateOfAnotherHost()
 {
     const SecureDrive secure(QStringLiteral("DNS:other.example"));
     const Trusted trusted(secure.certificate);
-    const auto identity = webLinkTo(secure.front->url())->identify({});
+    const auto identity = webLinkTo(secure.server->url())->identify({});
     VERIFY_ERROR(identity, ErrorCode::CertificateRejected);
     QVERIFY(identity.error().context.at("reason").find("host name") != std::string::npos);
 }
@@ -123,15 +123,15 @@ void WebHttpsTest::tellsWhatThereIsToDecide()
 {
     const SecureDrive secure(QStringLiteral("IP:127.0.0.1"));
     std::string asked;
-    const auto link = linkWith(
-        secure.front->url(), [&asked](const std::string& endpoint, const std::string& fingerprint) {
+    const auto link = linkWith(secure.server->url(),
+        [&asked](const std::string& endpoint, const std::string& fingerprint) {
             asked = endpoint + " " + fingerprint;
             return CertificateTrust::Unknown;
         });
     const auto identity = link->identify({});
     VERIFY_ERROR(identity, ErrorCode::CertificateRejected);
     const ErrorContext& context = identity.error().context;
-    QCOMPARE(asked, secure.front->url() + " " + context.at("fingerprint"));
+    QCOMPARE(asked, secure.server->url() + " " + context.at("fingerprint"));
     QFile file(secure.certificate.certificateFile());
     QVERIFY(file.open(QIODevice::ReadOnly));
     const QByteArray digest = QSslCertificate(&file).digest(QCryptographicHash::Sha256).toHex();
@@ -161,7 +161,7 @@ void WebHttpsTest::takesTheCertificateThatWasTrusted()
 {
     QFETCH(QString, name);
     const SecureDrive secure(name);
-    const auto link = linkWith(secure.front->url(),
+    const auto link = linkWith(secure.server->url(),
         [](const std::string&, const std::string&) { return CertificateTrust::Trusted; });
     VERIFY_RESULT(link->identify({}));
     VERIFY_RESULT(link->writeRegisters(oneWrite, {}));
@@ -181,7 +181,7 @@ void WebHttpsTest::refusesACertificateThatHasChanged()
     std::optional<Trusted> trusted;
     if (isVouchedFor)
         trusted.emplace(secure.certificate);
-    const auto link = linkWith(secure.front->url(),
+    const auto link = linkWith(secure.server->url(),
         [](const std::string&, const std::string&) { return CertificateTrust::Changed; });
     const auto written = link->writeRegisters(oneWrite, {});
     VERIFY_ERROR(written, ErrorCode::CertificateRejected);
@@ -204,7 +204,7 @@ void WebHttpsTest::saysThatThereIsNoHttps()
 void WebHttpsTest::doesNotTalkHttpToAnHttpsServer()
 {
     const SecureDrive secure(QStringLiteral("IP:127.0.0.1"));
-    const auto identity = webLinkTo("http" + secure.front->url().substr(5))->identify({});
+    const auto identity = webLinkTo("http" + secure.server->url().substr(5))->identify({});
     QVERIFY(!identity.has_value());
     const ErrorCode code = identity.error().code;
     QVERIFY(code == ErrorCode::Protocol || code == ErrorCode::ConnectionLost);
@@ -223,7 +223,7 @@ void WebHttpsTest::survivesFaults()
     QFETCH(QString, fault);
     SecureDrive secure(QStringLiteral("IP:127.0.0.1"));
     const Trusted trusted(secure.certificate);
-    const auto link = webLinkTo(secure.front->url());
+    const auto link = webLinkTo(secure.server->url());
     secure.faults.add(parseFault(fault.toStdString()).value());
     const Bytes file(2000);
     const auto first = link->upload("tables/small1.TAMtbl", file, within(2s));

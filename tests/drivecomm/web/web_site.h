@@ -47,11 +47,11 @@ inline std::string registersOf(const std::vector<std::string>& paths)
 
 /// A drive on the web, and a client.
 struct Site {
-    explicit Site(const WebFrontOptions& theOptions = {}, const std::string& name = "Front-1")
+    explicit Site(const WebServerOptions& theOptions = {}, const std::string& name = "Front-1")
         : options(theOptions)
         , drive(genericProfile(), driveOptions(name))
-        , front(WebFront::start(drive, genericProfile(), faults, options).value())
-        , client("127.0.0.1", front->port())
+        , server(WebServer::start(drive, genericProfile(), faults, options).value())
+        , client("127.0.0.1", server->port())
     {
         client.set_keep_alive(true);
         client.set_tcp_nodelay(true);
@@ -74,10 +74,10 @@ struct Site {
     }
     void fault(const std::string& text) { faults.add(parseFault(text).value()); }
 
-    WebFrontOptions options;
+    WebServerOptions options;
     FaultPlan faults;
     VirtualDrive drive;
-    std::unique_ptr<WebFront> front;
+    std::unique_ptr<WebServer> server;
     httplib::Client client;
 };
 

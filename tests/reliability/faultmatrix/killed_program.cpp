@@ -15,9 +15,9 @@ namespace {
 constexpr int programDeadlineMs = 60'000;
 
 /// The program as a user of a drive has it: its files, its memory, and the drive's address.
-class ProgramBench {
+class ProgramFixture {
 public:
-    explicit ProgramBench(const KilledProgram& program)
+    explicit ProgramFixture(const KilledProgram& program)
         : m_kind(program.kind)
         , trial(*program.scenario)
         , served(m_kind.attach(trial.drive, trial.faults))
@@ -80,7 +80,7 @@ std::string judgeStatus(const ProgramRun& status, WriteTrial& trial, const HeldS
 {
     if (status.code != 0)
         return "status failed: " + status.text().toStdString();
-    const DriveFixture::State now = trial.state();
+    const CompensatorFixture::State now = trial.state();
     const QString held =
         status.json().value("unfinishedWrite").toObject().value("driveHolds").toString();
     const bool isTrue = held.isEmpty() || held == "Old" ? now == states.old
@@ -98,7 +98,7 @@ std::string judgeStatus(const ProgramRun& status, WriteTrial& trial, const HeldS
 
 RecordedProgram recordProgram(const KilledProgram& program)
 {
-    ProgramBench bench(program);
+    ProgramFixture bench(program);
     RecordedProgram recorded;
     recorded.wrong = bench.trial.unready();
     recorded.states.old = bench.trial.state();
@@ -115,7 +115,7 @@ RecordedProgram recordProgram(const KilledProgram& program)
 
 std::string runKilled(const KilledProgram& program, const RecordedProgram& recorded, int request)
 {
-    ProgramBench bench(program);
+    ProgramFixture bench(program);
     if (!bench.trial.unready().empty())
         return bench.trial.unready();
     std::atomic<pid_t> id = 0;

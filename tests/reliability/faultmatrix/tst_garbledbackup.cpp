@@ -30,7 +30,7 @@ private Q_SLOTS:
 
     void aBackupHoldsNoGarbledTable()
     {
-        DriveFixture f(web());
+        CompensatorFixture f(web());
         VERIFY_RESULT(f.compensator.write(0, exampleRequest(1, Persistency::Persistent)));
         VERIFY_RESULT(f.compensator.write(0, exampleRequest(2)));
         VERIFY_RESULT(f.compensator.write(1, exampleRequest(3)));
@@ -66,7 +66,7 @@ private Q_SLOTS:
 
     void aDownloadIsNoGarbledTable()
     {
-        DriveFixture f(web());
+        CompensatorFixture f(web());
         const auto written = f.compensator.write(0, exampleRequest(1));
         VERIFY_RESULT(written);
         const std::string& path =

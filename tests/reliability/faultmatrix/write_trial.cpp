@@ -49,9 +49,9 @@ const DriveProfile& oneByOneProfile()
 }
 
 /// A table with its sources and persistency, in whichever slot.
-bool sameButSlot(DriveFixture::State a, const DriveFixture::State& b)
+bool sameButSlot(CompensatorFixture::State a, const CompensatorFixture::State& b)
 {
-    const auto isOff = [](const DriveFixture::State& state) {
+    const auto isOff = [](const CompensatorFixture::State& state) {
         return state.registers[0] == "Disabled";
     };
     if (isOff(a) != isOff(b))
@@ -79,7 +79,8 @@ Aftermath aftermathOf(std::size_t number)
 
 WriteTrial::WriteTrial(
     const WriteScenario& scenario, const AttachmentKind& kind, std::uint32_t points)
-    : DriveFixture(kind, scenario.isOneByOne ? oneByOneProfile() : drivecomm::genericProfile())
+    : CompensatorFixture(
+        kind, scenario.isOneByOne ? oneByOneProfile() : drivecomm::genericProfile())
     , m_scenario(scenario)
     , m_points(points)
 {

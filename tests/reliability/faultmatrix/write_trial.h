@@ -23,10 +23,10 @@ struct WriteScenario {
 
 /// The complete states that a drive may hold after a write, and what a reboot makes of them.
 struct HeldStates {
-    DriveFixture::State old;
-    DriveFixture::State wanted;
-    DriveFixture::State oldRebooted;
-    DriveFixture::State wantedRebooted;
+    CompensatorFixture::State old;
+    CompensatorFixture::State wanted;
+    CompensatorFixture::State oldRebooted;
+    CompensatorFixture::State wantedRebooted;
 };
 
 /// What a fault may bring about beyond a write that fails.
@@ -48,7 +48,7 @@ struct Aftermath {
 ///
 /// What is wrong comes as a sentence, empty when nothing is: trials run on threads on which a test
 /// cannot fail.
-class WriteTrial : public DriveFixture {
+class WriteTrial : public CompensatorFixture {
 public:
     /// points: of each dimension of the tables
     explicit WriteTrial(const WriteScenario& scenario, const AttachmentKind& kind = inProcess(),

@@ -2,7 +2,7 @@
 #include "tests/support/test_registry.h"
 #include "tests/support/verify.h"
 #include "ui/controller/action_rules.h"
-#include "ui/text/error_text.h"
+#include "ui/text/message_text.h"
 
 #include <QTest>
 
@@ -16,12 +16,12 @@ using namespace axiscomp::ui;
 
 namespace {
 
-using Unfinished = WizardSnapshot::Unfinished;
+using Unfinished = ActionSnapshot::Unfinished;
 
 /// An axis that is ready: connected, homed, with a table on the drive, nothing changed.
-WizardSnapshot ready()
+ActionSnapshot ready()
 {
-    WizardSnapshot now;
+    ActionSnapshot now;
     now.hasDrives = true;
     now.hasAxis = true;
     now.isConnected = true;
@@ -38,10 +38,10 @@ WizardSnapshot ready()
 }
 
 /// The same with a table of a file that can be written.
-WizardSnapshot changed()
+ActionSnapshot changed()
 {
-    WizardSnapshot now = ready();
-    now.isChanged = true;
+    ActionSnapshot now = ready();
+    now.isDirty = true;
     now.isNewTable = true;
     now.tableBytes = 208;
     return now;
@@ -53,10 +53,10 @@ const Error damagedJournal{ErrorCode::FileNotReadable,
     {{"file", "journal.json"}, {"reason", "the disk reports an error"}}, {}};
 
 /// spec/wizard.md once more, as plain conditions.
-bool mayWrite(const WizardSnapshot& s)
+bool mayWrite(const ActionSnapshot& s)
 {
     const bool hasAxis = s.hasDrives && s.hasAxis && s.isConnected && s.hasCompensation;
-    const bool isReason = s.isChanged || s.unfinished == Unfinished::Unsaved;
+    const bool isReason = s.isDirty || s.unfinished == Unfinished::Unsaved;
     const bool fits = s.hasTable && s.tableDimensions == s.dimensionality && s.missingSource == 0
         && s.repeatedSource == 0 && !s.isSourceBeingChecked
         && (!s.isNewTable || s.tableBytes <= s.largestSlotBytes);
@@ -64,13 +64,13 @@ bool mayWrite(const WizardSnapshot& s)
         && s.flashOperationsNeeded <= s.flashOperationsLeft;
 }
 
-bool mayActivate(const WizardSnapshot& s)
+bool mayActivate(const ActionSnapshot& s)
 {
     const bool hasAxis = s.hasDrives && s.hasAxis && s.isConnected && s.hasCompensation;
     const bool fits = s.hasTable && s.hasDriveTable && s.tableDimensions == s.dimensionality
         && s.missingSource == 0 && s.repeatedSource == 0 && !s.isSourceBeingChecked
         && (!s.isNewTable || s.tableBytes <= s.largestSlotBytes);
-    return hasAxis && s.isKnown && !s.task && !s.isActive && !s.isChanged && fits && s.isHomed
+    return hasAxis && s.isKnown && !s.task && !s.isActive && !s.isDirty && fits && s.isHomed
         && s.unfinished != Unfinished::Mixture;
 }
 
@@ -82,7 +82,7 @@ bool isSentence(const QString& text)
 
 } // namespace
 
-class TestWizardRules : public QObject {
+class TestActionRules : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
@@ -91,10 +91,10 @@ private Q_SLOTS:
     void reasons_data();
     void reasons()
     {
-        QFETCH(WizardSnapshot, now);
+        QFETCH(ActionSnapshot, now);
         QFETCH(int, action);
         QFETCH(QString, reason);
-        const ActionState state = decide(now)[static_cast<Action>(action)];
+        const ActionState state = decideActions(now)[static_cast<Action>(action)];
         QCOMPARE(state.reason, reason);
         QVERIFY(!state.isEnabled);
     }
@@ -102,10 +102,10 @@ private Q_SLOTS:
     void consequences_data();
     void consequences()
     {
-        QFETCH(WizardSnapshot, now);
+        QFETCH(ActionSnapshot, now);
         QFETCH(int, action);
         QFETCH(QString, consequence);
-        const ActionState state = decide(now)[static_cast<Action>(action)];
+        const ActionState state = decideActions(now)[static_cast<Action>(action)];
         QVERIFY2(state.isEnabled, qPrintable(state.reason));
         QCOMPARE(state.reason, consequence);
     }
@@ -113,21 +113,21 @@ private Q_SLOTS:
     void hints_data();
     void hints()
     {
-        QFETCH(WizardSnapshot, now);
+        QFETCH(ActionSnapshot, now);
         QFETCH(QString, hint);
-        QCOMPARE(decide(now).hint, hint);
+        QCOMPARE(decideActions(now).hint, hint);
     }
 
     void invariantsHoldInARandomWalkOf10000Steps()
     {
         std::mt19937 random(616);
-        WizardSnapshot now = ready();
+        ActionSnapshot now = ready();
         int writable = 0;
         int activatable = 0;
         for (int step = 0; step < 10'000; ++step) {
             mutate(now, random);
-            const WizardDecision decision = decide(now);
-            QVERIFY(decision == decide(now));
+            const ActionStates decision = decideActions(now);
+            QVERIFY(decision == decideActions(now));
             QCOMPARE(decision[Action::Write].isEnabled, mayWrite(now));
             QCOMPARE(decision[Action::Activate].isEnabled, mayActivate(now));
             for (const Action action : allActions)
@@ -145,14 +145,14 @@ private Q_SLOTS:
     }
 
 private:
-    static void mutate(WizardSnapshot& now, std::mt19937& random);
-    static void checkPairs(const WizardSnapshot& now, const WizardDecision& decision)
+    static void mutate(ActionSnapshot& now, std::mt19937& random);
+    static void checkPairs(const ActionSnapshot& now, const ActionStates& decision)
     {
         if (now.task) {
             for (const Action action : allActions)
                 QVERIFY(action == Action::Cancel || !decision[action].isEnabled);
         }
-        if (now.isChanged)
+        if (now.isDirty)
             QVERIFY(!decision[Action::Activate].isEnabled && !decision[Action::Evaluate].isEnabled);
         if (now.isActive)
             QVERIFY(!decision[Action::Write].isEnabled && !decision[Action::Activate].isEnabled
@@ -164,23 +164,23 @@ private:
             QVERIFY(now.isActive || now.isEvaluating || now.problem);
         QCOMPARE(
             decision[Action::Cancel].isEnabled, now.isReadingFile || (now.task && now.canCancel));
-        if (decision[Action::Write].isEnabled && now.isChanged
+        if (decision[Action::Write].isEnabled && now.isDirty
             && now.unfinished != Unfinished::Mixture)
             QCOMPARE(decision.hint, QStringLiteral("Parameters must be written."));
     }
 };
 
-void TestWizardRules::reasons_data()
+void TestActionRules::reasons_data()
 {
-    QTest::addColumn<WizardSnapshot>("now");
+    QTest::addColumn<ActionSnapshot>("now");
     QTest::addColumn<int>("action");
     QTest::addColumn<QString>("reason");
-    const auto row = [](const char* name, WizardSnapshot now, Action action, const char* reason,
-                         const std::function<void(WizardSnapshot&)>& change) {
+    const auto row = [](const char* name, ActionSnapshot now, Action action, const char* reason,
+                         const std::function<void(ActionSnapshot&)>& change) {
         change(now);
         QTest::newRow(name) << now << static_cast<int>(action) << QString::fromUtf8(reason);
     };
-    using S = WizardSnapshot;
+    using S = ActionSnapshot;
     row("write: nothing changed", ready(), Action::Write, "Nothing has changed.", [](S&) {});
     row("write: no table", changed(), Action::Write, "No table is chosen: open compensation data.",
         [](S& s) { s.hasTable = false; });
@@ -272,12 +272,12 @@ void TestWizardRules::reasons_data()
         });
 }
 
-void TestWizardRules::consequences_data()
+void TestActionRules::consequences_data()
 {
-    QTest::addColumn<WizardSnapshot>("now");
+    QTest::addColumn<ActionSnapshot>("now");
     QTest::addColumn<int>("action");
     QTest::addColumn<QString>("consequence");
-    WizardSnapshot now = changed();
+    ActionSnapshot now = changed();
     const auto row = [&now](const char* name, Action action, const char* consequence) {
         QTest::newRow(name) << now << static_cast<int>(action) << QString::fromUtf8(consequence);
     };
@@ -311,16 +311,16 @@ void TestWizardRules::consequences_data()
     row("revert while lost", Action::Revert, "Puts the drive's values back into the fields.");
 }
 
-void TestWizardRules::hints_data()
+void TestActionRules::hints_data()
 {
-    QTest::addColumn<WizardSnapshot>("now");
+    QTest::addColumn<ActionSnapshot>("now");
     QTest::addColumn<QString>("hint");
-    const auto row = [](const char* name, WizardSnapshot now, const char* hint,
-                         const std::function<void(WizardSnapshot&)>& change) {
+    const auto row = [](const char* name, ActionSnapshot now, const char* hint,
+                         const std::function<void(ActionSnapshot&)>& change) {
         change(now);
         QTest::newRow(name) << now << QString::fromUtf8(hint);
     };
-    using S = WizardSnapshot;
+    using S = ActionSnapshot;
     row("unwritten", changed(), "Parameters must be written.", [](S&) {});
     row("unwritten, does not fit", changed(), "Dim1 Source is missing.",
         [](S& s) { s.missingSource = 1; });
@@ -350,7 +350,7 @@ void TestWizardRules::hints_data()
 
 /// One thing changes, as it does when a user or a drive acts; most of the time towards a state in
 /// which something can be done.
-void TestWizardRules::mutate(WizardSnapshot& now, std::mt19937& random)
+void TestActionRules::mutate(ActionSnapshot& now, std::mt19937& random)
 {
     const auto below = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
     const auto rarely = [&] { return below(6) == 0; };
@@ -369,7 +369,7 @@ void TestWizardRules::mutate(WizardSnapshot& now, std::mt19937& random)
         [&] { now.hasBackup = mostly(); },
         [&] { now.unfinished = rarely() ? static_cast<Unfinished>(below(3)) : Unfinished::None; },
         [&] { now.flashOperationsLeft = rarely() ? 0 : below(9); },
-        [&] { now.isChanged = below(2) == 0; },
+        [&] { now.isDirty = below(2) == 0; },
         [&] { now.dimensionality = now.tableDimensions = 1 + below(3); },
         [&] { now.missingSource = rarely() ? 1 + below(now.dimensionality) : 0; },
         [&] { now.repeatedSource = rarely() && now.dimensionality > 1 ? 2 : 0; },
@@ -393,7 +393,7 @@ void TestWizardRules::mutate(WizardSnapshot& now, std::mt19937& random)
     changes[static_cast<std::size_t>(below(static_cast<int>(changes.size())))]();
 }
 
-AXISCOMP_TEST(TestWizardRules)
+AXISCOMP_TEST(TestActionRules)
 
 } // namespace tst_actionrules
 

@@ -69,7 +69,7 @@ private Q_SLOTS:
         model.setDimensionality(3);
         model.setTable({0});
         QVERIFY(!model.hasBaseline());
-        QVERIFY(!model.isChanged());
+        QVERIFY(!model.isDirty());
         model.revert();
         QCOMPARE(model.edited().dimensionality, 3);
     }
@@ -78,12 +78,12 @@ private Q_SLOTS:
     {
         SetupModel model;
         model.reset(twoDimensions());
-        QVERIFY(!model.isChanged());
+        QVERIFY(!model.isDirty());
         model.setSource(2, temperature);
-        QVERIFY(model.isChanged(Field::Source2));
-        QVERIFY(!model.isChanged(Field::Source1));
+        QVERIFY(model.isDirty(Field::Source2));
+        QVERIFY(!model.isDirty(Field::Source1));
         model.setSource(2, {y.address, "another spelling of the same register"});
-        QVERIFY(!model.isChanged());
+        QVERIFY(!model.isDirty());
     }
 
     void aTableOfTheFileIsAlwaysAChange()
@@ -91,9 +91,9 @@ private Q_SLOTS:
         SetupModel model;
         model.reset(twoDimensions());
         model.setTable({0});
-        QVERIFY(model.isChanged(Field::Table));
+        QVERIFY(model.isDirty(Field::Table));
         model.setTable({});
-        QVERIFY(!model.isChanged());
+        QVERIFY(!model.isDirty());
     }
 
     void sourcesAboveTheDimensionalityDoNotCount()
@@ -101,12 +101,12 @@ private Q_SLOTS:
         SetupModel model;
         model.reset(twoDimensions());
         model.setSource(3, temperature);
-        QVERIFY(!model.isChanged());
+        QVERIFY(!model.isDirty());
         model.setDimensionality(3);
-        QVERIFY(model.isChanged(Field::Source3));
+        QVERIFY(model.isDirty(Field::Source3));
         model.setDimensionality(1);
-        QVERIFY(!model.isChanged(Field::Source2));
-        QVERIFY(model.isChanged(Field::Dimensionality));
+        QVERIFY(!model.isDirty(Field::Source2));
+        QVERIFY(model.isDirty(Field::Dimensionality));
     }
 
     void aNewBaselineIsFollowedExceptWhereTheUserHasChangedSomething()
@@ -119,12 +119,12 @@ private Q_SLOTS:
         elsewhere.tableCrc = 1;
         model.setBaseline(elsewhere);
         QCOMPARE(model.edited().sources[1].address, temperature.address);
-        QVERIFY(!model.isChanged(Field::Source2));
+        QVERIFY(!model.isDirty(Field::Source2));
         QCOMPARE(model.edited().persistency, Persistency::Volatile);
-        QVERIFY(model.isChanged(Field::Persistency));
+        QVERIFY(model.isDirty(Field::Persistency));
         elsewhere.persistency = Persistency::Volatile;
         model.setBaseline(elsewhere);
-        QVERIFY(!model.isChanged());
+        QVERIFY(!model.isDirty());
     }
 
     void anotherAxisDropsTheChanges()
@@ -133,7 +133,7 @@ private Q_SLOTS:
         model.reset(twoDimensions());
         model.setDimensionality(3);
         model.reset(CompensationSetup{});
-        QVERIFY(!model.isChanged());
+        QVERIFY(!model.isDirty());
         QCOMPARE(model.edited().dimensionality, 1);
         model.clear();
         QVERIFY(!model.hasBaseline());
@@ -146,10 +146,10 @@ private Q_SLOTS:
         model.setDimensionality(3);
         model.setTable({1});
         model.revert(Field::Table);
-        QVERIFY(!model.isChanged(Field::Table));
-        QVERIFY(model.isChanged(Field::Dimensionality));
+        QVERIFY(!model.isDirty(Field::Table));
+        QVERIFY(model.isDirty(Field::Dimensionality));
         model.revert();
-        QVERIFY(!model.isChanged());
+        QVERIFY(!model.isDirty());
         QCOMPARE(model.edited().dimensionality, 2);
     }
 
@@ -182,23 +182,23 @@ private Q_SLOTS:
         model.reset(twoDimensions());
         for (int step = 0; step < 10'000; ++step) {
             const EditedSetup before = model.edited();
-            std::array<bool, allFields.size()> wasChanged{};
+            std::array<bool, allFields.size()> wasDirty{};
             for (std::size_t i = 0; i < allFields.size(); ++i)
-                wasChanged[i] = model.isChanged(allFields[i]);
+                wasDirty[i] = model.isDirty(allFields[i]);
             std::set<Field> sent;
             const auto connection = connect(
                 &model, &SetupModel::fieldChanged, this, [&](Field field) { sent.insert(field); });
             randomChange(model, below, sources);
             disconnect(connection);
-            bool isAnyChanged = false;
+            bool isAnyDirty = false;
             for (std::size_t i = 0; i < allFields.size(); ++i) {
                 const Field field = allFields[i];
-                const bool isChanged = differs(field, model.edited(), model.baseline());
-                QCOMPARE(model.isChanged(field), isChanged);
-                QVERIFY(isChanged == wasChanged[i] || sent.contains(field));
-                isAnyChanged |= isChanged;
+                const bool isDirty = differs(field, model.edited(), model.baseline());
+                QCOMPARE(model.isDirty(field), isDirty);
+                QVERIFY(isDirty == wasDirty[i] || sent.contains(field));
+                isAnyDirty |= isDirty;
             }
-            QCOMPARE(model.isChanged(), isAnyChanged);
+            QCOMPARE(model.isDirty(), isAnyDirty);
             QVERIFY(!sent.empty() || before == model.edited());
         }
     }

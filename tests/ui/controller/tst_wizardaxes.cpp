@@ -9,13 +9,13 @@ namespace tst_wizardaxes {
 
 using namespace axiscomp;
 using namespace axiscomp::ui;
-using test::PageBench;
+using test::PageFixture;
 
 namespace {
 
 drivecomm::VirtualDriveOptions withAxes(std::vector<drivecomm::VirtualAxis> axes)
 {
-    auto options = PageBench::twoAxes();
+    auto options = PageFixture::twoAxes();
     options.axes = std::move(axes);
     return options;
 }
@@ -42,7 +42,7 @@ private Q_SLOTS:
         std::vector<drivecomm::VirtualAxis> many;
         for (int i = 0; i < 64; ++i)
             many.push_back({.name = "A" + std::to_string(i)});
-        PageBench bench(withAxes(many));
+        PageFixture bench(withAxes(many));
         QVERIFY(bench.open());
         auto& axes = bench.user.the<QComboBox>("axisField");
         QTRY_COMPARE(axes.count(), 64);
@@ -57,7 +57,7 @@ private Q_SLOTS:
 
     void axesOfTheSameNameAreToldApart()
     {
-        PageBench bench(withAxes({{.name = "X"}, {.name = "X"}}));
+        PageFixture bench(withAxes({{.name = "X"}, {.name = "X"}}));
         QVERIFY(bench.open());
         const QStringList entries = entriesOf(bench.user.the<QComboBox>("axisField"));
         QCOMPARE(entries,
@@ -68,7 +68,7 @@ private Q_SLOTS:
 
     void anAxisWithoutANameHasItsNumber()
     {
-        PageBench bench(withAxes({{.name = ""}, {.name = "Y"}}));
+        PageFixture bench(withAxes({{.name = ""}, {.name = "Y"}}));
         QVERIFY(bench.open());
         QCOMPARE(entriesOf(bench.user.the<QComboBox>("axisField")).front(),
             QStringLiteral("Axis 0 · Stage-7"));
@@ -82,7 +82,7 @@ private Q_SLOTS:
         DriveProfile profile = drivecomm::genericProfile();
         profile.registers.state = "Axes[{axis}]/Signals/Compensations/Axis/NoSuchState";
         profile.registers.table = "Axes[{axis}]/Parameters/Compensations/Axis/NoSuchTable";
-        PageBench bench(PageBench::twoAxes(), QStringLiteral("en"), profile);
+        PageFixture bench(PageFixture::twoAxes(), QStringLiteral("en"), profile);
         bench.controller().setEndpoints({bench.served.url()});
         QVERIFY(bench.user.isThere());
         auto& axes = bench.user.the<QComboBox>("axisField");
@@ -102,9 +102,9 @@ private Q_SLOTS:
 
     void twoDrivesAreInOneListAndOneMayBeAway()
     {
-        PageBench bench;
+        PageFixture bench;
         test::ServedDrive other([] {
-            auto options = PageBench::twoAxes();
+            auto options = PageFixture::twoAxes();
             options.name = "Gantry";
             options.serialNumber = 42;
             return options;

@@ -11,9 +11,9 @@ namespace tst_wizardcontroller {
 
 using namespace axiscomp;
 using namespace axiscomp::ui;
-using test::BenchDrive;
-using test::ControllerBench;
+using test::ControllerFixture;
 using test::DriveGate;
+using test::GatedDrive;
 
 namespace {
 
@@ -41,7 +41,7 @@ private Q_SLOTS:
 
     void withoutADriveItSaysWhatToDo()
     {
-        ControllerBench bench;
+        ControllerFixture bench;
         QCOMPARE(bench->currentAxis(), -1);
         QCOMPARE(bench->hint(), QStringLiteral("No drive is connected: add a connection first."));
         QVERIFY(!bench->action(Action::Write).isEnabled);
@@ -50,7 +50,7 @@ private Q_SLOTS:
 
     void aDriveIsFoundAndItsFirstAxisRead()
     {
-        ControllerBench bench;
+        ControllerFixture bench;
         QSignalSpy axes(&bench.controller(), &WizardController::currentAxisChanged);
         QVERIFY(bench.connect());
         QCOMPARE(bench->drives().size(), std::size_t{1});
@@ -61,7 +61,7 @@ private Q_SLOTS:
         QCOMPARE(bench->currentAxis(), 0);
         QVERIFY(axes.count() >= 1);
         QVERIFY(bench->setup().hasBaseline());
-        QVERIFY(!bench->setup().isChanged());
+        QVERIFY(!bench->setup().isDirty());
         QVERIFY(bench->sourceShortlist().size() > 8);
         QCOMPARE(bench->hint(), QStringLiteral("No table is chosen: open compensation data."));
         QCOMPARE(bench->flashOperationsLeft(), 8);
@@ -70,7 +70,7 @@ private Q_SLOTS:
 
     void theDemoDriveIsThereWithoutHardwareAndMarked()
     {
-        ControllerBench bench;
+        ControllerFixture bench;
         bench.options.liveInterval = std::chrono::milliseconds(10);
         bench.options.linkFactory = drivecomm::linkFactory(drivecomm::genericProfile());
         bench->setEndpoints({QStringLiteral("demo:")});
@@ -91,8 +91,8 @@ private Q_SLOTS:
 
     void axesOfAllDrivesStandInOneListWithLabelsOfTheirOwn()
     {
-        ControllerBench bench;
-        drivecomm::VirtualDriveOptions twins = ControllerBench::xyDrive();
+        ControllerFixture bench;
+        drivecomm::VirtualDriveOptions twins = ControllerFixture::xyDrive();
         twins.serialNumber = 4712;
         twins.axes = {{.name = "X"}, {.name = "X"}, {.name = ""}};
         bench.addDrive("http://twins", twins);
@@ -108,8 +108,8 @@ private Q_SLOTS:
 
     void sixtyFourAxesAreSixtyFourEntries()
     {
-        ControllerBench bench;
-        drivecomm::VirtualDriveOptions many = ControllerBench::xyDrive();
+        ControllerFixture bench;
+        drivecomm::VirtualDriveOptions many = ControllerFixture::xyDrive();
         many.axes.assign(64, {.name = "A"});
         bench.addDrive("http://many", many);
         bench->setEndpoints({QStringLiteral("http://many")});
@@ -128,7 +128,7 @@ private Q_SLOTS:
             profile.registers.table = "Axes[{axis}]/Parameters/Compensations/Axis/NoSuchTable";
             return profile;
         }();
-        ControllerBench bench;
+        ControllerFixture bench;
         bench.options.profile = &other;
         bench->setEndpoints({QStringLiteral("http://x")});
         QTRY_COMPARE(bench->axes().size(), std::size_t{2});
@@ -144,22 +144,22 @@ private Q_SLOTS:
 
     void anotherAxisIsAnotherSetup()
     {
-        ControllerBench bench;
+        ControllerFixture bench;
         QVERIFY(bench.connect());
         QVERIFY(bench.prepare2D());
-        QVERIFY(bench->setup().isChanged());
+        QVERIFY(bench->setup().isDirty());
         bench->selectAxis(1);
         QVERIFY(!bench->status().has_value());
-        QVERIFY(!bench->setup().isChanged());
+        QVERIFY(!bench->setup().isDirty());
         QTRY_VERIFY(bench->status().has_value());
         QCOMPARE(bench->status()->axis.name, "Y");
-        QVERIFY(!bench->setup().isChanged());
+        QVERIFY(!bench->setup().isDirty());
         QVERIFY(bench->dataFile().data);
     }
 
     void anAddressThatIsNoneIsALostDriveWithItsSentence()
     {
-        ControllerBench bench;
+        ControllerFixture bench;
         bench->setEndpoints({QStringLiteral("http://user:secret@nowhere")});
         QTRY_COMPARE(bench->drives().front().connection, Connection::Lost);
         QCOMPARE(bench->drives().front().endpoint, QStringLiteral("http://nowhere"));
@@ -172,7 +172,7 @@ private Q_SLOTS:
 
     void aLostDriveKeepsFieldsAndEditsAndComesBackByItself()
     {
-        ControllerBench bench;
+        ControllerFixture bench;
         QVERIFY(bench.connect());
         QVERIFY(bench.prepare2D());
         const EditedSetup edited = bench->setup().edited();
@@ -185,7 +185,7 @@ private Q_SLOTS:
         QVERIFY(!bench->axes().front().isUsable);
         QCOMPARE(bench->currentAxis(), 0);
         QVERIFY(bench->setup().edited() == edited);
-        QVERIFY(bench->setup().isChanged(Field::Table));
+        QVERIFY(bench->setup().isDirty(Field::Table));
         QVERIFY(bench->status().has_value());
         QVERIFY(bench->action(Action::Revert).isEnabled);
 
@@ -197,14 +197,14 @@ private Q_SLOTS:
 
     void anotherDriveAtTheSameAddressIsNoticedAndItsEditsAreDropped()
     {
-        ControllerBench bench;
+        ControllerFixture bench;
         QVERIFY(bench.connect());
         QVERIFY(bench.prepare2D());
         bench.drive().gate.set(DriveGate::Mode::Gone);
         bench->refreshLive();
         QTRY_COMPARE(bench->drives().front().connection, Connection::Lost);
         bench->refresh();
-        drivecomm::VirtualDriveOptions other = ControllerBench::xyDrive();
+        drivecomm::VirtualDriveOptions other = ControllerFixture::xyDrive();
         other.name = "Other";
         other.serialNumber = 4799;
         bench.addDrive("http://x", other);
@@ -212,12 +212,12 @@ private Q_SLOTS:
         QVERIFY(bench->isOutcomeAnError());
         QTRY_VERIFY(bench->status().has_value());
         QCOMPARE(bench->status()->drive.serialNumber, 4799);
-        QVERIFY(!bench->setup().isChanged());
+        QVERIFY(!bench->setup().isDirty());
     }
 
     void liveValuesFollowTheDrive()
     {
-        ControllerBench bench;
+        ControllerFixture bench;
         QVERIFY(bench.connect());
         QSignalSpy status(&bench.controller(), &WizardController::statusChanged);
         bench.drive().set(homingX, std::string("Start"));
@@ -231,7 +231,7 @@ private Q_SLOTS:
 
     void liveValuesAreAskedForOneAtATime()
     {
-        ControllerBench bench;
+        ControllerFixture bench;
         bench.options.liveInterval = std::chrono::milliseconds(1);
         QVERIFY(bench.connect());
         bench.drive().gate.set(DriveGate::Mode::Silent);
@@ -249,7 +249,7 @@ private Q_SLOTS:
 
     void whatSomebodyElseChangesShowsUpAndKeepsTheUsersEdits()
     {
-        ControllerBench bench;
+        ControllerFixture bench;
         QVERIFY(bench.connect());
         bench->setup().setPersistency(Persistency::Persistent);
         bench->chooseSource(1, QString::fromStdString(test::masterX));
@@ -259,8 +259,8 @@ private Q_SLOTS:
         QVERIFY(bench.readLive());
         QCOMPARE(bench->setup().baseline().sources[0].path, test::masterY);
         QCOMPARE(bench->setup().edited().sources[0].path, test::masterX);
-        QVERIFY(bench->setup().isChanged(Field::Source1));
-        QVERIFY(bench->setup().isChanged(Field::Persistency));
+        QVERIFY(bench->setup().isDirty(Field::Source1));
+        QVERIFY(bench->setup().isDirty(Field::Persistency));
         bench->setup().revert(Field::Source1);
         QCOMPARE(bench->setup().edited().sources[0].path, test::masterY);
     }
@@ -293,7 +293,7 @@ private Q_SLOTS:
         QFETCH(QString, text);
         QFETCH(QString, path);
         QFETCH(QString, problem);
-        ControllerBench bench;
+        ControllerFixture bench;
         QVERIFY(bench.connect());
         bench->chooseSource(1, text);
         QTRY_VERIFY(!bench->isSourceBeingChecked(1));
@@ -307,7 +307,7 @@ private Q_SLOTS:
 
     void theSameSourceTwiceIsRefused()
     {
-        ControllerBench bench;
+        ControllerFixture bench;
         QVERIFY(bench.connect());
         bench.chooseMasterSources();
         bench->chooseSource(2, QString::fromStdString(test::masterX));
@@ -317,7 +317,7 @@ private Q_SLOTS:
 
     void aCheckThatIsOvertakenDoesNotCount()
     {
-        ControllerBench bench;
+        ControllerFixture bench;
         QVERIFY(bench.connect());
         bench->chooseSource(1, QStringLiteral("Axes[0]/Nothing"));
         QVERIFY(bench->isSourceBeingChecked(1));
@@ -330,9 +330,9 @@ private Q_SLOTS:
 
     void aDriveThatIsTakenAwayTakesItsAxesAlong()
     {
-        ControllerBench bench;
+        ControllerFixture bench;
         bench.addDrive("http://y", [] {
-            auto options = ControllerBench::xyDrive();
+            auto options = ControllerFixture::xyDrive();
             options.name = "Second";
             options.serialNumber = 4713;
             return options;
@@ -351,7 +351,7 @@ private Q_SLOTS:
 
     void theLogKeepsTheNewestThousandLines()
     {
-        ControllerBench bench;
+        ControllerFixture bench;
         QVERIFY(bench.connect());
         for (int i = 0; i < 1'200; ++i)
             bench->planWrite(); // refused with its reason

@@ -14,7 +14,7 @@ namespace tst_wizardend {
 
 using namespace axiscomp;
 using namespace axiscomp::ui;
-using test::ControllerBench;
+using test::ControllerFixture;
 using test::DriveGate;
 using test::EndWatch;
 
@@ -36,7 +36,7 @@ private Q_SLOTS:
     void whileADriveIsLookedForThatNeverAnswers()
     {
         const test::RawResponder silent(test::neverAnswer);
-        ControllerBench bench;
+        ControllerFixture bench;
         bench.options.timeout = deadline;
         bench.options.linkFactory = drivecomm::linkFactory(drivecomm::genericProfile());
         bench->setEndpoints({QString::fromStdString(silent.url())});
@@ -55,7 +55,7 @@ private Q_SLOTS:
     void whileADriveIsWrittenToThatHangs()
     {
         QFETCH(int, exchange);
-        ControllerBench bench;
+        ControllerFixture bench;
         bench.options.timeout = deadline;
         QVERIFY(bench.connect());
         QVERIFY(bench.prepare2D());
@@ -72,7 +72,7 @@ private Q_SLOTS:
 
     void theWindowClosesAtOnceWhileItsDriveHangs()
     {
-        ControllerBench bench;
+        ControllerFixture bench;
         bench.options.timeout = deadline;
         auto wizard = std::make_unique<CompensationWizard>(bench.options, nullptr);
         WizardController& controller = wizard->controller();
@@ -82,7 +82,7 @@ private Q_SLOTS:
         controller.chooseSource(1, QString::fromStdString(test::masterX));
         controller.chooseSource(2, QString::fromStdString(test::masterY));
         controller.openData(
-            bench.file(QStringLiteral("2d.csv"), ControllerBench::calibration2D(1)));
+            bench.file(QStringLiteral("2d.csv"), ControllerFixture::calibration2D(1)));
         QTRY_VERIFY(controller.action(Action::Write).isEnabled);
         QSignalSpy ready(&controller, &WizardController::planReady);
         controller.planWrite();

@@ -10,7 +10,7 @@ namespace tst_wizardfaults {
 
 using namespace axiscomp;
 using namespace axiscomp::ui;
-using test::ControllerBench;
+using test::ControllerFixture;
 using test::DriveGate;
 using test::LinkFault;
 using test::oldState;
@@ -43,12 +43,12 @@ private Q_SLOTS:
     {
         QFETCH(int, fault);
         QFETCH(int, exchange);
-        ControllerBench bench;
+        ControllerFixture bench;
         QVERIFY(bench.connect());
         QVERIFY(bench.prepare2D());
         QVERIFY(bench.planAndWrite());
         const CompensationSetup before = bench->setup().baseline();
-        bench->openData(bench.file(QStringLiteral("new.csv"), ControllerBench::calibration2D(7)));
+        bench->openData(bench.file(QStringLiteral("new.csv"), ControllerFixture::calibration2D(7)));
         QVERIFY(bench.fileRead());
         bench->planWrite();
         QVERIFY(bench.idle());
@@ -71,13 +71,13 @@ private Q_SLOTS:
         // A table that is not persistent is gone after a reboot, whatever the program does.
         if (bench->outcome().endsWith(oldState) && fault != static_cast<int>(LinkFault::Reboot)) {
             QVERIFY(now == before);
-            QVERIFY(bench->setup().isChanged(Field::Table));
+            QVERIFY(bench->setup().isDirty(Field::Table));
         }
     }
 
     void aDriveThatIsGoneInTheMiddleIsSettledWhenItIsBack()
     {
-        ControllerBench bench;
+        ControllerFixture bench;
         QVERIFY(bench.connect());
         QVERIFY(bench.prepare2D());
         bench->planWrite();
@@ -88,7 +88,7 @@ private Q_SLOTS:
         QVERIFY(bench.idle());
         QVERIFY(bench->isOutcomeAnError());
         QCOMPARE(bench->drives().front().connection, DriveState::Connection::Lost);
-        QVERIFY(bench->setup().isChanged(Field::Table)); // never what was sent
+        QVERIFY(bench->setup().isDirty(Field::Table)); // never what was sent
         bench.drive().gate.set(DriveGate::Mode::Open);
         QTRY_COMPARE(bench->drives().front().connection, DriveState::Connection::Connected);
         QVERIFY(bench.readLive());
@@ -101,7 +101,7 @@ private Q_SLOTS:
 
     void aDriveThatIsTakenAwayWhileItIsWrittenToEndsTheOperation()
     {
-        ControllerBench bench;
+        ControllerFixture bench;
         QVERIFY(bench.connect());
         QVERIFY(bench.prepare2D());
         bench->planWrite();

@@ -16,7 +16,7 @@ namespace tst_wizardheartbeat {
 
 using namespace axiscomp;
 using namespace axiscomp::ui;
-using test::ControllerBench;
+using test::ControllerFixture;
 using test::DriveGate;
 using test::Heartbeat;
 
@@ -90,7 +90,7 @@ bool staysSmooth(const char* what, const std::function<void(Heartbeat&)>& scenar
 }
 
 /// A controller that reads live values, with the large file open and chosen for axis X.
-bool openLargeFile(ControllerBench& bench)
+bool openLargeFile(ControllerFixture& bench)
 {
     bench.options.liveInterval = std::chrono::milliseconds(100);
     if (!bench.connect())
@@ -111,7 +111,7 @@ private Q_SLOTS:
     void readingAFileOf20MegabytesNeverStopsTheWindow()
     {
         QVERIFY(staysSmooth("reading 20 MB", [&](Heartbeat& heart) {
-            ControllerBench bench;
+            ControllerFixture bench;
             bench.options.liveInterval = std::chrono::milliseconds(100);
             QVERIFY(bench.connect());
             bench.chooseMasterSources();
@@ -140,7 +140,7 @@ private Q_SLOTS:
             text += QByteArray::number(0.01 * i, 'f', 2) + ' '
                 + QByteArray::number(0.002 * std::sin(0.001 * i), 'f', 9) + '\n';
         QVERIFY(staysSmooth("converting 100000 points", [&](Heartbeat& heart) {
-            ControllerBench bench;
+            ControllerFixture bench;
             const QString path = bench.file(QStringLiteral("large.txt"), text);
             heart.restart();
             bench->openData(path);
@@ -152,7 +152,7 @@ private Q_SLOTS:
 
     void readingCanBeCancelled()
     {
-        ControllerBench bench;
+        ControllerFixture bench;
         const QString path = bench.file(QStringLiteral("large.csv"), largeCalibration());
         bench->openData(path);
         QTRY_VERIFY(bench->dataFile().progress > 0.0);
@@ -171,7 +171,7 @@ private Q_SLOTS:
     void aDriveThatNeverAnswersNeverStopsTheWindow()
     {
         QVERIFY(staysSmooth("a drive that never answers", [&](Heartbeat& heart) {
-            ControllerBench bench;
+            ControllerFixture bench;
             bench.options.timeout = std::chrono::milliseconds(300);
             bench.options.liveInterval = std::chrono::milliseconds(5);
             QVERIFY(bench.connect());
@@ -205,7 +205,7 @@ private Q_SLOTS:
     void writingTheLargestTableNeverStopsTheWindow()
     {
         QVERIFY(staysSmooth("writing and activating 518 400 values", [&](Heartbeat& heart) {
-            ControllerBench bench;
+            ControllerFixture bench;
             QVERIFY(openLargeFile(bench));
             const auto isIdle = [&] { return !bench->busy().isBusy; };
             const auto table = bench->selectedTable();
@@ -228,7 +228,7 @@ private Q_SLOTS:
     void choosingAmongLargeTablesNeverStopsTheWindow()
     {
         QVERIFY(staysSmooth("choosing tables of 518 400 values", [&](Heartbeat& heart) {
-            ControllerBench bench;
+            ControllerFixture bench;
             QVERIFY(openLargeFile(bench));
             heart.restart();
             QStringList sentences;
@@ -247,7 +247,7 @@ private Q_SLOTS:
     void choosingAxesNeverStopsTheWindow()
     {
         QVERIFY(staysSmooth("choosing axes", [&](Heartbeat& heart) {
-            ControllerBench bench;
+            ControllerFixture bench;
             QVERIFY(openLargeFile(bench));
             QVERIFY(bench.planAndWrite());
             heart.restart();
@@ -263,7 +263,7 @@ private Q_SLOTS:
     void anotherLanguageNeverStopsTheWindow()
     {
         QVERIFY(staysSmooth("another language", [&](Heartbeat& heart) {
-            ControllerBench bench;
+            ControllerFixture bench;
             QVERIFY(openLargeFile(bench));
             QVERIFY(bench.planAndWrite());
             for (int line = 0; line < 1'000; ++line)
@@ -284,12 +284,12 @@ private Q_SLOTS:
 
     void theEndTakesNoLongerWithManyDrivesThatHang()
     {
-        ControllerBench bench;
+        ControllerFixture bench;
         bench.options.timeout = std::chrono::milliseconds(1'000);
         QStringList endpoints;
         for (int i = 0; i < 8; ++i) {
             const QString endpoint = QStringLiteral("http://drive%1").arg(i);
-            bench.addDrive(endpoint.toStdString(), ControllerBench::xyDrive())
+            bench.addDrive(endpoint.toStdString(), ControllerFixture::xyDrive())
                 .gate.set(DriveGate::Mode::Deaf);
             endpoints.append(endpoint);
         }

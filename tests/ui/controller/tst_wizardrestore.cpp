@@ -10,7 +10,7 @@ namespace tst_wizardrestore {
 
 using namespace axiscomp;
 using namespace axiscomp::ui;
-using test::ControllerBench;
+using test::ControllerFixture;
 using test::DriveGate;
 using test::written;
 
@@ -22,7 +22,7 @@ private Q_SLOTS:
 
     void restorePreviousGoesBackAndForth()
     {
-        ControllerBench bench;
+        ControllerFixture bench;
         QVERIFY(bench.connect());
         QVERIFY(!bench->action(Action::RestorePrevious).isEnabled);
         QVERIFY(bench.prepare2D(1));
@@ -39,7 +39,7 @@ private Q_SLOTS:
         QVERIFY2(
             bench->outcome().startsWith(QStringLiteral("Restored")), qPrintable(bench->outcome()));
         QCOMPARE(bench->setup().baseline().tableCrc, first);
-        QVERIFY(!bench->setup().isChanged());
+        QVERIFY(!bench->setup().isDirty());
         bench->restorePrevious();
         QVERIFY(bench.idle());
         QCOMPARE(bench->setup().baseline().tableCrc, second);
@@ -47,7 +47,7 @@ private Q_SLOTS:
 
     void restorePreviousPassesOverTheBackupOfAWriteThatFailed()
     {
-        ControllerBench bench;
+        ControllerFixture bench;
         QVERIFY(bench.connect());
         QVERIFY(bench.prepare2D(1));
         QVERIFY(bench.planAndWrite());
@@ -74,7 +74,7 @@ private Q_SLOTS:
 
     void anEarlierWriteThatDidNotEndIsSaidAndCanBeFinished()
     {
-        ControllerBench bench;
+        ControllerFixture bench;
         QVERIFY(bench.connect());
         QVERIFY(bench.prepare2D());
         bench->setup().setPersistency(Persistency::Persistent);
@@ -88,7 +88,7 @@ private Q_SLOTS:
         QCOMPARE(bench->unfinishedWrite(), bench->outcome());
         QVERIFY2(bench->outcome().contains(QStringLiteral("its parameters may not be saved")),
             qPrintable(bench->outcome()));
-        QVERIFY(!bench->setup().isChanged());
+        QVERIFY(!bench->setup().isDirty());
         QVERIFY(bench->action(Action::Write).isEnabled);
         QCOMPARE(bench->action(Action::Write).reason,
             QStringLiteral("Finishes an earlier write: saves the parameters of the drive."));
@@ -107,7 +107,7 @@ private Q_SLOTS:
     void anUnfinishedWriteIsFinishedOrUndone()
     {
         QFETCH(bool, finishes);
-        ControllerBench bench;
+        ControllerFixture bench;
         QVERIFY(bench.connect());
         QCOMPARE(bench->action(Action::FinishWrite).reason,
             QStringLiteral("No write to this axis is unfinished."));
@@ -137,7 +137,7 @@ private Q_SLOTS:
 
     void anUnfinishedWriteWaitsWhileTheCompensationIsActive()
     {
-        ControllerBench bench;
+        ControllerFixture bench;
         QVERIFY(bench.connect());
         QVERIFY(bench.prepare2D());
         bench->setup().setPersistency(Persistency::Persistent);
@@ -162,7 +162,7 @@ private Q_SLOTS:
     }
 
 private:
-    static bool isUnfinished(ControllerBench& bench)
+    static bool isUnfinished(ControllerFixture& bench)
     {
         const auto journal = bench.store().journal(4711, 0);
         return !journal || journal->has_value();

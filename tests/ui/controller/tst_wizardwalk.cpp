@@ -12,7 +12,7 @@ namespace tst_wizardwalk {
 
 using namespace axiscomp;
 using namespace axiscomp::ui;
-using test::ControllerBench;
+using test::ControllerFixture;
 using test::DriveGate;
 
 namespace {
@@ -20,11 +20,11 @@ namespace {
 /// What a user, the drive and other people do, in random order.
 class Walk {
 public:
-    explicit Walk(ControllerBench& bench, unsigned seed)
+    explicit Walk(ControllerFixture& bench, unsigned seed)
         : m_bench(bench)
         , m_random(seed)
-        , m_files{bench.file(QStringLiteral("good.csv"), ControllerBench::calibration2D(1)),
-              bench.file(QStringLiteral("other.csv"), ControllerBench::calibration2D(2)),
+        , m_files{bench.file(QStringLiteral("good.csv"), ControllerFixture::calibration2D(1)),
+              bench.file(QStringLiteral("other.csv"), ControllerFixture::calibration2D(2)),
               bench.file(QStringLiteral("bad.csv"), "X,table\n1,one\n2,2\n"),
               bench.path(QStringLiteral("missing.csv"))}
     {
@@ -175,7 +175,7 @@ private:
         }
     }
 
-    ControllerBench& m_bench;
+    ControllerFixture& m_bench;
     std::mt19937 m_random;
     std::vector<QString> m_files;
 };
@@ -219,17 +219,17 @@ bool fits(const WizardController& c)
 
 bool mayWrite(const WizardController& c)
 {
-    if (!hasAxis(c) || isActive(c) || !c.setup().isChanged() || c.dataFile().isReading || !fits(c))
+    if (!hasAxis(c) || isActive(c) || !c.setup().isDirty() || c.dataFile().isReading || !fits(c))
         return false;
     const bool isPersistent = c.setup().edited().persistency == Persistency::Persistent;
     const bool costsFlash =
-        c.setup().edited().table.fileTable ? isPersistent : c.setup().isChanged(Field::Persistency);
+        c.setup().edited().table.fileTable ? isPersistent : c.setup().isDirty(Field::Persistency);
     return !costsFlash || c.flashOperationsLeft() > 0;
 }
 
 bool mayActivate(const WizardController& c)
 {
-    return hasAxis(c) && !isActive(c) && !c.setup().isChanged() && c.status()->table && fits(c)
+    return hasAxis(c) && !isActive(c) && !c.setup().isDirty() && c.status()->table && fits(c)
         && c.status()->axis.homingWord == "HomingDone";
 }
 
@@ -243,7 +243,7 @@ private Q_SLOTS:
 
     void theRulesHoldWhateverIsDone()
     {
-        ControllerBench bench;
+        ControllerFixture bench;
         QVERIFY(bench.connect());
         Walk walk(bench, 20261121);
         int written = 0;

@@ -11,7 +11,7 @@ namespace tst_wizardweb {
 
 using namespace axiscomp;
 using namespace axiscomp::ui;
-using test::WebBench;
+using test::WebFixture;
 
 namespace {
 
@@ -24,11 +24,11 @@ const std::string tableX = base + "Table";
 
 /// One operation of the controller, from a state in which it can begin.
 struct Operation {
-    std::function<bool(WebBench&)> prepare;
-    std::function<void(WebBench&)> begin;
+    std::function<bool(WebFixture&)> prepare;
+    std::function<void(WebFixture&)> begin;
 };
 
-bool planNewTable(WebBench& bench)
+bool planNewTable(WebFixture& bench)
 {
     if (!bench.prepare2D(1) || !bench.planAndWrite() || !bench.prepare2D(2))
         return false;
@@ -36,17 +36,17 @@ bool planNewTable(WebBench& bench)
     return bench.idle() && bench->plan().has_value();
 }
 
-bool writeTwoTables(WebBench& bench)
+bool writeTwoTables(WebFixture& bench)
 {
     return bench.prepare2D(1) && bench.planAndWrite() && bench.prepare2D(2) && bench.planAndWrite();
 }
 
-bool writeTable(WebBench& bench)
+bool writeTable(WebFixture& bench)
 {
     return bench.prepare2D(1) && bench.planAndWrite();
 }
 
-bool activateTable(WebBench& bench)
+bool activateTable(WebFixture& bench)
 {
     if (!writeTable(bench))
         return false;
@@ -57,16 +57,16 @@ bool activateTable(WebBench& bench)
 const std::vector<std::pair<const char*, Operation>>& operations()
 {
     static const std::vector<std::pair<const char*, Operation>> all{
-        {"write", {planNewTable, [](WebBench& bench) { bench->write(); }}},
-        {"activate", {writeTable, [](WebBench& bench) { bench->activate(); }}},
-        {"deactivate", {activateTable, [](WebBench& bench) { bench->deactivate(); }}},
-        {"restore", {writeTwoTables, [](WebBench& bench) { bench->restorePrevious(); }}},
+        {"write", {planNewTable, [](WebFixture& bench) { bench->write(); }}},
+        {"activate", {writeTable, [](WebFixture& bench) { bench->activate(); }}},
+        {"deactivate", {activateTable, [](WebFixture& bench) { bench->deactivate(); }}},
+        {"restore", {writeTwoTables, [](WebFixture& bench) { bench->restorePrevious(); }}},
     };
     return all;
 }
 
 /// The operation can begin, and nothing else is under way.
-bool isReady(WebBench& bench, const Operation& operation)
+bool isReady(WebFixture& bench, const Operation& operation)
 {
     return bench.connectByWeb() && operation.prepare(bench) && bench.readLive();
 }
@@ -74,7 +74,7 @@ bool isReady(WebBench& bench, const Operation& operation)
 /// How many exchanges the operation takes when all goes well.
 int exchangesOf(const Operation& operation)
 {
-    WebBench bench;
+    WebFixture bench;
     if (!isReady(bench, operation))
         return 0;
     const int before = bench.drive().gate.exchanges();
@@ -98,7 +98,7 @@ private Q_SLOTS:
 
     void fromTheFirstTableToTheOneBeforeAgain()
     {
-        WebBench bench;
+        WebFixture bench;
         QVERIFY(bench.connectByWeb());
         QCOMPARE(bench->drives().front().name, QStringLiteral("Test-1"));
         QVERIFY(writeTable(bench));
@@ -126,7 +126,7 @@ private Q_SLOTS:
         QVERIFY2(
             bench->outcome().startsWith(QStringLiteral("Restored")), qPrintable(bench->outcome()));
         QCOMPARE(bench->setup().baseline().tableCrc, first.tableCrc);
-        QVERIFY(!bench->setup().isChanged());
+        QVERIFY(!bench->setup().isDirty());
     }
 
     /// At every exchange of every operation: the loss is said, what the user has changed stays, the
@@ -167,7 +167,7 @@ private Q_SLOTS:
 
     void whatASecondClientChangesIsShown()
     {
-        WebBench bench;
+        WebFixture bench;
         QVERIFY(bench.connectByWeb());
         QVERIFY(writeTable(bench));
         bench->setup().setPersistency(Persistency::Persistent);
@@ -179,7 +179,7 @@ private Q_SLOTS:
         QVERIFY(bench.readLive());
         QCOMPARE(bench->status()->axis.stateWord, "Active");
         QCOMPARE(bench->hint(), QStringLiteral("The compensation is active: deactivate it first."));
-        QVERIFY(bench->setup().isChanged(Field::Persistency));
+        QVERIFY(bench->setup().isDirty(Field::Persistency));
         QVERIFY(std::ranges::any_of(bench->log(), [](const LogLine& line) {
             return line.text() == QStringLiteral("Compensation: Active.");
         }));
@@ -187,7 +187,7 @@ private Q_SLOTS:
 
     void aWriteStopsBeforeItOverwritesWhatASecondClientHasChanged()
     {
-        WebBench bench;
+        WebFixture bench;
         QVERIFY(bench.connectByWeb());
         QVERIFY(planNewTable(bench));
         const std::string slot = bench.drive().text(tableX);
@@ -209,13 +209,13 @@ private Q_SLOTS:
         QCOMPARE(bench->setup().baseline().sources[0].path, variable[0]);
         // What the user had not changed follows the drive, what had been changed stays.
         QCOMPARE(bench->setup().edited().sources[0].path, variable[0]);
-        QVERIFY(bench->setup().isChanged(Field::Table));
+        QVERIFY(bench->setup().isDirty(Field::Table));
     }
 
 private:
     static void loseAt(int exchange, const Operation& operation)
     {
-        WebBench bench;
+        WebFixture bench;
         QVERIFY(isReady(bench, operation));
         const EditedSetup edited = bench->setup().edited();
         bench.drive().gate.callAt(exchange, [&bench] { bench.switchOff(); });
@@ -231,12 +231,12 @@ private:
         QVERIFY(bench.connectedAgain());
         checkTheDriveIsShown(bench);
         if (bench->setup().edited().table.fileTable)
-            QVERIFY(bench->setup().isChanged(Field::Table));
+            QVERIFY(bench->setup().isDirty(Field::Table));
     }
 
     static void rebootAt(int exchange, const Operation& operation)
     {
-        WebBench bench;
+        WebFixture bench;
         QVERIFY(isReady(bench, operation));
         bench.drive().gate.callAt(exchange, [&bench] { bench.drive().drive.reboot(); });
         operation.begin(bench);
@@ -246,7 +246,7 @@ private:
         checkTheDriveIsShown(bench);
     }
 
-    static void checkTheDriveIsShown(WebBench& bench)
+    static void checkTheDriveIsShown(WebFixture& bench)
     {
         QVERIFY(bench.readLive());
         const CompensationSetup& shown = bench->setup().baseline();

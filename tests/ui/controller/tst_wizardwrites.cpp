@@ -11,7 +11,7 @@ namespace tst_wizardwrites {
 
 using namespace axiscomp;
 using namespace axiscomp::ui;
-using test::ControllerBench;
+using test::ControllerFixture;
 using test::DriveGate;
 using test::oldState;
 using test::tableX;
@@ -25,7 +25,7 @@ private Q_SLOTS:
 
     void fromAFileToAnActiveCompensation()
     {
-        ControllerBench bench;
+        ControllerFixture bench;
         QVERIFY(bench.connect());
         QVERIFY(bench.prepare2D());
         QCOMPARE(bench->hint(), QStringLiteral("Parameters must be written."));
@@ -48,7 +48,7 @@ private Q_SLOTS:
         QVERIFY(bench.idle());
         QVERIFY2(bench->outcome().startsWith(written), qPrintable(bench->outcome()));
         QVERIFY(!bench->isOutcomeAnError());
-        QVERIFY(!bench->setup().isChanged());
+        QVERIFY(!bench->setup().isDirty());
         QVERIFY(!bench->setup().edited().table.fileTable); // it is the drive's now
         QCOMPARE(bench->setup().baseline().dimensionality, 2);
         QCOMPARE(bench.drive().text(tableX), bench->setup().baseline().slot);
@@ -73,7 +73,7 @@ private Q_SLOTS:
 
     void theTableOnTheDriveIsTheFilesOneWithItsNamesAndComesBackOnceOnly()
     {
-        ControllerBench bench;
+        ControllerFixture bench;
         QVERIFY(bench.connect());
         QVERIFY(bench.prepare2D());
         const auto table = bench->selectedTable();
@@ -93,7 +93,7 @@ private Q_SLOTS:
 
     void evaluatingProvesTheIndicesAndAddsNothing()
     {
-        ControllerBench bench;
+        ControllerFixture bench;
         QVERIFY(bench.connect());
         QVERIFY(bench.prepare2D());
         QVERIFY(bench.planAndWrite());
@@ -108,7 +108,7 @@ private Q_SLOTS:
 
     void whatTheUserChangesWhileAWriteIsPlannedStopsIt()
     {
-        ControllerBench bench;
+        ControllerFixture bench;
         QVERIFY(bench.connect());
         QVERIFY(bench.prepare2D());
         QSignalSpy ready(&bench.controller(), &WizardController::planReady);
@@ -122,7 +122,7 @@ private Q_SLOTS:
 
     void aPlanDiesWithTheFirstChangeAfterIt()
     {
-        ControllerBench bench;
+        ControllerFixture bench;
         QVERIFY(bench.connect());
         QVERIFY(bench.prepare2D());
         bench->planWrite();
@@ -138,7 +138,7 @@ private Q_SLOTS:
 
     void whatSomebodyElseChangesBetweenPlanAndWriteIsNotOverwritten()
     {
-        ControllerBench bench;
+        ControllerFixture bench;
         QVERIFY(bench.connect());
         QVERIFY(bench.prepare2D());
         bench->planWrite();
@@ -159,7 +159,7 @@ private Q_SLOTS:
 
     void aWriteThatIsCancelledLeavesTheOldState()
     {
-        ControllerBench bench;
+        ControllerFixture bench;
         QVERIFY(bench.connect());
         QVERIFY(bench.prepare2D());
         bench->planWrite();
@@ -176,7 +176,7 @@ private Q_SLOTS:
         QVERIFY(bench.idle());
         QCOMPARE(bench->outcome(), QStringLiteral("The write was stopped. ") + oldState);
         QCOMPARE(bench.drive().text(tableX), "Disabled");
-        QVERIFY(bench->setup().isChanged(Field::Table));
+        QVERIFY(bench->setup().isDirty(Field::Table));
         QVERIFY(bench->action(Action::Write).isEnabled);
         QVERIFY(bench.planAndWrite());
         QVERIFY(bench->outcome().startsWith(written));
@@ -185,7 +185,7 @@ private Q_SLOTS:
     /// Another program has run into it, or this one before its last start.
     void aRefusalOfTheDriveIsRememberedAcrossStarts()
     {
-        ControllerBench bench;
+        ControllerFixture bench;
         DriveStore store = bench.store();
         VERIFY_RESULT(store.recordFlashRefusal(
             4711, std::chrono::system_clock::now(), std::chrono::seconds(300)));
@@ -206,7 +206,7 @@ private Q_SLOTS:
 
     void flashWearIsKnownBeforehand()
     {
-        ControllerBench bench;
+        ControllerFixture bench;
         QVERIFY(bench.connect());
         DriveStore store = bench.store();
         VERIFY_RESULT(store.recordFlash(4711, std::chrono::system_clock::now(), 7));
@@ -227,8 +227,8 @@ private Q_SLOTS:
 
     void anAxisThatIsNotHomedSaysSo()
     {
-        ControllerBench bench;
-        drivecomm::VirtualDriveOptions options = ControllerBench::xyDrive();
+        ControllerFixture bench;
+        drivecomm::VirtualDriveOptions options = ControllerFixture::xyDrive();
         options.axes.front().homed = false;
         bench.addDrive("http://x", options);
         QVERIFY(bench.connect());
@@ -243,7 +243,7 @@ private Q_SLOTS:
 
     void persistencyOfTheTableOnTheDriveChangesWithoutAFile()
     {
-        ControllerBench bench;
+        ControllerFixture bench;
         QVERIFY(bench.connect());
         QVERIFY(bench.prepare2D());
         QVERIFY(bench.planAndWrite());
@@ -259,7 +259,7 @@ private Q_SLOTS:
 
     void anotherAxisCannotBeChosenWhileSomethingRuns()
     {
-        ControllerBench bench;
+        ControllerFixture bench;
         QVERIFY(bench.connect());
         QVERIFY(bench.prepare2D());
         bench->planWrite();

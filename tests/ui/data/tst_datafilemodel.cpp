@@ -3,6 +3,7 @@
 #include "tests/support/test_registry.h"
 #include "tests/support/verify.h"
 #include "tests/ui/support/controller_fixture.h"
+#include "ui/text/message_text.h"
 
 #include <QDir>
 #include <QSignalSpy>
@@ -14,7 +15,7 @@ namespace tst_datafilemodel {
 
 using namespace axiscomp;
 using namespace axiscomp::ui;
-using test::ControllerBench;
+using test::ControllerFixture;
 
 namespace {
 
@@ -33,7 +34,7 @@ QByteArray tamTable(int dimensions)
 
 } // namespace
 
-class TestDataFile : public QObject {
+class TestDataFileModel : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
@@ -41,7 +42,7 @@ private Q_SLOTS:
 
     void openingAFileChoosesItsFirstTable()
     {
-        ControllerBench bench;
+        ControllerFixture bench;
         QVERIFY(bench.connect());
         QSignalSpy selected(&bench.controller(), &WizardController::selectedTableChanged);
         const QString path = bench.file(QStringLiteral("a.csv"), oneDimension);
@@ -66,7 +67,7 @@ private Q_SLOTS:
 
     void aBadFileKeepsTheOldSelectionAndListsItsProblems()
     {
-        ControllerBench bench;
+        ControllerFixture bench;
         QVERIFY(bench.connect());
         const QString good = bench.file(QStringLiteral("good.csv"), oneDimension);
         const QString bad =
@@ -101,7 +102,7 @@ private Q_SLOTS:
     void aFileThatIsNotThereIsAProblem()
     {
         QFETCH(QString, name);
-        ControllerBench bench;
+        ControllerFixture bench;
         bench->openData(bench.path(name));
         QVERIFY(bench.fileRead());
         QVERIFY(!bench->dataFile().data);
@@ -113,10 +114,10 @@ private Q_SLOTS:
 
     void anotherDimensionalityReadsTheColumnsAgain()
     {
-        ControllerBench bench;
+        ControllerFixture bench;
         QVERIFY(bench.connect());
         bench->setup().setDimensionality(2);
-        bench->openData(bench.file(QStringLiteral("2d.csv"), ControllerBench::calibration2D(1)));
+        bench->openData(bench.file(QStringLiteral("2d.csv"), ControllerFixture::calibration2D(1)));
         QVERIFY(bench.fileRead());
         QCOMPARE(bench->selectedTable()->grid.dimensions(), 2);
         bench->setup().setTable({1});
@@ -137,7 +138,7 @@ private Q_SLOTS:
 
     void aTamTableKeepsItsOwnDimensions()
     {
-        ControllerBench bench;
+        ControllerFixture bench;
         QVERIFY(bench.connect());
         const QString path = bench.file(QStringLiteral("kept.TAMtbl"), tamTable(3));
         bench->openData(path);
@@ -154,7 +155,7 @@ private Q_SLOTS:
 
     void aBrokenTamTableSaysWhere()
     {
-        ControllerBench bench;
+        ControllerFixture bench;
         QByteArray bytes = tamTable(2);
         bytes[0] = '?';
         bench->openData(bench.file(QStringLiteral("broken.tamtbl"), bytes));
@@ -166,7 +167,7 @@ private Q_SLOTS:
 
     void aTableThatIsTooLargeForEverySlotSaysBothNumbers()
     {
-        ControllerBench bench;
+        ControllerFixture bench;
         QVERIFY(bench.connect());
         CalibrationData data;
         data.tables = {test::exampleTable(2, 1, 800)};
@@ -189,7 +190,7 @@ private Q_SLOTS:
     void aFileThatChangesOnTheDiskIsNoticed()
     {
         QFETCH(Saving, saving);
-        ControllerBench bench;
+        ControllerFixture bench;
         const QString path = bench.file(QStringLiteral("a.csv"), oneDimension);
         bench->openData(path);
         QVERIFY(bench.fileRead());
@@ -216,7 +217,7 @@ private Q_SLOTS:
 
     void aDeletedFileKeepsItsDataAndIsOfferedWhenItIsBack()
     {
-        ControllerBench bench;
+        ControllerFixture bench;
         const QString path = bench.file(QStringLiteral("a.csv"), oneDimension);
         bench->openData(path);
         QVERIFY(bench.fileRead());
@@ -233,7 +234,7 @@ private Q_SLOTS:
 
     void aFileThatIsReadHalfWrittenIsOfferedAgainWhenItIsWhole()
     {
-        ControllerBench bench;
+        ControllerFixture bench;
         const QString path = bench.file(QStringLiteral("a.csv"), oneDimension);
         bench->openData(path);
         QVERIFY(bench.fileRead());
@@ -255,7 +256,7 @@ private Q_SLOTS:
 
     void aFileThatGrowsWhileItIsReadIsOfferedAgain()
     {
-        ControllerBench bench;
+        ControllerFixture bench;
         QByteArray large = "X,table\n";
         for (int i = 0; i < 300'000; ++i)
             large += QByteArray::number(i) + ",0." + QByteArray::number(i % 7) + '\n';
@@ -282,7 +283,7 @@ private Q_SLOTS:
 
     void readAgainTheTableThatWasChosenStaysChosenByItsName()
     {
-        ControllerBench bench;
+        ControllerFixture bench;
         QVERIFY(bench.connect());
         const QString path = bench.file(QStringLiteral("a.csv"), oneDimension);
         bench->openData(path);
@@ -303,7 +304,7 @@ private Q_SLOTS:
 
     void readAgainTheDrivesTableStaysChosen()
     {
-        ControllerBench bench;
+        ControllerFixture bench;
         QVERIFY(bench.connect());
         const QString path = bench.file(QStringLiteral("a.csv"), oneDimension);
         bench->openData(path);
@@ -316,7 +317,7 @@ private Q_SLOTS:
 
     void openedAgainAfterARevertItsTableIsChosen()
     {
-        ControllerBench bench;
+        ControllerFixture bench;
         QVERIFY(bench.connect());
         const QString path = bench.file(QStringLiteral("a.csv"), oneDimension);
         bench->openData(path);
@@ -330,7 +331,7 @@ private Q_SLOTS:
 
     void theNextFileCancelsTheOneThatIsBeingRead()
     {
-        ControllerBench bench;
+        ControllerFixture bench;
         QByteArray large = "X,table\n";
         for (int i = 0; i < 300'000; ++i)
             large += QByteArray::number(i) + ",0." + QByteArray::number(i % 7) + '\n';
@@ -345,18 +346,18 @@ private Q_SLOTS:
 
     void aFileThatWasOpenBeforeTheDriveAnsweredStaysChosen()
     {
-        ControllerBench bench;
+        ControllerFixture bench;
         bench->openData(bench.file(QStringLiteral("a.csv"), oneDimension));
         QVERIFY(bench.fileRead());
         QCOMPARE(bench->selectedTable()->name, "first");
         QVERIFY(bench.connect());
         QCOMPARE(bench->setup().edited().table.fileTable, std::optional(0));
-        QVERIFY(bench->setup().isChanged(Field::Table));
+        QVERIFY(bench->setup().isDirty(Field::Table));
     }
 
     void anotherAxisWithAnotherDimensionalityReadsTheFileAgain()
     {
-        ControllerBench bench;
+        ControllerFixture bench;
         QVERIFY(bench.connect());
         QVERIFY(bench.prepare2D());
         QVERIFY(bench.planAndWrite());
@@ -370,11 +371,11 @@ private Q_SLOTS:
         QVERIFY(bench.fileRead());
         QCOMPARE(bench->setup().edited().dimensionality, 2);
         QVERIFY(bench->dataFile().problems.empty());
-        QVERIFY(!bench->setup().isChanged());
+        QVERIFY(!bench->setup().isDirty());
     }
 };
 
-AXISCOMP_TEST(TestDataFile)
+AXISCOMP_TEST(TestDataFileModel)
 
 } // namespace tst_datafilemodel
 

@@ -9,6 +9,7 @@
 #include "ui/async/background_job.h"
 #include "ui/dialogs/file_filters.h"
 #include "ui/text/language.h"
+#include "ui/text/message_text.h"
 #include "ui/text/phrase_book.h"
 
 #include <QSignalSpy>
@@ -22,7 +23,7 @@ namespace tst_importedfile {
 
 using namespace axiscomp;
 using namespace axiscomp::ui;
-using test::ControllerBench;
+using test::ControllerFixture;
 
 namespace {
 
@@ -58,7 +59,7 @@ private Q_SLOTS:
 
     void aCommandSideFileGetsTheSignOfTheDrive()
     {
-        ControllerBench bench;
+        ControllerFixture bench;
         QVERIFY(bench.connect());
         bench->openData(bench.file(QStringLiteral("comp.txt"), softmc));
         QVERIFY(bench.fileRead());
@@ -78,7 +79,7 @@ private Q_SLOTS:
 
     void anImportedTableIsWrittenToTheDrive()
     {
-        ControllerBench bench;
+        ControllerFixture bench;
         QVERIFY(bench.connect());
         bench.chooseMasterSources(1);
         bench->openData(bench.file(QStringLiteral("comp.txt"), softmc));
@@ -95,7 +96,7 @@ private Q_SLOTS:
 
     void theSignCanBeOverruled()
     {
-        ControllerBench bench;
+        ControllerFixture bench;
         const QString path = bench.file(QStringLiteral("comp.txt"), softmc);
         ImportChoices choices;
         choices.sign = SignConvention::Feedback;
@@ -114,7 +115,7 @@ private Q_SLOTS:
 
     void anUnevenFileNeedsAChoiceAndKeepsWhatThereWas()
     {
-        ControllerBench bench;
+        ControllerFixture bench;
         bench->openData(bench.file(QStringLiteral("comp.txt"), softmc));
         QVERIFY(bench.fileRead());
         const auto before = bench->selectedTable();
@@ -132,7 +133,7 @@ private Q_SLOTS:
 
     void anUnevenFileBecomesEvenAndSaysItsDeviation()
     {
-        ControllerBench bench;
+        ControllerFixture bench;
         const QString path = bench.file(QStringLiteral("uneven.csv"), uneven);
         bench->importData(path, onGrid(ResamplingChoice::Kind::Distance, 10.0));
         QVERIFY(bench.fileRead());
@@ -149,7 +150,7 @@ private Q_SLOTS:
 
     void aDeviationToKeepIsAnsweredWithANumberOfPoints()
     {
-        ControllerBench bench;
+        ControllerFixture bench;
         const QString path = bench.file(QStringLiteral("uneven.csv"), uneven);
         bench->importData(path, onGrid(ResamplingChoice::Kind::Within, 1e-6));
         QVERIFY(bench.fileRead());
@@ -160,7 +161,7 @@ private Q_SLOTS:
 
     void twoColumnsWithoutAHeaderAreNotTakenForAnOffsetUnasked()
     {
-        ControllerBench bench;
+        ControllerFixture bench;
         QSignalSpy needed(&bench.controller(), &WizardController::importChoiceNeeded);
         const QString path =
             bench.file(QStringLiteral("axis.csv"), "0,0\n10,0.002\n20,0.003\n30,0.001\n");
@@ -179,7 +180,7 @@ private Q_SLOTS:
 
     void aFileOfAnotherControllerKeepsItsOwnDimensions()
     {
-        ControllerBench bench;
+        ControllerFixture bench;
         bench->openData(bench.file(QStringLiteral("comp.txt"), softmc));
         QVERIFY(bench.fileRead());
         bench->setup().setDimensionality(2);
@@ -296,7 +297,7 @@ private Q_SLOTS:
 
     void theReportIsGerman()
     {
-        ControllerBench bench;
+        ControllerFixture bench;
         const QString path = bench.file(QStringLiteral("uneven.csv"), uneven);
         ImportChoices choices = onGrid(ResamplingChoice::Kind::Points, 9.0);
         choices.sign = SignConvention::Command;

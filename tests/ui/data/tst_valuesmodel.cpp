@@ -3,7 +3,6 @@
 #include "tests/ui/support/table_samples.h"
 #include "tests/ui/support/window_test.h"
 #include "ui/data/values_model.h"
-#include "ui/plot/values_copy.h"
 #include "ui/plot/values_view.h"
 #include "ui/text/value_text.h"
 
@@ -39,8 +38,8 @@ QString header(const QAbstractItemModel& model, Qt::Orientation orientation, int
 }
 
 /// A view of a table, as the page has it.
-struct Bench {
-    explicit Bench(ShownTable::Table selected, ShownTable::Table onDrive = {})
+struct Fixture {
+    explicit Fixture(TableViewModel::Table selected, TableViewModel::Table onDrive = {})
     {
         shown.setTables(std::move(selected), std::move(onDrive));
         view = std::make_unique<ValuesView>(shown);
@@ -50,7 +49,7 @@ struct Bench {
     }
     [[nodiscard]] const QAbstractItemModel& model() const { return *table->model(); }
 
-    ShownTable shown;
+    TableViewModel shown;
     std::unique_ptr<ValuesView> view;
     QTableView* table = nullptr;
 };
@@ -69,7 +68,7 @@ private Q_SLOTS:
 
     void withoutATableThereIsNothing()
     {
-        ShownTable shown;
+        TableViewModel shown;
         const ValuesModel model(shown);
         QCOMPARE(model.rowCount(), 0);
         QCOMPARE(model.columnCount(), 0);
@@ -77,7 +76,7 @@ private Q_SLOTS:
 
     void aCurveIsAListOfPositionsAndValues()
     {
-        ShownTable shown;
+        TableViewModel shown;
         const auto table = sharedTable({5});
         shown.setTables(table, nullptr);
         const ValuesModel model(shown);
@@ -92,7 +91,7 @@ private Q_SLOTS:
 
     void aMapHasDimension1AcrossAndDimension2Down()
     {
-        ShownTable shown;
+        TableViewModel shown;
         const auto table = sharedTable({4, 3});
         shown.setTables(table, nullptr);
         const ValuesModel model(shown);
@@ -112,7 +111,7 @@ private Q_SLOTS:
     void aVolumeShowsTheSliceThatThePictureShows()
     {
         const auto table = sharedTable({4, 3, 5});
-        Bench bench(table);
+        Fixture bench(table);
         auto* slider = bench.view->findChild<QSlider*>(QStringLiteral("sliceIndex"));
         slider->setValue(4);
         QCOMPARE(bench.shown.sliceIndex(), 4);
@@ -162,7 +161,7 @@ private Q_SLOTS:
     {
         const auto selected = sharedTable({4, 3});
         const auto onDrive = sharedTable({4, 3}, 1.0);
-        Bench bench(selected, onDrive);
+        Fixture bench(selected, onDrive);
         auto* box = bench.view->findChild<QComboBox*>(QStringLiteral("valuesContent"));
         Q_EMIT box->activated(2);
         QCOMPARE(bench.shown.content(), TableContent::Difference);
@@ -181,7 +180,7 @@ private Q_SLOTS:
 
     void anotherTableOnTheSameGridKeepsThePlace()
     {
-        Bench bench(sharedTable({40, 30}));
+        Fixture bench(sharedTable({40, 30}));
         bench.table->setCurrentIndex(bench.model().index(20, 7));
         QSignalSpy resets(&bench.model(), &QAbstractItemModel::modelReset);
         bench.shown.setTables(sharedTable({40, 30}, 1.0), nullptr);
@@ -194,7 +193,7 @@ private Q_SLOTS:
 
     void theCurrentCellIsThePointOfThePicture()
     {
-        Bench bench(sharedTable({40, 30}));
+        Fixture bench(sharedTable({40, 30}));
         bench.table->setCurrentIndex(bench.model().index(20, 7));
         QCOMPARE(bench.shown.current(), std::optional(GridPoint{7, 20}));
         bench.shown.setCurrent(GridPoint{30, 2});
@@ -231,7 +230,7 @@ private Q_SLOTS:
     void theKeyboardCopiesEverything()
     {
         QLocale::setDefault(QLocale(QLocale::German)); // and yet a decimal point
-        Bench bench(sharedTable({3, 2}));
+        Fixture bench(sharedTable({3, 2}));
         QVERIFY(QTest::qWaitForWindowActive(bench.view.get()));
         bench.table->setFocus();
         QTest::keyClick(bench.table, Qt::Key_A, Qt::ControlModifier);
@@ -258,13 +257,13 @@ private Q_SLOTS:
         const std::vector<std::uint32_t> wanted(sizes.begin(), sizes.end());
         const auto selected = sharedTable(wanted);
         const auto onDrive = sharedTable(wanted, 1.0);
-        Bench bench(nullptr);
+        Fixture bench(nullptr);
         QVERIFY(QTest::qWaitForWindowActive(bench.view.get()));
         bench.table->setFocus();
         test::Heartbeat heart;
         bench.shown.setTables(selected, onDrive);
         QTRY_VERIFY(heart.beats() > 10);
-        QSignalSpy changes(&bench.shown, &ShownTable::changed);
+        QSignalSpy changes(&bench.shown, &TableViewModel::changed);
         bench.shown.setContent(TableContent::Difference);
         QTRY_COMPARE(changes.count(), 1);
         bench.table->scrollToBottom();

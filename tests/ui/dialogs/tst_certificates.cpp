@@ -34,14 +34,14 @@ struct SecurePage {
 
     void serve(const test::TestCertificate& certificate)
     {
-        front.reset();
-        drivecomm::WebFrontOptions options;
+        server.reset();
+        drivecomm::WebServerOptions options;
         options.port = port;
         options.certificateFile = certificate.certificateFile().toStdString();
         options.privateKeyFile = certificate.keyFile().toStdString();
-        front =
-            drivecomm::WebFront::start(drive, drivecomm::genericProfile(), faults, options).value();
-        port = front->port();
+        server = drivecomm::WebServer::start(drive, drivecomm::genericProfile(), faults, options)
+                     .value();
+        port = server->port();
     }
     void show()
     {
@@ -59,7 +59,7 @@ struct SecurePage {
         wizard->controller().setEndpoints({url()});
         wizard->show();
     }
-    [[nodiscard]] QString url() const { return QString::fromStdString(front->url()); }
+    [[nodiscard]] QString url() const { return QString::fromStdString(server->url()); }
     [[nodiscard]] bool isConnected() const
     {
         return wizard->controller().drives().front().connection
@@ -111,7 +111,7 @@ struct SecurePage {
     drivecomm::FaultPlan faults;
     drivecomm::VirtualDrive drive{drivecomm::genericProfile(), driveOptions()};
     std::uint16_t port = 0;
-    std::unique_ptr<drivecomm::WebFront> front;
+    std::unique_ptr<drivecomm::WebServer> server;
     std::unique_ptr<CompensationWizard> wizard;
 };
 

@@ -11,30 +11,30 @@ namespace tst_conversiondialogs {
 
 using namespace axiscomp;
 using namespace axiscomp::ui;
-using test::PageBench;
+using test::PageFixture;
 using test::page_states::chooseAt;
 using test::page_states::unevenFile;
 
 namespace {
 
-QString reason(PageBench& bench)
+QString reason(PageFixture& bench)
 {
     const auto& label = bench.user.the<QLabel>("conversionReason");
     return label.isVisible() ? label.text() : QString();
 }
 
-QString report(PageBench& bench)
+QString report(PageFixture& bench)
 {
     return bench.user.the<QPlainTextEdit>("conversionReport").toPlainText();
 }
 
-bool mayAccept(PageBench& bench)
+bool mayAccept(PageFixture& bench)
 {
     return bench.user.the("acceptConversion").isEnabled();
 }
 
 /// A 1D table in millimetres is chosen.
-bool open1D(PageBench& bench)
+bool open1D(PageFixture& bench)
 {
     bench.picked = bench.file(QStringLiteral("line.csv"),
         "X [mm],first [mm],second [mm]\n0,0,1\n10,0.001,2\n20,0.003,3\n30,0.002,4\n");
@@ -42,7 +42,7 @@ bool open1D(PageBench& bench)
         && test::PageUser::waitFor([&] { return bench.controller().selectedTable() != nullptr; });
 }
 
-bool openExport(PageBench& bench, const QString& format)
+bool openExport(PageFixture& bench, const QString& format)
 {
     bench.user.the<QAction>("exportAction").trigger();
     return test::PageUser::waitFor([&] { return bench.user.sees("exportDialog"); })
@@ -60,7 +60,7 @@ private Q_SLOTS:
 
     void anUnevenFileAsksByItselfAndSaysTheDeviationFirst()
     {
-        PageBench bench;
+        PageFixture bench;
         auto& user = bench.user;
         QVERIFY(bench.open());
         bench.picked = unevenFile(bench);
@@ -87,7 +87,7 @@ private Q_SLOTS:
 
     void aCancelledDialogLeavesEverything()
     {
-        PageBench bench;
+        PageFixture bench;
         QVERIFY(test::page_states::unwritten(bench));
         const auto table = bench.controller().selectedTable();
         bench.picked = bench.file(QStringLiteral("offsets.csv"), "0,0\n10,0.002\n20,0.003\n");
@@ -102,7 +102,7 @@ private Q_SLOTS:
 
     void theOptionsOfAnOpenFileCanBeChanged()
     {
-        PageBench bench;
+        PageFixture bench;
         auto& user = bench.user;
         QVERIFY(bench.open());
         bench.picked = bench.file(
@@ -124,7 +124,7 @@ private Q_SLOTS:
 
     void whatIsNeededAndMissingIsSaid()
     {
-        PageBench bench;
+        PageFixture bench;
         QVERIFY(open1D(bench));
         QVERIFY(openExport(bench, QStringLiteral("CSV file of this program")));
         QTRY_VERIFY2(
@@ -139,7 +139,7 @@ private Q_SLOTS:
 
     void anExportedFileIsReadByCore()
     {
-        PageBench bench;
+        PageFixture bench;
         QVERIFY(open1D(bench));
         QVERIFY(openExport(bench, QStringLiteral("text table of positions")));
         QTRY_VERIFY(mayAccept(bench));
@@ -161,7 +161,7 @@ private Q_SLOTS:
 
     void anExportThatCannotBeWrittenSaysWhy()
     {
-        PageBench bench;
+        PageFixture bench;
         QVERIFY(open1D(bench));
         QVERIFY(openExport(bench, QStringLiteral("text table of positions")));
         QTRY_VERIFY(mayAccept(bench));
@@ -173,7 +173,7 @@ private Q_SLOTS:
 
     void thePictureShowsWhatAnotherControllerWouldApply()
     {
-        PageBench bench;
+        PageFixture bench;
         QVERIFY(open1D(bench));
         auto& facts = bench.user.the<QLabel>("tableFacts");
         const QString ofDrive = facts.text();
@@ -188,7 +188,7 @@ private Q_SLOTS:
 
     void withoutATableThereIsNothingToExport()
     {
-        PageBench bench;
+        PageFixture bench;
         QVERIFY(bench.open());
         QVERIFY(!bench.user.the<QAction>("exportAction").isEnabled());
         QVERIFY(!bench.user.the<QAction>("exportAction").toolTip().isEmpty());

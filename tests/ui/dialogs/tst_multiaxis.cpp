@@ -21,10 +21,10 @@ namespace tst_multiaxis {
 
 using namespace axiscomp;
 using namespace axiscomp::ui;
-using test::BenchDrive;
-using test::ControllerBench;
-using test::DriveFixture;
+using test::CompensatorFixture;
+using test::ControllerFixture;
 using test::DriveGate;
+using test::GatedDrive;
 using test::LinkFault;
 
 namespace {
@@ -66,7 +66,7 @@ public:
         });
         if (!isReady)
             return false;
-        dialog = new SeveralAxesDialog(bench.controller());
+        dialog = new MultiAxisDialog(bench.controller());
         dialog->QDialog::show();
         return true;
     }
@@ -103,7 +103,10 @@ public:
                 act(*link);
         };
     }
-    DriveFixture::State state(int axis) { return DriveFixture::stateOf(bench.drive().drive, axis); }
+    CompensatorFixture::State state(int axis)
+    {
+        return CompensatorFixture::stateOf(bench.drive().drive, axis);
+    }
     /// Whether the table of an axis on the drive has a value.
     [[nodiscard]] bool holds(int axis, float value)
     {
@@ -111,13 +114,13 @@ public:
         return file && std::ranges::count(file->table.values, value) == 1;
     }
 
-    ControllerBench bench;
-    QPointer<SeveralAxesDialog> dialog;
+    ControllerFixture bench;
+    QPointer<MultiAxisDialog> dialog;
 };
 
 } // namespace
 
-class TestSeveralAxes : public QObject {
+class TestMultiAxis : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
@@ -137,7 +140,7 @@ private Q_SLOTS:
     void cancelledBeforeTheWriteNothingIsChanged();
 };
 
-void TestSeveralAxes::aColumnIsProposedForTheAxisThatItsNameSays_data()
+void TestMultiAxis::aColumnIsProposedForTheAxisThatItsNameSays_data()
 {
     QTest::addColumn<QString>("names");
     QTest::addColumn<QList<int>>("proposed"); // -1: none
@@ -152,7 +155,7 @@ void TestSeveralAxes::aColumnIsProposedForTheAxisThatItsNameSays_data()
     row("of two axes", "Z,Z error", {-1, -1});
 }
 
-void TestSeveralAxes::aColumnIsProposedForTheAxisThatItsNameSays()
+void TestMultiAxis::aColumnIsProposedForTheAxisThatItsNameSays()
 {
     QFETCH(QString, names);
     QFETCH(QList<int>, proposed);
@@ -175,10 +178,10 @@ void TestSeveralAxes::aColumnIsProposedForTheAxisThatItsNameSays()
     QCOMPARE(found, proposed);
 }
 
-void TestSeveralAxes::theActionSaysWhatIsMissing()
+void TestMultiAxis::theActionSaysWhatIsMissing()
 {
-    ControllerBench bench;
-    drivecomm::VirtualDriveOptions one = ControllerBench::xyDrive();
+    ControllerFixture bench;
+    drivecomm::VirtualDriveOptions one = ControllerFixture::xyDrive();
     one.axes.resize(1);
     QVERIFY(bench.connect());
     QVERIFY(!bench->action(Action::WriteSeveral).isEnabled);
@@ -189,7 +192,7 @@ void TestSeveralAxes::theActionSaysWhatIsMissing()
     QVERIFY(bench.fileRead());
     QVERIFY(bench->action(Action::WriteSeveral).isEnabled);
 
-    ControllerBench single;
+    ControllerFixture single;
     single.addDrive("http://x", one);
     QVERIFY(single.connect());
     single->setup().setDimensionality(2);
@@ -199,9 +202,9 @@ void TestSeveralAxes::theActionSaysWhatIsMissing()
         QStringLiteral("The drive has no second axis with compensation registers."));
 }
 
-void TestSeveralAxes::theMenuOpensTheDialog()
+void TestMultiAxis::theMenuOpensTheDialog()
 {
-    test::PageBench bench;
+    test::PageFixture bench;
     QVERIFY(bench.open());
     auto& entry = bench.user.the<QAction>("writeSeveralAction");
     QVERIFY(!entry.isEnabled());
@@ -214,7 +217,7 @@ void TestSeveralAxes::theMenuOpensTheDialog()
         QStringLiteral("No axis is chosen: choose at least one."));
 }
 
-void TestSeveralAxes::whatIsProposedIsPlannedAndNothingIsChanged()
+void TestMultiAxis::whatIsProposedIsPlannedAndNothingIsChanged()
 {
     Stage stage;
     QVERIFY(stage.open());
@@ -236,7 +239,7 @@ void TestSeveralAxes::whatIsProposedIsPlannedAndNothingIsChanged()
     QVERIFY(stage.state(0) == before);
 }
 
-void TestSeveralAxes::noAxisAndTheSameAxisTwiceCannotBeWritten()
+void TestMultiAxis::noAxisAndTheSameAxisTwiceCannotBeWritten()
 {
     Stage stage;
     QVERIFY(stage.open());
@@ -253,7 +256,7 @@ void TestSeveralAxes::noAxisAndTheSameAxisTwiceCannotBeWritten()
     QCOMPARE(stage.reason(), QStringLiteral("No axis is chosen: choose at least one."));
 }
 
-void TestSeveralAxes::eachAxisGetsItsOwnColumn()
+void TestMultiAxis::eachAxisGetsItsOwnColumn()
 {
     Stage stage;
     QVERIFY(stage.open());
@@ -270,11 +273,11 @@ void TestSeveralAxes::eachAxisGetsItsOwnColumn()
     QCOMPARE(stage.bench.store().backups(4711, 0).size(), std::size_t(1));
     QCOMPARE(stage.bench.store().backups(4711, 1).size(), std::size_t(1));
     // The page has read back what its axis has now.
-    QVERIFY(!stage.bench->setup().isChanged());
+    QVERIFY(!stage.bench->setup().isDirty());
     QVERIFY(stage.bench->setup().baseline().tableCrc != 0);
 }
 
-void TestSeveralAxes::theRefusalOfOneAxisNamesItAndPreventsAll()
+void TestMultiAxis::theRefusalOfOneAxisNamesItAndPreventsAll()
 {
     Stage stage;
     QVERIFY(stage.open());
@@ -291,7 +294,7 @@ void TestSeveralAxes::theRefusalOfOneAxisNamesItAndPreventsAll()
         stage.bench.file(QStringLiteral("new.csv"), errorsOfXAndY().replace("0.003", "0.004")));
     QVERIFY(stage.bench.fileRead());
     const auto before = stage.state(0);
-    stage.dialog = new SeveralAxesDialog(stage.bench.controller());
+    stage.dialog = new MultiAxisDialog(stage.bench.controller());
     stage.dialog->QDialog::show();
     auto& sources = stage.the<QComboBox>("severalSources");
     sources.setCurrentIndex(0);
@@ -302,7 +305,7 @@ void TestSeveralAxes::theRefusalOfOneAxisNamesItAndPreventsAll()
     QVERIFY(stage.state(0) == before);
 }
 
-void TestSeveralAxes::whatChangedSinceThePlanIsNotWrittenToAnyAxis()
+void TestMultiAxis::whatChangedSinceThePlanIsNotWrittenToAnyAxis()
 {
     Stage stage;
     QVERIFY(stage.open());
@@ -318,10 +321,10 @@ void TestSeveralAxes::whatChangedSinceThePlanIsNotWrittenToAnyAxis()
                  QStringLiteral("No axis has the new state. The complete old state is on: X, Y.")),
         qPrintable(stage.reason()));
     QVERIFY(stage.state(0) == before);
-    QVERIFY(stage.bench->setup().isChanged());
+    QVERIFY(stage.bench->setup().isDirty());
 }
 
-void TestSeveralAxes::aFailureInTheSecondWriteSaysWhichAxisHoldsWhat()
+void TestMultiAxis::aFailureInTheSecondWriteSaysWhichAxisHoldsWhat()
 {
     Stage stage;
     QVERIFY(stage.open());
@@ -337,10 +340,10 @@ void TestSeveralAxes::aFailureInTheSecondWriteSaysWhichAxisHoldsWhat()
         qPrintable(stage.reason()));
     QVERIFY(stage.holds(0, largestOfX));
     QCOMPARE(stage.state(1).registers, before.registers);
-    QVERIFY(!stage.bench->setup().isChanged()); // the page's axis is X
+    QVERIFY(!stage.bench->setup().isDirty()); // the page's axis is X
 }
 
-void TestSeveralAxes::stoppedWritesSayWhichAxisHoldsWhat()
+void TestMultiAxis::stoppedWritesSayWhichAxisHoldsWhat()
 {
     Stage stage;
     QVERIFY(stage.open());
@@ -365,7 +368,7 @@ void TestSeveralAxes::stoppedWritesSayWhichAxisHoldsWhat()
     QTRY_VERIFY(!stage.dialog);
 }
 
-void TestSeveralAxes::cancelledBeforeTheWriteNothingIsChanged()
+void TestMultiAxis::cancelledBeforeTheWriteNothingIsChanged()
 {
     Stage stage;
     QVERIFY(stage.open());
@@ -379,7 +382,7 @@ void TestSeveralAxes::cancelledBeforeTheWriteNothingIsChanged()
     QVERIFY(!stage.bench->busy().isBusy);
 }
 
-AXISCOMP_WINDOW_TEST(TestSeveralAxes)
+AXISCOMP_WINDOW_TEST(TestMultiAxis)
 
 } // namespace tst_multiaxis
 

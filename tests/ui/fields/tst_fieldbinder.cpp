@@ -47,8 +47,8 @@ QString uriOf(const DimSource& source)
 }
 
 /// A model, an editor of each kind, and what ties them.
-struct Bench {
-    Bench()
+struct Fixture {
+    Fixture()
         : dimensionality(named(new QComboBox, "dimensionality"))
         , source(named(new SourceCombo, "source"))
         , persistency(named(new QCheckBox(QStringLiteral("persistent")), "persistency"))
@@ -112,12 +112,12 @@ struct Bench {
         if (!source->isTyping())
             QCOMPARE(source->currentText(), uriOf(edited.sources[0]));
         QCOMPARE(source->value(), uriOf(edited.sources[0]));
-        QCOMPARE(dimensionalityRow->isChanged(), model.isChanged(Field::Dimensionality));
-        QCOMPARE(sourceRow->isChanged(), model.isChanged(Field::Source1));
-        QCOMPARE(persistencyRow->isChanged(), model.isChanged(Field::Persistency));
+        QCOMPARE(dimensionalityRow->isDirty(), model.isDirty(Field::Dimensionality));
+        QCOMPARE(sourceRow->isDirty(), model.isDirty(Field::Source1));
+        QCOMPARE(persistencyRow->isDirty(), model.isDirty(Field::Persistency));
     }
 
-    ChangedStyle style;
+    DirtyStyle style;
     QWidget window;
     SetupModel model;
     FieldBinder binder{model};
@@ -141,7 +141,7 @@ private Q_SLOTS:
 
     void theFieldsShowTheModelFromTheBeginning()
     {
-        Bench bench;
+        Fixture bench;
         bench.verify();
         QCOMPARE(bench.source->currentText(), QStringLiteral("tam://mc/D/Axes[0]/MasterPosition"));
         QCOMPARE(bench.changes, 0);
@@ -150,7 +150,7 @@ private Q_SLOTS:
 
     void theModelReachesTheFieldsAndNothingComesBack()
     {
-        Bench bench;
+        Fixture bench;
         bench.model.setDimensionality(3);
         bench.model.setPersistency(Persistency::Persistent);
         bench.model.setSource(1, {});
@@ -168,7 +168,7 @@ private Q_SLOTS:
 
     void whatTheUserDoesReachesTheModelOnce()
     {
-        Bench bench;
+        Fixture bench;
         QVERIFY(bench.shown());
         bench.dimensionality->setFocus();
         QTest::keyClick(bench.dimensionality, Qt::Key_Down);
@@ -188,13 +188,13 @@ private Q_SLOTS:
 
     void choosingTheSameAgainIsNoChange()
     {
-        Bench bench;
+        Fixture bench;
         QVERIFY(bench.shown());
         bench.dimensionality->setFocus();
         QTest::keyClick(bench.dimensionality, Qt::Key_Down);
         QTest::keyClick(bench.dimensionality, Qt::Key_Up);
         bench.verify();
-        QVERIFY(!bench.model.isChanged());
+        QVERIFY(!bench.model.isDirty());
         bench.changes = 0;
         bench.model.setDimensionality(2);
         QCOMPARE(bench.changes, 0);
@@ -202,7 +202,7 @@ private Q_SLOTS:
 
     void aTypedSourceIsHandedOnOnceAndTheModelWaits()
     {
-        Bench bench;
+        Fixture bench;
         QVERIFY(bench.shown());
         QSignalSpy entered(&bench.binder, &FieldBinder::sourceEntered);
         bench.source->setFocus();
@@ -216,16 +216,16 @@ private Q_SLOTS:
         QCOMPARE(entered[0][0].toInt(), 1);
         QCOMPARE(entered[0][1].toString(), QStringLiteral("0x2000"));
         QCOMPARE(bench.model.edited().sources[0].address, x.address);
-        QVERIFY(!bench.sourceRow->isChanged());
+        QVERIFY(!bench.sourceRow->isDirty());
         bench.model.setSource(1, y);
         QCOMPARE(bench.source->currentText(), uriOf(y));
-        QVERIFY(bench.sourceRow->isChanged());
+        QVERIFY(bench.sourceRow->isDirty());
         QCOMPARE(entered.count(), 1);
     }
 
     void leavingTheFieldHandsOnWhatWasTyped()
     {
-        Bench bench;
+        Fixture bench;
         QVERIFY(bench.shown());
         QSignalSpy entered(&bench.binder, &FieldBinder::sourceEntered);
         bench.source->setFocus();
@@ -238,7 +238,7 @@ private Q_SLOTS:
 
     void whatIsBeingTypedIsTheUsers()
     {
-        Bench bench;
+        Fixture bench;
         QVERIFY(bench.shown());
         bench.source->setFocus();
         bench.source->lineEdit()->selectAll();
@@ -253,7 +253,7 @@ private Q_SLOTS:
 
     void aRefusedSourceStaysForCorrectionUntilTheFieldIsLeft()
     {
-        Bench bench;
+        Fixture bench;
         QVERIFY(bench.shown());
         bench.source->setFocus();
         bench.source->lineEdit()->selectAll();
@@ -267,7 +267,7 @@ private Q_SLOTS:
 
     void aRefusedSourceIsGoneWhenTheFieldHasBeenLeft()
     {
-        Bench bench;
+        Fixture bench;
         QVERIFY(bench.shown());
         QSignalSpy entered(&bench.binder, &FieldBinder::sourceEntered);
         bench.source->setFocus();
@@ -282,7 +282,7 @@ private Q_SLOTS:
 
     void eachRowRevertsItsOwnField()
     {
-        Bench bench;
+        Fixture bench;
         QVERIFY(bench.shown());
         const std::array<std::pair<FieldRow*, Field>, 3> rows{
             {{bench.dimensionalityRow, Field::Dimensionality}, {bench.sourceRow, Field::Source1},
@@ -291,19 +291,19 @@ private Q_SLOTS:
             bench.model.setDimensionality(3);
             bench.model.setSource(1, {0x9000, "other"});
             bench.model.setPersistency(Persistency::Persistent);
-            QToolButton& revert = Bench::revertOf(*row);
+            QToolButton& revert = Fixture::revertOf(*row);
             QVERIFY(revert.isVisible());
             QTest::mouseClick(&revert, Qt::LeftButton);
             QVERIFY(!revert.isVisible());
             for (const auto& [other, otherField] : rows)
-                QCOMPARE(bench.model.isChanged(otherField), otherField != field);
+                QCOMPARE(bench.model.isDirty(otherField), otherField != field);
             bench.verify();
         }
     }
 
     void theContextMenuRevertsToo()
     {
-        Bench bench;
+        Fixture bench;
         QVERIFY(bench.shown());
         bench.model.setDimensionality(3);
         QContextMenuEvent event(QContextMenuEvent::Keyboard, QPoint(5, 5),
@@ -318,7 +318,7 @@ private Q_SLOTS:
 
     void aWheelOverThePageChangesNothing()
     {
-        Bench bench;
+        Fixture bench;
         QVERIFY(bench.shown());
         for (QWidget* editor : std::initializer_list<QWidget*>{
                  bench.dimensionality, bench.source, bench.source->lineEdit(), bench.persistency}) {
@@ -327,13 +327,13 @@ private Q_SLOTS:
                 Qt::NoModifier, Qt::NoScrollPhase, false);
             QApplication::sendEvent(editor, &wheel);
         }
-        QVERIFY(!bench.model.isChanged());
+        QVERIFY(!bench.model.isDirty());
         QCOMPARE(bench.writes, 0);
     }
 
     void fieldsAndModelStayTheSameOverManySteps()
     {
-        Bench bench;
+        Fixture bench;
         QVERIFY(bench.shown());
         std::mt19937 random(7);
         const auto below = [&](int end) {

@@ -11,7 +11,7 @@ namespace tst_compensationwizard {
 
 using namespace axiscomp;
 using namespace axiscomp::ui;
-using test::PageBench;
+using test::PageFixture;
 
 namespace {
 
@@ -40,7 +40,7 @@ private Q_SLOTS:
 
     void fromTheFirstStartToAnActiveCompensation()
     {
-        PageBench bench;
+        PageFixture bench;
         auto& user = bench.user;
         QVERIFY(user.isThere());
 
@@ -124,7 +124,7 @@ private Q_SLOTS:
 
     void evaluatedActiveAndOffAgain()
     {
-        PageBench bench;
+        PageFixture bench;
         auto& user = bench.user;
         QVERIFY(bench.open());
         QVERIFY(bench.choose2D());
@@ -144,24 +144,24 @@ private Q_SLOTS:
 
     void oneFieldIsRevertedAndThenAll()
     {
-        PageBench bench;
+        PageFixture bench;
         auto& user = bench.user;
         QVERIFY(bench.open());
         QVERIFY(bench.choose2D());
         const SetupModel& setup = bench.controller().setup();
-        QVERIFY(setup.isChanged(Field::Source2));
+        QVERIFY(setup.isDirty(Field::Source2));
         QVERIFY(user.click("source2FieldRevert"));
-        QVERIFY(!setup.isChanged(Field::Source2));
-        QVERIFY(setup.isChanged(Field::Source1));
+        QVERIFY(!setup.isDirty(Field::Source2));
+        QVERIFY(setup.isDirty(Field::Source1));
         QVERIFY(!user.sees("source2FieldRevert"));
         QCOMPARE(user.hint(), QStringLiteral("Dim2 Source is missing."));
         // Ctrl+R reverts where the cursor is.
         QVERIFY(user.click("source1Field"));
         user.press(Qt::Key_R, Qt::ControlModifier);
-        QVERIFY(!setup.isChanged(Field::Source1));
-        QVERIFY(setup.isChanged(Field::Table));
+        QVERIFY(!setup.isDirty(Field::Source1));
+        QVERIFY(setup.isDirty(Field::Table));
         QVERIFY(user.click("revertAllButton"));
-        QVERIFY(!setup.isChanged());
+        QVERIFY(!setup.isDirty());
         QCOMPARE(user.the<QComboBox>("dimensionalityField").currentText(), QStringLiteral("1D"));
         QVERIFY(!bench.window.isWindowModified());
         QVERIFY(!user.the("revertAllButton").isEnabled());
@@ -169,7 +169,7 @@ private Q_SLOTS:
 
     void thePreviousStateIsRestored()
     {
-        PageBench bench;
+        PageFixture bench;
         auto& user = bench.user;
         QVERIFY(bench.open());
         QVERIFY(bench.choose2D());
@@ -181,12 +181,12 @@ private Q_SLOTS:
         QVERIFY(user.pickFromMenu("activateMenuButton", "activateMenu", Qt::Key_P));
         QVERIFY(bench.saysOutcome(QStringLiteral("Restored")));
         QCOMPARE(bench.state().table, first.table);
-        QVERIFY(!bench.controller().setup().isChanged());
+        QVERIFY(!bench.controller().setup().isDirty());
     }
 
     void theExampleIsAFileThatCanBeOpened()
     {
-        PageBench bench;
+        PageFixture bench;
         auto& user = bench.user;
         QVERIFY(bench.open());
         QVERIFY(user.choose("dimensionalityField", QStringLiteral("3D")));
@@ -204,7 +204,7 @@ private Q_SLOTS:
 
     void theListBeforeAWriteCanBeLeftAndSwitchedOff()
     {
-        PageBench bench;
+        PageFixture bench;
         auto& user = bench.user;
         QVERIFY(bench.open());
         QVERIFY(bench.choose2D());
@@ -215,7 +215,7 @@ private Q_SLOTS:
         user.press(Qt::Key_Escape);
         QTRY_VERIFY(!user.sees("writePreview"));
         QVERIFY(bench.state() == before);
-        QVERIFY(bench.controller().setup().isChanged());
+        QVERIFY(bench.controller().setup().isDirty());
         QVERIFY(user.the("writeButton").isEnabled());
 
         QVERIFY(user.click("writeButton"));
@@ -237,7 +237,7 @@ private Q_SLOTS:
 
     void persistencyOfTheTableOnTheDriveIsChangedWithoutAFile()
     {
-        PageBench bench;
+        PageFixture bench;
         auto& user = bench.user;
         QVERIFY(bench.open());
         QVERIFY(bench.choose2D());
@@ -253,7 +253,7 @@ private Q_SLOTS:
 
     void anotherAxisIsChosenOnlyAfterAQuestionWhenSomethingIsUnwritten()
     {
-        PageBench bench;
+        PageFixture bench;
         auto& user = bench.user;
         QVERIFY(bench.open());
         QVERIFY(user.choose("dimensionalityField", QStringLiteral("2D")));
@@ -266,12 +266,12 @@ private Q_SLOTS:
         QVERIFY(user.choose("axisField", QStringLiteral("Y · ")));
         QVERIFY(user.click("loseChangesButton"));
         QTRY_COMPARE(user.the<QComboBox>("axisField").currentIndex(), 1);
-        QVERIFY(!bench.controller().setup().isChanged());
+        QVERIFY(!bench.controller().setup().isDirty());
     }
 
     void anAxisThatIsNotHomedSaysSo()
     {
-        PageBench bench(PageBench::twoAxes(false));
+        PageFixture bench(PageFixture::twoAxes(false));
         QVERIFY(bench.open());
         QVERIFY(bench.choose2D());
         QVERIFY(bench.write());

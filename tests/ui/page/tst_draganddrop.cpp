@@ -9,7 +9,7 @@ namespace tst_draganddrop {
 
 using namespace axiscomp;
 using namespace axiscomp::ui;
-using test::WizardStage;
+using test::PageStage;
 
 namespace {
 
@@ -67,7 +67,7 @@ struct Scene {
     {
         wizard.setWindowFlag(Qt::FramelessWindowHint);
         wizard.setGeometry(wizardPlace);
-        wizard.controller().setEndpoints({WizardStage::endpoint()});
+        wizard.controller().setEndpoints({PageStage::endpoint()});
     }
     [[nodiscard]] bool isThere()
     {
@@ -82,7 +82,7 @@ struct Scene {
         return frame->isVisible();
     }
 
-    WizardStage stage;
+    PageStage stage;
     CompensationWizard wizard;
 };
 

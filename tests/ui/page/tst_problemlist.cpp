@@ -21,7 +21,7 @@ namespace tst_problemlist {
 
 using namespace axiscomp;
 using namespace axiscomp::ui;
-using test::ControllerBench;
+using test::ControllerFixture;
 
 namespace {
 
@@ -256,7 +256,7 @@ private Q_SLOTS:
 
     void onThePageAProblemOpensTheFileInTheValues()
     {
-        ControllerBench bench;
+        ControllerFixture bench;
         QVERIFY(bench.connect());
         PreviewPanel panel(bench.controller(), drivecomm::genericProfile());
         panel.resize(600, 600);

@@ -61,10 +61,11 @@ QString storedIn(const QString& folder)
 struct GuardedPage {
     GuardedPage()
     {
-        drivecomm::WebFrontOptions web;
+        drivecomm::WebServerOptions web;
         web.user = "anna";
         web.password = password.toStdString();
-        front = drivecomm::WebFront::start(drive, drivecomm::genericProfile(), faults, web).value();
+        server =
+            drivecomm::WebServer::start(drive, drivecomm::genericProfile(), faults, web).value();
     }
     [[nodiscard]] WizardOptions options() const
     {
@@ -78,7 +79,7 @@ struct GuardedPage {
     }
     [[nodiscard]] QString url(const QString& user) const
     {
-        return QStringLiteral("http://%1:%2@127.0.0.1:%3").arg(user, password).arg(front->port());
+        return QStringLiteral("http://%1:%2@127.0.0.1:%3").arg(user, password).arg(server->port());
     }
 
     static drivecomm::VirtualDriveOptions driveOptions()
@@ -93,7 +94,7 @@ struct GuardedPage {
     QSettings settings{folder.filePath(QStringLiteral("settings.ini")), QSettings::IniFormat};
     drivecomm::FaultPlan faults;
     drivecomm::VirtualDrive drive{drivecomm::genericProfile(), driveOptions()};
-    std::unique_ptr<drivecomm::WebFront> front;
+    std::unique_ptr<drivecomm::WebServer> server;
 };
 
 QString logOf(WizardController& controller)
@@ -148,7 +149,7 @@ private Q_SLOTS:
             QCOMPARE(seenIn(window), QString());
             QVERIFY(!logOf(controller).isEmpty());
             QVERIFY(!tellsIt(logOf(controller)));
-            page.front.reset(); // the drive is lost: more to say
+            page.server.reset(); // the drive is lost: more to say
             controller.refresh();
             QTRY_COMPARE_WITH_TIMEOUT(
                 controller.drives().back().connection, DriveState::Connection::Lost, patienceMs);

@@ -8,7 +8,7 @@ namespace tst_wizardclosing {
 
 using namespace axiscomp;
 using namespace axiscomp::ui;
-using test::PageBench;
+using test::PageFixture;
 
 /// Nothing is lost without a question, and a drive is left in the old or the new state.
 class TestWizardClosing : public QObject {
@@ -19,7 +19,7 @@ private Q_SLOTS:
 
     void withoutChangesTheWindowClosesAtOnce()
     {
-        PageBench bench;
+        PageFixture bench;
         QVERIFY(bench.open());
         QVERIFY(bench.window.close());
         QVERIFY(!bench.window.isVisible());
@@ -27,13 +27,13 @@ private Q_SLOTS:
 
     void unwrittenChangesAreAskedAbout()
     {
-        PageBench bench;
+        PageFixture bench;
         QVERIFY(test::page_states::closeQuestion(bench));
         QVERIFY(bench.user.message("leaveQuestion").contains(QStringLiteral("X · Stage-7")));
         QVERIFY(bench.window.isVisible());
         QVERIFY(bench.user.click("stayButton"));
         QVERIFY(bench.window.isVisible());
-        QVERIFY(bench.controller().setup().isChanged());
+        QVERIFY(bench.controller().setup().isDirty());
         const auto before = bench.state();
         QVERIFY(!bench.window.close());
         QVERIFY(bench.user.click("loseChangesButton"));
@@ -43,7 +43,7 @@ private Q_SLOTS:
 
     void theQuestionGoesWhenTheChangesHaveGone()
     {
-        PageBench bench;
+        PageFixture bench;
         QVERIFY(test::page_states::closeQuestion(bench));
         QVERIFY(bench.user.click("revertAllButton"));
         QTRY_VERIFY(!bench.user.sees("leaveQuestion"));
@@ -52,7 +52,7 @@ private Q_SLOTS:
 
     void stoppedWhileWritingTheDriveKeepsItsOldState()
     {
-        PageBench bench;
+        PageFixture bench;
         const auto before = bench.state();
         QVERIFY(test::page_states::closingWhileWriting(bench));
         QVERIFY(bench.user.message("leaveQuestion").contains(QStringLiteral("being written")));
@@ -65,7 +65,7 @@ private Q_SLOTS:
 
     void closedWhenDoneTheDriveHasTheNewState()
     {
-        PageBench bench;
+        PageFixture bench;
         const auto before = bench.state();
         QVERIFY(test::page_states::closingWhileWriting(bench));
         QVERIFY(bench.user.click("closeWhenDoneButton"));
@@ -74,12 +74,12 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(!bench.window.isVisible(), 30'000);
         QVERIFY(!(bench.state() == before));
         QVERIFY(!bench.state().table.empty());
-        QVERIFY(!bench.controller().setup().isChanged());
+        QVERIFY(!bench.controller().setup().isDirty());
     }
 
     void whoStaysSeesTheWriteEnd()
     {
-        PageBench bench;
+        PageFixture bench;
         QVERIFY(test::page_states::closingWhileWriting(bench));
         QVERIFY(bench.user.click("stayButton"));
         bench.served.faults.clear();
@@ -90,7 +90,7 @@ private Q_SLOTS:
 
     void aWriteThatFailedBeforeTheWindowClosesIsRead()
     {
-        PageBench bench;
+        PageFixture bench;
         QVERIFY(test::page_states::preview(bench));
         // The drive takes nothing and says so late.
         bench.served.faults.add({drivecomm::FaultSpec::Kind::Slow, 250, {}});
@@ -108,7 +108,7 @@ private Q_SLOTS:
     void askedToEndFromOutsideItClosesWithoutQuestions()
     {
         // What becomes of the drive is tst_wizardend's.
-        PageBench bench;
+        PageFixture bench;
         QVERIFY(test::page_states::writing(bench));
         bench.wizard.closeNow();
         QTRY_VERIFY(!bench.window.isVisible());

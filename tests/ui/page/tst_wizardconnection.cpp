@@ -9,7 +9,7 @@ namespace tst_wizardconnection {
 using namespace axiscomp;
 using namespace axiscomp::ui;
 using drivecomm::FaultSpec;
-using test::PageBench;
+using test::PageFixture;
 
 namespace {
 
@@ -29,7 +29,7 @@ private Q_SLOTS:
 
     void aLostConnectionIsSaidEditsAreKeptAndItComesBack()
     {
-        PageBench bench;
+        PageFixture bench;
         auto& user = bench.user;
         QVERIFY(bench.open());
         QVERIFY(bench.choose2D());
@@ -57,7 +57,7 @@ private Q_SLOTS:
 
     void aConnectionLostWhileWritingSaysWhatIsKnownAndLaterWhatTheDriveHolds()
     {
-        PageBench bench;
+        PageFixture bench;
         auto& user = bench.user;
         QVERIFY(bench.open());
         QVERIFY(bench.choose2D());
@@ -76,14 +76,14 @@ private Q_SLOTS:
         QTRY_COMPARE(user.the<QLabel>("driveState").text(), QStringLiteral("connected"));
         QTRY_VERIFY(bench.controller().status().has_value());
         QTRY_VERIFY(bench.controller().action(Action::Write).isEnabled
-            || !bench.controller().setup().isChanged());
+            || !bench.controller().setup().isDirty());
         const auto after = bench.state();
         QVERIFY(after.registers == before.registers || !after.table.empty());
     }
 
     void aSecondClientsChangesAreShownAndAnUnwrittenEditIsKept()
     {
-        PageBench bench;
+        PageFixture bench;
         auto& user = bench.user;
         QVERIFY(bench.open());
         QVERIFY(bench.choose2D());
@@ -111,7 +111,7 @@ private Q_SLOTS:
 
     void aWriteStopsWhenTheDriveHasChangedAfterTheListWasShown()
     {
-        PageBench bench;
+        PageFixture bench;
         auto& user = bench.user;
         QVERIFY(bench.open());
         QVERIFY(bench.choose2D());
@@ -135,7 +135,7 @@ private Q_SLOTS:
 
     void aDriveThatRefusesIsQuotedAndItsValuesComeBack()
     {
-        PageBench bench;
+        PageFixture bench;
         auto& user = bench.user;
         QVERIFY(bench.open());
         QVERIFY(bench.choose2D());
@@ -152,7 +152,7 @@ private Q_SLOTS:
         QVERIFY(bench.state() == before);
         bench.served.faults.clear();
         // The edit is still there, and what the drive has is shown as the drive's.
-        QVERIFY(bench.controller().setup().isChanged(Field::Table));
+        QVERIFY(bench.controller().setup().isDirty(Field::Table));
         QVERIFY(user.note("tableField").contains(QStringLiteral("on the drive: ")));
         QVERIFY(bench.write());
         QVERIFY(!(bench.state() == before));
@@ -160,12 +160,12 @@ private Q_SLOTS:
 
     void aSourceThatTheDriveDoesNotKnowIsRefusedWithASentence()
     {
-        PageBench bench;
+        PageFixture bench;
         auto& user = bench.user;
         QVERIFY(bench.open());
         QVERIFY(user.enter("source1Field", QStringLiteral("Axes[0]/Signals/NoSuchThing")));
         QTRY_VERIFY(user.note("source1Field").contains(QStringLiteral("NoSuchThing")));
-        QVERIFY(!bench.controller().setup().isChanged());
+        QVERIFY(!bench.controller().setup().isDirty());
         user.press(Qt::Key_Escape);
         QCOMPARE(user.the<QComboBox>("source1Field").currentText(), QString());
         QVERIFY(user.choose("dimensionalityField", QStringLiteral("2D")));
@@ -179,7 +179,7 @@ private Q_SLOTS:
 
     void aWriteIsStoppedAndTheDriveKeepsItsOldState()
     {
-        PageBench bench;
+        PageFixture bench;
         auto& user = bench.user;
         QVERIFY(bench.open());
         QVERIFY(bench.choose2D());
@@ -196,7 +196,7 @@ private Q_SLOTS:
         QVERIFY(bench.saysOutcome(QStringLiteral("The write was stopped.")));
         bench.served.faults.clear();
         QVERIFY(bench.state() == before);
-        QVERIFY(bench.controller().setup().isChanged(Field::Table));
+        QVERIFY(bench.controller().setup().isDirty(Field::Table));
         QTRY_VERIFY(user.the("writeButton").isEnabled());
     }
 };

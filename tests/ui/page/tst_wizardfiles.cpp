@@ -13,7 +13,7 @@ namespace tst_wizardfiles {
 
 using namespace axiscomp;
 using namespace axiscomp::ui;
-using test::PageBench;
+using test::PageFixture;
 
 namespace {
 
@@ -24,7 +24,7 @@ struct Drop {
     bool isTaken = false;
 };
 
-Drop drop(PageBench& bench, const QMimeData& data)
+Drop drop(PageFixture& bench, const QMimeData& data)
 {
     Drop result;
     const QPoint place(300, 300);
@@ -70,7 +70,7 @@ private Q_SLOTS:
 
     void aDroppedFileIsOpened()
     {
-        PageBench bench;
+        PageFixture bench;
         QVERIFY(bench.open());
         QVERIFY(bench.user.choose("dimensionalityField", QStringLiteral("2D")));
         QMimeData data;
@@ -87,7 +87,7 @@ private Q_SLOTS:
 
     void whatIsNotOneFileIsNotWelcome()
     {
-        PageBench bench;
+        PageFixture bench;
         QVERIFY(bench.open());
         const QUrl first = QUrl::fromLocalFile(bench.superData(1));
         const QUrl second = QUrl::fromLocalFile(bench.superData(2));
@@ -112,7 +112,7 @@ private Q_SLOTS:
 
     void whileTheDriveIsWrittenNothingIsWelcome()
     {
-        PageBench bench;
+        PageFixture bench;
         QVERIFY(test::page_states::writing(bench));
         QMimeData data;
         QVERIFY(!drop(bench, *urls({QUrl::fromLocalFile(bench.superData(2))}, data)).isWelcome);
@@ -122,7 +122,7 @@ private Q_SLOTS:
 
     void aDragThatGoesAwayLeavesNothing()
     {
-        PageBench bench;
+        PageFixture bench;
         QVERIFY(bench.open());
         QMimeData data;
         data.setUrls({QUrl::fromLocalFile(bench.superData())});
@@ -137,7 +137,7 @@ private Q_SLOTS:
 
     void aBadFileIsAListOfProblemsAndTheOldTableStays()
     {
-        PageBench bench;
+        PageFixture bench;
         auto& user = bench.user;
         QVERIFY(test::page_states::unwritten(bench));
         const auto table = bench.controller().selectedTable();
@@ -165,7 +165,7 @@ private Q_SLOTS:
 
     void theFirstFileMayBeTheBadOne()
     {
-        PageBench bench;
+        PageFixture bench;
         auto& user = bench.user;
         QVERIFY(bench.open());
         bench.picked = bench.file(QStringLiteral("nonsense.csv"), "hello\nworld\n");
@@ -173,13 +173,13 @@ private Q_SLOTS:
         QTRY_VERIFY(user.sees("problems"));
         QCOMPARE(
             user.the<QComboBox>("tableField").currentText(), QStringLiteral("none on the drive"));
-        QVERIFY(!bench.controller().setup().isChanged(Field::Table));
+        QVERIFY(!bench.controller().setup().isDirty(Field::Table));
         QVERIFY(!user.the("writeButton").isEnabled());
     }
 
     void aFileThatHasChangedIsOfferedToBeReadAgain()
     {
-        PageBench bench;
+        PageFixture bench;
         auto& user = bench.user;
         QVERIFY(test::page_states::unwritten(bench));
         QVERIFY(user.choose("tableField", QStringLiteral("second")));
@@ -196,7 +196,7 @@ private Q_SLOTS:
 
     void filesAndFolderAreRemembered()
     {
-        PageBench bench;
+        PageFixture bench;
         auto& user = bench.user;
         QVERIFY(test::page_states::unwritten(bench));
         bench.picked.clear(); // given up this time

@@ -11,7 +11,7 @@ namespace tst_wizardkeyboard {
 
 using namespace axiscomp;
 using namespace axiscomp::ui;
-using test::PageBench;
+using test::PageFixture;
 using test::PageUser;
 
 namespace {
@@ -39,7 +39,7 @@ QStringList namesOf(const QList<QWidget*>& widgets)
     return names;
 }
 
-bool hasFocus(const PageBench& bench, const char* name)
+bool hasFocus(const PageFixture& bench, const char* name)
 {
     const QWidget* focus = QApplication::focusWidget();
     const auto& widget = bench.user.the(name);
@@ -64,7 +64,7 @@ private Q_SLOTS:
     void theTabKeyReachesEverythingThatCanBeUsed()
     {
         QFETCH(int, state);
-        PageBench bench;
+        PageFixture bench;
         QVERIFY(test::allPageStates()[std::size_t(state)].reach(bench));
         QWidget& window = test::shownWindow(bench);
         const auto forth = tabWalk(window, Qt::Key_Tab);
@@ -88,7 +88,7 @@ private Q_SLOTS:
 
     void theTabKeyGoesThroughThePageInReadingOrder()
     {
-        PageBench bench;
+        PageFixture bench;
         QVERIFY(test::page_states::unwritten(bench));
         bench.user.the("driveField").setFocus();
         const QStringList walk =
@@ -109,7 +109,7 @@ private Q_SLOTS:
 
     void everythingFromTheChoiceToTheProofWithoutAMouse()
     {
-        PageBench bench;
+        PageFixture bench;
         auto& user = bench.user;
         QVERIFY(bench.open());
         user.press(Qt::Key_X, Qt::AltModifier);
@@ -157,7 +157,7 @@ private Q_SLOTS:
 
     void theSourceListIsChosenFromByArrowKeys()
     {
-        PageBench bench;
+        PageFixture bench;
         auto& user = bench.user;
         QVERIFY(bench.open());
         user.press(Qt::Key_1, Qt::AltModifier);
@@ -173,7 +173,7 @@ private Q_SLOTS:
 
     void escapeAndTheShortcutsDoWhatTheyPromise()
     {
-        PageBench bench;
+        PageFixture bench;
         auto& user = bench.user;
         QVERIFY(test::page_states::unwritten(bench));
         user.press(Qt::Key_L, Qt::ControlModifier);
@@ -181,7 +181,7 @@ private Q_SLOTS:
         user.press(Qt::Key_L, Qt::AltModifier);
         QTRY_VERIFY(!user.sees("logView"));
         user.press(Qt::Key_R, Qt::ControlModifier | Qt::ShiftModifier);
-        QVERIFY(!bench.controller().setup().isChanged());
+        QVERIFY(!bench.controller().setup().isDirty());
         const auto questions = bench.questions.size();
         user.press(Qt::Key_O, Qt::ControlModifier);
         QCOMPARE(bench.questions.size(), questions + 1);
@@ -193,7 +193,7 @@ private Q_SLOTS:
 
     void escapeStopsAWrite()
     {
-        PageBench bench;
+        PageFixture bench;
         QVERIFY(test::page_states::writing(bench));
         bench.user.press(Qt::Key_Escape);
         bench.served.faults.clear();
@@ -202,7 +202,7 @@ private Q_SLOTS:
 
     void theFocusIsNeverLostWhenAButtonGoes()
     {
-        PageBench bench;
+        PageFixture bench;
         auto& user = bench.user;
         QVERIFY(test::page_states::unwritten(bench));
         // The button that is pressed is disabled or hidden by what it does.
@@ -221,7 +221,7 @@ private Q_SLOTS:
 
     void theFocusIsNeverLostWhenAMessageGoes()
     {
-        PageBench bench;
+        PageFixture bench;
         auto& user = bench.user;
         QVERIFY(test::page_states::leaveQuestion(bench));
         user.press(Qt::Key_Y, Qt::AltModifier);

@@ -26,8 +26,8 @@ using test::sharedTable;
 namespace {
 
 /// The picture of a table in a window of its own.
-struct Bench {
-    explicit Bench(ShownTable::Table selected, ShownTable::Table onDrive = {})
+struct Fixture {
+    explicit Fixture(TableViewModel::Table selected, TableViewModel::Table onDrive = {})
     {
         shown.setTables(std::move(selected), std::move(onDrive));
         view = std::make_unique<TablePlot>(shown);
@@ -65,7 +65,7 @@ struct Bench {
         return done.result();
     }
 
-    ShownTable shown;
+    TableViewModel shown;
     std::unique_ptr<TablePlot> view;
     QCustomPlot* plot = nullptr;
 };
@@ -99,7 +99,7 @@ private Q_SLOTS:
     {
         QFETCH(QList<int>, sizes);
         const auto table = sharedTable({sizes.begin(), sizes.end()});
-        Bench bench(table);
+        Fixture bench(table);
         bench.shown.setSlice(2, 3); // Y is cut, in 3D
         bench.plot->replot(QCustomPlot::rpImmediateRefresh);
         const Lookup lookup(*table);
@@ -128,7 +128,7 @@ private Q_SLOTS:
 
     void aClickHoldsTheCrosshair()
     {
-        Bench bench(sharedTable({8, 7}));
+        Fixture bench(sharedTable({8, 7}));
         QTest::mouseClick(bench.plot, Qt::LeftButton, {}, bench.pixelOf({5, 2}));
         QCOMPARE(bench.shown.current(), std::optional(GridPoint{5, 2}));
         QEvent leave(QEvent::Leave);
@@ -144,7 +144,7 @@ private Q_SLOTS:
         CompensationTable table = namedTable({4, 3, 5});
         table.values.assign(table.values.size(), 0.001F);
         table.values[7] = -0.005F;
-        Bench bench(std::make_shared<const CompensationTable>(table));
+        Fixture bench(std::make_shared<const CompensationTable>(table));
         // The slice in the middle lacks the extreme: all slices share one scale.
         QCOMPARE(bench.map().dataRange().lower, static_cast<double>(-0.005F));
         QCOMPARE(bench.map().dataRange().upper, static_cast<double>(0.005F));
@@ -166,7 +166,7 @@ private Q_SLOTS:
     void theCursorsSayTheirDifference()
     {
         const auto table = sharedTable({8, 7});
-        Bench bench(table);
+        Fixture bench(table);
         bench.showCursors();
         QTest::mouseClick(bench.plot, Qt::LeftButton, {}, bench.pixelOf({1, 2}));
         bench.press(Qt::Key_Space); // B
@@ -187,7 +187,7 @@ private Q_SLOTS:
 
     void theKeyboardZoomsAndMovesAndGoesBack()
     {
-        Bench bench(sharedTable({50, 40}));
+        Fixture bench(sharedTable({50, 40}));
         const QCPRange whole = bench.plot->xAxis->range();
         bench.press(Qt::Key_Plus);
         QVERIFY(bench.plot->xAxis->range().size() < whole.size());
@@ -201,7 +201,7 @@ private Q_SLOTS:
 
     void theMouseZoomsAndMoves()
     {
-        Bench bench(sharedTable({50, 40}));
+        Fixture bench(sharedTable({50, 40}));
         const QCPRange whole = bench.plot->xAxis->range();
         const QPoint centre = bench.plot->axisRect()->center();
         QWheelEvent wheel(centre, bench.plot->mapToGlobal(centre), {}, {0, 120}, Qt::NoButton,
@@ -221,7 +221,7 @@ private Q_SLOTS:
 
     void theZoomStaysFromSliceToSlice()
     {
-        Bench bench(sharedTable({20, 20, 5}), sharedTable({20, 20, 5}, 1.0));
+        Fixture bench(sharedTable({20, 20, 5}), sharedTable({20, 20, 5}, 1.0));
         bench.press(Qt::Key_Plus);
         const QCPRange zoomed = bench.plot->xAxis->range();
         bench.shown.setSlice(3, 0);
@@ -239,7 +239,7 @@ private Q_SLOTS:
 
     void theDrivesCurveStandsBesideTheSelectedOne()
     {
-        Bench bench(sharedTable({9}), sharedTable({9}, 1.0));
+        Fixture bench(sharedTable({9}), sharedTable({9}, 1.0));
         QVERIFY(bench.plot->legend->visible());
         int drawn = 0;
         for (int i = 0; i < bench.plot->graphCount(); ++i)
@@ -252,7 +252,7 @@ private Q_SLOTS:
 
     void theMarkerStandsWhereTheAxisIs()
     {
-        Bench bench(sharedTable({8, 7, 6}));
+        Fixture bench(sharedTable({8, 7, 6}));
         bench.shown.setSlice(2, 1); // X and Z are drawn
         bench.view->setMarker(TablePlot::Marker{{3.0, 101.0, 204.5}, 0.001});
         const auto markers = [&] {
@@ -275,7 +275,7 @@ private Q_SLOTS:
     {
         const QTemporaryDir folder;
         const auto table = sharedTable({8, 7});
-        Bench bench(table);
+        Fixture bench(table);
         QPalette dark;
         dark.setColor(QPalette::Base, Qt::black);
         dark.setColor(QPalette::Text, Qt::white);
@@ -313,7 +313,7 @@ private Q_SLOTS:
         QFETCH(QList<int>, sizes);
         QFETCH(bool, hasImage);
         const QTemporaryDir folder;
-        Bench bench(sharedTable({sizes.begin(), sizes.end()}));
+        Fixture bench(sharedTable({sizes.begin(), sizes.end()}));
         const QRect before = bench.plot->viewport();
         const QString path = folder.filePath(QStringLiteral("plot.pdf"));
         QCOMPARE(bench.save(path), QString());
@@ -333,7 +333,7 @@ private Q_SLOTS:
         const QTemporaryDir folder;
         const auto selected = sharedTable({6, 5, 4});
         const auto onDrive = sharedTable({6, 5, 4}, 1.0);
-        Bench bench(selected, onDrive);
+        Fixture bench(selected, onDrive);
         bench.shown.setContent(TableContent::Drive);
         bench.shown.setSlice(1, 2);
         const QString path = folder.filePath(QStringLiteral("slice.csv"));
@@ -352,7 +352,7 @@ private Q_SLOTS:
     void whatCannotBeSavedIsSaidInASentence()
     {
         const QTemporaryDir folder;
-        Bench bench(sharedTable({9}));
+        Fixture bench(sharedTable({9}));
         QVERIFY(bench.save(folder.filePath(QStringLiteral("plot.gif")))
                     .contains(QStringLiteral(".png, .pdf or .csv")));
         const QString path = folder.filePath(QStringLiteral("no/such/folder.png"));

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "drivecomm/link_factory.h"
 #include "drivecomm/profile/profile_loader.h"
+#include "drivecomm/virtualdrive/direct_link.h"
 #include "tests/support/compensator_fixture.h"
 #include "tests/support/test_registry.h"
 #include "tests/support/verify.h"
-#include "tests/ui/support/drive_gate.h"
-#include "ui/async/future_handler.h"
+#include "tests/ui/support/gate_link.h"
+#include "ui/async/background_job.h"
 #include "ui/session/drive_session.h"
 
 #include <QElapsedTimer>
@@ -26,9 +27,11 @@ namespace {
 constexpr std::chrono::milliseconds deadline{300};
 
 /// A session with a virtual drive behind a gate.
-struct SessionBench {
-    SessionBench() : drive(drivecomm::genericProfile(), test::DriveFixture::options(time)) { }
-    ~SessionBench() { session.reset(); }
+struct SessionFixture {
+    SessionFixture() : drive(drivecomm::genericProfile(), test::CompensatorFixture::options(time))
+    {
+    }
+    ~SessionFixture() { session.reset(); }
 
     std::unique_ptr<DriveSession> make(std::chrono::milliseconds timeout = deadline)
     {
@@ -86,7 +89,7 @@ private Q_SLOTS:
 
     void anOperationRunsOnTheSessionsThreadWithALinkMadeThere()
     {
-        SessionBench bench;
+        SessionFixture bench;
         QCOMPARE(bench.linksMade.load(), 0);
         const auto future = identify(*bench.session);
         QTRY_VERIFY(future.isFinished());
@@ -102,7 +105,7 @@ private Q_SLOTS:
 
     void theEndpointIsShownWithoutThePassword()
     {
-        const SessionBench bench;
+        const SessionFixture bench;
         QCOMPARE(bench.session->endpoint(), QStringLiteral("http://test"));
         QVERIFY(!bench.session->isDemo());
         QCOMPARE(bench.session->storeRoot(), bench.store());
@@ -123,7 +126,7 @@ private Q_SLOTS:
 
     void operationsRunOneAfterTheOtherInTheirOrder()
     {
-        SessionBench bench;
+        SessionFixture bench;
         std::vector<int> order;
         std::atomic<int> atOnce = 0;
         std::atomic<bool> overlapped = false;
@@ -144,7 +147,7 @@ private Q_SLOTS:
 
     void handlersAreCalledInTheOrderOfTheOperationsEvenWhenAttachedLate()
     {
-        SessionBench bench;
+        SessionFixture bench;
         std::vector<int> order;
         const auto number = [&](int i) {
             return bench.session->run<int>(
@@ -162,7 +165,7 @@ private Q_SLOTS:
 
     void stopEndsWhatRunsNowAndNothingElse()
     {
-        SessionBench bench;
+        SessionFixture bench;
         bench.session = bench.make(std::chrono::hours(1));
         bench.gate.set(DriveGate::Mode::Silent);
         const auto running = identify(*bench.session);
@@ -182,7 +185,7 @@ private Q_SLOTS:
 
     void aStopOfItsOwnEndsAnOperationBeforeItHasBegunToo()
     {
-        SessionBench bench;
+        SessionFixture bench;
         bench.session = bench.make(std::chrono::hours(1));
         bench.gate.set(DriveGate::Mode::Silent);
         std::stop_source first;
@@ -208,7 +211,7 @@ private Q_SLOTS:
     void afterALostConnectionTheNextOperationHasANewLink()
     {
         QFETCH(int, mode);
-        SessionBench bench;
+        SessionFixture bench;
         bench.gate.set(static_cast<DriveGate::Mode>(mode));
         const auto lost = identify(*bench.session);
         QTRY_VERIFY(lost.isFinished());
@@ -225,7 +228,7 @@ private Q_SLOTS:
 
     void aLinkThatCannotBeMadeIsTheErrorOfEachOperationAndTriedAgain()
     {
-        SessionBench bench;
+        SessionFixture bench;
         bench.refuses = true;
         const auto refused = identify(*bench.session);
         QTRY_VERIFY(refused.isFinished());
@@ -238,7 +241,7 @@ private Q_SLOTS:
 
     void theEndStopsWhatRunsAndCancelsWhatWaits()
     {
-        SessionBench bench;
+        SessionFixture bench;
         bench.session = bench.make(std::chrono::hours(1));
         bench.gate.set(DriveGate::Mode::Silent);
         const auto running = identify(*bench.session);
@@ -259,7 +262,7 @@ private Q_SLOTS:
 
     void afterCloseNothingBeginsAnyMore()
     {
-        SessionBench bench;
+        SessionFixture bench;
         QSignalSpy closed(bench.session.get(), &DriveSession::closed);
         bench.session->close();
         const auto late = identify(*bench.session);
@@ -287,7 +290,7 @@ private Q_SLOTS:
     {
         QFETCH(int, mode);
         QFETCH(int, exchange);
-        SessionBench bench;
+        SessionFixture bench;
         bench.session = bench.make(std::chrono::milliseconds(200));
         bench.gate.setAt(exchange, static_cast<DriveGate::Mode>(mode));
         const auto write = bench.session->run<WriteReport>(
@@ -304,7 +307,7 @@ private Q_SLOTS:
     /// A drive that answers gets its old state back, also when the window is closed meanwhile.
     void theEndDuringAWriteLeavesTheOldState()
     {
-        SessionBench bench;
+        SessionFixture bench;
         bench.session = bench.make(std::chrono::hours(1));
         QSemaphore uploading;
         std::atomic<bool> isSeen = false;
@@ -334,7 +337,7 @@ private Q_SLOTS:
 
     void progressComesAtMostThirtyTimesASecondAndTheNewestComes()
     {
-        SessionBench bench;
+        SessionFixture bench;
         std::vector<double> seen;
         connect(bench.session.get(), &DriveSession::progressed, this,
             [&](const QString& step, double fraction) {

@@ -20,8 +20,8 @@ namespace tst_dirtystyle {
 
 using namespace axiscomp;
 using namespace axiscomp::ui;
+using test::PageStage;
 using test::Picture;
-using test::WizardStage;
 
 namespace {
 
@@ -76,7 +76,7 @@ struct Fixture {
     [[nodiscard]] QRect place() { return {row.editor().mapTo(&window, QPoint()), editorSize()}; }
     [[nodiscard]] QSize editorSize() { return row.editor().size(); }
 
-    ChangedStyle style;
+    DirtyStyle style;
     QWidget window;
     FieldRow row;
     QLineEdit* other;
@@ -99,7 +99,7 @@ const std::array<NamedField, allFields.size()> fieldEditors{{
 
 } // namespace
 
-class TestChangedStyle : public QObject {
+class TestDirtyStyle : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
@@ -149,7 +149,7 @@ private Q_SLOTS:
         QCOMPARE(fixture.row.editor().hasFocus(), state == QStringLiteral("focused"));
         QCOMPARE(Picture(fixture.window, scale).orangePixels(fixture.window.rect()), 0);
 
-        fixture.row.setChanged(true, onDrive);
+        fixture.row.setDirty(true, onDrive);
         const Picture changed(fixture.window, scale);
         const QRect place = fixture.place();
         const double coverage = changed.frameCoverage(place);
@@ -166,7 +166,7 @@ private Q_SLOTS:
             QRegion(fixture.window.rect()) - QRegion(place) - QRegion(line->geometry());
         QCOMPARE(changed.orangePixels(elsewhere), 0);
 
-        fixture.row.setChanged(false, {});
+        fixture.row.setDirty(false, {});
         QCOMPARE(Picture(fixture.window, scale).orangePixels(fixture.window.rect()), 0);
     }
 
@@ -176,7 +176,7 @@ private Q_SLOTS:
             {Kind::ComboBox, Kind::SourceCombo, Kind::CheckBox, Kind::LineEdit}) {
             Fixture fixture(kind);
             const QSize before = fixture.row.editor().sizeHint();
-            fixture.row.setChanged(true, onDrive);
+            fixture.row.setDirty(true, onDrive);
             QCOMPARE(fixture.row.editor().sizeHint(), before);
         }
     }
@@ -192,7 +192,7 @@ private Q_SLOTS:
         QCOMPARE(editor->accessibleDescription(), QStringLiteral("A field"));
         QVERIFY(!revert->isVisible());
 
-        fixture.row.setChanged(true, onDrive);
+        fixture.row.setDirty(true, onDrive);
         QCOMPARE(note->text(), QStringLiteral("changed, on the drive: 1D"));
         QVERIFY(note->isVisible());
         QCOMPARE(editor->toolTip(), QStringLiteral("on the drive: 1D\nwhat it is for"));
@@ -208,7 +208,7 @@ private Q_SLOTS:
         QVERIFY(editor->toolTip().contains(QStringLiteral("on the drive: 1D")));
         fixture.row.setProblem({});
 
-        fixture.row.setChanged(false, {});
+        fixture.row.setDirty(false, {});
         QCOMPARE(editor->toolTip(), QStringLiteral("what it is for"));
         QCOMPARE(editor->accessibleDescription(), QStringLiteral("A field"));
         QVERIFY(!note->text().contains(QStringLiteral("changed")));
@@ -237,13 +237,13 @@ private Q_SLOTS:
         QFETCH(bool, isDark);
         if (isDark)
             QApplication::setPalette(test::darkPalette());
-        WizardStage stage;
+        PageStage stage;
         WizardOptions options = stage.options();
         options.liveInterval = std::chrono::milliseconds(0); // the drive's state is the test's
         CompensationWizard wizard(options, nullptr);
         WizardController& controller = wizard.controller();
         wizard.resize(1280, 900);
-        controller.setEndpoints({WizardStage::endpoint()});
+        controller.setEndpoints({PageStage::endpoint()});
         QVERIFY(test::showActive(wizard));
         QTRY_VERIFY(controller.status().has_value());
         controller.setup().setDimensionality(2);
@@ -330,21 +330,21 @@ private:
             const auto* editor = panel->findChild<QWidget*>(QLatin1StringView(name));
             if (!editor->isVisibleTo(panel))
                 continue;
-            const bool isChanged = wizard.controller().setup().isChanged(field);
+            const bool isDirty = wizard.controller().setup().isDirty(field);
             const auto* note =
                 panel->findChild<QLabel*>(QLatin1StringView(name) + QStringLiteral("Note"));
             const QString where =
                 QStringLiteral("step %1, %2").arg(step).arg(QLatin1StringView(name));
             const double coverage = picture.frameCoverage(editor->geometry());
-            QVERIFY2(isChanged ? coverage > 0.8 : picture.orangePixels(editor->geometry()) == 0,
+            QVERIFY2(isDirty ? coverage > 0.8 : picture.orangePixels(editor->geometry()) == 0,
                 qPrintable(where + QStringLiteral(": frame %1").arg(coverage)));
             const auto saysSo = [&](const QString& text) {
-                return text.contains(QStringLiteral("on the drive: ")) == isChanged;
+                return text.contains(QStringLiteral("on the drive: ")) == isDirty;
             };
             QVERIFY2(saysSo(note->text()), qPrintable(where + u' ' + note->text()));
             QVERIFY2(saysSo(editor->toolTip()), qPrintable(where + u' ' + editor->toolTip()));
             QVERIFY2(saysSo(editor->accessibleDescription()), qPrintable(where));
-            if (!isChanged)
+            if (!isDirty)
                 continue;
             ++seenChanged.at(static_cast<std::size_t>(field));
             elsewhere -= editor->geometry();
@@ -355,7 +355,7 @@ private:
     }
 };
 
-AXISCOMP_WINDOW_TEST(TestChangedStyle)
+AXISCOMP_WINDOW_TEST(TestDirtyStyle)
 
 } // namespace tst_dirtystyle
 

@@ -4,7 +4,7 @@
 #include "drivecomm/profile/profile_loader.h"
 #include "tests/support/compensator_fixture.h"
 #include "tests/support/faulty_link.h"
-#include "tests/ui/support/drive_gate.h"
+#include "tests/ui/support/gate_link.h"
 #include "ui/controller/wizard_controller.h"
 
 #include <QFile>
@@ -17,8 +17,8 @@
 namespace axiscomp::test {
 
 /// One virtual drive with the gate in front of it. Its time passes only when it is asked something.
-struct BenchDrive {
-    explicit BenchDrive(drivecomm::VirtualDriveOptions options)
+struct GatedDrive {
+    explicit GatedDrive(drivecomm::VirtualDriveOptions options)
         : drive(drivecomm::genericProfile(), timed(std::move(options)))
     {
     }
@@ -49,14 +49,14 @@ struct BenchDrive {
 };
 
 /// A controller, the drives at its endpoints, and folders for both.
-class ControllerBench {
+class ControllerFixture {
 public:
-    ControllerBench()
+    ControllerFixture()
     {
         options = makeOptions();
         addDrive("http://x", xyDrive());
     }
-    ~ControllerBench() { m_controller.reset(); }
+    ~ControllerFixture() { m_controller.reset(); }
 
     static drivecomm::VirtualDriveOptions xyDrive()
     {
@@ -67,14 +67,14 @@ public:
         return options;
     }
     /// In place of the one that was there: links to that one stay valid.
-    BenchDrive& addDrive(const std::string& endpoint, drivecomm::VirtualDriveOptions driveOptions)
+    GatedDrive& addDrive(const std::string& endpoint, drivecomm::VirtualDriveOptions driveOptions)
     {
         const std::lock_guard lock(m_mutex);
-        m_allDrives.push_back(std::make_unique<BenchDrive>(std::move(driveOptions)));
+        m_allDrives.push_back(std::make_unique<GatedDrive>(std::move(driveOptions)));
         m_drives[endpoint] = m_allDrives.back().get();
         return *m_allDrives.back();
     }
-    BenchDrive& drive(const std::string& endpoint = "http://x")
+    GatedDrive& drive(const std::string& endpoint = "http://x")
     {
         const std::lock_guard lock(m_mutex);
         return *m_drives.at(endpoint);
@@ -197,8 +197,8 @@ private:
 
     QTemporaryDir m_folder;
     std::mutex m_mutex;
-    std::vector<std::unique_ptr<BenchDrive>> m_allDrives;
-    std::map<std::string, BenchDrive*> m_drives;
+    std::vector<std::unique_ptr<GatedDrive>> m_allDrives;
+    std::map<std::string, GatedDrive*> m_drives;
     std::unique_ptr<ui::WizardController> m_controller;
 };
 

@@ -27,16 +27,16 @@ public:
 
     void start()
     {
-        drivecomm::WebFrontOptions options;
+        drivecomm::WebServerOptions options;
         options.port = m_port;
         auto started =
-            drivecomm::WebFront::start(drive, drivecomm::genericProfile(), faults, options);
+            drivecomm::WebServer::start(drive, drivecomm::genericProfile(), faults, options);
         if (!started)
             qFatal("%s", describe(started.error()).c_str());
-        m_front = std::move(*started);
-        m_port = m_front->port();
+        m_server = std::move(*started);
+        m_port = m_server->port();
     }
-    void stop() { m_front.reset(); }
+    void stop() { m_server.reset(); }
     [[nodiscard]] QString url() const { return QStringLiteral("http://127.0.0.1:%1").arg(m_port); }
     [[nodiscard]] std::string text(const std::string& path)
     {
@@ -49,14 +49,14 @@ public:
 
 private:
     std::uint16_t m_port = 0;
-    std::unique_ptr<drivecomm::WebFront> m_front;
+    std::unique_ptr<drivecomm::WebServer> m_server;
 };
 
 /// The program's window, a drive with the axes X and Y, and the person before it.
-class PageBench {
+class PageFixture {
 public:
-    PageBench() : PageBench(twoAxes()) { }
-    explicit PageBench(drivecomm::VirtualDriveOptions options,
+    PageFixture() : PageFixture(twoAxes()) { }
+    explicit PageFixture(drivecomm::VirtualDriveOptions options,
         const QString& language = QStringLiteral("en"),
         const DriveProfile& profile = drivecomm::genericProfile())
         : served(std::move(options))
@@ -149,9 +149,9 @@ public:
         return file(QStringLiteral("super-%1.csv").arg(seed), text);
     }
     /// Everything that the axis has on the drive.
-    [[nodiscard]] DriveFixture::State state(int axis = 0)
+    [[nodiscard]] CompensatorFixture::State state(int axis = 0)
     {
-        return DriveFixture::stateOf(served.drive, axis);
+        return CompensatorFixture::stateOf(served.drive, axis);
     }
 
     QTemporaryDir folder;

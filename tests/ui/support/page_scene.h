@@ -22,9 +22,9 @@ inline void wait(const std::function<bool()>& condition, const char* what)
 }
 
 /// A page on a stage, brought into a state by what a user would do.
-class Scene {
+class PageScene {
 public:
-    explicit Scene(bool isHomed = true)
+    explicit PageScene(bool isHomed = true)
         : m_stage(isHomed)
         , m_settings(m_stage.path(QStringLiteral("settings.ini")), QSettings::IniFormat)
         , m_wizard(std::make_unique<ui::CompensationWizard>(m_stage.options(), &m_settings))
@@ -32,14 +32,14 @@ public:
         m_wizard->resize(pageSize);
     }
 
-    WizardStage& stage() { return m_stage; }
+    PageStage& stage() { return m_stage; }
     ui::CompensationWizard& page() { return *m_wizard; }
     ui::WizardController& controller() { return m_wizard->controller(); }
 
     void showDrive(bool isDemo = false)
     {
         if (!isDemo)
-            controller().setEndpoints({WizardStage::endpoint()});
+            controller().setEndpoints({PageStage::endpoint()});
         m_wizard->show();
         wait([this] { return controller().status().has_value(); }, "the drive's state");
     }
@@ -54,8 +54,8 @@ public:
     }
     void chooseSources(int count)
     {
-        const std::array<std::string, 3> paths{WizardStage::masterPosition(0),
-            WizardStage::masterPosition(1), "Axes[0]/Signals/General/MotorTemperature"};
+        const std::array<std::string, 3> paths{PageStage::masterPosition(0),
+            PageStage::masterPosition(1), "Axes[0]/Signals/General/MotorTemperature"};
         for (int n = 0; n < count; ++n) {
             controller().chooseSource(
                 n + 1, QString::fromStdString(paths.at(static_cast<std::size_t>(n))));
@@ -95,7 +95,7 @@ public:
     {
         click("writeButton");
         click("confirmWriteButton");
-        wait([this] { return !controller().busy().isBusy && !controller().setup().isChanged(); },
+        wait([this] { return !controller().busy().isBusy && !controller().setup().isDirty(); },
             "the end of the write");
     }
     void settle()
@@ -105,7 +105,7 @@ public:
     }
 
 private:
-    WizardStage m_stage;
+    PageStage m_stage;
     QSettings m_settings;
     std::unique_ptr<ui::CompensationWizard> m_wizard;
 };

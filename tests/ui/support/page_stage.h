@@ -3,6 +3,7 @@
 
 #include "drivecomm/link_factory.h"
 #include "drivecomm/profile/profile_loader.h"
+#include "drivecomm/virtualdrive/direct_link.h"
 #include "tests/ui/support/gate_link.h"
 #include "ui/compensation_wizard.h"
 
@@ -16,9 +17,9 @@ namespace axiscomp::test {
 
 /// A drive as in AN140 figure 2 at http://192.168.1.20, and the folders of a program that talks to
 /// it. demo: is the built-in demo drive.
-class WizardStage {
+class PageStage {
 public:
-    explicit WizardStage(bool isHomed = true)
+    explicit PageStage(bool isHomed = true)
         : m_drive(drivecomm::genericProfile(), driveOptions(isHomed))
     {
     }
@@ -45,7 +46,7 @@ public:
         return options;
     }
     [[nodiscard]] drivecomm::VirtualDrive& drive() { return m_drive; }
-    [[nodiscard]] Gate& gate() { return m_gate; }
+    [[nodiscard]] DriveGate& gate() { return m_gate; }
     [[nodiscard]] QString path(const QString& name) const { return m_folder.filePath(name); }
 
     /// A file in the folder; its path.
@@ -89,13 +90,15 @@ private:
     [[nodiscard]] Result<std::unique_ptr<DriveLink>> link(const std::string& text)
     {
         if (text == address || text == usbPort)
-            return std::make_unique<GatedLink>(m_drive, m_gate);
+            return std::make_unique<GateLink>(
+                drivecomm::makeDirectLink(m_drive), m_gate, nullptr, address);
         return drivecomm::linkFactory(drivecomm::genericProfile())(text);
     }
 
     QTemporaryDir m_folder;
     drivecomm::VirtualDrive m_drive;
-    Gate m_gate;
+    DriveGate m_gate{Error{
+        ErrorCode::ConnectionLost, {{"endpoint", address}, {"reason", "Connection closed"}}, {}}};
 };
 
 } // namespace axiscomp::test

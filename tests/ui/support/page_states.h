@@ -14,31 +14,31 @@ namespace axiscomp::test {
 /// A state of the page that looks different from the others, and how a person gets there.
 struct PageState {
     const char* name;
-    std::function<bool(PageBench&)> reach;
+    std::function<bool(PageFixture&)> reach;
 };
 
 namespace page_states {
 
 using drivecomm::FaultSpec;
 
-inline bool firstStart(PageBench& bench)
+inline bool firstStart(PageFixture& bench)
 {
     return bench.user.isThere()
         && PageUser::waitFor([&] { return bench.controller().status().has_value(); });
 }
 
-inline bool unwritten(PageBench& bench)
+inline bool unwritten(PageFixture& bench)
 {
     return bench.open() && bench.choose2D();
 }
 
-inline bool preview(PageBench& bench)
+inline bool preview(PageFixture& bench)
 {
     return unwritten(bench) && bench.user.click("writeButton")
         && PageUser::waitFor([&] { return bench.user.sees("confirmWriteButton"); });
 }
 
-inline bool isWritten(PageBench& bench)
+inline bool isWritten(PageFixture& bench)
 {
     if (!unwritten(bench) || !bench.write())
         return false;
@@ -48,13 +48,13 @@ inline bool isWritten(PageBench& bench)
     return isWritten;
 }
 
-inline bool active(PageBench& bench)
+inline bool active(PageFixture& bench)
 {
     return isWritten(bench) && bench.user.click("activateButton") && bench.idle();
 }
 
 /// As if the program had been killed before the last step of a write.
-inline bool unfinishedWrite(PageBench& bench)
+inline bool unfinishedWrite(PageFixture& bench)
 {
     if (!isWritten(bench))
         return false;
@@ -77,7 +77,7 @@ inline bool unfinishedWrite(PageBench& bench)
     return isSeen;
 }
 
-inline bool threeDimensions(PageBench& bench)
+inline bool threeDimensions(PageFixture& bench)
 {
     const std::string example = exampleCalibrationCsv(3);
     bench.picked = bench.file(QStringLiteral("volume.csv"), QByteArray::fromStdString(example));
@@ -86,7 +86,7 @@ inline bool threeDimensions(PageBench& bench)
         && PageUser::waitFor([&] { return bench.user.sees("sliceIndex"); });
 }
 
-inline bool openBadFile(PageBench& bench)
+inline bool openBadFile(PageFixture& bench)
 {
     bench.picked = bench.file(QStringLiteral("bad.csv"),
         "X [mm],Y [mm],table 1\n0,0,0.001\n10,0,0.0O2\n20,0,0.001\n0,10,nan\n10,10\n");
@@ -94,12 +94,12 @@ inline bool openBadFile(PageBench& bench)
         && PageUser::waitFor([&] { return bench.user.sees("problems"); });
 }
 
-inline bool badFile(PageBench& bench)
+inline bool badFile(PageFixture& bench)
 {
     return unwritten(bench) && openBadFile(bench);
 }
 
-inline bool fileChanged(PageBench& bench)
+inline bool fileChanged(PageFixture& bench)
 {
     if (!unwritten(bench))
         return false;
@@ -107,7 +107,7 @@ inline bool fileChanged(PageBench& bench)
     return PageUser::waitFor([&] { return bench.user.sees("readAgainButton"); });
 }
 
-inline bool connectionLost(PageBench& bench)
+inline bool connectionLost(PageFixture& bench)
 {
     if (!unwritten(bench))
         return false;
@@ -115,20 +115,20 @@ inline bool connectionLost(PageBench& bench)
     return PageUser::waitFor([&] { return bench.user.sees("connectionMessage"); });
 }
 
-inline bool leaveQuestion(PageBench& bench)
+inline bool leaveQuestion(PageFixture& bench)
 {
     return unwritten(bench) && bench.user.choose("axisField", QStringLiteral("Y · "))
         && PageUser::waitFor([&] { return bench.user.sees("loseChangesButton"); });
 }
 
-inline bool closeQuestion(PageBench& bench)
+inline bool closeQuestion(PageFixture& bench)
 {
     return unwritten(bench) && !bench.window.close()
         && PageUser::waitFor([&] { return bench.user.sees("loseChangesButton"); });
 }
 
 /// Slow enough to be looked at: until the faults are cleared.
-inline bool writing(PageBench& bench)
+inline bool writing(PageFixture& bench)
 {
     if (!preview(bench))
         return false;
@@ -137,40 +137,40 @@ inline bool writing(PageBench& bench)
         && PageUser::waitFor([&] { return bench.controller().isWriting(); });
 }
 
-inline bool closingWhileWriting(PageBench& bench)
+inline bool closingWhileWriting(PageFixture& bench)
 {
     return writing(bench) && !bench.window.close()
         && PageUser::waitFor([&] { return bench.user.sees("closeWhenDoneButton"); });
 }
 
-inline bool logShown(PageBench& bench)
+inline bool logShown(PageFixture& bench)
 {
     return unwritten(bench) && bench.user.click("logButton")
         && PageUser::waitFor([&] { return bench.user.sees("logLines"); });
 }
 
-inline bool connections(PageBench& bench)
+inline bool connections(PageFixture& bench)
 {
     return bench.open() && bench.user.click("connectionsButton")
         && PageUser::waitFor([&] { return bench.user.sees("connectionsDialog"); });
 }
 
 /// An entry of a combo box, in whatever language.
-inline bool chooseAt(PageBench& bench, const char* combo, int index)
+inline bool chooseAt(PageFixture& bench, const char* combo, int index)
 {
     return PageUser::waitFor([&] { return bench.user.the<QComboBox>(combo).count() > index; })
         && bench.user.choose(combo, bench.user.the<QComboBox>(combo).itemText(index));
 }
 
 /// Positions that the drive cannot have: a question by itself.
-inline QString unevenFile(const PageBench& bench)
+inline QString unevenFile(const PageFixture& bench)
 {
     return bench.file(QStringLiteral("uneven.csv"),
         "X [mm],first [mm],second [mm]\n0,0,0\n10,0.001,-0.001\n15,0.004,-0.004\n"
         "30,0.002,-0.002\n40,0,0\n");
 }
 
-inline bool importDialog(PageBench& bench)
+inline bool importDialog(PageFixture& bench)
 {
     if (!bench.open())
         return false;
@@ -181,7 +181,7 @@ inline bool importDialog(PageBench& bench)
 }
 
 /// Of a format with settings of every kind.
-inline bool exportDialog(PageBench& bench)
+inline bool exportDialog(PageFixture& bench)
 {
     if (!unwritten(bench))
         return false;
@@ -219,7 +219,7 @@ inline const std::vector<PageState>& allPageStates()
 }
 
 /// The window that has the keyboard in a state: the page's, or its dialog.
-inline QWidget& shownWindow(PageBench& bench)
+inline QWidget& shownWindow(PageFixture& bench)
 {
     for (const char* name : {"connectionsDialog", "importDialog", "exportDialog"}) {
         auto* dialog = bench.user.find(name);

@@ -28,7 +28,7 @@ inline CompensationTable namedTable(const std::vector<std::uint32_t>& sizes, dou
     return table;
 }
 
-inline ui::ShownTable::Table sharedTable(
+inline ui::TableViewModel::Table sharedTable(
     const std::vector<std::uint32_t>& sizes, double phase = 0.0)
 {
     return std::make_shared<const CompensationTable>(namedTable(sizes, phase));

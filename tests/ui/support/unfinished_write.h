@@ -7,7 +7,7 @@ namespace axiscomp::test {
 
 /// As if the program had been killed before the last step of the persistent 2D write that has just
 /// ended: the drive has the new state, the journal is open.
-[[nodiscard]] inline Result<void> reopenWrite(ControllerBench& bench)
+[[nodiscard]] inline Result<void> reopenWrite(ControllerFixture& bench)
 {
     const CompensationSetup setup = bench->setup().baseline();
     const std::string base = "Axes[0]/Parameters/Compensations/Axis/";

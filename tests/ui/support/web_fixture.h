@@ -8,16 +8,16 @@
 namespace axiscomp::test {
 
 /// A controller that talks to the bench's drive by its web pages, on loopback.
-class WebBench : public ControllerBench {
+class WebFixture : public ControllerFixture {
 public:
-    WebBench()
+    WebFixture()
     {
         options.timeout = std::chrono::seconds(5);
         options.linkFactory = [this](const std::string& endpoint) { return webLink(endpoint); };
         switchOn();
-        m_url = QString::fromStdString(m_front->url());
+        m_url = QString::fromStdString(m_server->url());
     }
-    ~WebBench() { endController(); }
+    ~WebFixture() { endController(); }
 
     [[nodiscard]] const QString& url() const { return m_url; }
     [[nodiscard]] bool connectByWeb()
@@ -35,18 +35,18 @@ public:
     }
 
     /// Pulls the plug of the network: connections break, nobody listens.
-    void switchOff() { m_front.reset(); }
+    void switchOff() { m_server.reset(); }
     /// At the same port as before.
     void switchOn()
     {
-        drivecomm::WebFrontOptions web;
+        drivecomm::WebServerOptions web;
         web.port = m_port;
-        auto front =
-            drivecomm::WebFront::start(drive().drive, drivecomm::genericProfile(), m_noFaults, web);
-        if (!front)
-            qFatal("%s", sentence(front.error()).c_str());
-        m_front = std::move(*front);
-        m_port = m_front->port();
+        auto server = drivecomm::WebServer::start(
+            drive().drive, drivecomm::genericProfile(), m_noFaults, web);
+        if (!server)
+            qFatal("%s", sentence(server.error()).c_str());
+        m_server = std::move(*server);
+        m_port = m_server->port();
     }
     /// Another program's link to the same drive.
     [[nodiscard]] std::unique_ptr<DriveLink> secondClient() const
@@ -65,7 +65,7 @@ private:
 
     drivecomm::FaultPlan m_noFaults;
     std::uint16_t m_port = 0;
-    std::unique_ptr<drivecomm::WebFront> m_front;
+    std::unique_ptr<drivecomm::WebServer> m_server;
     QString m_url;
 };
 

@@ -25,9 +25,10 @@
 using namespace axiscomp;
 using namespace axiscomp::ui;
 using axiscomp::test::darkPalette;
-using axiscomp::test::Scene;
+using axiscomp::test::DriveGate;
+using axiscomp::test::PageScene;
+using axiscomp::test::PageStage;
 using axiscomp::test::wait;
-using axiscomp::test::WizardStage;
 
 namespace {
 
@@ -44,19 +45,19 @@ public:
     }
 };
 
-void firstStart(Scene& scene)
+void firstStart(PageScene& scene)
 {
     scene.showDrive(true);
     scene.settle();
 }
 
-void unwritten2D(Scene& scene)
+void unwritten2D(PageScene& scene)
 {
     scene.choose2D();
     scene.settle();
 }
 
-void writePreview(Scene& scene)
+void writePreview(PageScene& scene)
 {
     unwritten2D(scene);
     scene.click("writeButton");
@@ -68,7 +69,7 @@ void writePreview(Scene& scene)
     scene.settle();
 }
 
-void writing(Scene& scene)
+void writing(PageScene& scene)
 {
     unwritten2D(scene);
     scene.stage().gate().holdUploads();
@@ -79,14 +80,14 @@ void writing(Scene& scene)
     QTest::qWait(150);
 }
 
-void closingWhileWriting(Scene& scene)
+void closingWhileWriting(PageScene& scene)
 {
     writing(scene);
     static_cast<void>(scene.page().mayClose());
     QTest::qWait(50);
 }
 
-void active(Scene& scene)
+void active(PageScene& scene)
 {
     scene.choose2D();
     scene.write();
@@ -95,7 +96,7 @@ void active(Scene& scene)
     scene.settle();
 }
 
-void badFile(Scene& scene)
+void badFile(PageScene& scene)
 {
     scene.showDrive();
     scene.controller().setup().setDimensionality(2);
@@ -106,7 +107,7 @@ void badFile(Scene& scene)
     scene.settle();
 }
 
-void badFileLines(Scene& scene)
+void badFileLines(PageScene& scene)
 {
     badFile(scene);
     auto* problems = scene.page().findChild<QTreeWidget*>(QStringLiteral("problems"));
@@ -115,7 +116,7 @@ void badFileLines(Scene& scene)
     scene.settle();
 }
 
-void table3D(Scene& scene)
+void table3D(PageScene& scene)
 {
     scene.showDrive();
     scene.controller().setup().setDimensionality(3);
@@ -127,7 +128,7 @@ void table3D(Scene& scene)
     scene.settle();
 }
 
-void showValues(Scene& scene, int row, int column)
+void showValues(PageScene& scene, int row, int column)
 {
     scene.page().findChild<QTabWidget*>(QStringLiteral("previewTabs"))->setCurrentIndex(1);
     auto* values = scene.page().findChild<QTableView*>(QStringLiteral("values"));
@@ -135,20 +136,20 @@ void showValues(Scene& scene, int row, int column)
     scene.settle();
 }
 
-void values2D(Scene& scene)
+void values2D(PageScene& scene)
 {
     scene.choose2D();
     showValues(scene, 5, 2);
 }
 
-void values3D(Scene& scene)
+void values3D(PageScene& scene)
 {
     table3D(scene);
     showValues(scene, 1, 1);
 }
 
 /// Table 1 is on the drive, table 2 is chosen.
-void difference(Scene& scene)
+void difference(PageScene& scene)
 {
     scene.choose2D();
     scene.write();
@@ -158,7 +159,7 @@ void difference(Scene& scene)
     scene.settle();
 }
 
-void curve1D(Scene& scene)
+void curve1D(PageScene& scene)
 {
     scene.showDrive();
     scene.chooseSources(1);
@@ -170,13 +171,13 @@ void curve1D(Scene& scene)
     scene.settle();
 }
 
-void curve1DValues(Scene& scene)
+void curve1DValues(PageScene& scene)
 {
     curve1D(scene);
     showValues(scene, 4, 1);
 }
 
-void driveRefuses(Scene& scene)
+void driveRefuses(PageScene& scene)
 {
     scene.choose2D();
     scene.stage().gate().refuseUploads(
@@ -187,7 +188,7 @@ void driveRefuses(Scene& scene)
     scene.settle();
 }
 
-void flashWear(Scene& scene)
+void flashWear(PageScene& scene)
 {
     scene.choose2D();
     for (int n = 0; scene.controller().flashOperationsLeft() > 0 && n < 20; ++n) {
@@ -203,7 +204,7 @@ void flashWear(Scene& scene)
 }
 
 /// As if the program had been killed before its last step.
-void unfinishedWrite(Scene& scene)
+void unfinishedWrite(PageScene& scene)
 {
     scene.choose2D();
     scene.write();
@@ -223,17 +224,17 @@ void unfinishedWrite(Scene& scene)
     scene.settle();
 }
 
-void notHomed(Scene& scene)
+void notHomed(PageScene& scene)
 {
     scene.choose2D(Persistency::Volatile);
     scene.write();
     scene.settle();
 }
 
-void connectionLost(Scene& scene)
+void connectionLost(PageScene& scene)
 {
     unwritten2D(scene);
-    scene.stage().gate().cut(true);
+    scene.stage().gate().set(DriveGate::Mode::Gone);
     wait(
         [&] {
             return scene.controller().drives().front().connection == DriveState::Connection::Lost;
@@ -242,7 +243,7 @@ void connectionLost(Scene& scene)
     QTest::qWait(100);
 }
 
-void otherAxis(Scene& scene)
+void otherAxis(PageScene& scene)
 {
     unwritten2D(scene);
     auto* axes = scene.page().findChild<QComboBox*>(QStringLiteral("axisField"));
@@ -251,7 +252,7 @@ void otherAxis(Scene& scene)
     scene.settle();
 }
 
-void connections(Scene& scene)
+void connections(PageScene& scene)
 {
     unwritten2D(scene);
     scene.click("connectionsButton");
@@ -267,7 +268,7 @@ void connections(Scene& scene)
     QTest::qWait(200);
 }
 
-void findDrives(Scene& scene)
+void findDrives(PageScene& scene)
 {
     unwritten2D(scene);
     scene.click("connectionsButton");
@@ -277,13 +278,13 @@ void findDrives(Scene& scene)
     QTest::qWait(200);
 }
 
-void choose(Scene& scene, const char* combo, int index)
+void choose(PageScene& scene, const char* combo, int index)
 {
     scene.page().findChild<QComboBox*>(QLatin1StringView(combo))->setCurrentIndex(index);
 }
 
 /// An uneven file of two columns, brought onto a grid that is a little too coarse.
-void importDialog(Scene& scene)
+void importDialog(PageScene& scene)
 {
     scene.showDrive();
     const QString file = scene.stage().file(QStringLiteral("uneven.csv"),
@@ -305,7 +306,7 @@ void importDialog(Scene& scene)
 }
 
 /// A compensation list of another controller in which a point is missing.
-void damagedList(Scene& scene)
+void damagedList(PageScene& scene)
 {
     scene.showDrive();
     scene.openData(scene.stage().file(QStringLiteral("damaged.lis"),
@@ -317,7 +318,7 @@ void damagedList(Scene& scene)
 }
 
 /// The same in the dialog.
-void damagedImport(Scene& scene)
+void damagedImport(PageScene& scene)
 {
     damagedList(scene);
     Q_EMIT scene.controller().importChoiceNeeded(scene.stage().path(QStringLiteral("damaged.lis")));
@@ -329,7 +330,7 @@ void damagedImport(Scene& scene)
 }
 
 /// A format with settings, one of which is missing.
-void exportDialog(Scene& scene)
+void exportDialog(PageScene& scene)
 {
     curve1D(scene);
     scene.page().findChild<QAction*>(QStringLiteral("exportAction"))->trigger();
@@ -348,7 +349,7 @@ void exportDialog(Scene& scene)
 }
 
 /// X has a table already; the columns are proposed, and all is planned.
-void severalAxes(Scene& scene)
+void severalAxes(PageScene& scene)
 {
     scene.choose2D();
     scene.write();
@@ -367,7 +368,7 @@ void severalAxes(Scene& scene)
 }
 
 /// The drive has refused the first of the writes.
-void severalAxesFailed(Scene& scene)
+void severalAxesFailed(PageScene& scene)
 {
     severalAxes(scene);
     scene.stage().gate().refuseUploads(
@@ -379,7 +380,7 @@ void severalAxesFailed(Scene& scene)
 
 struct State {
     const char* name;
-    std::function<void(Scene&)> make;
+    std::function<void(PageScene&)> make;
     bool isHomed = true;
 };
 
@@ -420,7 +421,7 @@ const std::vector<State>& states()
 
 void render(const State& state, const QString& file)
 {
-    Scene scene(state.isHomed);
+    PageScene scene(state.isHomed);
     state.make(scene);
     scene.page().setFocus();
     QWidget* shown = &scene.page();
@@ -431,7 +432,7 @@ void render(const State& state, const QString& file)
     if (!shown->grab().save(file))
         qFatal("cannot write %s", qPrintable(file));
     QTextStream(stdout) << file << Qt::endl;
-    scene.stage().gate().release();
+    scene.stage().gate().releaseUploads();
 }
 
 } // namespace

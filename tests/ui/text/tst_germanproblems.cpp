@@ -9,8 +9,8 @@
 #include "tests/support/verify.h"
 #include "tests/ui/support/controller_files.h"
 #include "tests/ui/support/varied_tables.h"
-#include "ui/text/error_text.h"
 #include "ui/text/language.h"
+#include "ui/text/message_text.h"
 
 #include <QRegularExpression>
 #include <QSet>

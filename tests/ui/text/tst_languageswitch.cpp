@@ -16,7 +16,7 @@ namespace tst_languageswitch {
 
 using namespace axiscomp;
 using namespace axiscomp::ui;
-using test::Scene;
+using test::PageScene;
 using test::VisibleTexts;
 
 namespace {
@@ -92,17 +92,17 @@ QStringList plotTexts(const QWidget& window)
 
 struct State {
     const char* name;
-    std::function<void(Scene&)> reach;
+    std::function<void(PageScene&)> reach;
 };
 
-void showProblems(Scene& scene)
+void showProblems(PageScene& scene)
 {
     scene.choose2D();
     scene.openData(scene.stage().file(QStringLiteral("bad.csv"),
         "X [mm],Y [mm],table 1\n0,0,0.001\n10,0,0.0O2\n20,0,0.001\n0,10,nan\n10,10\n"));
 }
 
-void activate(Scene& scene)
+void activate(PageScene& scene)
 {
     scene.choose2D();
     scene.write();
@@ -110,7 +110,7 @@ void activate(Scene& scene)
     test::wait([&] { return scene.controller().proof().has_value(); }, "the proof");
 }
 
-void refuseTable(Scene& scene)
+void refuseTable(PageScene& scene)
 {
     scene.choose2D();
     scene.stage().gate().refuseUploads(
@@ -120,7 +120,7 @@ void refuseTable(Scene& scene)
     test::wait([&] { return scene.controller().isOutcomeAnError(); }, "the refusal");
 }
 
-void show3D(Scene& scene)
+void show3D(PageScene& scene)
 {
     scene.showDrive();
     scene.controller().setup().setDimensionality(3);
@@ -132,10 +132,10 @@ void show3D(Scene& scene)
 const std::vector<State>& states()
 {
     static const std::vector<State> all{
-        {"first start", [](Scene& scene) { scene.showDrive(true); }},
-        {"unwritten", [](Scene& scene) { scene.choose2D(); }},
+        {"first start", [](PageScene& scene) { scene.showDrive(true); }},
+        {"unwritten", [](PageScene& scene) { scene.choose2D(); }},
         {"preview",
-            [](Scene& scene) {
+            [](PageScene& scene) {
                 scene.choose2D();
                 scene.click("writeButton");
                 test::wait([&] { return scene.controller().plan().has_value(); }, "the plan");
@@ -145,12 +145,12 @@ const std::vector<State>& states()
         {"problems", showProblems},
         {"three dimensions", show3D},
         {"log",
-            [](Scene& scene) {
+            [](PageScene& scene) {
                 activate(scene);
                 scene.click("logButton");
             }},
         {"connections",
-            [](Scene& scene) {
+            [](PageScene& scene) {
                 scene.showDrive();
                 scene.click("connectionsButton");
             }},
@@ -159,7 +159,7 @@ const std::vector<State>& states()
 }
 
 /// The page, or the dialog that is open on it.
-const QWidget& shownWindow(Scene& scene)
+const QWidget& shownWindow(PageScene& scene)
 {
     for (const auto* dialog : scene.page().findChildren<QDialog*>()) {
         if (dialog->isVisible())
@@ -169,7 +169,7 @@ const QWidget& shownWindow(Scene& scene)
 }
 
 /// By the menu, as a person does.
-void chooseLanguage(Scene& scene, const QString& language)
+void chooseLanguage(PageScene& scene, const QString& language)
 {
     auto* menu = scene.page().findChild<QMenu*>(QStringLiteral("languageMenu"));
     QVERIFY(menu);
@@ -214,7 +214,7 @@ private Q_SLOTS:
     void everyTextChangesAndComesBack()
     {
         QFETCH(int, state);
-        Scene scene;
+        PageScene scene;
         chooseLanguage(scene, QStringLiteral("en"));
         states()[std::size_t(state)].reach(scene);
         scene.settle();
@@ -240,7 +240,7 @@ private Q_SLOTS:
 
     void thePlotsWordsChange()
     {
-        Scene scene;
+        PageScene scene;
         chooseLanguage(scene, QStringLiteral("en"));
         scene.choose2D();
         const QString english = plotTexts(scene.page()).join(u'|');
@@ -263,7 +263,7 @@ private Q_SLOTS:
             }
             int changes = 0;
         } listener;
-        Scene scene;
+        PageScene scene;
         chooseLanguage(scene, QStringLiteral("en"));
         scene.showDrive();
         scene.page().installEventFilter(&listener);
@@ -276,7 +276,7 @@ private Q_SLOTS:
     void qtsOwnButtonsAreGermanToo()
     {
         // From the package qt6-translations-l10n.
-        Scene scene;
+        PageScene scene;
         chooseLanguage(scene, QStringLiteral("de"));
         scene.showDrive();
         scene.click("connectionsButton");

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/test_registry.h"
 #include "tests/support/verify.h"
-#include "ui/text/error_text.h"
 #include "ui/text/language.h"
+#include "ui/text/message_text.h"
 #include "ui/text/phrase_book.h"
 
 #include <QTest>
@@ -13,7 +13,7 @@ using namespace axiscomp;
 using namespace axiscomp::ui;
 
 /// How the sentences of core become those of the window's language.
-class TestPhrases : public QObject {
+class TestMessageText : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
@@ -135,7 +135,7 @@ private Q_SLOTS:
     }
 };
 
-AXISCOMP_TEST(TestPhrases)
+AXISCOMP_TEST(TestMessageText)
 
 } // namespace tst_messagetext
 

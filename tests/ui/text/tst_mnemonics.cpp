@@ -13,7 +13,7 @@ namespace tst_mnemonics {
 
 using namespace axiscomp;
 using namespace axiscomp::ui;
-using test::PageBench;
+using test::PageFixture;
 
 namespace {
 
@@ -70,7 +70,7 @@ bool hasMnemonic(const QWidget& window, const QWidget& input)
 } // namespace
 
 /// What every input says about itself, in every state of the page and every language.
-class TestWizardMnemonics : public QObject {
+class TestMnemonics : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
@@ -81,7 +81,7 @@ private Q_SLOTS:
     {
         QFETCH(QString, language);
         QFETCH(int, state);
-        PageBench bench(PageBench::twoAxes(), language);
+        PageFixture bench(PageFixture::twoAxes(), language);
         QVERIFY(test::allPageStates()[std::size_t(state)].reach(bench));
         const auto found = mnemonicsOf(test::shownWindow(bench));
         QVERIFY(found.size() > 3);
@@ -102,7 +102,7 @@ private Q_SLOTS:
     {
         QFETCH(QString, language);
         QFETCH(int, state);
-        PageBench bench(PageBench::twoAxes(), language);
+        PageFixture bench(PageFixture::twoAxes(), language);
         QVERIFY(test::allPageStates()[std::size_t(state)].reach(bench));
         QWidget& window = test::shownWindow(bench);
         QStringList missing;
@@ -132,7 +132,7 @@ private Q_SLOTS:
     {
         QFETCH(QString, language);
         QFETCH(int, state);
-        PageBench bench(PageBench::twoAxes(), language);
+        PageFixture bench(PageFixture::twoAxes(), language);
         QVERIFY(test::allPageStates()[std::size_t(state)].reach(bench));
         QWidget& window = test::shownWindow(bench);
         QStringList missing;
@@ -157,7 +157,7 @@ private:
     }
 };
 
-AXISCOMP_WINDOW_TEST(TestWizardMnemonics)
+AXISCOMP_WINDOW_TEST(TestMnemonics)
 
 } // namespace tst_mnemonics
 

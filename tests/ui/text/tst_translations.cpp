@@ -5,8 +5,8 @@
 #include "tests/support/verify.h"
 #include "tests/ui/support/source_texts.h"
 #include "tests/ui/support/translation_file.h"
-#include "ui/text/error_text.h"
 #include "ui/text/language.h"
+#include "ui/text/message_text.h"
 #include "ui/text/phrase_book.h"
 
 #include <QCoreApplication>

@@ -16,16 +16,16 @@ namespace tst_wizardlanguage {
 using namespace axiscomp;
 using namespace axiscomp::ui;
 using test::Brackets;
-using test::ControllerBench;
+using test::ControllerFixture;
 using test::DriveGate;
 
 namespace {
 
 /// What brings a controller into a state; every text that it can show belongs to some state.
-using Story = std::function<void(ControllerBench&)>;
+using Story = std::function<void(ControllerFixture&)>;
 
 /// Everything that the controller says. What differs from run to run is taken out.
-QStringList textsOf(ControllerBench& bench)
+QStringList textsOf(ControllerFixture& bench)
 {
     QStringList texts{bench->hint(), bench->outcome(), bench->busy().step, bench->signSentence()};
     for (const Action action : allActions)
@@ -43,18 +43,18 @@ QStringList textsOf(ControllerBench& bench)
         .replaceInStrings(backup, QStringLiteral("backups/TIME-axis"));
 }
 
-void connectDrive(ControllerBench& bench)
+void connectDrive(ControllerFixture& bench)
 {
     QVERIFY(bench.connect());
 }
 
-void prepareWrite(ControllerBench& bench)
+void prepareWrite(ControllerFixture& bench)
 {
     QVERIFY(bench.connect());
     QVERIFY(bench.prepare2D());
 }
 
-void planWrite(ControllerBench& bench)
+void planWrite(ControllerFixture& bench)
 {
     prepareWrite(bench);
     bench->planWrite();
@@ -63,7 +63,7 @@ void planWrite(ControllerBench& bench)
 }
 
 /// A write whose step stays, because the drive does not answer.
-void writeUntil(ControllerBench& bench, DriveGate::Mode mode)
+void writeUntil(ControllerFixture& bench, DriveGate::Mode mode)
 {
     planWrite(bench);
     bench.drive().gate.setAt(16, mode);
@@ -73,34 +73,34 @@ void writeUntil(ControllerBench& bench, DriveGate::Mode mode)
         qPrintable(bench->busy().step));
 }
 
-void writeUntilItHangs(ControllerBench& bench)
+void writeUntilItHangs(ControllerFixture& bench)
 {
     writeUntil(bench, DriveGate::Mode::Silent);
 }
 
-void cancelWrite(ControllerBench& bench)
+void cancelWrite(ControllerFixture& bench)
 {
     writeUntil(bench, DriveGate::Mode::Deaf);
     bench->cancel();
     bench->selectAxis(1);
 }
 
-void findNoDrive(ControllerBench& bench)
+void findNoDrive(ControllerFixture& bench)
 {
     bench->setEndpoints({QStringLiteral("http://nowhere")});
     QTRY_COMPARE(bench->drives().front().connection, DriveState::Connection::Lost);
 }
 
-void findNamelessDemo(ControllerBench& bench)
+void findNamelessDemo(ControllerFixture& bench)
 {
-    drivecomm::VirtualDriveOptions options = ControllerBench::xyDrive();
+    drivecomm::VirtualDriveOptions options = ControllerFixture::xyDrive();
     options.axes = {{.name = ""}, {.name = "X"}, {.name = "X"}};
     bench.addDrive("demo:", options);
     bench->setEndpoints({QStringLiteral("demo:")});
     QTRY_VERIFY(bench->status().has_value());
     bench->planWrite(); // the log names the axis, the outcome the reason
     bench->setup().setDimensionality(2);
-    bench->openData(bench.file(QStringLiteral("a.csv"), ControllerBench::calibration2D(1)));
+    bench->openData(bench.file(QStringLiteral("a.csv"), ControllerFixture::calibration2D(1)));
     QVERIFY(bench.fileRead());
     bench->chooseSource(1, QString::fromStdString(test::masterX));
     bench->chooseSource(2, QString::fromStdString(test::masterY));
@@ -108,7 +108,7 @@ void findNamelessDemo(ControllerBench& bench)
     QVERIFY(bench.idle());
 }
 
-void findAxesWithoutRegisters(ControllerBench& bench)
+void findAxesWithoutRegisters(ControllerFixture& bench)
 {
     static const DriveProfile other = [] {
         DriveProfile profile = drivecomm::genericProfile();
@@ -122,7 +122,7 @@ void findAxesWithoutRegisters(ControllerBench& bench)
 }
 
 /// The window is opened again after an end that was not one.
-void writeAndReopen(ControllerBench& bench)
+void writeAndReopen(ControllerFixture& bench)
 {
     prepareWrite(bench);
     bench->setup().setPersistency(Persistency::Persistent);
@@ -131,7 +131,7 @@ void writeAndReopen(ControllerBench& bench)
     bench.endController();
 }
 
-void findUnfinishedWrite(ControllerBench& bench)
+void findUnfinishedWrite(ControllerFixture& bench)
 {
     writeAndReopen(bench);
     connectDrive(bench);
@@ -139,7 +139,7 @@ void findUnfinishedWrite(ControllerBench& bench)
         bench->outcome().contains(QStringLiteral("did not end")), qPrintable(bench->outcome()));
 }
 
-void findDamagedJournal(ControllerBench& bench)
+void findDamagedJournal(ControllerFixture& bench)
 {
     writeAndReopen(bench);
     QDirIterator files(bench.path(QStringLiteral("store")), {QStringLiteral("journal-axis0.json")},
@@ -154,7 +154,7 @@ void findDamagedJournal(ControllerBench& bench)
     QTRY_VERIFY(bench->hint().contains(QStringLiteral("journal")));
 }
 
-void chooseWrongSources(ControllerBench& bench)
+void chooseWrongSources(ControllerFixture& bench)
 {
     connectDrive(bench);
     bench.chooseMasterSources(2);
@@ -165,7 +165,7 @@ void chooseWrongSources(ControllerBench& bench)
     QVERIFY(!bench->sourceProblem(2).isEmpty());
 }
 
-void readFiles(ControllerBench& bench)
+void readFiles(ControllerFixture& bench)
 {
     prepareWrite(bench);
     bench->openData(bench.file(QStringLiteral("bad.csv"), "X,table\n0,1\n1,two\n"));
@@ -174,7 +174,7 @@ void readFiles(ControllerBench& bench)
     QVERIFY(!bench->signSentence().isEmpty());
 }
 
-void activate(ControllerBench& bench)
+void activate(ControllerFixture& bench)
 {
     prepareWrite(bench);
     QVERIFY(bench.planAndWrite());
@@ -183,9 +183,9 @@ void activate(ControllerBench& bench)
     QCOMPARE(bench->status()->axis.stateWord, "Active");
 }
 
-void activateWithoutHoming(ControllerBench& bench)
+void activateWithoutHoming(ControllerFixture& bench)
 {
-    drivecomm::VirtualDriveOptions options = ControllerBench::xyDrive();
+    drivecomm::VirtualDriveOptions options = ControllerFixture::xyDrive();
     options.axes.front().homed = false;
     bench.addDrive("http://x", options);
     prepareWrite(bench);
@@ -193,7 +193,7 @@ void activateWithoutHoming(ControllerBench& bench)
     bench->activate();
 }
 
-void loseDriveInWrite(ControllerBench& bench)
+void loseDriveInWrite(ControllerFixture& bench)
 {
     planWrite(bench);
     bench.drive().gate.setAt(16, DriveGate::Mode::Gone);
@@ -202,7 +202,7 @@ void loseDriveInWrite(ControllerBench& bench)
     QVERIFY(bench->isOutcomeAnError());
 }
 
-void letSomebodyElseChange(ControllerBench& bench)
+void letSomebodyElseChange(ControllerFixture& bench)
 {
     planWrite(bench);
     const auto y = bench.drive().drive.readRegisters({test::masterY});
@@ -226,7 +226,7 @@ private Q_SLOTS:
     {
         QTest::addColumn<Story>("story");
         const auto row = [](const char* name, const Story& story) { QTest::newRow(name) << story; };
-        row("no drive", [](ControllerBench& bench) { bench->planWrite(); });
+        row("no drive", [](ControllerFixture& bench) { bench->planWrite(); });
         row("a drive that is not there", findNoDrive);
         row("axes without names of the demo drive", findNamelessDemo);
         row("axes without registers", findAxesWithoutRegisters);
@@ -247,14 +247,14 @@ private Q_SLOTS:
         QStringList inThatLanguage;
         {
             const Brackets language;
-            ControllerBench bench;
+            ControllerFixture bench;
             story(bench);
             if (QTest::currentTestFailed())
                 return;
             inThatLanguage = textsOf(bench);
             bench.drive().gate.set(DriveGate::Mode::Open);
         }
-        ControllerBench bench;
+        ControllerFixture bench;
         story(bench);
         if (QTest::currentTestFailed())
             return;
@@ -272,7 +272,7 @@ private Q_SLOTS:
 
     void whatIsShownIsAnnouncedAndAnOutcomeThatWasPutAwayIsNot()
     {
-        ControllerBench bench;
+        ControllerFixture bench;
         activate(bench);
         QSignalSpy drives(&bench.controller(), &WizardController::drivesChanged);
         QSignalSpy axes(&bench.controller(), &WizardController::axesChanged);

@@ -5,7 +5,7 @@
 #include "tests/ui/support/brackets.h"
 #include "ui/session/axis_list.h"
 #include "ui/text/endpoint_text.h"
-#include "ui/text/error_text.h"
+#include "ui/text/message_text.h"
 #include "ui/text/phrase_book.h"
 #include "ui/text/sign_sentence.h"
 
@@ -110,7 +110,7 @@ private Q_SLOTS:
 
     void everyWarningOfAPlanIsKnown()
     {
-        test::DriveFixture fixture;
+        test::CompensatorFixture fixture;
         VERIFY_RESULT(
             fixture.compensator.write(0, test::exampleRequest(1, Persistency::Persistent)));
         WriteRequest other = test::exampleRequest(3);

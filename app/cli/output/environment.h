@@ -1,20 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/cli/output/json.h"
 #include "app/common/console.h"
-#include "app/common/exit_codes.h"
 #include "app/common/interrupt.h"
 #include "core/text/diagnostic.h"
 
-#include <nlohmann/json.hpp>
-
-#include <functional>
 #include <string>
 #include <vector>
 
 namespace axiscomp::app {
-
-using Json = nlohmann::ordered_json;
 
 /// What a command works with besides its options.
 class Environment {
@@ -48,9 +43,5 @@ private:
     bool m_json = false;
     Json m_diagnostics = Json::array();
 };
-
-/// One command, its options already read. The code is Done unless the command has reported a
-/// failure itself.
-using Command = std::function<Result<ExitCode>(Environment&)>;
 
 } // namespace axiscomp::app

@@ -1,13 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/cli/environment.h"
+#include "app/cli/output/environment.h"
+#include "app/common/exit_codes.h"
+#include "core/base/result.h"
 
 #include <CLI/App.hpp>
 
+#include <functional>
 #include <string>
 
 namespace axiscomp::app {
+
+/// One command, its options already read. The code is Done unless the command has reported a
+/// failure itself.
+using Command = std::function<Result<ExitCode>(Environment&)>;
 
 /// The command line of axiscomp: collects the commands, and holds the one that was chosen.
 class CommandLine {

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/csv/calibration_csv.h"
+#include "core/formats/table_format.h"
+#include "core/text/diagnostic.h"
+
+#include <QString>
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace axiscomp::ui {
+
+/// The open file of compensation data.
+struct DataFile {
+    QString path; ///< of data; of the file that was tried when there is none; empty: none is open
+    std::shared_ptr<const CalibrationData> data; ///< only of a file without errors
+    const TableFamily* family = nullptr; ///< as which data was read
+    std::vector<std::string> report; ///< of the conversion of data: English, for phraseText
+    std::vector<Diagnostic> problems;
+    std::size_t suppressedProblems = 0;
+    QString problemsPath; ///< the file that has the problems: after a bad one, not that of data
+    bool isReading = false;
+    QString readingPath; ///< the file that is being read
+    double progress = 0.0;
+    bool hasChangedOnDisk = false;
+};
+
+} // namespace axiscomp::ui
