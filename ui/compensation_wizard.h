@@ -12,8 +12,8 @@ class QSettings;
 
 namespace axiscomp::ui {
 
-/// The one-page wizard of AN140 figure 2 (spec/wizard.md), as a widget that another Qt program can
-/// put behind its own menu entry (docs/embedding).
+/// The one-page wizard of AN140 figure 2 (docs/user-guide.md), as a widget that another Qt program
+/// can put behind its own menu entry (docs/embedding).
 class CompensationWizard : public QWidget {
     Q_OBJECT
 

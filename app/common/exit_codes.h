@@ -5,8 +5,8 @@
 
 namespace axiscomp::app {
 
-/// What a program returns to the shell (spec/cli.md). OtherFailure is what the list of the
-/// specification has no number for: something on this computer failed, such as a full disk.
+/// What a program returns to the shell (docs/cli.md, "Exit codes"). OtherFailure:
+/// something on this computer failed, such as a full disk.
 enum class ExitCode : int {
     Done = 0,
     OtherFailure = 1,

@@ -26,10 +26,10 @@ struct Proof {
     double tolerance = 0.0; ///< float32 rounding of the table's largest value
 };
 
-/// The end-to-end proof (DESIGN.md): the drive's own output and indices against core's lookup in
-/// the table that the drive holds, at the sources that the drive reports with them. Finds mistakes
-/// of sign, unit and element order. table: as downloaded from the drive, or the one that was to be
-/// written.
+/// The end-to-end proof (docs/architecture.md): the drive's own output and indices against core's
+/// lookup in the table that the drive holds, at the sources that the drive reports with them. Finds
+/// mistakes of sign, unit and element order. table: as downloaded from the drive, or the one that
+/// was to be written.
 [[nodiscard]] Result<Proof> proveAxis(const DriveAccess& access, const AxisStatus& status,
     const CompensationTable& table, int samples);
 

@@ -9,7 +9,7 @@
 namespace axiscomp {
 
 /// Which register has which address, as far as it was needed so far. A DimSource register holds an
-/// address; people read and write paths (spec/drive.md, "Registers").
+/// address; people read and write paths (docs/drive.md, "Registers").
 class SourceDirectory {
 public:
     /// Forgets everything when the drive is another one than before.

@@ -20,7 +20,7 @@ enum class ErrorCode {
     FileNotWritable, ///< file, reason
     FileTooLarge, ///< file, size, limit
     InvalidCalibration, ///< file, count: the diagnostics are beside it
-    InvalidTable, ///< field, offset, found, expected (TAM table, spec/tamtbl.md)
+    InvalidTable, ///< field, offset, found, expected (TAM table, docs/tamtbl.md)
     InvalidProfile, ///< file, path (JSON path), reason
     InvalidConfiguration, ///< file, line, reason (TAM configuration)
     InvalidBackup, ///< file, reason

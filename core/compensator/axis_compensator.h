@@ -21,9 +21,10 @@
 
 namespace axiscomp {
 
-/// The service: reads and changes the compensation of a drive's axes in the safe order (DESIGN.md,
-/// "The safe order of a write"). Blocking; one instance per link, used on the link's thread. All
-/// operations report link errors as DriveLink does; theirs are named at each.
+/// The service: reads and changes the compensation of a drive's axes in the safe order
+/// (docs/architecture.md, "The safe order of a write"). Blocking; one instance per link, used on
+/// the link's thread. All operations report link errors as DriveLink does; theirs are named at
+/// each.
 class AxisCompensator {
 public:
     /// clock: the wall clock, replaceable for tests. All references must outlive this.

@@ -7,7 +7,7 @@
 
 namespace axiscomp {
 
-/// A table whose numbers mean the other convention (spec/controllers.md, "Sign").
+/// A table whose numbers mean the other convention (docs/formats.md).
 struct SignConversion {
     NeutralTable table;
     int iterations = 0; ///< the most that a point needed; 0: every point is solved exactly

@@ -14,7 +14,8 @@
 
 namespace axiscomp {
 
-/// What a calibration file holds: compensation tables over one grid (spec/csv.md, AN140 2.3).
+/// What a calibration file holds: compensation tables over one grid (docs/calibration-csv.md,
+/// AN140 2.3).
 struct CalibrationData {
     Grid grid;
     std::vector<CompensationTable>

@@ -9,7 +9,7 @@
 namespace axiscomp {
 
 /// ',' or ';': what separates the columns of a calibration file with this header line
-/// (spec/csv.md).
+/// (docs/calibration-csv.md, "Text").
 [[nodiscard]] char csvSeparator(std::string_view headerLine);
 
 /// Whether the line holds no columns: a comment, or blank.

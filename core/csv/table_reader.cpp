@@ -10,7 +10,7 @@ namespace axiscomp::csv {
 
 namespace {
 
-/// spec/csv.md: 0.01. The rest is for the rounding of float32.
+/// docs/calibration-csv.md, "What goes wrong": 0.01. The rest is for the rounding of float32.
 constexpr double largestGradient = 0.01 * (1.0 + 1e-6);
 constexpr double largestRelativeError = 1e-6; ///< of the largest value
 

@@ -67,7 +67,7 @@ struct RegisterEnums {
     std::string driveErrorNone, driveErrorFlashWear;
 };
 
-/// Paths and form fields of the drive's web server (spec/drive.md).
+/// Paths and form fields of the drive's web server (docs/profiles.md, "web").
 struct WebPaths {
     std::string directory; ///< "/directory"
     std::string transfer; ///< "/transfer"

@@ -24,7 +24,7 @@ using RegisterValue = std::variant<bool, std::int32_t, std::uint32_t, float, dou
 [[nodiscard]] Result<RegisterValue> registerValueFromText(
     std::string_view type, std::string_view text);
 
-/// One register as the drive answers it (spec/drive.md, "Web server").
+/// One register as the drive answers it (docs/protocol.md, "Web server").
 struct RegisterReading {
     std::string path; ///< "Axes[0]/Signals/...", slashes, no leading slash
     std::uint32_t address = 0;

@@ -5,13 +5,13 @@
 
 namespace axiscomp {
 
-// One file for each controller family, spec/controllers.md. tableFamilies() lists them.
+// One file for each controller family, docs/formats.md. tableFamilies() lists them.
 
 namespace calibration_csv {
-[[nodiscard]] const TableFamily& format(); ///< the calibration file (spec/csv.md)
+[[nodiscard]] const TableFamily& format(); ///< the calibration file (docs/calibration-csv.md)
 }
 namespace tam_table {
-[[nodiscard]] const TableFamily& format(); ///< the drive's table file (spec/tamtbl.md)
+[[nodiscard]] const TableFamily& format(); ///< the drive's table file (docs/tamtbl.md)
 }
 
 namespace aerotech_1d {

@@ -15,7 +15,7 @@ namespace axiscomp {
 
 struct TableLayout;
 
-/// Where a statement about a controller comes from (the marks of spec/controllers.md).
+/// Where a statement about a controller comes from, as docs/formats.md says it.
 enum class Evidence {
     Published, ///< the manufacturer's documentation
     Code, ///< public program code

@@ -10,7 +10,7 @@
 
 namespace axiscomp {
 
-/// What the numbers of a table are, with e = x_ref - x_enc (spec/controllers.md, "Sign").
+/// What the numbers of a table are, with e = x_ref - x_enc (docs/formats.md).
 enum class SignConvention {
     Feedback, ///< +e, added to the encoder position
     Command, ///< c, added to the commanded position: c(x) = -e(x + c(x))

@@ -80,9 +80,10 @@ public:
         std::int32_t serialNumber, WallTime now, std::chrono::seconds wait);
 
     /// The slot and element CRC of tables that this program wrote for an axis, newest first: such a
-    /// slot may be taken again when its content is still the same (DESIGN, "Slots are taken in
-    /// turn"). The last 4 of each slot are remembered, so that a slot is still known when a write
-    /// was undone; the same table in the same slot belongs to the axis that wrote it last.
+    /// slot may be taken again when its content is still the same (docs/architecture.md,
+    /// "Slots are taken in turn"). The last 4 of each slot are remembered, so that a slot is still
+    /// known when a write was undone; the same table in the same slot belongs to the axis that
+    /// wrote it last.
     struct OwnTable {
         std::string slot;
         std::uint32_t crc = 0;

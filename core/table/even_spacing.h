@@ -6,7 +6,7 @@
 
 namespace axiscomp {
 
-/// Positions as an even line start + i * distance (spec/csv.md, "Grid").
+/// Positions as an even line start + i * distance (docs/calibration-csv.md, "Grid").
 struct EvenSpacing {
     double start = 0.0;
     double distance = 0.0;

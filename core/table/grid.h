@@ -25,7 +25,7 @@ struct GridAxis {
     friend bool operator==(const GridAxis&, const GridAxis&) = default;
 };
 
-/// 1 to 3 grid axes. Element order: dimension 1 fastest (spec/tamtbl.md).
+/// 1 to 3 grid axes. Element order: dimension 1 fastest (docs/tamtbl.md, "Order of the elements").
 struct Grid {
     std::vector<GridAxis> axes;
 

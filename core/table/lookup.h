@@ -11,7 +11,7 @@
 namespace axiscomp {
 
 /// What a lookup answers outside the table. The drive holds the end values (assumption,
-/// docs/protocol.md).
+/// docs/drive.md).
 enum class Outside {
     Hold, ///< the value at the nearest end
     Zero, ///< no compensation

@@ -10,7 +10,7 @@
 
 namespace axiscomp {
 
-/// The fields that a table header can have (spec/tamtbl.md).
+/// The fields that a table header can have (docs/profiles.md, "layout").
 enum class TableField {
     Magic,
     Version,
@@ -71,7 +71,7 @@ struct TableLayout {
 /// leave the header, have a type or count that cannot hold them, or a mandatory one is missing.
 [[nodiscard]] Result<void> checkLayout(const TableLayout& layout);
 
-/// This project's own layout (spec/tamtbl.md, "The generic layout"), to be replaced for a real
+/// This project's own layout (docs/profiles.md, "The generic layout"), to be replaced for a real
 /// drive.
 [[nodiscard]] TableLayout genericTableLayout();
 

@@ -44,7 +44,7 @@ std::uint32_t headerCrc(ByteView header, const FieldPlace& crc, const TableLayou
     return crc32(covered);
 }
 
-/// Checks one file from its first to its last field (spec/tamtbl.md, "Reading").
+/// Checks one file from its first to its last field (docs/tamtbl.md, "Reading").
 class Decoder {
 public:
     Decoder(ByteView file, const TableLayout& layout) : m_file(file), m_layout(layout) { }

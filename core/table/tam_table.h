@@ -18,7 +18,7 @@ struct TamTable {
 [[nodiscard]] Result<Bytes> encodeTamTable(
     const CompensationTable& table, bool persistent, const TableLayout& layout);
 
-/// Checks every field before it allocates (spec/tamtbl.md, "Reading"). Errors: InvalidTable with
+/// Checks every field before it allocates (docs/tamtbl.md, "Reading"). Errors: InvalidTable with
 /// the field, its offset, what was found and what was expected. Never allocates more than
 /// bytes.size().
 [[nodiscard]] Result<TamTable> decodeTamTable(ByteView bytes, const TableLayout& layout);

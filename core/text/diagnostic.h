@@ -10,7 +10,7 @@ namespace axiscomp {
 
 enum class Severity { Warning, Error };
 
-/// spec/csv.md, "What goes wrong"; further ones for the tables of other controllers.
+/// docs/calibration-csv.md, "What goes wrong"; further ones for the tables of other controllers.
 enum class DiagnosticCode {
     EmptyFile,
     NoHeader,
@@ -27,7 +27,7 @@ enum class DiagnosticCode {
     TooLarge,
     NotText,
     IoError,
-    // tables of other controllers (spec/controllers.md)
+    // tables of other controllers (docs/formats.md)
     Syntax,
     Contradiction,
     NotMonotonic,

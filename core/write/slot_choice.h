@@ -34,11 +34,10 @@ struct SlotChoice {
     SlotState state{}; ///< of the chosen one
 };
 
-/// DESIGN.md, "Slots are taken in turn": the axis's own previous slot, else the smallest empty one
-/// that is large enough, else the axis's own slot is overwritten; one that is kept only when there
-/// is no other. A slot that something else uses, or whose content is unknown, is taken only when it
-/// is named. Errors: TableTooLarge,
-/// SlotNotFound, SlotInUse, NoFreeSlot.
+/// docs/architecture.md, "Slots are taken in turn": the axis's own previous slot, else the smallest
+/// empty one that is large enough, else the axis's own slot is overwritten; one that is kept only
+/// when there is no other. A slot that something else uses, or whose content is unknown, is taken
+/// only when it is named. Errors: TableTooLarge, SlotNotFound, SlotInUse, NoFreeSlot.
 [[nodiscard]] Result<SlotChoice> chooseSlot(std::size_t tableBytes,
     const std::optional<std::string>& named, const std::vector<SlotFacts>& slots);
 

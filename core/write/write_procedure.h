@@ -9,7 +9,7 @@ namespace axiscomp {
 class UnfinishedWrite;
 
 /// Carries a prepared write out in the safe order and puts everything back when a step fails or the
-/// user stops (DESIGN.md, "The safe order of a write"; DECISIONS.md, 3). Used once.
+/// user stops (docs/architecture.md, "The safe order of a write"; DECISIONS.md, 3). Used once.
 class WriteProcedure {
 public:
     /// earlier: the axis's journal, when a write before did not end. This one takes its place, and

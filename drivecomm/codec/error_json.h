@@ -9,7 +9,7 @@
 
 namespace axiscomp::drivecomm {
 
-/// The HTTP status of an error that the drive reports (spec/drive.md, "Web server"): 404, 409, ...
+/// The HTTP status of an error that the drive reports (docs/protocol.md, "Errors").
 [[nodiscard]] int httpStatus(ErrorCode code);
 
 /// What a person reads: the reason where the error has one, else the whole sentence.

@@ -13,7 +13,7 @@
 
 namespace axiscomp::drivecomm {
 
-/// The JSON of registers (spec/drive.md, "Web server"): {path, address, type, value}. Boolean is
+/// The JSON of registers (docs/protocol.md, "Web server"): {path, address, type, value}. Boolean is
 /// true or false, an enum its name, a number is exact: whoever reads it as a double and converts it
 /// to the register's type gets the same bits. NaN and infinity are null, null is NaN.
 [[nodiscard]] std::string valueJson(const RegisterValue& value);

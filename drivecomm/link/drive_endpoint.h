@@ -9,8 +9,8 @@
 
 namespace axiscomp::drivecomm {
 
-/// Where a drive is (spec/cli.md): http://[user:password@]host[:port], https://..., demo:, or
-/// serial:/dev/ttyUSB0[?baud=N].
+/// Where a drive is (docs/cli.md, "Rules that hold everywhere"):
+/// http://[user:password@]host[:port], https://..., demo:, or serial:/dev/ttyUSB0[?baud=N].
 struct DriveEndpoint {
     enum class Kind { Http, Https, Serial, Demo };
     Kind kind = Kind::Http;

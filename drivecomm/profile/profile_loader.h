@@ -10,7 +10,7 @@
 
 namespace axiscomp::drivecomm {
 
-/// A drive profile from JSON (spec/drive.md, "Drive profile"; docs/profiles.md has every key).
+/// A drive profile from JSON (docs/profiles.md has every key).
 /// Errors: InvalidProfile with the JSON path of the fault ("slots[2].maximumSize") and the reason;
 /// unknown keys are faults too. fileName is for messages.
 [[nodiscard]] Result<DriveProfile> parseProfile(std::string_view json, const std::string& fileName);

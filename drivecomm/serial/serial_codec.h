@@ -11,7 +11,7 @@
 
 namespace axiscomp::drivecomm {
 
-/// Limits of the serial link (spec/drive.md, "Serial link").
+/// Limits of the serial link (docs/protocol.md, "Serial link").
 constexpr std::size_t mostSerialReads = 16;
 constexpr std::size_t mostSerialWrites = 8;
 constexpr std::size_t serialTreePage = 32; ///< registers in one answer of `tree`

@@ -14,7 +14,8 @@
 
 namespace axiscomp::drivecomm {
 
-/// A named fault (spec/cli.md). N counts requests from 1, over all clients.
+/// A named fault (docs/protocol.md, "Faults on purpose"). N counts requests from 1, over all
+/// clients.
 struct FaultSpec {
     enum class Kind {
         DropAfter, ///< drop-after=BYTES: the connection is cut once, after so many bytes in either

@@ -14,7 +14,7 @@ struct AskedFor {
 };
 
 /// The error that a reply stands for; nothing to say for 2xx. Takes the drive's JSON where there is
-/// some, and the bare status where the drive only has pages (spec/drive.md, "Web server"). The
+/// some, and the bare status where the drive only has pages (docs/protocol.md, "Web server"). The
 /// endpoint is added by addEndpoint.
 [[nodiscard]] Result<void> checkStatus(const HttpReply& reply, const AskedFor& asked);
 

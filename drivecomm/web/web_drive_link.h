@@ -10,7 +10,7 @@
 
 namespace axiscomp::drivecomm {
 
-/// DriveLink over the drive's own web server (spec/drive.md, "Web server").
+/// DriveLink over the drive's own web server (docs/protocol.md, "Web server").
 [[nodiscard]] std::unique_ptr<DriveLink> makeWebDriveLink(const DriveEndpoint& endpoint,
     const DriveProfile& profile, CertificateCheck certificateCheck = {});
 

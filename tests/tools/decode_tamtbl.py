@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Reads a .TAMtbl file of the layout `generic` (spec/tamtbl.md) without any of the project's code
+"""Reads a .TAMtbl file of the layout `generic` (docs/profiles.md) without any of the project's code
 and prints it as JSON: tests and people compare it with what the programs say."""
 import json
 import struct

@@ -117,8 +117,8 @@ struct ActionStates {
     friend bool operator==(const ActionStates&, const ActionStates&) = default;
 };
 
-/// spec/wizard.md, "Buttons and their reasons": a pure function. Exactly one reason each, never an
-/// empty one.
+/// What the line under the buttons says (docs/user-guide.md): a pure function. Exactly one reason
+/// each, never an empty one.
 [[nodiscard]] ActionStates decideActions(const ActionSnapshot& now);
 
 } // namespace axiscomp::ui

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/table/grid.h"
+#include "core/table/compensation_table.h"
 #include "ui/session/axis_entry.h"
 
 #include <QString>

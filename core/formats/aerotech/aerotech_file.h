@@ -8,7 +8,7 @@
 namespace axiscomp::aerotech {
 
 // Calibration files: lines that begin with :START or :START2D say what a table is, numbers follow,
-// :END ends it (spec/controllers.md).
+// :END ends it (docs/formats.md).
 
 /// "POSUNIT=METRIC", "OFFSETROW = 5", or a word alone such as NEGCOR, whose value is empty.
 struct Option {

@@ -10,7 +10,7 @@
 namespace axiscomp::isg {
 
 // The compensation lists of the ISG kernel and of TwinCAT CNC: lines "name value", three kinds of
-// tables in one syntax (spec/controllers.md).
+// tables in one syntax (docs/formats.md).
 
 /// One kind of table in a list: "kw.<name>.<key>", "kw.<name>.table[i].<field>".
 struct Section {

@@ -51,12 +51,12 @@ struct RegisterEntry {
     std::vector<std::string> names; ///< of an enum with fixed values
 };
 
-/// A drive with the behaviour of spec/drive.md ("Behaviour"): registers with addresses, RAM and
+/// A drive with the behaviour of docs/drive.md ("Behaviour"): registers with addresses, RAM and
 /// flash tables, commit and delete, flash wear, homing, moving axes, 10 kHz lookup, 10 ms ramp,
 /// reboot. Every member function may be called from any thread. Errors carry the codes that
 /// DriveLink documents.
 ///
-/// What the specification leaves open, and how it is here:
+/// What that leaves open, and how it is here:
 /// - All signals are those of the last 100 us tick, so that sources, Output and indices that are
 ///   read together belong together. A written value counts as if it had been there at that tick.
 /// - MasterPosition and Encoders[n]/Position are positions before compensation: a table over

@@ -14,7 +14,7 @@ namespace axiscomp::drivecomm {
 /// The lines of a reply, without number and CRC.
 using SerialReplyLines = std::vector<std::string>;
 
-/// Answers the requests of spec/drive.md ("Serial link") from a virtual drive; knows nothing of
+/// Answers the requests of docs/protocol.md ("Serial link") from a virtual drive; knows nothing of
 /// lines on a wire. words[0] is the request.
 class CommandHandler {
 public:

@@ -14,7 +14,7 @@ struct SerialServerOptions {
     int baud = 0; ///< each direction carries a tenth of it in bytes per second; 0: no limit
 };
 
-/// The virtual drive's serial link of spec/drive.md, on a pseudo-terminal, from a thread of its
+/// The virtual drive's serial link of docs/protocol.md, on a pseudo-terminal, from a thread of its
 /// own, until it is destroyed. A connection that is cut (drop-after) is a port that disappears; a
 /// new one takes its place, under the same link.
 class SerialServer {

@@ -12,7 +12,7 @@ namespace axiscomp::drivecomm {
 
 struct PageFrame;
 
-/// The pages by which a person does every step in a browser (spec/drive.md, "Web server").
+/// The pages by which a person does every step in a browser (docs/protocol.md, "Web server").
 struct StartPage {
     std::string driveError;
     std::vector<std::string> axisNames; ///< one per axis, may be empty texts

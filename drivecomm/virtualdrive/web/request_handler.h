@@ -12,7 +12,7 @@
 
 namespace axiscomp::drivecomm {
 
-/// Answers the requests of spec/drive.md ("Web server") from a virtual drive; knows nothing of
+/// Answers the requests of docs/protocol.md ("Web server") from a virtual drive; knows nothing of
 /// sockets. May be called from several threads.
 class RequestHandler {
 public:

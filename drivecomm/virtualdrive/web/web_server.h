@@ -22,8 +22,8 @@ struct WebServerOptions {
     std::chrono::milliseconds patience{10'000};
 };
 
-/// The virtual drive's web server: the pages, files and registers of spec/drive.md. Serves from its
-/// own threads until it is destroyed.
+/// The virtual drive's web server: the pages, files and registers of docs/protocol.md. Serves from
+/// its own threads until it is destroyed.
 class WebServer {
 public:
     /// drive, profile and faults must outlive the server. Errors: InvalidEndpoint (address in use,

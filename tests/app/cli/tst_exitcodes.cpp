@@ -15,7 +15,7 @@ using app::ExitCode;
 
 namespace {
 
-/// spec/cli.md, "Exit codes", spelled out once more on purpose.
+/// docs/cli.md, "Exit codes", spelled out once more on purpose.
 const std::map<ErrorCode, int> expectedCodes{
     {ErrorCode::InvalidArgument, 2},
     {ErrorCode::Cancelled, 130},

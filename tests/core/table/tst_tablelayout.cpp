@@ -34,7 +34,7 @@ class TestTableLayout : public QObject {
 private Q_SLOTS:
     void init() { test::failOnWarnings(); }
 
-    /// The table of spec/tamtbl.md, byte by byte.
+    /// The generic layout of docs/profiles.md, byte by byte.
     void theGenericLayoutIsTheDocumentedOne_data()
     {
         QTest::addColumn<TableField>("field");

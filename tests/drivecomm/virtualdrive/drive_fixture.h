@@ -15,7 +15,7 @@ namespace axiscomp::test {
 
 using namespace std::chrono_literals;
 
-/// The paths of spec/drive.md, spelled out: the tests check that the profile and the drive have
+/// The paths of docs/drive.md, spelled out: the tests check that the profile and the drive have
 /// these and no others.
 inline std::string axisPath(int axis, const std::string& rest)
 {

@@ -14,7 +14,7 @@ using namespace axiscomp::test;
 using drivecomm::VirtualDrive;
 
 /// Flash tables and their wear, reboot, saved parameters and the state folder of the virtual drive
-/// (spec/drive.md, "Behaviour").
+/// (docs/drive.md, "Behaviour").
 class TestDriveFlash : public QObject {
     Q_OBJECT
 

@@ -10,7 +10,7 @@ using namespace axiscomp;
 using namespace axiscomp::test;
 using drivecomm::VirtualDrive;
 
-/// The register tree of the virtual drive (spec/drive.md, "Registers").
+/// The register tree of the virtual drive (docs/drive.md, "Registers").
 class TestDriveRegisters : public QObject {
     Q_OBJECT
 

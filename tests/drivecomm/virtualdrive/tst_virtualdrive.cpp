@@ -14,7 +14,7 @@ namespace tst_virtualdrive {
 using namespace axiscomp;
 using namespace axiscomp::test;
 
-/// What the virtual drive does as time passes (spec/drive.md, "Behaviour").
+/// What the virtual drive does as time passes (docs/drive.md, "Behaviour").
 class TestVirtualDrive : public QObject {
     Q_OBJECT
 

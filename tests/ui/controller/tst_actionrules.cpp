@@ -52,7 +52,7 @@ const Error damagedTable{ErrorCode::CompensationError,
 const Error damagedJournal{ErrorCode::FileNotReadable,
     {{"file", "journal.json"}, {"reason", "the disk reports an error"}}, {}};
 
-/// spec/wizard.md once more, as plain conditions.
+/// docs/user-guide.md, "What the line under the buttons says", once more, as plain conditions.
 bool mayWrite(const ActionSnapshot& s)
 {
     const bool hasAxis = s.hasDrives && s.hasAxis && s.isConnected && s.hasCompensation;
