@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/app/program_run.h"
+#include "tests/support/patience.h"
 
 #include <QFile>
 #include <QRegularExpression>
@@ -9,8 +10,6 @@
 namespace axiscomp::test {
 
 namespace {
-
-constexpr int deadlineMs = 60'000;
 
 } // namespace
 
@@ -68,7 +67,7 @@ ProgramRun Sandbox::runProgram(
     process->write(standardInput);
     process->closeWriteChannel();
     ProgramRun run;
-    if (process->waitForFinished(deadlineMs)) {
+    if (process->waitForFinished(patienceMs)) {
         const bool isCrash = process->exitStatus() == QProcess::CrashExit;
         run.code = process->exitCode() + (isCrash ? 128 : 0);
     }
@@ -83,7 +82,7 @@ std::unique_ptr<QProcess> Sandbox::start(const QString& program, const QStringLi
     process->setProcessEnvironment(m_environment);
     process->setWorkingDirectory(m_folder.path());
     process->start(program, arguments);
-    process->waitForStarted(deadlineMs);
+    process->waitForStarted(patienceMs);
     return process;
 }
 
@@ -95,7 +94,7 @@ VirtualDriveProcess::VirtualDriveProcess(const Sandbox& sandbox, const QStringLi
         QRegularExpression::MultilineOption);
     QByteArray said;
     // The lines of all drives come in one piece.
-    while (!said.endsWith('\n') && m_process->waitForReadyRead(deadlineMs))
+    while (!said.endsWith('\n') && m_process->waitForReadyRead(patienceMs))
         said += m_process->readAllStandardOutput();
     for (auto matches = ready.globalMatch(QString::fromUtf8(said)); matches.hasNext();) {
         const QRegularExpressionMatch match = matches.next();
@@ -108,9 +107,9 @@ VirtualDriveProcess::VirtualDriveProcess(const Sandbox& sandbox, const QStringLi
 VirtualDriveProcess::~VirtualDriveProcess()
 {
     m_process->terminate();
-    if (!m_process->waitForFinished(deadlineMs))
+    if (!m_process->waitForFinished(patienceMs))
         m_process->kill();
-    m_process->waitForFinished(deadlineMs);
+    m_process->waitForFinished(patienceMs);
 }
 
 QByteArray VirtualDriveProcess::said()

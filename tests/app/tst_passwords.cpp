@@ -207,14 +207,15 @@ private Q_SLOTS:
         const Sandbox box;
         const auto monitor = box.start(test::axiscompProgram(),
             {"monitor", "--axis", "0", "--drive", guarded.urlWith(password)});
-        QVERIFY(monitor->waitForReadyRead(30'000)); // it is at work, so it has read its arguments
+        QVERIFY(monitor->waitForReadyRead(
+            test::patienceMs)); // it is at work, so it has read its arguments
         QFile arguments(QStringLiteral("/proc/%1/cmdline").arg(monitor->processId()));
         QVERIFY(arguments.open(QIODevice::ReadOnly));
         const QByteArray seen = arguments.readAll();
         QVERIFY2(seen.contains("monitor") && seen.contains("anna"), seen.constData());
         QVERIFY2(foundIn(seen).isEmpty(), seen.constData());
         monitor->terminate();
-        QVERIFY(monitor->waitForFinished(30'000));
+        QVERIFY(monitor->waitForFinished(test::patienceMs));
     }
 };
 

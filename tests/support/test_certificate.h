@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "tests/support/patience.h"
+
 #include <QDir>
 #include <QProcess>
 #include <QString>
@@ -23,7 +25,7 @@ public:
                 QStringLiteral("/CN=axiscomp test"), QStringLiteral("-addext"),
                 QStringLiteral("subjectAltName=") + name, QStringLiteral("-keyout"), keyFile(),
                 QStringLiteral("-out"), certificateFile()});
-        m_isValid = openssl.waitForFinished(60'000) && openssl.exitCode() == 0;
+        m_isValid = openssl.waitForFinished(patienceMs) && openssl.exitCode() == 0;
     }
 
     [[nodiscard]] bool isValid() const { return m_isValid; }

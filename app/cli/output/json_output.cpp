@@ -2,6 +2,7 @@
 #include "app/cli/output/json_output.h"
 
 #include "app/cli/output/status_text.h"
+#include "app/common/console.h"
 #include "app/common/number_text.h"
 
 #include <algorithm>

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/cli/output/environment.h"
+#include "app/common/exit_codes.h"
 #include "core/compensator/axis_compensator.h"
 #include "drivecomm/link/certificate_check.h"
 

@@ -19,7 +19,6 @@ using test::VirtualDriveProcess;
 
 namespace {
 
-constexpr int deadlineMs = 60'000;
 const QByteArray oldTable = "X,T\n0,0\n50,0.001\n100,0.003\n";
 const QByteArray newTable = "X,T\n0,0\n50,0.002\n100,0.001\n";
 const QString newSource = QStringLiteral("Axes[0]/Signals/PositionController/MasterPosition");
@@ -82,7 +81,7 @@ struct Fixture {
         auto process =
             box.start(test::axiscompProgram(), writeArguments(url, "new.csv", newSource));
         QByteArray said;
-        while (said.count("  ok ") < steps && process->waitForReadyRead(deadlineMs))
+        while (said.count("  ok ") < steps && process->waitForReadyRead(test::patienceMs))
             said += process->readAllStandardOutput();
         return process;
     }
@@ -134,7 +133,7 @@ private Q_SLOTS:
         const auto process = bench.startWrite(url, steps);
         ::kill(static_cast<pid_t>(process->processId()), SIGINT);
         ::kill(static_cast<pid_t>(process->processId()), SIGINT);
-        QVERIFY(process->waitForFinished(deadlineMs));
+        QVERIFY(process->waitForFinished(test::patienceMs));
         QCOMPARE(process->exitStatus(), QProcess::NormalExit);
         const QByteArray err = process->readAllStandardError();
         const ProgramRun status = bench.status(url);
@@ -169,7 +168,7 @@ private Q_SLOTS:
         QVERIFY(slow.isReady());
         const auto process = bench.startWrite(url, steps);
         process->kill();
-        QVERIFY(process->waitForFinished(deadlineMs));
+        QVERIFY(process->waitForFinished(test::patienceMs));
         checkNextRun(bench, url, steps == 6);
     }
 
@@ -197,7 +196,7 @@ private Q_SLOTS:
         QVERIFY(slow.isReady());
         const auto process = bench.startWrite(url, steps);
         process->kill();
-        QVERIFY(process->waitForFinished(deadlineMs));
+        QVERIFY(process->waitForFinished(test::patienceMs));
         const QStringList recover{QStringLiteral("recover"), QStringLiteral("--drive"), url,
             QStringLiteral("--axis"), QStringLiteral("0"), QStringLiteral("--json")};
         const ProgramRun said = bench.box.run(recover);
@@ -236,7 +235,7 @@ private Q_SLOTS:
             QVERIFY(slow.isReady());
             const auto process = bench.startWrite(url, steps);
             slow.process().kill();
-            QVERIFY(process->waitForFinished(deadlineMs));
+            QVERIFY(process->waitForFinished(test::patienceMs));
             code = process->exitCode();
             err = process->readAllStandardError();
         }

@@ -130,12 +130,11 @@ private Q_SLOTS:
         };
         const auto pid = static_cast<pid_t>(drive.process().processId());
         QCOMPARE(::prlimit(pid, RLIMIT_NOFILE, &few, nullptr), 0);
-        constexpr int patienceMs = 60'000; // a crowd goes after ten seconds
         std::vector<std::unique_ptr<QTcpSocket>> crowd;
         for (int i = 0; i < 100; ++i) {
             crowd.push_back(std::make_unique<QTcpSocket>());
             crowd.back()->connectToHost(url.host(), port);
-            QVERIFY(crowd.back()->waitForConnected(patienceMs));
+            QVERIFY(crowd.back()->waitForConnected(test::patienceMs));
             crowd.back()->write("GET / HTTP/1.1\r\n"); // and never the rest
             crowd.back()->flush();
             if (i % 20 != 0)
@@ -143,7 +142,7 @@ private Q_SLOTS:
             QTcpSocket client;
             client.connectToHost(url.host(), port);
             client.write("GET /directory HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n");
-            QVERIFY2(client.waitForReadyRead(patienceMs), qPrintable(client.errorString()));
+            QVERIFY2(client.waitForReadyRead(test::patienceMs), qPrintable(client.errorString()));
             QVERIFY(client.readAll().startsWith("HTTP/1.1 200 "));
         }
         crowd.clear();

@@ -20,7 +20,7 @@ using namespace axiscomp::test;
 
 namespace {
 
-constexpr int patienceMs = 240'000; // lrzsz reads byte by byte
+constexpr int lrzszPatienceMs = 240'000; // lrzsz reads byte by byte
 
 /// Types and reads, without numbers and CRCs.
 class Terminal {
@@ -75,12 +75,12 @@ public:
         m_process.setStandardInputFile(QString::fromStdString(device));
         m_process.setStandardOutputFile(QString::fromStdString(device), QIODevice::Append);
         m_process.start(QStringLiteral("timeout"),
-            QStringList{QString::number(patienceMs / 1000), program, QStringLiteral("-q")}
+            QStringList{QString::number(lrzszPatienceMs / 1000), program, QStringLiteral("-q")}
                 + arguments);
     }
     [[nodiscard]] bool succeeds()
     {
-        return m_process.waitForFinished(patienceMs) && m_process.exitCode() == 0;
+        return m_process.waitForFinished(lrzszPatienceMs) && m_process.exitCode() == 0;
     }
 
 private:
@@ -115,7 +115,7 @@ template <typename Machine> void runOn(const FileDescriptor& master, Machine& ma
             std::this_thread::sleep_for(std::chrono::milliseconds(1));
         while (!output.empty()) {
             pollfd polled{master.get(), POLLOUT, 0};
-            ::poll(&polled, 1, patienceMs);
+            ::poll(&polled, 1, lrzszPatienceMs);
             const ssize_t sent = ::write(master.get(), output.data(), output.size());
             if (sent > 0)
                 output.erase(output.begin(), output.begin() + sent);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/reliability/faultmatrix/killed_program.h"
+#include "tests/support/patience.h"
 
 #include "tests/app/program_run.h"
 
@@ -11,8 +12,6 @@
 namespace axiscomp::test {
 
 namespace {
-
-constexpr int programDeadlineMs = 60'000;
 
 /// The program as a user of a drive has it: its files, its memory, and the drive's address.
 class ProgramFixture {
@@ -104,7 +103,7 @@ RecordedProgram recordProgram(const KilledProgram& program)
     recorded.states.old = bench.trial.state();
     bench.trial.requested = [&](bool) { ++recorded.requests; };
     const auto process = bench.startWrite();
-    const bool hasEnded = process->waitForFinished(programDeadlineMs);
+    const bool hasEnded = process->waitForFinished(patienceMs);
     bench.settle();
     bench.trial.requested = {};
     if (!hasEnded || process->exitStatus() != QProcess::NormalExit || process->exitCode() != 0)
@@ -131,7 +130,7 @@ std::string runKilled(const KilledProgram& program, const RecordedProgram& recor
     const auto process = bench.startWrite();
     id = static_cast<pid_t>(process->processId());
     id.notify_all();
-    const bool hasEnded = process->waitForFinished(programDeadlineMs);
+    const bool hasEnded = process->waitForFinished(patienceMs);
     if (!hasEnded || process->exitStatus() != QProcess::CrashExit)
         return "the program was not killed: " + process->readAllStandardError().toStdString();
     bench.settle();

@@ -54,7 +54,7 @@ public:
             [&] {
                 return !m_bench->busy().isBusy && !m_bench->dataFile().isReading && isConnected();
             },
-            20'000);
+            test::patienceMs);
         if (!isSettled)
             qInfo("busy: %s; reading: %d; connected: %d; %s", qPrintable(m_bench->busy().step),
                 m_bench->dataFile().isReading, isConnected(), qPrintable(m_bench->hint()));

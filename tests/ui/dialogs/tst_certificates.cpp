@@ -26,8 +26,6 @@ using namespace axiscomp::ui;
 
 namespace {
 
-constexpr int patienceMs = 20'000;
-
 /// The wizard on a drive whose certificate vouches for itself.
 struct SecurePage {
     SecurePage() { serve(first); }
@@ -73,7 +71,7 @@ struct SecurePage {
                 found = wizard->findChild<T*>(QLatin1StringView(name));
                 return found && found->isVisible();
             },
-            patienceMs);
+            test::patienceMs);
         return found;
     }
     [[nodiscard]] QDialog* openCertificate() const
@@ -87,7 +85,8 @@ struct SecurePage {
     [[nodiscard]] bool isClosed(const char* dialog) const
     {
         return QTest::qWaitFor(
-            [&] { return !wizard->findChild<QDialog*>(QLatin1StringView(dialog)); }, patienceMs);
+            [&] { return !wizard->findChild<QDialog*>(QLatin1StringView(dialog)); },
+            test::patienceMs);
     }
     [[nodiscard]] QString text(const char* label) const
     {
@@ -166,7 +165,7 @@ private Q_SLOTS:
         QString shown = page.text("certificateFingerprint");
         page.find<QPushButton>("trustCertificate")->click();
         QVERIFY(page.isClosed("certificateDialog"));
-        QTRY_VERIFY_WITH_TIMEOUT(page.isConnected(), patienceMs);
+        QTRY_VERIFY(page.isConnected());
         QCOMPARE(TrustedCertificates(page.root).fingerprintOf(page.url().toStdString()),
             std::optional(shown.remove(u'\n').toStdString()));
 
@@ -185,22 +184,20 @@ private Q_SLOTS:
         SecurePage page;
         page.show();
         auto* open = page.find<QPushButton>("connectionsButton");
-        QTRY_VERIFY_WITH_TIMEOUT(
-            page.wizard->controller().drives().front().certificate.has_value(), patienceMs);
+        QTRY_VERIFY(page.wizard->controller().drives().front().certificate.has_value());
         open->click();
         auto* connections = page.find<QDialog>("connectionsDialog");
         QVERIFY(connections);
         auto* button = page.find<QPushButton>("connectionCertificate");
-        QTRY_VERIFY_WITH_TIMEOUT(button->isEnabled(), patienceMs);
+        QTRY_VERIFY(button->isEnabled());
         button->click();
         page.find<QPushButton>("trustCertificate")->click();
         QVERIFY(page.isClosed("certificateDialog"));
-        QTRY_VERIFY_WITH_TIMEOUT(page.isConnected(), patienceMs);
-        QTRY_COMPARE_WITH_TIMEOUT(
-            button->text(), QStringLiteral("Forget Cert&ificate"), patienceMs);
+        QTRY_VERIFY(page.isConnected());
+        QTRY_COMPARE(button->text(), QStringLiteral("Forget Cert&ificate"));
         button->click();
-        QTRY_VERIFY_WITH_TIMEOUT(TrustedCertificates(page.root).all().empty(), patienceMs);
-        QTRY_VERIFY_WITH_TIMEOUT(!button->isEnabled(), patienceMs);
+        QTRY_VERIFY(TrustedCertificates(page.root).all().empty());
+        QTRY_VERIFY(!button->isEnabled());
     }
 
     void endpointsAreComparedAsTheLinkSaysThem_data()

@@ -211,11 +211,11 @@ void TestFindDrives::closedWhileAPortIsSilentItDoesNotWait()
         return fail(ErrorCode::Cancelled);
     });
     const QPointer<FindDrivesDialog> dialog = new FindDrivesDialog(options());
-    QVERIFY(asked.tryAcquire(1, 30'000));
+    QVERIFY(asked.tryAcquire(1, test::patienceMs));
     delete dialog;
-    QVERIFY2(stopped.tryAcquire(1, 30'000), "the search was not told to stop");
+    QVERIFY2(stopped.tryAcquire(1, test::patienceMs), "the search was not told to stop");
     stopped.release();
-    QVERIFY(QThreadPool::globalInstance()->waitForDone(30'000));
+    QVERIFY(QThreadPool::globalInstance()->waitForDone(test::patienceMs));
 }
 
 AXISCOMP_WINDOW_TEST(TestFindDrives)

@@ -88,11 +88,12 @@ public:
     }
     [[nodiscard]] bool mayWrite()
     {
-        return QTest::qWaitFor([this] { return write().isEnabled(); }, 20'000);
+        return QTest::qWaitFor([this] { return write().isEnabled(); }, test::patienceMs);
     }
     [[nodiscard]] bool ended()
     {
-        return QTest::qWaitFor([this] { return !write().isVisible(); }, 30'000) && bench.idle();
+        return QTest::qWaitFor([this] { return !write().isVisible(); }, test::patienceMs)
+            && bench.idle();
     }
     /// Something happens at the beginning of an upload, on the session's thread.
     void atUpload(int number, const std::function<void(test::FaultyLink&)>& act)

@@ -15,7 +15,6 @@ namespace {
 
 constexpr QRect sourcePlace(1090, 100, 120, 80);
 constexpr QRect wizardPlace(10, 10, 1060, 760);
-constexpr int patienceMs = 20'000;
 
 /// Moves the real pointer, through the display server.
 bool pointer(const QStringList& command)
@@ -23,7 +22,8 @@ bool pointer(const QStringList& command)
     QProcess xdotool;
     xdotool.start(QStringLiteral("xdotool"), command);
     // The window must go on answering meanwhile.
-    return QTest::qWaitFor([&] { return xdotool.state() == QProcess::NotRunning; }, patienceMs)
+    return QTest::qWaitFor(
+               [&] { return xdotool.state() == QProcess::NotRunning; }, test::patienceMs)
         && xdotool.exitCode() == 0;
 }
 
@@ -53,7 +53,7 @@ public:
                 m_said += m_process.readAllStandardOutput();
                 return m_said.contains(word + '\n');
             },
-            patienceMs);
+            test::patienceMs);
     }
 
 private:
@@ -74,7 +74,7 @@ struct Scene {
         wizard.show();
         return QTest::qWaitForWindowExposed(&wizard)
             && QTest::qWaitFor(
-                [this] { return wizard.controller().status().has_value(); }, patienceMs);
+                [this] { return wizard.controller().status().has_value(); }, test::patienceMs);
     }
     [[nodiscard]] bool showsDropFrame() const
     {
@@ -130,10 +130,10 @@ private Q_SLOTS:
         Source source({file});
         QVERIFY(source.says("ready"));
         QVERIFY(dragOverPage());
-        QTRY_VERIFY_WITH_TIMEOUT(scene.showsDropFrame(), patienceMs);
+        QTRY_VERIFY(scene.showsDropFrame());
         QVERIFY(letGo());
         QVERIFY(source.says("copied"));
-        QTRY_VERIFY_WITH_TIMEOUT(scene.wizard.controller().dataFile().data, patienceMs);
+        QTRY_VERIFY(scene.wizard.controller().dataFile().data);
         QCOMPARE(scene.wizard.controller().dataFile().path, file);
         QCOMPARE(scene.wizard.controller().setup().edited().table.fileTable, std::optional(0));
         QVERIFY(!scene.showsDropFrame());
@@ -160,9 +160,9 @@ private Q_SLOTS:
         Source source({scene.stage.superData()});
         QVERIFY(source.says("ready"));
         QVERIFY(dragOverPage());
-        QTRY_VERIFY_WITH_TIMEOUT(scene.showsDropFrame(), patienceMs);
+        QTRY_VERIFY(scene.showsDropFrame());
         QVERIFY(movePointer(sourcePlace.center()));
-        QTRY_VERIFY_WITH_TIMEOUT(!scene.showsDropFrame(), patienceMs);
+        QTRY_VERIFY(!scene.showsDropFrame());
         QVERIFY(letGo());
         QVERIFY(source.says("not taken"));
         QVERIFY(scene.wizard.controller().dataFile().path.isEmpty());

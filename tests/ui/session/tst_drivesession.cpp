@@ -323,7 +323,7 @@ private Q_SLOTS:
                 };
                 return compensator.write(0, test::exampleRequest(), watched);
             });
-        QVERIFY(uploading.tryAcquire(1, 30'000));
+        QVERIFY(uploading.tryAcquire(1, test::patienceMs));
         bench.session.reset();
         VERIFY_ERROR(write.result(), ErrorCode::Cancelled);
         const auto table =

@@ -4,6 +4,7 @@
 #include "drivecomm/profile/profile_loader.h"
 #include "tests/support/compensator_fixture.h"
 #include "tests/support/faulty_link.h"
+#include "tests/support/patience.h"
 #include "tests/ui/support/gate_link.h"
 #include "ui/controller/wizard_controller.h"
 
@@ -95,15 +96,15 @@ public:
     [[nodiscard]] bool connect()
     {
         controller().setEndpoints({QStringLiteral("http://x")});
-        return QTest::qWaitFor([this] { return controller().status().has_value(); }, 20'000);
+        return QTest::qWaitFor([this] { return controller().status().has_value(); }, patienceMs);
     }
     [[nodiscard]] bool idle()
     {
-        return QTest::qWaitFor([this] { return !controller().busy().isBusy; }, 30'000);
+        return QTest::qWaitFor([this] { return !controller().busy().isBusy; }, patienceMs);
     }
     [[nodiscard]] bool fileRead()
     {
-        return QTest::qWaitFor([this] { return !controller().dataFile().isReading; }, 20'000);
+        return QTest::qWaitFor([this] { return !controller().dataFile().isReading; }, patienceMs);
     }
     /// The result of live values that are asked for now.
     [[nodiscard]] bool readLive()
@@ -113,7 +114,7 @@ public:
         QObject::connect(
             &controller(), &ui::WizardController::liveChanged, &context, [&] { isRead = true; });
         controller().refreshLive();
-        return QTest::qWaitFor([&] { return isRead; }, 20'000);
+        return QTest::qWaitFor([&] { return isRead; }, patienceMs);
     }
     [[nodiscard]] bool planAndWrite()
     {
@@ -122,7 +123,7 @@ public:
         QObject::connect(
             &controller(), &ui::WizardController::planReady, &context, [&] { isReady = true; });
         controller().planWrite();
-        if (!QTest::qWaitFor([&] { return isReady || !controller().busy().isBusy; }, 30'000)
+        if (!QTest::qWaitFor([&] { return isReady || !controller().busy().isBusy; }, patienceMs)
             || !isReady)
             return false;
         controller().write();

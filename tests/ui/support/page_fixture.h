@@ -6,6 +6,7 @@
 #include "drivecomm/profile/profile_loader.h"
 #include "drivecomm/virtualdrive/web/web_server.h"
 #include "tests/support/compensator_fixture.h"
+#include "tests/support/patience.h"
 #include "tests/support/verify.h"
 #include "tests/ui/support/page_user.h"
 #include "ui/controller/wizard_settings.h"
@@ -90,17 +91,17 @@ public:
     {
         controller().setEndpoints({served.url()});
         return user.isThere()
-            && QTest::qWaitFor([this] { return controller().status().has_value(); }, 20'000);
+            && QTest::qWaitFor([this] { return controller().status().has_value(); }, patienceMs);
     }
     [[nodiscard]] bool idle()
     {
-        return QTest::qWaitFor([this] { return !controller().busy().isBusy; }, 30'000);
+        return QTest::qWaitFor([this] { return !controller().busy().isBusy; }, patienceMs);
     }
     /// What the page says about the last operation.
     [[nodiscard]] QString outcome() { return user.message("outcomeMessage"); }
     [[nodiscard]] bool saysOutcome(const QString& part)
     {
-        return idle() && QTest::qWaitFor([&] { return outcome().contains(part); }, 10'000);
+        return idle() && QTest::qWaitFor([&] { return outcome().contains(part); }, patienceMs);
     }
 
     /// 2D over both axes with the file's first table chosen, by the person; nothing is written.
@@ -115,7 +116,7 @@ public:
                 return false;
         }
         const bool mayWrite = QTest::qWaitFor(
-            [this] { return controller().action(ui::Action::Write).isEnabled; }, 20'000);
+            [this] { return controller().action(ui::Action::Write).isEnabled; }, patienceMs);
         if (!mayWrite)
             qInfo("cannot write: %s", qPrintable(user.hint()));
         return mayWrite;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "tests/support/patience.h"
 #include "tests/ui/support/page_stage.h"
 
 #include <QAbstractButton>
@@ -13,7 +14,6 @@
 namespace axiscomp::test {
 
 inline constexpr QSize pageSize(1280, 720);
-inline constexpr int patienceMs = 20'000;
 
 inline void wait(const std::function<bool()>& condition, const char* what)
 {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "tests/support/patience.h"
 #include "tests/ui/support/window_test.h"
 
 #include <QAbstractItemView>
@@ -135,7 +136,7 @@ public:
 
     template <typename Condition> static bool waitFor(const Condition& condition)
     {
-        return QTest::qWaitFor(condition, 20'000);
+        return QTest::qWaitFor(condition, patienceMs);
     }
 
 private:

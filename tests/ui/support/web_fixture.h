@@ -3,6 +3,7 @@
 
 #include "drivecomm/link_factory.h"
 #include "drivecomm/virtualdrive/web/web_server.h"
+#include "tests/support/patience.h"
 #include "tests/ui/support/controller_fixture.h"
 
 namespace axiscomp::test {
@@ -23,7 +24,7 @@ public:
     [[nodiscard]] bool connectByWeb()
     {
         controller().setEndpoints({m_url});
-        return QTest::qWaitFor([this] { return controller().status().has_value(); }, 20'000);
+        return QTest::qWaitFor([this] { return controller().status().has_value(); }, patienceMs);
     }
     [[nodiscard]] bool isConnected()
     {
@@ -31,7 +32,7 @@ public:
     }
     [[nodiscard]] bool connectedAgain()
     {
-        return QTest::qWaitFor([this] { return isConnected(); }, 20'000);
+        return QTest::qWaitFor([this] { return isConnected(); }, patienceMs);
     }
 
     /// Pulls the plug of the network: connections break, nobody listens.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "tests/support/patience.h"
 #include "tests/support/test_registry.h"
 
 #include <QApplication>
@@ -50,7 +51,7 @@ inline void failOnWindowWarnings()
 {
     window.show();
     window.activateWindow();
-    return QTest::qWaitForWindowActive(&window, 20'000);
+    return QTest::qWaitForWindowActive(&window, patienceMs);
 }
 
 } // namespace axiscomp::test

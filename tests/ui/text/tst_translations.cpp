@@ -46,7 +46,7 @@ SourceTexts textsOfTheSources()
         {QStringLiteral("-silent"), QStringLiteral("-locations"), QStringLiteral("absolute"),
             QStringLiteral("-no-ui-lines"), QStringLiteral("-I"), QStringLiteral("."),
             QStringLiteral("ui"), QStringLiteral("app/wizard"), QStringLiteral("-ts"), found});
-    if (!lupdate.waitForFinished(120'000))
+    if (!lupdate.waitForFinished(test::patienceMs))
         return {{}, "lupdate did not end"};
     std::vector<Message> messages = test::readTranslationFile(found);
     for (Message& message : messages) // the places are told from the folder of the file
