@@ -37,11 +37,23 @@ std::vector<std::string> infoPaths(const DriveAccess& access, int axis)
     return paths;
 }
 
+/// The folders of a path's pattern down to the one behind {axis}, or `more` further ones.
+std::string folderOf(const DriveAccess& access, const std::string& pattern, int axis, int more)
+{
+    std::size_t slash = pattern.find('/', pattern.find("{axis}"));
+    for (; more > 0 && slash != std::string::npos; --more)
+        slash = pattern.find('/', slash + 1);
+    return slash == std::string::npos ? std::string()
+                                      : access.axisPath(pattern.substr(0, slash), axis) + '/';
+}
+
 AxisInfo infoFrom(const DriveAccess& access, const Readings& readings, int axis)
 {
     const RegisterPaths& names = access.registers();
     AxisInfo info;
     info.index = axis;
+    info.folder = folderOf(access, names.state, axis, 0);
+    info.signalFolder = folderOf(access, names.state, axis, 1);
     info.name = axisNameFrom(access, readings, axis);
     info.unit = textAt(readings, access.axisPath(names.positionUnit, axis));
     info.homingWord = textAt(readings, access.axisPath(names.homingState, axis));

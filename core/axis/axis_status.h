@@ -31,6 +31,8 @@ enum class CompensationFault {
 /// The words are the drive's own, to be shown; what they mean is decided once, by axis_reader.
 struct AxisInfo {
     int index = 0;
+    std::string folder; ///< "Axes[0]/": the paths of its registers begin with it
+    std::string signalFolder; ///< "Axes[0]/Signals/": those of what it measures and computes
     std::string name; ///< may be empty
     std::string unit; ///< the drive's PositionUnit: "Millimeter"
     std::string homingWord; ///< "HomingDone"

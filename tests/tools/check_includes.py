@@ -4,8 +4,9 @@
 
 Each part has a README.md with a table of its folders, from top to ground. A folder includes only what
 stands below it there; what one part may include of another is in PARTS and in the lists of HEADERS in
-CMakeLists.txt. Prints one sentence for each fault, FILE:LINE first as compilers do, and fails if there
-is one. --self-test builds small trees with one fault each and looks whether every fault is found.
+CMakeLists.txt. Nothing but the profile spells a register either. Prints one sentence for each fault,
+FILE:LINE first as compilers do, and fails if there is one. --self-test builds small trees with one fault
+each and looks whether every fault is found.
 """
 
 import os
@@ -29,6 +30,10 @@ SOURCES = (".cpp", ".h", ".cpp.in", ".h.in")
 INCLUDE = re.compile(r'^\s*#\s*include\s*(["<])([^">]+)[">]')
 QT_HEADER = re.compile(r"(Q[A-Z]\w*|Qt\w*/.*|q[a-z]+\.h)$")
 GENERATED = re.compile(r"(.*\.moc|moc_.*\.cpp|ui_.*\.h)$")
+# What a register's path looks like in a string. The profile spells registers; so does what is a drive
+# itself, and the help of a program, by way of example.
+REGISTER = re.compile(r'"[^"]*(Axes\[|\b(Signals|Parameters|Commands)/)[^"]*"')
+MAY_SPELL_REGISTERS = ("drivecomm/virtualdrive", "app")
 # The table of folders in a README.md begins with this line. The first cell of a row has one name in
 # backticks, or several that stand beside each other.
 HEADING = re.compile(r"\|\s*folder\s*\|")
@@ -133,6 +138,9 @@ class Tree:
                     continue
                 path = f"{folder}/{name}"
                 for number, line in enumerate(self.text(path).splitlines(), 1):
+                    if not path.startswith(MAY_SPELL_REGISTERS) and REGISTER.search(line.partition("//")[0]):
+                        self.fault(path, number, "spells a register. Take its path from the profile "
+                                   "(core/drive/drive_profile.h).")
                     found = INCLUDE.match(line)
                     if found:
                         self.includes.append((path, number, found.group(2)))
@@ -298,6 +306,9 @@ FAULTS = {
     "a public header includes a private one": (
         {"core/top/service.h": "#include \"core/top/hidden.h\"\n"},
         "core/top/service.h:1: includes core/top/hidden.h, which is private to core, but is offered"),
+    "a register is spelled outside the profile": (
+        {"core/ground/value.cpp": "// \"Axes[0]/\"\nauto path = \"Axes[0]/Signals/State\";\n"},
+        "core/ground/value.cpp:2: spells a register"),
     "core includes Qt": (
         {"core/ground/value.cpp": "#include <QtCore/QString>\n"},
         "core/ground/value.cpp:1: includes QtCore/QString, but core knows no Qt"),

@@ -132,23 +132,18 @@ QString axisNameOnDrive(const AxisEntry& entry)
 
 QString registerName(const std::string& path, std::span<const AxisEntry> axesOfDrive)
 {
-    const QString text = QString::fromStdString(path);
-    const QString prefix = QStringLiteral("Axes[");
-    const qsizetype close = text.indexOf(u']');
-    if (!text.startsWith(prefix) || close < 0)
-        return text;
-    bool isNumber = false;
-    const int axis = text.mid(prefix.size(), close - prefix.size()).toInt(&isNumber);
-    QString rest = text.mid(close + 2);
-    const QString signals_ = QStringLiteral("Signals/");
-    if (rest.startsWith(signals_))
-        rest.remove(0, signals_.size());
-    QString name = QCoreApplication::translate("ValueText", "Axis %1").arg(axis);
     for (const AxisEntry& entry : axesOfDrive) {
-        if (isNumber && entry.axis.index == axis && !entry.axis.name.empty())
-            name = QString::fromStdString(entry.axis.name);
+        const AxisInfo& axis = entry.axis;
+        if (axis.folder.empty() || !path.starts_with(axis.folder))
+            continue;
+        const bool isSignal = !axis.signalFolder.empty() && path.starts_with(axis.signalFolder);
+        const auto rest = path.substr((isSignal ? axis.signalFolder : axis.folder).size());
+        const QString name = axis.name.empty()
+            ? QCoreApplication::translate("ValueText", "Axis %1").arg(axis.index)
+            : QString::fromStdString(axis.name);
+        return name + QStringLiteral(" · ") + QString::fromStdString(rest);
     }
-    return name + QStringLiteral(" · ") + rest;
+    return QString::fromStdString(path);
 }
 
 } // namespace axiscomp::ui

@@ -65,9 +65,8 @@ public:
             m_position.push_back(gridAxis.position(element % gridAxis.size));
             element /= gridAxis.size;
         }
-        const std::string own = "Axes[" + std::to_string(axis.index) + "]/";
         for (std::size_t n = 0; n < table.grid.axes.size(); ++n) {
-            if (sources[n].path.starts_with(own) && m_own < 0)
+            if (!axis.folder.empty() && sources[n].path.starts_with(axis.folder) && m_own < 0)
                 m_own = static_cast<int>(n);
         }
         if (m_own < 0 && table.grid.dimensions() == 1)

@@ -40,6 +40,7 @@ SurveyedTable table1D(std::vector<float> values, const char* unit = "mm")
 AxisInfo axisX(const char* unit = "Millimeter")
 {
     AxisInfo axis;
+    axis.folder = "Axes[0]/";
     axis.name = "X";
     axis.unit = unit;
     return axis;
@@ -222,6 +223,7 @@ private Q_SLOTS:
         // Over other axes only: what the encoder of this one reads is not in the table.
         AxisInfo z = axisX();
         z.index = 2;
+        z.folder = "Axes[2]/";
         QCOMPARE(signSentenceFor(kept(table), z, {x, y, {}}),
             QStringLiteral("at X 10 mm, Y 30 mm the reference says 0.0021 mm more than the "
                            "encoder: the drive will add +0.0021 mm"));
