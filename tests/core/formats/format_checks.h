@@ -36,13 +36,78 @@ inline bool hasProblem(const TableReading& reading, DiagnosticCode code, std::si
     return false;
 }
 
-/// An axis with even knots.
-inline SourceAxis evenAxis(
-    std::string name, std::string unit, double start, double distance, std::size_t count)
+inline bool mentions(std::string_view text, std::string_view part)
+{
+    return text.find(part) != std::string_view::npos;
+}
+
+inline std::string joined(const std::vector<std::string>& lines)
+{
+    std::string text;
+    for (const std::string& line : lines)
+        text += line + '\n';
+    return text;
+}
+
+/// The text with the first `from` in it replaced.
+inline std::string with(std::string text, std::string_view from, std::string_view to)
+{
+    return text.replace(text.find(from), from.size(), to);
+}
+/// The same as a function of from and to.
+inline auto changing(const std::string& text)
+{
+    return [text](std::string_view from, std::string_view to) { return with(text, from, to); };
+}
+
+inline TableReadOptions readingWith(FormatSettings settings)
+{
+    TableReadOptions options;
+    options.settings = std::move(settings);
+    return options;
+}
+inline TableWriteOptions writingWith(FormatSettings settings)
+{
+    TableWriteOptions options;
+    options.settings = std::move(settings);
+    return options;
+}
+
+inline NeutralTable tableOf(
+    SignConvention sign, std::vector<SourceAxis> axes, std::vector<CompensationColumn> columns)
+{
+    NeutralTable table;
+    table.sign = sign;
+    table.axes = std::move(axes);
+    table.columns = std::move(columns);
+    return table;
+}
+/// An offset of the command.
+inline NeutralTable commandTable(
+    std::vector<SourceAxis> axes, std::vector<CompensationColumn> columns)
+{
+    return tableOf(SignConvention::Command, std::move(axes), std::move(columns));
+}
+/// A copy that a function changes.
+template <class Change> NeutralTable changed(NeutralTable table, const Change& change)
+{
+    change(table);
+    return table;
+}
+
+inline SourceAxis axisOf(std::string name, std::string unit, std::vector<double> knots)
 {
     SourceAxis axis;
     axis.name = std::move(name);
     axis.unit = std::move(unit);
+    axis.knots = std::move(knots);
+    return axis;
+}
+/// An axis with even knots.
+inline SourceAxis evenAxis(
+    std::string name, std::string unit, double start, double distance, std::size_t count)
+{
+    SourceAxis axis = axisOf(std::move(name), std::move(unit), {});
     for (std::size_t i = 0; i < count; ++i)
         axis.knots.push_back(start + static_cast<double>(i) * distance);
     return axis;
@@ -59,6 +124,14 @@ inline CompensationColumn waveColumn(
         column.values.push_back(scale * std::sin(static_cast<double>(i) + 1.0));
     return column;
 }
+inline CompensationColumn columnOf(std::string target, std::string unit, std::vector<double> values)
+{
+    CompensationColumn column;
+    column.target = std::move(target);
+    column.unit = std::move(unit);
+    column.values = std::move(values);
+    return column;
+}
 
 inline double largestDifference(const std::vector<double>& a, const std::vector<double>& b)
 {
@@ -70,8 +143,8 @@ inline double largestDifference(const std::vector<double>& a, const std::vector<
 
 /// Why two tables are not the same but for `allowance` in values and positions; empty: they are.
 /// Names of tables, notes and steps are left aside.
-inline std::string difference(
-    const NeutralTable& found, const NeutralTable& expected, double allowance = 0.0)
+inline std::string difference(const NeutralTable& found, const NeutralTable& expected,
+    double allowance, double allowanceOfPositions)
 {
     if (found.sign != expected.sign)
         return "the sign is " + std::string(signName(found.sign));
@@ -86,7 +159,7 @@ inline std::string difference(
             return "axis " + std::to_string(n + 1) + " is " + a.name + " [" + a.unit + "]";
         if (a.wrap != b.wrap)
             return "the wrap of axis " + a.name + " differs";
-        if (!(largestDifference(a.knots, b.knots) <= allowance))
+        if (!(largestDifference(a.knots, b.knots) <= allowanceOfPositions))
             return "the knots of axis " + a.name + " differ";
     }
     for (std::size_t n = 0; n < found.columns.size(); ++n) {
@@ -100,6 +173,11 @@ inline std::string difference(
                 + toText(largestDifference(a.values, b.values));
     }
     return {};
+}
+inline std::string difference(
+    const NeutralTable& found, const NeutralTable& expected, double allowance = 0.0)
+{
+    return difference(found, expected, allowance, allowance);
 }
 
 /// What the family's controller applies at a position, for the first column.
@@ -119,6 +197,11 @@ inline double applied(const TableFamily& family, const NeutralTable& table,
     QVERIFY2(reading_##table->tables.size() == 1,                                                  \
         axiscomp::test::problemLines(*reading_##table).c_str());                                   \
     const axiscomp::NeutralTable& table = reading_##table->tables.front()
+
+/// What is written of one table without an error.
+#define WRITE_TABLE(written, family, table, options)                                               \
+    const auto written = (family).write(std::array{table}, options);                               \
+    VERIFY_RESULT(written)
 
 /// The two tables are the same; otherwise the first difference in words.
 #define COMPARE_TABLES(found, expected, allowance)                                                 \

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/core/formats/format_checks.h"
+#include "tests/core/formats/format_sample.h"
 #include "tests/support/test_registry.h"
 
 namespace tst_aerotech1d {
 
 using namespace axiscomp;
-using test::applied;
+using test::changed;
 using test::problemLines;
 
 namespace {
@@ -19,19 +19,102 @@ const std::string file = "; stage 12\n"
                          "  -4 ; middle\n"
                          ":END\n";
 
-std::string with(const std::string& from, const std::string& to)
-{
-    std::string text = file;
-    return text.replace(text.find(from), from.size(), to);
-}
+const auto with = test::changing(file);
 
 NeutralTable ownTable(const std::string& axis, std::size_t count = 25)
 {
-    NeutralTable table;
-    table.sign = SignConvention::Command;
-    table.axes = {test::evenAxis(axis, "mm", -20.5, 0.3, count)};
-    table.columns = {test::waveColumn(axis, "mm", count, 0.01)};
-    return table;
+    return test::commandTable({test::evenAxis(axis, "mm", -20.5, 0.3, count)},
+        {test::waveColumn(axis, "mm", count, 0.01)});
+}
+
+void describe(test::FormatSample& sample)
+{
+    sample.facts = "command is published; 1 to 1 dimensions, even knots; "
+                   "points any, columns 1, tables any, bytes 67108864; holds units notes";
+    sample.text = file;
+    sample.comment = "; ";
+    sample.spareBytes = 1;
+    sample.applies({{{-7.5}, 0.0015}, {{-100}, 0.001}, {{100}, -0.004}});
+    sample.recognises(Recognition::Certain, {file});
+    sample.recognises(Recognition::No, {":START2D 1 2 1 2 5 5 3\n", ":START\n", "1 2 3\n" + file});
+    const std::string homed =
+        with("OFFSET=10", "OFFSET=10 HOMEOFFSET=2 HOMEDIRECTION=0 COLOUR=RED SERIALNUMBER=7");
+    sample.applies({{{-7.5}, 0.0015}}, homed);
+    sample.warning("home offset and unknown options", homed,
+        {"3:47 UnknownKey COLOUR|", "3:18 Assumption HOMEOFFSET 2|"});
+
+    const NeutralTable noted =
+        changed(ownTable("2", 11), [](NeutralTable& table) { table.notes = {"warm machine"}; });
+    const NeutralTable rotary = test::commandTable(
+        {test::evenAxis("4", "deg", -20.5, 0.3, 2)}, {test::waveColumn("4", "deg", 2, 0.01)});
+    sample.writes("one table", {ownTable("1")}).within(0, 1e-12);
+    sample.writes("several tables", {ownTable("1"), noted, rotary})
+        .within(0, 1e-12)
+        .readWith({{"rotary-axes", "4"}});
+    sample
+        .writes("the form of the manual",
+            {test::commandTable({test::evenAxis("3", "mm", -0.5, 2.5, 2)},
+                {test::columnOf("3", "um", {0.01, -2})})})
+        .as(":START 3 SAMPLEDIST=2.5 POSUNIT=METRIC CORUNIT=METRIC\n"
+            ":START OFFSET=0.5\n0.00001 -0.002\n:END\n")
+        .becoming(test::commandTable({test::evenAxis("3", "mm", -0.5, 2.5, 2)},
+            {test::columnOf("3", "mm", {0.00001, -0.002})}));
+    // The column was in mm: one is added to the other, so that both have the unit of the positions.
+    const SourceAxis axis = test::evenAxis("1", "um", -20.5, 0.3, 3);
+    sample
+        .writes(
+            "primary units", {test::commandTable({axis}, {test::waveColumn("1", "mm", 3, 0.01)})})
+        .with({{"units", "primary"}})
+        .readWith({{"primary-unit", "um"}})
+        .containing({"POSUNIT=PRIMARY CORUNIT=PRIMARY"})
+        .becoming(test::commandTable({axis}, {test::waveColumn("1", "um", 3, 10)}))
+        .within(1e-10);
+    sample.writes("an axis that is no number", {ownTable("X")})
+        .with({{"axis", "2"}})
+        .becoming(ownTable("2"))
+        .within(0, 1e-12);
+    sample.refuses("an axis that is no number", {ownTable("X")}, ErrorCode::InvalidArgument,
+        "the setting axis");
+    sample.refuses("one axis twice", {ownTable("1"), ownTable("1")}, ErrorCode::FormatCannotHold);
+    sample.refuses("another axis",
+        {changed(ownTable("1"), [](NeutralTable& table) { table.columns[0].target = "2"; })},
+        ErrorCode::FormatCannotHold);
+
+    sample.reading.settings["primary-unit"] = "mm";
+    const auto row = sample.problemRow();
+    row("comments only", "; nothing\n", "0:0 Syntax |a table that begins with :START");
+    row("truncated", file.substr(0, file.find(":END")),
+        "0:0 Syntax |:END of the table that begins in line 2");
+    row("no end before the next", file.substr(0, file.find(":END")) + file,
+        "7:1 Syntax :START 1 SAMPLEDIST=5 POSUNIT=METRIC COR…|:END of the table that begins "
+        "in line 2");
+    row("no start", "1 2 3\n", "1:1 Syntax 1 2 3|a table that begins with :START");
+    row("end alone", ":END\n" + file, "1:1 Syntax :END|:START before :END");
+    row("two dimensions", ":START2D 1 2 1 2 5 5 3\n",
+        "1:1 Syntax :START2D|:START or :END; tables of one and of two dimensions");
+    row("no axis", with(":START 1 ", ":START "), "2:1 Syntax :START SAMPLEDIST");
+    row("axis 0", with(":START 1 ", ":START 0 "), "2:8 Syntax 0|the number of one axis");
+    row("two axes", with(":START 1 ", ":START 1 2 "), "2:8 Syntax 1|the number of one axis");
+    row("no distance", with("SAMPLEDIST=5 ", ""), "2:0 Syntax |SAMPLEDIST= and the distance");
+    row("distance 0", with("SAMPLEDIST=5", "SAMPLEDIST=0"), "2:0 Syntax |SAMPLEDIST=");
+    row("distance that is none", with("SAMPLEDIST=5", "SAMPLEDIST=five"),
+        "2:21 NotANumber five|the number of SAMPLEDIST");
+    row("no value", with("SAMPLEDIST=5", "SAMPLEDIST"), "2:10 Syntax SAMPLEDIST|SAMPLEDIST= and");
+    row("key without a name", with("OFFSET=10", "= 10"), "3:8 Syntax = 10|KEY=VALUE");
+    row("nothing behind =", with("OFFSET=10 ' where it begins", "OFFSET="),
+        "3:8 Syntax OFFSET=|KEY=VALUE");
+    row("unit", with("POSUNIT=METRIC", "POSUNIT=FURLONG"), "2:23 Syntax FURLONG|POSUNIT=METRIC");
+    row("divided by 0", with("METRIC/1000", "METRIC/0"), "2:38 Syntax METRIC/0|CORUNIT=METRIC");
+    row("twice", with("OFFSET=10", "OFFSET=10 OFFSET=11"),
+        "3:18 Contradiction OFFSET a second time|each option once");
+    row("a value that is none", with("-4", "-4x"), "5:3 NotANumber -4x|a correction");
+    row("one value", ":START 1 SAMPLEDIST=5\n7\n:END\n", "1:0 TooFewPoints 1 corrections|");
+    row("values beyond a double", with("METRIC/1000", "METRIC/1e-310"),
+        "2:0 LimitExceeded a correction that is too large");
+    row("positions beyond a double", with("SAMPLEDIST=5", "SAMPLEDIST=1e308"),
+        "2:0 NotMonotonic inf after 1e+308|");
+    row("positions that are the same", with("OFFSET=10", "OFFSET=1e300"),
+        "2:0 NotMonotonic -1e+300 after -1e+300|strictly increasing");
 }
 
 } // namespace
@@ -76,14 +159,6 @@ private Q_SLOTS:
         QCOMPARE(table.columns[0].values, (std::vector<double>{-0.001, -0.002, 0.004}));
     }
 
-    void itIsLinearBetweenThePointsAndHeldOutside()
-    {
-        READ_TABLE(table, family, file, {});
-        QCOMPARE(applied(family, table, {-7.5}), 0.0015);
-        QCOMPARE(applied(family, table, {-100}), 0.001);
-        QCOMPARE(applied(family, table, {100}), -0.004);
-    }
-
     void unitsAreThoseOfTheFileOrOfASetting()
     {
         READ_TABLE(english, family, with("POSUNIT=METRIC", "POSUNIT=ENGLISH"), {});
@@ -105,172 +180,10 @@ private Q_SLOTS:
         QCOMPARE(silent.axes[0].unit, std::string());
         QVERIFY(test::hasProblem(*reading_silent, DiagnosticCode::UnitNotGiven, 2));
     }
-
-    void unknownOptionsAndHomeOffsetsAreWarnings()
-    {
-        READ_TABLE(table, family,
-            with("OFFSET=10", "OFFSET=10 HOMEOFFSET=2 HOMEDIRECTION=0 COLOUR=RED SERIALNUMBER=7"),
-            {});
-        QCOMPARE(table.axes[0].knots[0], -10.0);
-        QVERIFY(test::hasProblem(*reading_table, DiagnosticCode::Assumption, 3));
-        QVERIFY(test::hasProblem(*reading_table, DiagnosticCode::UnknownKey, 3));
-        QCOMPARE(reading_table->diagnostics.size(), std::size_t(2));
-    }
-
-    void severalTablesAreWrittenAndReadBackTheSame()
-    {
-        NeutralTable rotary = ownTable("4", 2);
-        rotary.axes[0].unit = "deg";
-        rotary.columns[0].unit = "deg";
-        NeutralTable noted = ownTable("2", 11);
-        noted.notes = {"warm machine"};
-        const std::array tables{ownTable("1"), noted, rotary};
-        const auto written = family.write(tables, {});
-        VERIFY_RESULT(written);
-        TableReadOptions options;
-        options.settings["rotary-axes"] = "4";
-        const auto again = family.read(written->bytes, options);
-        VERIFY_RESULT(again);
-        QCOMPARE(again->tables.size(), tables.size());
-        QCOMPARE(again->tables, written->held);
-        for (std::size_t i = 0; i < tables.size(); ++i) {
-            COMPARE_TABLES(again->tables[i], tables[i], 1e-12);
-            QCOMPARE(again->tables[i].columns[0].values, tables[i].columns[0].values);
-            QCOMPARE(again->tables[i].notes, tables[i].notes);
-        }
-    }
-
-    void theFileHasTheFormOfTheManual()
-    {
-        NeutralTable table = ownTable("3", 2);
-        table.axes[0].knots = {-0.5, 2};
-        table.columns[0].unit = "um";
-        table.columns[0].values = {0.01, -2};
-        const auto written = family.write(std::array{table}, {});
-        VERIFY_RESULT(written);
-        QCOMPARE(written->bytes,
-            std::string(":START 3 SAMPLEDIST=2.5 POSUNIT=METRIC CORUNIT=METRIC\n"
-                        ":START OFFSET=0.5\n0.00001 -0.002\n:END\n"));
-    }
-
-    void primaryUnitsKeepTheNumbers()
-    {
-        NeutralTable table = ownTable("1", 3);
-        table.axes[0].unit = "um";
-        TableWriteOptions options;
-        options.settings["units"] = "primary";
-        const auto written = family.write(std::array{table}, options);
-        VERIFY_RESULT(written);
-        QVERIFY(written->bytes.find("POSUNIT=PRIMARY CORUNIT=PRIMARY") != std::string::npos);
-        const NeutralTable& held = written->held.front();
-        QCOMPARE(held.axes[0].unit, std::string("um"));
-        QCOMPARE(held.columns[0].unit, std::string("um")); // one is added to the other
-        QVERIFY(std::abs(held.columns[0].values[1] - 1000 * table.columns[0].values[1]) < 1e-9);
-    }
-
-    void anAxisThatIsNoNumberNeedsTheSetting()
-    {
-        const auto refused = family.write(std::array{ownTable("X")}, {});
-        VERIFY_ERROR(refused, ErrorCode::InvalidArgument);
-        QVERIFY(test::describe(refused.error()).find("the setting axis") != std::string::npos);
-        TableWriteOptions options;
-        options.settings["axis"] = "2";
-        const auto written = family.write(std::array{ownTable("X")}, options);
-        VERIFY_RESULT(written);
-        QCOMPARE(written->held.front().axes[0].name, std::string("2"));
-        const std::array both{ownTable("1"), ownTable("1")};
-        VERIFY_ERROR(family.write(both, {}), ErrorCode::FormatCannotHold);
-    }
-
-    void aTableForAnotherAxisIsRefused()
-    {
-        NeutralTable cross = ownTable("1");
-        cross.columns[0].target = "2";
-        VERIFY_ERROR(family.write(std::array{cross}, {}), ErrorCode::FormatCannotHold);
-        NeutralTable modulo = ownTable("1");
-        modulo.axes[0].wrap = 100;
-        VERIFY_ERROR(checkHolds(family.facts, std::array{modulo}), ErrorCode::FormatCannotHold);
-    }
-
-    void aProblemNamesItsPlace_data()
-    {
-        QTest::addColumn<QByteArray>("text");
-        QTest::addColumn<QByteArray>("problem"); // the beginning of the first one
-        const auto row = [](const char* name, const std::string& text, const char* problem) {
-            QTest::newRow(name) << QByteArray::fromStdString(text) << QByteArray(problem);
-        };
-        row("empty", "", "0:0 EmptyFile");
-        row("binary", std::string(":START 1\0", 9), "1:0 NotText");
-        row("comments only", "; nothing\n", "0:0 Syntax |a table that begins with :START");
-        row("truncated", file.substr(0, file.find(":END")),
-            "0:0 Syntax |:END of the table that begins in line 2");
-        row("no end before the next", file.substr(0, file.find(":END")) + file,
-            "7:1 Syntax :START 1 SAMPLEDIST=5 POSUNIT=METRIC COR…|:END of the table that begins "
-            "in line 2");
-        row("no start", "1 2 3\n", "1:1 Syntax 1 2 3|a table that begins with :START");
-        row("end alone", ":END\n" + file, "1:1 Syntax :END|:START before :END");
-        row("two dimensions", ":START2D 1 2 1 2 5 5 3\n",
-            "1:1 Syntax :START2D|:START or :END; tables of one and of two dimensions");
-        row("no axis", with(":START 1 ", ":START "), "2:1 Syntax :START SAMPLEDIST");
-        row("axis 0", with(":START 1 ", ":START 0 "), "2:8 Syntax 0|the number of one axis");
-        row("two axes", with(":START 1 ", ":START 1 2 "), "2:8 Syntax 1|the number of one axis");
-        row("no distance", with("SAMPLEDIST=5 ", ""), "2:0 Syntax |SAMPLEDIST= and the distance");
-        row("distance 0", with("SAMPLEDIST=5", "SAMPLEDIST=0"), "2:0 Syntax |SAMPLEDIST=");
-        row("distance that is none", with("SAMPLEDIST=5", "SAMPLEDIST=five"),
-            "2:21 NotANumber five|the number of SAMPLEDIST");
-        row("no value", with("SAMPLEDIST=5", "SAMPLEDIST"),
-            "2:10 Syntax SAMPLEDIST|SAMPLEDIST= and");
-        row("key without a name", with("OFFSET=10", "= 10"), "3:8 Syntax = 10|KEY=VALUE");
-        row("nothing behind =", with("OFFSET=10 ' where it begins", "OFFSET="),
-            "3:8 Syntax OFFSET=|KEY=VALUE");
-        row("unit", with("POSUNIT=METRIC", "POSUNIT=FURLONG"),
-            "2:23 Syntax FURLONG|POSUNIT=METRIC");
-        row("divided by 0", with("METRIC/1000", "METRIC/0"), "2:38 Syntax METRIC/0|CORUNIT=METRIC");
-        row("twice", with("OFFSET=10", "OFFSET=10 OFFSET=11"),
-            "3:18 Contradiction OFFSET a second time|each option once");
-        row("a value that is none", with("-4", "-4x"), "5:3 NotANumber -4x|a correction");
-        row("one value", ":START 1 SAMPLEDIST=5\n7\n:END\n", "1:0 TooFewPoints 1 corrections|");
-        row("values beyond a double", with("METRIC/1000", "METRIC/1e-310"),
-            "2:0 LimitExceeded a correction that is too large");
-        row("positions beyond a double", with("SAMPLEDIST=5", "SAMPLEDIST=1e308"),
-            "2:0 NotMonotonic inf after 1e+308|");
-        row("positions that are the same", with("OFFSET=10", "OFFSET=1e300"),
-            "2:0 NotMonotonic -1e+300 after -1e+300|strictly increasing");
-    }
-    void aProblemNamesItsPlace()
-    {
-        QFETCH(QByteArray, text);
-        QFETCH(QByteArray, problem);
-        TableReadOptions options;
-        options.settings["primary-unit"] = "mm";
-        const auto reading = family.read(text.toStdString(), options);
-        VERIFY_RESULT(reading);
-        QVERIFY(reading->tables.empty());
-        const std::string found = problemLines(*reading);
-        QVERIFY2(found.starts_with(problem.toStdString()), found.c_str());
-    }
-
-    void aFileIsRecognisedByItsFirstDirective()
-    {
-        QCOMPARE(family.recognise(file), Recognition::Certain);
-        QCOMPARE(family.recognise(":START2D 1 2 1 2 5 5 3\n"), Recognition::No);
-        QCOMPARE(family.recognise(":START\n"), Recognition::No);
-        QCOMPARE(family.recognise("1 2 3\n" + file), Recognition::No);
-        QCOMPARE(family.recognise(""), Recognition::No);
-    }
-
-    void twoMegabytesAreReadWhole()
-    {
-        std::string text = ":START 1 SAMPLEDIST=0.1 POSUNIT=METRIC CORUNIT=METRIC\n";
-        for (int i = 0; i < 260000; ++i)
-            text += i % 10 == 9 ? "0.00123\n" : "-0.0012 ";
-        QVERIFY(text.size() > 2'000'000);
-        READ_TABLE(table, family, text + ":END\n", {});
-        QCOMPARE(table.pointCount(), std::size_t(260000));
-    }
 };
 
 AXISCOMP_TEST(TestAerotech1d)
+AXISCOMP_FORMAT(family, describe)
 
 } // namespace tst_aerotech1d
 

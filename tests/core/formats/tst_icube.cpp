@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/core/formats/format_checks.h"
+#include "tests/core/formats/format_sample.h"
 #include "tests/support/test_registry.h"
 
 namespace tst_icube {
 
 using namespace axiscomp;
 using test::applied;
-using test::problemLines;
+using test::mentions;
 
 namespace {
 
@@ -16,36 +16,141 @@ const TableFamily& family = icube::format();
 const std::string example = "0.00 0.001\n0.25 0.001\n0.50 0.001\n1.00 0.002\n5.00 0.002\n"
                             "7.00 0.001\n8.00 0.000\n9.00 -0.001\n9.25 -0.002\n10.00 0.001\n";
 
-TableReadOptions inMillimetres()
-{
-    TableReadOptions options;
-    options.settings = {{"position-unit", "mm"}};
-    return options;
-}
+const TableReadOptions inMillimetres = test::readingWith({{"position-unit", "mm"}});
 
-TableReadOptions rotary(std::string range)
+FormatSettings rotary(std::string range)
 {
-    TableReadOptions options;
-    options.settings = {{"position-unit", "deg"}, {"wrap-range", std::move(range)}};
-    return options;
+    return {{"position-unit", "deg"}, {"wrap-range", std::move(range)}};
 }
 
 NeutralTable table(std::vector<double> knots, std::vector<double> values)
 {
-    NeutralTable result;
-    result.sign = SignConvention::Command;
-    result.axes.resize(1);
-    result.axes[0].unit = "mm";
-    result.axes[0].knots = std::move(knots);
-    result.columns.resize(1);
-    result.columns[0].unit = "mm";
-    result.columns[0].values = std::move(values);
-    return result;
+    return test::commandTable(
+        {test::axisOf("", "mm", std::move(knots))}, {test::columnOf("", "mm", std::move(values))});
 }
 
-bool mentions(const std::string& text, std::string_view part)
+void describe(test::FormatSample& sample)
 {
-    return text.find(part) != std::string::npos;
+    sample.facts = "command is published; 1 to 1 dimensions, any knots; "
+                   "points any, columns 1, tables 1, bytes 999999; holds wrap";
+    sample.text = example;
+    sample.reading = inMillimetres;
+    sample.spareBytes = example.size() - 17; // two points are a table
+    sample.applies({{{6.0}, 0.0015}, {{8.5}, -0.0005}, {{-3.999}, 0.001}, {{-4.00}, 0.001}});
+    sample.applies({{{-5.0}, 0.004}, {{1e6}, 0.001}}, "-4 0.004\n0 0\n10 0.001\n");
+    sample.recognises(
+        Recognition::Possible, {example, "Master,Offset\n0,1\n1,1\n", example + "11.0"});
+    sample.recognises(Recognition::No,
+        {"0 1 2\n1 1 2\n", "1 3\n0 0.1\n1 0.1\n2 0.1\n", "0,1\n", "a\nb\nc\nd\ne\nf\n0,1\n1,1\n"});
+    const std::string headers = "Axis1, compensation\nMaster;Offset\n0,0.1\n1,0.2\n";
+    sample.applies({{{0.5}, 0.15}}, headers);
+    sample.warning("leading lines that are not two numbers are headers", headers, {});
+    sample.warning("a header that may be a point", "0,0.1,7\n1,0.1\n2,0.2\n", {"1:0 Assumption"});
+    sample.warning("a unit that nobody says", example, {"0:0 UnitNotGiven"}, FormatSettings());
+
+    const FormatSettings twoUnits{{"position-unit", "mm"}, {"value-unit", "um"}};
+    sample.problem("two units", example, "0:0 Contradiction", "", twoUnits);
+    sample.refuses("two units", {table({0, 1}, {0, 0})}, ErrorCode::InvalidArgument, "", twoUnits);
+    sample.refuses("another kind of unit", {table({0, 1}, {0, 0.5})}, ErrorCode::InvalidArgument,
+        "", FormatSettings{{"position-unit", "deg"}});
+    sample.refusesReading("no wrap range", rotary("0"), "");
+    sample.refusesReading("a negative wrap range", rotary("-1"), "");
+    sample
+        .writes(
+            "uneven positions", {table({-7.5, 0, 0.1, 3, 1000.125}, {0.1, -0.02, 0, 1e-7, 0.3})})
+        .as("-7.5,0.1\n0,-0.02\n0.1,0\n3,0.0000001\n1000.125,0.3\n");
+    NeutralTable named = table({0, 90, 360}, {0.5, 2, 0.5});
+    named.axes[0].name = "C";
+    named.axes[0].unit = "deg";
+    named.axes[0].wrap = 360;
+    named.columns[0].target = "C";
+    named.columns[0].unit = "mdeg";
+    named.notes = {"measured"};
+    NeutralTable nameless = table({0, 90, 360}, {0.0005, 0.002, 0.0005});
+    nameless.axes[0].unit = nameless.columns[0].unit = "deg";
+    nameless.axes[0].wrap = 360;
+    sample.writes("a rotary axis", {named})
+        .as("0,0.0005\n90,0.002\n360,0.0005\n")
+        .readWith(rotary("360"))
+        .becoming(nameless);
+    NeutralTable axis1 = table({0, 1}, {0, 0.001});
+    axis1.axes[0].name = axis1.columns[0].target = "Axis1";
+    sample.writes("the name of the file", {axis1})
+        .remarking({"Axis1PosComp.CSV", "in mm"})
+        .becoming(table({0, 1}, {0, 0.001}));
+    const auto in = [](const char* unit, std::vector<double> knots, std::vector<double> values) {
+        NeutralTable result = table(std::move(knots), std::move(values));
+        result.axes[0].unit = result.columns[0].unit = unit;
+        return result;
+    };
+    sample.writes("in micrometres", {table({0, 1}, {0, 0.5})})
+        .with({{"position-unit", "um"}})
+        .readWith({{"position-unit", "um"}})
+        .as("0,0\n1000,500\n")
+        .becoming(in("um", {0, 1000}, {0, 500}));
+    sample.writes("in metres, and no digits more", {table({0, 2.3}, {0, 0.7})})
+        .with({{"position-unit", "m"}})
+        .readWith({{"position-unit", "m"}})
+        .as("0,0\n0.0023,0.0007\n")
+        .becoming(in("m", {0, 0.0023}, {0, 0.0007}));
+
+    const auto turn = [](std::vector<double> values, std::optional<double> wrap) {
+        NeutralTable result = table({0, 180, 360}, std::move(values));
+        result.axes[0].wrap = wrap;
+        return result;
+    };
+    const FormatSettings oneTurn{{"wrap-range", "360"}};
+    sample.writes("the wrap range of the setting", {turn({0, 1, 0}, {})})
+        .with(oneTurn)
+        .readWith({{"position-unit", "mm"}, {"wrap-range", "360"}})
+        .becoming(turn({0, 1, 0}, 360));
+    sample.refuses("another wrap range than the setting's", {turn({0, 1, 0}, 720)},
+        ErrorCode::InvalidArgument, "", oneTurn);
+    sample.refuses("no wrap range", {turn({0, 1, 0}, 720)}, ErrorCode::InvalidArgument, "",
+        FormatSettings{{"wrap-range", "0"}});
+    const auto cannotHold = ErrorCode::FormatCannotHold;
+    sample.refuses("position + offset turns", {turn({0, -180, 0}, {})}, cannotHold, "4900");
+    sample.refuses("not a whole revolution", {turn({0, 1, 0}, 361)}, cannotHold, "4902");
+    sample.refuses("ends differ", {turn({0, 1, 0.1}, 360)}, cannotHold, "4902");
+    NeutralTable cross = table({0, 180, 360}, {0, 1, 0});
+    cross.axes[0].name = "X";
+    cross.columns[0].target = "Y";
+    sample.refuses("cross compensation", {cross}, cannotHold, "X to Y");
+
+    const auto row = [&sample](const char* name, const char* text, const char* line,
+                         const char* number = "4900") { sample.problem(name, text, line, number); };
+    row("headers only", "Master,Slave\nof Axis1\n", "0:0 Syntax |lines of two numbers");
+    row("decimal commas", "Position;Offset\n0,25;0,001\n0,5;0,002\n",
+        "2:0 Syntax 0,25;0,001|lines of two numbers");
+    row("one point", "X,Y\n0,0.1\n", "2:0 TooFewPoints 1 point|at least 2");
+    row("offset missing", "0,0.1\n1\n", "2:0 ColumnCount 1 number|two numbers");
+    row("offset empty", "0,0.1\n1,\n", "2:3 NotANumber |an offset");
+    row("cut off", "0,0.1\n1,0.\n2,-", "3:3 NotANumber -|an offset");
+    row("three numbers", "0,0.1\n1,0.1,5\n", "2:0 ColumnCount 3 numbers|two numbers");
+    row("position is none", "0,0.1\nx1,0.1\n", "2:1 NotANumber x1|a position");
+    row("offset is none", "0 0.1\n1 0.1mm\n", "2:3 NotANumber 0.1mm|an offset");
+    row("not finite", "0 0.1\n1 inf\n", "2:3 NotANumber inf|an offset");
+    row("duplicate", "0,0.1\n1,0.1\n1,0.1\n",
+        "3:0 NotMonotonic 1 after 1|strictly increasing positions");
+    row("duplicate at the beginning", "1,0.1\n1,0.1\n2,0.1\n",
+        "2:0 NotMonotonic 1 after 1|strictly increasing positions");
+    row("turns down", "0,0\n5,0\n4,0\n",
+        "3:0 NotMonotonic 4 after 5|strictly increasing positions");
+    row("turns up", "5,0\n0,0\n1,0\n", "3:0 NotMonotonic 1 after 0|strictly decreasing positions");
+    row("sum turns", "0,0.5\n1,0.25\n2,-1\n",
+        "3:0 NotMonotonic position + offset 1 after 1.25|strictly increasing");
+    row("sum stands", "0,0\n1,-1\n", "2:0 NotMonotonic position + offset 0 after 0|strictly");
+    row("sum of decreasing positions turns", "2,0\n1,1.5\n0,0\n",
+        "2:0 NotMonotonic position + offset 2.5 after 2|strictly decreasing");
+    row("further problems", "0,0\n1,a\n2\n3,b\n",
+        "2:3 NotANumber a|an offset such as 0.001 #4900\n3:0 ColumnCount 1 number|two numbers such "
+        "as 0.25,0.001: position and offset #4900\n4:3 NotANumber b|an offset");
+    sample.problem("a rotary table that is too short", "0,0\n359.999,0\n",
+        "2:0 NotPeriodic positions from 0 to 359.999|a span of exactly 360", "4902", rotary("360"));
+    sample.problem("a rotary table that is too long", "0,0\n361,0\n",
+        "2:0 NotPeriodic positions from 0 to 361", "4902", rotary("360"));
+    sample.problem("a rotary table with another offset at its end", "0,0\n180,1\n360,0.001\n",
+        "3:0 NotPeriodic the offsets 0 and 0.001 at the ends", "4902", rotary("360"));
 }
 
 } // namespace
@@ -58,37 +163,13 @@ private Q_SLOTS:
 
     void theExampleOfTheManualIsRead()
     {
-        READ_TABLE(read, family, example, inMillimetres());
+        READ_TABLE(read, family, example, inMillimetres);
         QCOMPARE(read.axes[0].knots, (std::vector<double>{0, 0.25, 0.5, 1, 5, 7, 8, 9, 9.25, 10}));
         QCOMPARE(read.columns[0].values,
             (std::vector<double>{
                 0.001, 0.001, 0.001, 0.002, 0.002, 0.001, 0, -0.001, -0.002, 0.001}));
         QCOMPARE(read.axes[0].unit, std::string("mm"));
         QCOMPARE(read.columns[0].unit, std::string("mm"));
-    }
-
-    void theOffsetIsAddedToTheCommand()
-    {
-        QVERIFY(family.facts.sign == SignConvention::Command);
-        READ_TABLE(read, family, example, inMillimetres());
-        QVERIFY(read.sign == SignConvention::Command);
-    }
-
-    void betweenThePointsTheOffsetIsLinear()
-    {
-        READ_TABLE(read, family, example, inMillimetres());
-        QCOMPARE(applied(family, read, {6.0}), 0.0015);
-        QCOMPARE(applied(family, read, {8.5}), -0.0005);
-    }
-
-    void outsideOfTheTableTheOffsetAtTheEndIsHeld()
-    {
-        READ_TABLE(read, family, "-4 0.004\n0 0\n10 0.001\n", inMillimetres());
-        QCOMPARE(applied(family, read, {-5.0}), 0.004);
-        QCOMPARE(applied(family, read, {1e6}), 0.001);
-        READ_TABLE(manual, family, example, inMillimetres());
-        QCOMPARE(applied(family, manual, {-3.999}), 0.001);
-        QCOMPARE(applied(family, manual, {-4.00}), 0.001);
     }
 
     void everySeparatorIsRead_data()
@@ -102,321 +183,46 @@ private Q_SLOTS:
         row("semicolon", "0;0.25\n1;-0.25");
         row("tab", "0\t0.25\n1\t-0.25\n");
         row("blanks", "  0   0.25\n 1  -0.25 \n");
-        row("byte-order mark",
-            "\xEF\xBB\xBF"
-            "0,0.25\n1,-0.25\n");
         row("empty lines", "\n0,0.25\n\n1,-0.25\n\n");
     }
     void everySeparatorIsRead()
     {
         QFETCH(QByteArray, text);
-        READ_TABLE(read, family, text.toStdString(), inMillimetres());
+        READ_TABLE(read, family, text.toStdString(), inMillimetres);
         QCOMPARE(read.axes[0].knots, (std::vector<double>{0, 1}));
         QCOMPARE(read.columns[0].values, (std::vector<double>{0.25, -0.25}));
     }
 
-    void leadingLinesThatAreNotTwoNumbersAreHeaders()
-    {
-        const auto reading =
-            family.read("Axis1, compensation\nMaster;Offset\n0,0.1\n1,0.2\n", inMillimetres());
-        VERIFY_RESULT(reading);
-        QCOMPARE(problemLines(*reading), std::string());
-        QCOMPARE(reading->tables.front().pointCount(), std::size_t(2));
-    }
-
-    void aHeaderThatMayBeAPointIsReported()
-    {
-        const auto reading = family.read("0,0.1,7\n1,0.1\n2,0.2\n", inMillimetres());
-        VERIFY_RESULT(reading);
-        QCOMPARE(reading->tables.size(), std::size_t(1));
-        QVERIFY(test::hasProblem(*reading, DiagnosticCode::Assumption, 1));
-    }
-
     void decreasingPositionsAreReadAscending()
     {
-        READ_TABLE(read, family, "10,0.3\n4,0.2\n0,0.1\n", inMillimetres());
+        READ_TABLE(read, family, "10,0.3\n4,0.2\n0,0.1\n", inMillimetres);
         QCOMPARE(read.axes[0].knots, (std::vector<double>{0, 4, 10}));
         QCOMPARE(read.columns[0].values, (std::vector<double>{0.1, 0.2, 0.3}));
     }
 
     void aRotaryAxisSpansItsWrapRangeExactly()
     {
-        READ_TABLE(read, family, "0,0.1\n100,0.2\n360,0.1\n", rotary("360"));
+        READ_TABLE(read, family, "0,0.1\n100,0.2\n360,0.1\n", test::readingWith(rotary("360")));
         QCOMPARE(read.axes[0].wrap, std::optional<double>(360.0));
         QCOMPARE(applied(family, read, {-310.0}), 0.15);
         QCOMPARE(applied(family, read, {820.0}), 0.2);
-        READ_TABLE(down, family, "180,0.1\n0,0.2\n-180,0.1\n", rotary("360"));
+        READ_TABLE(down, family, "180,0.1\n0,0.2\n-180,0.1\n", test::readingWith(rotary("360")));
         QCOMPARE(applied(family, down, {360.0}), 0.2);
     }
 
-    void aWrapRangeThatIsNoneIsRefused()
-    {
-        VERIFY_ERROR(family.read("0,0\n1,0\n", rotary("0")), ErrorCode::InvalidArgument);
-        VERIFY_ERROR(family.read("0,0\n1,0\n", rotary("-1")), ErrorCode::InvalidArgument);
-        VERIFY_ERROR(family.read("0,0\n1,0\n", rotary("all")), ErrorCode::InvalidArgument);
-    }
-
-    void aProblemNamesItsPlaceAndTheNumberOfTheController_data()
-    {
-        QTest::addColumn<QByteArray>("text");
-        QTest::addColumn<QByteArray>("problem"); // the beginning of the first one
-        QTest::addColumn<QByteArray>("number");
-        const auto row = [](const char* name, const char* text, const char* problem,
-                             const char* number = "#4900") {
-            QTest::newRow(name) << QByteArray(text) << QByteArray(problem) << QByteArray(number);
-        };
-        row("empty", "", "0:0 EmptyFile", "");
-        row("blank", " \n\t\n", "0:0 EmptyFile", "");
-        row("binary", "\x01\x02\x03\x04\x05\x06", "0:0 NotText", "");
-        row("headers only", "Master,Slave\nof Axis1\n", "0:0 Syntax |lines of two numbers");
-        row("decimal commas", "Position;Offset\n0,25;0,001\n0,5;0,002\n",
-            "2:0 Syntax 0,25;0,001|lines of two numbers");
-        row("one point", "X,Y\n0,0.1\n", "2:0 TooFewPoints 1 point|at least 2");
-        row("offset missing", "0,0.1\n1\n", "2:0 ColumnCount 1 number|two numbers");
-        row("offset empty", "0,0.1\n1,\n", "2:3 NotANumber |an offset");
-        row("cut off", "0,0.1\n1,0.\n2,-", "3:3 NotANumber -|an offset");
-        row("three numbers", "0,0.1\n1,0.1,5\n", "2:0 ColumnCount 3 numbers|two numbers");
-        row("position is none", "0,0.1\nx1,0.1\n", "2:1 NotANumber x1|a position");
-        row("offset is none", "0 0.1\n1 0.1mm\n", "2:3 NotANumber 0.1mm|an offset");
-        row("not finite", "0 0.1\n1 inf\n", "2:3 NotANumber inf|an offset");
-        row("duplicate", "0,0.1\n1,0.1\n1,0.1\n",
-            "3:0 NotMonotonic 1 after 1|strictly increasing positions");
-        row("duplicate at the beginning", "1,0.1\n1,0.1\n2,0.1\n",
-            "2:0 NotMonotonic 1 after 1|strictly increasing positions");
-        row("turns down", "0,0\n5,0\n4,0\n",
-            "3:0 NotMonotonic 4 after 5|strictly increasing positions");
-        row("turns up", "5,0\n0,0\n1,0\n",
-            "3:0 NotMonotonic 1 after 0|strictly decreasing positions");
-        row("sum turns", "0,0.5\n1,0.25\n2,-1\n",
-            "3:0 NotMonotonic position + offset 1 after 1.25|strictly increasing");
-        row("sum stands", "0,0\n1,-1\n", "2:0 NotMonotonic position + offset 0 after 0|strictly");
-        row("sum of decreasing positions turns", "2,0\n1,1.5\n0,0\n",
-            "2:0 NotMonotonic position + offset 2.5 after 2|strictly decreasing");
-    }
-    void aProblemNamesItsPlaceAndTheNumberOfTheController()
-    {
-        QFETCH(QByteArray, text);
-        QFETCH(QByteArray, problem);
-        QFETCH(QByteArray, number);
-        const auto reading = family.read(text.toStdString(), inMillimetres());
-        VERIFY_RESULT(reading);
-        QVERIFY(reading->tables.empty());
-        const std::string found = problemLines(*reading);
-        QVERIFY2(found.starts_with(problem.toStdString()), found.c_str());
-        const std::string line = found.substr(0, found.find('\n'));
-        QVERIFY2(line.ends_with(number.toStdString()), line.c_str());
-        QCOMPARE(mentions(line, "#"), !number.isEmpty());
-    }
-
-    void aRotaryTableThatDoesNotCloseHasTheNumber4902_data()
-    {
-        QTest::addColumn<QByteArray>("text");
-        QTest::addColumn<QByteArray>("problem");
-        QTest::newRow("too short") << QByteArray("0,0\n359.999,0\n")
-                                   << QByteArray("positions from 0 to 359.999|a span of exactly "
-                                                 "360");
-        QTest::newRow("too long") << QByteArray("0,0\n361,0\n")
-                                  << QByteArray("positions from 0 to 361");
-        QTest::newRow("other offset") << QByteArray("0,0\n180,1\n360,0.001\n")
-                                      << QByteArray("the offsets 0 and 0.001 at the ends");
-    }
-    void aRotaryTableThatDoesNotCloseHasTheNumber4902()
-    {
-        QFETCH(QByteArray, text);
-        QFETCH(QByteArray, problem);
-        const auto reading = family.read(text.toStdString(), rotary("360"));
-        VERIFY_RESULT(reading);
-        QVERIFY(reading->tables.empty());
-        const auto line = static_cast<std::size_t>(text.count('\n'));
-        QVERIFY(test::hasProblem(*reading, DiagnosticCode::NotPeriodic, line, "4902"));
-        QVERIFY(mentions(problemLines(*reading), problem.toStdString()));
-    }
-
-    void furtherProblemsAreReportedAsWell()
-    {
-        const auto reading = family.read("0,0\n1,a\n2\n3,b\n", inMillimetres());
-        VERIFY_RESULT(reading);
-        QVERIFY(test::hasProblem(*reading, DiagnosticCode::NotANumber, 2, "4900"));
-        QVERIFY(test::hasProblem(*reading, DiagnosticCode::ColumnCount, 3, "4900"));
-        QVERIFY(test::hasProblem(*reading, DiagnosticCode::NotANumber, 4, "4900"));
-    }
-
-    void aFileOfOneMegabyteIsTooLarge()
+    void lessThanAMegabyteIsReadAndMoreIsNotWritten()
     {
         std::string text;
         for (int i = 0; text.size() < 1'000'000; ++i)
             text += std::to_string(i) + ",0.00001\n";
-        const auto reading = family.read(text, inMillimetres());
-        VERIFY_RESULT(reading);
-        QVERIFY(test::hasProblem(*reading, DiagnosticCode::TooLarge, 0));
         text.resize(text.rfind('\n', 999'000) + 1);
-        READ_TABLE(read, family, text, inMillimetres());
+        READ_TABLE(read, family, text, inMillimetres);
         QVERIFY(read.pointCount() > 50'000);
 
         const auto written =
             family.write(std::array{table(evenKnots(60'000), std::vector(60'000, 1e-3 / 3))}, {});
         VERIFY_ERROR(written, ErrorCode::FormatCannotHold);
         QVERIFY(mentions(sentence(written.error()), "999999"));
-    }
-
-    void aUnitThatNobodySaysIsAWarning()
-    {
-        const auto reading = family.read(example, {});
-        VERIFY_RESULT(reading);
-        QCOMPARE(reading->tables.size(), std::size_t(1));
-        QVERIFY(test::hasProblem(*reading, DiagnosticCode::UnitNotGiven, 0));
-    }
-
-    void positionsAndOffsetsHaveOneUnit()
-    {
-        TableReadOptions options;
-        options.settings = {{"position-unit", "mm"}, {"value-unit", "um"}};
-        const auto reading = family.read(example, options);
-        VERIFY_RESULT(reading);
-        QVERIFY(test::hasProblem(*reading, DiagnosticCode::Contradiction, 0));
-        TableWriteOptions writing;
-        writing.settings = options.settings;
-        VERIFY_ERROR(
-            family.write(std::array{table({0, 1}, {0, 0})}, writing), ErrorCode::InvalidArgument);
-    }
-
-    void whatIsWrittenIsReadBackTheSame()
-    {
-        const NeutralTable uneven = table({-7.5, 0, 0.1, 3, 1000.125}, {0.1, -0.02, 0, 1e-7, 0.3});
-        const auto written = family.write(std::array{uneven}, {});
-        VERIFY_RESULT(written);
-        QCOMPARE(
-            written->bytes, std::string("-7.5,0.1\n0,-0.02\n0.1,0\n3,0.0000001\n1000.125,0.3\n"));
-        READ_TABLE(again, family, written->bytes, inMillimetres());
-        COMPARE_TABLES(again, uneven, 0.0);
-        QVERIFY(written->held.front() == again);
-    }
-
-    void whatIsHeldIsWhatTheReaderGivesBack()
-    {
-        NeutralTable named = table({0, 90, 360}, {0.5, 2, 0.5});
-        named.name = "C axis";
-        named.notes = {"measured"};
-        named.axes[0].name = "C";
-        named.axes[0].unit = "deg";
-        named.axes[0].wrap = 360;
-        named.columns[0].name = "Table 1";
-        named.columns[0].target = "C";
-        named.columns[0].unit = "mdeg";
-        const auto written = family.write(std::array{named}, {});
-        VERIFY_RESULT(written);
-        QCOMPARE(written->bytes, std::string("0,0.0005\n90,0.002\n360,0.0005\n"));
-        READ_TABLE(again, family, written->bytes, rotary("360"));
-        QVERIFY(written->held.front() == again);
-    }
-
-    void theRemarksSayTheNameOfTheFileAndTheUnit()
-    {
-        NeutralTable named = table({0, 1}, {0, 0.001});
-        named.axes[0].name = named.columns[0].target = "Axis1";
-        const auto written = family.write(std::array{named}, {});
-        VERIFY_RESULT(written);
-        std::string remarks;
-        for (const std::string& remark : written->remarks)
-            remarks += remark + '\n';
-        QVERIFY2(mentions(remarks, "Axis1PosComp.CSV"), remarks.c_str());
-        QVERIFY2(mentions(remarks, "in mm"), remarks.c_str());
-    }
-
-    void theUserUnitsAreWhatTheSettingSays()
-    {
-        TableWriteOptions options;
-        options.settings = {{"position-unit", "um"}};
-        const auto written = family.write(std::array{table({0, 1}, {0, 0.5})}, options);
-        VERIFY_RESULT(written);
-        QCOMPARE(written->bytes, std::string("0,0\n1000,500\n"));
-        options.settings = {{"position-unit", "m"}};
-        const auto small = family.write(std::array{table({0, 2.3}, {0, 0.7})}, options);
-        VERIFY_RESULT(small);
-        QCOMPARE(small->bytes, std::string("0,0\n0.0023,0.0007\n")); // and no digits more
-        options.settings = {{"position-unit", "deg"}};
-        VERIFY_ERROR(
-            family.write(std::array{table({0, 1}, {0, 0.5})}, options), ErrorCode::InvalidArgument);
-    }
-
-    void aTableThatTheControllerRefusesIsNotWritten_data()
-    {
-        QTest::addColumn<QByteArray>("what");
-        QTest::addColumn<QByteArray>("reason");
-        QTest::newRow("position + offset turns") << QByteArray("turn") << QByteArray("4900");
-        QTest::newRow("cross compensation") << QByteArray("cross") << QByteArray("X to Y");
-        QTest::newRow("not a whole revolution") << QByteArray("open") << QByteArray("4902");
-        QTest::newRow("ends differ") << QByteArray("ends") << QByteArray("4902");
-    }
-    void aTableThatTheControllerRefusesIsNotWritten()
-    {
-        QFETCH(QByteArray, what);
-        QFETCH(QByteArray, reason);
-        NeutralTable refused = table({0, 180, 360}, {0, 1, 0});
-        if (what == "turn")
-            refused.columns[0].values = {0, -180, 0};
-        if (what == "cross") {
-            refused.axes[0].name = "X";
-            refused.columns[0].target = "Y";
-        }
-        if (what == "open" || what == "ends")
-            refused.axes[0].wrap = what == "open" ? 361 : 360;
-        if (what == "ends")
-            refused.columns[0].values[2] = 0.1;
-        const auto written = family.write(std::array{refused}, {});
-        VERIFY_ERROR(written, ErrorCode::FormatCannotHold);
-        const std::string text = sentence(written.error());
-        QVERIFY2(mentions(text, reason.toStdString()), text.c_str());
-    }
-
-    void theWrapRangeOfTheSettingMustBeThatOfTheTable()
-    {
-        NeutralTable closed = table({0, 180, 360}, {0, 1, 0});
-        TableWriteOptions options;
-        options.settings = {{"wrap-range", "360"}};
-        const auto written = family.write(std::array{closed}, options);
-        VERIFY_RESULT(written);
-        QCOMPARE(written->held.front().axes[0].wrap, std::optional<double>(360.0));
-        closed.axes[0].wrap = 720;
-        VERIFY_ERROR(family.write(std::array{closed}, options), ErrorCode::InvalidArgument);
-        options.settings = {{"wrap-range", "0"}};
-        VERIFY_ERROR(family.write(std::array{closed}, options), ErrorCode::InvalidArgument);
-    }
-
-    void whatTheFactsRefuseIsRefused()
-    {
-        NeutralTable plane = table({0, 1}, {0, 0, 0, 0});
-        plane.axes.push_back(plane.axes[0]);
-        VERIFY_ERROR(checkHolds(family.facts, std::array{plane}), ErrorCode::FormatCannotHold);
-        NeutralTable both = table({0, 1}, {0, 0});
-        both.columns.push_back(both.columns[0]);
-        both.columns[0].direction = Direction::Positive;
-        both.columns[1].direction = Direction::Negative;
-        VERIFY_ERROR(checkHolds(family.facts, std::array{both}), ErrorCode::FormatCannotHold);
-        VERIFY_RESULT(checkHolds(family.facts, std::array{table({0, 1, 5}, {0, 0, 0})}));
-    }
-
-    void aFileIsRecognisedByItsPairs()
-    {
-        QCOMPARE(family.recognise(example), Recognition::Possible);
-        QCOMPARE(family.recognise("Master,Offset\n0,1\n1,1\n"), Recognition::Possible);
-        QCOMPARE(family.recognise(example + "11.0"), Recognition::Possible); // cut off
-        QCOMPARE(family.recognise("0 1 2\n1 1 2\n"), Recognition::No);
-        QCOMPARE(family.recognise("1 3\n0 0.1\n1 0.1\n2 0.1\n"), Recognition::No); // softMC
-        QCOMPARE(family.recognise("0,1\n"), Recognition::No);
-        QCOMPARE(family.recognise("a\nb\nc\nd\ne\nf\n0,1\n1,1\n"), Recognition::No);
-        QCOMPARE(family.recognise(""), Recognition::No);
-    }
-
-    void readingCanBeStopped()
-    {
-        std::stop_source stop;
-        stop.request_stop();
-        TableReadOptions options = inMillimetres();
-        options.stop = stop.get_token();
-        const auto reading = family.read(example, options);
-        VERIFY_RESULT(reading);
-        QVERIFY(reading->cancelled && reading->tables.empty());
     }
 
 private:
@@ -430,6 +236,7 @@ private:
 };
 
 AXISCOMP_TEST(TestIcube)
+AXISCOMP_FORMAT(family, describe)
 
 } // namespace tst_icube
 

@@ -1,24 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/core/formats/format_checks.h"
+#include "tests/core/formats/format_sample.h"
 #include "tests/support/test_registry.h"
 
 namespace tst_isgcrosscomp2 {
 
 using namespace axiscomp;
-using test::applied;
-using test::problemLines;
 
 namespace {
 
 const TableFamily& family = isg_crosscomp2::format();
 
-TableReadOptions linear()
-{
-    TableReadOptions options;
-    options.settings = {
-        {"master1-kind", "linear"}, {"master2-kind", "linear"}, {"axis-kind", "linear"}};
-    return options;
-}
+const TableReadOptions linear = test::readingWith(
+    {{"master1-kind", "linear"}, {"master2-kind", "linear"}, {"axis-kind", "linear"}});
 
 /// 3 points along master 1, 2 along master 2; the value of [j][i] is 10 * j + i.
 std::string plane()
@@ -35,20 +28,70 @@ std::string plane()
     return text;
 }
 
-std::string with(const std::string& from, const std::string& to)
-{
-    std::string text = plane();
-    return text.replace(text.find(from), from.size(), to);
-}
+const auto with = test::changing(plane());
 
 NeutralTable planeTable(double distance1 = 5.0, double distance2 = 5.0)
 {
-    NeutralTable table;
-    table.sign = SignConvention::Command;
-    table.axes = {
-        test::evenAxis("1", "mm", -10, distance1, 4), test::evenAxis("2", "mm", 0.5, distance2, 3)};
-    table.columns = {test::waveColumn("3", "mm", 12, 0.02)};
-    return table;
+    return test::commandTable({test::evenAxis("1", "mm", -10, distance1, 4),
+                                  test::evenAxis("2", "mm", 0.5, distance2, 3)},
+        {test::waveColumn("3", "mm", 12, 0.02)});
+}
+
+void describe(test::FormatSample& sample)
+{
+    sample.facts = "command is assumed; 2 to 2 dimensions, square knots; "
+                   "points 10201, columns 1, tables 1, bytes 67108864; holds units notes wrap";
+    sample.text = plane();
+    sample.reading = linear;
+    sample.comment = "# ";
+    sample.spareBytes = 2; // of the last number
+    sample.applies({{{-5, 2}, 0.0001}, {{0, 7}, 0.0012}, {{-2.5, 4.5}, 0.00065},
+        {{1e6, -1e6}, 0.0002}, {{-1e6, 1e6}, 0.001}});
+    // entries may come in any order
+    const std::size_t points = plane().find("kw.crosscomp2.table");
+    sample.applies({{{0, 7}, 0.0012}}, plane().substr(points) + plane().substr(0, points));
+    sample.recognises(Recognition::Certain, {plane()});
+    sample.recognises(Recognition::No, {"kw.crosscomp.unit 1\n"});
+
+    sample.writes("a plane", {planeTable()})
+        .within(0.00005 + 1e-12)
+        .remarking({"activate it in the axis list of axis 3: lr_param.crosscomp2 1\n"});
+    sample.writes("decimals", {planeTable(0.12345, 0.12345)})
+        .with({{"decimals", "yes"}})
+        .within(1e-12);
+    sample.refuses("unequal distances", {planeTable(5, 4)}, ErrorCode::FormatCannotHold);
+    sample.refuses("a distance that is no whole number, rather than adding it up",
+        {test::commandTable(
+            {test::evenAxis("1", "mm", 0, 1.00003, 40), test::evenAxis("2", "mm", 0, 1.00003, 3)},
+            {test::waveColumn("3", "mm", 120, 0.02)})},
+        ErrorCode::FormatCannotHold, "0.0001 mm");
+
+    const auto row = sample.problemRow();
+    row("no distance", with("kw.crosscomp2.interval 50000\n", ""),
+        "0:0 Syntax |the entry kw.crosscomp2.interval");
+    row("distance 0", with("interval 50000", "interval 0"),
+        "3:0 LimitExceeded kw.crosscomp2.interval 0|a distance above 0");
+    row("grid", with("interval 50000", "interval 50000\nkw.crosscomp2.grid HEXAGONAL"),
+        "4:0 Syntax HEXAGONAL|QUADRATIC or RECTANGULAR");
+    row("no start", with("kw.crosscomp2.start_position_master2 20000\n", ""),
+        "0:0 Syntax |the entry kw.crosscomp2.start_position_master2");
+    row("too many", with("last_index_master1 2", "last_index_master1 5100"),
+        "0:0 LimitExceeded 10202 points|at most 10201");
+    row("absurd",
+        with("last_index_master1 2",
+            "last_index_master1 2000000000\nkw.crosscomp2.max_points 2147483647"),
+        "5:0 LimitExceeded 4000000002 points|");
+    row("a point is missing", with("kw.crosscomp2.table[1][1].correction 11\n", ""),
+        "0:0 MissingPoint no kw.crosscomp2.table[1][1].correction|6 of them; there are 5");
+    row("beyond", with("table[1][2]", "table[2][1]"),
+        "15:1 Contradiction kw.crosscomp2.table[2][1].correction");
+    row("one index", with("table[1][2]", "table[2]"),
+        "15:1 Syntax kw.crosscomp2.table[2].correction|a point kw.crosscomp2.table[][]. with "
+        "two indices");
+    row("three indices", with("table[1][2]", "table[1][2][3]"), "15:26 Syntax [3].correction");
+    row("twice", with("table[1][2]", "table[0][0]"), "15:1 DuplicatePoint");
+    row("distance lost in the position",
+        with("start_position_master1 -100000", "start_position_master1 1e300"), "0:0 NotMonotonic");
 }
 
 } // namespace
@@ -61,31 +104,12 @@ private Q_SLOTS:
 
     void theFirstIndexCountsAlongMasterTwo()
     {
-        READ_TABLE(table, family, plane(), linear());
+        READ_TABLE(table, family, plane(), linear);
         QCOMPARE(table.axes[0].name, std::string("1"));
         QCOMPARE(table.axes[0].knots, (std::vector<double>{-10, -5, 0}));
         QCOMPARE(table.axes[1].name, std::string("2"));
         QCOMPARE(table.axes[1].knots, (std::vector<double>{2, 7}));
         QCOMPARE(table.columns[0].target, std::string("3"));
-        QCOMPARE(applied(family, table, {-5, 2}), 0.0001);
-        QCOMPARE(applied(family, table, {0, 7}), 0.0012);
-        QVERIFY2(reading_table->diagnostics.empty(), problemLines(*reading_table).c_str());
-    }
-
-    void theEntriesMayComeInAnyOrder()
-    {
-        std::string text = plane();
-        const std::size_t points = text.find("kw.crosscomp2.table");
-        READ_TABLE(table, family, text.substr(points) + text.substr(0, points), linear());
-        QCOMPARE(applied(family, table, {0, 7}), 0.0012);
-    }
-
-    void itIsBilinearBetweenThePointsAndHeldOutside()
-    {
-        READ_TABLE(table, family, plane(), linear());
-        QCOMPARE(applied(family, table, {-2.5, 4.5}), 0.00065);
-        QCOMPARE(applied(family, table, {1e6, -1e6}), 0.0002);
-        QCOMPARE(applied(family, table, {-1e6, 1e6}), 0.001);
     }
 
     void aGridOfRectanglesIsReadWithTwoDistances()
@@ -93,53 +117,14 @@ private Q_SLOTS:
         const auto text = with("kw.crosscomp2.interval 50000\n",
             "kw.crosscomp2.grid RECTANGULAR (new)\nkw.crosscomp2.interval1 50000\n"
             "kw.crosscomp2.interval2 10000\n");
-        READ_TABLE(table, family, text, linear());
+        READ_TABLE(table, family, text, linear);
         QCOMPARE(table.axes[0].knots[1], -5.0);
         QCOMPARE(table.axes[1].knots[1], 3.0);
     }
 
-    void whatIsWrittenIsReadBackWithinHalfAStep()
-    {
-        const auto written = family.write(std::array{planeTable()}, {});
-        VERIFY_RESULT(written);
-        READ_TABLE(again, family, written->bytes, linear());
-        QCOMPARE(again, written->held.front());
-        COMPARE_TABLES(again, planeTable(), 0.00005 + 1e-12);
-        QVERIFY(std::ranges::find(written->remarks,
-                    "activate it in the axis list of axis 3: lr_param.crosscomp2 1")
-            != written->remarks.end());
-    }
-
-    void decimalsAreWrittenWhenAskedFor()
-    {
-        TableWriteOptions options;
-        options.settings["decimals"] = "yes";
-        const auto written = family.write(std::array{planeTable(0.12345, 0.12345)}, options);
-        VERIFY_RESULT(written);
-        COMPARE_TABLES(written->held.front(), planeTable(0.12345, 0.12345), 1e-12);
-    }
-
-    void unequalDistancesAreRefused()
-    {
-        VERIFY_ERROR(
-            checkHolds(family.facts, std::array{planeTable(5, 4)}), ErrorCode::FormatCannotHold);
-        VERIFY_ERROR(family.write(std::array{planeTable(5, 4)}, {}), ErrorCode::FormatCannotHold);
-    }
-
-    void aDistanceThatIsNoWholeNumberIsRefusedRatherThanAddedUp()
-    {
-        NeutralTable table = planeTable();
-        table.axes[0] = test::evenAxis("1", "mm", 0, 1.00003, 40);
-        table.axes[1] = test::evenAxis("2", "mm", 0, 1.00003, 3);
-        table.columns = {test::waveColumn("3", "mm", 120, 0.02)};
-        const auto refused = family.write(std::array{table}, {});
-        VERIFY_ERROR(refused, ErrorCode::FormatCannotHold);
-        QVERIFY(test::describe(refused.error()).find("0.0001 mm") != std::string::npos);
-    }
-
     void aModuloMasterIsClosedAlongItsWholeEdge()
     {
-        TableReadOptions options = linear();
+        TableReadOptions options = linear;
         options.settings["modulo1"] = "yes";
         std::string closed = plane();
         closed.replace(closed.find("[0][2].correction 2"), 19, "[0][2].correction 0");
@@ -150,64 +135,11 @@ private Q_SLOTS:
         READ_TABLE(table, family, closed, options);
         QCOMPARE(table.axes[0].wrap, std::optional(10.0));
         QVERIFY(!table.axes[1].wrap);
-        const auto written = family.write(std::array{table}, {});
-        VERIFY_RESULT(written);
+        WRITE_TABLE(written, family, table, {});
         QCOMPARE(written->held.front(), table);
         NeutralTable open = planeTable();
         open.axes[1].wrap = 10.0;
         VERIFY_ERROR(family.write(std::array{open}, {}), ErrorCode::FormatCannotHold);
-    }
-
-    void aProblemNamesItsPlace_data()
-    {
-        QTest::addColumn<QByteArray>("text");
-        QTest::addColumn<QByteArray>("problem"); // the beginning of the first one
-        const auto row = [](const char* name, const std::string& text, const char* problem) {
-            QTest::newRow(name) << QByteArray::fromStdString(text) << QByteArray(problem);
-        };
-        row("empty", "\n\n", "0:0 EmptyFile");
-        row("no distance", with("kw.crosscomp2.interval 50000\n", ""),
-            "0:0 Syntax |the entry kw.crosscomp2.interval");
-        row("distance 0", with("interval 50000", "interval 0"),
-            "3:0 LimitExceeded kw.crosscomp2.interval 0|a distance above 0");
-        row("grid", with("interval 50000", "interval 50000\nkw.crosscomp2.grid HEXAGONAL"),
-            "4:0 Syntax HEXAGONAL|QUADRATIC or RECTANGULAR");
-        row("no start", with("kw.crosscomp2.start_position_master2 20000\n", ""),
-            "0:0 Syntax |the entry kw.crosscomp2.start_position_master2");
-        row("too many", with("last_index_master1 2", "last_index_master1 5100"),
-            "0:0 LimitExceeded 10202 points|at most 10201");
-        row("absurd",
-            with("last_index_master1 2",
-                "last_index_master1 2000000000\nkw.crosscomp2.max_points 2147483647"),
-            "5:0 LimitExceeded 4000000002 points|");
-        row("a point is missing", with("kw.crosscomp2.table[1][1].correction 11\n", ""),
-            "0:0 MissingPoint no kw.crosscomp2.table[1][1].correction|6 of them; there are 5");
-        row("beyond", with("table[1][2]", "table[2][1]"),
-            "15:1 Contradiction kw.crosscomp2.table[2][1].correction");
-        row("one index", with("table[1][2]", "table[2]"),
-            "15:1 Syntax kw.crosscomp2.table[2].correction|a point kw.crosscomp2.table[][]. with "
-            "two indices");
-        row("three indices", with("table[1][2]", "table[1][2][3]"), "15:26 Syntax [3].correction");
-        row("twice", with("table[1][2]", "table[0][0]"), "15:1 DuplicatePoint");
-        row("distance lost in the position",
-            with("start_position_master1 -100000", "start_position_master1 1e300"),
-            "0:0 NotMonotonic");
-    }
-    void aProblemNamesItsPlace()
-    {
-        QFETCH(QByteArray, text);
-        QFETCH(QByteArray, problem);
-        const auto reading = family.read(text.toStdString(), linear());
-        VERIFY_RESULT(reading);
-        QVERIFY(reading->tables.empty());
-        const std::string found = problemLines(*reading);
-        QVERIFY2(found.starts_with(problem.toStdString()), found.c_str());
-    }
-
-    void aFileIsRecognisedByTheNamesOfItsEntries()
-    {
-        QCOMPARE(family.recognise(plane()), Recognition::Certain);
-        QCOMPARE(family.recognise("kw.crosscomp.unit 1\n"), Recognition::No);
     }
 
     void aLargePlaneIsReadWhole()
@@ -221,12 +153,13 @@ private Q_SLOTS:
                 text += "kw.crosscomp2.table[" + std::to_string(j) + "][" + std::to_string(i)
                     + "].correction 12\n";
         QVERIFY(text.size() > 2'000'000);
-        READ_TABLE(table, family, text, linear());
+        READ_TABLE(table, family, text, linear);
         QCOMPARE(table.pointCount(), std::size_t(50000));
     }
 };
 
 AXISCOMP_TEST(TestIsgCrosscomp2)
+AXISCOMP_FORMAT(family, describe)
 
 } // namespace tst_isgcrosscomp2
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/core/formats/format_checks.h"
+#include "tests/core/formats/format_sample.h"
 #include "tests/support/test_registry.h"
 
 namespace tst_klipper {
 
 using namespace axiscomp;
-using test::applied;
 using test::problemLines;
 
 namespace {
@@ -54,6 +53,66 @@ std::string section(std::map<std::string, std::string> changed, std::string name
     return text;
 }
 
+void describe(test::FormatSample& sample)
+{
+    sample.facts = "command is read in program code; 2 to 2 dimensions, even knots; "
+                   "points any, columns 1, tables any, bytes 67108864; holds names units";
+    sample.text = autosaved;
+    sample.comment = "# ";
+    sample.spareBytes = autosaved.size() - autosaved.find("20.0\n#*#\n#*# [ext") - 1;
+    sample.applies({{{110, 20}, 0.1}, {{10, 220}, 0.2}, {{85, 120}, (0.05 + 0.35) / 2},
+        {{0, 0}, -0.1}, {{1000, 1000}, 0.4}, {{60, -5}, 0.0}});
+    sample.recognises(Recognition::Certain, {autosaved, section({})});
+    sample.recognises(Recognition::No, {"[bed_mesh]\nspeed = 1\n", "0 1\n1 1\n"});
+    sample.warning("an unknown entry of the profile, and one of another section",
+        "[probe]\nspeed = 5\n" + section({{"temperature", "60"}}),
+        {"11:1 UnknownKey temperature|"});
+
+    const auto row = sample.problemRow();
+    row("no profile", "[bed_mesh]\nspeed = 1\n", "0:0 Syntax |a section [bed_mesh NAME]");
+    row("no points", section({{"points", ""}}), "1:0 Syntax bed_mesh default|an entry points");
+    row("points without heights", section({{"points", "\n"}}),
+        "1:0 MissingPoint 0 lines of points|2, as y_count says");
+    row("no count", section({{"x_count", ""}}), "1:0 Syntax bed_mesh default|an entry x_count");
+    row("no maximum", section({{"max_y", ""}}), "1:0 Syntax bed_mesh default|an entry max_y");
+    row("count is none", section({{"y_count", "2.5"}}), "10:11 NotANumber 2.5|a number of");
+    row("one point", section({{"x_count", "1"}}), "9:11 TooFewPoints x_count = 1|at least 2");
+    row("negative", section({{"x_count", "-3"}}), "9:11 TooFewPoints x_count = -3|");
+    row("a thousand million points",
+        section({{"x_count", "1000000000"}, {"y_count", "1000000000"}}),
+        "1:0 MissingPoint 2 lines of points|1000000000, as y_count says");
+    row("line too short", section({{"points", "\n  1, 2\n  3"}}),
+        "8:0 ColumnCount 1 heights|2, as x_count says");
+    row("line too long", section({{"points", "\n  1, 2, 3\n  3, 4"}}),
+        "7:0 ColumnCount 3 heights|2, as x_count says");
+    row("too few lines", section({{"points", "\n  1, 2"}}),
+        "1:0 MissingPoint 1 lines of points|2, as y_count says");
+    row("too many lines", section({{"points", "\n  1, 2\n  3, 4\n  5, 6"}}),
+        "1:0 Contradiction 3 lines of points|2, as y_count says");
+    row("height is none", section({{"points", "\n  1, x\n  3, 4"}}),
+        "7:6 NotANumber x|a height in mm");
+    row("height is not finite", section({{"points", "\n  1, nan\n  3, 4"}}),
+        "7:6 NotANumber nan|a height in mm");
+    row("height is missing", section({{"points", "\n  1,\n  3, 4"}}),
+        "7:5 NotANumber |a height in mm");
+    row("minimum is none", section({{"min_x", "left"}}), "4:9 NotANumber left|a position");
+    row("no range", section({{"min_x", "100"}}),
+        "2:0 NotMonotonic max_x = 100 after min_x = 100|a maximum above the minimum");
+    row("positions without a difference",
+        section({{"min_x", "1e17"}, {"max_x", "100000000000000016"}, {"x_count", "3"},
+            {"points", "\n  1, 2, 3\n  3, 4, 5"}}),
+        "0:0 NotFinite positions of X|numbers that a computer can tell");
+    row("another version", section({{"version", "2"}}),
+        "9:11 Contradiction version 2|1; the firmware");
+    row("entry twice", section({}) + "min_x = 3\n", "11:1 Contradiction a second min_x|");
+    row("profile twice", section({}) + section({}),
+        "11:2 Contradiction a second section for the profile default|");
+    row("no entry", section({}) + "heights\n", "11:1 Syntax heights|an entry such as");
+    row("continued entry", section({}) + "  5, 6\n", "11:3 Syntax 5, 6|an entry such as");
+    row("cut off", autosaved.substr(0, autosaved.find("0.400000")),
+        "14:0 Syntax bed_mesh default|an entry x_count");
+}
+
 } // namespace
 
 class TestKlipper : public QObject {
@@ -78,29 +137,6 @@ private Q_SLOTS:
     {
         READ_TABLE(table, family, autosaved, {});
         QCOMPARE(table.columns[0].values, (std::vector<double>{-0.1, 0, 0.1, 0.2, 0.3, 0.4}));
-        QCOMPARE(applied(family, table, {110, 20}), 0.1);
-        QCOMPARE(applied(family, table, {10, 220}), 0.2);
-    }
-
-    void betweenTheProbedPointsTheTableIsBilinear()
-    {
-        READ_TABLE(table, family, autosaved, {});
-        QCOMPARE(applied(family, table, {85, 120}), (0.05 + 0.35) / 2);
-    }
-
-    void outsideOfTheMeshTheEdgeIsHeld()
-    {
-        READ_TABLE(table, family, autosaved, {});
-        QCOMPARE(applied(family, table, {0, 0}), -0.1);
-        QCOMPARE(applied(family, table, {1000, 1000}), 0.4);
-        QCOMPARE(applied(family, table, {60, -5}), 0.0);
-    }
-
-    void theHeightIsAddedToTheCommandedZ()
-    {
-        READ_TABLE(table, family, autosaved, {});
-        QVERIFY(table.sign == SignConvention::Command);
-        QVERIFY(family.facts.signEvidence == Evidence::Code);
         QVERIFY(!ownAxis(table, table.columns[0])); // looked up at X and Y, which stay
     }
 
@@ -130,94 +166,6 @@ private Q_SLOTS:
         QCOMPARE(reading->tables[1].name, std::string("hot bed"));
     }
 
-    void unknownEntriesOfAProfileAreWarningsOthersAreNot()
-    {
-        const auto reading =
-            family.read("[probe]\nspeed = 5\n" + section({{"temperature", "60"}}), {});
-        VERIFY_RESULT(reading);
-        QCOMPARE(reading->tables.size(), std::size_t(1));
-        QCOMPARE(problemLines(*reading), std::string("warning 11:1 UnknownKey temperature|\n"));
-    }
-
-    void aProblemNamesItsPlace_data()
-    {
-        QTest::addColumn<QByteArray>("text");
-        QTest::addColumn<QByteArray>("problem"); // the beginning of the first one
-        const auto row = [](const char* name, const std::string& text, const char* problem) {
-            QTest::newRow(name) << QByteArray::fromStdString(text) << QByteArray(problem);
-        };
-        row("empty", "", "0:0 EmptyFile");
-        row("binary", "[bed_mesh \x01\x02\x03\x04]\n", "0:0 NotText");
-        row("no profile", "[bed_mesh]\nspeed = 1\n", "0:0 Syntax |a section [bed_mesh NAME]");
-        row("no points", section({{"points", ""}}), "1:0 Syntax bed_mesh default|an entry points");
-        row("points without heights", section({{"points", "\n"}}),
-            "1:0 MissingPoint 0 lines of points|2, as y_count says");
-        row("no count", section({{"x_count", ""}}), "1:0 Syntax bed_mesh default|an entry x_count");
-        row("no maximum", section({{"max_y", ""}}), "1:0 Syntax bed_mesh default|an entry max_y");
-        row("count is none", section({{"y_count", "2.5"}}), "10:11 NotANumber 2.5|a number of");
-        row("one point", section({{"x_count", "1"}}), "9:11 TooFewPoints x_count = 1|at least 2");
-        row("negative", section({{"x_count", "-3"}}), "9:11 TooFewPoints x_count = -3|");
-        row("a thousand million points",
-            section({{"x_count", "1000000000"}, {"y_count", "1000000000"}}),
-            "1:0 MissingPoint 2 lines of points|1000000000, as y_count says");
-        row("line too short", section({{"points", "\n  1, 2\n  3"}}),
-            "8:0 ColumnCount 1 heights|2, as x_count says");
-        row("line too long", section({{"points", "\n  1, 2, 3\n  3, 4"}}),
-            "7:0 ColumnCount 3 heights|2, as x_count says");
-        row("too few lines", section({{"points", "\n  1, 2"}}),
-            "1:0 MissingPoint 1 lines of points|2, as y_count says");
-        row("too many lines", section({{"points", "\n  1, 2\n  3, 4\n  5, 6"}}),
-            "1:0 Contradiction 3 lines of points|2, as y_count says");
-        row("height is none", section({{"points", "\n  1, x\n  3, 4"}}),
-            "7:6 NotANumber x|a height in mm");
-        row("height is not finite", section({{"points", "\n  1, nan\n  3, 4"}}),
-            "7:6 NotANumber nan|a height in mm");
-        row("height is missing", section({{"points", "\n  1,\n  3, 4"}}),
-            "7:5 NotANumber |a height in mm");
-        row("minimum is none", section({{"min_x", "left"}}), "4:9 NotANumber left|a position");
-        row("no range", section({{"min_x", "100"}}),
-            "2:0 NotMonotonic max_x = 100 after min_x = 100|a maximum above the minimum");
-        row("positions without a difference",
-            section({{"min_x", "1e17"}, {"max_x", "100000000000000016"}, {"x_count", "3"},
-                {"points", "\n  1, 2, 3\n  3, 4, 5"}}),
-            "0:0 NotFinite positions of X|numbers that a computer can tell");
-        row("another version", section({{"version", "2"}}),
-            "9:11 Contradiction version 2|1; the firmware");
-        row("entry twice", section({}) + "min_x = 3\n", "11:1 Contradiction a second min_x|");
-        row("profile twice", section({}) + section({}),
-            "11:2 Contradiction a second section for the profile default|");
-        row("no entry", section({}) + "heights\n", "11:1 Syntax heights|an entry such as");
-        row("continued entry", section({}) + "  5, 6\n", "11:3 Syntax 5, 6|an entry such as");
-        row("cut off", autosaved.substr(0, autosaved.find("0.400000")),
-            "14:0 Syntax bed_mesh default|an entry x_count");
-    }
-    void aProblemNamesItsPlace()
-    {
-        QFETCH(QByteArray, text);
-        QFETCH(QByteArray, problem);
-        const auto reading = family.read(text.toStdString(), {});
-        VERIFY_RESULT(reading);
-        QVERIFY(reading->tables.empty());
-        const std::string found = problemLines(*reading);
-        QVERIFY2(found.starts_with(problem.toStdString()), found.c_str());
-    }
-
-    void aFileIsRecognisedByItsSection()
-    {
-        QCOMPARE(family.recognise(autosaved), Recognition::Certain);
-        QCOMPARE(family.recognise(section({})), Recognition::Certain);
-        QCOMPARE(family.recognise("[bed_mesh]\nspeed = 1\n"), Recognition::No);
-        QCOMPARE(family.recognise("0 1\n1 1\n"), Recognition::No);
-        QCOMPARE(family.recognise(""), Recognition::No);
-        QVERIFY(guessFamily(autosaved, "printer.cfg").isCertain);
-    }
-
-    void itIsReadOnly()
-    {
-        QVERIFY(family.write == nullptr);
-        QVERIFY(!family.facts.rules.empty() && !family.facts.assumptions.empty());
-    }
-
     void twoMegabytesAreReadWhole()
     {
         std::string points;
@@ -233,6 +181,7 @@ private Q_SLOTS:
 };
 
 AXISCOMP_TEST(TestKlipper)
+AXISCOMP_FORMAT(family, describe)
 
 } // namespace tst_klipper
 

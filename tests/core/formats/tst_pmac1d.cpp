@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/core/formats/format_checks.h"
+#include "tests/core/formats/format_sample.h"
 #include "tests/support/test_registry.h"
 
 namespace tst_pmac1d {
 
 using namespace axiscomp;
 using test::applied;
+using test::changed;
 using test::problemLines;
 
 namespace {
@@ -21,33 +22,21 @@ const std::string file = "; bowed screw\n"
                          "0 // the last one\n"
                          "I51=1\n";
 
-std::string with(const std::string& from, const std::string& to)
-{
-    std::string text = file;
-    return text.replace(text.find(from), from.size(), to);
-}
+const auto with = test::changing(file);
 
 TableReadOptions inMillimetres(const std::string& counts = "1000")
 {
-    TableReadOptions options;
-    options.settings = {{"counts-per-unit", counts}, {"position-unit", "mm"}, {"value-unit", "mm"}};
-    return options;
+    return test::readingWith(
+        {{"counts-per-unit", counts}, {"position-unit", "mm"}, {"value-unit", "mm"}});
 }
 
-TableWriteOptions thousand()
-{
-    TableWriteOptions options;
-    options.settings["counts-per-unit"] = "1000";
-    return options;
-}
+const TableWriteOptions thousand = test::writingWith({{"counts-per-unit", "1000"}});
 
 NeutralTable closedTable()
 {
-    NeutralTable table;
-    table.sign = SignConvention::Command;
-    table.axes = {test::evenAxis("3", "mm", 0, 2.5, 25)};
+    NeutralTable table = test::commandTable(
+        {test::evenAxis("3", "mm", 0, 2.5, 25)}, {test::waveColumn("3", "mm", 25, 0.05)});
     table.axes[0].wrap = 60;
-    table.columns = {test::waveColumn("3", "mm", 25, 0.05)};
     table.columns[0].values.front() = 0;
     table.columns[0].values.back() = 0;
     return table;
@@ -56,12 +45,113 @@ NeutralTable closedTable()
 /// From -20 to 30, 0 at 0, different at both ends.
 NeutralTable openTable()
 {
-    NeutralTable table;
-    table.sign = SignConvention::Command;
-    table.axes = {test::evenAxis("1", "mm", -20, 5, 11)};
-    table.columns = {test::waveColumn("1", "mm", 11, 0.05)};
+    NeutralTable table = test::commandTable(
+        {test::evenAxis("1", "mm", -20, 5, 11)}, {test::waveColumn("1", "mm", 11, 0.05)});
     table.columns[0].values[4] = 0;
     return table;
+}
+
+void describe(test::FormatSample& sample)
+{
+    sample.facts = "command is assumed; 1 to 1 dimensions, even knots; "
+                   "points any, columns 1, tables 1, bytes 67108864; holds notes wrap";
+    sample.text = file;
+    sample.reading = inMillimetres();
+    sample.writing = thousand;
+    sample.comment = "; ";
+    sample.spareBytes = file.size() - file.find("0 // the last") - 1;
+    sample.applies({{{0.5}, 0.005}, {{4.5}, 0.005}, {{-1}, 0.002}, {{-39}, 0.01}});
+    sample.recognises(Recognition::Certain, {file});
+    sample.recognises(Recognition::No,
+        {"DEFINE COMP 4.4,#1,#2,#3,10,10\n", "#define COMP 1\nint main()\n", "1 2\n0 1\n1 1\n"});
+    const std::string open = with("0 // the last", "7 // the last");
+    sample.warning("a last entry other than 0", open, {"5:0 NotPeriodic"});
+    sample.applies({{{3.5}, (32 + 7) / 32000.0}}, open);
+    const std::string others = "M145=1\nDEFINE BLCOMP 2,100\n1 2\n" + file;
+    sample.warning("other commands", others, {"1:1 UnknownKey", "2:1 UnknownKey"});
+    sample.applies({{{0.5}, 0.005}}, others);
+    sample.refusesReading("counts below 0", inMillimetres("-5").settings, "");
+    const auto row = sample.problemRow();
+    row("numbers that no double holds", file,
+        "5:0 NotMonotonic inf after 0|strictly increasing positions of motor 1\n"
+        "5:0 LimitExceeded entries that are too large",
+        "", inMillimetres("1e-310").settings);
+
+    NeutralTable ray = openTable();
+    ray.axes[0] = test::evenAxis("1", "mm", 0, 0.5, 11);
+    ray.columns[0].values.front() = ray.columns[0].values.back() = 0;
+    sample.writes("from 0", {ray})
+        .becoming(changed(ray, [](NeutralTable& table) { table.axes[0].wrap = 5; }))
+        .within(0.5 / 16000 + 1e-12);
+    sample.writes("closed", {closedTable()})
+        .containing({"#3\nDEFINE COMP 24,#3D,#3,60000\n"})
+        .within(0.5 / 16000 + 1e-12);
+    NeutralTable manual = closedTable();
+    manual.axes[0] = test::evenAxis("1", "mm", 0, 1, 4);
+    manual.axes[0].wrap = 3;
+    manual.columns = {test::columnOf("2", "um", {0, 1, -2, 0})};
+    manual.notes = {"note"};
+    sample.writes("the form of the manual", {manual})
+        .with({{"counts-per-unit", "1000"}, {"position", "actual"}, {"value-unit", "mm"}})
+        .as("; note\n#2\nDEFINE COMP 3,#1,#2,3000\n16 -32 0\n")
+        .remarking({"I51=1"})
+        .becoming(changed(manual, [](NeutralTable& table) {
+            table.columns = {test::columnOf("2", "mm", {0, 0.001, -0.002, 0})};
+        }));
+    NeutralTable letter = closedTable();
+    letter.axes[0].name = letter.columns[0].target = "X";
+    sample.refuses(
+        "motors that are no numbers", {letter}, ErrorCode::InvalidArgument, "source-motor");
+    sample.writes("motors that are no numbers", {letter})
+        .with({{"counts-per-unit", "1000"}, {"source-motor", "4"}})
+        .becoming(changed(closedTable(),
+            [](NeutralTable& table) { table.axes[0].name = table.columns[0].target = "4"; }))
+        .within(0.5 / 16000 + 1e-12);
+
+    sample.refuses("no counts", {closedTable()}, ErrorCode::InvalidArgument, "",
+        FormatSettings{{"counts-per-unit", "1000"}, {"target-counts-per-unit", "0"}});
+    const auto refuses = [&sample](const char* name, const char* reason, const auto& change,
+                             const FormatSettings& settings = thousand.settings) {
+        sample.refuses(
+            name, {changed(openTable(), change)}, ErrorCode::FormatCannotHold, reason, settings);
+    };
+    const auto shiftedBy = [](double distance) {
+        return [distance](NeutralTable& table) {
+            for (double& knot : table.axes[0].knots)
+                knot += distance;
+        };
+    };
+    refuses("a value at 0", "takes it to be 0",
+        [](NeutralTable& table) { table.columns[0].values[4] = 0.01; });
+    refuses("no point at 0", "is no point of source 1", shiftedBy(1));
+    refuses("0 is not reached", "does not reach", shiftedBy(500));
+    refuses("too large an entry", "24 bits",
+        [](NeutralTable& table) { table.columns[0].values[2] = 600; });
+    refuses("too long a span", "counts",
+        [](NeutralTable& table) { table.axes[0] = test::evenAxis("1", "mm", -4e6, 1e6, 11); });
+    refuses("an open period", "differ by", [](NeutralTable& table) {
+        table = closedTable();
+        table.columns[0].values.back() = 1;
+    });
+    refuses("no such motor", "there is no motor 33", [](NeutralTable&) {},
+        {{"counts-per-unit", "1000"}, {"source-motor", "33"}});
+
+    row("no table", "CLOSE\n", "0:0 Syntax |DEFINE COMP for a table of one dimension");
+    row("truncated", file.substr(0, file.find("32")), "5:0 MissingPoint 2 entries|4, as DEFINE");
+    row("too many", with("32\n", "32 33 34\n"), "7:0 Contradiction 5 entries|4, as DEFINE COMP");
+    row("further ones", with("I51=1", "5"), "9:1 Contradiction further entries: 5|4, as DEFINE");
+    row("entries alone", "1 2 3\n", "1:1 Contradiction further entries: 1 2 3|DEFINE COMP in");
+    row("absurd", with("COMP 4,", "COMP 1000000000,"),
+        "5:13 LimitExceeded 1000000000 entries|1 to 1000000");
+    row("no size", with("COMP 4,", "COMP ,"), "5:13 NotANumber |a number of entries");
+    row("no entries", with("COMP 4,", "COMP 0,"), "5:13 LimitExceeded 0 entries");
+    row("no span", with("#2,4000", "#2"), "5:1 Syntax DEFINE COMP 4,#1D,#2|DEFINE COMP entries");
+    row("span 0", with("#2,4000", "#2,0"), "5:22 LimitExceeded a span of 0|at least 1 count");
+    row("span not whole", with("#2,4000", "#2,4000.5"), "5:22 NotANumber 4000.5|a span in counts");
+    row("three motors", with("#2,4000", "#2,#3,4000"), "5:1 Syntax DEFINE COMP");
+    row("motor 33", with("#2,4000", "#33,4000"), "5:19 Syntax #33|the number of a motor");
+    row("a decimal", with("-80", "-80.5"), "6:5 NotANumber -80.5|a whole number of 1/16 count");
+    row("not a number", with("-80", "-8O"), "6:5 NotANumber -8O|");
 }
 
 } // namespace
@@ -101,15 +191,6 @@ private Q_SLOTS:
         QCOMPARE(other.columns[0].values[1], 0.005);
     }
 
-    void itIsLinearBetweenTheEntriesAndRollsOver()
-    {
-        READ_TABLE(table, family, file, {});
-        QCOMPARE(applied(family, table, {500}), 5.0);
-        QCOMPARE(applied(family, table, {4500}), 5.0);
-        QCOMPARE(applied(family, table, {-1000}), 2.0);
-        QCOMPARE(applied(family, table, {-39000}), 10.0);
-    }
-
     void motorsThatAreNotNamedAreTheAddressedOne()
     {
         READ_TABLE(own, family, with("4,#1D,#2,4000", "4,4000"), {});
@@ -123,13 +204,6 @@ private Q_SLOTS:
         QVERIFY(test::hasProblem(*reading_none, DiagnosticCode::Assumption, 1));
     }
 
-    void aLastEntryOtherThanZeroIsAWarning()
-    {
-        READ_TABLE(table, family, with("0 // the last", "7 // the last"), inMillimetres());
-        QVERIFY(test::hasProblem(*reading_table, DiagnosticCode::NotPeriodic, 5));
-        QCOMPARE(table.columns[0].values.back(), 7.0 / 16000);
-    }
-
     void severalTablesOfAFileAreReadAndThoseOfTwoDimensionsLeftOut()
     {
         const auto reading = family.read(
@@ -139,22 +213,10 @@ private Q_SLOTS:
         QVERIFY(test::hasProblem(*reading, DiagnosticCode::Assumption, 1));
     }
 
-    void whatIsWrittenIsReadBackWithinHalfAStep()
-    {
-        const auto written = family.write(std::array{closedTable()}, thousand());
-        VERIFY_RESULT(written);
-        QVERIFY(written->bytes.starts_with("#3\nDEFINE COMP 24,#3D,#3,60000\n"));
-        READ_TABLE(again, family, written->bytes, inMillimetres());
-        QCOMPARE(again, written->held.front());
-        COMPARE_TABLES(again, closedTable(), 0.5 / 16000 + 1e-12);
-        QVERIFY(again.columns[0].values != closedTable().columns[0].values);
-    }
-
     void negativePositionsAreWrittenBehindThePositiveOnes()
     {
         const NeutralTable table = openTable();
-        const auto written = family.write(std::array{table}, thousand());
-        VERIFY_RESULT(written);
+        WRITE_TABLE(written, family, table, thousand);
         QVERIFY(written->bytes.starts_with("#1\nDEFINE COMP 11,#1D,#1,55000\n"));
         const NeutralTable& held = written->held.front();
         for (double x = -20; x <= 30; x += 1.25)
@@ -162,171 +224,13 @@ private Q_SLOTS:
                 <= 0.5 / 16000 + 1e-9);
         NeutralTable closed = table;
         closed.columns[0].values.back() = closed.columns[0].values.front();
-        const auto shorter = family.write(std::array{closed}, thousand());
-        VERIFY_RESULT(shorter);
+        WRITE_TABLE(shorter, family, closed, thousand);
         QVERIFY(shorter->bytes.starts_with("#1\nDEFINE COMP 10,#1D,#1,50000\n"));
-    }
-
-    void theFileHasTheFormOfTheManual()
-    {
-        NeutralTable table = closedTable();
-        table.axes[0] = test::evenAxis("1", "mm", 0, 1, 4);
-        table.axes[0].wrap = 3;
-        table.columns[0].target = "2";
-        table.columns[0].unit = "um";
-        table.columns[0].values = {0, 1, -2, 0};
-        table.notes = {"note"};
-        TableWriteOptions options = thousand();
-        options.settings["position"] = "actual";
-        options.settings["value-unit"] = "mm";
-        const auto written = family.write(std::array{table}, options);
-        VERIFY_RESULT(written);
-        QCOMPARE(written->bytes, std::string("; note\n#2\nDEFINE COMP 3,#1,#2,3000\n16 -32 0\n"));
-        QVERIFY(written->remarks.back().find("I51=1") != std::string::npos);
-    }
-
-    void whatTheFormatCannotHoldIsRefused_data()
-    {
-        QTest::addColumn<int>("change");
-        QTest::addColumn<QByteArray>("reason");
-        QTest::addRow("a value at 0") << 0 << QByteArray("takes it to be 0");
-        QTest::addRow("no point at 0") << 1 << QByteArray("is no point of source 1");
-        QTest::addRow("0 is not reached") << 2 << QByteArray("does not reach");
-        QTest::addRow("too large an entry") << 3 << QByteArray("24 bits");
-        QTest::addRow("too long a span") << 4 << QByteArray("counts");
-        QTest::addRow("an open period") << 5 << QByteArray("differ by");
-        QTest::addRow("no such motor") << 6 << QByteArray("there is no motor 33");
-    }
-    void whatTheFormatCannotHoldIsRefused()
-    {
-        QFETCH(int, change);
-        QFETCH(QByteArray, reason);
-        NeutralTable table = change == 5 ? closedTable() : openTable();
-        if (change == 0)
-            table.columns[0].values[4] = 0.01;
-        if (change == 1)
-            for (double& knot : table.axes[0].knots)
-                knot += 1;
-        if (change == 2)
-            for (double& knot : table.axes[0].knots)
-                knot += 500;
-        if (change == 3)
-            table.columns[0].values[2] = 600;
-        if (change == 4)
-            table.axes[0] = test::evenAxis("1", "mm", -4e6, 1e6, 11);
-        if (change == 5)
-            table.columns[0].values.back() = 1;
-        TableWriteOptions options = thousand();
-        if (change == 6)
-            options.settings["source-motor"] = "33";
-        const auto refused = family.write(std::array{table}, options);
-        VERIFY_ERROR(refused, ErrorCode::FormatCannotHold);
-        const std::string text = test::describe(refused.error());
-        QVERIFY2(text.find(reason.toStdString()) != std::string::npos, text.c_str());
-    }
-
-    void countsPerUnitAreNeededAndAboveZero()
-    {
-        VERIFY_ERROR(family.write(std::array{closedTable()}, {}), ErrorCode::InvalidArgument);
-        TableWriteOptions options = thousand();
-        options.settings["target-counts-per-unit"] = "0";
-        VERIFY_ERROR(family.write(std::array{closedTable()}, options), ErrorCode::InvalidArgument);
-        VERIFY_ERROR(family.read(file, inMillimetres("-5")), ErrorCode::InvalidArgument);
-    }
-
-    void motorsThatAreNoNumbersNeedASetting()
-    {
-        NeutralTable table = closedTable();
-        table.axes[0].name = "X";
-        table.columns[0].target = "X";
-        const auto refused = family.write(std::array{table}, thousand());
-        VERIFY_ERROR(refused, ErrorCode::InvalidArgument);
-        QVERIFY(test::describe(refused.error()).find("source-motor") != std::string::npos);
-        TableWriteOptions options = thousand();
-        options.settings["source-motor"] = "4";
-        const auto written = family.write(std::array{table}, options);
-        VERIFY_RESULT(written);
-        QCOMPARE(written->held.front().columns[0].target, std::string("4"));
-    }
-
-    void aProblemNamesItsPlace_data()
-    {
-        QTest::addColumn<QByteArray>("text");
-        QTest::addColumn<QByteArray>("problem"); // the beginning of the first one
-        const auto row = [](const char* name, const std::string& text, const char* problem) {
-            QTest::newRow(name) << QByteArray::fromStdString(text) << QByteArray(problem);
-        };
-        row("empty", "", "0:0 EmptyFile");
-        row("binary", std::string("DEFINE\0COMP", 11), "1:0 NotText");
-        row("no table", "CLOSE\n", "0:0 Syntax |DEFINE COMP for a table of one dimension");
-        row("truncated", file.substr(0, file.find("32")),
-            "5:0 MissingPoint 2 entries|4, as DEFINE");
-        row("too many", with("32\n", "32 33 34\n"),
-            "7:0 Contradiction 5 entries|4, as DEFINE COMP");
-        row("further ones", with("I51=1", "5"),
-            "9:1 Contradiction further entries: 5|4, as DEFINE");
-        row("entries alone", "1 2 3\n", "1:1 Contradiction further entries: 1 2 3|DEFINE COMP in");
-        row("absurd", with("COMP 4,", "COMP 1000000000,"),
-            "5:13 LimitExceeded 1000000000 entries|1 to 1000000");
-        row("no size", with("COMP 4,", "COMP ,"), "5:13 NotANumber |a number of entries");
-        row("no entries", with("COMP 4,", "COMP 0,"), "5:13 LimitExceeded 0 entries");
-        row("no span", with("#2,4000", "#2"),
-            "5:1 Syntax DEFINE COMP 4,#1D,#2|DEFINE COMP entries");
-        row("span 0", with("#2,4000", "#2,0"), "5:22 LimitExceeded a span of 0|at least 1 count");
-        row("span not whole", with("#2,4000", "#2,4000.5"),
-            "5:22 NotANumber 4000.5|a span in counts");
-        row("three motors", with("#2,4000", "#2,#3,4000"), "5:1 Syntax DEFINE COMP");
-        row("motor 33", with("#2,4000", "#33,4000"), "5:19 Syntax #33|the number of a motor");
-        row("a decimal", with("-80", "-80.5"), "6:5 NotANumber -80.5|a whole number of 1/16 count");
-        row("not a number", with("-80", "-8O"), "6:5 NotANumber -8O|");
-    }
-    void aProblemNamesItsPlace()
-    {
-        QFETCH(QByteArray, text);
-        QFETCH(QByteArray, problem);
-        const auto reading = family.read(text.toStdString(), inMillimetres());
-        VERIFY_RESULT(reading);
-        QVERIFY(reading->tables.empty());
-        const std::string found = problemLines(*reading);
-        QVERIFY2(found.starts_with(problem.toStdString()), found.c_str());
-    }
-
-    void numbersThatNoDoubleHoldsAreRefused()
-    {
-        const auto reading = family.read(file, inMillimetres("1e-310"));
-        VERIFY_RESULT(reading);
-        QVERIFY(reading->tables.empty());
-        QVERIFY(test::hasProblem(*reading, DiagnosticCode::LimitExceeded, 5));
-    }
-
-    void otherCommandsAreAWarning()
-    {
-        READ_TABLE(table, family, "M145=1\nDEFINE BLCOMP 2,100\n1 2\n" + file, inMillimetres());
-        QCOMPARE(table.axes[0].knots.size(), std::size_t(5));
-        QVERIFY(test::hasProblem(*reading_table, DiagnosticCode::UnknownKey, 1));
-        QVERIFY(test::hasProblem(*reading_table, DiagnosticCode::UnknownKey, 2));
-    }
-
-    void aFileIsRecognisedByItsDefinition()
-    {
-        QCOMPARE(family.recognise(file), Recognition::Certain);
-        QCOMPARE(family.recognise("DEFINE COMP 4.4,#1,#2,#3,10,10\n"), Recognition::No);
-        QCOMPARE(family.recognise("#define COMP 1\nint main()\n"), Recognition::No);
-        QCOMPARE(family.recognise("1 2\n0 1\n1 1\n"), Recognition::No);
-    }
-
-    void twoMegabytesAreReadWhole()
-    {
-        std::string text = "#1 DEFINE COMP 400000,400000000\n";
-        for (int i = 1; i <= 400000; ++i)
-            text += i % 10 == 0 ? "1234\n" : "-567 ";
-        QVERIFY(text.size() > 2'000'000);
-        READ_TABLE(table, family, text, inMillimetres());
-        QCOMPARE(table.pointCount(), std::size_t(400001));
     }
 };
 
 AXISCOMP_TEST(TestPmac1d)
+AXISCOMP_FORMAT(family, describe)
 
 } // namespace tst_pmac1d
 

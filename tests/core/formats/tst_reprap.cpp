@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/core/formats/format_checks.h"
+#include "tests/core/formats/format_sample.h"
 #include "tests/support/test_registry.h"
 
 namespace tst_reprap {
@@ -24,6 +24,65 @@ std::string oldFile(const std::string& parameters, const std::string& rows)
     return title + oldLabels + parameters + '\n' + rows;
 }
 const std::string parameters = "10.00,115.00,20.00,220.00,-1.00,50.00,200.00,3,2";
+
+void describe(test::FormatSample& sample)
+{
+    sample.facts = "command is read in program code; 2 to 2 dimensions, even knots; "
+                   "points any, columns 1, tables 1, bytes 67108864; holds names units notes";
+    sample.text = oldFile(parameters, heights);
+    sample.spareBytes = 4; // of the last number
+    sample.applies({{{60, 20}, double(-0.2F)}, {{10, 220}, double(0.3F)},
+        {{-50, -50}, double(0.1F)}, {{500, 500}, double(0.5F)}});
+    sample.recognises(Recognition::Certain,
+        {oldFile(parameters, heights), "RepRapFirmware height map file v1\n"});
+    sample.recognises(Recognition::No, {"RepRapFirmware probe points file v2\n", "0,1\n1,1\n"});
+
+    const auto row = sample.problemRow();
+    row("other title", "X,Y\n1,2\n", "1:0 Syntax X,Y|the line RepRapFirmware height map");
+    row("version 1", "RepRapFirmware height map file v1\n" + oldLabels + parameters,
+        "1:0 Syntax RepRapFirmware height map file v1|the line");
+    row("title only", title, "2:0 Syntax |the line xmin");
+    row("other labels", title + "xmin,xmax\n1,2\n", "2:0 Syntax xmin,xmax|the line xmin");
+    row("no parameters", title + oldLabels, "3:0 ColumnCount 1 entries|9: xmin");
+    row("parameters cut off", title + oldLabels + "10.00,115.00,2",
+        "3:0 ColumnCount 3 entries|9: xmin");
+    row("the other header's parameters", title + newLabels + parameters + '\n' + heights,
+        "3:0 ColumnCount 9 entries|11: axis0");
+    row("parameter is none", oldFile("10.00,x,20,220,-1,50,200,3,2", heights),
+        "3:7 NotANumber x|a number for xmax");
+    row("parameter is not finite", oldFile("10,inf,20,220,-1,50,200,3,2", heights),
+        "3:4 NotANumber inf|a number for xmax");
+    row("count is none", oldFile("10,115,20,220,-1,50,200,3.0,2", heights),
+        "3:25 NotANumber 3.0|a number of points");
+    row("one point", oldFile("10,115,20,220,-1,50,200,1,2", heights),
+        "3:0 TooFewPoints X from 10 to 115 by 50 in 1 points|at least 2");
+    row("a thousand million points",
+        oldFile("10,115,20,220,-1,50,200,1000000000,1000000000", heights),
+        "3:0 Contradiction X from 10 to 115 by 50 in 1000000000 points|as many");
+    row("a thousand million points that fit",
+        oldFile("0,999999999,0,999999999,-1,1,1,1000000000,1000000000", heights),
+        "4:0 ColumnCount 3 heights|1000000000, one for each position of X");
+    row("too few points for the range", oldFile("10,310,20,220,-1,50,200,3,2", heights),
+        "3:0 Contradiction X from 10 to 310 by 50 in 3 points|as many");
+    row("no spacing", oldFile("10,115,20,220,-1,0,200,3,2", heights),
+        "3:0 Contradiction X from 10 to 115 by 0 in 3 points|as many");
+    row("no range", oldFile("10,115,220,20,-1,50,200,3,2", heights),
+        "3:0 Contradiction Y from 220 to 20 by 200 in 2 points|as many");
+    row("one axis twice", title + newLabels + "X,X," + parameters + '\n' + heights,
+        "3:0 Contradiction the axes \"X\" and \"X\"|two different letters");
+    row("line too short", oldFile(parameters, "0.1,0.2\n0.1,0.2,0.3\n"),
+        "4:0 ColumnCount 2 heights|3, one for each position of X");
+    row("line too long", oldFile(parameters, "0.1,0.2,0.3,0.4\n0.1,0.2,0.3\n"),
+        "4:0 ColumnCount 4 heights|3, one for each position of X");
+    row("height is none", oldFile(parameters, "0.1, a,0.3\n0.1,0.2,0.3\n"),
+        "4:6 NotANumber a|a height in mm");
+    row("height is missing", oldFile(parameters, "0.1,,0.3\n0.1,0.2,0.3\n"),
+        "4:5 NotANumber |a height in mm");
+    row("too few lines", oldFile(parameters, "0.1,0.2,0.3\n"),
+        "0:0 MissingPoint 1 lines of heights|2, one for each position of Y");
+    row("too many lines", oldFile(parameters, heights + "0.1,0.2,0.3\n"),
+        "6:0 Contradiction a further line after 2|2 lines of heights");
+}
 
 } // namespace
 
@@ -68,26 +127,10 @@ private Q_SLOTS:
         QCOMPARE(table.axes[0].knots, (std::vector<double>{10, 60, 110}));
     }
 
-    void theLinesAreThoseOfTheSecondAxis()
+    void theHeightsAreLookedUpAtXAndYWhichStay()
     {
         READ_TABLE(table, family, oldFile(parameters, heights), {});
-        QCOMPARE(applied(family, table, {60, 20}), double(-0.2F));
-        QCOMPARE(applied(family, table, {10, 220}), double(0.3F));
-    }
-
-    void betweenThePointsTheHeightIsBilinearAndOutsideTheEdgeIsHeld()
-    {
-        READ_TABLE(table, family, oldFile(parameters, heights), {});
-        QVERIFY(std::abs(applied(family, table, {85, 120}) - 0.175) < 1e-7);
-        QCOMPARE(applied(family, table, {-50, -50}), double(0.1F));
-        QCOMPARE(applied(family, table, {500, 500}), double(0.5F));
-    }
-
-    void theHeightIsAddedToTheCommandedZ()
-    {
-        READ_TABLE(table, family, oldFile(parameters, heights), {});
-        QVERIFY(table.sign == SignConvention::Command);
-        QVERIFY(family.facts.signEvidence == Evidence::Code);
+        QVERIFY(std::abs(applied(family, table, {85, 120}) - 0.175) < 1e-7); // of float32
         QVERIFY(!ownAxis(table, table.columns[0]));
     }
 
@@ -114,71 +157,6 @@ private Q_SLOTS:
         QCOMPARE(zero.columns[0].values[0], 0.0);
     }
 
-    void aProblemNamesItsPlace_data()
-    {
-        QTest::addColumn<QByteArray>("text");
-        QTest::addColumn<QByteArray>("problem"); // the beginning of the first one
-        const auto row = [](const char* name, const std::string& text, const char* problem) {
-            QTest::newRow(name) << QByteArray::fromStdString(text) << QByteArray(problem);
-        };
-        row("empty", "", "0:0 EmptyFile");
-        row("binary", title + "\x01\x02\x03\x04\x05\x06\x07\x08", "0:0 NotText");
-        row("other title", "X,Y\n1,2\n", "1:0 Syntax X,Y|the line RepRapFirmware height map");
-        row("version 1", "RepRapFirmware height map file v1\n" + oldLabels + parameters,
-            "1:0 Syntax RepRapFirmware height map file v1|the line");
-        row("title only", title, "2:0 Syntax |the line xmin");
-        row("other labels", title + "xmin,xmax\n1,2\n", "2:0 Syntax xmin,xmax|the line xmin");
-        row("no parameters", title + oldLabels, "3:0 ColumnCount 1 entries|9: xmin");
-        row("parameters cut off", title + oldLabels + "10.00,115.00,2",
-            "3:0 ColumnCount 3 entries|9: xmin");
-        row("the other header's parameters", title + newLabels + parameters + '\n' + heights,
-            "3:0 ColumnCount 9 entries|11: axis0");
-        row("parameter is none", oldFile("10.00,x,20,220,-1,50,200,3,2", heights),
-            "3:7 NotANumber x|a number for xmax");
-        row("parameter is not finite", oldFile("10,inf,20,220,-1,50,200,3,2", heights),
-            "3:4 NotANumber inf|a number for xmax");
-        row("count is none", oldFile("10,115,20,220,-1,50,200,3.0,2", heights),
-            "3:25 NotANumber 3.0|a number of points");
-        row("one point", oldFile("10,115,20,220,-1,50,200,1,2", heights),
-            "3:0 TooFewPoints X from 10 to 115 by 50 in 1 points|at least 2");
-        row("a thousand million points",
-            oldFile("10,115,20,220,-1,50,200,1000000000,1000000000", heights),
-            "3:0 Contradiction X from 10 to 115 by 50 in 1000000000 points|as many");
-        row("a thousand million points that fit",
-            oldFile("0,999999999,0,999999999,-1,1,1,1000000000,1000000000", heights),
-            "4:0 ColumnCount 3 heights|1000000000, one for each position of X");
-        row("too few points for the range", oldFile("10,310,20,220,-1,50,200,3,2", heights),
-            "3:0 Contradiction X from 10 to 310 by 50 in 3 points|as many");
-        row("no spacing", oldFile("10,115,20,220,-1,0,200,3,2", heights),
-            "3:0 Contradiction X from 10 to 115 by 0 in 3 points|as many");
-        row("no range", oldFile("10,115,220,20,-1,50,200,3,2", heights),
-            "3:0 Contradiction Y from 220 to 20 by 200 in 2 points|as many");
-        row("one axis twice", title + newLabels + "X,X," + parameters + '\n' + heights,
-            "3:0 Contradiction the axes \"X\" and \"X\"|two different letters");
-        row("line too short", oldFile(parameters, "0.1,0.2\n0.1,0.2,0.3\n"),
-            "4:0 ColumnCount 2 heights|3, one for each position of X");
-        row("line too long", oldFile(parameters, "0.1,0.2,0.3,0.4\n0.1,0.2,0.3\n"),
-            "4:0 ColumnCount 4 heights|3, one for each position of X");
-        row("height is none", oldFile(parameters, "0.1, a,0.3\n0.1,0.2,0.3\n"),
-            "4:6 NotANumber a|a height in mm");
-        row("height is missing", oldFile(parameters, "0.1,,0.3\n0.1,0.2,0.3\n"),
-            "4:5 NotANumber |a height in mm");
-        row("too few lines", oldFile(parameters, "0.1,0.2,0.3\n"),
-            "0:0 MissingPoint 1 lines of heights|2, one for each position of Y");
-        row("too many lines", oldFile(parameters, heights + "0.1,0.2,0.3\n"),
-            "6:0 Contradiction a further line after 2|2 lines of heights");
-    }
-    void aProblemNamesItsPlace()
-    {
-        QFETCH(QByteArray, text);
-        QFETCH(QByteArray, problem);
-        const auto reading = family.read(text.toStdString(), {});
-        VERIFY_RESULT(reading);
-        QVERIFY(reading->tables.empty());
-        const std::string found = problemLines(*reading);
-        QVERIFY2(found.starts_with(problem.toStdString()), found.c_str());
-    }
-
     void aSpacingIsKnownToTwoDecimals()
     {
         READ_TABLE(table, family,
@@ -186,23 +164,6 @@ private Q_SLOTS:
                 "0.1,0.1,0.1,0.1\n0.1,0.1,0.1,0.1\n0.1,0.1,0.1,0.1\n0.1,0.1,0.1,0.1\n"),
             {});
         QCOMPARE(table.axes[0].knots.back(), 3 * 66.67);
-    }
-
-    void aFileIsRecognisedByItsTitle()
-    {
-        QCOMPARE(family.recognise(oldFile(parameters, heights)), Recognition::Certain);
-        QCOMPARE(family.recognise("RepRapFirmware height map file v1\n"), Recognition::Certain);
-        QCOMPARE(family.recognise("RepRapFirmware probe points file v2\n"), Recognition::No);
-        QCOMPARE(family.recognise("0,1\n1,1\n"), Recognition::No);
-        QCOMPARE(family.recognise(""), Recognition::No);
-        const FormatGuess guess = guessFamily(oldFile(parameters, heights), "heightmap.csv");
-        QVERIFY(guess.isCertain && guess.families.front() == &family);
-    }
-
-    void itIsReadOnly()
-    {
-        QVERIFY(family.write == nullptr);
-        QVERIFY(!family.facts.rules.empty() && !family.facts.assumptions.empty());
     }
 
     void twoMegabytesAreReadWhole()
@@ -217,6 +178,7 @@ private Q_SLOTS:
 };
 
 AXISCOMP_TEST(TestReprap)
+AXISCOMP_FORMAT(family, describe)
 
 } // namespace tst_reprap
 

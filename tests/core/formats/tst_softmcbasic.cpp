@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/core/formats/format_checks.h"
+#include "tests/core/formats/format_sample.h"
 #include "tests/support/test_registry.h"
 
 namespace tst_softmcbasic {
@@ -12,18 +12,44 @@ const TableFamily& family = softmc_basic::format();
 
 NeutralTable twoSources()
 {
-    NeutralTable table;
-    table.sign = SignConvention::Command;
-    table.axes = {test::evenAxis("X", "mm", 100, 10, 2), test::evenAxis("Y", "mm", -1, 0.5, 3)};
-    table.columns = {test::waveColumn("X", "mm", 6, 1), test::waveColumn("Y", "mm", 6, 1)};
-    table.columns[0].values = {0.1, 0.2, 0.3, 0.4, 0.5, 0.6};
-    table.columns[1].values = {-1, -2, -3, -4, -5, -6};
-    return table;
+    return test::commandTable(
+        {test::evenAxis("X", "mm", 100, 10, 2), test::evenAxis("Y", "mm", -1, 0.5, 3)},
+        {test::columnOf("X", "mm", {0.1, 0.2, 0.3, 0.4, 0.5, 0.6}),
+            test::columnOf("Y", "mm", {-1, -2, -3, -4, -5, -6})});
 }
 
-bool mentions(const std::string& text, std::string_view part)
+void describe(test::FormatSample& sample)
 {
-    return text.find(part) != std::string::npos;
+    sample.facts = "command is published; 1 to 3 dimensions, even knots; "
+                   "points 4000000, columns any, tables 1, bytes 67108864; holds";
+    sample.writes("every point has a position of each source, the first fastest", {twoSources()})
+        .containing({"Comp1.SourceData[1][2] = 110\nComp1.SourceData[2][2] = -1\n"
+                     "Comp1.TargetData[1][2] = 0.2\nComp1.TargetData[2][2] = -2\n"
+                     "Comp1.SourceData[1][3] = 100\nComp1.SourceData[2][3] = -0.5\n",
+            "Comp1.SourceData[2][6] = 0\n", "Comp1.TargetData[2][6] = -6\n"})
+        .remarking({"CompActive = 0", "2 x 3 points"});
+    sample
+        .writes("both indices begin at 1",
+            {test::commandTable(
+                {test::evenAxis("1", "mm", 0, 120, 2)}, {test::columnOf("1", "mm", {0, 0.125})})})
+        .as("' Compensation table Comp1: 2 points\n"
+            "Comp1.SourceData[1][1] = 0\nComp1.TargetData[1][1] = 0\n"
+            "Comp1.SourceData[1][2] = 120\nComp1.TargetData[1][2] = 0.125\n");
+    sample.writes("the name of the setting", {twoSources()})
+        .with({{"name", "Gantry_1"}})
+        .containing({"\nGantry_1.TargetData[2][6] = -6\n"});
+    for (const char* name : {"1st", "_x", "a b", "x.y", "a[1]", "\u00e4"})
+        sample.refuses(std::string("the name ") + name, {twoSources()}, ErrorCode::InvalidArgument,
+            "", FormatSettings{{"name", name}});
+    NeutralTable scaled = test::commandTable(
+        {test::evenAxis("X", "m", 0.1, 0.01, 2), test::evenAxis("Y", "m", -0.001, 0.0005, 3)},
+        {test::columnOf("X", "um", {100, 200, 300, 400, 500, 600}),
+            test::columnOf("Y", "um", {-1000, -2000, -3000, -4000, -5000, -6000})});
+    sample.writes("the units of the settings", {twoSources()})
+        .with({{"position-unit", "m"}, {"value-unit", "um"}})
+        .containing({"Comp1.SourceData[1][1] = 0.1\n", "Comp1.TargetData[1][1] = 100\n"})
+        .becoming(scaled)
+        .within(1e-12);
 }
 
 } // namespace
@@ -34,30 +60,9 @@ class TestSoftmcBasic : public QObject {
 private Q_SLOTS:
     void init() { test::failOnWarnings(); }
 
-    void bothIndicesBeginAtOne()
+    void itTakesEffectAtTheFirstValue()
     {
-        NeutralTable table;
-        table.axes = {test::evenAxis("1", "mm", 0, 120, 2)};
-        table.columns = {test::waveColumn("1", "mm", 2, 1)};
-        table.columns[0].values = {0, 0.125};
-        const auto written = family.write(std::array{table}, {});
-        VERIFY_RESULT(written);
-        QCOMPARE(written->bytes,
-            std::string("' Compensation table Comp1: 2 points\n"
-                        "Comp1.SourceData[1][1] = 0\nComp1.TargetData[1][1] = 0\n"
-                        "Comp1.SourceData[1][2] = 120\nComp1.TargetData[1][2] = 0.125\n"));
-    }
-
-    void everyPointHasAPositionOfEachSourceTheFirstFastest()
-    {
-        const auto written = family.write(std::array{twoSources()}, {});
-        VERIFY_RESULT(written);
-        QVERIFY(mentions(written->bytes,
-            "Comp1.SourceData[1][2] = 110\nComp1.SourceData[2][2] = -1\n"
-            "Comp1.TargetData[1][2] = 0.2\nComp1.TargetData[2][2] = -2\n"
-            "Comp1.SourceData[1][3] = 100\nComp1.SourceData[2][3] = -0.5\n"));
-        QVERIFY(mentions(written->bytes, "Comp1.SourceData[2][6] = 0\n"));
-        QVERIFY(written->bytes.ends_with("Comp1.TargetData[2][6] = -6\n"));
+        QCOMPARE(test::applied(family, twoSources(), {99, 0}), 0.0);
     }
 
     void theAssignmentsAreTheRowsOfTheTextTable()
@@ -75,58 +80,10 @@ private Q_SLOTS:
         QCOMPARE(rows, text->bytes);
         QVERIFY(basic->held.front() == twoSources());
     }
-
-    void theNameIsTheSettingAndANameOfMcBasic()
-    {
-        TableWriteOptions options;
-        options.settings = {{"name", "Gantry_1"}};
-        const auto written = family.write(std::array{twoSources()}, options);
-        VERIFY_RESULT(written);
-        QVERIFY(mentions(written->bytes, "\nGantry_1.TargetData[2][6] = -6\n"));
-        for (const char* name : {"1st", "_x", "a b", "x.y", "a[1]", "\u00e4"}) {
-            options.settings = {{"name", name}};
-            VERIFY_ERROR(
-                family.write(std::array{twoSources()}, options), ErrorCode::InvalidArgument);
-        }
-    }
-
-    void valuesAreWrittenInTheUnitsOfTheSettings()
-    {
-        TableWriteOptions options;
-        options.settings = {{"position-unit", "m"}, {"value-unit", "um"}};
-        const auto written = family.write(std::array{twoSources()}, options);
-        VERIFY_RESULT(written);
-        QVERIFY(mentions(written->bytes, "Comp1.SourceData[1][1] = 0.1\n"));
-        QVERIFY(mentions(written->bytes, "Comp1.TargetData[1][1] = 100\n"));
-    }
-
-    void theRemarksSayThatTheTableMustNotBeInUse()
-    {
-        const auto written = family.write(std::array{twoSources()}, {});
-        VERIFY_RESULT(written);
-        const bool isSaid = std::ranges::any_of(written->remarks, [](const std::string& remark) {
-            return mentions(remark, "CompActive = 0") && mentions(remark, "2 x 3 points");
-        });
-        QVERIFY(isSaid);
-    }
-
-    void whatTheFactsRefuseIsRefused()
-    {
-        NeutralTable uneven = twoSources();
-        uneven.axes[1].knots[1] = 0.25;
-        uneven.axes[1].knots[2] = 3;
-        VERIFY_ERROR(checkHolds(family.facts, std::array{uneven}), ErrorCode::FormatCannotHold);
-        VERIFY_RESULT(checkHolds(family.facts, std::array{twoSources()}));
-    }
-
-    void itIsWrittenOnly()
-    {
-        QVERIFY(family.read == nullptr && family.recognise == nullptr);
-        QCOMPARE(test::applied(family, twoSources(), {99, 0}), 0.0); // before the first value
-    }
 };
 
 AXISCOMP_TEST(TestSoftmcBasic)
+AXISCOMP_FORMAT(family, describe)
 
 } // namespace tst_softmcbasic
 
