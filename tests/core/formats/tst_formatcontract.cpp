@@ -195,7 +195,7 @@ std::vector<NeutralTable> withTrimmedNotes(std::vector<NeutralTable> tables)
 {
     for (NeutralTable& table : tables)
         for (std::string& note : table.notes)
-            note = csv::trimmed(note);
+            note = trimmed(note);
     return tables;
 }
 bool isTheSame(const Outcome& outcome, const std::vector<NeutralTable>& tables)
@@ -313,7 +313,7 @@ private Q_SLOTS:
                 table, applied.column, format().family->facts.behaviour);
             const double found = compensation.at(applied.position);
             QVERIFY2(found == applied.value || qFuzzyCompare(found, applied.value),
-                (csv::toText(found) + " instead of " + csv::toText(applied.value) + " at "
+                (toText(found) + " instead of " + toText(applied.value) + " at "
                     + positionText(table, applied.position))
                     .c_str());
         }
@@ -351,7 +351,7 @@ private Q_SLOTS:
             for (std::size_t i = 0; i < plain.tables.size(); ++i) {
                 COMPARE_TABLES(outcome.tables[i], plain.tables[i], 0.0);
                 for (const std::string& note : outcome.tables[i].notes)
-                    QCOMPARE(note, csv::toUtf8(note, csv::Encoding::Utf8));
+                    QCOMPARE(note, toUtf8(note, Encoding::Utf8));
             }
         }
     }

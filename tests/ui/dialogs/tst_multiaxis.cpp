@@ -168,8 +168,11 @@ void TestMultiAxis::aColumnIsProposedForTheAxisThatItsNameSays()
     DriveAxes drive;
     drive.isConnected = true;
     for (const char* name : {"X", "Y", "Z", "Z", ""}) {
-        const auto index = static_cast<int>(drive.axes.size());
-        drive.axes.push_back({index, name, "Millimeter", "HomingDone", "Inactive"});
+        AxisInfo axis;
+        axis.index = static_cast<int>(drive.axes.size());
+        axis.name = name;
+        axis.stateWord = "Disabled";
+        drive.axes.push_back(axis);
     }
     const std::vector<DriveAxes> drives{drive};
     const auto choices = proposedAxes(tables, axisEntries(drives));

@@ -248,7 +248,7 @@ private Q_SLOTS:
     {
         std::vector<DriveAxes> drives{drive("http://1", "A", 1, {"X", ""}),
             drive("http://2", "B", 2, {"X"}), drive("demo:", "C", 3, {"X"})};
-        drives[0].axes[1].state.clear(); // has no compensation registers
+        drives[0].axes[1].stateWord.clear(); // has no compensation registers
         drives[1].isConnected = false;
         drives[2].isDemo = true;
         const std::vector<AxisEntry> entries = axisEntries(drives);
