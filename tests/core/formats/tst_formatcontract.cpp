@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/neutral/table_motion.h"
+#include "core/text/number_text.h"
+#include "core/text/text_file.h"
 #include "core/text/token_scanner.h"
 #include "tests/core/formats/format_sample.h"
 #include "tests/support/test_registry.h"
