@@ -34,7 +34,7 @@ public:
     Private(WizardController& controller, WizardOptions wizardOptions);
     ~Private();
 
-    // Drives and axes (wizard_drives.cpp)
+    // Drives and axes (drive_list.cpp)
     void setEndpoints(const QStringList& wanted);
     DriveConnection* addConnection(const QString& endpoint);
     void removeConnection(DriveConnection* connection);
@@ -48,7 +48,7 @@ public:
     void driveFound(DriveConnection* found, bool wasAnother);
     void driveLost(DriveConnection* lost, const Error& error);
 
-    // The current axis (wizard_axis.cpp)
+    // The current axis (axis_state.cpp)
     void readAxisNow();
     void takeReading(const AxisReading& reading);
     void takeStatus(const AxisStatus& now, bool isComplete);
@@ -59,7 +59,7 @@ public:
     [[nodiscard]] FlashBudget flashBudget() const;
     void takeFlash(const AxisReading& reading);
 
-    // Sources (wizard_sources.cpp)
+    // Sources (source_check.cpp)
     struct SourceField {
         Wording problem; ///< none: nothing is wrong with it
         bool isBeingChecked = false;
@@ -71,7 +71,7 @@ public:
     void refuseSource(int dimension, const Wording& problem);
     void forgetSourceProblems();
 
-    // The file and the tables (wizard_tables.cpp)
+    // The file and the tables (table_selection.cpp)
     void fileReplaced(const std::shared_ptr<const CalibrationData>& before, bool isSameFile);
     void fileFailed(const LoadedFile& file);
     [[nodiscard]] SurveyedTable selectedTable() const;
@@ -79,7 +79,7 @@ public:
     void noteSelectedTable();
     void fieldChanged(Field field);
 
-    // Operations (wizard_operations.cpp)
+    // Operations (operation_runner.cpp)
     template <typename T>
     void begin(
         Task task, DriveSession::Operation<T> operation, std::function<void(const Result<T>&)> end);
@@ -98,7 +98,7 @@ public:
     void written(const Result<OperationEnd<WriteReport>>& end);
     template <typename T> void takeEnd(const OperationEnd<T>& end);
 
-    // Several axes (wizard_several.cpp; writeSeveral is in wizard_operations.cpp)
+    // Several axes (multi_axis_controller.cpp; writeSeveral is in operation_runner.cpp)
     struct Several {
         std::vector<AxisTable> tables; ///< that the drive was asked about
         std::optional<Result<std::vector<WritePlan>>> plans;
@@ -117,7 +117,7 @@ public:
     [[nodiscard]] std::optional<SurveyedTable> writtenToShownAxis(
         const Result<SeveralReport>& report) const;
 
-    // What is shown (wizard_state.cpp)
+    // What is shown (action_snapshot.cpp)
     [[nodiscard]] ActionSnapshot snapshot() const;
     void snapshotDrive(ActionSnapshot& now) const;
     void snapshotUnfinished(ActionSnapshot& now) const;

@@ -39,7 +39,7 @@ private:
     [[nodiscard]] WebReply sendFile(const WebRequest& request) const;
     [[nodiscard]] WebReply notAllowed(const WebRequest& request, const std::string& methods) const;
 
-    // web_registers.cpp
+    // register_handler.cpp
     [[nodiscard]] WebReply answerRegisters(const WebRequest& request) const;
     [[nodiscard]] WebReply showRegisters(const WebRequest& request) const;
     [[nodiscard]] WebReply showTree(const WebRequest& request, const std::string& prefix) const;
