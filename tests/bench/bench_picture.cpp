@@ -9,7 +9,7 @@
 #include <QApplication>
 #include <QImage>
 
-#include <qcustomplot.h>
+#include "ui/plot/custom_plot.h"
 
 #include <cmath>
 

@@ -4,7 +4,7 @@
 #include "core/table/table_math.h"
 #include "ui/style/contrast.h"
 
-#include <qcustomplot.h>
+#include "ui/plot/custom_plot.h"
 
 #include <algorithm>
 

@@ -15,7 +15,7 @@
 #include <QPdfWriter>
 #include <QPicture>
 
-#include <qcustomplot.h>
+#include "ui/plot/custom_plot.h"
 
 #include <algorithm>
 

@@ -14,7 +14,7 @@
 #include <QMouseEvent>
 #include <QToolButton>
 
-#include <qcustomplot.h>
+#include "ui/plot/custom_plot.h"
 
 namespace axiscomp::ui {
 

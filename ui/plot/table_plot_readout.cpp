@@ -7,7 +7,7 @@
 #include <QLabel>
 #include <QToolButton>
 
-#include <qcustomplot.h>
+#include "ui/plot/custom_plot.h"
 
 #include <algorithm>
 

@@ -14,7 +14,7 @@
 #include <QTest>
 #include <QToolButton>
 
-#include <qcustomplot.h>
+#include "ui/plot/custom_plot.h"
 
 namespace tst_tableplot {
 

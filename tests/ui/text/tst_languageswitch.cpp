@@ -6,9 +6,9 @@
 #include "tests/ui/support/window_test.h"
 #include "ui/text/language.h"
 
+#include "ui/plot/custom_plot.h"
 #include <QActionGroup>
 #include <QTest>
-#include <qcustomplot.h>
 
 #include <algorithm>
 
