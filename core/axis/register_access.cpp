@@ -88,10 +88,8 @@ Result<Readings> DriveAccess::readAvailable(std::vector<std::string> paths) cons
         auto readings = read(paths);
         if (readings || readings.error().code != ErrorCode::UnknownRegister)
             return readings;
-        const auto named = readings.error().context.find("path");
-        const auto missing = named == readings.error().context.end()
-            ? paths.end()
-            : std::ranges::find(paths, named->second);
+        const auto missing
+            = std::ranges::find(paths, readings.error().context.english("path"));
         if (missing == paths.end())
             return readings;
         paths.erase(missing);

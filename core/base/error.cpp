@@ -12,119 +12,154 @@ namespace {
 struct ErrorRow {
     ErrorCode code;
     std::string_view name;
-    std::string_view text;
+    TextPattern pattern;
 };
 
 constexpr std::array errorRows{
-    ErrorRow{ErrorCode::InvalidArgument, "InvalidArgument", "{reason}"},
-    ErrorRow{ErrorCode::Cancelled, "Cancelled", "stopped by the user"},
-    ErrorRow{ErrorCode::FileNotReadable, "FileNotReadable", "{file} cannot be read: {reason}"},
-    ErrorRow{ErrorCode::FileNotWritable, "FileNotWritable", "{file} cannot be written: {reason}"},
+    ErrorRow{ErrorCode::InvalidArgument, "InvalidArgument", AXISCOMP_TEXT("Error", "{reason}")},
+    ErrorRow{ErrorCode::Cancelled, "Cancelled", AXISCOMP_TEXT("Error", "stopped by the user")},
+    ErrorRow{ErrorCode::FileNotReadable, "FileNotReadable",
+        AXISCOMP_TEXT("Error", "{file} cannot be read: {reason}")},
+    ErrorRow{ErrorCode::FileNotWritable, "FileNotWritable",
+        AXISCOMP_TEXT("Error", "{file} cannot be written: {reason}")},
     ErrorRow{ErrorCode::FileTooLarge, "FileTooLarge",
-        "{file} has {size} bytes, more than the {limit} that such a file can have"},
+        AXISCOMP_TEXT(
+            "Error", "{file} has {size} bytes, more than the {limit} that such a file can have")},
     ErrorRow{ErrorCode::InvalidCalibration, "InvalidCalibration",
-        "{file} is not a valid calibration file: {count} problem(s)"},
+        AXISCOMP_COUNTED("Error", "{file} is not a valid calibration file: {count} problems",
+            "{file} is not a valid calibration file: one problem")},
     ErrorRow{ErrorCode::InvalidTable, "InvalidTable",
-        "this is not a valid TAM table: {field} at offset {offset} is {found}, expected "
-        "{expected}"},
+        AXISCOMP_TEXT("Error",
+            "this is not a valid TAM table: {field} at offset {offset} is {found}, expected "
+            "{expected}")},
     ErrorRow{ErrorCode::InvalidProfile, "InvalidProfile",
-        "the drive profile {file} is wrong at {path}: {reason}"},
+        AXISCOMP_TEXT("Error", "the drive profile {file} is wrong at {path}: {reason}")},
     ErrorRow{ErrorCode::InvalidConfiguration, "InvalidConfiguration",
-        "the TAM configuration {file} is wrong in line {line}: {reason}"},
-    ErrorRow{ErrorCode::InvalidBackup, "InvalidBackup", "{file} is not a valid backup: {reason}"},
+        AXISCOMP_TEXT("Error", "the TAM configuration {file} is wrong in line {line}: {reason}")},
+    ErrorRow{ErrorCode::InvalidBackup, "InvalidBackup",
+        AXISCOMP_TEXT("Error", "{file} is not a valid backup: {reason}")},
     ErrorRow{ErrorCode::UnknownFormat, "UnknownFormat",
-        "the format of {file} is not known; name one of: {known}"},
+        AXISCOMP_TEXT("Error", "the format of {file} is not known; name one of: {known}")},
     ErrorRow{ErrorCode::TableNotFound, "TableNotFound",
-        "there is no table {table} in the file; it has: {known}"},
+        AXISCOMP_TEXT("Error", "there is no table {table} in the file; it has: {known}")},
     ErrorRow{ErrorCode::FormatAmbiguous, "FormatAmbiguous",
-        "{file} can be one of several formats: {candidates}; say which one it is"},
+        AXISCOMP_TEXT(
+            "Error", "{file} can be one of several formats: {candidates}; say which one it is")},
     ErrorRow{ErrorCode::FormatCannotHold, "FormatCannotHold",
-        "the format {format} cannot hold this table: {reason}; {wayOut}"},
+        AXISCOMP_TEXT("Error", "the format {format} cannot hold this table: {reason}; {wayOut}")},
     ErrorRow{ErrorCode::SignNotConvertible, "SignNotConvertible",
-        "the sign cannot be converted at {position}: {reason}"},
+        AXISCOMP_TEXT("Error", "the sign cannot be converted at {position}: {reason}")},
     ErrorRow{ErrorCode::ResamplingImpossible, "ResamplingImpossible",
-        "the table cannot be resampled: {reason}"},
+        AXISCOMP_TEXT("Error", "the table cannot be resampled: {reason}")},
     ErrorRow{ErrorCode::InvalidEndpoint, "InvalidEndpoint",
-        "{endpoint} is not the address of a drive: {reason}"},
-    ErrorRow{ErrorCode::NotConnected, "NotConnected", "no connection to {endpoint}: {reason}"},
+        AXISCOMP_TEXT("Error", "{endpoint} is not the address of a drive: {reason}")},
+    ErrorRow{ErrorCode::NotConnected, "NotConnected",
+        AXISCOMP_TEXT("Error", "no connection to {endpoint}: {reason}")},
     ErrorRow{ErrorCode::ConnectionLost, "ConnectionLost",
-        "the connection to {endpoint} was lost: {reason}"},
-    ErrorRow{ErrorCode::Timeout, "Timeout", "{endpoint} did not answer within {seconds} s"},
+        AXISCOMP_TEXT("Error", "the connection to {endpoint} was lost: {reason}")},
+    ErrorRow{ErrorCode::Timeout, "Timeout",
+        AXISCOMP_TEXT("Error", "{endpoint} did not answer within {seconds} s")},
     ErrorRow{ErrorCode::Protocol, "Protocol",
-        "{endpoint} did not answer as a drive does: expected {expected}, got {quote}"},
+        AXISCOMP_TEXT("Error",
+            "{endpoint} did not answer as a drive does: expected {expected}, got {quote}")},
     ErrorRow{ErrorCode::Unauthorized, "Unauthorized",
-        "{endpoint} asks for a user name and a password; give them as http://user:password@host"},
+        AXISCOMP_TEXT("Error",
+            "{endpoint} asks for a user name and a password; give them as "
+            "http://user:password@host")},
     ErrorRow{ErrorCode::CertificateRejected, "CertificateRejected",
-        "the certificate of {endpoint} cannot be trusted: {reason}. Its SHA-256 fingerprint is "
-        "{fingerprint}; trust it under Connections, or with --trust-certificate, if the drive has "
-        "the same"},
-    ErrorRow{ErrorCode::DriveRejected, "DriveRejected", "the drive refused: {reason}"},
-    ErrorRow{ErrorCode::UnknownRegister, "UnknownRegister", "the drive has no register {path}"},
-    ErrorRow{ErrorCode::UnknownFile, "UnknownFile", "the drive has no file {path}"},
-    ErrorRow{
-        ErrorCode::NotAllowedNow, "NotAllowedNow", "the drive does not allow this now: {reason}"},
-    ErrorRow{ErrorCode::TooLargeForSlot, "TooLargeForSlot", "the table does not fit: {reason}"},
-    ErrorRow{ErrorCode::TableRefused, "TableRefused", "the drive refused the table: {reason}"},
+        AXISCOMP_TEXT("Error",
+            "the certificate of {endpoint} cannot be trusted: {reason}. Its SHA-256 fingerprint is "
+            "{fingerprint}; trust it under Connections, or with --trust-certificate, if the drive "
+            "has the same")},
+    ErrorRow{ErrorCode::DriveRejected, "DriveRejected",
+        AXISCOMP_TEXT("Error", "the drive refused: {reason}")},
+    ErrorRow{ErrorCode::UnknownRegister, "UnknownRegister",
+        AXISCOMP_TEXT("Error", "the drive has no register {path}")},
+    ErrorRow{ErrorCode::UnknownFile, "UnknownFile",
+        AXISCOMP_TEXT("Error", "the drive has no file {path}")},
+    ErrorRow{ErrorCode::NotAllowedNow, "NotAllowedNow",
+        AXISCOMP_TEXT("Error", "the drive does not allow this now: {reason}")},
+    ErrorRow{ErrorCode::TooLargeForSlot, "TooLargeForSlot",
+        AXISCOMP_TEXT("Error", "the table does not fit: {reason}")},
+    ErrorRow{ErrorCode::TableRefused, "TableRefused",
+        AXISCOMP_TEXT("Error", "the drive refused the table: {reason}")},
     ErrorRow{ErrorCode::FlashWear, "FlashWear",
-        "too many flash operations in a short time; wait {seconds} s, or write volatile"},
+        AXISCOMP_TEXT("Error",
+            "too many flash operations in a short time; wait {seconds} s, or write volatile")},
     ErrorRow{ErrorCode::CompensationError, "CompensationError",
-        "the compensation of axis {axis} is in error {error}: {hint}"},
-    ErrorRow{
-        ErrorCode::AxisNotFound, "AxisNotFound", "the drive has no axis {axis}; it has: {known}"},
+        AXISCOMP_TEXT("Error", "the compensation of axis {axis} is in error {error}: {hint}")},
+    ErrorRow{ErrorCode::AxisNotFound, "AxisNotFound",
+        AXISCOMP_TEXT("Error", "the drive has no axis {axis}; it has: {known}")},
     ErrorRow{ErrorCode::AxisAmbiguous, "AxisAmbiguous",
-        "several axes are named {axis}: give the index, one of {matches}"},
+        AXISCOMP_TEXT("Error", "several axes are named {axis}: give the index, one of {matches}")},
     ErrorRow{ErrorCode::NoCompensation, "NoCompensation",
-        "axis {axis} of this drive has no compensation registers"},
+        AXISCOMP_TEXT("Error", "axis {axis} of this drive has no compensation registers")},
     ErrorRow{ErrorCode::SourceMissing, "SourceMissing",
-        "the source of dimension {dimension} is missing"},
+        AXISCOMP_TEXT("Error", "the source of dimension {dimension} is missing")},
     ErrorRow{ErrorCode::SourceSurplus, "SourceSurplus",
-        "there is a source for dimension {dimension}, but only {dimensions} dimension(s)"},
-    ErrorRow{
-        ErrorCode::SourceNotFound, "SourceNotFound", "the drive has no register {source}{nearest}"},
+        AXISCOMP_TEXT("Error",
+            "there is a source for dimension {dimension}, but the table is {dimensions}D")},
+    ErrorRow{ErrorCode::SourceNotFound, "SourceNotFound",
+        AXISCOMP_TEXT("Error", "the drive has no register {source}{nearest}")},
     ErrorRow{ErrorCode::SourceWrongType, "SourceWrongType",
-        "{source} is of type {type}; a dimension source must be one of {allowed}"},
+        AXISCOMP_TEXT(
+            "Error", "{source} is of type {type}; a dimension source must be one of {allowed}")},
     ErrorRow{ErrorCode::SourceOtherDrive, "SourceOtherDrive",
-        "{source} is a register of the drive {other}; a source must be on the drive itself, "
-        "{drive}"},
+        AXISCOMP_TEXT("Error",
+            "{source} is a register of the drive {other}; a source must be on the drive itself, "
+            "{drive}")},
     ErrorRow{ErrorCode::SourceRepeated, "SourceRepeated",
-        "{source} is the source of both dimension {first} and dimension {second}"},
+        AXISCOMP_TEXT(
+            "Error", "{source} is the source of both dimension {first} and dimension {second}")},
     ErrorRow{ErrorCode::DimensionMismatch, "DimensionMismatch",
-        "the table has {table} dimension(s), but {chosen} are chosen"},
+        AXISCOMP_TEXT("Error", "the table is {table}D, but {chosen}D is chosen")},
     ErrorRow{ErrorCode::TableTooLarge, "TableTooLarge",
-        "the table needs {size} bytes, but the largest slot that may be taken, {slot}, holds "
-        "{largest}"},
-    ErrorRow{
-        ErrorCode::SlotNotFound, "SlotNotFound", "the drive has no slot {slot}; it has: {known}"},
-    ErrorRow{ErrorCode::SlotInUse, "SlotInUse", "slot {slot} is in use by {user}"},
+        AXISCOMP_TEXT("Error",
+            "the table needs {size} bytes, but the largest slot that may be taken, {slot}, holds "
+            "{largest}")},
+    ErrorRow{ErrorCode::SlotNotFound, "SlotNotFound",
+        AXISCOMP_TEXT("Error", "the drive has no slot {slot}; it has: {known}")},
+    ErrorRow{ErrorCode::SlotInUse, "SlotInUse",
+        AXISCOMP_TEXT("Error", "slot {slot} is in use by {user}")},
     ErrorRow{ErrorCode::NoFreeSlot, "NoFreeSlot",
-        "no slot is free for a table of {size} bytes: {slots}; name one to overwrite it"},
-    ErrorRow{
-        ErrorCode::NoTable, "NoTable", "axis {axis} has no table on the drive; write one first"},
+        AXISCOMP_TEXT("Error",
+            "no slot is free for a table of {size} bytes: {slots}; name one to overwrite it")},
+    ErrorRow{ErrorCode::NoTable, "NoTable",
+        AXISCOMP_TEXT("Error", "axis {axis} has no table on the drive; write one first")},
     ErrorRow{ErrorCode::NothingToWrite, "NothingToWrite",
-        "axis {axis} already has all of this; there is nothing to write"},
+        AXISCOMP_TEXT("Error", "axis {axis} already has all of this; there is nothing to write")},
     ErrorRow{ErrorCode::NothingUnfinished, "NothingUnfinished",
-        "no write to axis {axis} is unfinished; there is nothing to finish or to undo"},
+        AXISCOMP_TEXT("Error",
+            "no write to axis {axis} is unfinished; there is nothing to finish or to undo")},
     ErrorRow{ErrorCode::TableNotKept, "TableNotKept",
-        "the new table of the unfinished write to axis {axis} was not kept on this computer: write "
-        "it again, or undo the write"},
+        AXISCOMP_TEXT("Error",
+            "the new table of the unfinished write to axis {axis} was not kept on this computer: "
+            "write it again, or undo the write")},
     ErrorRow{ErrorCode::CompensationActive, "CompensationActive",
-        "the compensation of axis {axis} is active; deactivate it first"},
-    ErrorRow{ErrorCode::NotHomed, "NotHomed", "axis {axis} must be homed first"},
+        AXISCOMP_TEXT("Error", "the compensation of axis {axis} is active; deactivate it first")},
+    ErrorRow{
+        ErrorCode::NotHomed, "NotHomed", AXISCOMP_TEXT("Error", "axis {axis} must be homed first")},
     ErrorRow{ErrorCode::OtherDrive, "OtherDrive",
-        "this is another drive: expected serial number {expected}, found {found}"},
+        AXISCOMP_TEXT(
+            "Error", "this is another drive: expected serial number {expected}, found {found}")},
     ErrorRow{ErrorCode::ChangedMeanwhile, "ChangedMeanwhile",
-        "somebody else changed {what} from {before} to {now}; nothing was written, look again"},
+        AXISCOMP_TEXT("Error",
+            "somebody else changed {what} from {before} to {now}; nothing was written, look "
+            "again")},
     ErrorRow{ErrorCode::VerifyMismatch, "VerifyMismatch",
-        "{what} read back as {found}, but {expected} was written"},
+        AXISCOMP_TEXT("Error", "{what} read back as {found}, but {expected} was written")},
     ErrorRow{ErrorCode::ProofFailed, "ProofFailed",
-        "the drive does not add what it should: {what} at {position} is {found}, expected "
-        "{expected}"},
+        AXISCOMP_TEXT("Error",
+            "the drive does not add what it should: {what} at {position} is {found}, expected "
+            "{expected}")},
     ErrorRow{ErrorCode::OutcomeUnknown, "OutcomeUnknown",
-        "{reason}. The drive holds the complete old or the complete new state; ask for the status "
-        "when it answers again. The old state is kept in {backup}"},
+        AXISCOMP_TEXT("Error",
+            "{reason}. The drive holds the complete old or the complete new state; ask for the "
+            "status when it answers again. The old state is kept in {backup}")},
     ErrorRow{ErrorCode::RollbackFailed, "RollbackFailed",
-        "{reason}; putting the old state back failed too ({rollback}). Do not activate the axis; "
-        "restore it from {backup}"},
+        AXISCOMP_TEXT("Error",
+            "{reason}; putting the old state back failed too ({rollback}). Do not activate the "
+            "axis; restore it from {backup}")},
 };
 
 constexpr auto codes = [] {
@@ -148,36 +183,25 @@ std::string_view errorName(ErrorCode code)
     return rowOf(code).name;
 }
 
-std::string_view errorTemplate(ErrorCode code)
+TextPattern errorPattern(ErrorCode code)
 {
-    return rowOf(code).text;
+    return rowOf(code).pattern;
 }
 
-std::string_view errorTemplate(const Error& error)
+Text textOf(const Error& error)
 {
     if (error.code == ErrorCode::FlashWear && error.context.contains("reserve"))
-        return "the flash operations that are left would do for the change, but not for putting "
-               "everything back if it fails; wait {seconds} s, or write volatile";
-    return errorTemplate(error.code);
-}
-
-std::string fillTemplate(std::string_view text, const ErrorContext& context)
-{
-    std::string result;
-    while (true) {
-        const std::size_t open = text.find('{');
-        const std::size_t close = text.find('}', open);
-        if (open == std::string_view::npos || close == std::string_view::npos)
-            return result.append(text);
-        const auto value = context.find(text.substr(open + 1, close - open - 1));
-        result.append(text.substr(0, open)).append(value == context.end() ? "?" : value->second);
-        text.remove_prefix(close + 1);
-    }
+        return {
+            AXISCOMP_TEXT("Error",
+                "the flash operations that are left would do for the change, but not for putting "
+                "everything back if it fails; wait {seconds} s, or write volatile"),
+            error.context};
+    return {errorPattern(error.code), error.context};
 }
 
 std::string sentence(const Error& error)
 {
-    return fillTemplate(errorTemplate(error), error.context);
+    return textOf(error).english();
 }
 
 std::span<const ErrorCode> allErrorCodes()

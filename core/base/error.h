@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <map>
+#include "core/base/text.h"
+
 #include <span>
 #include <string>
 #include <string_view>
@@ -9,8 +10,8 @@
 namespace axiscomp {
 
 /// What went wrong. The program acts on the code and tests compare it; the sentence a person reads
-/// is made from the code's template (errorTemplate) and the error's context. The comment names the
-/// context keys that the template uses.
+/// is the code's pattern (errorPattern) with the error's context as its arguments. The comment
+/// names the arguments that the pattern uses.
 enum class ErrorCode {
     // What was asked for
     InvalidArgument, ///< reason
@@ -95,7 +96,9 @@ enum class ErrorCode {
     }
 }
 
-using ErrorContext = std::map<std::string, std::string, std::less<>>;
+/// The arguments of the sentence, and what a program acts on: "seconds" and "count" are whole
+/// numbers, "path", "endpoint" and "fingerprint" are names.
+using ErrorContext = Arguments;
 
 struct Error {
     ErrorCode code = ErrorCode::InvalidArgument;
@@ -106,15 +109,10 @@ struct Error {
 /// "ConnectionLost": what the command line prints after "error: ".
 [[nodiscard]] std::string_view errorName(ErrorCode code);
 
-/// The English sentence with {key} placeholders. The window translates this text.
-[[nodiscard]] std::string_view errorTemplate(ErrorCode code);
-/// The same, where the context asks for another sentence.
-[[nodiscard]] std::string_view errorTemplate(const Error& error);
-
-/// Replaces each {key} by its value; a key without a value becomes "?".
-[[nodiscard]] std::string fillTemplate(std::string_view text, const ErrorContext& context);
-
-/// The complete English sentence.
+[[nodiscard]] TextPattern errorPattern(ErrorCode code);
+/// The complete sentence.
+[[nodiscard]] Text textOf(const Error& error);
+/// The same in English.
 [[nodiscard]] std::string sentence(const Error& error);
 
 /// Every code, for tests and for the translations.

@@ -63,7 +63,7 @@ Result<std::vector<WritePlan>> planSeveral(AxisCompensator& compensator,
         auto plan = compensator.plan(write.axis, write.request, options);
         if (!plan) {
             Error error = plan.error();
-            error.context.emplace("ofAxis", std::to_string(write.axis));
+            error.context.set("ofAxis", write.axis);
             return fail(std::move(error));
         }
         flashOperations += plan->flashOperations;

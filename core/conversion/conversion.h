@@ -45,7 +45,7 @@ struct TableConversion {
 struct Conversion {
     WrittenTables written;
     std::vector<TableConversion> tables;
-    std::vector<std::string> remarks; ///< sentences for the user: assumptions, losses, what to do
+    std::vector<Text> remarks; ///< for the user: assumptions, losses, what to do
 };
 
 /// In this order: merge directions, resample, convert the sign, check that the target can hold it,

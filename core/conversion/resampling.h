@@ -54,7 +54,7 @@ struct ColumnDeviation {
 
 struct ResamplingReport {
     std::vector<ColumnDeviation> columns;
-    std::vector<std::string> remarks; ///< sentences: grids that end before or behind the data
+    std::vector<Text> remarks; ///< grids that end before or behind the data
 };
 
 struct ResampledTable {

@@ -10,7 +10,7 @@ namespace axiscomp {
 /// A table of the drive as a file of another controller.
 struct TableExport {
     std::string bytes; ///< of the file
-    std::vector<std::string> report; ///< English, for phraseText
+    std::vector<Text> report;
 };
 
 /// choices: of the new file, its format is one that can be written. fileName: without folder, for

@@ -30,7 +30,7 @@ struct TableImport {
     std::size_t suppressedProblems = 0;
     /// Why the choices do not suffice: other ones may.
     std::optional<Error> refusal;
-    std::vector<std::string> report; ///< of conversions: English, for phraseText
+    std::vector<Text> report; ///< of conversions
     int sourceAxes = 0; ///< of the tables of the file, 0: there are none
     bool hasDirections = false;
     bool hasWrap = false;

@@ -113,9 +113,9 @@ CsvReading readCalibrationCsv(const std::filesystem::path& file, const CsvOption
     DiagnosticList diagnostics(options.maximumDiagnostics);
     const ErrorContext& context = bytes.error().context;
     if (bytes.error().code == ErrorCode::FileTooLarge)
-        reportTooLarge(diagnostics, context.at("size"), maximumBytes(options));
+        reportTooLarge(diagnostics, context.english("size"), maximumBytes(options));
     else
-        diagnostics.error(DiagnosticCode::IoError, 0, 0, context.at("reason"), "");
+        diagnostics.error(DiagnosticCode::IoError, 0, 0, Text(AXISCOMP_TEXT("Error", "{reason}"), context), {});
     reading.diagnostics = diagnostics.take();
     reading.suppressed = diagnostics.suppressed();
     return reading;

@@ -100,7 +100,7 @@ struct TableWriteOptions {
 struct WrittenTables {
     std::string bytes; ///< of the file
     std::vector<NeutralTable> held; ///< what the file says, rounded as it is there
-    std::vector<std::string> remarks; ///< what else a person must do or know: activation lines
+    std::vector<Text> remarks; ///< what else a person must do or know: activation lines
 };
 
 /// How sure a family is that a text is one of its files.

@@ -12,80 +12,92 @@ namespace axiscomp {
 
 namespace {
 
-enum class Found {
-    Text, ///< characters of the file: put in quotation marks
-    Words, ///< a description
-    Reason, ///< explains the problem by itself
-};
-
 struct DiagnosticRow {
     DiagnosticCode code;
     std::string_view name;
-    Found found;
-    std::string_view problem; ///< may be empty when found and expected say it all
-    std::string_view wayOut;
+    TextPattern problem;
+    TextPattern wayOut; ///< empty where the expected text says it
+    bool quotesFile = false;
 };
 
 constexpr std::array diagnosticRows{
-    DiagnosticRow{DiagnosticCode::EmptyFile, "EmptyFile", Found::Words, "the file holds no data",
-        "a calibration file has a header line and one line per grid point; save an example file "
-        "to see one"},
-    DiagnosticRow{DiagnosticCode::NoHeader, "NoHeader", Found::Text,
-        "the header line with the names of the columns is missing",
-        "add a first line such as X [mm],Table 1 [mm]"},
-    DiagnosticRow{DiagnosticCode::TooFewColumns, "TooFewColumns", Found::Words,
-        "the header has too few columns", ""},
-    DiagnosticRow{DiagnosticCode::ColumnCount, "ColumnCount", Found::Words,
-        "this line does not have the columns of the header", ""},
-    DiagnosticRow{DiagnosticCode::NotANumber, "NotANumber", Found::Text, "", ""},
-    DiagnosticRow{DiagnosticCode::NotFinite, "NotFinite", Found::Text, "", ""},
-    DiagnosticRow{DiagnosticCode::MixedDecimals, "MixedDecimals", Found::Text,
-        "decimal comma and decimal point are mixed", "use the same decimal sign in every number"},
-    DiagnosticRow{DiagnosticCode::UnterminatedQuote, "UnterminatedQuote", Found::Text,
-        "a quotation mark is not closed as it should be", ""},
-    DiagnosticRow{DiagnosticCode::DuplicatePoint, "DuplicatePoint", Found::Words,
-        "the same position occurs twice", "delete one of the two lines"},
-    DiagnosticRow{DiagnosticCode::MissingPoint, "MissingPoint", Found::Words,
-        "the grid is incomplete",
-        "measure the missing points, or resample the data onto a full grid"},
-    DiagnosticRow{DiagnosticCode::UnevenSpacing, "UnevenSpacing", Found::Words,
-        "the positions are not evenly spaced", "resample the data onto an even grid"},
-    DiagnosticRow{
-        DiagnosticCode::TooFewPoints, "TooFewPoints", Found::Words, "there are too few points", ""},
-    DiagnosticRow{DiagnosticCode::TooLarge, "TooLarge", Found::Words, "the file is too large",
-        "choose a coarser grid, or split the file"},
-    DiagnosticRow{DiagnosticCode::NotText, "NotText", Found::Words, "this is not a text file",
-        "save it as UTF-8 CSV"},
-    DiagnosticRow{DiagnosticCode::IoError, "IoError", Found::Reason, "the file cannot be read", ""},
-    DiagnosticRow{DiagnosticCode::Encoding, "Encoding", Found::Words,
-        "the file is not valid UTF-8 and is read as Windows-1252",
-        "check the names and notes, or save it as UTF-8 CSV"},
-    DiagnosticRow{DiagnosticCode::RoundedSpacing, "RoundedSpacing", Found::Words,
-        "the positions are even only within the printed precision",
-        "the even grid is used; print more decimals if that is not meant"},
-    DiagnosticRow{DiagnosticCode::FloatPrecision, "FloatPrecision", Found::Words,
-        "a value loses precision when it is stored as float32", "check the unit of the values"},
-    DiagnosticRow{DiagnosticCode::LargeGradient, "LargeGradient", Found::Words,
-        "the table is very steep, which is likely a unit mistake",
-        "the values must be in the unit of the positions"},
-    DiagnosticRow{DiagnosticCode::ConstantTable, "ConstantTable", Found::Words,
-        "all values of the table are equal", "check that this column is meant"},
-    DiagnosticRow{DiagnosticCode::Syntax, "Syntax", Found::Text,
-        "this is not written as the format demands", ""},
-    DiagnosticRow{DiagnosticCode::Contradiction, "Contradiction", Found::Words,
-        "two statements of the file contradict each other", ""},
-    DiagnosticRow{DiagnosticCode::NotMonotonic, "NotMonotonic", Found::Words,
-        "the positions do not go in one direction", ""},
-    DiagnosticRow{DiagnosticCode::NotPeriodic, "NotPeriodic", Found::Words,
-        "the table does not close after one revolution", ""},
-    DiagnosticRow{DiagnosticCode::LimitExceeded, "LimitExceeded", Found::Words,
-        "the controller does not take as much", ""},
-    DiagnosticRow{DiagnosticCode::UnknownKey, "UnknownKey", Found::Text,
-        "this entry is not known and is left out", ""},
-    DiagnosticRow{DiagnosticCode::UnitNotGiven, "UnitNotGiven", Found::Words,
-        "the file does not say a unit", ""},
-    DiagnosticRow{DiagnosticCode::Assumption, "Assumption", Found::Words,
-        "the file can be understood in several ways", ""},
+    DiagnosticRow{DiagnosticCode::EmptyFile, "EmptyFile",
+        AXISCOMP_TEXT("Problem", "the file holds no data"),
+        AXISCOMP_TEXT("Problem",
+            "a calibration file has a header line and one line per grid point; save an example "
+            "file to see one")},
+    DiagnosticRow{DiagnosticCode::NoHeader, "NoHeader",
+        AXISCOMP_TEXT("Problem", "the header line with the names of the columns is missing"),
+        AXISCOMP_TEXT("Problem", "add a first line such as X [mm],Table 1 [mm]"), true},
+    DiagnosticRow{DiagnosticCode::TooFewColumns, "TooFewColumns",
+        AXISCOMP_TEXT("Problem", "the header has too few columns"),
+        AXISCOMP_TEXT("Problem", "choose the dimensionality that the file has")},
+    DiagnosticRow{DiagnosticCode::ColumnCount, "ColumnCount",
+        AXISCOMP_TEXT("Problem", "this line does not have as many columns as the header"),
+        TextPattern{}},
+    DiagnosticRow{DiagnosticCode::NotANumber, "NotANumber",
+        AXISCOMP_TEXT("Problem", "this is not a number"), TextPattern{}, true},
+    DiagnosticRow{DiagnosticCode::NotFinite, "NotFinite",
+        AXISCOMP_TEXT("Problem", "this number is not finite"), TextPattern{}, true},
+    DiagnosticRow{DiagnosticCode::MixedDecimals, "MixedDecimals",
+        AXISCOMP_TEXT("Problem", "decimal comma and decimal point are mixed"),
+        AXISCOMP_TEXT("Problem", "use the same decimal sign in every number"), true},
+    DiagnosticRow{DiagnosticCode::UnterminatedQuote, "UnterminatedQuote",
+        AXISCOMP_TEXT("Problem", "a quotation mark is not closed as it should be"), TextPattern{},
+        true},
+    DiagnosticRow{DiagnosticCode::DuplicatePoint, "DuplicatePoint",
+        AXISCOMP_TEXT("Problem", "the same position occurs twice"),
+        AXISCOMP_TEXT("Problem", "delete one of the two lines")},
+    DiagnosticRow{DiagnosticCode::MissingPoint, "MissingPoint",
+        AXISCOMP_TEXT("Problem", "the grid is incomplete"),
+        AXISCOMP_TEXT(
+            "Problem", "measure the missing points, or resample the data onto a full grid")},
+    DiagnosticRow{DiagnosticCode::UnevenSpacing, "UnevenSpacing",
+        AXISCOMP_TEXT("Problem", "the positions are not evenly spaced"),
+        AXISCOMP_TEXT("Problem", "resample the data onto an even grid")},
+    DiagnosticRow{DiagnosticCode::TooFewPoints, "TooFewPoints",
+        AXISCOMP_TEXT("Problem", "there are too few points"), TextPattern{}},
+    DiagnosticRow{DiagnosticCode::TooLarge, "TooLarge",
+        AXISCOMP_TEXT("Problem", "the file is too large"),
+        AXISCOMP_TEXT("Problem", "choose a coarser grid, or split the file")},
+    DiagnosticRow{DiagnosticCode::NotText, "NotText",
+        AXISCOMP_TEXT("Problem", "this is not a text file"),
+        AXISCOMP_TEXT("Problem", "save it as UTF-8 CSV")},
+    DiagnosticRow{DiagnosticCode::IoError, "IoError",
+        AXISCOMP_TEXT("Problem", "the file cannot be read"), TextPattern{}},
+    DiagnosticRow{DiagnosticCode::Encoding, "Encoding",
+        AXISCOMP_TEXT("Problem", "the file is not valid UTF-8 and is read as Windows-1252"),
+        AXISCOMP_TEXT("Problem", "check the names and notes, or save it as UTF-8 CSV")},
+    DiagnosticRow{DiagnosticCode::RoundedSpacing, "RoundedSpacing",
+        AXISCOMP_TEXT("Problem", "the positions are even only within the printed precision"),
+        AXISCOMP_TEXT(
+            "Problem", "the even grid is used; print more decimals if that is not meant")},
+    DiagnosticRow{DiagnosticCode::FloatPrecision, "FloatPrecision",
+        AXISCOMP_TEXT("Problem", "a value loses precision when it is stored as float32"),
+        AXISCOMP_TEXT("Problem", "check the unit of the values")},
+    DiagnosticRow{DiagnosticCode::LargeGradient, "LargeGradient",
+        AXISCOMP_TEXT("Problem", "the table is very steep, which is likely a unit mistake"),
+        AXISCOMP_TEXT("Problem", "the values must be in the unit of the positions")},
+    DiagnosticRow{DiagnosticCode::ConstantTable, "ConstantTable",
+        AXISCOMP_TEXT("Problem", "all values of the table are equal"),
+        AXISCOMP_TEXT("Problem", "check that this column is meant")},
+    DiagnosticRow{DiagnosticCode::Syntax, "Syntax",
+        AXISCOMP_TEXT("Problem", "this is not written as the format demands"), TextPattern{}, true},
+    DiagnosticRow{DiagnosticCode::Contradiction, "Contradiction",
+        AXISCOMP_TEXT("Problem", "two statements of the file contradict each other"),
+        TextPattern{}},
+    DiagnosticRow{DiagnosticCode::NotMonotonic, "NotMonotonic",
+        AXISCOMP_TEXT("Problem", "the positions do not go in one direction"), TextPattern{}},
+    DiagnosticRow{DiagnosticCode::NotPeriodic, "NotPeriodic",
+        AXISCOMP_TEXT("Problem", "the table does not close after one revolution"), TextPattern{}},
+    DiagnosticRow{DiagnosticCode::LimitExceeded, "LimitExceeded",
+        AXISCOMP_TEXT("Problem", "the controller does not take as much"), TextPattern{}},
+    DiagnosticRow{DiagnosticCode::UnknownKey, "UnknownKey",
+        AXISCOMP_TEXT("Problem", "this entry is not known and is left out"), TextPattern{}, true},
+    DiagnosticRow{DiagnosticCode::UnitNotGiven, "UnitNotGiven",
+        AXISCOMP_TEXT("Problem", "the file does not say a unit"), TextPattern{}},
+    DiagnosticRow{DiagnosticCode::Assumption, "Assumption",
+        AXISCOMP_TEXT("Problem", "the file can be understood in several ways"), TextPattern{}},
 };
 
 const DiagnosticRow& rowOf(DiagnosticCode code)
@@ -95,13 +107,17 @@ const DiagnosticRow& rowOf(DiagnosticCode code)
     return *row;
 }
 
-std::string foundPart(const Diagnostic& diagnostic, Found found)
+Text foundText(const Diagnostic& diagnostic)
 {
-    if (diagnostic.found.empty())
-        return diagnostic.code == DiagnosticCode::NotANumber ? "found an empty cell" : "";
-    if (found == Found::Text)
-        return "found \"" + diagnostic.found + '"';
-    return found == Found::Reason ? diagnostic.found : "found " + diagnostic.found;
+    if (diagnostic.found.isEmpty())
+        return diagnostic.code == DiagnosticCode::NotANumber
+            ? Text(AXISCOMP_TEXT("Problem", "found an empty cell"))
+            : Text();
+    if (diagnostic.code == DiagnosticCode::IoError)
+        return diagnostic.found;
+    return (quotesFile(diagnostic.code) ? AXISCOMP_TEXT("Problem", "found \"{found}\"")
+                                        : AXISCOMP_TEXT("Problem", "found {found}"))
+        .with("found", diagnostic.found);
 }
 
 } // namespace
@@ -111,29 +127,41 @@ std::string_view diagnosticName(DiagnosticCode code)
     return rowOf(code).name;
 }
 
-std::string message(const Diagnostic& diagnostic)
+bool quotesFile(DiagnosticCode code)
+{
+    return rowOf(code).quotesFile;
+}
+
+Text textOf(const Diagnostic& diagnostic)
 {
     const DiagnosticRow& row = rowOf(diagnostic.code);
-    std::string text(row.problem);
-    const auto append = [&text](std::string_view separator, std::string_view part) {
-        if (part.empty())
-            return;
-        if (!text.empty())
-            text += separator;
-        text += part;
-    };
-    append(": ", foundPart(diagnostic, row.found));
-    if (!diagnostic.expected.empty())
-        append(", ", "expected " + diagnostic.expected);
-    append("; ", row.wayOut);
-    text.append(" (").append(row.name);
+    Text text = row.problem;
+    if (const Text found = foundText(diagnostic); !found.isEmpty())
+        text = AXISCOMP_TEXT("Problem", "{problem}: {found}")
+                   .with("problem", text)
+                   .with("found", found);
+    if (!diagnostic.expected.isEmpty())
+        text = AXISCOMP_TEXT("Problem", "{problem}, expected {expected}")
+                   .with("problem", text)
+                   .with("expected", diagnostic.expected);
+    if (!Text(row.wayOut).isEmpty())
+        text = AXISCOMP_TEXT("Problem", "{problem}; {wayOut}")
+                   .with("problem", text)
+                   .with("wayOut", row.wayOut);
+    return text;
+}
+
+std::string message(const Diagnostic& diagnostic)
+{
+    std::string text = textOf(diagnostic).english();
+    text.append(" (").append(diagnosticName(diagnostic.code));
     if (!diagnostic.controllerError.empty())
         text.append(", error ").append(diagnostic.controllerError).append(" of the controller");
     return text.append(")");
 }
 
-void DiagnosticList::error(DiagnosticCode code, std::size_t line, std::size_t column,
-    std::string found, std::string expected)
+void DiagnosticList::error(
+    DiagnosticCode code, std::size_t line, std::size_t column, Text found, Text expected)
 {
     error({.severity = Severity::Error,
         .code = code,
@@ -153,8 +181,8 @@ void DiagnosticList::error(Diagnostic diagnostic)
         m_items.push_back(std::move(diagnostic));
 }
 
-void DiagnosticList::warning(DiagnosticCode code, std::size_t line, std::size_t column,
-    std::string found, std::string expected)
+void DiagnosticList::warning(
+    DiagnosticCode code, std::size_t line, std::size_t column, Text found, Text expected)
 {
     if (m_warnings.size() < m_maximum)
         m_warnings.push_back({.severity = Severity::Warning,

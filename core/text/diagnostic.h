@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/text.h"
+
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -51,8 +53,8 @@ struct Diagnostic {
     DiagnosticCode code = DiagnosticCode::IoError;
     std::size_t line = 0;
     std::size_t column = 0;
-    std::string found;
-    std::string expected;
+    Text found; ///< characters of the file, or a description: quotesFile(code)
+    Text expected;
     std::string controllerError =
         {}; ///< "4900": the number that the controller itself gives this error
 
@@ -62,7 +64,13 @@ struct Diagnostic {
 /// "NotANumber"
 [[nodiscard]] std::string_view diagnosticName(DiagnosticCode code);
 
-/// "found "1,5x", expected a number such as 0.5 (NotANumber)": what follows FILE:LINE:COLUMN:
+/// Whether `found` are characters of the file, which are shown in quotation marks.
+[[nodiscard]] bool quotesFile(DiagnosticCode code);
+
+/// "this is not a number: found "1,5x", expected a number such as 0.5"
+[[nodiscard]] Text textOf(const Diagnostic& diagnostic);
+
+/// The same in English, with the name and the controller's number: what follows FILE:LINE:COLUMN:
 /// error:
 [[nodiscard]] std::string message(const Diagnostic& diagnostic);
 
@@ -71,10 +79,10 @@ class DiagnosticList {
 public:
     explicit DiagnosticList(std::size_t maximum) : m_maximum(maximum) { }
 
-    void error(DiagnosticCode code, std::size_t line, std::size_t column, std::string found,
-        std::string expected);
-    void warning(DiagnosticCode code, std::size_t line, std::size_t column, std::string found,
-        std::string expected);
+    void error(
+        DiagnosticCode code, std::size_t line, std::size_t column, Text found, Text expected);
+    void warning(
+        DiagnosticCode code, std::size_t line, std::size_t column, Text found, Text expected);
     /// With the number that the controller itself gives this error.
     void error(Diagnostic diagnostic);
     /// Counts errors that are not worth a diagnostic each.

@@ -74,8 +74,8 @@ Result<AxisBackup> readAxisBackup(
     if (!same && same.error().code == ErrorCode::VerifyMismatch) {
         const auto& context = same.error().context;
         return fail(ErrorCode::ChangedMeanwhile,
-            {{"what", context.at("what")}, {"before", context.at("expected")},
-                {"now", context.at("found")}});
+            {{"what", *context.find("what")}, {"before", *context.find("expected")},
+                {"now", *context.find("found")}});
     }
     if (!same)
         return fail(same.error());

@@ -62,9 +62,9 @@ Result<void> checkFlashBudget(
     const FlashBudget budget = guard.budget(now, operations + reserve);
     if (operations + reserve <= budget.left)
         return {};
-    ErrorContext context{{"seconds", std::to_string(budget.wait.count())}};
+    ErrorContext context{{"seconds", budget.wait.count()}};
     if (operations <= budget.left)
-        context.emplace("reserve", std::to_string(reserve));
+        context.set("reserve", reserve);
     return fail(ErrorCode::FlashWear, std::move(context));
 }
 
@@ -97,14 +97,9 @@ void FlashAccount::record(int operations)
 
 void FlashAccount::noteRefusal(const Error& error)
 {
-    const auto text = error.context.find("seconds");
-    if (error.code != ErrorCode::FlashWear || text == error.context.end())
-        return;
-    int seconds = 0;
-    const char* const end = text->second.data() + text->second.size();
-    const auto parsed = std::from_chars(text->second.data(), end, seconds);
-    if (parsed.ec == std::errc{} && parsed.ptr == end && seconds > 0)
-        (void)m_store.recordFlashRefusal(m_serialNumber, m_clock(), std::chrono::seconds(seconds));
+    const auto seconds = error.context.integer("seconds");
+    if (error.code == ErrorCode::FlashWear && seconds && *seconds > 0)
+        (void)m_store.recordFlashRefusal(m_serialNumber, m_clock(), std::chrono::seconds(*seconds));
 }
 
 } // namespace axiscomp

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/axis/axis_status.h"
+#include "core/base/text.h"
 #include "core/drive/compensation_setup.h"
 #include "core/drive/flash_wear.h"
 #include "core/table/compensation_table.h"
@@ -46,7 +47,7 @@ struct WritePlan {
     int flashOperations = 0; ///< that the write costs
     int flashReserve = 0; ///< more that must be possible, so that it can be put back
     FlashBudget flashBudget; ///< before the write
-    std::vector<std::string> warnings; ///< sentences
+    std::vector<Text> warnings;
 };
 
 struct WriteReport {

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 
 namespace axiscomp::drivecomm {
 
@@ -33,15 +32,6 @@ constexpr std::array rows{
 constexpr std::size_t longestText = 1000; ///< bytes of what a drive may say in one place
 constexpr std::string_view unnamed = "no reason given";
 
-std::optional<int> wholeSeconds(std::string_view text)
-{
-    int seconds = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seconds);
-    if (error != std::errc() || end != text.data() + text.size() || seconds < 0)
-        return std::nullopt;
-    return seconds;
-}
-
 std::string textOf(const nlohmann::json& object, const char* key)
 {
     const auto place = object.find(key);
@@ -60,22 +50,19 @@ int httpStatus(ErrorCode code)
 
 std::string driveMessage(const Error& error)
 {
-    const auto reason = error.context.find("reason");
-    return reason == error.context.end() ? sentence(error) : reason->second;
+    const Argument* const reason = error.context.find("reason");
+    return reason ? reason->english() : sentence(error);
 }
 
 std::string errorJson(const Error& error)
 {
     std::string json = "{\"error\":{\"code\":" + jsonString(errorName(error.code))
         + ",\"message\":" + jsonString(driveMessage(error));
-    if (const auto wait = error.context.find("seconds"); wait != error.context.end()) {
-        if (const auto seconds = wholeSeconds(wait->second))
-            json += ",\"retryAfterSeconds\":" + std::to_string(*seconds);
-    }
+    if (const auto seconds = error.context.integer("seconds"))
+        json += ",\"retryAfterSeconds\":" + std::to_string(*seconds);
     for (const char* key : {"path", "nearest"})
-        if (const auto value = error.context.find(key);
-            value != error.context.end() && !value->second.empty())
-            json += ",\"" + std::string(key) + "\":" + jsonString(value->second);
+        if (const std::string value = error.context.english(key); !value.empty())
+            json += ",\"" + std::string(key) + "\":" + jsonString(value);
     return json + "}}\n";
 }
 
@@ -97,15 +84,15 @@ std::optional<Error> parseErrorJson(std::string_view json)
         return std::nullopt;
     Error result;
     result.code = driveErrorNamed(code).value_or(ErrorCode::DriveRejected);
-    result.context["reason"] =
-        !message.empty() ? message : (code.empty() ? std::string(unnamed) : code);
+    result.context.set(
+        "reason", !message.empty() ? message : (code.empty() ? std::string(unnamed) : code));
     for (const char* key : {"path", "nearest"})
         if (const std::string value = textOf(*error, key); !value.empty())
-            result.context[key] = value;
+            result.context.set(key, value);
     const auto wait = error->find("retryAfterSeconds");
     if (wait != error->end() && wait->is_number_unsigned()
         && wait->get<std::uint64_t>() < 1'000'000)
-        result.context["seconds"] = std::to_string(wait->get<std::uint64_t>());
+        result.context.set("seconds", wait->get<std::uint64_t>());
     result.detail = code;
     return result;
 }

@@ -165,7 +165,7 @@ Result<DriveProfile> parseProfile(std::string_view json, const std::string& file
     if (const auto checked = checkLayout(profile.layout); !checked) {
         const ErrorContext& context = checked.error().context;
         return invalid(
-            fileName, "layout." + context.find("path")->second, context.find("reason")->second);
+            fileName, "layout." + context.english("path"), *context.find("reason"));
     }
     return profile;
 }

@@ -200,14 +200,12 @@ std::optional<std::string> SerialLineAssembler::feed(char byte)
 std::string serialError(const Error& error)
 {
     std::string words = "error " + std::string(errorName(error.code));
-    if (const auto seconds = error.context.find("seconds");
-        seconds != error.context.end() && wholeNumber<std::uint32_t>(seconds->second, 10))
-        words += " " + seconds->second;
+    if (const auto seconds = error.context.integer("seconds"))
+        words += " " + std::to_string(*seconds);
     words += " " + serialQuoted(driveMessage(error));
     for (const char* key : {"path", "nearest"})
-        if (const auto value = error.context.find(key);
-            value != error.context.end() && !value->second.empty())
-            words += " " + serialQuoted(std::string(key) + "=" + value->second);
+        if (const std::string value = error.context.english(key); !value.empty())
+            words += " " + serialQuoted(std::string(key) + "=" + value);
     return words;
 }
 
@@ -221,13 +219,16 @@ std::optional<Error> parseSerialError(const std::vector<std::string>& words)
     std::size_t next = 2;
     if (next < words.size() && words[next] == "retry")
         ++next;
-    if (next < words.size() && parseSerialNumber(words[next]))
-        error.context["seconds"] = words[next++];
-    error.context["reason"] = next < words.size() ? words[next] : words[1];
+    if (const auto seconds =
+            next < words.size() ? parseSerialNumber(words[next]) : std::nullopt) {
+        error.context.set("seconds", *seconds);
+        ++next;
+    }
+    error.context.set("reason", next < words.size() ? words[next] : words[1]);
     for (++next; next < words.size(); ++next)
         for (const std::string key : {"path", "nearest"})
             if (words[next].starts_with(key + "="))
-                error.context[key] = words[next].substr(key.size() + 1);
+                error.context.set(key, words[next].substr(key.size() + 1));
     return error;
 }
 

@@ -58,7 +58,7 @@ Result<void> SerialPortLine::open()
     // The lock that keeps other programs out goes by name: the same for every link to a device.
     const Result<std::string> device = usableDevice(m_endpoint.device);
     if (!device)
-        return notConnected(device.error().context.at("reason"), device.error().detail);
+        return notConnected(*device.error().context.find("reason"), device.error().detail);
     // The port's notifiers want an event dispatcher, which this gives to any thread.
     const QEventLoop dispatcher;
     m_failure.clear();

@@ -52,7 +52,7 @@ std::uint16_t SerialSession::nextNumber()
 
 Error SerialSession::failed(Error error)
 {
-    error.context.try_emplace("endpoint", m_name);
+    error.context.setIfMissing("endpoint", m_name);
     if (error.code == ErrorCode::Timeout || error.code == ErrorCode::ConnectionLost)
         m_isSynced = false;
     return error;

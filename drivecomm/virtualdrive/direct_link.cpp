@@ -94,8 +94,7 @@ private:
         return fail(ErrorCode::Timeout,
             {{"endpoint", endpoint()},
                 {"seconds",
-                    std::to_string(
-                        std::chrono::ceil<std::chrono::seconds>(exchange.timeout).count())}});
+                    std::chrono::ceil<std::chrono::seconds>(exchange.timeout).count()}});
     }
 
     /// True when the connection is cut before the drive has the whole request.

@@ -86,7 +86,7 @@ Error errorAskedFor(const std::string& code)
 {
     const std::string reason = "a fault was asked for";
     return {driveErrorNamed(code).value_or(ErrorCode::DriveRejected),
-        {{"reason", reason}, {"path", reason}, {"seconds", "60"}}, {}};
+        {{"reason", reason}, {"path", reason}, {"seconds", 60}}, {}};
 }
 
 FaultPlan::FaultPlan(std::vector<FaultSpec> faults, Observer observer)

@@ -13,14 +13,14 @@ namespace axiscomp::drivecomm {
 
 namespace {
 
-std::string secondsOf(std::string_view retryAfter)
+std::optional<int> secondsOf(std::string_view retryAfter)
 {
     int seconds = 0;
     const auto [end, error] =
         std::from_chars(retryAfter.data(), retryAfter.data() + retryAfter.size(), seconds);
     const bool isNumber =
         error == std::errc() && end == retryAfter.data() + retryAfter.size() && seconds >= 0;
-    return isNumber ? std::to_string(seconds) : std::string();
+    return isNumber ? std::optional(seconds) : std::nullopt;
 }
 
 std::string statusText(int status)
@@ -40,7 +40,7 @@ tl::unexpected<Error> redirected(const HttpReply& reply)
 /// A refusal as a page or without any body: only its status is certain.
 Error plainError(const HttpReply& reply, const AskedFor& asked)
 {
-    const std::string seconds = secondsOf(reply.retryAfter);
+    const auto seconds = secondsOf(reply.retryAfter);
     const auto code = [&] {
         switch (reply.status) {
         case 401:
@@ -54,7 +54,7 @@ Error plainError(const HttpReply& reply, const AskedFor& asked)
         case 422:
             return ErrorCode::TableRefused;
         case 503:
-            return seconds.empty() ? ErrorCode::Protocol : ErrorCode::FlashWear;
+            return !seconds ? ErrorCode::Protocol : ErrorCode::FlashWear;
         default:
             return reply.status >= 400 && reply.status < 500 ? ErrorCode::DriveRejected
                                                              : ErrorCode::Protocol;
@@ -63,13 +63,13 @@ Error plainError(const HttpReply& reply, const AskedFor& asked)
     Error error{code, {}, statusText(reply.status)};
     const std::string text = htmlText(std::string_view(reply.body).substr(0, 4096));
     if (code == ErrorCode::Protocol) {
-        error.context["expected"] = "success or a refusal";
-        error.context["quote"] = statusText(reply.status) + " and " + quoteOf(text);
+        error.context.set("expected", "success or a refusal");
+        error.context.set("quote", statusText(reply.status) + " and " + quoteOf(text));
     } else if (code == ErrorCode::FlashWear) {
-        error.context["seconds"] = seconds;
+        error.context.set("seconds", *seconds);
     } else {
-        error.context["reason"] =
-            statusText(reply.status) + (text.empty() ? "" : ", " + quoteOf(text));
+        error.context.set(
+            "reason", statusText(reply.status) + (text.empty() ? "" : ", " + quoteOf(text)));
     }
     return error;
 }
@@ -83,12 +83,13 @@ Result<void> checkStatus(const HttpReply& reply, const AskedFor& asked)
     if (reply.status >= 300 && reply.status < 400)
         return redirected(reply);
     Error error = parseErrorJson(reply.body).value_or(plainError(reply, asked));
-    if (error.code == ErrorCode::FlashWear && !error.context.contains("seconds"))
-        error.context["seconds"] = secondsOf(reply.retryAfter);
+    const auto seconds = secondsOf(reply.retryAfter);
+    if (error.code == ErrorCode::FlashWear && seconds)
+        error.context.setIfMissing("seconds", *seconds);
     const bool isUnknown =
         error.code == ErrorCode::UnknownRegister || error.code == ErrorCode::UnknownFile;
-    if (isUnknown && !error.context.contains("path"))
-        error.context["path"] = asked.path;
+    if (isUnknown)
+        error.context.setIfMissing("path", asked.path);
     return fail(std::move(error));
 }
 
@@ -101,7 +102,7 @@ Result<void> checkJson(const HttpReply& reply, const std::string& expected)
 
 Error addEndpoint(Error error, const std::string& endpoint)
 {
-    error.context.try_emplace("endpoint", endpoint);
+    error.context.setIfMissing("endpoint", endpoint);
     return error;
 }
 

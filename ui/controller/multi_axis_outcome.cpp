@@ -86,14 +86,10 @@ Outcome severalOutcome(
 
 QString severalErrorText(const Error& error, std::span<const AxisEntry> axes)
 {
-    const auto named = error.context.find("ofAxis");
-    int axis = 0;
-    if (named == error.context.end()
-        || std::from_chars(named->second.data(), named->second.data() + named->second.size(), axis)
-                .ec
-            != std::errc())
-        return errorText(error);
-    return SeveralOutcomes::ofAxis(axisNameAmong(axes, axis), errorText(error));
+    const auto axis = error.context.integer("ofAxis");
+    return axis ? SeveralOutcomes::ofAxis(
+                      axisNameAmong(axes, static_cast<int>(*axis)), errorText(error))
+                : errorText(error);
 }
 
 } // namespace axiscomp::ui

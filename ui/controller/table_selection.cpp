@@ -45,7 +45,7 @@ void WizardController::Private::fileReplaced(
                     .arg(tables);
             });
     for (const std::string& line : file.file().report)
-        log(LogLine::Kind::Information, [line] { return phraseText(line); });
+        log(LogLine::Kind::Information, [line] { return sentenceText(line); });
     noteSelectedTable();
 }
 

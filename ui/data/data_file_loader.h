@@ -32,7 +32,7 @@ struct LoadedFile {
     int dimensions = 1; ///< that were asked for
     ImportChoices choices; ///< likewise
     const TableFamily* family = nullptr; ///< as which it was read
-    std::vector<std::string> report; ///< of its conversion: English, for phraseText
+    std::vector<Text> report; ///< of its conversion
     std::optional<Error> refusal; ///< other choices are needed; among the problems, too
     FileStamp stamp; ///< from before it was read
     std::shared_ptr<const CalibrationData> data; ///< only without an error

@@ -19,7 +19,7 @@ struct DataFile {
     QString path; ///< of data; of the file that was tried when there is none; empty: none is open
     std::shared_ptr<const CalibrationData> data; ///< only of a file without errors
     const TableFamily* family = nullptr; ///< as which data was read
-    std::vector<std::string> report; ///< of the conversion of data: English, for phraseText
+    std::vector<Text> report; ///< of the conversion of data
     std::vector<Diagnostic> problems;
     std::size_t suppressedProblems = 0;
     QString problemsPath; ///< the file that has the problems: after a bad one, not that of data

@@ -132,7 +132,7 @@ void ConversionDialog::showState()
     m_busy->setBusy(m_isComputing);
     QStringList lines;
     for (const std::string& line : m_lines)
-        lines += phraseText(line);
+        lines += sentenceText(line);
     if (m_report->toPlainText() != lines.join(u'\n'))
         m_report->setPlainText(lines.join(u'\n'));
     QPalette reasonPalette = palette();

@@ -3,7 +3,6 @@
 #include "ui/text/value_text.h"
 
 #include "core/formats/table_format.h"
-#include "ui/text/phrase_book.h"
 
 #include <QCoreApplication>
 #include <QStringList>

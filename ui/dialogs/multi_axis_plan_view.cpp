@@ -142,7 +142,7 @@ void MultiAxisPlanView::showPlans(std::span<const WritePlan> plans,
         addRow(plan, *tables[n], axes, !taken.insert(plan.after.slot).second);
         for (const std::string& warning : plan.warnings)
             remarks += tr("%1: %2", "axis and remark")
-                           .arg(axisNameAmong(axes, plan.axis), phraseText(warning));
+                           .arg(axisNameAmong(axes, plan.axis), sentenceText(warning));
     }
     m_remarks->setText(remarks.join(u'\n'));
     m_remarks->setVisible(!remarks.isEmpty());

@@ -3,7 +3,6 @@
 #include "ui/text/value_text.h"
 
 #include "ui/text/message_text.h"
-#include "ui/text/phrase_book.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -191,7 +190,7 @@ void SettingFields::retranslate(QSet<QChar> usedKeys)
             row.label->setText(name);
         else if (auto* box = qobject_cast<QCheckBox*>(row.field))
             box->setText(name);
-        row.field->setToolTip(phraseText(std::string(row.setting.meaning)));
+        row.field->setToolTip(sentenceText(std::string(row.setting.meaning)));
         row.field->setAccessibleName(QString(name).remove(u'&'));
         row.field->setAccessibleDescription(row.field->toolTip());
         const QString standard = qString(row.setting.standard);

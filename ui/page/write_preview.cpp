@@ -253,7 +253,7 @@ QStringList WritePreview::remarks(const WritePlan& plan) const
                    "new one has taken over.")
                     .arg(QString::fromStdString(plan.after.slot));
     for (const std::string& warning : plan.warnings)
-        list += phraseText(warning);
+        list += sentenceText(warning);
     return list;
 }
 

@@ -8,8 +8,7 @@ namespace axiscomp::ui {
 std::optional<RejectedCertificate> rejectedCertificate(const Error& error)
 {
     const auto text = [&error](const char* key) {
-        const auto place = error.context.find(key);
-        return place == error.context.end() ? QString() : QString::fromStdString(place->second);
+        return QString::fromStdString(error.context.english(key));
     };
     if (error.code != ErrorCode::CertificateRejected || text("fingerprint").isEmpty())
         return std::nullopt;

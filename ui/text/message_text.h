@@ -16,9 +16,8 @@ namespace axiscomp::ui {
 [[nodiscard]] QString problemText(const Diagnostic& diagnostic);
 /// "verifying the table", for the ids that core reports as Progress::step.
 [[nodiscard]] QString stepText(const QString& step);
-/// What core says in plain English (a plan's warning, an error inside an error), translated where
-/// its words are known.
-[[nodiscard]] QString phraseText(const std::string& english);
+/// A plan's warning, a remark on a conversion, as a sentence.
+[[nodiscard]] QString sentenceText(const Text& text);
 
 /// The text begins with a capital letter and ends as a sentence does.
 [[nodiscard]] QString asSentence(const QString& text);

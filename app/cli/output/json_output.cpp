@@ -67,8 +67,8 @@ Json toJson(const Error& error, const Json& diagnostics)
 {
     Json json = {{"code", errorName(error.code)},
         {"message", withoutPasswords(singleLine(sentence(error)))}, {"context", Json::object()}};
-    for (const auto& [key, value] : error.context)
-        json["context"][key] = withoutPasswords(value);
+    for (const auto& [key, value] : error.context.all())
+        json["context"][key] = withoutPasswords(value.english());
     json["diagnostics"] = diagnostics;
     return json;
 }

@@ -48,7 +48,7 @@ Result<WriteReport> carryOut(
     log.failed();
     Error error = report.error();
     const std::string_view held = driveHolds(error.code);
-    error.context.emplace("driveHolds", held);
+    error.context.set("driveHolds", held);
     if (held == "old")
         environment.console().note("note: the drive holds the complete old state");
     return fail(std::move(error));

@@ -168,7 +168,7 @@ struct Draft {
 /// Ends the text, reads it back and adds what a person must know. readSettings: what the list does
 /// not say itself.
 [[nodiscard]] Result<WrittenTables> finish(const TableFamily& family, Draft draft,
-    const SettingValues& settings, FormatSettings readSettings, std::vector<std::string> remarks);
+    const SettingValues& settings, FormatSettings readSettings, std::vector<Text> remarks);
 /// Whether an axis or column is in degrees: "rotary", otherwise "linear".
 [[nodiscard]] std::string kindOf(const std::string& unit);
 /// Whether positions lie at start + i * distance but for half a number of the file.

@@ -125,8 +125,7 @@ Result<void> FlashMemory::useFlash(SlotMemory& slot, DriveTime now)
 {
     if (const DriveTime from = availableFrom(now); from > now)
         return fail(ErrorCode::FlashWear,
-            {{"seconds",
-                std::to_string(std::chrono::ceil<std::chrono::seconds>(from - now).count())}});
+            {{"seconds", std::chrono::ceil<std::chrono::seconds>(from - now).count()}});
     std::erase_if(m_operations,
         [&](DriveTime operation) { return now - operation >= m_profile->flashWear.window; });
     m_operations.push_back(now);

@@ -71,8 +71,8 @@ WebReply RequestHandler::refusal(const WebRequest& request, const Error& error, 
     WebReply reply = formFor(request) == Form::Json
         ? jsonReply(errorJson(error), status)
         : htmlReply(errorPage(frame(), sentence(error), pageBefore(request)), status);
-    if (const auto seconds = error.context.find("seconds"); seconds != error.context.end())
-        reply.headers.emplace_back("Retry-After", seconds->second);
+    if (const auto seconds = error.context.integer("seconds"))
+        reply.headers.emplace_back("Retry-After", std::to_string(*seconds));
     return reply;
 }
 

@@ -159,7 +159,7 @@ Result<void> WebServer::Private::start()
         static_cast<std::uint16_t>(*serverPort), faults, options.patience);
     if (!started) {
         Error error = started.error();
-        error.context["endpoint"] = address(options.port);
+        error.context.set("endpoint", address(options.port));
         return fail(std::move(error));
     }
     relay = std::move(*started);

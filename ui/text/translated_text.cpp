@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/text/translated_text.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+
+namespace axiscomp::ui {
+
+namespace {
+
+QString translatedWords(const TextPattern& pattern, const Arguments& arguments)
+{
+    if (pattern.one == nullptr)
+        return QCoreApplication::translate(pattern.context, pattern.words);
+    const int count = static_cast<int>(arguments.integer("count").value_or(0));
+    const QString words =
+        QCoreApplication::translate(pattern.context, pattern.words, pattern.one, count);
+    const bool isEnglish = words == QString::fromUtf8(pattern.words);
+    return isEnglish && count == 1 ? QString::fromUtf8(pattern.one) : words;
+}
+
+struct ArgumentText {
+    QString operator()(const Verbatim& name) const { return QString::fromStdString(name.text); }
+    QString operator()(const Quantity& quantity) const
+    {
+        QString text = QString::fromStdString(quantity.digits)
+                           .replace(u'.', QLocale().decimalPoint());
+        if (!quantity.unit.empty())
+            text += u' ' + QCoreApplication::translate("Unit", quantity.unit.c_str());
+        return text;
+    }
+    QString operator()(std::int64_t count) const { return QString::number(count); }
+    QString operator()(const Text& text) const { return translated(text); }
+    QString operator()(const std::vector<Text>& list) const
+    {
+        QStringList items;
+        for (const Text& item : list)
+            items += translated(item);
+        return items.join(QStringLiteral(", "));
+    }
+};
+
+} // namespace
+
+QString translated(const Text& text)
+{
+    if (text.isEmpty())
+        return {};
+    const QString words = translatedWords(text.pattern(), text.arguments());
+    QString result;
+    qsizetype position = 0;
+    while (true) {
+        const qsizetype open = words.indexOf(u'{', position);
+        const qsizetype close = open < 0 ? -1 : words.indexOf(u'}', open);
+        if (close < 0)
+            return result += QStringView(words).mid(position);
+        result += QStringView(words).mid(position, open - position);
+        const std::string name = words.mid(open + 1, close - open - 1).toStdString();
+        const Argument* const value = text.arguments().find(name);
+        result += value ? std::visit(ArgumentText(), value->value()) : QStringLiteral("?");
+        position = close + 1;
+    }
+}
+
+} // namespace axiscomp::ui
