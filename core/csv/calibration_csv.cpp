@@ -115,7 +115,8 @@ CsvReading readCalibrationCsv(const std::filesystem::path& file, const CsvOption
     if (bytes.error().code == ErrorCode::FileTooLarge)
         reportTooLarge(diagnostics, context.english("size"), maximumBytes(options));
     else
-        diagnostics.error(DiagnosticCode::IoError, 0, 0, Text(AXISCOMP_TEXT("Error", "{reason}"), context), {});
+        diagnostics.error(
+            DiagnosticCode::IoError, 0, 0, Text(AXISCOMP_TEXT("Error", "{reason}"), context), {});
     reading.diagnostics = diagnostics.take();
     reading.suppressed = diagnostics.suppressed();
     return reading;

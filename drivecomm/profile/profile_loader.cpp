@@ -164,8 +164,7 @@ Result<DriveProfile> parseProfile(std::string_view json, const std::string& file
         return invalid(fileName, problem->place, problem->fault);
     if (const auto checked = checkLayout(profile.layout); !checked) {
         const ErrorContext& context = checked.error().context;
-        return invalid(
-            fileName, "layout." + context.english("path"), *context.find("reason"));
+        return invalid(fileName, "layout." + context.english("path"), *context.find("reason"));
     }
     return profile;
 }

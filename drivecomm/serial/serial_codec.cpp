@@ -219,8 +219,7 @@ std::optional<Error> parseSerialError(const std::vector<std::string>& words)
     std::size_t next = 2;
     if (next < words.size() && words[next] == "retry")
         ++next;
-    if (const auto seconds =
-            next < words.size() ? parseSerialNumber(words[next]) : std::nullopt) {
+    if (const auto seconds = next < words.size() ? parseSerialNumber(words[next]) : std::nullopt) {
         error.context.set("seconds", *seconds);
         ++next;
     }

@@ -93,8 +93,7 @@ private:
     {
         return fail(ErrorCode::Timeout,
             {{"endpoint", endpoint()},
-                {"seconds",
-                    std::chrono::ceil<std::chrono::seconds>(exchange.timeout).count()}});
+                {"seconds", std::chrono::ceil<std::chrono::seconds>(exchange.timeout).count()}});
     }
 
     /// True when the connection is cut before the drive has the whole request.

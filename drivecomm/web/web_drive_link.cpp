@@ -142,8 +142,8 @@ Result<int> WebDriveLink::countAxes(const ExchangeDeadline& running)
             continue;
         if (readings.error().code != ErrorCode::UnknownRegister)
             return fail(readings.error());
-        const auto missing = std::ranges::find(
-            probes, normalisedPath(readings.error().context.english("path")));
+        const auto missing =
+            std::ranges::find(probes, normalisedPath(readings.error().context.english("path")));
         if (missing != probes.end())
             return first + static_cast<int>(missing - probes.begin());
         // The drive does not say which: halve.

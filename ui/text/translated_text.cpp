@@ -23,8 +23,8 @@ struct ArgumentText {
     QString operator()(const Verbatim& name) const { return QString::fromStdString(name.text); }
     QString operator()(const Quantity& quantity) const
     {
-        QString text = QString::fromStdString(quantity.digits)
-                           .replace(u'.', QLocale().decimalPoint());
+        QString text =
+            QString::fromStdString(quantity.digits).replace(u'.', QLocale().decimalPoint());
         if (!quantity.unit.empty())
             text += u' ' + QCoreApplication::translate("Unit", quantity.unit.c_str());
         return text;
