@@ -60,7 +60,7 @@ struct CompensationWizard::Private {
     void showConnections();
     void askAboutCertificate(const RejectedCertificate& certificate);
     void takeEndpoints(const QStringList& endpoints);
-    void writeSeveral();
+    void writeMultiAxis();
     void offerWriteSeveral();
     void chooseLanguage(const QString& chosen);
     void skipPreview(bool isSkipped);
@@ -129,7 +129,7 @@ void CompensationWizard::Private::connectParts()
     };
     connect(&controller, &WizardController::selectedTableChanged, menu, offerExport);
     offerExport();
-    connect(menu, &PageMenu::writeSeveralRequested, &q, [this] { writeSeveral(); });
+    connect(menu, &PageMenu::writeSeveralRequested, &q, [this] { writeMultiAxis(); });
     connect(&controller, &WizardController::actionsChanged, &q, [this] { offerWriteSeveral(); });
     offerWriteSeveral();
     connect(menu, &PageMenu::languageChosen, &q,
@@ -235,7 +235,7 @@ void CompensationWizard::Private::takeEndpoints(const QStringList& endpoints)
     });
 }
 
-void CompensationWizard::Private::writeSeveral()
+void CompensationWizard::Private::writeMultiAxis()
 {
     if (!controller.action(Action::WriteSeveral).isEnabled)
         return;

@@ -27,22 +27,22 @@ constexpr std::array hints{
 };
 
 Result<void> requestActivation(
-    const DriveAccess& access, const AxisStatus& status, const std::string& value)
+    const RegisterAccess& access, const AxisStatus& status, const std::string& value)
 {
     const std::string path = access.axisPath(access.registers().activation, status.axis.index);
     // An error stays until the request is withdrawn.
     const bool isStuck = status.axis.state == CompensationState::Error;
     if (isStuck && value != access.enums().activationDisabled) {
-        if (auto cleared = writeSurely(access, {{path, access.enums().activationDisabled}});
+        if (auto cleared = writeVerified(access, {{path, access.enums().activationDisabled}});
             !cleared)
             return cleared;
     }
-    return writeSurely(access, {{path, value}});
+    return writeVerified(access, {{path, value}});
 }
 
 /// activation: what was asked for. It is looked at too: a drive that restarts forgets it, and the
 /// state that is waited for would never come.
-Result<AxisStatus> waitForState(const DriveAccess& access, const DriveIdentity& drive, int axis,
+Result<AxisStatus> waitForState(const RegisterAccess& access, const DriveIdentity& drive, int axis,
     SourceDirectory& sources, const std::string& activation, const std::string& wanted)
 {
     const std::string path = access.axisPath(access.registers().state, axis);
@@ -74,7 +74,7 @@ Result<AxisStatus> waitForState(const DriveAccess& access, const DriveIdentity& 
     }
 }
 
-Result<AxisStatus> requestAndWait(const DriveAccess& access, const AxisStatus& status,
+Result<AxisStatus> requestAndWait(const RegisterAccess& access, const AxisStatus& status,
     SourceDirectory& sources, const std::string& activation, const std::string& wanted)
 {
     if (auto requested = requestActivation(access, status, activation); !requested)
@@ -84,7 +84,7 @@ Result<AxisStatus> requestAndWait(const DriveAccess& access, const AxisStatus& s
 
 /// What can be said before the drive is asked.
 Result<AxisStatus> readyStatus(
-    const DriveAccess& access, const DriveIdentity& drive, int axis, SourceDirectory& sources)
+    const RegisterAccess& access, const DriveIdentity& drive, int axis, SourceDirectory& sources)
 {
     auto status = readStatus(access, drive, axis, sources);
     if (status && !status->table)
@@ -106,7 +106,7 @@ Error compensationError(const AxisStatus& status)
 }
 
 Result<AxisStatus> activateAxis(
-    const DriveAccess& access, const DriveIdentity& drive, int axis, SourceDirectory& sources)
+    const RegisterAccess& access, const DriveIdentity& drive, int axis, SourceDirectory& sources)
 {
     auto status = readyStatus(access, drive, axis, sources);
     if (!status || status->axis.state == CompensationState::Active)
@@ -118,7 +118,7 @@ Result<AxisStatus> activateAxis(
 }
 
 Result<AxisStatus> evaluateAxis(
-    const DriveAccess& access, const DriveIdentity& drive, int axis, SourceDirectory& sources)
+    const RegisterAccess& access, const DriveIdentity& drive, int axis, SourceDirectory& sources)
 {
     auto status = readyStatus(access, drive, axis, sources);
     if (!status || status->axis.state == CompensationState::Evaluating)
@@ -130,7 +130,7 @@ Result<AxisStatus> evaluateAxis(
 }
 
 Result<AxisStatus> deactivateAxis(
-    const DriveAccess& access, const DriveIdentity& drive, int axis, SourceDirectory& sources)
+    const RegisterAccess& access, const DriveIdentity& drive, int axis, SourceDirectory& sources)
 {
     auto status = readStatus(access, drive, axis, sources);
     if (!status

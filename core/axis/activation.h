@@ -6,16 +6,16 @@
 
 namespace axiscomp {
 
-class DriveAccess;
+class RegisterAccess;
 class SourceDirectory;
 
 /// Switch the compensation of one axis and wait for the resulting state.
 [[nodiscard]] Result<AxisStatus> activateAxis(
-    const DriveAccess& access, const DriveIdentity& drive, int axis, SourceDirectory& sources);
+    const RegisterAccess& access, const DriveIdentity& drive, int axis, SourceDirectory& sources);
 [[nodiscard]] Result<AxisStatus> evaluateAxis(
-    const DriveAccess& access, const DriveIdentity& drive, int axis, SourceDirectory& sources);
+    const RegisterAccess& access, const DriveIdentity& drive, int axis, SourceDirectory& sources);
 [[nodiscard]] Result<AxisStatus> deactivateAxis(
-    const DriveAccess& access, const DriveIdentity& drive, int axis, SourceDirectory& sources);
+    const RegisterAccess& access, const DriveIdentity& drive, int axis, SourceDirectory& sources);
 
 /// CompensationError with a hint that says what to do about the drive's own error.
 [[nodiscard]] Error compensationError(const AxisStatus& status);

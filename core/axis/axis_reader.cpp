@@ -11,7 +11,7 @@ namespace {
 constexpr int sourceCount = 3;
 constexpr int mostAttempts = 4; ///< to read an axis that somebody changes at the same time
 
-std::string axisNameFrom(const DriveAccess& access, const Readings& readings, int axis)
+std::string axisNameFrom(const RegisterAccess& access, const Readings& readings, int axis)
 {
     std::vector<std::int32_t> words;
     for (int n = 0; n < access.registers().axisNameWords; ++n) {
@@ -28,7 +28,7 @@ void append(std::vector<std::string>& paths, const std::vector<std::string>& mor
     paths.insert(paths.end(), more.begin(), more.end());
 }
 
-std::vector<std::string> infoPaths(const DriveAccess& access, int axis)
+std::vector<std::string> infoPaths(const RegisterAccess& access, int axis)
 {
     const RegisterPaths& names = access.registers();
     std::vector<std::string> paths = access.axisPaths(names.axisName, axis, 0, names.axisNameWords);
@@ -38,7 +38,7 @@ std::vector<std::string> infoPaths(const DriveAccess& access, int axis)
 }
 
 /// The folders of a path's pattern down to the one behind {axis}, or `more` further ones.
-std::string folderOf(const DriveAccess& access, const std::string& pattern, int axis, int more)
+std::string folderOf(const RegisterAccess& access, const std::string& pattern, int axis, int more)
 {
     std::size_t slash = pattern.find('/', pattern.find("{axis}"));
     for (; more > 0 && slash != std::string::npos; --more)
@@ -47,7 +47,7 @@ std::string folderOf(const DriveAccess& access, const std::string& pattern, int 
                                       : access.axisPath(pattern.substr(0, slash), axis) + '/';
 }
 
-AxisInfo infoFrom(const DriveAccess& access, const Readings& readings, int axis)
+AxisInfo infoFrom(const RegisterAccess& access, const Readings& readings, int axis)
 {
     const RegisterPaths& names = access.registers();
     AxisInfo info;
@@ -63,7 +63,7 @@ AxisInfo infoFrom(const DriveAccess& access, const Readings& readings, int axis)
     return info;
 }
 
-std::vector<std::string> axisRegisterPaths(const DriveAccess& access, int axis)
+std::vector<std::string> axisRegisterPaths(const RegisterAccess& access, int axis)
 {
     std::vector<std::string> paths{access.axisPath(access.registers().table, axis)};
     append(paths, access.axisPaths(access.registers().source, axis, 1, sourceCount));
@@ -71,7 +71,7 @@ std::vector<std::string> axisRegisterPaths(const DriveAccess& access, int axis)
 }
 
 /// Everything about the axis that can be asked without knowing its slot and sources.
-std::vector<std::string> statusPaths(const DriveAccess& access, int axis)
+std::vector<std::string> statusPaths(const RegisterAccess& access, int axis)
 {
     const RegisterPaths& names = access.registers();
     std::vector<std::string> paths = infoPaths(access, axis);
@@ -99,7 +99,7 @@ struct Wiring {
 };
 
 Result<Wiring> wiringFrom(
-    const DriveAccess& access, const Readings& readings, int axis, SourceDirectory& sources)
+    const RegisterAccess& access, const Readings& readings, int axis, SourceDirectory& sources)
 {
     Wiring wiring;
     const std::string table = textAt(readings, access.axisPath(access.registers().table, axis));
@@ -115,8 +115,8 @@ Result<Wiring> wiringFrom(
     return wiring;
 }
 
-Result<Readings> readWired(
-    const DriveAccess& access, int axis, const Wiring& wiring, const std::vector<std::string>& more)
+Result<Readings> readWired(const RegisterAccess& access, int axis, const Wiring& wiring,
+    const std::vector<std::string>& more)
 {
     std::vector<std::string> paths = statusPaths(access, axis);
     if (access.profile().slotNamed(wiring.slot))
@@ -130,7 +130,7 @@ Result<Readings> readWired(
 }
 
 AxisStatus statusFrom(
-    const DriveAccess& access, const Readings& readings, int axis, const Wiring& wiring)
+    const RegisterAccess& access, const Readings& readings, int axis, const Wiring& wiring)
 {
     const RegisterPaths& names = access.registers();
     AxisStatus status;
@@ -163,7 +163,7 @@ AxisStatus statusFrom(
 
 } // namespace
 
-Result<std::vector<AxisInfo>> readAxes(const DriveAccess& access, const DriveIdentity& drive)
+Result<std::vector<AxisInfo>> readAxes(const RegisterAccess& access, const DriveIdentity& drive)
 {
     std::vector<AxisInfo> axes;
     const std::size_t perAxis = infoPaths(access, 0).size();
@@ -183,7 +183,7 @@ Result<std::vector<AxisInfo>> readAxes(const DriveAccess& access, const DriveIde
 }
 
 Result<AxisStatus> readStatus(
-    const DriveAccess& access, const DriveIdentity& drive, int axis, SourceDirectory& sources)
+    const RegisterAccess& access, const DriveIdentity& drive, int axis, SourceDirectory& sources)
 {
     auto reading = readStatusWith(access, drive, axis, sources, {});
     if (!reading)
@@ -227,7 +227,7 @@ Error compensationActive(const AxisStatus& status)
         {{"axis", std::to_string(status.axis.index)}, {"name", status.axis.name}}, {}};
 }
 
-Result<StatusReading> readStatusWith(const DriveAccess& access, const DriveIdentity& drive,
+Result<StatusReading> readStatusWith(const RegisterAccess& access, const DriveIdentity& drive,
     int axis, SourceDirectory& sources, const std::vector<std::string>& more)
 {
     auto first = access.readAvailable(statusPaths(access, axis));
@@ -261,7 +261,7 @@ Result<StatusReading> readStatusWith(const DriveAccess& access, const DriveIdent
             {"now", known.slot}});
 }
 
-Result<std::vector<RegisterWrite>> readAxisRegisters(const DriveAccess& access, int axis)
+Result<std::vector<RegisterWrite>> readAxisRegisters(const RegisterAccess& access, int axis)
 {
     const std::vector<std::string> paths = axisRegisterPaths(access, axis);
     auto readings = access.link().readRegisters(paths, access.exchange());
@@ -274,7 +274,7 @@ Result<std::vector<RegisterWrite>> readAxisRegisters(const DriveAccess& access, 
 }
 
 std::vector<RegisterWrite> axisRegisters(
-    const DriveAccess& access, int axis, const CompensationSetup& setup)
+    const RegisterAccess& access, int axis, const CompensationSetup& setup)
 {
     const std::vector<std::string> paths = axisRegisterPaths(access, axis);
     const std::string table = setup.slot.empty() ? access.enums().tableDisabled : setup.slot;
@@ -284,7 +284,7 @@ std::vector<RegisterWrite> axisRegisters(
     return registers;
 }
 
-std::vector<std::string> headerPaths(const DriveAccess& access, std::string_view slot)
+std::vector<std::string> headerPaths(const RegisterAccess& access, std::string_view slot)
 {
     const RegisterPaths& names = access.registers();
     std::vector<std::string> paths;
@@ -299,7 +299,7 @@ std::vector<std::string> headerPaths(const DriveAccess& access, std::string_view
 }
 
 std::optional<TableHeader> headerFrom(
-    const DriveAccess& access, const Readings& readings, std::string_view slot)
+    const RegisterAccess& access, const Readings& readings, std::string_view slot)
 {
     const RegisterPaths& names = access.registers();
     TableHeader header;

@@ -8,7 +8,7 @@
 namespace axiscomp {
 
 [[nodiscard]] Result<std::vector<AxisInfo>> readAxes(
-    const DriveAccess& access, const DriveIdentity& drive);
+    const RegisterAccess& access, const DriveIdentity& drive);
 
 /// What the drive's words mean, by its profile.
 [[nodiscard]] CompensationState compensationState(
@@ -19,7 +19,7 @@ namespace axiscomp {
 /// unfinishedWrite is left empty. Errors: NoCompensation; ChangedMeanwhile when somebody else keeps
 /// changing the axis while it is read.
 [[nodiscard]] Result<AxisStatus> readStatus(
-    const DriveAccess& access, const DriveIdentity& drive, int axis, SourceDirectory& sources);
+    const RegisterAccess& access, const DriveIdentity& drive, int axis, SourceDirectory& sources);
 
 [[nodiscard]] Error compensationActive(const AxisStatus& status);
 
@@ -29,22 +29,22 @@ struct StatusReading {
     AxisStatus status;
     Readings readings;
 };
-[[nodiscard]] Result<StatusReading> readStatusWith(const DriveAccess& access,
+[[nodiscard]] Result<StatusReading> readStatusWith(const RegisterAccess& access,
     const DriveIdentity& drive, int axis, SourceDirectory& sources,
     const std::vector<std::string>& more);
 
 /// Table and DimSources of an axis as they are now: what a write switches and a roll-back puts
 /// back.
 [[nodiscard]] Result<std::vector<RegisterWrite>> readAxisRegisters(
-    const DriveAccess& access, int axis);
+    const RegisterAccess& access, int axis);
 /// The same registers with the values that a setup asks for.
 [[nodiscard]] std::vector<RegisterWrite> axisRegisters(
-    const DriveAccess& access, int axis, const CompensationSetup& setup);
+    const RegisterAccess& access, int axis, const CompensationSetup& setup);
 
 /// The header of the table in a slot; none when the slot is empty.
 [[nodiscard]] std::optional<TableHeader> headerFrom(
-    const DriveAccess& access, const Readings& readings, std::string_view slot);
+    const RegisterAccess& access, const Readings& readings, std::string_view slot);
 [[nodiscard]] std::vector<std::string> headerPaths(
-    const DriveAccess& access, std::string_view slot);
+    const RegisterAccess& access, std::string_view slot);
 
 } // namespace axiscomp

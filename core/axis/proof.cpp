@@ -27,7 +27,7 @@ std::string number(double value)
 
 class Prover {
 public:
-    Prover(const DriveAccess& access, const AxisStatus& status, const CompensationTable& table)
+    Prover(const RegisterAccess& access, const AxisStatus& status, const CompensationTable& table)
         : m_access(access)
         , m_status(status)
         , m_table(table)
@@ -162,7 +162,7 @@ private:
                 {"found", number(found)}, {"expected", number(expected)}, {"position", position}});
     }
 
-    const DriveAccess& m_access;
+    const RegisterAccess& m_access;
     const AxisStatus& m_status;
     const CompensationTable& m_table;
     Lookup m_lookup;
@@ -171,7 +171,7 @@ private:
 
 } // namespace
 
-Result<Proof> proveAxis(const DriveAccess& access, const AxisStatus& status,
+Result<Proof> proveAxis(const RegisterAccess& access, const AxisStatus& status,
     const CompensationTable& table, int samples)
 {
     if (status.axis.state == CompensationState::Error)

@@ -10,7 +10,7 @@
 
 namespace axiscomp {
 
-class DriveAccess;
+class RegisterAccess;
 
 /// The drive's own numbers against core's lookup at the same sources.
 struct Proof {
@@ -30,7 +30,7 @@ struct Proof {
 /// lookup in the table that the drive holds, at the sources that the drive reports with them. Finds
 /// mistakes of sign, unit and element order. table: as downloaded from the drive, or the one that
 /// was to be written.
-[[nodiscard]] Result<Proof> proveAxis(const DriveAccess& access, const AxisStatus& status,
+[[nodiscard]] Result<Proof> proveAxis(const RegisterAccess& access, const AxisStatus& status,
     const CompensationTable& table, int samples);
 
 } // namespace axiscomp

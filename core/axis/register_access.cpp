@@ -10,7 +10,7 @@
 
 namespace axiscomp {
 
-Exchange DriveAccess::exchange() const
+Exchange RegisterAccess::exchange() const
 {
     Exchange exchange;
     exchange.timeout = m_options.timeout;
@@ -18,27 +18,27 @@ Exchange DriveAccess::exchange() const
     return exchange;
 }
 
-DriveAccess DriveAccess::withoutStop() const
+RegisterAccess RegisterAccess::withoutStop() const
 {
-    DriveAccess copy = *this;
+    RegisterAccess copy = *this;
     copy.m_options.stop = {};
     return copy;
 }
 
-void DriveAccess::report(std::string_view step, double fraction) const
+void RegisterAccess::report(std::string_view step, double fraction) const
 {
     if (m_options.progress)
         m_options.progress(Progress{std::string(step), fraction});
 }
 
-Result<void> DriveAccess::checkStop() const
+Result<void> RegisterAccess::checkStop() const
 {
     if (m_options.stop.stop_requested())
         return fail(ErrorCode::Cancelled);
     return {};
 }
 
-Result<void> DriveAccess::pause(std::chrono::milliseconds duration) const
+Result<void> RegisterAccess::pause(std::chrono::milliseconds duration) const
 {
     std::mutex mutex;
     std::condition_variable_any wake;
@@ -47,18 +47,19 @@ Result<void> DriveAccess::pause(std::chrono::milliseconds duration) const
     return checkStop();
 }
 
-std::string DriveAccess::axisPath(const std::string& pattern, int axis, std::optional<int> n) const
+std::string RegisterAccess::axisPath(
+    const std::string& pattern, int axis, std::optional<int> n) const
 {
     return expandPath(pattern, {.axis = axis, .slot = {}, .n = n});
 }
 
-std::string DriveAccess::slotPath(
+std::string RegisterAccess::slotPath(
     const std::string& pattern, std::string_view slot, std::optional<int> n) const
 {
     return expandPath(pattern, {.axis = {}, .slot = slot, .n = n});
 }
 
-std::vector<std::string> DriveAccess::axisPaths(
+std::vector<std::string> RegisterAccess::axisPaths(
     const std::string& pattern, int axis, int first, int count) const
 {
     std::vector<std::string> paths;
@@ -67,7 +68,7 @@ std::vector<std::string> DriveAccess::axisPaths(
     return paths;
 }
 
-Result<Readings> DriveAccess::read(const std::vector<std::string>& paths) const
+Result<Readings> RegisterAccess::read(const std::vector<std::string>& paths) const
 {
     auto answer = m_link.readRegisters(paths, exchange());
     if (!answer)
@@ -80,7 +81,7 @@ Result<Readings> DriveAccess::read(const std::vector<std::string>& paths) const
     return readings;
 }
 
-Result<Readings> DriveAccess::readAvailable(std::vector<std::string> paths) const
+Result<Readings> RegisterAccess::readAvailable(std::vector<std::string> paths) const
 {
     std::set<std::string> seen;
     std::erase_if(paths, [&](const std::string& path) { return !seen.insert(path).second; });
@@ -99,7 +100,7 @@ Result<Readings> DriveAccess::readAvailable(std::vector<std::string> paths) cons
     return Readings{};
 }
 
-Result<void> DriveAccess::write(const std::vector<RegisterWrite>& writes) const
+Result<void> RegisterAccess::write(const std::vector<RegisterWrite>& writes) const
 {
     return m_link.writeRegisters(writes, exchange());
 }

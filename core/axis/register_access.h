@@ -22,9 +22,9 @@ using Readings = std::map<std::string, RegisterReading, std::less<>>;
 
 /// A link with the profile's names and one operation's options: what all steps of an operation
 /// share.
-class DriveAccess {
+class RegisterAccess {
 public:
-    DriveAccess(DriveLink& link, const DriveProfile& profile, const OperationOptions& options)
+    RegisterAccess(DriveLink& link, const DriveProfile& profile, const OperationOptions& options)
         : m_link(link)
         , m_profile(profile)
         , m_options(options)
@@ -39,7 +39,7 @@ public:
 
     [[nodiscard]] Exchange exchange() const;
     /// For putting things back: the user's stop must not reach it.
-    [[nodiscard]] DriveAccess withoutStop() const;
+    [[nodiscard]] RegisterAccess withoutStop() const;
     void report(std::string_view step, double fraction) const;
     [[nodiscard]] Result<void> checkStop() const;
     /// Waits, and ends early with Cancelled.

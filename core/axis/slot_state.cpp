@@ -8,7 +8,8 @@ namespace axiscomp {
 namespace {
 
 /// The tables of all axes, and their cogging tables: the users of slots.
-std::vector<std::string> userPaths(const DriveAccess& access, const DriveIdentity& drive, int axis)
+std::vector<std::string> userPaths(
+    const RegisterAccess& access, const DriveIdentity& drive, int axis)
 {
     std::vector<std::string> paths;
     for (int other = 0; other < drive.axes; ++other) {
@@ -19,7 +20,7 @@ std::vector<std::string> userPaths(const DriveAccess& access, const DriveIdentit
     return paths;
 }
 
-std::string otherUserOf(const DriveAccess& access, const DriveIdentity& drive, int axis,
+std::string otherUserOf(const RegisterAccess& access, const DriveIdentity& drive, int axis,
     std::string_view slot, const Readings& readings)
 {
     const RegisterPaths& registers = access.registers();
@@ -35,7 +36,7 @@ std::string otherUserOf(const DriveAccess& access, const DriveIdentity& drive, i
 } // namespace
 
 std::vector<std::string> slotStatePaths(
-    const DriveAccess& access, const DriveIdentity& drive, int axis, std::string_view slot)
+    const RegisterAccess& access, const DriveIdentity& drive, int axis, std::string_view slot)
 {
     const RegisterPaths& registers = access.registers();
     std::vector<std::string> paths = userPaths(access, drive, axis);
@@ -45,7 +46,7 @@ std::vector<std::string> slotStatePaths(
     return paths;
 }
 
-SlotState slotState(const DriveAccess& access, const DriveIdentity& drive, int axis,
+SlotState slotState(const RegisterAccess& access, const DriveIdentity& drive, int axis,
     std::string_view slot, const Readings& readings)
 {
     const RegisterPaths& registers = access.registers();

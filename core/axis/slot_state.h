@@ -19,9 +19,9 @@ struct SlotState {
 
 /// What slotState needs to have been read. `axis` is whose user of the slot does not count.
 [[nodiscard]] std::vector<std::string> slotStatePaths(
-    const DriveAccess& access, const DriveIdentity& drive, int axis, std::string_view slot);
-[[nodiscard]] SlotState slotState(const DriveAccess& access, const DriveIdentity& drive, int axis,
-    std::string_view slot, const Readings& readings);
+    const RegisterAccess& access, const DriveIdentity& drive, int axis, std::string_view slot);
+[[nodiscard]] SlotState slotState(const RegisterAccess& access, const DriveIdentity& drive,
+    int axis, std::string_view slot, const Readings& readings);
 
 /// For errors: "empty", "36 values (CRC 00c0ffee), volatile, used by axis 1"
 [[nodiscard]] std::string slotStateText(const SlotState& state);

@@ -40,7 +40,7 @@ std::string joined(const std::vector<std::string>& items)
     return text;
 }
 
-Result<DimSource> checkedType(const DriveAccess& access, const std::string& path,
+Result<DimSource> checkedType(const RegisterAccess& access, const std::string& path,
     const std::string& type, std::uint32_t address)
 {
     if (!isAllowed(access.profile(), type))
@@ -58,7 +58,7 @@ void SourceDirectory::useDrive(const DriveIdentity& drive)
     m_drive = drive;
 }
 
-Result<DimSource> SourceDirectory::resolve(const DriveAccess& access, const std::string& text)
+Result<DimSource> SourceDirectory::resolve(const RegisterAccess& access, const std::string& text)
 {
     if (text.starts_with("0x") || text.starts_with("0X"))
         return resolveAddress(access, text);
@@ -78,7 +78,7 @@ Result<DimSource> SourceDirectory::resolve(const DriveAccess& access, const std:
 }
 
 Result<DimSource> SourceDirectory::resolvePath(
-    const DriveAccess& access, const std::string& path, const std::string& asWritten)
+    const RegisterAccess& access, const std::string& path, const std::string& asWritten)
 {
     auto readings = access.read({path});
     if (readings) {
@@ -94,7 +94,7 @@ Result<DimSource> SourceDirectory::resolvePath(
 }
 
 Result<DimSource> SourceDirectory::resolveAddress(
-    const DriveAccess& access, const std::string& text)
+    const RegisterAccess& access, const std::string& text)
 {
     std::uint32_t address = 0;
     const char* end = text.data() + text.size();
@@ -112,7 +112,7 @@ Result<DimSource> SourceDirectory::resolveAddress(
     return checkedType(access, known->second.path, known->second.type, address);
 }
 
-Result<DimSource> SourceDirectory::sourceAt(const DriveAccess& access, std::uint32_t address)
+Result<DimSource> SourceDirectory::sourceAt(const RegisterAccess& access, std::uint32_t address)
 {
     if (address == 0)
         return DimSource{};
@@ -128,14 +128,14 @@ Result<DimSource> SourceDirectory::sourceAt(const DriveAccess& access, std::uint
     return DimSource{address, known() == m_registers.end() ? std::string() : known()->second.path};
 }
 
-Result<std::vector<DimSource>> SourceDirectory::shortlist(const DriveAccess& access)
+Result<std::vector<DimSource>> SourceDirectory::shortlist(const RegisterAccess& access)
 {
     if (auto loaded = loadShortlist(access); !loaded)
         return fail(loaded.error());
     return m_shortlist;
 }
 
-Result<void> SourceDirectory::loadShortlist(const DriveAccess& access)
+Result<void> SourceDirectory::loadShortlist(const RegisterAccess& access)
 {
     if (m_shortlistLoaded)
         return {};
@@ -163,7 +163,7 @@ Result<void> SourceDirectory::loadShortlist(const DriveAccess& access)
     return {};
 }
 
-Result<void> SourceDirectory::loadTree(const DriveAccess& access)
+Result<void> SourceDirectory::loadTree(const RegisterAccess& access)
 {
     if (m_treeLoaded)
         return {};

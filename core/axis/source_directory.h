@@ -17,18 +17,18 @@ public:
 
     /// A path, tam:// URI or hex address. Errors: SourceNotFound, SourceWrongType,
     /// SourceOtherDrive.
-    [[nodiscard]] Result<DimSource> resolve(const DriveAccess& access, const std::string& text);
+    [[nodiscard]] Result<DimSource> resolve(const RegisterAccess& access, const std::string& text);
     /// The path may come back empty: the drive has no such register, or does not tell.
-    [[nodiscard]] Result<DimSource> sourceAt(const DriveAccess& access, std::uint32_t address);
-    [[nodiscard]] Result<std::vector<DimSource>> shortlist(const DriveAccess& access);
+    [[nodiscard]] Result<DimSource> sourceAt(const RegisterAccess& access, std::uint32_t address);
+    [[nodiscard]] Result<std::vector<DimSource>> shortlist(const RegisterAccess& access);
 
 private:
     [[nodiscard]] Result<DimSource> resolvePath(
-        const DriveAccess& access, const std::string& path, const std::string& asWritten);
+        const RegisterAccess& access, const std::string& path, const std::string& asWritten);
     [[nodiscard]] Result<DimSource> resolveAddress(
-        const DriveAccess& access, const std::string& text);
-    [[nodiscard]] Result<void> loadShortlist(const DriveAccess& access);
-    [[nodiscard]] Result<void> loadTree(const DriveAccess& access);
+        const RegisterAccess& access, const std::string& text);
+    [[nodiscard]] Result<void> loadShortlist(const RegisterAccess& access);
+    [[nodiscard]] Result<void> loadTree(const RegisterAccess& access);
     [[nodiscard]] std::string nearest(const std::string& path) const;
     void remember(const RegisterReading& reading);
 

@@ -15,7 +15,7 @@ bool sameValue(const RegisterValue& a, const RegisterValue& b)
 
 /// One request where the drive takes several registers at one instant, otherwise one after the
 /// other.
-Result<void> writeInOrder(const DriveAccess& access, const std::vector<RegisterWrite>& writes)
+Result<void> writeInOrder(const RegisterAccess& access, const std::vector<RegisterWrite>& writes)
 {
     if (access.profile().writesAtOneInstant || writes.size() == 1)
         return access.write(writes);
@@ -38,7 +38,8 @@ bool mayHaveArrived(const Error& error)
 
 } // namespace
 
-Result<void> compareRegisters(const DriveAccess& access, const std::vector<RegisterWrite>& wanted)
+Result<void> compareRegisters(
+    const RegisterAccess& access, const std::vector<RegisterWrite>& wanted)
 {
     std::vector<std::string> paths;
     for (const RegisterWrite& write : wanted)
@@ -66,7 +67,7 @@ Result<void> compareFiles(const std::string& path, ByteView found, ByteView expe
             {"expected", wanted == expected.end() ? "nothing" : byteText(*wanted)}});
 }
 
-Result<void> writeSurely(const DriveAccess& access, const std::vector<RegisterWrite>& values,
+Result<void> writeVerified(const RegisterAccess& access, const std::vector<RegisterWrite>& values,
     const std::vector<RegisterWrite>& commands)
 {
     std::vector<RegisterWrite> all = values;
@@ -79,7 +80,7 @@ Result<void> writeSurely(const DriveAccess& access, const std::vector<RegisterWr
     return writeInOrder(access, all);
 }
 
-Result<void> uploadSurely(const DriveAccess& access, const std::string& path, ByteView bytes,
+Result<void> uploadVerified(const RegisterAccess& access, const std::string& path, ByteView bytes,
     const std::function<void(std::string_view, double)>& progress)
 {
     const auto exchangeFor = [&](std::string_view step, double begin) {
@@ -102,15 +103,15 @@ Result<void> uploadSurely(const DriveAccess& access, const std::string& path, By
     return uploaded || same ? same : uploaded;
 }
 
-Result<void> saveParameters(const DriveAccess& access)
+Result<void> saveParameters(const RegisterAccess& access)
 {
-    return writeSurely(
+    return writeVerified(
         access, {}, {{access.registers().saveParameters, access.enums().saveParametersSave}});
 }
 
-Result<void> deleteTable(const DriveAccess& access, std::string_view slot)
+Result<void> deleteTable(const RegisterAccess& access, std::string_view slot)
 {
-    return writeSurely(access, {},
+    return writeVerified(access, {},
         {{access.slotPath(access.registers().tableCommand, slot),
             access.enums().tableCommandDelete}});
 }

@@ -9,25 +9,25 @@ namespace axiscomp {
 /// come is replaced by reading back, and a request that did not arrive is sent once more. Only for
 /// writes that may be repeated: values, and commands that do nothing the second time (commands are
 /// not read back).
-[[nodiscard]] Result<void> writeSurely(const DriveAccess& access,
+[[nodiscard]] Result<void> writeVerified(const RegisterAccess& access,
     const std::vector<RegisterWrite>& values, const std::vector<RegisterWrite>& commands = {});
 
 /// VerifyMismatch when a register does not hold what it should.
 [[nodiscard]] Result<void> compareRegisters(
-    const DriveAccess& access, const std::vector<RegisterWrite>& wanted);
+    const RegisterAccess& access, const std::vector<RegisterWrite>& wanted);
 
 /// VerifyMismatch with the first offset where a file differs.
 [[nodiscard]] Result<void> compareFiles(const std::string& path, ByteView found, ByteView expected);
 
 /// Puts a file there and reads it back, byte by byte. progress: "upload" or "verify", 0 .. 1 over
 /// both.
-[[nodiscard]] Result<void> uploadSurely(const DriveAccess& access, const std::string& path,
+[[nodiscard]] Result<void> uploadVerified(const RegisterAccess& access, const std::string& path,
     ByteView bytes, const std::function<void(std::string_view, double)>& progress = {});
 
 /// Parameters survive a reboot from here on.
-[[nodiscard]] Result<void> saveParameters(const DriveAccess& access);
+[[nodiscard]] Result<void> saveParameters(const RegisterAccess& access);
 
 /// Empties a slot in RAM and flash.
-[[nodiscard]] Result<void> deleteTable(const DriveAccess& access, std::string_view slot);
+[[nodiscard]] Result<void> deleteTable(const RegisterAccess& access, std::string_view slot);
 
 } // namespace axiscomp

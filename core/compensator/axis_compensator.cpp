@@ -30,7 +30,7 @@ Result<DriveIdentity> AxisCompensator::identify(const OperationOptions& options)
 
 Result<std::vector<AxisInfo>> AxisCompensator::axes(const OperationOptions& options)
 {
-    const DriveAccess access = d->access(options);
+    const RegisterAccess access = d->access(options);
     auto drive = d->identify(access);
     if (!drive)
         return fail(drive.error());
@@ -67,7 +67,7 @@ Result<int> AxisCompensator::findAxis(
 
 Result<AxisStatus> AxisCompensator::status(int axis, const OperationOptions& options)
 {
-    const DriveAccess access = d->access(options);
+    const RegisterAccess access = d->access(options);
     auto drive = d->identify(access, axis);
     if (!drive)
         return fail(drive.error());
@@ -84,7 +84,7 @@ Result<AxisStatus> AxisCompensator::status(int axis, const OperationOptions& opt
 Result<DimSource> AxisCompensator::resolveSource(
     const std::string& source, const OperationOptions& options)
 {
-    const DriveAccess access = d->access(options);
+    const RegisterAccess access = d->access(options);
     auto drive = d->identify(access);
     if (!drive)
         return fail(drive.error());
@@ -93,7 +93,7 @@ Result<DimSource> AxisCompensator::resolveSource(
 
 Result<std::vector<DimSource>> AxisCompensator::sourceShortlist(const OperationOptions& options)
 {
-    const DriveAccess access = d->access(options);
+    const RegisterAccess access = d->access(options);
     auto drive = d->identify(access);
     if (!drive)
         return fail(drive.error());
@@ -103,7 +103,7 @@ Result<std::vector<DimSource>> AxisCompensator::sourceShortlist(const OperationO
 Result<WritePlan> AxisCompensator::plan(
     int axis, const WriteRequest& request, const OperationOptions& options)
 {
-    const DriveAccess access = d->access(options);
+    const RegisterAccess access = d->access(options);
     auto drive = d->identify(access, axis);
     if (!drive)
         return fail(drive.error());
@@ -117,7 +117,7 @@ Result<WritePlan> AxisCompensator::plan(
 Result<WriteReport> AxisCompensator::write(
     int axis, const WriteRequest& request, const OperationOptions& options)
 {
-    const DriveAccess access = d->access(options);
+    const RegisterAccess access = d->access(options);
     access.report("plan", 0.0);
     auto drive = d->identify(access, axis);
     if (!drive)
@@ -129,7 +129,7 @@ Result<WriteReport> AxisCompensator::write(
 }
 
 Result<WriteReport> AxisCompensator::Private::write(
-    const DriveAccess& access, const DriveIdentity& drive, int axis, const WriteRequest& request)
+    const RegisterAccess& access, const DriveIdentity& drive, int axis, const WriteRequest& request)
 {
     auto prepared = WritePlanner(access, store, sources, drive, clock()).prepare(axis, request);
     if (!prepared)
@@ -163,7 +163,7 @@ Result<WriteReport> AxisCompensator::setPersistency(
 
 Result<AxisStatus> AxisCompensator::evaluate(int axis, const OperationOptions& options)
 {
-    const DriveAccess access = d->access(options);
+    const RegisterAccess access = d->access(options);
     auto drive = d->identify(access, axis);
     if (!drive)
         return fail(drive.error());
@@ -172,7 +172,7 @@ Result<AxisStatus> AxisCompensator::evaluate(int axis, const OperationOptions& o
 
 Result<AxisStatus> AxisCompensator::activate(int axis, const OperationOptions& options)
 {
-    const DriveAccess access = d->access(options);
+    const RegisterAccess access = d->access(options);
     auto drive = d->identify(access, axis);
     if (!drive)
         return fail(drive.error());
@@ -181,7 +181,7 @@ Result<AxisStatus> AxisCompensator::activate(int axis, const OperationOptions& o
 
 Result<AxisStatus> AxisCompensator::deactivate(int axis, const OperationOptions& options)
 {
-    const DriveAccess access = d->access(options);
+    const RegisterAccess access = d->access(options);
     auto drive = d->identify(access, axis);
     if (!drive)
         return fail(drive.error());

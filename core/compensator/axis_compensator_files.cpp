@@ -16,7 +16,7 @@ Result<std::vector<DriveFile>> AxisCompensator::files(const OperationOptions& op
 
 Result<Bytes> AxisCompensator::download(const std::string& path, const OperationOptions& options)
 {
-    const DriveAccess access = d->access(options);
+    const RegisterAccess access = d->access(options);
     Exchange exchange = access.exchange();
     exchange.progress = [&](std::uint64_t done, std::uint64_t total) {
         if (total > 0)
@@ -35,7 +35,7 @@ Result<Bytes> AxisCompensator::download(const std::string& path, const Operation
 Result<std::filesystem::path> AxisCompensator::upload(
     const std::string& path, ByteView bytes, const OperationOptions& options)
 {
-    const DriveAccess access = d->access(options);
+    const RegisterAccess access = d->access(options);
     auto drive = d->identify(access);
     if (!drive)
         return fail(drive.error());
@@ -51,7 +51,7 @@ Result<std::filesystem::path> AxisCompensator::upload(
 
 Result<FlashUse> AxisCompensator::flashUse(const OperationOptions& options)
 {
-    const DriveAccess access = d->access(options);
+    const RegisterAccess access = d->access(options);
     auto drive = d->identify(access);
     if (!drive)
         return fail(drive.error());
@@ -60,7 +60,7 @@ Result<FlashUse> AxisCompensator::flashUse(const OperationOptions& options)
 
 Result<DriveBackup> AxisCompensator::backup(const OperationOptions& options)
 {
-    const DriveAccess access = d->access(options);
+    const RegisterAccess access = d->access(options);
     auto drive = d->identify(access);
     if (!drive)
         return fail(drive.error());
@@ -70,7 +70,7 @@ Result<DriveBackup> AxisCompensator::backup(const OperationOptions& options)
 Result<std::vector<WriteReport>> AxisCompensator::restore(
     const DriveBackup& backup, bool force, const OperationOptions& options)
 {
-    const DriveAccess access = d->access(options);
+    const RegisterAccess access = d->access(options);
     auto drive = d->identify(access);
     if (!drive)
         return fail(drive.error());
@@ -107,7 +107,7 @@ Result<std::vector<WriteReport>> AxisCompensator::restore(
 
 /// A drive that restarted while a later part was restored has lost what was volatile or not saved
 /// of an earlier one.
-Result<void> AxisCompensator::Private::checkRestored(const DriveAccess& access,
+Result<void> AxisCompensator::Private::checkRestored(const RegisterAccess& access,
     const DriveIdentity& drive, const std::vector<AxisStatus>& axes,
     const std::vector<AxisBackup::File>& files)
 {
@@ -131,7 +131,7 @@ Result<void> AxisCompensator::Private::checkRestored(const DriveAccess& access,
 }
 
 Result<void> AxisCompensator::Private::restoreFile(
-    const DriveAccess& access, const DriveIdentity& drive, const AxisBackup::File& file)
+    const RegisterAccess& access, const DriveIdentity& drive, const AxisBackup::File& file)
 {
     const TableSlot* slot = profile.slotNamed(file.slot);
     if (!slot || slot->file != file.path)

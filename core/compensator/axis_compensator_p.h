@@ -17,12 +17,12 @@ struct AxisCompensator::Private {
     std::function<WallTime()> clock;
     SourceDirectory sources;
 
-    [[nodiscard]] DriveAccess access(const OperationOptions& options) const
+    [[nodiscard]] RegisterAccess access(const OperationOptions& options) const
     {
-        return DriveAccess(link, profile, options);
+        return RegisterAccess(link, profile, options);
     }
 
-    [[nodiscard]] Result<DriveIdentity> identify(const DriveAccess& access)
+    [[nodiscard]] Result<DriveIdentity> identify(const RegisterAccess& access)
     {
         auto drive = link.identify(access.exchange());
         if (drive)
@@ -31,7 +31,7 @@ struct AxisCompensator::Private {
     }
 
     /// Errors: AxisNotFound.
-    [[nodiscard]] Result<DriveIdentity> identify(const DriveAccess& access, int axis)
+    [[nodiscard]] Result<DriveIdentity> identify(const RegisterAccess& access, int axis)
     {
         auto drive = identify(access);
         if (drive && (axis < 0 || axis >= drive->axes))
@@ -43,20 +43,22 @@ struct AxisCompensator::Private {
 
     /// Errors: AxisNotFound, OtherDrive.
     [[nodiscard]] Result<DriveIdentity> identify(
-        const DriveAccess& access, const JournalEntry& entry);
+        const RegisterAccess& access, const JournalEntry& entry);
     /// An unfinished write that is still the one of the journal, with the write lock held.
-    struct TakenUp;
-    [[nodiscard]] Result<TakenUp> takeUp(const DriveAccess& access, const JournalEntry& entry);
+    struct ResumedWrite;
+    [[nodiscard]] Result<ResumedWrite> resume(
+        const RegisterAccess& access, const JournalEntry& entry);
 
     // With the write lock held.
-    [[nodiscard]] Result<WriteReport> write(const DriveAccess& access, const DriveIdentity& drive,
-        int axis, const WriteRequest& request);
-    [[nodiscard]] Result<PreparedWrite> prepareFinish(
-        const DriveAccess& access, const DriveIdentity& drive, const UnfinishedWrite& unfinished);
+    [[nodiscard]] Result<WriteReport> write(const RegisterAccess& access,
+        const DriveIdentity& drive, int axis, const WriteRequest& request);
+    [[nodiscard]] Result<PreparedWrite> prepareFinish(const RegisterAccess& access,
+        const DriveIdentity& drive, const UnfinishedWrite& unfinished);
     [[nodiscard]] Result<void> restoreFile(
-        const DriveAccess& access, const DriveIdentity& drive, const AxisBackup::File& file);
-    [[nodiscard]] Result<void> checkRestored(const DriveAccess& access, const DriveIdentity& drive,
-        const std::vector<AxisStatus>& axes, const std::vector<AxisBackup::File>& files);
+        const RegisterAccess& access, const DriveIdentity& drive, const AxisBackup::File& file);
+    [[nodiscard]] Result<void> checkRestored(const RegisterAccess& access,
+        const DriveIdentity& drive, const std::vector<AxisStatus>& axes,
+        const std::vector<AxisBackup::File>& files);
 };
 
 } // namespace axiscomp

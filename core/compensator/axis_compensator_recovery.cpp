@@ -33,14 +33,14 @@ Result<void> checkJournal(DriveStore& store, const JournalEntry& entry)
 
 } // namespace
 
-struct AxisCompensator::Private::TakenUp {
+struct AxisCompensator::Private::ResumedWrite {
     DriveIdentity drive;
     FileLock lock;
     UnfinishedWrite unfinished;
 };
 
 Result<DriveIdentity> AxisCompensator::Private::identify(
-    const DriveAccess& access, const JournalEntry& entry)
+    const RegisterAccess& access, const JournalEntry& entry)
 {
     auto drive = identify(access, entry.axis);
     if (drive && drive->serialNumber != entry.serialNumber)
@@ -50,8 +50,8 @@ Result<DriveIdentity> AxisCompensator::Private::identify(
     return drive;
 }
 
-Result<AxisCompensator::Private::TakenUp> AxisCompensator::Private::takeUp(
-    const DriveAccess& access, const JournalEntry& entry)
+Result<AxisCompensator::Private::ResumedWrite> AxisCompensator::Private::resume(
+    const RegisterAccess& access, const JournalEntry& entry)
 {
     auto drive = identify(access, entry);
     if (!drive)
@@ -64,13 +64,13 @@ Result<AxisCompensator::Private::TakenUp> AxisCompensator::Private::takeUp(
     auto unfinished = UnfinishedWrite::load(access, entry);
     if (!unfinished)
         return fail(unfinished.error());
-    return TakenUp{std::move(*drive), std::move(*lock), std::move(*unfinished)};
+    return ResumedWrite{std::move(*drive), std::move(*lock), std::move(*unfinished)};
 }
 
 Result<AxisCompensator::UnfinishedOutcome> AxisCompensator::settleUnfinished(
     const JournalEntry& entry, const OperationOptions& options)
 {
-    const DriveAccess access = d->access(options);
+    const RegisterAccess access = d->access(options);
     auto drive = d->identify(access, entry);
     if (!drive)
         return fail(drive.error());
@@ -85,7 +85,7 @@ Result<AxisCompensator::UnfinishedOutcome> AxisCompensator::settleUnfinished(
 Result<AxisCompensator::Recovery> AxisCompensator::recovery(
     const JournalEntry& entry, const OperationOptions& options)
 {
-    const DriveAccess access = d->access(options);
+    const RegisterAccess access = d->access(options);
     auto drive = d->identify(access, entry);
     if (!drive)
         return fail(drive.error());
@@ -112,7 +112,7 @@ Result<AxisCompensator::Recovery> AxisCompensator::recovery(
 }
 
 Result<PreparedWrite> AxisCompensator::Private::prepareFinish(
-    const DriveAccess& access, const DriveIdentity& drive, const UnfinishedWrite& unfinished)
+    const RegisterAccess& access, const DriveIdentity& drive, const UnfinishedWrite& unfinished)
 {
     auto request = unfinished.request(store, drive);
     if (!request)
@@ -124,9 +124,9 @@ Result<PreparedWrite> AxisCompensator::Private::prepareFinish(
 Result<WriteReport> AxisCompensator::finishUnfinished(
     const JournalEntry& entry, const OperationOptions& options)
 {
-    const DriveAccess access = d->access(options);
+    const RegisterAccess access = d->access(options);
     access.report("plan", 0.0);
-    auto taken = d->takeUp(access, entry);
+    auto taken = d->resume(access, entry);
     if (!taken)
         return fail(taken.error());
     auto prepared = d->prepareFinish(access, taken->drive, taken->unfinished);
@@ -146,14 +146,14 @@ Result<WriteReport> AxisCompensator::finishUnfinished(
 Result<WriteReport> AxisCompensator::undoUnfinished(
     const JournalEntry& entry, const OperationOptions& options)
 {
-    const DriveAccess access = d->access(options);
+    const RegisterAccess access = d->access(options);
     access.report("plan", 0.0);
-    auto taken = d->takeUp(access, entry);
+    auto taken = d->resume(access, entry);
     if (!taken)
         return fail(taken.error());
     return WriteProcedure(
         access, d->store, d->sources, d->clock, taken->unfinished.prepared(taken->drive), entry)
-        .undoEarlier(taken->unfinished);
+        .recoverOldState(taken->unfinished);
 }
 
 } // namespace axiscomp

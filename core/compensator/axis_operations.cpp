@@ -157,8 +157,8 @@ OperationEnd<WriteReport> recoverAxis(AxisCompensator& compensator,
     return {std::move(report), readAxis(compensator, storeRoot, entry.axis, quietly(options))};
 }
 
-Result<SurveyedTable> downloadTable(AxisCompensator& compensator, int axis,
-    const SurveyedTable& expected, const OperationOptions& options)
+Result<LoadedTable> downloadTable(AxisCompensator& compensator, int axis,
+    const LoadedTable& expected, const OperationOptions& options)
 {
     auto table = compensator.readTable(axis, options);
     if (!table)
@@ -166,7 +166,7 @@ Result<SurveyedTable> downloadTable(AxisCompensator& compensator, int axis,
     if (expected.table && sameSpans(expected.table->grid, table->grid)
         && expected.table->values == table->values)
         return expected;
-    return surveyed(std::make_shared<const CompensationTable>(std::move(*table)));
+    return loaded(std::make_shared<const CompensationTable>(std::move(*table)));
 }
 
 } // namespace axiscomp

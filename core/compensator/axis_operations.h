@@ -81,7 +81,7 @@ struct Restoration {
 
 /// expected: given back in place of what was downloaded when its numbers are the same, because it
 /// has the names and units that the drive does not keep; may be null.
-[[nodiscard]] Result<SurveyedTable> downloadTable(AxisCompensator& compensator, int axis,
-    const SurveyedTable& expected, const OperationOptions& options);
+[[nodiscard]] Result<LoadedTable> downloadTable(AxisCompensator& compensator, int axis,
+    const LoadedTable& expected, const OperationOptions& options);
 
 } // namespace axiscomp

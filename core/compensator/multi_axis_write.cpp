@@ -24,13 +24,13 @@ std::vector<AxisWrite> axisWrites(std::span<const AxisTable> tables)
     return writes;
 }
 
-Result<SeveralReport> writeAll(AxisCompensator& compensator, std::span<const AxisTable> tables,
+Result<MultiAxisReport> writeAll(AxisCompensator& compensator, std::span<const AxisTable> tables,
     std::atomic<std::size_t>& turn, const OperationOptions& options)
 {
     const std::vector<AxisWrite> writes = axisWrites(tables);
-    if (const auto plans = planSeveral(compensator, writes, options); !plans)
+    if (const auto plans = planMultiAxis(compensator, writes, options); !plans)
         return fail(plans.error());
-    SeveralReport report;
+    MultiAxisReport report;
     for (std::size_t n = 0; n < writes.size(); ++n) {
         turn = n;
         OperationOptions part = options;
@@ -49,7 +49,7 @@ Result<SeveralReport> writeAll(AxisCompensator& compensator, std::span<const Axi
 
 } // namespace
 
-Result<std::vector<WritePlan>> planSeveral(AxisCompensator& compensator,
+Result<std::vector<WritePlan>> planMultiAxis(AxisCompensator& compensator,
     std::span<const AxisWrite> writes, const OperationOptions& options)
 {
     std::set<int> axes;
@@ -82,7 +82,7 @@ Result<std::vector<WritePlan>> planTables(AxisCompensator& compensator,
 {
     OperationOptions quiet = options;
     quiet.progress = {};
-    return planSeveral(compensator, axisWrites(tables), quiet);
+    return planMultiAxis(compensator, axisWrites(tables), quiet);
 }
 
 bool holdsNewState(const Result<WriteReport>& write)
@@ -90,7 +90,7 @@ bool holdsNewState(const Result<WriteReport>& write)
     return write || write.error().code == ErrorCode::NothingToWrite;
 }
 
-OperationEnd<SeveralReport> writeTables(AxisCompensator& compensator,
+OperationEnd<MultiAxisReport> writeTables(AxisCompensator& compensator,
     const std::filesystem::path& storeRoot, int shownAxis, std::span<const AxisTable> tables,
     std::atomic<std::size_t>& turn, const OperationOptions& options)
 {

@@ -22,23 +22,23 @@ struct AxisWrite {
 /// when its turn comes. Errors: those of AxisCompensator::plan, their context names the axis
 /// (`ofAxis`); InvalidArgument when an axis is named twice, and when all together cost more flash
 /// operations than are possible now.
-[[nodiscard]] Result<std::vector<WritePlan>> planSeveral(AxisCompensator& compensator,
+[[nodiscard]] Result<std::vector<WritePlan>> planMultiAxis(AxisCompensator& compensator,
     std::span<const AxisWrite> writes, const OperationOptions& options = {});
 
 /// A table of the open file, and the axis that shall have it.
 struct AxisTable {
     int axis = 0;
-    SurveyedTable table; ///< copied into the request on the session's thread: it may be large
+    LoadedTable table; ///< copied into the request on the session's thread: it may be large
     WriteRequest request; ///< without its table
 };
 
-/// Changes nothing. Errors: those of planSeveral.
+/// Changes nothing. Errors: those of planMultiAxis.
 [[nodiscard]] Result<std::vector<WritePlan>> planTables(AxisCompensator& compensator,
     std::span<const AxisTable> tables, const OperationOptions& options);
 
 /// One result per axis, in their order, up to the first that failed; NothingToWrite is no failure:
 /// the axis has everything already.
-struct SeveralReport {
+struct MultiAxisReport {
     std::vector<Result<WriteReport>> writes;
 };
 
@@ -48,7 +48,7 @@ struct SeveralReport {
 /// Plans all of them again, so that none is begun when one is refused; then one normal verified
 /// write after the other. turn: which of the tables is being written. shownAxis is read afterwards.
 /// Errors: those of planTables, and nothing was written.
-[[nodiscard]] OperationEnd<SeveralReport> writeTables(AxisCompensator& compensator,
+[[nodiscard]] OperationEnd<MultiAxisReport> writeTables(AxisCompensator& compensator,
     const std::filesystem::path& storeRoot, int shownAxis, std::span<const AxisTable> tables,
     std::atomic<std::size_t>& turn, const OperationOptions& options);
 

@@ -23,7 +23,7 @@ Grid widened(Grid grid)
     return grid;
 }
 
-std::vector<float> valuesAt(const Grid& grid, const AppliedCompensation& applied)
+std::vector<float> valuesAt(const Grid& grid, const ControllerLookup& applied)
 {
     std::vector<float> values;
     values.reserve(grid.pointCount());
@@ -42,7 +42,7 @@ std::vector<float> valuesAt(const Grid& grid, const AppliedCompensation& applied
 
 } // namespace
 
-Result<CompensationTable> appliedTable(const CompensationTable& table, const FamilyFacts& facts)
+Result<CompensationTable> tableAsAppliedBy(const CompensationTable& table, const FormatFacts& facts)
 {
     NeutralTable neutral = neutralTable(CalibrationData{table.grid, {table}, {}});
     if (facts.sign != neutral.sign) {
@@ -53,23 +53,23 @@ Result<CompensationTable> appliedTable(const CompensationTable& table, const Fam
         neutral = std::move(converted->table);
     }
     CompensationTable applied{table.name, table.unit, widened(table.grid), {}};
-    applied.values = valuesAt(applied.grid, AppliedCompensation(neutral, 0, facts.behaviour));
+    applied.values = valuesAt(applied.grid, ControllerLookup(neutral, 0, facts.behaviour));
     return applied;
 }
 
-std::vector<const TableFamily*> controllersFor(int dimensions)
+std::vector<const TableFormat*> controllersFor(int dimensions)
 {
-    std::vector<const TableFamily*> families;
-    for (const TableFamily* family : tableFamilies()) {
-        const FamilyFacts& facts = family->facts;
-        const bool isKnown = std::ranges::any_of(families, [&](const TableFamily* known) {
+    std::vector<const TableFormat*> formats;
+    for (const TableFormat* format : tableFormats()) {
+        const FormatFacts& facts = format->facts;
+        const bool isKnown = std::ranges::any_of(formats, [&](const TableFormat* known) {
             return known->facts.controller == facts.controller && known->facts.sign == facts.sign;
         });
-        if (!isTriamec(*family) && !isKnown && dimensions >= facts.fewestDimensions
+        if (!isTriamec(*format) && !isKnown && dimensions >= facts.fewestDimensions
             && dimensions <= facts.mostDimensions)
-            families.push_back(family);
+            formats.push_back(format);
     }
-    return families;
+    return formats;
 }
 
 } // namespace axiscomp

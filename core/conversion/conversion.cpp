@@ -181,8 +181,8 @@ Result<void> Converter::finish(
 
 void remarkOnSigns(const ConversionRequest& request, std::vector<std::string>& remarks)
 {
-    const auto remark = [&](const TableFamily& family, bool isOverruled) {
-        const FamilyFacts& facts = family.facts;
+    const auto remark = [&](const TableFormat& format, bool isOverruled) {
+        const FormatFacts& facts = format.facts;
         if (!isOverruled && facts.signEvidence == Evidence::Assumed)
             remarkOnce(remarks,
                 "that files of the format " + std::string(facts.name) + " hold the "

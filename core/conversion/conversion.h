@@ -20,8 +20,8 @@ struct WantedDeviation {
 
 /// How tables of one controller become tables of another.
 struct ConversionRequest {
-    const TableFamily* from = nullptr;
-    const TableFamily* to = nullptr;
+    const TableFormat* from = nullptr;
+    const TableFormat* to = nullptr;
     std::optional<SignConvention> sourceSign; ///< overrules what is known of the source's format
     std::optional<SignConvention> targetSign; ///< likewise of the target's
     std::optional<DirectionChoice> direction; ///< merges values of two directions of motion

@@ -37,9 +37,9 @@ bool isFloatRounding(const TableConversion& table, const ConversionRequest& requ
     return table.valueRounding <= share * largest;
 }
 
-std::string formatSign(const TableFamily& family, std::optional<SignConvention> overruled)
+std::string formatSign(const TableFormat& format, std::optional<SignConvention> overruled)
 {
-    const FamilyFacts& facts = family.facts;
+    const FormatFacts& facts = format.facts;
     std::string text = std::string(facts.name) + " holds ";
     text += signName(overruled.value_or(facts.sign));
     return text + (overruled ? " values, as you say" : " values");

@@ -26,7 +26,7 @@ struct ResamplingChoice {
 
 /// What the user says about a file of tables: how it is to be understood, or written.
 struct ImportChoices {
-    const TableFamily* family = nullptr; ///< null: by the file's content and name
+    const TableFormat* format = nullptr; ///< null: by the file's content and name
     FormatSettings settings;
     std::optional<SignConvention> sign; ///< of the file; nothing: as its format says
     std::optional<DirectionChoice> direction;

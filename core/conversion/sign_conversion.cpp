@@ -166,7 +166,7 @@ Result<void> SignConverter::convertJointly(
     if (!slopes)
         return fail(slopes.error());
     const Motion motion(m_source, heldEnds, movers);
-    std::vector<AppliedCompensation> applied;
+    std::vector<ControllerLookup> applied;
     for (const std::size_t column : columns)
         applied.emplace_back(m_source, column, heldEnds);
     for (std::size_t index = 0; index < m_source.pointCount(); ++index) {
@@ -192,7 +192,7 @@ Result<double> SignConverter::largestResidual() const
         const auto movers = moversOf(m_source, ownAxes, table.columns[i].direction);
         if (!movers)
             return fail(movers.error());
-        const AppliedCompensation applied(m_source, i, heldEnds);
+        const ControllerLookup applied(m_source, i, heldEnds);
         for (std::size_t index = 0; index < table.pointCount(); ++index) {
             Position place = knotPosition(table, index);
             for (const Mover& mover : *movers)

@@ -331,8 +331,8 @@ Result<ColumnDifference> Comparison::compare(const ColumnPair& pair, const AxisL
     const auto motion = motionOf(command(), direction);
     if (!motion)
         return fail(motion.error());
-    const AppliedCompensation a(m_a.table, pair.a, m_a.behaviour);
-    const AppliedCompensation b(m_b.table, pair.b, m_b.behaviour);
+    const ControllerLookup a(m_a.table, pair.a, m_a.behaviour);
+    const ControllerLookup b(m_b.table, pair.b, m_b.behaviour);
     const double factor = isMixed() ? pair.factor : -pair.factor;
     ColumnDifference result{pair.a, pair.b, 0.0, {}, 0.0, {}};
     forEachPosition(axes, [&](const Position& x) {

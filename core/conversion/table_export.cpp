@@ -12,7 +12,7 @@ Result<TableExport> exportTable(const CompensationTable& table, const ImportChoi
     const NeutralTable source = neutralTable(CalibrationData{table.grid, {table}, {}});
     ConversionRequest request;
     request.from = &calibration_csv::format();
-    request.to = choices.family;
+    request.to = choices.format;
     request.targetSign = choices.sign;
     request.writing.layout = &layout;
     request.writing.settings = choices.settings;

@@ -20,12 +20,12 @@ public:
 
     [[nodiscard]] TableImport run()
     {
-        chooseFamily();
+        chooseFormat();
         if (m_result.refusal)
             return std::move(m_result);
-        if (m_result.family == &calibration_csv::format())
+        if (m_result.format == &calibration_csv::format())
             readCsv();
-        else if (m_result.family == &tam_table::format())
+        else if (m_result.format == &tam_table::format())
             readTamTable();
         else
             readOther();
@@ -33,7 +33,7 @@ public:
     }
 
 private:
-    void chooseFamily();
+    void chooseFormat();
     [[nodiscard]] Result<Bytes> bytes(std::uint64_t limit);
     void readCsv();
     void readTamTable();
@@ -57,32 +57,32 @@ private:
 
 /// A file that could be of another controller is not taken for one on a mere suspicion: its numbers
 /// might have the other sign.
-void Import::chooseFamily()
+void Import::chooseFormat()
 {
     const std::string name = m_request.file.filename().string();
     const std::string text = beginningOf(m_request.file);
-    m_result.candidates = guessFamily(text, name).families;
-    m_result.family = m_request.choices.family;
-    if (m_result.family != nullptr)
+    m_result.candidates = guessFormat(text, name).formats;
+    m_result.format = m_request.choices.format;
+    if (m_result.format != nullptr)
         return;
-    const auto choice = axiscomp::chooseFamily(text, name, false);
+    const auto choice = axiscomp::chooseFormat(text, name, false);
     // What nobody knows is read as a calibration file: its problems say what one looks like.
-    m_result.family = choice ? choice->family : &calibration_csv::format();
+    m_result.format = choice ? choice->format : &calibration_csv::format();
     if (!choice && choice.error().code == ErrorCode::FormatAmbiguous) {
-        m_result.family = m_result.candidates.front();
+        m_result.format = m_result.candidates.front();
         refuse(choice.error());
         return;
     }
-    const TableFamily& family = *m_result.family;
-    const bool isSure = isTriamec(family) || family.recognise(text) == Recognition::Certain;
-    const bool isCalibrationName = familyOfExtension(name) == &calibration_csv::format();
-    const bool isNamed = !isCalibrationName && familyOfExtension(name) == &family;
+    const TableFormat& format = *m_result.format;
+    const bool isSure = isTriamec(format) || format.recognise(text) == Recognition::Certain;
+    const bool isCalibrationName = formatOfExtension(name) == &calibration_csv::format();
+    const bool isNamed = !isCalibrationName && formatOfExtension(name) == &format;
     if (isSure || (isNamed && m_result.candidates.size() == 1))
         return;
     if (isCalibrationName)
         m_result.candidates.push_back(&calibration_csv::format());
     refuse({ErrorCode::FormatAmbiguous,
-        {{"file", name}, {"candidates", familyNames(m_result.candidates)}}, {}});
+        {{"file", name}, {"candidates", formatNames(m_result.candidates)}}, {}});
 }
 
 Result<Bytes> Import::bytes(std::uint64_t limit)
@@ -160,20 +160,20 @@ void Import::readTamTable()
 
 void Import::readOther()
 {
-    const TableFamily& family = *m_result.family;
-    if (family.read == nullptr)
+    const TableFormat& format = *m_result.format;
+    if (format.read == nullptr)
         return refuse({ErrorCode::InvalidArgument,
             {{"reason",
-                "the format " + std::string(family.facts.name) + " can be written, not read"}},
+                "the format " + std::string(format.facts.name) + " can be written, not read"}},
             {}});
-    const auto content = bytes(family.facts.mostBytes);
+    const auto content = bytes(format.facts.mostBytes);
     if (!content)
         return;
     TableReadOptions options;
     options.settings = m_request.choices.settings;
     options.layout = m_request.layout;
     options.stop = m_request.stop;
-    auto reading = family.read(asText(*content), options);
+    auto reading = format.read(asText(*content), options);
     if (!reading)
         return refuse(reading.error());
     m_result.isCancelled = reading->cancelled;
@@ -223,7 +223,7 @@ Result<CompensationTable> Import::converted(const NeutralTable& column)
 {
     const ImportChoices& choices = m_request.choices;
     ConversionRequest request;
-    request.from = m_result.family;
+    request.from = m_result.format;
     request.to = &calibration_csv::format();
     request.sourceSign = choices.sign;
     request.direction = choices.direction;

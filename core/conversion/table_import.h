@@ -23,8 +23,8 @@ struct TableImportRequest {
 
 /// What became of a file of any known format on its way to tables of the drive.
 struct TableImport {
-    const TableFamily* family = nullptr; ///< as which it was read
-    std::vector<const TableFamily*> candidates; ///< that its content allows
+    const TableFormat* format = nullptr; ///< as which it was read
+    std::vector<const TableFormat*> candidates; ///< that its content allows
     std::shared_ptr<const CalibrationData> data; ///< only without an error; each column a table
     std::vector<Diagnostic> problems; ///< of the file, warnings too
     std::size_t suppressedProblems = 0;

@@ -13,7 +13,7 @@ namespace {
 
 class Holding {
 public:
-    explicit Holding(const FamilyFacts& facts) : m_facts(facts) { }
+    explicit Holding(const FormatFacts& facts) : m_facts(facts) { }
 
     [[nodiscard]] Result<void> check(const NeutralTable& table) const;
     [[nodiscard]] auto refuse(std::string reason, std::string wayOut) const
@@ -25,7 +25,7 @@ private:
     [[nodiscard]] Result<void> checkKnotRule(const NeutralTable& table) const;
     [[nodiscard]] Result<void> checkColumns(const NeutralTable& table) const;
 
-    const FamilyFacts& m_facts;
+    const FormatFacts& m_facts;
 };
 
 Result<void> Holding::checkKnotRule(const NeutralTable& table) const
@@ -97,7 +97,7 @@ Result<void> Holding::check(const NeutralTable& table) const
 
 } // namespace
 
-Result<void> checkHolds(const FamilyFacts& facts, std::span<const NeutralTable> tables)
+Result<void> checkHolds(const FormatFacts& facts, std::span<const NeutralTable> tables)
 {
     const Holding holding(facts);
     if (facts.mostTables > 0 && tables.size() > facts.mostTables)

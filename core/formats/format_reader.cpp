@@ -43,7 +43,7 @@ void TextReading::error(std::string_view number, DiagnosticCode code, std::size_
         .controllerError = std::string(number)});
 }
 
-Result<TableReading> readText(const FamilyFacts& facts, std::string_view text,
+Result<TableReading> readText(const FormatFacts& facts, std::string_view text,
     const TableReadOptions& options, std::vector<NeutralTable> (*parse)(TextReading&))
 {
     const auto settings = SettingValues::of(facts, options.settings, false);

@@ -19,10 +19,10 @@ struct TextReading {
         std::string found, std::string expected);
 };
 
-/// Reads a text with a family's own `parse`, whose tables count unless there was an error or a
+/// Reads a text with a format's own `parse`, whose tables count unless there was an error or a
 /// stop. What every reader does round it: settings, binary and oversized files, problems. Errors:
 /// InvalidArgument (settings).
-[[nodiscard]] Result<TableReading> readText(const FamilyFacts& facts, std::string_view text,
+[[nodiscard]] Result<TableReading> readText(const FormatFacts& facts, std::string_view text,
     const TableReadOptions& options, std::vector<NeutralTable> (*parse)(TextReading&));
 
 } // namespace axiscomp

@@ -11,7 +11,7 @@ namespace axiscomp {
 
 namespace {
 
-bool hasExtension(const FamilyFacts& facts, std::string_view fileName)
+bool hasExtension(const FormatFacts& facts, std::string_view fileName)
 {
     return std::ranges::any_of(facts.extensions, [&](std::string_view extension) {
         return fileName.size() > extension.size()
@@ -44,9 +44,9 @@ bool TableReading::hasErrors() const
         != diagnostics.end();
 }
 
-std::span<const TableFamily* const> tableFamilies()
+std::span<const TableFormat* const> tableFormats()
 {
-    static const std::array families{
+    static const std::array formats{
         &calibration_csv::format(),
         &tam_table::format(),
         &aerotech_1d::format(),
@@ -67,19 +67,19 @@ std::span<const TableFamily* const> tableFamilies()
         &softmc::format(),
         &softmc_basic::format(),
     };
-    return families;
+    return formats;
 }
 
-bool isTriamec(const TableFamily& family)
+bool isTriamec(const TableFormat& format)
 {
-    return &family == &calibration_csv::format() || &family == &tam_table::format();
+    return &format == &calibration_csv::format() || &format == &tam_table::format();
 }
 
-std::string familyNames(std::span<const TableFamily* const> families)
+std::string formatNames(std::span<const TableFormat* const> formats)
 {
     std::string names;
-    for (const TableFamily* family : families)
-        names += (names.empty() ? "" : ", ") + std::string(family->facts.name);
+    for (const TableFormat* format : formats)
+        names += (names.empty() ? "" : ", ") + std::string(format->facts.name);
     return names;
 }
 
@@ -92,31 +92,31 @@ std::string beginningOf(const std::filesystem::path& file)
     return text;
 }
 
-Result<const TableFamily*> familyNamed(std::string_view name)
+Result<const TableFormat*> formatNamed(std::string_view name)
 {
-    for (const TableFamily* family : tableFamilies())
-        if (sameLetters(name, family->facts.name))
-            return family;
+    for (const TableFormat* format : tableFormats())
+        if (sameLetters(name, format->facts.name))
+            return format;
     return fail(ErrorCode::UnknownFormat,
-        {{"file", std::string(name)}, {"known", familyNames(tableFamilies())}});
+        {{"file", std::string(name)}, {"known", formatNames(tableFormats())}});
 }
 
-FormatGuess guessFamily(std::string_view text, std::string_view fileName)
+FormatGuess guessFormat(std::string_view text, std::string_view fileName)
 {
     struct Candidate {
-        const TableFamily* family;
+        const TableFormat* format;
         Recognition recognition;
         bool hasExtension;
     };
     std::vector<Candidate> candidates;
-    for (const TableFamily* family : tableFamilies()) {
-        const bool isBinary = family->read && !family->recognise;
-        const bool hasName = hasExtension(family->facts, fileName);
+    for (const TableFormat* format : tableFormats()) {
+        const bool isBinary = format->read && !format->recognise;
+        const bool hasName = hasExtension(format->facts, fileName);
         Recognition recognition = isBinary && hasName ? Recognition::Possible : Recognition::No;
-        if (family->recognise)
-            recognition = family->recognise(text.substr(0, longestBeginning));
+        if (format->recognise)
+            recognition = format->recognise(text.substr(0, longestBeginning));
         if (recognition != Recognition::No)
-            candidates.push_back({family, recognition, hasName});
+            candidates.push_back({format, recognition, hasName});
     }
     const auto rank = [](const Candidate& c) {
         return std::pair(c.recognition != Recognition::Certain, !c.hasExtension);
@@ -124,7 +124,7 @@ FormatGuess guessFamily(std::string_view text, std::string_view fileName)
     std::ranges::stable_sort(candidates, {}, rank);
     FormatGuess guess;
     for (const Candidate& candidate : candidates)
-        guess.families.push_back(candidate.family);
+        guess.formats.push_back(candidate.format);
     const bool isOne = candidates.size() == 1
         || (candidates.size() > 1 && candidates[0].recognition == Recognition::Certain
             && candidates[1].recognition != Recognition::Certain);
@@ -132,48 +132,48 @@ FormatGuess guessFamily(std::string_view text, std::string_view fileName)
     return guess;
 }
 
-const TableFamily* familyOfExtension(std::string_view fileName)
+const TableFormat* formatOfExtension(std::string_view fileName)
 {
-    const TableFamily* found = nullptr;
-    for (const TableFamily* family : tableFamilies()) {
-        if (!hasExtension(family->facts, fileName))
+    const TableFormat* found = nullptr;
+    for (const TableFormat* format : tableFormats()) {
+        if (!hasExtension(format->facts, fileName))
             continue;
         // The product's own formats come first and have the extension to themselves.
         if (found == nullptr)
-            found = family;
+            found = format;
         else if (!isTriamec(*found))
             return nullptr;
     }
     return found;
 }
 
-Result<FormatChoice> chooseFamily(
+Result<FormatChoice> chooseFormat(
     std::string_view text, const std::string& fileName, bool isCalibration)
 {
-    const TableFamily* const named = familyOfExtension(fileName);
+    const TableFormat* const named = formatOfExtension(fileName);
     if (named == &tam_table::format() || (named == &calibration_csv::format() && isCalibration))
         return FormatChoice{named, {}};
-    const FormatGuess guess = guessFamily(text, fileName);
-    if (guess.families.empty() && named != nullptr)
+    const FormatGuess guess = guessFormat(text, fileName);
+    if (guess.formats.empty() && named != nullptr)
         return FormatChoice{named, {}};
-    if (guess.families.empty())
-        return fail(ErrorCode::UnknownFormat,
-            {{"file", fileName}, {"known", familyNames(tableFamilies())}});
-    FormatChoice choice{guess.families.front(), {}};
-    choice.others.assign(guess.families.begin() + 1, guess.families.end());
-    const bool isDecided = guess.isCertain || guess.families.size() == 1
-        || choice.family == &calibration_csv::format()
-        || hasExtension(choice.family->facts, fileName);
+    if (guess.formats.empty())
+        return fail(
+            ErrorCode::UnknownFormat, {{"file", fileName}, {"known", formatNames(tableFormats())}});
+    FormatChoice choice{guess.formats.front(), {}};
+    choice.others.assign(guess.formats.begin() + 1, guess.formats.end());
+    const bool isDecided = guess.isCertain || guess.formats.size() == 1
+        || choice.format == &calibration_csv::format()
+        || hasExtension(choice.format->facts, fileName);
     if (isDecided)
         return choice;
     return fail(ErrorCode::FormatAmbiguous,
-        {{"file", fileName}, {"candidates", familyNames(guess.families)}});
+        {{"file", fileName}, {"candidates", formatNames(guess.formats)}});
 }
 
-Result<const TableFamily*> outputFamily(const std::string& fileName, const std::string& formatName)
+Result<const TableFormat*> outputFormat(const std::string& fileName, const std::string& formatName)
 {
-    const auto named = formatName.empty() ? Result<const TableFamily*>(familyOfExtension(fileName))
-                                          : familyNamed(formatName);
+    const auto named = formatName.empty() ? Result<const TableFormat*>(formatOfExtension(fileName))
+                                          : formatNamed(formatName);
     if (!named)
         return fail(named.error());
     if (*named != nullptr && (*named)->write == nullptr)
@@ -182,15 +182,15 @@ Result<const TableFamily*> outputFamily(const std::string& fileName, const std::
                 "the format " + std::string((*named)->facts.name) + " can be read, not written"}});
     if (*named != nullptr)
         return named;
-    std::vector<const TableFamily*> candidates;
-    for (const TableFamily* family : tableFamilies())
-        if (family->write && hasExtension(family->facts, fileName))
-            candidates.push_back(family);
+    std::vector<const TableFormat*> candidates;
+    for (const TableFormat* format : tableFormats())
+        if (format->write && hasExtension(format->facts, fileName))
+            candidates.push_back(format);
     if (candidates.empty())
-        return fail(ErrorCode::UnknownFormat,
-            {{"file", fileName}, {"known", familyNames(tableFamilies())}});
+        return fail(
+            ErrorCode::UnknownFormat, {{"file", fileName}, {"known", formatNames(tableFormats())}});
     return fail(
-        ErrorCode::FormatAmbiguous, {{"file", fileName}, {"candidates", familyNames(candidates)}});
+        ErrorCode::FormatAmbiguous, {{"file", fileName}, {"candidates", formatNames(candidates)}});
 }
 
 } // namespace axiscomp

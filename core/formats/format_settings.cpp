@@ -78,7 +78,7 @@ std::string keyList(const std::vector<FormatSetting>& settings)
 
 } // namespace
 
-std::vector<FormatSetting> formatSettings(const FamilyFacts& facts, bool isWriting)
+std::vector<FormatSetting> formatSettings(const FormatFacts& facts, bool isWriting)
 {
     std::vector<FormatSetting> settings;
     for (const FormatSetting& setting : facts.settings)
@@ -90,7 +90,7 @@ std::vector<FormatSetting> formatSettings(const FamilyFacts& facts, bool isWriti
 }
 
 Result<SettingValues> SettingValues::of(
-    const FamilyFacts& facts, const FormatSettings& settings, bool isWriting)
+    const FormatFacts& facts, const FormatSettings& settings, bool isWriting)
 {
     const auto refuse = [](std::string reason) {
         return fail(ErrorCode::InvalidArgument, {{"reason", std::move(reason)}});

@@ -39,14 +39,14 @@ double largestGap(const NeutralTable& table, std::size_t axis)
 
 } // namespace
 
-tl::unexpected<Error> cannotHold(const FamilyFacts& facts, std::string reason, std::string wayOut)
+tl::unexpected<Error> cannotHold(const FormatFacts& facts, std::string reason, std::string wayOut)
 {
     return fail(ErrorCode::FormatCannotHold,
         {{"format", std::string(facts.name)}, {"reason", std::move(reason)},
             {"wayOut", std::move(wayOut)}});
 }
 
-Result<long> axisNumber(const FamilyFacts& facts, const SettingValues& settings,
+Result<long> axisNumber(const FormatFacts& facts, const SettingValues& settings,
     std::string_view key, const std::string& name)
 {
     const bool isSet = settings.has(key);
@@ -67,7 +67,7 @@ bool isClosed(const NeutralTable& table, std::size_t axis)
 }
 
 Result<void> checkOnePeriod(
-    const FamilyFacts& facts, const NeutralTable& table, std::size_t axis, double allowance)
+    const FormatFacts& facts, const NeutralTable& table, std::size_t axis, double allowance)
 {
     const SourceAxis& source = table.axes[axis];
     const double period = source.wrap.value_or(0.0);
@@ -86,7 +86,7 @@ Result<void> checkOnePeriod(
     return {};
 }
 
-Result<DirectionPair> directionPair(const FamilyFacts& facts, const NeutralTable& table)
+Result<DirectionPair> directionPair(const FormatFacts& facts, const NeutralTable& table)
 {
     const auto& columns = table.columns;
     if (columns.size() == 1 && columns[0].direction == Direction::Both)
@@ -165,16 +165,16 @@ void keepNote(std::vector<std::string>& notes, std::string_view comment)
 }
 
 Result<std::vector<NeutralTable>> readBack(
-    const TableFamily& family, std::string_view bytes, FormatSettings settings)
+    const TableFormat& format, std::string_view bytes, FormatSettings settings)
 {
     TableReadOptions options;
     options.settings = std::move(settings);
-    auto reading = family.read(bytes, options);
+    auto reading = format.read(bytes, options);
     if (!reading)
         return fail(reading.error());
     for (const Diagnostic& diagnostic : reading->diagnostics)
         if (diagnostic.severity == Severity::Error)
-            return cannotHold(family.facts, message(diagnostic), "choose another format");
+            return cannotHold(format.facts, message(diagnostic), "choose another format");
     return std::move(reading->tables);
 }
 

@@ -6,15 +6,15 @@
 
 namespace axiscomp {
 
-// What several families need for writing, and for reading back what they wrote.
+// What several formats need for writing, and for reading back what they wrote.
 
 /// FormatCannotHold with the limit and the way out.
 [[nodiscard]] tl::unexpected<Error> cannotHold(
-    const FamilyFacts& facts, std::string reason, std::string wayOut);
+    const FormatFacts& facts, std::string reason, std::string wayOut);
 
 /// The number that stands for an axis: the setting of this key, or the name of the axis where that
 /// is a number from 1. Errors: InvalidArgument that names the setting.
-[[nodiscard]] Result<long> axisNumber(const FamilyFacts& facts, const SettingValues& settings,
+[[nodiscard]] Result<long> axisNumber(const FormatFacts& facts, const SettingValues& settings,
     std::string_view key, const std::string& name);
 
 /// Whether the values at both ends of an axis are the same, column by column.
@@ -22,7 +22,7 @@ namespace axiscomp {
 /// What a modulo axis must be where the format takes the first and the last position for the same
 /// place: one period long, and closed but for `allowance` in the values. Errors: FormatCannotHold.
 [[nodiscard]] Result<void> checkOnePeriod(
-    const FamilyFacts& facts, const NeutralTable& table, std::size_t axis, double allowance);
+    const FormatFacts& facts, const NeutralTable& table, std::size_t axis, double allowance);
 
 /// The single column for both directions, or the pair of one target; nothing else fits a format
 /// with a pair. negative is null without a pair. Errors: FormatCannotHold.
@@ -31,7 +31,7 @@ struct DirectionPair {
     const CompensationColumn* negative = nullptr;
 };
 [[nodiscard]] Result<DirectionPair> directionPair(
-    const FamilyFacts& facts, const NeutralTable& table);
+    const FormatFacts& facts, const NeutralTable& table);
 
 /// The shortest decimal text that is read as the same number, never with an exponent.
 [[nodiscard]] std::string plainNumber(double value);
@@ -58,6 +58,6 @@ void keepNote(std::vector<std::string>& notes, std::string_view comment);
 /// Reads what was written, so that `held` is what the file says. Errors: FormatCannotHold when the
 /// text cannot be read: the controller would not take it either.
 [[nodiscard]] Result<std::vector<NeutralTable>> readBack(
-    const TableFamily& family, std::string_view bytes, FormatSettings settings);
+    const TableFormat& format, std::string_view bytes, FormatSettings settings);
 
 } // namespace axiscomp

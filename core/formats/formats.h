@@ -5,68 +5,68 @@
 
 namespace axiscomp {
 
-// One file for each controller family, docs/formats.md. tableFamilies() lists them.
+// One file for each controller format, docs/formats.md. tableFormats() lists them.
 
 namespace calibration_csv {
-[[nodiscard]] const TableFamily& format(); ///< the calibration file (docs/calibration-csv.md)
+[[nodiscard]] const TableFormat& format(); ///< the calibration file (docs/calibration-csv.md)
 }
 namespace tam_table {
-[[nodiscard]] const TableFamily& format(); ///< the drive's table file (docs/tamtbl.md)
+[[nodiscard]] const TableFormat& format(); ///< the drive's table file (docs/tamtbl.md)
 }
 
 namespace aerotech_1d {
-[[nodiscard]] const TableFamily& format(); ///< calibration file, :START
+[[nodiscard]] const TableFormat& format(); ///< calibration file, :START
 }
 namespace aerotech_2d {
-[[nodiscard]] const TableFamily& format(); ///< calibration file, :START2D
+[[nodiscard]] const TableFormat& format(); ///< calibration file, :START2D
 }
 namespace icube {
-[[nodiscard]] const TableFamily& format(); ///< CSV of Yaskawa iCube Control
+[[nodiscard]] const TableFormat& format(); ///< CSV of Yaskawa iCube Control
 }
 namespace isg_crosscomp {
-[[nodiscard]] const TableFamily& format(); ///< kw.crosscomp of a compensation list
+[[nodiscard]] const TableFormat& format(); ///< kw.crosscomp of a compensation list
 }
 namespace isg_crosscomp2 {
-[[nodiscard]] const TableFamily& format(); ///< kw.crosscomp2, two sources
+[[nodiscard]] const TableFormat& format(); ///< kw.crosscomp2, two sources
 }
 namespace isg_ssfk {
-[[nodiscard]] const TableFamily& format(); ///< kw.ssfk, leadscrew errors
+[[nodiscard]] const TableFormat& format(); ///< kw.ssfk, leadscrew errors
 }
 namespace klipper {
-[[nodiscard]] const TableFamily& format(); ///< bed_mesh of printer.cfg
+[[nodiscard]] const TableFormat& format(); ///< bed_mesh of printer.cfg
 }
 namespace linuxcnc {
-[[nodiscard]] const TableFamily& format(); ///< compensation file of a joint
+[[nodiscard]] const TableFormat& format(); ///< compensation file of a joint
 }
 namespace pmac_1d {
-[[nodiscard]] const TableFamily& format(); ///< DEFINE COMP of one source
+[[nodiscard]] const TableFormat& format(); ///< DEFINE COMP of one source
 }
 namespace pmac_2d {
-[[nodiscard]] const TableFamily& format(); ///< DEFINE COMP of two sources
+[[nodiscard]] const TableFormat& format(); ///< DEFINE COMP of two sources
 }
 namespace rapidcode {
-[[nodiscard]] const TableFamily& format(); ///< CSV of this program
+[[nodiscard]] const TableFormat& format(); ///< CSV of this program
 }
 namespace rapidcode_header {
-[[nodiscard]] const TableFamily& format(); ///< C++ header
+[[nodiscard]] const TableFormat& format(); ///< C++ header
 }
 namespace reprap {
-[[nodiscard]] const TableFamily& format(); ///< heightmap.csv
+[[nodiscard]] const TableFormat& format(); ///< heightmap.csv
 }
 namespace siemens_cec {
-[[nodiscard]] const TableFamily& format(); ///< $AN_CEC, an axis by another
+[[nodiscard]] const TableFormat& format(); ///< $AN_CEC, an axis by another
 }
 namespace siemens_eec {
-[[nodiscard]] const TableFamily& format(); ///< $AA_ENC_COMP, encoder and leadscrew
+[[nodiscard]] const TableFormat& format(); ///< $AA_ENC_COMP, encoder and leadscrew
 }
 namespace softmc {
-[[nodiscard]] const TableFamily& format(); ///< text table
+[[nodiscard]] const TableFormat& format(); ///< text table
 }
 namespace softmc_basic {
-[[nodiscard]] const TableFamily& format(); ///< MC-BASIC fragment
+[[nodiscard]] const TableFormat& format(); ///< MC-BASIC fragment
 }
 
 /// The product's own formats: what the drive adds, on an even grid.
-[[nodiscard]] bool isTriamec(const TableFamily& family);
+[[nodiscard]] bool isTriamec(const TableFormat& format);
 
 } // namespace axiscomp

@@ -51,7 +51,7 @@ void takeOneUnit(NeutralTable& table, const SettingValues& settings, DiagnosticL
             "the setting position-unit, such as mm, where a unit matters");
 }
 
-Result<NeutralTable> asOwnAxisTable(const FamilyFacts& facts, const NeutralTable& table,
+Result<NeutralTable> asOwnAxisTable(const FormatFacts& facts, const NeutralTable& table,
     const SettingValues& settings, std::vector<std::string>& remarks)
 {
     for (const CompensationColumn& column : table.columns)

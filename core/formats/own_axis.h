@@ -16,7 +16,7 @@ void takeOneUnit(NeutralTable& table, const SettingValues& settings, DiagnosticL
 /// Writing: the table as such a format holds it, without names, in the unit of the settings or
 /// else that of its positions, which is added to remarks. Errors: FormatCannotHold for a table that
 /// corrects another axis than its source; InvalidArgument for units that cannot be converted.
-[[nodiscard]] Result<NeutralTable> asOwnAxisTable(const FamilyFacts& facts,
+[[nodiscard]] Result<NeutralTable> asOwnAxisTable(const FormatFacts& facts,
     const NeutralTable& table, const SettingValues& settings, std::vector<std::string>& remarks);
 
 } // namespace axiscomp

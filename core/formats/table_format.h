@@ -43,9 +43,9 @@ struct FormatSetting {
 };
 using FormatSettings = std::map<std::string, std::string, std::less<>>;
 
-/// What a family's tables are and can hold. Lists, dialogs, documentation and checks are made from
+/// What a format's tables are and can hold. Lists, dialogs, documentation and checks are made from
 /// this.
-struct FamilyFacts {
+struct FormatFacts {
     std::string_view name = {}; ///< "softmc": for --from, --to and --as
     std::string_view controller = {}; ///< "softMC (Danaher, Servotronix, Kollmorgen)"
     std::string_view description = {}; ///< "text table, first source fastest"
@@ -77,7 +77,7 @@ struct FamilyFacts {
 struct TableReadOptions {
     int dimensions = 0; ///< of a calibration CSV file, which does not say; 0: not given
     const TableLayout* layout = nullptr; ///< of a TAM table
-    FormatSettings settings; ///< "position-unit" and "value-unit" for every family that lacks them
+    FormatSettings settings; ///< "position-unit" and "value-unit" for every format that lacks them
     std::size_t maximumDiagnostics = 100;
     std::stop_token stop;
 };
@@ -103,33 +103,33 @@ struct WrittenTables {
     std::vector<std::string> remarks; ///< what else a person must do or know: activation lines
 };
 
-/// How sure a family is that a text is one of its files.
+/// How sure a format is that a text is one of its files.
 enum class Recognition { No, Possible, Certain };
 
 /// One format of one controller. One that cannot be read has no read; one that cannot be written
 /// has no write.
-struct TableFamily {
-    FamilyFacts facts;
+struct TableFormat {
+    FormatFacts facts;
     /// text: the first bytes of the file, at most 64 KiB; may end in the middle of a line. None
     /// for a format that only the file's name tells.
     Recognition (*recognise)(std::string_view text) = nullptr;
     /// The whole file. Problems of the file are diagnostics; settings that cannot be are errors
     /// (InvalidArgument).
     Result<TableReading> (*read)(std::string_view text, const TableReadOptions& options) = nullptr;
-    /// tables: what checkHolds accepts, with the family's sign. Errors: InvalidArgument
+    /// tables: what checkHolds accepts, with the format's sign. Errors: InvalidArgument
     /// (settings), FormatCannotHold (numbers that the format has no room for).
     Result<WrittenTables> (*write)(
         std::span<const NeutralTable> tables, const TableWriteOptions& options) = nullptr;
 };
 
 /// All of them, those of the product itself first.
-[[nodiscard]] std::span<const TableFamily* const> tableFamilies();
+[[nodiscard]] std::span<const TableFormat* const> tableFormats();
 
 /// "csv, tamtbl": their names, for sentences.
-[[nodiscard]] std::string familyNames(std::span<const TableFamily* const> families);
+[[nodiscard]] std::string formatNames(std::span<const TableFormat* const> formats);
 
 /// By name, upper or lower case. Errors: UnknownFormat.
-[[nodiscard]] Result<const TableFamily*> familyNamed(std::string_view name);
+[[nodiscard]] Result<const TableFormat*> formatNamed(std::string_view name);
 
 /// The bytes at the beginning of a file that tell its format; fewer of a shorter file, and none of
 /// one that cannot be read, which its reader says.
@@ -137,45 +137,45 @@ struct TableFamily {
 
 /// What a file is, from its content; the extension decides among those that are possible.
 struct FormatGuess {
-    std::vector<const TableFamily*> families; ///< the most likely first; empty: none
+    std::vector<const TableFormat*> formats; ///< the most likely first; empty: none
     bool isCertain = false; ///< exactly one fits
 };
-[[nodiscard]] FormatGuess guessFamily(std::string_view text, std::string_view fileName);
+[[nodiscard]] FormatGuess guessFormat(std::string_view text, std::string_view fileName);
 
 /// The format that a file's name stands for; null when none or several do.
-[[nodiscard]] const TableFamily* familyOfExtension(std::string_view fileName);
+[[nodiscard]] const TableFormat* formatOfExtension(std::string_view fileName);
 
 /// Which format a file is read as, when nobody says it.
 struct FormatChoice {
-    const TableFamily* family = nullptr;
-    std::vector<const TableFamily*> others; ///< that the content would allow as well
+    const TableFormat* format = nullptr;
+    std::vector<const TableFormat*> others; ///< that the content would allow as well
 };
 /// text: the first bytes. isCalibration: the user said something that only calibration files need
 /// (the number of dimensions). Errors: UnknownFormat, FormatAmbiguous with the candidates.
-[[nodiscard]] Result<FormatChoice> chooseFamily(
+[[nodiscard]] Result<FormatChoice> chooseFormat(
     std::string_view text, const std::string& fileName, bool isCalibration);
 
 /// The format to write a file in: by its name when one is given, else by the file's extension.
 /// Errors: UnknownFormat, FormatAmbiguous, InvalidArgument for one that cannot be written.
-[[nodiscard]] Result<const TableFamily*> outputFamily(
+[[nodiscard]] Result<const TableFormat*> outputFormat(
     const std::string& fileName, const std::string& formatName);
 
 /// Checks dimensions, knots, points, columns, directions and modulo against the facts. Errors:
 /// FormatCannotHold with the limit and the way out; InvalidArgument for what is no table
 /// (checkConsistent).
 [[nodiscard]] Result<void> checkHolds(
-    const FamilyFacts& facts, std::span<const NeutralTable> tables);
+    const FormatFacts& facts, std::span<const NeutralTable> tables);
 
 /// The settings that a format has for reading or for writing, those of missing units among them.
-[[nodiscard]] std::vector<FormatSetting> formatSettings(const FamilyFacts& facts, bool isWriting);
+[[nodiscard]] std::vector<FormatSetting> formatSettings(const FormatFacts& facts, bool isWriting);
 
 /// The value of a setting, or its standard value. Errors: InvalidArgument for a value that is not
-/// of the setting's kind, for one that is needed and missing, and for keys that the family does not
+/// of the setting's kind, for one that is needed and missing, and for keys that the format does not
 /// have.
 class SettingValues {
 public:
     [[nodiscard]] static Result<SettingValues> of(
-        const FamilyFacts& facts, const FormatSettings& settings, bool isWriting);
+        const FormatFacts& facts, const FormatSettings& settings, bool isWriting);
 
     [[nodiscard]] bool has(std::string_view key) const; ///< given, or with a standard value
     [[nodiscard]] std::string text(std::string_view key) const; ///< empty: not given

@@ -20,7 +20,7 @@ double wrapped(const SourceAxis& axis, double position)
 
 } // namespace
 
-AppliedCompensation::AppliedCompensation(
+ControllerLookup::ControllerLookup(
     const NeutralTable& table, std::size_t column, const TableBehaviour& behaviour)
     : m_table(table)
     , m_column(table.columns[column])
@@ -30,7 +30,7 @@ AppliedCompensation::AppliedCompensation(
     assert(m_column.values.size() == table.pointCount());
 }
 
-AppliedCompensation::Place AppliedCompensation::placeOf(std::size_t axis, double position) const
+ControllerLookup::Place ControllerLookup::placeOf(std::size_t axis, double position) const
 {
     const std::vector<double>& knots = m_table.axes[axis].knots;
     if (position <= knots.front())
@@ -42,13 +42,13 @@ AppliedCompensation::Place AppliedCompensation::placeOf(std::size_t axis, double
     return {knot, (position - knots[knot]) / (knots[knot + 1] - knots[knot])};
 }
 
-double AppliedCompensation::valueAt(std::size_t index) const
+double ControllerLookup::valueAt(std::size_t index) const
 {
     const double value = m_column.values[index];
     return m_behaviour.usesFloat ? static_cast<double>(static_cast<float>(value)) : value;
 }
 
-double AppliedCompensation::at(std::span<const double> position) const
+double ControllerLookup::at(std::span<const double> position) const
 {
     assert(position.size() == m_table.axes.size());
     std::array<Place, 3> places;

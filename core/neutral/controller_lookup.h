@@ -17,10 +17,10 @@ struct TableBehaviour {
 
 /// A column of a table as a controller applies it: linear between the knots of each axis.
 /// Refers to the table, which must outlive it.
-class AppliedCompensation {
+class ControllerLookup {
 public:
     /// column: index of a column of the table, which is consistent.
-    AppliedCompensation(
+    ControllerLookup(
         const NeutralTable& table, std::size_t column, const TableBehaviour& behaviour);
 
     /// position: one number for each source axis, in the units of the axes. The value is in the

@@ -181,7 +181,7 @@ Motion::Motion(
     for (const Mover& mover : movers)
         for (const Mover::Part& part : mover.parts)
             m_parts.push_back(
-                {AppliedCompensation(table, part.column, behaviour), mover.axis, part.factor});
+                {ControllerLookup(table, part.column, behaviour), mover.axis, part.factor});
 }
 
 Position Motion::offset(std::span<const double> position) const

@@ -66,7 +66,7 @@ public:
 
 private:
     struct Part {
-        AppliedCompensation column;
+        ControllerLookup column;
         std::size_t axis;
         double factor;
     };

@@ -33,7 +33,7 @@ TableStatistics statisticsOf(std::span<const double> values)
     return figuresOf(values);
 }
 
-SurveyedTable surveyed(std::shared_ptr<const CompensationTable> table)
+LoadedTable loaded(std::shared_ptr<const CompensationTable> table)
 {
     if (!table)
         return {};

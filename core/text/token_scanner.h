@@ -53,7 +53,7 @@ void splitCells(const Token& line, char separator, std::vector<Token>& cells);
 /// The same letters, upper or lower case (ASCII).
 [[nodiscard]] bool sameLetters(std::string_view a, std::string_view b);
 
-/// Refuses what is no text (binary files, UTF-16), or larger than the family's limit, before
+/// Refuses what is no text (binary files, UTF-16), or larger than the format's limit, before
 /// anything is read.
 [[nodiscard]] bool isReadableText(
     std::string_view text, std::size_t mostBytes, DiagnosticList& diagnostics);

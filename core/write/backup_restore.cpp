@@ -30,7 +30,7 @@ const RegisterWrite* registerAt(const AxisBackup& backup, const std::string& pat
 
 /// 0: none is set
 std::uint32_t sourceAddress(
-    const DriveAccess& access, const std::vector<RegisterWrite>& registers, int axis, int n)
+    const RegisterAccess& access, const std::vector<RegisterWrite>& registers, int axis, int n)
 {
     const auto source = std::ranges::find(
         registers, access.axisPath(access.registers().source, axis, n), &RegisterWrite::path);
@@ -39,7 +39,7 @@ std::uint32_t sourceAddress(
 }
 
 /// The table file that the axis used when the backup was made.
-const AxisBackup::File* usedFile(const DriveAccess& access, const AxisBackup& backup)
+const AxisBackup::File* usedFile(const RegisterAccess& access, const AxisBackup& backup)
 {
     const RegisterWrite* table =
         registerAt(backup, access.axisPath(access.registers().table, backup.axis));
@@ -51,7 +51,7 @@ const AxisBackup::File* usedFile(const DriveAccess& access, const AxisBackup& ba
 }
 
 Result<AxisBackup> readAxisBackup(
-    const DriveAccess& access, const DriveIdentity& drive, const AxisInfo& info, WallTime now)
+    const RegisterAccess& access, const DriveIdentity& drive, const AxisInfo& info, WallTime now)
 {
     AxisBackup backup;
     backup.drive = drive;
@@ -90,8 +90,8 @@ bool isUsedBy(const DriveBackup& backup, const std::string& slot)
 }
 
 /// The elements, which are the end of every table file, are what the drive says that it has.
-bool hasElements(
-    const DriveAccess& access, const Readings& readings, const TableSlot& slot, const Bytes& bytes)
+bool hasElements(const RegisterAccess& access, const Readings& readings, const TableSlot& slot,
+    const Bytes& bytes)
 {
     const RegisterPaths& registers = access.registers();
     const std::string crc = access.slotPath(registers.tableCrc, slot.name);
@@ -102,7 +102,7 @@ bool hasElements(
     return size <= bytes.size() && crc32(ByteView(bytes).last(size)) == unsignedAt(readings, crc);
 }
 
-Result<bool> holdsRegisters(const DriveAccess& access, const std::vector<RegisterWrite>& wanted)
+Result<bool> holdsRegisters(const RegisterAccess& access, const std::vector<RegisterWrite>& wanted)
 {
     auto same = compareRegisters(access, wanted);
     if (!same && same.error().code != ErrorCode::VerifyMismatch)
@@ -112,13 +112,13 @@ Result<bool> holdsRegisters(const DriveAccess& access, const std::vector<Registe
 
 } // namespace
 
-Result<AxisBackup::File> readSlotFile(const DriveAccess& access, const TableSlot& slot)
+Result<AxisBackup::File> readSlotFile(const RegisterAccess& access, const TableSlot& slot)
 {
     return readSlotFile(access, slot, access.exchange());
 }
 
 Result<AxisBackup::File> readSlotFile(
-    const DriveAccess& access, const TableSlot& slot, const Exchange& exchange)
+    const RegisterAccess& access, const TableSlot& slot, const Exchange& exchange)
 {
     AxisBackup::File file;
     file.slot = slot.name;
@@ -152,7 +152,7 @@ Result<AxisBackup::File> readSlotFile(
 }
 
 Result<DriveBackup> readBackupOf(
-    const DriveAccess& access, const DriveIdentity& drive, WallTime now)
+    const RegisterAccess& access, const DriveIdentity& drive, WallTime now)
 {
     auto axes = readAxes(access, drive);
     if (!axes)
@@ -183,7 +183,7 @@ Result<DriveBackup> readBackupOf(
 }
 
 Result<void> checkRestorable(
-    const DriveAccess& access, const DriveBackup& backup, const DriveIdentity& drive, bool force)
+    const RegisterAccess& access, const DriveBackup& backup, const DriveIdentity& drive, bool force)
 {
     const auto isOther = [&](const DriveIdentity& kept) {
         return kept.serialNumber != drive.serialNumber && !force;
@@ -210,7 +210,7 @@ Result<void> checkRestorable(
     return {};
 }
 
-Result<WriteRequest> restoreRequest(const DriveAccess& access, const AxisBackup& backup)
+Result<WriteRequest> restoreRequest(const RegisterAccess& access, const AxisBackup& backup)
 {
     WriteRequest request;
     const AxisBackup::File* file = usedFile(access, backup);
@@ -235,7 +235,7 @@ Result<WriteRequest> restoreRequest(const DriveAccess& access, const AxisBackup&
 }
 
 std::vector<std::string> sourceTexts(
-    const DriveAccess& access, const std::vector<RegisterWrite>& registers, int axis, int count)
+    const RegisterAccess& access, const std::vector<RegisterWrite>& registers, int axis, int count)
 {
     std::vector<std::string> texts;
     for (int n = 1; n <= count; ++n) {
@@ -245,8 +245,8 @@ std::vector<std::string> sourceTexts(
     return texts;
 }
 
-Result<UnfinishedOutcome> unfinishedOutcome(const DriveAccess& access, const DriveIdentity& drive,
-    const JournalEntry& entry, SourceDirectory& sources)
+Result<UnfinishedOutcome> unfinishedOutcome(const RegisterAccess& access,
+    const DriveIdentity& drive, const JournalEntry& entry, SourceDirectory& sources)
 {
     using Outcome = UnfinishedOutcome;
     auto status = readStatus(access, drive, entry.axis, sources);

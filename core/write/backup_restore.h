@@ -11,29 +11,29 @@ namespace axiscomp {
 /// A slot's file as it is now; without bytes when the slot is empty. Elements whose CRC is not the
 /// one that the drive says are read again. Errors: ChangedMeanwhile when they differ then too.
 [[nodiscard]] Result<AxisBackup::File> readSlotFile(
-    const DriveAccess& access, const TableSlot& slot);
+    const RegisterAccess& access, const TableSlot& slot);
 [[nodiscard]] Result<AxisBackup::File> readSlotFile(
-    const DriveAccess& access, const TableSlot& slot, const Exchange& exchange);
+    const RegisterAccess& access, const TableSlot& slot, const Exchange& exchange);
 
 /// Table, sources and table file of every axis with compensation registers.
 [[nodiscard]] Result<DriveBackup> readBackupOf(
-    const DriveAccess& access, const DriveIdentity& drive, WallTime now);
+    const RegisterAccess& access, const DriveIdentity& drive, WallTime now);
 
 /// OtherDrive unless force, AxisNotFound when the backup has more axes than the drive.
-[[nodiscard]] Result<void> checkRestorable(
-    const DriveAccess& access, const DriveBackup& backup, const DriveIdentity& drive, bool force);
+[[nodiscard]] Result<void> checkRestorable(const RegisterAccess& access, const DriveBackup& backup,
+    const DriveIdentity& drive, bool force);
 
 /// The write that brings an axis back to its backup.
 [[nodiscard]] Result<WriteRequest> restoreRequest(
-    const DriveAccess& access, const AxisBackup& backup);
+    const RegisterAccess& access, const AxisBackup& backup);
 
 /// The sources of dimensions 1 .. count in a list of registers, as hex addresses; "" where none is
 /// set.
 [[nodiscard]] std::vector<std::string> sourceTexts(
-    const DriveAccess& access, const std::vector<RegisterWrite>& registers, int axis, int count);
+    const RegisterAccess& access, const std::vector<RegisterWrite>& registers, int axis, int count);
 
 /// Which state an axis has after a write that did not end.
-[[nodiscard]] Result<UnfinishedOutcome> unfinishedOutcome(const DriveAccess& access,
+[[nodiscard]] Result<UnfinishedOutcome> unfinishedOutcome(const RegisterAccess& access,
     const DriveIdentity& drive, const JournalEntry& entry, SourceDirectory& sources);
 
 } // namespace axiscomp

@@ -70,7 +70,7 @@ Result<std::filesystem::path> FileReplacement::run(ByteView bytes, Users users)
         account.noteRefusal(done.error());
     Result<std::filesystem::path> outcome = m_backup;
     if (!done)
-        outcome = fail(isRefused ? done.error() : putBack(done.error()));
+        outcome = fail(isRefused ? done.error() : rollBack(done.error()));
     if (!isRefused || mayHaveSpentFlash(done.error())) {
         const auto counts = readEraseCounts(m_access.withoutStop(), {m_slot.name});
         account.record(seen->counts, counts.value_or(EraseCounts{}), needsFlash ? 1 : 0);
@@ -170,16 +170,16 @@ Result<void> FileReplacement::checkBudget(int cost, int reserve) const
         wearGuard(m_access.profile().flashWear, *history), m_clock(), cost, reserve);
 }
 
-Result<void> FileReplacement::put(const DriveAccess& access, ByteView bytes) const
+Result<void> FileReplacement::put(const RegisterAccess& access, ByteView bytes) const
 {
     if (bytes.empty())
         return deleteTable(access, m_slot.name);
-    return uploadSurely(access, m_slot.file, bytes,
+    return uploadVerified(access, m_slot.file, bytes,
         [&](std::string_view step, double fraction) { access.report(step, fraction); });
 }
 
 /// Gives the error to report.
-Error FileReplacement::putBack(const Error& reason) const
+Error FileReplacement::rollBack(const Error& reason) const
 {
     auto restored = put(m_access.withoutStop(), m_old.bytes);
     if (restored)

@@ -13,7 +13,7 @@ namespace axiscomp {
 /// write lock is held by the caller. Used once.
 class FileReplacement {
 public:
-    FileReplacement(const DriveAccess& access, DriveStore& store, const DriveIdentity& drive,
+    FileReplacement(const RegisterAccess& access, DriveStore& store, const DriveIdentity& drive,
         std::function<WallTime()> clock, const TableSlot& slot)
         : m_access(access)
         , m_store(store)
@@ -42,10 +42,10 @@ private:
     [[nodiscard]] Result<void> checkUnchanged(const Look& seen) const;
     [[nodiscard]] Result<void> checkSavedUse(ByteView bytes) const;
     [[nodiscard]] Result<void> checkBudget(int cost, int reserve) const;
-    [[nodiscard]] Result<void> put(const DriveAccess& access, ByteView bytes) const;
-    [[nodiscard]] Error putBack(const Error& reason) const;
+    [[nodiscard]] Result<void> put(const RegisterAccess& access, ByteView bytes) const;
+    [[nodiscard]] Error rollBack(const Error& reason) const;
 
-    const DriveAccess& m_access;
+    const RegisterAccess& m_access;
     DriveStore& m_store;
     const DriveIdentity& m_drive;
     std::function<WallTime()> m_clock;

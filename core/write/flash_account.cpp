@@ -10,7 +10,7 @@
 namespace axiscomp {
 
 Result<EraseCounts> readEraseCounts(
-    const DriveAccess& access, const std::vector<std::string>& slots)
+    const RegisterAccess& access, const std::vector<std::string>& slots)
 {
     std::vector<std::string> paths;
     for (const std::string& slot : slots)
@@ -27,7 +27,7 @@ Result<EraseCounts> readEraseCounts(
 }
 
 Result<FlashUse> readFlashUse(
-    const DriveAccess& access, DriveStore& store, const DriveIdentity& drive, WallTime now)
+    const RegisterAccess& access, DriveStore& store, const DriveIdentity& drive, WallTime now)
 {
     auto history = store.flashHistory(drive.serialNumber);
     if (!history)

@@ -15,12 +15,12 @@
 
 namespace axiscomp {
 
-class DriveAccess;
+class RegisterAccess;
 
 /// Flash cycles by slot: the drive's EraseCount registers, as far as it has them.
 using EraseCounts = std::map<std::string, std::uint32_t, std::less<>>;
 [[nodiscard]] Result<EraseCounts> readEraseCounts(
-    const DriveAccess& access, const std::vector<std::string>& slots);
+    const RegisterAccess& access, const std::vector<std::string>& slots);
 
 /// What a drive's flash has gone through, and what it may still do now. Wear is per slot.
 struct FlashUse {
@@ -32,7 +32,7 @@ struct FlashUse {
     std::uint32_t ratedCycles = 0; ///< usual life of one slot, 0: not known
 };
 [[nodiscard]] Result<FlashUse> readFlashUse(
-    const DriveAccess& access, DriveStore& store, const DriveIdentity& drive, WallTime now);
+    const RegisterAccess& access, DriveStore& store, const DriveIdentity& drive, WallTime now);
 
 /// Whether so many operations are possible now, and beside them those that putting back may cost.
 /// Errors: FlashWear with the seconds until they are, and with the reserve when only that is

@@ -17,7 +17,7 @@ struct NamedSlots {
     std::vector<std::string> volatileSlots;
 };
 
-Result<NamedSlots> readNamed(const DriveAccess& access, const DriveIdentity& drive)
+Result<NamedSlots> readNamed(const RegisterAccess& access, const DriveIdentity& drive)
 {
     const RegisterPaths& registers = access.registers();
     std::vector<std::string> paths;
@@ -54,7 +54,7 @@ bool hasEqual(const EraseCounts& before, const EraseCounts& after)
 }
 
 /// Committing a volatile table empties its slot's flash.
-Result<void> uncover(const DriveAccess& access, DriveStore& store, const DriveIdentity& drive,
+Result<void> uncover(const RegisterAccess& access, DriveStore& store, const DriveIdentity& drive,
     FlashAccount& flash, EraseCounts& counts, const std::vector<std::string>& slots)
 {
     auto before = readEraseCounts(access, slots);
@@ -64,7 +64,7 @@ Result<void> uncover(const DriveAccess& access, DriveStore& store, const DriveId
     for (const std::string& slot : slots)
         commits.push_back({access.slotPath(access.registers().tableCommand, slot),
             access.enums().tableCommandCommit});
-    auto done = writeSurely(access, {}, commits);
+    auto done = writeVerified(access, {}, commits);
     if (!done) {
         flash.noteRefusal(done.error());
         if (!mayHaveSpentFlash(done.error()))
@@ -73,7 +73,7 @@ Result<void> uncover(const DriveAccess& access, DriveStore& store, const DriveId
     auto after = readEraseCounts(access.withoutStop(), slots);
     // A commit that did nothing is repeated, which costs nothing when there was nothing to do.
     if (done && after && hasEqual(*before, *after)) {
-        done = writeSurely(access, {}, commits);
+        done = writeVerified(access, {}, commits);
         after = readEraseCounts(access.withoutStop(), slots);
     }
     flash.record(*before, after.value_or(EraseCounts{}), 1);
@@ -90,7 +90,8 @@ Result<void> uncover(const DriveAccess& access, DriveStore& store, const DriveId
 
 } // namespace
 
-Result<int> costOfSaving(const DriveAccess& access, DriveStore& store, const DriveIdentity& drive)
+Result<int> costOfSaving(
+    const RegisterAccess& access, DriveStore& store, const DriveIdentity& drive)
 {
     auto named = readNamed(access, drive);
     if (!named)
@@ -102,7 +103,7 @@ Result<int> costOfSaving(const DriveAccess& access, DriveStore& store, const Dri
         named->volatileSlots, [&](const std::string& slot) { return state->isCovered(slot); }));
 }
 
-Result<void> saveAllParameters(const DriveAccess& access, DriveStore& store,
+Result<void> saveParameters(const RegisterAccess& access, DriveStore& store,
     const DriveIdentity& drive, FlashAccount& flash, EraseCounts& counts)
 {
     auto named = readNamed(access, drive);

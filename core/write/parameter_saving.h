@@ -10,11 +10,11 @@ namespace axiscomp {
 /// in flash: so first, where the volatile table of an axis covers another one in flash, that one is
 /// deleted; after a reboot the axis has no table then, and never that one with other sources. What
 /// has been saved is recorded in the store. counts: what is spent here, and recorded, is added.
-[[nodiscard]] Result<void> saveAllParameters(const DriveAccess& access, DriveStore& store,
+[[nodiscard]] Result<void> saveParameters(const RegisterAccess& access, DriveStore& store,
     const DriveIdentity& drive, FlashAccount& flash, EraseCounts& counts);
 
 /// The flash operations that saving costs: the tables that it deletes.
 [[nodiscard]] Result<int> costOfSaving(
-    const DriveAccess& access, DriveStore& store, const DriveIdentity& drive);
+    const RegisterAccess& access, DriveStore& store, const DriveIdentity& drive);
 
 } // namespace axiscomp

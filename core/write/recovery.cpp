@@ -19,7 +19,7 @@ Bytes bytesOf(const AxisBackup& backup, const std::string& slot)
 
 } // namespace
 
-Result<WriteReport> WriteProcedure::undoEarlier(const UnfinishedWrite& unfinished)
+Result<WriteReport> WriteProcedure::recoverOldState(const UnfinishedWrite& unfinished)
 {
     m_backup = unfinished.before();
     const int step = stepRank(unfinished.entry().step);
@@ -38,12 +38,12 @@ Result<WriteReport> WriteProcedure::undoEarlier(const UnfinishedWrite& unfinishe
     m_savedTouched = m_savedTouched || (isSavedOff && (m_flashTouched || wasPersistent));
     if (auto possible = checkFlash(); !possible)
         return fail(possible.error());
-    auto status = lookBeforeUndo(unfinished);
+    auto status = inspectBeforeRecovery(unfinished);
     if (!status)
         return fail(status.error());
 
     // Half of the way back is no better than half of the way there: it cannot be stopped.
-    const DriveAccess access = m_access.withoutStop();
+    const RegisterAccess access = m_access.withoutStop();
     access.report("putting back", 0.3);
     auto undone = undo(access);
     // Half-way the axis may be switched off: what went wrong once is tried again.
@@ -95,7 +95,7 @@ Result<void> WriteProcedure::checkFlash()
 
 /// Keeps what there is now, and looks who uses the slots: what somebody else has put there
 /// meanwhile stays.
-Result<AxisStatus> WriteProcedure::lookBeforeUndo(const UnfinishedWrite& unfinished)
+Result<AxisStatus> WriteProcedure::inspectBeforeRecovery(const UnfinishedWrite& unfinished)
 {
     const WritePlan& plan = m_write.plan;
     const std::vector<std::string> slots = touchedSlots();

@@ -23,9 +23,9 @@ Error WriteProcedure::outcome(
 
 /// Undoes what was changed and gives the error to report. The journal stays open unless the old
 /// state is known to be back.
-Error WriteProcedure::putBack(const Error& reason)
+Error WriteProcedure::rollBack(const Error& reason)
 {
-    const DriveAccess access = m_access.withoutStop();
+    const RegisterAccess access = m_access.withoutStop();
     access.report("putting back", 0.95);
     auto undone = undo(access);
     accountForUndo(access, undone);
@@ -43,7 +43,7 @@ Error WriteProcedure::putBack(const Error& reason)
     return reason;
 }
 
-void WriteProcedure::accountForUndo(const DriveAccess& access, const Result<void>& undone)
+void WriteProcedure::accountForUndo(const RegisterAccess& access, const Result<void>& undone)
 {
     if (!undone)
         m_flash.noteRefusal(undone.error());
@@ -56,25 +56,25 @@ void WriteProcedure::accountForUndo(const DriveAccess& access, const Result<void
 
 /// Brings the drive back to the backup, whatever it holds now: it may have restarted in between and
 /// have lost what this write never touched.
-Result<void> WriteProcedure::undo(const DriveAccess& access)
+Result<void> WriteProcedure::undo(const RegisterAccess& access)
 {
     if (overwritesOwn() && m_slotTouched) {
         // While its file is put back the axis must not be able to start, not even after a reboot.
         const std::string table = access.axisPath(access.registers().table, m_write.plan.axis);
-        if (auto off = writeSurely(access, {{table, access.enums().tableDisabled}}); !off)
+        if (auto off = writeVerified(access, {{table, access.enums().tableDisabled}}); !off)
             return off;
         if (m_savedTouched)
             if (auto saved = save(access); !saved)
                 return saved;
     }
-    if (auto restored = undoTable(access); !restored)
+    if (auto restored = rollBackTable(access); !restored)
         return restored;
     if (auto restored = undoRegisters(access); !restored)
         return restored;
     return undoOtherSlot(access);
 }
 
-Result<void> WriteProcedure::undoTable(const DriveAccess& access)
+Result<void> WriteProcedure::rollBackTable(const RegisterAccess& access)
 {
     const AxisBackup::File* old = backupOf(m_write.plan.before.slot);
     if (!old || old->bytes.empty())
@@ -86,10 +86,10 @@ Result<void> WriteProcedure::undoTable(const DriveAccess& access)
     // Persistency alone is put back with the registers.
     if (bytes && sameTable(*bytes, old->bytes, access.profile().layout))
         return {};
-    return uploadSurely(access, old->path, old->bytes);
+    return uploadVerified(access, old->path, old->bytes);
 }
 
-Result<void> WriteProcedure::undoRegisters(const DriveAccess& access)
+Result<void> WriteProcedure::undoRegisters(const RegisterAccess& access)
 {
     std::vector<RegisterWrite> values = m_backup.registers;
     std::vector<RegisterWrite> commands;
@@ -106,15 +106,15 @@ Result<void> WriteProcedure::undoRegisters(const DriveAccess& access)
     if (!unchanged) {
         std::vector<RegisterWrite> last;
         if (!access.profile().writesAtOneInstant) {
-            if (auto off = writeSurely(access, {{values[0].path, access.enums().tableDisabled}});
+            if (auto off = writeVerified(access, {{values[0].path, access.enums().tableDisabled}});
                 !off)
                 return off;
             last = {values[0]};
             values.erase(values.begin());
         }
-        if (auto written = writeSurely(access, values, commands); !written)
+        if (auto written = writeVerified(access, values, commands); !written)
             return written;
-        if (auto written = last.empty() ? Result<void>() : writeSurely(access, last); !written)
+        if (auto written = last.empty() ? Result<void>() : writeVerified(access, last); !written)
             return written;
         values.insert(values.begin(), last.begin(), last.end());
         if (auto same = compareRegisters(access, values); !same)
@@ -125,7 +125,7 @@ Result<void> WriteProcedure::undoRegisters(const DriveAccess& access)
 
 /// Taking the new table out of the flash of its slot costs an operation. The axis has its old state
 /// without that: when none is left, the table stays where it is.
-bool WriteProcedure::mustStay(const DriveAccess& access) const
+bool WriteProcedure::mustStay(const RegisterAccess& access) const
 {
     if (!m_flashTouched || m_flash.recorded() == 0)
         return false;
@@ -133,7 +133,7 @@ bool WriteProcedure::mustStay(const DriveAccess& access) const
     return history && wearGuard(access.profile().flashWear, *history).budget(m_clock()).left == 0;
 }
 
-Result<void> WriteProcedure::undoOtherSlot(const DriveAccess& access)
+Result<void> WriteProcedure::undoOtherSlot(const RegisterAccess& access)
 {
     if (!m_slotTouched || overwritesOwn() || mustStay(access))
         return {};
@@ -142,11 +142,11 @@ Result<void> WriteProcedure::undoOtherSlot(const DriveAccess& access)
         return deleteTable(access, m_write.slot.name);
     if (m_flashTouched && !old->persistent)
         (void)m_store.recordCovered(m_write.plan.drive.serialNumber, m_write.slot.name, true);
-    return uploadSurely(access, old->path, old->bytes);
+    return uploadVerified(access, old->path, old->bytes);
 }
 
 /// The last resort when undoing failed somewhere: does the axis have its old state all the same?
-bool WriteProcedure::hasOldState(const DriveAccess& access)
+bool WriteProcedure::hasOldState(const RegisterAccess& access)
 {
     if (!compareRegisters(access, m_backup.registers))
         return false;

@@ -32,7 +32,8 @@ int stepRank(std::string_view step)
     return static_cast<int>(std::min<std::ptrdiff_t>(found - steps.begin(), steps.size() - 1));
 }
 
-Result<UnfinishedWrite> UnfinishedWrite::load(const DriveAccess& access, const JournalEntry& entry)
+Result<UnfinishedWrite> UnfinishedWrite::load(
+    const RegisterAccess& access, const JournalEntry& entry)
 {
     auto text = loadFile(entry.backup, maximumBackupSize);
     if (!text)

@@ -16,7 +16,7 @@
 
 namespace axiscomp {
 
-class DriveAccess;
+class RegisterAccess;
 class DriveStore;
 struct PreparedWrite;
 struct SlotState;
@@ -41,7 +41,7 @@ class UnfinishedWrite {
 public:
     /// Errors: FileNotReadable, InvalidBackup.
     [[nodiscard]] static Result<UnfinishedWrite> load(
-        const DriveAccess& access, const JournalEntry& entry);
+        const RegisterAccess& access, const JournalEntry& entry);
 
     [[nodiscard]] const JournalEntry& entry() const { return m_entry; }
     [[nodiscard]] const AxisBackup& before() const { return m_before; }
@@ -62,7 +62,7 @@ public:
     [[nodiscard]] bool isKnown(const SlotState& state, const std::string& slot) const;
 
 private:
-    UnfinishedWrite(const DriveAccess& access, const JournalEntry& entry)
+    UnfinishedWrite(const RegisterAccess& access, const JournalEntry& entry)
         : m_access(access)
         , m_entry(entry)
     {
@@ -72,7 +72,7 @@ private:
     [[nodiscard]] Result<std::optional<std::string>> slotFor(
         DriveStore& store, const DriveIdentity& drive) const;
 
-    const DriveAccess& m_access;
+    const RegisterAccess& m_access;
     JournalEntry m_entry;
     AxisBackup m_before;
 };

@@ -25,7 +25,7 @@ struct PreparedWrite {
 /// Everything that is decided before a write, without changing anything.
 class WritePlanner {
 public:
-    WritePlanner(const DriveAccess& access, DriveStore& store, SourceDirectory& sources,
+    WritePlanner(const RegisterAccess& access, DriveStore& store, SourceDirectory& sources,
         const DriveIdentity& drive, WallTime now)
         : m_access(access)
         , m_store(store)
@@ -55,7 +55,7 @@ private:
     void warnOfSaving();
     void warnOfUnit(const CompensationTable& table);
 
-    const DriveAccess& m_access;
+    const RegisterAccess& m_access;
     DriveStore& m_store;
     SourceDirectory& m_sources;
     const DriveIdentity& m_drive;

@@ -11,7 +11,7 @@
 
 namespace axiscomp {
 
-WriteProcedure::WriteProcedure(const DriveAccess& access, DriveStore& store,
+WriteProcedure::WriteProcedure(const RegisterAccess& access, DriveStore& store,
     SourceDirectory& sources, std::function<WallTime()> clock, PreparedWrite prepared,
     std::optional<JournalEntry> earlier)
     : m_access(access)
@@ -70,12 +70,12 @@ Result<WriteReport> WriteProcedure::run()
     if (auto same = checkUnchanged(); !same)
         return fail(same.error());
     if (auto changed = change(); !changed)
-        return fail(putBack(changed.error()));
+        return fail(rollBack(changed.error()));
     auto now = confirm();
     if (!now && isUnreachable(now.error().code))
         return fail(outcome(ErrorCode::OutcomeUnknown, now.error(), {}));
     if (!now)
-        return fail(putBack(now.error()));
+        return fail(rollBack(now.error()));
     return finish(std::move(*now));
 }
 
@@ -171,9 +171,9 @@ Result<void> WriteProcedure::change()
     return save(m_access);
 }
 
-Result<void> WriteProcedure::save(const DriveAccess& access)
+Result<void> WriteProcedure::save(const RegisterAccess& access)
 {
-    return saveAllParameters(access, m_store, m_write.plan.drive, m_flash, m_eraseCounts);
+    return saveParameters(access, m_store, m_write.plan.drive, m_flash, m_eraseCounts);
 }
 
 /// Saved parameters name the slot with another table than it will have: they are replaced by what
@@ -195,7 +195,7 @@ Result<void> WriteProcedure::switchOff()
     const std::vector<RegisterWrite> off{
         {m_access.axisPath(m_access.registers().table, m_write.plan.axis),
             m_access.enums().tableDisabled}};
-    if (auto written = writeSurely(m_access, off); !written)
+    if (auto written = writeVerified(m_access, off); !written)
         return written;
     if (auto same = compareRegisters(m_access, off); !same)
         return same;
@@ -226,7 +226,7 @@ Result<void> WriteProcedure::uploadTable()
             !noted)
             return noted;
     }
-    return uploadSurely(
+    return uploadVerified(
         m_access, m_write.slot.file, m_write.file, [this](std::string_view step, double fraction) {
             m_access.report(step, 0.15 + 0.7 * fraction);
         });
@@ -280,7 +280,7 @@ Result<void> WriteProcedure::reachFlash(const std::vector<RegisterWrite>& values
     const std::vector<RegisterWrite> commit{
         {m_access.slotPath(m_access.registers().tableCommand, slot),
             m_access.enums().tableCommandCommit}};
-    if (auto committed = writeSurely(m_access, values, commit); !committed)
+    if (auto committed = writeVerified(m_access, values, commit); !committed)
         return committed;
     isCommitted = true;
     if (auto same = compareRegisters(m_access, values); !same)
@@ -291,7 +291,7 @@ Result<void> WriteProcedure::reachFlash(const std::vector<RegisterWrite>& values
     const auto before = m_eraseCounts.find(slot);
     if (before == m_eraseCounts.end() || (*after)[slot] != before->second)
         return {};
-    return writeSurely(m_access, {}, commit);
+    return writeVerified(m_access, {}, commit);
 }
 
 Result<void> WriteProcedure::switchOver()
@@ -308,7 +308,7 @@ Result<void> WriteProcedure::switchOver()
         values.insert(values.end(), persistency.begin(), persistency.end());
         return commitWith(values);
     }
-    if (auto switched = writeSurely(m_access, values); !switched)
+    if (auto switched = writeVerified(m_access, values); !switched)
         return switched;
     return compareRegisters(m_access, values);
 }
@@ -318,17 +318,17 @@ Result<void> WriteProcedure::switchOver()
 Result<void> WriteProcedure::switchOverOneByOne(const std::vector<RegisterWrite>& values)
 {
     const std::vector<RegisterWrite> off{{values[0].path, m_access.enums().tableDisabled}};
-    if (auto written = writeSurely(m_access, off); !written)
+    if (auto written = writeVerified(m_access, off); !written)
         return written;
     if (auto same = compareRegisters(m_access, off); !same)
         return same;
-    if (auto written = writeSurely(m_access, {values.begin() + 1, values.end()}); !written)
+    if (auto written = writeVerified(m_access, {values.begin() + 1, values.end()}); !written)
         return written;
     if (!isNewTable() && changesPersistency()) {
         if (auto committed = commitWith(persistencyWrites()); !committed)
             return committed;
     }
-    if (auto written = writeSurely(m_access, {values[0]}); !written)
+    if (auto written = writeVerified(m_access, {values[0]}); !written)
         return written;
     return compareRegisters(m_access, values);
 }
@@ -338,7 +338,7 @@ Result<void> WriteProcedure::switchOverOneByOne(const std::vector<RegisterWrite>
 Result<AxisStatus> WriteProcedure::confirm()
 {
     const WritePlan& plan = m_write.plan;
-    const DriveAccess access = m_access.withoutStop();
+    const RegisterAccess access = m_access.withoutStop();
     auto now = readStatus(access, plan.drive, plan.axis, m_sources);
     if (!now && isUnreachable(now.error().code))
         now = readStatus(access, plan.drive, plan.axis, m_sources);

@@ -14,7 +14,7 @@ class WriteProcedure {
 public:
     /// earlier: the axis's journal, when a write before did not end. This one takes its place, and
     /// gives it back when it has to be undone.
-    WriteProcedure(const DriveAccess& access, DriveStore& store, SourceDirectory& sources,
+    WriteProcedure(const RegisterAccess& access, DriveStore& store, SourceDirectory& sources,
         std::function<WallTime()> clock, PreparedWrite prepared,
         std::optional<JournalEntry> earlier = {});
 
@@ -22,7 +22,7 @@ public:
     /// The same, as the end of the earlier write: undoing still leads to the state before that.
     [[nodiscard]] Result<WriteReport> finishEarlier();
     /// Only the way back of the earlier write, whose decisions the prepared write has.
-    [[nodiscard]] Result<WriteReport> undoEarlier(const UnfinishedWrite& unfinished);
+    [[nodiscard]] Result<WriteReport> recoverOldState(const UnfinishedWrite& unfinished);
 
 private:
     // In the order in which they run.
@@ -46,19 +46,19 @@ private:
     [[nodiscard]] Result<WriteReport> finish(AxisStatus now);
 
     // Putting back, in reverse order.
-    [[nodiscard]] Error putBack(const Error& reason);
-    [[nodiscard]] Result<void> undo(const DriveAccess& access);
-    void accountForUndo(const DriveAccess& access, const Result<void>& undone);
-    [[nodiscard]] Result<void> undoTable(const DriveAccess& access);
-    [[nodiscard]] Result<void> undoRegisters(const DriveAccess& access);
-    [[nodiscard]] Result<void> undoOtherSlot(const DriveAccess& access);
-    [[nodiscard]] bool mustStay(const DriveAccess& access) const;
-    [[nodiscard]] bool hasOldState(const DriveAccess& access);
+    [[nodiscard]] Error rollBack(const Error& reason);
+    [[nodiscard]] Result<void> undo(const RegisterAccess& access);
+    void accountForUndo(const RegisterAccess& access, const Result<void>& undone);
+    [[nodiscard]] Result<void> rollBackTable(const RegisterAccess& access);
+    [[nodiscard]] Result<void> undoRegisters(const RegisterAccess& access);
+    [[nodiscard]] Result<void> undoOtherSlot(const RegisterAccess& access);
+    [[nodiscard]] bool mustStay(const RegisterAccess& access) const;
+    [[nodiscard]] bool hasOldState(const RegisterAccess& access);
     [[nodiscard]] Result<void> checkFlash();
-    [[nodiscard]] Result<AxisStatus> lookBeforeUndo(const UnfinishedWrite& unfinished);
+    [[nodiscard]] Result<AxisStatus> inspectBeforeRecovery(const UnfinishedWrite& unfinished);
     [[nodiscard]] Result<AxisBackup> keepPresent(std::vector<std::string> slots);
 
-    [[nodiscard]] Result<void> save(const DriveAccess& access);
+    [[nodiscard]] Result<void> save(const RegisterAccess& access);
     [[nodiscard]] Result<void> note(const std::string& step, double progress);
     [[nodiscard]] Result<void> closeJournal();
     [[nodiscard]] std::vector<std::string> touchedSlots() const;
@@ -72,7 +72,7 @@ private:
     [[nodiscard]] Error outcome(
         ErrorCode code, const Error& reason, const std::string& rollback) const;
 
-    DriveAccess m_access;
+    RegisterAccess m_access;
     DriveStore& m_store;
     SourceDirectory& m_sources;
     std::function<WallTime()> m_clock;

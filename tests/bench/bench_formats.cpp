@@ -36,19 +36,19 @@ NeutralTable table(std::size_t sizeX, std::size_t sizeY, SignConvention sign)
     return table;
 }
 
-void readFormat(benchmark::State& state, const TableFamily& family, std::size_t size,
+void readFormat(benchmark::State& state, const TableFormat& format, std::size_t size,
     const FormatSettings& settings)
 {
-    const std::array tables{table(size, size, family.facts.sign)};
+    const std::array tables{table(size, size, format.facts.sign)};
     TableWriteOptions writing;
     writing.settings = settings;
-    const auto written = family.write(tables, writing);
+    const auto written = format.write(tables, writing);
     if (!written) {
         state.SkipWithError(sentence(written.error()).c_str());
         return;
     }
     for (auto _ : state) {
-        const auto reading = family.read(written->bytes, {});
+        const auto reading = format.read(written->bytes, {});
         if (!reading || reading->tables.size() != 1)
             state.SkipWithError("it was not read");
         benchmark::DoNotOptimize(reading);

@@ -19,7 +19,7 @@ const TableLayout& layout()
 }
 
 /// A value for everything that a format must be told.
-FormatSettings neededSettings(const FamilyFacts& facts, bool isWriting)
+FormatSettings neededSettings(const FormatFacts& facts, bool isWriting)
 {
     FormatSettings settings;
     for (const FormatSetting& setting : facts.settings)
@@ -48,10 +48,10 @@ void expectConsistent(const NeutralTable& table)
     }
 }
 
-void evaluate(const TableFamily& family, const NeutralTable& table)
+void evaluate(const TableFormat& format, const NeutralTable& table)
 {
     for (std::size_t column = 0; column < table.columns.size(); ++column) {
-        const AppliedCompensation applied(table, column, family.facts.behaviour);
+        const ControllerLookup applied(table, column, format.facts.behaviour);
         for (const double far : {-1e300, 0.0, 1e300, HUGE_VAL}) {
             const std::array<double, 3> position{far, -far, far};
             static_cast<void>(applied.at(std::span(position).first(table.axes.size())));
@@ -65,35 +65,35 @@ void evaluate(const TableFamily& family, const NeutralTable& table)
 
 /// What was read can be written, or there is a reason; what was written can be read, and says what
 /// the writer said it would.
-void expectWritable(const TableFamily& family, const std::vector<NeutralTable>& tables,
+void expectWritable(const TableFormat& format, const std::vector<NeutralTable>& tables,
     const TableReadOptions& reading)
 {
-    if (family.write == nullptr || !checkHolds(family.facts, tables))
+    if (format.write == nullptr || !checkHolds(format.facts, tables))
         return;
     TableWriteOptions options;
     options.layout = &layout();
-    options.settings = neededSettings(family.facts, true);
-    const auto written = family.write(tables, options);
+    options.settings = neededSettings(format.facts, true);
+    const auto written = format.write(tables, options);
     if (!written) {
         FUZZ_EXPECT(!sentence(written.error()).empty());
         return;
     }
-    const auto again = family.read(written->bytes, reading);
+    const auto again = format.read(written->bytes, reading);
     FUZZ_EXPECT(again.has_value());
     FUZZ_EXPECT(again->tables.size() == written->held.size());
     for (std::size_t n = 0; n < again->tables.size(); ++n)
         FUZZ_EXPECT(again->tables[n].pointCount() == written->held[n].pointCount());
 }
 
-const TableFamily& familyOf(std::string_view name)
+const TableFormat& formatOf(std::string_view name)
 {
-    std::vector<const TableFamily*> readable;
-    for (const TableFamily* family : tableFamilies()) {
-        if (family->read == nullptr)
+    std::vector<const TableFormat*> readable;
+    for (const TableFormat* format : tableFormats()) {
+        if (format->read == nullptr)
             continue;
-        if (family->facts.name == name)
-            return *family;
-        readable.push_back(family);
+        if (format->facts.name == name)
+            return *format;
+        readable.push_back(format);
     }
     return *readable[static_cast<unsigned char>(name.front()) % readable.size()];
 }
@@ -108,24 +108,24 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const std::size_t end = input.find('\n');
     if (end == std::string_view::npos || end == 0)
         return 0;
-    const TableFamily& family = familyOf(input.substr(0, end));
+    const TableFormat& format = formatOf(input.substr(0, end));
     const std::string_view text = input.substr(end + 1);
-    static_cast<void>(guessFamily(text, "table.txt"));
+    static_cast<void>(guessFormat(text, "table.txt"));
 
     TableReadOptions options;
     options.layout = &layout();
-    options.dimensions = &family == &calibration_csv::format() ? 2 : 0;
-    options.settings = neededSettings(family.facts, false);
-    const auto reading = family.read(text, options);
+    options.dimensions = &format == &calibration_csv::format() ? 2 : 0;
+    options.settings = neededSettings(format.facts, false);
+    const auto reading = format.read(text, options);
     if (!reading)
         return 0;
     FUZZ_EXPECT(reading->tables.empty() || !reading->hasErrors());
     FUZZ_EXPECT(!reading->tables.empty() || reading->hasErrors());
     for (const NeutralTable& table : reading->tables) {
         expectConsistent(table);
-        evaluate(family, table);
+        evaluate(format, table);
     }
     if (!reading->tables.empty())
-        expectWritable(family, reading->tables, options);
+        expectWritable(format, reading->tables, options);
     return 0;
 }

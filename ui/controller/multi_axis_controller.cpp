@@ -26,32 +26,32 @@ std::vector<DimSource> WizardController::sourcesForSeveral() const
     return sources;
 }
 
-bool WizardController::planSeveral(const std::vector<ColumnForAxis>& columns, bool keepsSources)
+bool WizardController::planMultiAxis(const std::vector<ColumnForAxis>& columns, bool keepsSources)
 {
     d->update();
     if (!action(Action::WriteSeveral).isEnabled)
         return false;
     dropSeveral();
-    d->planSeveral(columns, keepsSources);
+    d->planMultiAxis(columns, keepsSources);
     return true;
 }
 
 void WizardController::dropSeveral()
 {
-    d->several.stop.request_stop();
-    ++d->several.number;
-    d->several.tables.clear();
-    d->several.plans.reset();
+    d->multiAxis.stop.request_stop();
+    ++d->multiAxis.number;
+    d->multiAxis.tables.clear();
+    d->multiAxis.plans.reset();
 }
 
-const std::optional<Result<std::vector<WritePlan>>>& WizardController::severalPlans() const
+const std::optional<Result<std::vector<WritePlan>>>& WizardController::multiAxisPlans() const
 {
-    return d->several.plans;
+    return d->multiAxis.plans;
 }
 
-void WizardController::writeSeveral()
+void WizardController::writeMultiAxis()
 {
-    d->writeSeveral();
+    d->writeMultiAxis();
 }
 
 std::vector<AxisEntry> WizardController::Private::usableAxes() const
@@ -65,7 +65,7 @@ std::vector<AxisEntry> WizardController::Private::usableAxes() const
     return usable;
 }
 
-void WizardController::Private::planSeveral(
+void WizardController::Private::planMultiAxis(
     const std::vector<ColumnForAxis>& columns, bool keepsSources)
 {
     WriteRequest common;
@@ -76,36 +76,36 @@ void WizardController::Private::planSeveral(
             common.sources.push_back(requestedSource(source));
     }
     for (const ColumnForAxis& column : columns)
-        several.tables.push_back({column.axis, file.table(column.column), common});
-    several.stop = std::stop_source();
-    const auto ask = [tables = several.tables](
+        multiAxis.tables.push_back({column.axis, file.table(column.column), common});
+    multiAxis.stop = std::stop_source();
+    const auto ask = [tables = multiAxis.tables](
                          AxisCompensator& compensator, const OperationOptions& operation) {
         return planTables(compensator, tables, operation);
     };
-    whenDone(connection()->session().run<std::vector<WritePlan>>(ask, several.stop.get_token()), &q,
-        [this, number = several.number](const Result<std::vector<WritePlan>>& plans) {
-            if (number == several.number)
-                severalPlanned(plans);
+    whenDone(connection()->session().run<std::vector<WritePlan>>(ask, multiAxis.stop.get_token()),
+        &q, [this, number = multiAxis.number](const Result<std::vector<WritePlan>>& plans) {
+            if (number == multiAxis.number)
+                multiAxisPlanned(plans);
         });
 }
 
-void WizardController::Private::severalPlanned(const Result<std::vector<WritePlan>>& plans)
+void WizardController::Private::multiAxisPlanned(const Result<std::vector<WritePlan>>& plans)
 {
-    several.plans = plans;
+    multiAxis.plans = plans;
     if (!plans && isLinkFailure(plans.error().code))
         axisFailed(plans.error());
     // What has been shown is what is written: a drive that has changed since refuses it.
-    for (std::size_t n = 0; plans && n < several.tables.size(); ++n)
-        several.tables[n].request.expected = plans->at(n).before;
-    Q_EMIT q.severalPlanned();
+    for (std::size_t n = 0; plans && n < multiAxis.tables.size(); ++n)
+        multiAxis.tables[n].request.expected = plans->at(n).before;
+    Q_EMIT q.multiAxisPlanned();
 }
 
 /// Of the tables, in their order.
-std::vector<AxisEntry> WizardController::Private::severalAxes() const
+std::vector<AxisEntry> WizardController::Private::multiAxisAxes() const
 {
     const std::vector<AxisEntry> usable = usableAxes();
     std::vector<AxisEntry> asked;
-    for (const AxisTable& table : several.tables) {
+    for (const AxisTable& table : multiAxis.tables) {
         const auto entry = std::ranges::find_if(
             usable, [&](const AxisEntry& candidate) { return candidate.axis.index == table.axis; });
         asked.push_back(entry == usable.end() ? AxisEntry() : *entry);
@@ -114,22 +114,22 @@ std::vector<AxisEntry> WizardController::Private::severalAxes() const
     return asked;
 }
 
-void WizardController::Private::severalWritten(const Result<SeveralReport>& report)
+void WizardController::Private::multiAxisWritten(const Result<MultiAxisReport>& report)
 {
     q.dropSeveral();
-    show([axes = several.axes, isPersistent = several.isPersistent, report] {
-        return severalOutcome(axes, isPersistent, report);
+    show([axes = multiAxis.axes, isPersistent = multiAxis.isPersistent, report] {
+        return multiAxisOutcome(axes, isPersistent, report);
     });
-    Q_EMIT q.severalWritten();
+    Q_EMIT q.multiAxisWritten();
 }
 
 /// The table of the shown axis when it is among those that were written.
-std::optional<SurveyedTable> WizardController::Private::writtenToShownAxis(
-    const Result<SeveralReport>& report) const
+std::optional<LoadedTable> WizardController::Private::writtenToShownAxis(
+    const Result<MultiAxisReport>& report) const
 {
     for (std::size_t n = 0; report && n < report->writes.size(); ++n) {
-        if (several.tables[n].axis == current->axis && holdsNewState(report->writes[n]))
-            return several.tables[n].table;
+        if (multiAxis.tables[n].axis == current->axis && holdsNewState(report->writes[n]))
+            return multiAxis.tables[n].table;
     }
     return {};
 }

@@ -14,7 +14,7 @@ namespace axiscomp::ui {
 
 namespace {
 
-class SeveralOutcomes {
+class MultiAxisOutcomes {
     Q_DECLARE_TR_FUNCTIONS(axiscomp::ui::MultiAxisOutcome)
 
 public:
@@ -67,24 +67,24 @@ private:
 
 } // namespace
 
-Outcome severalOutcome(
-    std::span<const AxisEntry> axes, bool isPersistent, const Result<SeveralReport>& report)
+Outcome multiAxisOutcome(
+    std::span<const AxisEntry> axes, bool isPersistent, const Result<MultiAxisReport>& report)
 {
     QStringList names;
     for (const AxisEntry& entry : axes)
         names += axisNameOnDrive(entry);
     if (!report)
-        return SeveralOutcomes::nothingWritten(
-            names, report.error(), severalErrorText(report.error(), axes));
+        return MultiAxisOutcomes::nothingWritten(
+            names, report.error(), multiAxisErrorText(report.error(), axes));
     for (std::size_t n = 0; n < report->writes.size(); ++n) {
         const auto& write = report->writes[n];
         if (!holdsNewState(write))
-            return SeveralOutcomes::stoppedAt(names, static_cast<qsizetype>(n), write.error());
+            return MultiAxisOutcomes::stoppedAt(names, static_cast<qsizetype>(n), write.error());
     }
-    return SeveralOutcomes::allWritten(names, isPersistent);
+    return MultiAxisOutcomes::allWritten(names, isPersistent);
 }
 
-QString severalErrorText(const Error& error, std::span<const AxisEntry> axes)
+QString multiAxisErrorText(const Error& error, std::span<const AxisEntry> axes)
 {
     const auto named = error.context.find("ofAxis");
     int axis = 0;
@@ -93,7 +93,7 @@ QString severalErrorText(const Error& error, std::span<const AxisEntry> axes)
                 .ec
             != std::errc())
         return errorText(error);
-    return SeveralOutcomes::ofAxis(axisNameAmong(axes, axis), errorText(error));
+    return MultiAxisOutcomes::ofAxis(axisNameAmong(axes, axis), errorText(error));
 }
 
 } // namespace axiscomp::ui

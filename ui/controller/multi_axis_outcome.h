@@ -11,11 +11,11 @@ namespace axiscomp::ui {
 
 /// What writing to several axes has come to: which of them hold the new state, and which the old
 /// one. axes: in the order of the writes.
-[[nodiscard]] Outcome severalOutcome(
-    std::span<const AxisEntry> axes, bool isPersistent, const Result<SeveralReport>& report);
+[[nodiscard]] Outcome multiAxisOutcome(
+    std::span<const AxisEntry> axes, bool isPersistent, const Result<MultiAxisReport>& report);
 
 /// Why several writes cannot be planned or begun; begins with the name of the axis that it is
 /// about. axes: entries of the drive.
-[[nodiscard]] QString severalErrorText(const Error& error, std::span<const AxisEntry> axes);
+[[nodiscard]] QString multiAxisErrorText(const Error& error, std::span<const AxisEntry> axes);
 
 } // namespace axiscomp::ui

@@ -105,7 +105,7 @@ QString WizardController::Private::busyText() const
         return tr("%1: %2, %3", "task, axis and step")
             .arg(taskText(*task),
                 axisNameOnDrive(
-                    several.axes.at(std::min(several.turn->load(), several.axes.size() - 1))),
+                    multiAxis.axes.at(std::min(multiAxis.turn->load(), multiAxis.axes.size() - 1))),
                 stepText(taskStep));
     if (!taskStep.isEmpty())
         return tr("%1: %2").arg(taskText(*task), stepText(taskStep));
@@ -131,7 +131,7 @@ void WizardController::Private::planWrite()
     const EditedSetup& edited = setup.edited();
     plannedSetup = edited;
     request = requestFor(edited, setup.baseline());
-    requestTable = edited.table.fileTable ? file.table(*edited.table.fileTable) : SurveyedTable{};
+    requestTable = edited.table.fileTable ? file.table(*edited.table.fileTable) : LoadedTable{};
     if (!setup.isDirty()) {
         // Only an earlier write is finished: its parameters are saved.
         request.sources.clear();
@@ -207,28 +207,29 @@ void WizardController::Private::written(const Result<OperationEnd<WriteReport>>&
     show([result = end->outcome] { return writeOutcome(result); });
 }
 
-void WizardController::Private::writeSeveral()
+void WizardController::Private::writeMultiAxis()
 {
     if (!mayStart(Action::WriteSeveral))
         return;
-    if (several.tables.empty() || !several.plans || !*several.plans) {
+    if (multiAxis.tables.empty() || !multiAxis.plans || !*multiAxis.plans) {
         refuse([] { return tr("The writes are not planned yet."); });
         return;
     }
-    several.axes = severalAxes();
-    several.turn = std::make_shared<std::atomic<std::size_t>>(0);
-    several.isPersistent = several.tables.front().request.persistency == Persistency::Persistent;
-    begin<OperationEnd<SeveralReport>>(
+    multiAxis.axes = multiAxisAxes();
+    multiAxis.turn = std::make_shared<std::atomic<std::size_t>>(0);
+    multiAxis.isPersistent =
+        multiAxis.tables.front().request.persistency == Persistency::Persistent;
+    begin<OperationEnd<MultiAxisReport>>(
         Task::WriteSeveral,
-        [shown = current->axis, tables = several.tables, turn = several.turn,
+        [shown = current->axis, tables = multiAxis.tables, turn = multiAxis.turn,
             store = connection()->session().storeRoot()](AxisCompensator& compensator,
-            const OperationOptions& operation) -> Result<OperationEnd<SeveralReport>> {
+            const OperationOptions& operation) -> Result<OperationEnd<MultiAxisReport>> {
             return writeTables(compensator, store, shown, tables, *turn, operation);
         },
-        [this](const Result<OperationEnd<SeveralReport>>& end) {
+        [this](const Result<OperationEnd<MultiAxisReport>>& end) {
             if (!end) {
                 axisFailed(end.error());
-                severalWritten(fail(end.error()));
+                multiAxisWritten(fail(end.error()));
                 return;
             }
             const auto written = writtenToShownAxis(end->outcome);
@@ -239,7 +240,7 @@ void WizardController::Private::writeSeveral()
             takeEnd(*end);
             if (written)
                 setup.setTable({}); // the drive has it now
-            severalWritten(end->outcome);
+            multiAxisWritten(end->outcome);
         });
 }
 

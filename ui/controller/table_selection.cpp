@@ -61,7 +61,7 @@ void WizardController::Private::fileFailed(const LoadedFile& failed)
         });
 }
 
-SurveyedTable WizardController::Private::selectedTable() const
+LoadedTable WizardController::Private::selectedTable() const
 {
     const std::optional<int> chosen = setup.edited().table.fileTable;
     return chosen ? file.table(*chosen) : driveTable.table();

@@ -103,17 +103,17 @@ public:
     [[nodiscard]] std::vector<AxisEntry> usableAxes() const;
     /// Those of setup(), as many as the file has dimensions; empty when one is not set.
     [[nodiscard]] std::vector<DimSource> sourcesForSeveral() const;
-    /// Asks the drive what all of these would change; severalPlanned() follows unless another
+    /// Asks the drive what all of these would change; multiAxisPlanned() follows unless another
     /// question does. keepsSources: each axis keeps its own, otherwise it gets sourcesForSeveral().
     /// False: action(Action::WriteSeveral) says why not.
-    [[nodiscard]] bool planSeveral(const std::vector<ColumnForAxis>& columns, bool keepsSources);
+    [[nodiscard]] bool planMultiAxis(const std::vector<ColumnForAxis>& columns, bool keepsSources);
     /// The last question is of no interest any more.
     void dropSeveral();
     /// One plan per column, in their order; none while the drive is being asked.
-    [[nodiscard]] const std::optional<Result<std::vector<WritePlan>>>& severalPlans() const;
-    /// Carries out severalPlans(), axis by axis; severalWritten() follows, outcome() says what each
-    /// axis holds.
-    void writeSeveral();
+    [[nodiscard]] const std::optional<Result<std::vector<WritePlan>>>& multiAxisPlans() const;
+    /// Carries out multiAxisPlans(), axis by axis; multiAxisWritten() follows, outcome() says what
+    /// each axis holds.
+    void writeMultiAxis();
 
     void cancel();
     [[nodiscard]] const BusyState& busy() const;
@@ -153,8 +153,8 @@ Q_SIGNALS:
     void actionsChanged(); ///< action(), hint()
     void busyChanged();
     void planReady();
-    void severalPlanned();
-    void severalWritten();
+    void multiAxisPlanned();
+    void multiAxisWritten();
     void outcomeChanged();
     void logged();
 

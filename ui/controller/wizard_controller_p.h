@@ -74,7 +74,7 @@ public:
     // The file and the tables (table_selection.cpp)
     void fileReplaced(const std::shared_ptr<const CalibrationData>& before, bool isSameFile);
     void fileFailed(const LoadedFile& file);
-    [[nodiscard]] SurveyedTable selectedTable() const;
+    [[nodiscard]] LoadedTable selectedTable() const;
     [[nodiscard]] std::size_t selectedTableBytes() const;
     void noteSelectedTable();
     void fieldChanged(Field field);
@@ -98,8 +98,8 @@ public:
     void written(const Result<OperationEnd<WriteReport>>& end);
     template <typename T> void takeEnd(const OperationEnd<T>& end);
 
-    // Several axes (multi_axis_controller.cpp; writeSeveral is in operation_runner.cpp)
-    struct Several {
+    // Several axes (multi_axis_controller.cpp; writeMultiAxis is in operation_runner.cpp)
+    struct MultiAxis {
         std::vector<AxisTable> tables; ///< that the drive was asked about
         std::optional<Result<std::vector<WritePlan>>> plans;
         int number = 0; ///< the newest question counts
@@ -109,13 +109,13 @@ public:
         std::shared_ptr<std::atomic<std::size_t>> turn; ///< which of them now
     };
     [[nodiscard]] std::vector<AxisEntry> usableAxes() const;
-    void planSeveral(const std::vector<ColumnForAxis>& columns, bool keepsSources);
-    void severalPlanned(const Result<std::vector<WritePlan>>& plans);
-    void writeSeveral();
-    void severalWritten(const Result<SeveralReport>& report);
-    [[nodiscard]] std::vector<AxisEntry> severalAxes() const;
-    [[nodiscard]] std::optional<SurveyedTable> writtenToShownAxis(
-        const Result<SeveralReport>& report) const;
+    void planMultiAxis(const std::vector<ColumnForAxis>& columns, bool keepsSources);
+    void multiAxisPlanned(const Result<std::vector<WritePlan>>& plans);
+    void writeMultiAxis();
+    void multiAxisWritten(const Result<MultiAxisReport>& report);
+    [[nodiscard]] std::vector<AxisEntry> multiAxisAxes() const;
+    [[nodiscard]] std::optional<LoadedTable> writtenToShownAxis(
+        const Result<MultiAxisReport>& report) const;
 
     // What is shown (action_snapshot.cpp)
     [[nodiscard]] ActionSnapshot snapshot() const;
@@ -172,8 +172,8 @@ public:
     std::optional<WritePlan> plan;
     EditedSetup plannedSetup; ///< that the plan is of
     WriteRequest request; ///< the same as a request, without its table
-    SurveyedTable requestTable;
-    Several several;
+    LoadedTable requestTable;
+    MultiAxis multiAxis;
     std::optional<Proof> proof;
     Outcome outcome;
     std::function<Outcome()> makeOutcome; ///< none: there is no outcome

@@ -13,7 +13,7 @@ namespace {
 
 void take(LoadedFile& file, TableImport import)
 {
-    file.family = import.family;
+    file.format = import.format;
     file.data = std::move(import.data);
     file.report = std::move(import.report);
     file.problems = std::move(import.problems);
@@ -25,7 +25,7 @@ void take(LoadedFile& file, TableImport import)
     if (!file.data)
         return;
     for (const CompensationTable& table : file.data->tables)
-        file.tables.push_back(surveyed({file.data, &table}));
+        file.tables.push_back(loaded({file.data, &table}));
 }
 
 } // namespace

@@ -31,12 +31,12 @@ struct LoadedFile {
     QString path;
     int dimensions = 1; ///< that were asked for
     ImportChoices choices; ///< likewise
-    const TableFamily* family = nullptr; ///< as which it was read
+    const TableFormat* format = nullptr; ///< as which it was read
     std::vector<std::string> report; ///< of its conversion: English, for phraseText
     std::optional<Error> refusal; ///< other choices are needed; among the problems, too
     FileStamp stamp; ///< from before it was read
     std::shared_ptr<const CalibrationData> data; ///< only without an error
-    std::vector<SurveyedTable> tables; ///< those of data, kept alive with it
+    std::vector<LoadedTable> tables; ///< those of data, kept alive with it
     std::vector<Diagnostic> problems; ///< warnings too
     std::size_t suppressedProblems = 0;
 };

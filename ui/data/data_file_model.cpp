@@ -23,10 +23,10 @@ DataFileModel::DataFileModel(const TableLayout& layout, QObject* parent)
     connect(&m_watcher, &QFileSystemWatcher::directoryChanged, this, &DataFileModel::lookAtDisk);
 }
 
-SurveyedTable DataFileModel::table(int index) const
+LoadedTable DataFileModel::table(int index) const
 {
     const bool isOne = index >= 0 && index < static_cast<int>(m_tables.size());
-    return isOne ? m_tables[static_cast<std::size_t>(index)] : SurveyedTable{};
+    return isOne ? m_tables[static_cast<std::size_t>(index)] : LoadedTable{};
 }
 
 void DataFileModel::open(const QString& path, int dimensions, const ImportChoices& choices)
@@ -47,7 +47,7 @@ void DataFileModel::setDimensions(int dimensions)
     m_dimensions = dimensions;
     const QString path = m_file.isReading ? m_file.readingPath : m_file.path;
     const bool knowsItsOwn =
-        !m_file.isReading && m_file.family && m_file.family != &calibration_csv::format();
+        !m_file.isReading && m_file.format && m_file.format != &calibration_csv::format();
     if (!path.isEmpty() && !knowsItsOwn)
         open(path, dimensions, choicesFor(path));
 }
@@ -91,7 +91,7 @@ void DataFileModel::take(const LoadedFile& loaded)
     if (loaded.data) {
         m_file.data = loaded.data;
         m_file.report = loaded.report;
-        m_file.family = loaded.family;
+        m_file.format = loaded.format;
         m_tables = loaded.tables;
     }
     if (loaded.data || !before) {

@@ -22,7 +22,7 @@ public:
 
     [[nodiscard]] const DataFile& file() const { return m_file; }
     /// The table of that index, kept as long as it is used; null when there is none.
-    [[nodiscard]] SurveyedTable table(int index) const;
+    [[nodiscard]] LoadedTable table(int index) const;
 
     void open(const QString& path, int dimensions, const ImportChoices& choices = {});
     /// The open CSV file again, when its columns mean something else now; other files know their
@@ -47,7 +47,7 @@ private:
     void lookAtDisk();
 
     DataFile m_file;
-    std::vector<SurveyedTable> m_tables; ///< of m_file.data
+    std::vector<LoadedTable> m_tables; ///< of m_file.data
     FileStamp m_stamp;
     std::map<QString, ImportChoices> m_choices; ///< by file
     int m_dimensions = 1; ///< with which the data was read, or is being read

@@ -18,7 +18,7 @@ namespace axiscomp::ui {
 struct DataFile {
     QString path; ///< of data; of the file that was tried when there is none; empty: none is open
     std::shared_ptr<const CalibrationData> data; ///< only of a file without errors
-    const TableFamily* family = nullptr; ///< as which data was read
+    const TableFormat* format = nullptr; ///< as which data was read
     std::vector<std::string> report; ///< of the conversion of data: English, for phraseText
     std::vector<Diagnostic> problems;
     std::size_t suppressedProblems = 0;

@@ -40,7 +40,7 @@ void DriveTable::follow(DriveConnection& connection, const AxisStatus& status, b
         m_wanted = key;
         // What was written shows until it has come back from the drive.
         const bool fits = m_expected.table && sameSpans(m_expected.table->grid, status.table->grid);
-        set(fits ? m_expected : SurveyedTable{});
+        set(fits ? m_expected : LoadedTable{});
     }
     m_isUnderWay = true;
     m_isDownloaded = false;
@@ -52,14 +52,14 @@ void DriveTable::follow(DriveConnection& connection, const AxisStatus& status, b
         quiet.progress = {};
         return downloadTable(compensator, axis, expected, quiet);
     };
-    whenDone(connection.session().run<SurveyedTable>(download, m_stop.get_token()), this,
-        [this, key = *key, number = ++m_number](const Result<SurveyedTable>& table) {
+    whenDone(connection.session().run<LoadedTable>(download, m_stop.get_token()), this,
+        [this, key = *key, number = ++m_number](const Result<LoadedTable>& table) {
             if (number == m_number)
                 take(key, table);
         });
 }
 
-void DriveTable::take(const Key& key, const Result<SurveyedTable>& table)
+void DriveTable::take(const Key& key, const Result<LoadedTable>& table)
 {
     m_isUnderWay = false;
     if (m_wanted != key)
@@ -74,7 +74,7 @@ void DriveTable::take(const Key& key, const Result<SurveyedTable>& table)
     set(*table);
 }
 
-void DriveTable::expect(const SurveyedTable& written)
+void DriveTable::expect(const LoadedTable& written)
 {
     m_expected = written;
 }
@@ -100,7 +100,7 @@ void DriveTable::interrupt()
     m_isUnderWay = false;
 }
 
-void DriveTable::set(const SurveyedTable& table)
+void DriveTable::set(const LoadedTable& table)
 {
     if (table.table == m_table.table)
         return;

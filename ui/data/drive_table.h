@@ -20,14 +20,14 @@ public:
     explicit DriveTable(QObject* parent = nullptr);
 
     /// Null: none, or not downloaded yet.
-    [[nodiscard]] const SurveyedTable& table() const { return m_table; }
+    [[nodiscard]] const LoadedTable& table() const { return m_table; }
 
     /// Sees to it that table() is the one of the status. A download that failed is tried again only
     /// when mayRetry.
     void follow(DriveConnection& connection, const AxisStatus& status, bool mayRetry);
     /// The next table to appear is this one, if its numbers are the same: the file's table has the
     /// names and units that the drive does not keep.
-    void expect(const SurveyedTable& written);
+    void expect(const LoadedTable& written);
     void clear();
     /// Lets an operation go first; follow() begins again.
     void interrupt();
@@ -48,12 +48,12 @@ private:
     };
     [[nodiscard]] static std::optional<Key> keyOf(
         const DriveConnection& connection, const AxisStatus& status);
-    void take(const Key& key, const Result<SurveyedTable>& table);
-    void set(const SurveyedTable& table);
+    void take(const Key& key, const Result<LoadedTable>& table);
+    void set(const LoadedTable& table);
 
     std::optional<Key> m_wanted; ///< what table() is, or will be
-    SurveyedTable m_table;
-    SurveyedTable m_expected;
+    LoadedTable m_table;
+    LoadedTable m_expected;
     bool m_isUnderWay = false;
     bool m_isDownloaded = false; ///< table() came from the drive
     bool m_hasFailed = false;

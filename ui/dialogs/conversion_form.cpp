@@ -100,7 +100,7 @@ void ConversionForm::build()
 
 void ConversionForm::connectFields()
 {
-    connect(m_format, &QComboBox::currentIndexChanged, this, &ConversionForm::chooseFamily);
+    connect(m_format, &QComboBox::currentIndexChanged, this, &ConversionForm::chooseFormat);
     connect(m_grid, &QComboBox::currentIndexChanged, this, &ConversionForm::showGridRows);
     for (QComboBox* box : {m_format, m_sign, m_direction, m_grid, m_method})
         connect(box, &QComboBox::currentIndexChanged, this, &ConversionForm::changed);
@@ -110,27 +110,27 @@ void ConversionForm::connectFields()
     connect(m_settings, &SettingFields::changed, this, &ConversionForm::changed);
 }
 
-void ConversionForm::setFamilies(
-    const std::vector<const TableFamily*>& families, const TableFamily* current)
+void ConversionForm::setFormats(
+    const std::vector<const TableFormat*>& formats, const TableFormat* current)
 {
     const QSignalBlocker blocker(m_format);
     m_format->clear();
-    for (const TableFamily* family : families)
+    for (const TableFormat* format : formats)
         m_format->addItem(
-            familyText(*family), QVariant::fromValue(static_cast<const void*>(family)));
+            formatText(*format), QVariant::fromValue(static_cast<const void*>(format)));
     m_format->setCurrentIndex(
         m_format->findData(QVariant::fromValue(static_cast<const void*>(current))));
-    chooseFamily();
+    chooseFormat();
 }
 
-const TableFamily* ConversionForm::family() const
+const TableFormat* ConversionForm::format() const
 {
-    return static_cast<const TableFamily*>(m_format->currentData().value<const void*>());
+    return static_cast<const TableFormat*>(m_format->currentData().value<const void*>());
 }
 
-void ConversionForm::chooseFamily()
+void ConversionForm::chooseFormat()
 {
-    m_settings->setFamily(family());
+    m_settings->setFormat(format());
     QWidget* before = m_format;
     for (QWidget* field : m_settings->fields()) {
         setTabOrder(before, field);
@@ -144,9 +144,9 @@ void ConversionForm::chooseFamily()
 void ConversionForm::setChoices(const ImportChoices& choices)
 {
     const QSignalBlocker blocker(this);
-    if (choices.family)
+    if (choices.format)
         m_format->setCurrentIndex(
-            m_format->findData(QVariant::fromValue(static_cast<const void*>(choices.family))));
+            m_format->findData(QVariant::fromValue(static_cast<const void*>(choices.format))));
     m_settings->setValues(choices.settings);
     m_sign->setCurrentIndex(choices.sign ? static_cast<int>(*choices.sign) + 1 : 0);
     m_direction->setCurrentIndex(choices.direction ? static_cast<int>(*choices.direction) + 1 : 0);
@@ -160,7 +160,7 @@ void ConversionForm::setChoices(const ImportChoices& choices)
 ImportChoices ConversionForm::choices() const
 {
     ImportChoices choices;
-    choices.family = family();
+    choices.format = format();
     choices.settings = m_settings->values();
     if (m_sign->currentIndex() > 0)
         choices.sign = static_cast<SignConvention>(m_sign->currentIndex() - 1);
@@ -204,7 +204,7 @@ std::optional<std::vector<double>> ConversionForm::numbers() const
 
 QString ConversionForm::problem() const
 {
-    if (!family())
+    if (!format())
         return tr("Choose the format.");
     if (m_grid->currentIndex() > 0 && m_number->text().trimmed().isEmpty())
         return tr("Enter the number for the even grid.");
@@ -273,12 +273,12 @@ void ConversionForm::describeFields()
 void ConversionForm::fillItems()
 {
     for (int i = 0; i < m_format->count(); ++i) {
-        const auto* family =
-            static_cast<const TableFamily*>(m_format->itemData(i).value<const void*>());
-        m_format->setItemText(i, familyText(*family));
+        const auto* format =
+            static_cast<const TableFormat*>(m_format->itemData(i).value<const void*>());
+        m_format->setItemText(i, formatText(*format));
     }
     m_format->setPlaceholderText(tr("choose the format"));
-    const TableFamily* const chosen = family();
+    const TableFormat* const chosen = format();
     const QString usual = !chosen                        ? tr("as the format says")
         : chosen->facts.sign == SignConvention::Feedback ? tr("as the format says: feedback")
                                                          : tr("as the format says: command");

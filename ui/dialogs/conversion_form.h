@@ -26,8 +26,8 @@ public:
     explicit ConversionForm(Purpose purpose, QWidget* parent = nullptr);
 
     /// What can be chosen as format, and the one that is.
-    void setFamilies(const std::vector<const TableFamily*>& families, const TableFamily* current);
-    [[nodiscard]] const TableFamily* family() const; ///< null: none is chosen
+    void setFormats(const std::vector<const TableFormat*>& formats, const TableFormat* current);
+    [[nodiscard]] const TableFormat* format() const; ///< null: none is chosen
     void setChoices(const ImportChoices& choices);
     [[nodiscard]] ImportChoices choices() const;
     /// Why choices() are not complete, a translated sentence; empty when they are.
@@ -43,7 +43,7 @@ Q_SIGNALS:
 private:
     void build();
     void connectFields();
-    void chooseFamily();
+    void chooseFormat();
     void showGridRows();
     void nameRows();
     void describeFields();

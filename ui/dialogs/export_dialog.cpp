@@ -9,16 +9,16 @@ namespace axiscomp::ui {
 namespace {
 
 /// Of other controllers first: the drive's own formats are rarely what is looked for here.
-std::vector<const TableFamily*> writableFamilies(int dimensions)
+std::vector<const TableFormat*> writableFormats(int dimensions)
 {
-    std::vector<const TableFamily*> others;
-    std::vector<const TableFamily*> own;
-    for (const TableFamily* family : tableFamilies()) {
-        const FamilyFacts& facts = family->facts;
-        if (!family->write || dimensions < facts.fewestDimensions
+    std::vector<const TableFormat*> others;
+    std::vector<const TableFormat*> own;
+    for (const TableFormat* format : tableFormats()) {
+        const FormatFacts& facts = format->facts;
+        if (!format->write || dimensions < facts.fewestDimensions
             || dimensions > facts.mostDimensions)
             continue;
-        (isTriamec(*family) ? own : others).push_back(family);
+        (isTriamec(*format) ? own : others).push_back(format);
     }
     others.insert(others.end(), own.begin(), own.end());
     return others;
@@ -37,8 +37,8 @@ ExportDialog::ExportDialog(Options options, QWidget* parent)
     })
 {
     setObjectName(QStringLiteral("exportDialog"));
-    const auto families = writableFamilies(m_options.table->grid.dimensions());
-    form().setFamilies(families, families.front());
+    const auto formats = writableFormats(m_options.table->grid.dimensions());
+    form().setFormats(formats, formats.front());
     connect(this, &QDialog::accepted, this,
         [this] { Q_EMIT chosen(m_options.table, form().choices()); });
     retranslate();

@@ -12,7 +12,7 @@ namespace axiscomp::ui {
 
 namespace {
 
-QStringList patternsOf(const FamilyFacts& facts)
+QStringList patternsOf(const FormatFacts& facts)
 {
     QStringList patterns;
     for (const std::string_view extension : facts.extensions)
@@ -33,11 +33,11 @@ QString openFilter()
 {
     QStringList all;
     QStringList entries;
-    for (const TableFamily* family : tableFamilies()) {
-        if (!family->read)
+    for (const TableFormat* format : tableFormats()) {
+        if (!format->read)
             continue;
-        const QStringList patterns = patternsOf(family->facts);
-        entries += entry(familyText(*family), patterns);
+        const QStringList patterns = patternsOf(format->facts);
+        entries += entry(formatText(*format), patterns);
         for (const QString& pattern : patterns) {
             if (!all.contains(pattern, Qt::CaseInsensitive))
                 all += pattern;
@@ -48,20 +48,20 @@ QString openFilter()
     return entries.join(QStringLiteral(";;"));
 }
 
-QString saveFilter(const TableFamily& family)
+QString saveFilter(const TableFormat& format)
 {
-    return entry(familyText(family), patternsOf(family.facts));
+    return entry(formatText(format), patternsOf(format.facts));
 }
 
-QString familyText(const TableFamily& family)
+QString formatText(const TableFormat& format)
 {
-    return qString(family.facts.controller) + QStringLiteral(": ")
-        + translatedPhrase(std::string(family.facts.description));
+    return qString(format.facts.controller) + QStringLiteral(": ")
+        + translatedPhrase(std::string(format.facts.description));
 }
 
-QString extensionOf(const TableFamily& family)
+QString extensionOf(const TableFormat& format)
 {
-    return family.facts.extensions.empty() ? QString() : qString(family.facts.extensions.front());
+    return format.facts.extensions.empty() ? QString() : qString(format.facts.extensions.front());
 }
 
 } // namespace axiscomp::ui

@@ -4,7 +4,7 @@
 #include <QString>
 
 namespace axiscomp {
-struct TableFamily;
+struct TableFormat;
 }
 
 namespace axiscomp::ui {
@@ -12,10 +12,10 @@ namespace axiscomp::ui {
 /// For a file dialog: everything that can be read, one entry for each format, and all files.
 [[nodiscard]] QString openFilter();
 /// The one entry of a format that is written.
-[[nodiscard]] QString saveFilter(const TableFamily& family);
+[[nodiscard]] QString saveFilter(const TableFormat& format);
 /// "softMC (Danaher, Servotronix, Kollmorgen): text table ...", in the language of the window.
-[[nodiscard]] QString familyText(const TableFamily& family);
+[[nodiscard]] QString formatText(const TableFormat& format);
 /// ".txt": the usual extension of a format.
-[[nodiscard]] QString extensionOf(const TableFamily& family);
+[[nodiscard]] QString extensionOf(const TableFormat& format);
 
 } // namespace axiscomp::ui

@@ -13,16 +13,16 @@ namespace axiscomp::ui {
 namespace {
 
 /// Those that can be read, and among them first what the file may be.
-std::vector<const TableFamily*> offered(const std::vector<const TableFamily*>& candidates)
+std::vector<const TableFormat*> offered(const std::vector<const TableFormat*>& candidates)
 {
-    std::vector<const TableFamily*> families;
-    const auto add = [&families](const TableFamily* family) {
-        if (family->read && std::ranges::find(families, family) == families.end())
-            families.push_back(family);
+    std::vector<const TableFormat*> formats;
+    const auto add = [&formats](const TableFormat* format) {
+        if (format->read && std::ranges::find(formats, format) == formats.end())
+            formats.push_back(format);
     };
     std::ranges::for_each(candidates, add);
-    std::ranges::for_each(tableFamilies(), add);
-    return families;
+    std::ranges::for_each(tableFormats(), add);
+    return formats;
 }
 
 } // namespace
@@ -33,12 +33,12 @@ ImportDialog::ImportDialog(Options options, QWidget* parent)
     , m_job([this](const TableImport& import) { take(import); })
 {
     setObjectName(QStringLiteral("importDialog"));
-    form().setFamilies(offered({}), m_options.choices.family);
+    form().setFormats(offered({}), m_options.choices.format);
     form().setChoices(m_options.choices);
     connect(this, &QDialog::accepted, this,
         [this] { Q_EMIT chosen(m_options.path, form().choices()); });
     retranslate();
-    if (!m_options.choices.family)
+    if (!m_options.choices.format)
         startComputing(); // which format it is
 }
 
@@ -63,15 +63,15 @@ void ImportDialog::compute()
 }
 
 /// The format that was found is chosen, once.
-void ImportDialog::showFamily(const TableImport& import)
+void ImportDialog::showFormat(const TableImport& import)
 {
-    if (std::exchange(m_isFamilyShown, true) || m_options.choices.family)
+    if (std::exchange(m_isFormatShown, true) || m_options.choices.format)
         return;
     const bool isOpen = import.refusal && import.refusal->code == ErrorCode::FormatAmbiguous;
     ImportChoices choices = form().choices();
-    choices.family = isOpen ? nullptr : import.family;
+    choices.format = isOpen ? nullptr : import.format;
     const QSignalBlocker blocker(form());
-    form().setFamilies(offered(import.candidates), choices.family);
+    form().setFormats(offered(import.candidates), choices.format);
     form().setChoices(choices);
 }
 
@@ -79,7 +79,7 @@ void ImportDialog::take(const TableImport& import)
 {
     if (import.isCancelled)
         return;
-    showFamily(import);
+    showFormat(import);
     form().setQuestions(import.hasDirections, import.hasWrap);
     if (import.refusal) {
         showReason(errorText(*import.refusal));

@@ -30,11 +30,11 @@ protected:
 
 private:
     void take(const TableImport& import);
-    void showFamily(const TableImport& import);
+    void showFormat(const TableImport& import);
 
     Options m_options;
     NewestJob<TableImport> m_job;
-    bool m_isFamilyShown = false;
+    bool m_isFormatShown = false;
 };
 
 } // namespace axiscomp::ui

@@ -40,20 +40,20 @@ MultiAxisDialog::MultiAxisDialog(WizardController& controller, QWidget* parent)
     , m_controller(controller)
     , m_data(controller.dataFile().data)
     , m_axes(controller.usableAxes())
-    , m_introduction(wrappedLabel("severalIntroduction"))
+    , m_introduction(wrappedLabel("multiAxisIntroduction"))
     , m_columns(new ColumnMappingTable(m_data, m_axes))
     , m_sourcesLabel(new QLabel)
     , m_sources(new QComboBox)
-    , m_persistency(wrappedLabel("severalPersistency"))
+    , m_persistency(wrappedLabel("multiAxisPersistency"))
     , m_planTitle(new QLabel)
     , m_plan(new MultiAxisPlanView)
     , m_busy(new BusyMark)
-    , m_reason(wrappedLabel("severalReason"))
+    , m_reason(wrappedLabel("multiAxisReason"))
     , m_progress(new QProgressBar)
     , m_write(new QPushButton)
     , m_close(new QPushButton)
 {
-    setObjectName(QStringLiteral("severalAxesDialog"));
+    setObjectName(QStringLiteral("multiAxisDialog"));
     setAttribute(Qt::WA_DeleteOnClose);
     build();
     fillSources();
@@ -69,13 +69,13 @@ MultiAxisDialog::~MultiAxisDialog()
 
 void MultiAxisDialog::build()
 {
-    m_sources->setObjectName(QStringLiteral("severalSources"));
+    m_sources->setObjectName(QStringLiteral("multiAxisSources"));
     m_sources->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_sourcesLabel->setBuddy(m_sources);
     QFont titleFont = m_planTitle->font();
     titleFont.setBold(true);
     m_planTitle->setFont(titleFont);
-    m_progress->setObjectName(QStringLiteral("severalProgress"));
+    m_progress->setObjectName(QStringLiteral("multiAxisProgress"));
     m_progress->setRange(0, writingSteps);
     m_write->setObjectName(QStringLiteral("writeSeveralButton"));
     m_write->setDefault(true);
@@ -111,8 +111,8 @@ void MultiAxisDialog::follow()
     connect(m_sources, &QComboBox::activated, this, &MultiAxisDialog::plan);
     connect(m_write, &QPushButton::clicked, this, &MultiAxisDialog::write);
     connect(m_close, &QPushButton::clicked, this, &MultiAxisDialog::reject);
-    connect(&m_controller, &WizardController::severalPlanned, this, &MultiAxisDialog::takePlans);
-    connect(&m_controller, &WizardController::severalWritten, this, &MultiAxisDialog::end);
+    connect(&m_controller, &WizardController::multiAxisPlanned, this, &MultiAxisDialog::takePlans);
+    connect(&m_controller, &WizardController::multiAxisWritten, this, &MultiAxisDialog::end);
     connect(&m_controller, &WizardController::busyChanged, this, &MultiAxisDialog::showBusy);
     connect(&m_controller, &WizardController::actionsChanged, this, &MultiAxisDialog::planAgain);
     connect(&m_controller, &WizardController::currentAxisChanged, this,
@@ -187,14 +187,14 @@ void MultiAxisDialog::plan()
     m_plan->clear();
     m_asked = chosen();
     const bool isAsked = obstacle().isEmpty()
-        && m_controller.planSeveral(m_asked, m_sources->currentIndex() == KeepSources);
+        && m_controller.planMultiAxis(m_asked, m_sources->currentIndex() == KeepSources);
     enter(isAsked ? State::Planning : State::Choosing);
 }
 
 /// A drive that could not be asked, or was not there, may be there again.
 void MultiAxisDialog::planAgain()
 {
-    const auto& plans = m_controller.severalPlans();
+    const auto& plans = m_controller.multiAxisPlans();
     const bool hasFailed = m_state == State::Planned && plans && !*plans;
     if (m_state != State::Choosing && !hasFailed)
         return;
@@ -214,7 +214,7 @@ void MultiAxisDialog::write()
     if (!m_write->isEnabled())
         return;
     m_state = State::Writing; // showBusy() is called from within
-    m_controller.writeSeveral();
+    m_controller.writeMultiAxis();
     enter(m_controller.busy().isBusy ? State::Writing : State::Choosing);
 }
 
@@ -260,7 +260,7 @@ void MultiAxisDialog::enter(State state)
     const bool isChoosable = state != State::Writing && state != State::Ended;
     m_columns->setChoosable(isChoosable);
     m_sources->setEnabled(isChoosable);
-    const auto& plans = m_controller.severalPlans();
+    const auto& plans = m_controller.multiAxisPlans();
     if (state == State::Planned && plans && *plans) {
         std::vector<const CompensationTable*> tables;
         for (const ColumnForAxis& column : m_asked)
@@ -275,7 +275,7 @@ void MultiAxisDialog::enter(State state)
 
 void MultiAxisDialog::showButtons()
 {
-    const auto& plans = m_controller.severalPlans();
+    const auto& plans = m_controller.multiAxisPlans();
     const bool hasChanges = m_state == State::Planned && plans && *plans
         && std::ranges::any_of(
             **plans, [](const WritePlan& plan) { return !plan.changes.empty(); });
@@ -303,7 +303,7 @@ void MultiAxisDialog::showButtons()
 
 QString MultiAxisDialog::reason() const
 {
-    const auto& plans = m_controller.severalPlans();
+    const auto& plans = m_controller.multiAxisPlans();
     switch (m_state) {
     case State::Choosing: {
         const QString obstacleText = obstacle();
@@ -316,7 +316,7 @@ QString MultiAxisDialog::reason() const
         if (!plans)
             break;
         if (!*plans)
-            return severalErrorText(plans->error(), m_axes);
+            return multiAxisErrorText(plans->error(), m_axes);
         if (std::ranges::all_of(
                 **plans, [](const WritePlan& plan) { return plan.changes.empty(); }))
             return tr("The drive has all of this already.");
@@ -332,7 +332,7 @@ QString MultiAxisDialog::reason() const
 void MultiAxisDialog::showReason()
 {
     m_reason->setText(reason());
-    const auto& plans = m_controller.severalPlans();
+    const auto& plans = m_controller.multiAxisPlans();
     const bool isError = (m_state == State::Planned && plans && !*plans)
         || (m_state == State::Ended && m_controller.isOutcomeAnError());
     QPalette shown = palette();

@@ -91,8 +91,8 @@ MultiAxisPlanView::MultiAxisPlanView(QWidget* parent)
     , m_rows(new QTableWidget)
     , m_remarks(new QLabel)
 {
-    setObjectName(QStringLiteral("severalPlan"));
-    m_rows->setObjectName(QStringLiteral("severalPlanRows"));
+    setObjectName(QStringLiteral("multiAxisPlan"));
+    m_rows->setObjectName(QStringLiteral("multiAxisPlanRows"));
     m_rows->setColumnCount(PlanColumnCount);
     m_rows->verticalHeader()->hide();
     m_rows->setEditTriggers(QAbstractItemView::NoEditTriggers);
@@ -108,7 +108,7 @@ MultiAxisPlanView::MultiAxisPlanView(QWidget* parent)
     m_rows->horizontalHeader()->setSectionResizeMode(AxisColumn, QHeaderView::ResizeToContents);
     m_rows->horizontalHeader()->setSectionResizeMode(SlotColumn, QHeaderView::ResizeToContents);
     m_rows->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    m_remarks->setObjectName(QStringLiteral("severalRemarks"));
+    m_remarks->setObjectName(QStringLiteral("multiAxisRemarks"));
     m_remarks->setWordWrap(true);
     m_remarks->hide();
     auto* layout = new QVBoxLayout(this);

@@ -77,16 +77,16 @@ SettingFields::SettingFields(QFormLayout& form, int firstRow, bool isWriting, QO
 {
 }
 
-void SettingFields::setFamily(const TableFamily* family)
+void SettingFields::setFormat(const TableFormat* format)
 {
     for (const auto& [key, value] : values())
         m_given[key] = value;
     for (const Row& row : m_rows)
         m_form.removeRow(row.field);
     m_rows.clear();
-    if (family == nullptr)
+    if (format == nullptr)
         return;
-    for (const FormatSetting& setting : formatSettings(family->facts, m_isWriting))
+    for (const FormatSetting& setting : formatSettings(format->facts, m_isWriting))
         addRow(setting);
     setValues(m_given);
 }

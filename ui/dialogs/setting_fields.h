@@ -21,7 +21,7 @@ public:
     SettingFields(QFormLayout& form, int firstRow, bool isWriting, QObject* parent);
 
     /// What was given for a setting of the same key stays. Null: none.
-    void setFamily(const TableFamily* family);
+    void setFormat(const TableFormat* format);
     void setValues(const FormatSettings& values);
     /// Those that were given.
     [[nodiscard]] FormatSettings values() const;

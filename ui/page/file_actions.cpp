@@ -84,8 +84,8 @@ void FileActions::askForImport(const QString& path)
     if (m_import)
         m_import->reject();
     ImportChoices choices = m_controller.importChoices(path);
-    if (!choices.family && m_controller.dataFile().path == path && m_controller.dataFile().data)
-        choices.family = m_controller.dataFile().family;
+    if (!choices.format && m_controller.dataFile().path == path && m_controller.dataFile().data)
+        choices.format = m_controller.dataFile().format;
     m_import = new ImportDialog(
         {path, m_controller.setup().edited().dimensionality, std::move(choices), m_layout},
         &m_window);
@@ -110,13 +110,13 @@ void FileActions::askWhereToExport(
     FileQuestion question;
     question.purpose = FileQuestion::Purpose::ExportTable;
     question.title = tr("Export for Another Controller");
-    question.filter = saveFilter(*choices.family);
+    question.filter = saveFilter(*choices.format);
     QString name = QString::fromStdString(table->name);
     static const QRegularExpression notForNames(QStringLiteral("[^\\w.-]+"));
     name.replace(notForNames, QStringLiteral("-"));
     question.start = QDir(m_settings.folder())
                          .filePath((name.isEmpty() ? QStringLiteral("table") : name)
-                             + extensionOf(*choices.family));
+                             + extensionOf(*choices.format));
     m_picker(m_window, question,
         [this, table, choices](const QString& path) { saveExport(path, table, choices); });
 }

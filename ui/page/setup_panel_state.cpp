@@ -231,8 +231,8 @@ void SetupPanel::showData()
                 .arg(countText(file.data->tables.size()), countText(file.data->grid.pointCount()));
     if (!file.isReading && file.data && !file.report.empty())
         information += tr("; read as %1, converted")
-                           .arg(QString::fromUtf8(file.family->facts.name.data(),
-                               static_cast<qsizetype>(file.family->facts.name.size())));
+                           .arg(QString::fromUtf8(file.format->facts.name.data(),
+                               static_cast<qsizetype>(file.format->facts.name.size())));
     m_dataRow->setInformation(information);
     showTables();
 }

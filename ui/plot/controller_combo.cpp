@@ -10,16 +10,16 @@ namespace axiscomp::ui {
 namespace {
 
 /// The name of the company is enough here; what stands in brackets is not.
-QString controllerText(const TableFamily& family)
+QString controllerText(const TableFormat& format)
 {
-    const std::string_view name = family.facts.controller;
+    const std::string_view name = format.facts.controller;
     return QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size()))
         .section(QStringLiteral(" ("), 0, 0);
 }
 
-QVariant dataOf(const TableFamily* family)
+QVariant dataOf(const TableFormat* format)
 {
-    return QVariant::fromValue(static_cast<const void*>(family));
+    return QVariant::fromValue(static_cast<const void*>(format));
 }
 
 } // namespace
@@ -34,9 +34,9 @@ ControllerCombo::ControllerCombo(QWidget* parent)
     retranslate();
 }
 
-const TableFamily* ControllerCombo::family() const
+const TableFormat* ControllerCombo::format() const
 {
-    return static_cast<const TableFamily*>(currentData().value<const void*>());
+    return static_cast<const TableFormat*>(currentData().value<const void*>());
 }
 
 /// A controller that cannot have the table is not offered.
@@ -47,8 +47,8 @@ void ControllerCombo::fill()
     clear();
     addItem(QString(), dataOf(nullptr));
     if (m_table) {
-        for (const TableFamily* family : controllersFor(m_table->grid.dimensions()))
-            addItem(QString(), dataOf(family));
+        for (const TableFormat* format : controllersFor(m_table->grid.dimensions()))
+            addItem(QString(), dataOf(format));
     }
     setCurrentIndex(std::max(findData(before), 0));
     setEnabled(m_table != nullptr);
@@ -58,9 +58,9 @@ void ControllerCombo::fill()
 void ControllerCombo::retranslate()
 {
     for (int i = 0; i < count(); ++i) {
-        const auto* family = static_cast<const TableFamily*>(itemData(i).value<const void*>());
+        const auto* format = static_cast<const TableFormat*>(itemData(i).value<const void*>());
         setItemText(i,
-            family ? tr("As applied by %1").arg(controllerText(*family))
+            format ? tr("As applied by %1").arg(controllerText(*format))
                    : tr("As applied by the drive"));
     }
     setToolTip(tr("The table as the drive applies it, or converted for another controller as that "
@@ -86,10 +86,11 @@ void ControllerCombo::compute()
     m_job.cancel();
     m_problem.reset();
     m_shown = m_table;
-    const TableFamily* const chosen = family();
+    const TableFormat* const chosen = format();
     if (chosen && m_table)
-        m_job.start([table = m_table, chosen](
-                        const std::stop_token&) { return appliedTable(*table, chosen->facts); });
+        m_job.start([table = m_table, chosen](const std::stop_token&) {
+            return tableAsAppliedBy(*table, chosen->facts);
+        });
     Q_EMIT changed();
 }
 

@@ -36,7 +36,7 @@ private:
     void fill();
     void compute();
     void take(const Result<CompensationTable>& applied);
-    [[nodiscard]] const TableFamily* family() const; ///< null: the drive
+    [[nodiscard]] const TableFormat* format() const; ///< null: the drive
 
     Table m_table;
     Table m_shown;

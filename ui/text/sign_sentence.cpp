@@ -151,7 +151,7 @@ private:
 } // namespace
 
 QString signSentenceFor(
-    const SurveyedTable& table, const AxisInfo& axis, const std::array<DimSource, 3>& sources)
+    const LoadedTable& table, const AxisInfo& axis, const std::array<DimSource, 3>& sources)
 {
     if (!table.table || table.table->values.empty())
         return {};

@@ -14,6 +14,6 @@ namespace axiscomp::ui {
 /// what the drive adds is in the axis's own unit, whatever the file calls it, and a difference
 /// between the two is said. sources tell which dimension is the axis's own position.
 [[nodiscard]] QString signSentenceFor(
-    const SurveyedTable& table, const AxisInfo& axis, const std::array<DimSource, 3>& sources);
+    const LoadedTable& table, const AxisInfo& axis, const std::array<DimSource, 3>& sources);
 
 } // namespace axiscomp::ui

@@ -28,7 +28,7 @@ struct ConvertOptions {
 
 /// What goes into the output file: all tables where it can hold several and none was named.
 Result<CalibrationData> chosenTables(
-    CalibrationData data, const ConvertOptions& options, const FamilyFacts& to)
+    CalibrationData data, const ConvertOptions& options, const FormatFacts& to)
 {
     const bool wantsAll =
         to.mostColumns != 1 && options.input.table.empty() && options.name.empty();
@@ -62,7 +62,7 @@ Result<Bytes> encodeTable(Environment& environment, const ConvertOptions& option
 }
 
 Result<Bytes> encodeAs(Environment& environment, const ConvertOptions& options,
-    const TableFamily& format, const CalibrationData& data, bool persistent)
+    const TableFormat& format, const CalibrationData& data, bool persistent)
 {
     if (&format == &tam_table::format())
         return encodeTable(environment, options, data.tables.front(), persistent);
@@ -73,7 +73,7 @@ Result<Bytes> encodeAs(Environment& environment, const ConvertOptions& options,
 
 /// A file of the product's own formats into the other one: the same numbers.
 Result<ExitCode> convertOwn(Environment& environment, const ConvertOptions& options,
-    const TableFamily& to, TableInput input)
+    const TableFormat& to, TableInput input)
 {
     const Output output{options.output, options.input.command};
     auto data = chosenTables(std::move(*input.data), options, to.facts);
@@ -90,7 +90,7 @@ Result<ExitCode> convertOwn(Environment& environment, const ConvertOptions& opti
     for (const CompensationTable& table : data->tables)
         tables.push_back(toJson(table));
     environment.document({{"input", options.input.file}, {"output", options.output},
-        {"from", input.family->facts.name}, {"to", to.facts.name},
+        {"from", input.format->facts.name}, {"to", to.facts.name},
         {"dimensions", data->grid.dimensions()}, {"axes", toJson(data->grid)},
         {"tables", std::move(tables)}, {"persistent", persistent && to.facts.holdsPersistency},
         {"bytes", bytes->size()}});
@@ -105,7 +105,7 @@ Result<ExitCode> convertOwn(Environment& environment, const ConvertOptions& opti
 /// What goes into the file of another controller: everything, unless it can hold less or one was
 /// named.
 Result<std::vector<NeutralTable>> chosenColumns(
-    const TableInput& input, const ConvertOptions& options, const FamilyFacts& to)
+    const TableInput& input, const ConvertOptions& options, const FormatFacts& to)
 {
     std::vector<NeutralTable> whole = input.tables;
     if (input.data)
@@ -139,14 +139,14 @@ Json conversionJson(const TableConversion& table)
 
 /// Between the formats of two controllers, or with a change of the numbers.
 Result<ExitCode> convertOther(Environment& environment, const ConvertOptions& options,
-    const TableFamily& to, const TableInput& input)
+    const TableFormat& to, const TableInput& input)
 {
     const Output output{options.output, options.input.command};
     const auto tables = chosenColumns(input, options, to.facts);
     if (!tables)
         return fail(tables.error());
     auto request =
-        conversionRequest(options.conversion, *input.family, to, tables->front().axes.size());
+        conversionRequest(options.conversion, *input.format, to, tables->front().axes.size());
     if (!request)
         return fail(request.error());
     auto profile = profileOf(options.input.profile);
@@ -169,7 +169,7 @@ Result<ExitCode> convertOther(Environment& environment, const ConvertOptions& op
     for (const TableConversion& table : conversion->tables)
         results.push_back(conversionJson(table));
     environment.document({{"input", options.input.file}, {"output", options.output},
-        {"from", input.family->facts.name}, {"to", to.facts.name}, {"tables", std::move(results)},
+        {"from", input.format->facts.name}, {"to", to.facts.name}, {"tables", std::move(results)},
         {"report", report}, {"bytes", bytes.size()}});
     if (output.isStandardOutput())
         return ExitCode::Done;
@@ -184,10 +184,10 @@ Result<ExitCode> convertOther(Environment& environment, const ConvertOptions& op
 Result<ExitCode> runConvert(Environment& environment, const ConvertOptions& options)
 {
     const Output output{options.output, options.input.command};
-    const auto to = outputFamily(options.output, options.to);
+    const auto to = outputFormat(options.output, options.to);
     if (!to)
         return fail(to.error());
-    const FamilyFacts& format = (*to)->facts;
+    const FormatFacts& format = (*to)->facts;
     if (auto possible = checkOutput(environment, output, format.isText); !possible)
         return fail(possible.error());
     if ((options.persistent || options.isVolatile) && !format.holdsPersistency)

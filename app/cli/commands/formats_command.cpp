@@ -14,7 +14,7 @@ struct FormatsOptions {
     bool markdown = false;
 };
 
-Json settingsJson(const FamilyFacts& facts)
+Json settingsJson(const FormatFacts& facts)
 {
     Json list = Json::array();
     for (const FormatSetting& setting : facts.settings)
@@ -25,15 +25,15 @@ Json settingsJson(const FamilyFacts& facts)
     return list;
 }
 
-Json familyJson(const TableFamily& family)
+Json formatJson(const TableFormat& format)
 {
-    const FamilyFacts& facts = family.facts;
+    const FormatFacts& facts = format.facts;
     Json dimensions = Json::array();
     for (int d = facts.fewestDimensions; d <= facts.mostDimensions; ++d)
         dimensions.push_back(d);
     return {{"name", facts.name}, {"controller", facts.controller},
         {"extension", facts.extensions.front()}, {"description", facts.description},
-        {"reads", family.read != nullptr}, {"writes", family.write != nullptr},
+        {"reads", format.read != nullptr}, {"writes", format.write != nullptr},
         {"dimensions", std::move(dimensions)}, {"knots", knotRuleName(facts.knots)},
         {"mostPoints", facts.mostPoints}, {"severalTables", holdsSeveral(facts)},
         {"directions", facts.holdsDirections}, {"modulo", facts.holdsWrap},
@@ -48,10 +48,10 @@ Json familyJson(const TableFamily& family)
 std::string listText()
 {
     TextTable table({"name", "extension", "reads", "writes", "dimensions", "sign", "what it is"});
-    for (const TableFamily* family : tableFamilies()) {
-        const FamilyFacts& facts = family->facts;
+    for (const TableFormat* format : tableFormats()) {
+        const FormatFacts& facts = format->facts;
         table.add({std::string(facts.name), std::string(facts.extensions.front()),
-            family->read ? "yes" : "-", family->write ? "yes" : "-", dimensionsText(facts),
+            format->read ? "yes" : "-", format->write ? "yes" : "-", dimensionsText(facts),
             std::string(signName(facts.sign)),
             std::string(facts.controller) + ": " + std::string(facts.description)});
     }
@@ -61,16 +61,16 @@ std::string listText()
 Result<ExitCode> runFormats(Environment& environment, const FormatsOptions& options)
 {
     if (!options.name.empty()) {
-        const auto family = familyNamed(options.name);
-        if (!family)
-            return fail(family.error());
-        environment.print(familyText(**family));
-        environment.document(familyJson(**family));
+        const auto format = formatNamed(options.name);
+        if (!format)
+            return fail(format.error());
+        environment.print(formatText(**format));
+        environment.document(formatJson(**format));
         return ExitCode::Done;
     }
     Json list = Json::array();
-    for (const TableFamily* family : tableFamilies())
-        list.push_back(familyJson(*family));
+    for (const TableFormat* format : tableFormats())
+        list.push_back(formatJson(*format));
     environment.print(options.markdown ? formatsPage() : listText());
     environment.document({{"formats", std::move(list)}});
     return ExitCode::Done;

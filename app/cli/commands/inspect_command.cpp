@@ -29,7 +29,7 @@ Json inspectJson(const TableInput& input, int dimensions)
         for (const CompensationTable& table : input.data->tables)
             tables.push_back(toJson(table));
     }
-    return {{"format", input.family->facts.name},
+    return {{"format", input.format->facts.name},
         {"dimensions", input.data ? input.data->grid.dimensions() : dimensions},
         {"axes", input.data ? toJson(input.data->grid) : Json::array()},
         {"tables", std::move(tables)},
@@ -41,8 +41,8 @@ Json inspectJson(const TableInput& input, int dimensions)
 std::string headline(const TableInput& input, const TableInputOptions& options)
 {
     const CalibrationData& data = *input.data;
-    const bool isTamTable = input.family->facts.holdsPersistency;
-    std::string text = displayName(options.file) + ": " + std::string(input.family->facts.name)
+    const bool isTamTable = input.format->facts.holdsPersistency;
+    std::string text = displayName(options.file) + ": " + std::string(input.format->facts.name)
         + ", "
         + plural(static_cast<std::uint64_t>(data.grid.dimensions()), "dimension", "dimensions")
         + ", " + plural(data.grid.pointCount(), "point", "points") + ", "
@@ -123,14 +123,14 @@ ExitCode reportOther(
     Json tables = Json::array();
     for (const NeutralTable& table : input.tables)
         tables.push_back(neutralJson(table));
-    environment.document({{"format", input.family->facts.name}, {"tables", std::move(tables)},
+    environment.document({{"format", input.format->facts.name}, {"tables", std::move(tables)},
         {"warnings", diagnosticsJson(input.diagnostics, Severity::Warning)},
         {"errors", diagnosticsJson(input.diagnostics, Severity::Error)}});
     if (input.tables.empty())
         return ExitCode::InputFile;
     const NeutralTable& first = input.tables.front();
-    environment.print(displayName(options.file) + ": " + std::string(input.family->facts.name)
-        + " (" + std::string(input.family->facts.controller) + "), "
+    environment.print(displayName(options.file) + ": " + std::string(input.format->facts.name)
+        + " (" + std::string(input.format->facts.controller) + "), "
         + plural(input.tables.size(), "table", "tables") + ", sign "
         + std::string(signName(first.sign)) + "\n");
     for (const NeutralTable& table : input.tables) {
@@ -146,7 +146,7 @@ Result<ExitCode> runInspect(Environment& environment, const TableInputOptions& o
     auto input = inspectInput(environment, options);
     if (!input)
         return fail(input.error());
-    if (!isTriamec(*input->family))
+    if (!isTriamec(*input->format))
         return reportOther(environment, *input, options);
     environment.document(inspectJson(*input, options.dimensions));
     if (!input->data)

@@ -56,7 +56,7 @@ TableEvaluation driveEvaluation(const CompensationTable& table, Outside outside)
 TableEvaluation controllerEvaluation(const NeutralTable& table, const TableBehaviour& behaviour)
 {
     return {table.axes.size(),
-        [applied = AppliedCompensation(table, 0, behaviour)](const std::vector<double>& position)
+        [applied = ControllerLookup(table, 0, behaviour)](const std::vector<double>& position)
             -> Result<double> { return applied.at(position); }};
 }
 
@@ -118,7 +118,7 @@ Result<ExitCode> lookUpForController(
     Environment& environment, const LookupOptions& options, const TableInput& input)
 {
     const auto as =
-        options.as.empty() ? Result<const TableFamily*>(input.family) : familyNamed(options.as);
+        options.as.empty() ? Result<const TableFormat*>(input.format) : formatNamed(options.as);
     if (!as)
         return fail(as.error());
     const std::vector<NeutralTable> columns = neutralColumns(input);
@@ -126,9 +126,9 @@ Result<ExitCode> lookUpForController(
     if (!index)
         return fail(index.error());
     NeutralTable table = columns[*index];
-    if (*as != input.family || options.conversion.isAnything()) {
+    if (*as != input.format || options.conversion.isAnything()) {
         const auto request =
-            conversionRequest(options.conversion, *input.family, **as, table.axes.size());
+            conversionRequest(options.conversion, *input.format, **as, table.axes.size());
         if (!request)
             return fail(request.error());
         const NeutralTable tables[] = {table};

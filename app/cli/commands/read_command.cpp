@@ -66,7 +66,7 @@ Result<ReadTable> readAsCsv(CommandSession& session, const AxisStatus& status)
 
 /// For another controller: what the axis uses, converted; the report goes to standard error.
 Result<ReadTable> readAsOther(Environment& environment, CommandSession& session,
-    const AxisStatus& status, const ReadOptions& options, const TableFamily& to)
+    const AxisStatus& status, const ReadOptions& options, const TableFormat& to)
 {
     auto table = session.compensator().readTable(status.axis.index, session.operation());
     if (!table)
@@ -96,11 +96,11 @@ Result<ExitCode> runRead(Environment& environment, const ReadOptions& options)
 {
     const Output output{options.output, options.drive.command};
     const bool isUnnamed = output.isStandardOutput() && options.to.empty();
-    const auto format = isUnnamed ? Result<const TableFamily*>(&calibration_csv::format())
-                                  : outputFamily(options.output, options.to);
+    const auto format = isUnnamed ? Result<const TableFormat*>(&calibration_csv::format())
+                                  : outputFormat(options.output, options.to);
     if (!format)
         return fail(format.error());
-    const FamilyFacts& info = (*format)->facts;
+    const FormatFacts& info = (*format)->facts;
     if (auto possible = checkOutput(environment, output, info.isText); !possible)
         return fail(possible.error());
     const bool isOther = !isTriamec(**format);

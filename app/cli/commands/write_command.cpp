@@ -148,7 +148,8 @@ Result<ExitCode> writeMapped(Environment& environment, CommandSession& session,
             return fail(axis.error());
         writes.push_back({*axis, column.request});
     }
-    if (const auto plans = planSeveral(session.compensator(), writes, session.operation()); !plans)
+    if (const auto plans = planMultiAxis(session.compensator(), writes, session.operation());
+        !plans)
         return fail(plans.error());
     Json documents = Json::array();
     for (std::size_t n = 0; n < writes.size(); ++n) {

@@ -140,7 +140,7 @@ void addOutputOptions(CLI::App& command, ConversionOptions& options)
 }
 
 Result<ConversionRequest> conversionRequest(const ConversionOptions& options,
-    const TableFamily& from, const TableFamily& to, std::size_t dimensions)
+    const TableFormat& from, const TableFormat& to, std::size_t dimensions)
 {
     ConversionRequest request;
     request.from = &from;
@@ -180,7 +180,7 @@ Result<CompensationTable> driveTable(Environment& environment, const TableInput&
     if (!index)
         return fail(index.error());
     const auto request = conversionRequest(
-        options, *input.family, calibration_csv::format(), columns[*index].axes.size());
+        options, *input.format, calibration_csv::format(), columns[*index].axes.size());
     if (!request)
         return fail(request.error());
     const auto conversion = convertTables(std::span(columns).subspan(*index, 1), *request);

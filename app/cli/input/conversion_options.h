@@ -48,7 +48,7 @@ void addOutputOptions(CLI::App& command, ConversionOptions& options);
 
 /// dimensions: of the tables. Errors: InvalidArgument.
 [[nodiscard]] Result<ConversionRequest> conversionRequest(const ConversionOptions& options,
-    const TableFamily& from, const TableFamily& to, std::size_t dimensions);
+    const TableFormat& from, const TableFormat& to, std::size_t dimensions);
 
 /// The table that a drive shall have, from a file of any format: one column, converted where the
 /// format is another controller's or something was asked for; then the report goes to standard

@@ -53,22 +53,22 @@ Result<std::string> wholeInput(Environment& environment, const std::string& file
     return std::string(asText(*bytes));
 }
 
-Result<const TableFamily*> familyOf(Environment& environment, const TableInputOptions& options)
+Result<const TableFormat*> formatOf(Environment& environment, const TableInputOptions& options)
 {
     if (!options.from.empty())
-        return familyNamed(options.from);
+        return formatNamed(options.from);
     if (options.file == standardStream)
         return &calibration_csv::format();
     const std::string name = std::filesystem::path(options.file).filename().string();
-    const auto choice = chooseFamily(beginningOf(options.file), name, options.dimensions != 0);
+    const auto choice = chooseFormat(beginningOf(options.file), name, options.dimensions != 0);
     if (!choice)
         return fail(choice.error());
-    const std::string others = familyNames(choice->others);
-    if (!isTriamec(*choice->family))
+    const std::string others = formatNames(choice->others);
+    if (!isTriamec(*choice->format))
         environment.console().note(options.file + ": read as "
-            + std::string(choice->family->facts.name)
+            + std::string(choice->format->facts.name)
             + (others.empty() ? "" : "; it could be " + others + " as well: say it with --from"));
-    return choice->family;
+    return choice->format;
 }
 
 /// The number of dimensions is the user's to choose, but when only one fits it can be named.
@@ -114,7 +114,7 @@ Result<TableInput> inspectCsv(Environment& environment, const TableInputOptions&
             + plural(reading->suppressed, "further error is", "further errors are")
             + " not listed");
     TableInput input;
-    input.family = &calibration_csv::format();
+    input.format = &calibration_csv::format();
     input.diagnostics = std::move(reading->diagnostics);
     input.suppressed = reading->suppressed;
     if (!reading->hasErrors()) {
@@ -141,7 +141,7 @@ Result<TableInput> inspectTamTable(Environment& environment, const TableInputOpt
             {{"table", std::to_string(dimensions)},
                 {"chosen", std::to_string(options.dimensions)}});
     TableInput input;
-    input.family = &tam_table::format();
+    input.format = &tam_table::format();
     input.persistent = table->persistent;
     input.bytes = text->size();
     input.data = CalibrationData{table->table.grid, {}, {}};
@@ -150,14 +150,14 @@ Result<TableInput> inspectTamTable(Environment& environment, const TableInputOpt
 }
 
 Result<TableInput> inspectOther(
-    Environment& environment, const TableFamily& family, const TableInputOptions& options)
+    Environment& environment, const TableFormat& format, const TableInputOptions& options)
 {
     const auto settings = settingsOf(options.settings, options.command);
     if (!settings)
         return fail(settings.error());
-    if (family.read == nullptr)
+    if (format.read == nullptr)
         return wrongUsage(
-            "the format " + std::string(family.facts.name) + " can be written, not read",
+            "the format " + std::string(format.facts.name) + " can be written, not read",
             options.command);
     const auto text = wholeInput(environment, options.file);
     if (!text)
@@ -166,14 +166,14 @@ Result<TableInput> inspectOther(
     readOptions.dimensions = options.dimensions;
     readOptions.settings = *settings;
     readOptions.stop = environment.stopToken();
-    auto reading = family.read(*text, readOptions);
+    auto reading = format.read(*text, readOptions);
     if (!reading)
         return fail(reading.error());
     if (reading->cancelled)
         return fail(ErrorCode::Cancelled);
     environment.diagnose(displayName(options.file), reading->diagnostics);
     TableInput input;
-    input.family = &family;
+    input.format = &format;
     input.bytes = text->size();
     input.diagnostics = std::move(reading->diagnostics);
     input.suppressed = reading->suppressed;
@@ -238,14 +238,14 @@ std::string displayName(const std::string& file)
 
 Result<TableInput> inspectInput(Environment& environment, const TableInputOptions& options)
 {
-    const auto family = familyOf(environment, options);
-    if (!family)
-        return fail(family.error());
-    if (*family == &calibration_csv::format())
+    const auto format = formatOf(environment, options);
+    if (!format)
+        return fail(format.error());
+    if (*format == &calibration_csv::format())
         return inspectCsv(environment, options);
-    if (*family == &tam_table::format())
+    if (*format == &tam_table::format())
         return inspectTamTable(environment, options);
-    return inspectOther(environment, **family, options);
+    return inspectOther(environment, **format, options);
 }
 
 Result<TableInput> readInput(Environment& environment, const TableInputOptions& options)

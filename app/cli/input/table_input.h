@@ -38,7 +38,7 @@ void addProfileOption(CLI::App& command, std::string& profile);
 
 /// A file of any known format.
 struct TableInput {
-    const TableFamily* family = nullptr;
+    const TableFormat* format = nullptr;
     std::optional<CalibrationData> data; ///< of the product's own formats, without an error
     std::vector<std::vector<double>> knots; ///< see CsvReading, with acceptsUneven
     std::vector<NeutralTable> tables; ///< of all other formats, empty with an error

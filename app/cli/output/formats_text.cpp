@@ -10,14 +10,14 @@ namespace {
 
 using Lines = std::vector<std::pair<std::string, std::string>>;
 
-std::string use(const TableFamily& family)
+std::string use(const TableFormat& format)
 {
-    if (family.read && family.write)
+    if (format.read && format.write)
         return "read and written";
-    return family.read ? "read only" : "written only";
+    return format.read ? "read only" : "written only";
 }
 
-std::string extensionsText(const FamilyFacts& facts)
+std::string extensionsText(const FormatFacts& facts)
 {
     std::string text;
     for (const std::string_view extension : facts.extensions)
@@ -25,7 +25,7 @@ std::string extensionsText(const FamilyFacts& facts)
     return text;
 }
 
-std::string limitsText(const FamilyFacts& facts)
+std::string limitsText(const FormatFacts& facts)
 {
     std::string text = std::string(knotRuleName(facts.knots)) + " positions";
     if (facts.mostPoints > 0)
@@ -40,7 +40,7 @@ std::string limitsText(const FamilyFacts& facts)
     return text;
 }
 
-std::string holdsText(const FamilyFacts& facts)
+std::string holdsText(const FormatFacts& facts)
 {
     std::string text = std::string(facts.numbers);
     text += facts.holdsNames ? ", names of axes" : "";
@@ -52,7 +52,7 @@ std::string holdsText(const FamilyFacts& facts)
     return text;
 }
 
-std::string signText(const FamilyFacts& facts)
+std::string signText(const FormatFacts& facts)
 {
     const std::string words = facts.sign == SignConvention::Feedback
         ? "feedback: x_ref - x_enc, added to the encoder position"
@@ -60,11 +60,11 @@ std::string signText(const FamilyFacts& facts)
     return words + " (" + std::string(evidenceName(facts.signEvidence)) + ")";
 }
 
-Lines factLines(const TableFamily& family)
+Lines factLines(const TableFormat& format)
 {
-    const FamilyFacts& facts = family.facts;
+    const FormatFacts& facts = format.facts;
     Lines lines{{"Controller", std::string(facts.controller)},
-        {"File", std::string(facts.description)}, {"Use", use(family)},
+        {"File", std::string(facts.description)}, {"Use", use(format)},
         {"Extension", extensionsText(facts)}, {"Dimensions", dimensionsText(facts)},
         {"Holds", holdsText(facts)}, {"Limits", limitsText(facts)}, {"Sign", signText(facts)},
         {"Outside",
@@ -88,7 +88,7 @@ std::string settingText(const FormatSetting& setting)
     return text;
 }
 
-Lines settingLines(const FamilyFacts& facts)
+Lines settingLines(const FormatFacts& facts)
 {
     Lines lines;
     for (const FormatSetting& setting : facts.settings)
@@ -107,11 +107,11 @@ std::string bulletList(std::span<const std::string_view> sentences, std::string_
     return text;
 }
 
-std::string section(const TableFamily& family)
+std::string section(const TableFormat& format)
 {
-    const FamilyFacts& facts = family.facts;
+    const FormatFacts& facts = format.facts;
     std::string text = "## `" + std::string(facts.name) + "`\n\n| | |\n|---|---|\n";
-    for (const auto& [name, value] : factLines(family))
+    for (const auto& [name, value] : factLines(format))
         text += "| " + name + " | " + value + " |\n";
     if (!facts.rules.empty())
         text += "\nWhat its documentation, or public program code, says:\n\n"
@@ -140,14 +140,14 @@ std::string_view knotRuleName(KnotRule rule)
     return "any ascending";
 }
 
-std::string dimensionsText(const FamilyFacts& facts)
+std::string dimensionsText(const FormatFacts& facts)
 {
     return facts.fewestDimensions == facts.mostDimensions
         ? std::to_string(facts.mostDimensions)
         : std::to_string(facts.fewestDimensions) + " to " + std::to_string(facts.mostDimensions);
 }
 
-std::string outsideWords(const FamilyFacts& facts)
+std::string outsideWords(const FormatFacts& facts)
 {
     std::string text = facts.behaviour.outside == Outside::Zero
         ? "no correction outside of the table"
@@ -157,15 +157,15 @@ std::string outsideWords(const FamilyFacts& facts)
     return text;
 }
 
-bool holdsSeveral(const FamilyFacts& facts)
+bool holdsSeveral(const FormatFacts& facts)
 {
     return facts.mostTables != 1 || facts.mostColumns != 1;
 }
 
-std::string familyText(const TableFamily& family)
+std::string formatText(const TableFormat& format)
 {
-    const FamilyFacts& facts = family.facts;
-    std::string text = labelled(factLines(family));
+    const FormatFacts& facts = format.facts;
+    std::string text = labelled(factLines(format));
     if (!facts.rules.empty())
         text += "\nRules (from documentation, or public program code)\n"
             + bulletList(facts.rules, "  ");
@@ -189,16 +189,16 @@ std::string formatsPage()
         "position: c(x) = -e(x + c(x)).\n`--sign feedback|command` overrules what is known of a "
         "format.\n\n"
         "| format | controller | use | dimensions | sign |\n|---|---|---|---|---|\n";
-    for (const TableFamily* family : tableFamilies()) {
-        const FamilyFacts& facts = family->facts;
+    for (const TableFormat* format : tableFormats()) {
+        const FormatFacts& facts = format->facts;
         text += "| [`" + std::string(facts.name) + "`](#" + std::string(facts.name) + ") | "
-            + std::string(facts.controller) + " | " + use(*family) + " | " + dimensionsText(facts)
+            + std::string(facts.controller) + " | " + use(*format) + " | " + dimensionsText(facts)
             + " | " + std::string(signName(facts.sign)) + ", "
             + std::string(evidenceName(facts.signEvidence)) + " |\n";
     }
     text += '\n';
-    for (const TableFamily* family : tableFamilies())
-        text += section(*family);
+    for (const TableFormat* format : tableFormats())
+        text += section(*format);
     text.pop_back();
     return text;
 }

@@ -10,12 +10,12 @@ namespace axiscomp::app {
 // The facts of the table formats in words, for `axiscomp formats` and docs/formats.md.
 
 [[nodiscard]] std::string_view knotRuleName(KnotRule rule); ///< "any", "even", "square cells"
-[[nodiscard]] std::string dimensionsText(const FamilyFacts& facts); ///< "1 to 3"
-[[nodiscard]] std::string outsideWords(const FamilyFacts& facts);
-[[nodiscard]] bool holdsSeveral(const FamilyFacts& facts); ///< tables or columns
+[[nodiscard]] std::string dimensionsText(const FormatFacts& facts); ///< "1 to 3"
+[[nodiscard]] std::string outsideWords(const FormatFacts& facts);
+[[nodiscard]] bool holdsSeveral(const FormatFacts& facts); ///< tables or columns
 
 /// Everything about one format, for a terminal.
-[[nodiscard]] std::string familyText(const TableFamily& family);
+[[nodiscard]] std::string formatText(const TableFormat& format);
 
 /// The page docs/formats.md.
 [[nodiscard]] std::string formatsPage();

@@ -121,8 +121,8 @@ std::string tableText(const NeutralTable& table, const std::string& unit)
 
 Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWriteOptions& options)
 {
-    const TableFamily& family = aerotech_1d::format();
-    const auto given = SettingValues::of(family.facts, options.settings, true);
+    const TableFormat& format = aerotech_1d::format();
+    const auto given = SettingValues::of(format.facts, options.settings, true);
     if (!given)
         return fail(given.error());
     WrittenTables written;
@@ -131,15 +131,15 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
     for (const NeutralTable& source : tables) {
         const CompensationColumn& column = source.columns.front();
         if (!ownAxis(source, column))
-            return cannotHold(family.facts,
+            return cannotHold(format.facts,
                 "it compensates " + column.target + " by the position of "
                     + source.axes.front().name,
                 "choose a table of an axis for itself");
-        const auto axis = axisNumber(family.facts, *given, "axis", source.axes.front().name);
+        const auto axis = axisNumber(format.facts, *given, "axis", source.axes.front().name);
         if (!axis)
             return fail(axis.error());
         if (!axes.insert(*axis).second)
-            return cannotHold(family.facts,
+            return cannotHold(format.facts,
                 "there are two tables for axis " + std::to_string(*axis)
                     + ", and the controller adds their corrections",
                 "choose one of them");
@@ -151,7 +151,7 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
         written.bytes += tableText(*table, aerotech::unitWord(*given));
         prepared.push_back(std::move(*table));
     }
-    auto held = readBack(family, written.bytes, aerotech::readingSettings(prepared, *given));
+    auto held = readBack(format, written.bytes, aerotech::readingSettings(prepared, *given));
     if (!held)
         return fail(held.error());
     written.held = std::move(*held);
@@ -160,9 +160,9 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
 
 } // namespace
 
-const TableFamily& format()
+const TableFormat& format()
 {
-    static const TableFamily family{.facts = {.name = "aerotech-1d",
+    static const TableFormat format{.facts = {.name = "aerotech-1d",
                                         .controller = "Aerotech",
                                         .description = "calibration file of single axes (:START)",
                                         .extensions = extensions,
@@ -181,7 +181,7 @@ const TableFamily& format()
         .recognise = recognise,
         .read = read,
         .write = write};
-    return family;
+    return format;
 }
 
 } // namespace axiscomp::aerotech_1d

@@ -216,7 +216,7 @@ Recognition recognise(std::string_view text)
 /// The table with the numbers of its axes, and with a second column at least.
 Result<NeutralTable> numbered(const NeutralTable& source, const SettingValues& given)
 {
-    const FamilyFacts& facts = aerotech_2d::format().facts;
+    const FormatFacts& facts = aerotech_2d::format().facts;
     NeutralTable table = source;
     constexpr std::array<std::string_view, 2> sourceKeys{"column-axis", "row-axis"};
     for (std::size_t n = 0; n < 2; ++n) {
@@ -269,8 +269,8 @@ std::string tableText(const NeutralTable& table, const std::string& unit)
 
 Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWriteOptions& options)
 {
-    const TableFamily& family = aerotech_2d::format();
-    const auto given = SettingValues::of(family.facts, options.settings, true);
+    const TableFormat& format = aerotech_2d::format();
+    const auto given = SettingValues::of(format.facts, options.settings, true);
     if (!given)
         return fail(given.error());
     WrittenTables written;
@@ -285,7 +285,7 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
         written.bytes += tableText(*table, aerotech::unitWord(*given));
         prepared.push_back(std::move(*table));
     }
-    auto held = readBack(family, written.bytes, aerotech::readingSettings(prepared, *given));
+    auto held = readBack(format, written.bytes, aerotech::readingSettings(prepared, *given));
     if (!held)
         return fail(held.error());
     written.held = std::move(*held);
@@ -294,9 +294,9 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
 
 } // namespace
 
-const TableFamily& format()
+const TableFormat& format()
 {
-    static const TableFamily family{.facts = {.name = "aerotech-2d",
+    static const TableFormat format{.facts = {.name = "aerotech-2d",
                                         .controller = "Aerotech",
                                         .description = "calibration file of two axes (:START2D)",
                                         .extensions = extensions,
@@ -318,7 +318,7 @@ const TableFamily& format()
         .recognise = recognise,
         .read = read,
         .write = write};
-    return family;
+    return format;
 }
 
 } // namespace axiscomp::aerotech_2d

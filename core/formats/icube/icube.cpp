@@ -307,7 +307,7 @@ Result<void> checkWritable(const NeutralTable& table)
 
 Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWriteOptions& options)
 {
-    const FamilyFacts& facts = icube::format().facts;
+    const FormatFacts& facts = icube::format().facts;
     if (auto checked = checkWrapSetting(options.settings); !checked)
         return fail(checked.error());
     const auto values = SettingValues::of(facts, options.settings, true);
@@ -338,9 +338,9 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
 
 } // namespace
 
-const TableFamily& format()
+const TableFormat& format()
 {
-    static const TableFamily family{.facts = {.name = "icube",
+    static const TableFormat format{.facts = {.name = "icube",
                                         .controller = "Yaskawa iCube Control",
                                         .description = "CSV file of positions and offsets",
                                         .extensions = extensions,
@@ -358,7 +358,7 @@ const TableFamily& format()
         .recognise = recognise,
         .read = read,
         .write = write};
-    return family;
+    return format;
 }
 
 } // namespace axiscomp::icube

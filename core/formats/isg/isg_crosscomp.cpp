@@ -122,7 +122,7 @@ Recognition recognise(std::string_view text)
 
 Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWriteOptions& options)
 {
-    const FamilyFacts& facts = isg_crosscomp::format().facts;
+    const FormatFacts& facts = isg_crosscomp::format().facts;
     const auto given = SettingValues::of(facts, options.settings, true);
     if (!given)
         return fail(given.error());
@@ -172,9 +172,9 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
 
 } // namespace
 
-const TableFamily& format()
+const TableFormat& format()
 {
-    static const TableFamily family{
+    static const TableFormat format{
         .facts = {.name = "isg-crosscomp",
             .controller = "ISG kernel, TwinCAT CNC",
             .description = "cross compensation in a compensation list (kw.crosscomp)",
@@ -195,7 +195,7 @@ const TableFamily& format()
         .recognise = recognise,
         .read = read,
         .write = write};
-    return family;
+    return format;
 }
 
 } // namespace axiscomp::isg_crosscomp

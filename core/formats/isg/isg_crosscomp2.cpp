@@ -178,7 +178,7 @@ Recognition recognise(std::string_view text)
 /// The first position and the distance of an axis in numbers of the file, which are whole unless
 /// decimals are asked for.
 Result<std::array<double, 2>> gridOf(
-    const FamilyFacts& facts, const isg::Draft& draft, const SourceAxis& axis)
+    const FormatFacts& facts, const isg::Draft& draft, const SourceAxis& axis)
 {
     std::vector<double> exact = axis.knots;
     for (double& knot : exact)
@@ -199,7 +199,7 @@ Result<std::array<double, 2>> gridOf(
 
 /// A modulo axis must stay closed when its values are rounded.
 Result<void> closeEnds(
-    const FamilyFacts& facts, const isg::Draft& draft, std::vector<double>& values)
+    const FormatFacts& facts, const isg::Draft& draft, std::vector<double>& values)
 {
     const NeutralTable& table = draft.table;
     const std::size_t width = table.axes[0].knots.size();
@@ -230,7 +230,7 @@ void addHeader(isg::Draft& draft, const std::array<std::array<double, 2>, 2>& gr
 Result<isg::Draft> draftOf(const NeutralTable& source, const SettingValues& given, long axis,
     std::vector<std::string>& remarks)
 {
-    const FamilyFacts& facts = isg_crosscomp2::format().facts;
+    const FormatFacts& facts = isg_crosscomp2::format().facts;
     const auto master1 = axisNumber(facts, given, "master1-axis", source.axes[0].name);
     const auto master2 = axisNumber(facts, given, "master2-axis", source.axes[1].name);
     if (!master1 || !master2)
@@ -262,7 +262,7 @@ Result<isg::Draft> draftOf(const NeutralTable& source, const SettingValues& give
 
 Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWriteOptions& options)
 {
-    const FamilyFacts& facts = isg_crosscomp2::format().facts;
+    const FormatFacts& facts = isg_crosscomp2::format().facts;
     const auto given = SettingValues::of(facts, options.settings, true);
     if (!given)
         return fail(given.error());
@@ -288,9 +288,9 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
 
 } // namespace
 
-const TableFamily& format()
+const TableFormat& format()
 {
-    static const TableFamily family{
+    static const TableFormat format{
         .facts = {.name = "isg-crosscomp2",
             .controller = "ISG kernel, TwinCAT CNC",
             .description = "plane compensation in a compensation list (kw.crosscomp2)",
@@ -313,7 +313,7 @@ const TableFamily& format()
         .recognise = recognise,
         .read = read,
         .write = write};
-    return family;
+    return format;
 }
 
 } // namespace axiscomp::isg_crosscomp2

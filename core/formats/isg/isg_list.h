@@ -163,11 +163,11 @@ struct Draft {
 [[nodiscard]] Result<Draft> beginDraft(const Section& section, const NeutralTable& table,
     const SettingValues& settings, long axis, std::vector<std::string>& remarks);
 /// The numbers of the file for positions or values. Errors: FormatCannotHold, 32 bits.
-[[nodiscard]] Result<std::vector<double>> inFile(const FamilyFacts& facts, const Draft& draft,
+[[nodiscard]] Result<std::vector<double>> inFile(const FormatFacts& facts, const Draft& draft,
     std::span<const double> numbers, std::string_view what);
 /// Ends the text, reads it back and adds what a person must know. readSettings: what the list does
 /// not say itself.
-[[nodiscard]] Result<WrittenTables> finish(const TableFamily& family, Draft draft,
+[[nodiscard]] Result<WrittenTables> finish(const TableFormat& format, Draft draft,
     const SettingValues& settings, FormatSettings readSettings, std::vector<std::string> remarks);
 /// Whether an axis or column is in degrees: "rotary", otherwise "linear".
 [[nodiscard]] std::string kindOf(const std::string& unit);

@@ -145,7 +145,7 @@ Result<std::vector<double>> valuesOf(const isg::Draft& draft, const Compensation
 /// The head and the positions: an interval where they are even in the file, otherwise setpoints.
 Result<void> addPositions(isg::Draft& draft)
 {
-    const FamilyFacts& facts = isg_ssfk::format().facts;
+    const FormatFacts& facts = isg_ssfk::format().facts;
     const SourceAxis& axis = draft.table.axes[0];
     const auto knots = isg::inFile(facts, draft, axis.knots, "the position");
     if (!knots)
@@ -190,7 +190,7 @@ Result<void> addTable(isg::Draft& draft, const DirectionPair& pair)
 
 Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWriteOptions& options)
 {
-    const FamilyFacts& facts = isg_ssfk::format().facts;
+    const FormatFacts& facts = isg_ssfk::format().facts;
     const auto given = SettingValues::of(facts, options.settings, true);
     if (!given)
         return fail(given.error());
@@ -227,9 +227,9 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
 
 } // namespace
 
-const TableFamily& format()
+const TableFormat& format()
 {
-    static const TableFamily family{
+    static const TableFormat format{
         .facts = {.name = "isg-ssfk",
             .controller = "ISG kernel, TwinCAT CNC",
             .description = "leadscrew error compensation in a compensation list (kw.ssfk)",
@@ -251,7 +251,7 @@ const TableFamily& format()
         .recognise = recognise,
         .read = read,
         .write = write};
-    return family;
+    return format;
 }
 
 } // namespace axiscomp::isg_ssfk

@@ -137,7 +137,7 @@ Result<Draft> beginDraft(const Section& section, const NeutralTable& table,
     return draft;
 }
 
-Result<std::vector<double>> inFile(const FamilyFacts& facts, const Draft& draft,
+Result<std::vector<double>> inFile(const FormatFacts& facts, const Draft& draft,
     std::span<const double> numbers, std::string_view what)
 {
     std::vector<double> rounded(numbers.size());
@@ -151,13 +151,13 @@ Result<std::vector<double>> inFile(const FamilyFacts& facts, const Draft& draft,
     return rounded;
 }
 
-Result<WrittenTables> finish(const TableFamily& family, Draft draft, const SettingValues& settings,
+Result<WrittenTables> finish(const TableFormat& format, Draft draft, const SettingValues& settings,
     FormatSettings readSettings, std::vector<std::string> remarks)
 {
     draft.text += "End\n";
     if (!draft.scale.isMetric && draft.scale.isConverted)
         readSettings["increments-per-unit"] = settings.text("increments-per-unit");
-    auto held = readBack(family, draft.text, std::move(readSettings));
+    auto held = readBack(format, draft.text, std::move(readSettings));
     if (!held)
         return fail(held.error());
     return WrittenTables{std::move(draft.text), std::move(*held), std::move(remarks)};

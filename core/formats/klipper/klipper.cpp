@@ -322,9 +322,9 @@ Recognition recognise(std::string_view text)
 
 } // namespace
 
-const TableFamily& format()
+const TableFormat& format()
 {
-    static const TableFamily family{
+    static const TableFormat format{
         .facts = {.name = "klipper",
             .controller = "Klipper",
             .description = "[bed_mesh NAME] sections of printer.cfg: heights of the bed",
@@ -344,7 +344,7 @@ const TableFamily& format()
             .assumptions = assumptions},
         .recognise = recognise,
         .read = read};
-    return family;
+    return format;
 }
 
 } // namespace axiscomp::klipper

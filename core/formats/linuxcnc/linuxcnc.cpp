@@ -251,7 +251,7 @@ Written measured(double nominal, double trim)
 
 Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWriteOptions& options)
 {
-    const FamilyFacts& facts = linuxcnc::format().facts;
+    const FormatFacts& facts = linuxcnc::format().facts;
     const auto values = SettingValues::of(facts, options.settings, true);
     if (!values)
         return fail(values.error());
@@ -294,9 +294,9 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
 
 } // namespace
 
-const TableFamily& format()
+const TableFormat& format()
 {
-    static const TableFamily family{
+    static const TableFormat format{
         .facts = {.name = "linuxcnc",
             .controller = "LinuxCNC",
             .description = "compensation file of a joint: nominal forward reverse",
@@ -315,7 +315,7 @@ const TableFamily& format()
         .recognise = recognise,
         .read = read,
         .write = write};
-    return family;
+    return format;
 }
 
 } // namespace axiscomp::linuxcnc

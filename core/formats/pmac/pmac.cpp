@@ -65,7 +65,7 @@ constexpr std::array words{Words{"pmac-1d", "leadscrew compensation of one sourc
 
 constexpr std::array<std::string_view, 1> extensions{".pmc"};
 
-template <std::size_t sources> const TableFamily& formatOf();
+template <std::size_t sources> const TableFormat& formatOf();
 
 template <std::size_t sources> std::vector<NeutralTable> parse(TextReading& reading)
 {
@@ -75,7 +75,7 @@ template <std::size_t sources> std::vector<NeutralTable> parse(TextReading& read
 template <std::size_t sources>
 Result<TableReading> read(std::string_view text, const TableReadOptions& options)
 {
-    const FamilyFacts& facts = formatOf<sources>().facts;
+    const FormatFacts& facts = formatOf<sources>().facts;
     if (auto fits = checkCounts(facts, options.settings); !fits)
         return fail(fits.error());
     return readText(facts, text, options, parse<sources>);
@@ -93,9 +93,9 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
         formatOf<sources>(), words[sources - 1].keys, tables.front(), options.settings);
 }
 
-template <std::size_t sources> const TableFamily& formatOf()
+template <std::size_t sources> const TableFormat& formatOf()
 {
-    static const TableFamily family{.facts = {.name = words[sources - 1].name,
+    static const TableFormat format{.facts = {.name = words[sources - 1].name,
                                         .controller = "PMAC (Delta Tau, Omron)",
                                         .description = words[sources - 1].description,
                                         .extensions = extensions,
@@ -115,7 +115,7 @@ template <std::size_t sources> const TableFamily& formatOf()
         .recognise = recognise<sources>,
         .read = read<sources>,
         .write = write<sources>};
-    return family;
+    return format;
 }
 
 } // namespace
@@ -124,12 +124,12 @@ template <std::size_t sources> const TableFamily& formatOf()
 
 namespace axiscomp {
 
-const TableFamily& pmac_1d::format()
+const TableFormat& pmac_1d::format()
 {
     return pmac::formatOf<1>();
 }
 
-const TableFamily& pmac_2d::format()
+const TableFormat& pmac_2d::format()
 {
     return pmac::formatOf<2>();
 }

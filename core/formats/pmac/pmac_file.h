@@ -24,10 +24,10 @@ struct Keys {
     std::span<const std::string_view> motors; ///< of the sources
     std::span<const std::string_view> counts; ///< counts per unit of these
 };
-[[nodiscard]] Result<WrittenTables> writeTable(const TableFamily& family, const Keys& keys,
+[[nodiscard]] Result<WrittenTables> writeTable(const TableFormat& format, const Keys& keys,
     const NeutralTable& source, const FormatSettings& settings);
 /// Errors: InvalidArgument for counts per unit that are not above 0.
-[[nodiscard]] Result<void> checkCounts(const FamilyFacts& facts, const FormatSettings& settings);
+[[nodiscard]] Result<void> checkCounts(const FormatFacts& facts, const FormatSettings& settings);
 
 inline constexpr std::array<std::string_view, 4> assumptions{
     "The correction is added to the commanded position; the documentation gives no sign.",

@@ -367,7 +367,7 @@ Recognition recogniseFile(std::string_view text, std::size_t dimensions)
     return hasOther ? Recognition::Possible : Recognition::Certain;
 }
 
-Result<void> checkCounts(const FamilyFacts& facts, const FormatSettings& settings)
+Result<void> checkCounts(const FormatFacts& facts, const FormatSettings& settings)
 {
     for (const auto& [key, value] : settings) {
         const auto number = numberOf(value);

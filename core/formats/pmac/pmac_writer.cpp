@@ -27,7 +27,7 @@ struct Circle {
     }
 };
 
-Result<Circle> circleOf(const FamilyFacts& facts, const NeutralTable& table, std::size_t n,
+Result<Circle> circleOf(const FormatFacts& facts, const NeutralTable& table, std::size_t n,
     double counts, double allowance)
 {
     const SourceAxis& axis = table.axes[n];
@@ -64,7 +64,7 @@ double countsFor(const SettingValues& settings, std::string_view key)
 }
 
 /// The entries on the circle; [0] is that of position 0.
-Result<std::vector<double>> entriesOf(const FamilyFacts& facts, const NeutralTable& table,
+Result<std::vector<double>> entriesOf(const FormatFacts& facts, const NeutralTable& table,
     const std::vector<Circle>& circles, const FileNumbers& numbers)
 {
     const std::vector<double>& values = table.columns[0].values;
@@ -105,7 +105,7 @@ std::string entryLines(const std::vector<double>& entries, const std::vector<Cir
 }
 
 /// The numbers of the motors: the sources, then the target.
-Result<std::vector<std::string>> motorsOf(const FamilyFacts& facts, const Keys& keys,
+Result<std::vector<std::string>> motorsOf(const FormatFacts& facts, const Keys& keys,
     const NeutralTable& table, const SettingValues& settings)
 {
     std::vector<std::string> motors;
@@ -146,10 +146,10 @@ std::string header(const std::vector<std::string>& motors, const std::vector<Cir
 
 } // namespace
 
-Result<WrittenTables> writeTable(const TableFamily& family, const Keys& keys,
+Result<WrittenTables> writeTable(const TableFormat& format, const Keys& keys,
     const NeutralTable& source, const FormatSettings& settings)
 {
-    const FamilyFacts& facts = family.facts;
+    const FormatFacts& facts = format.facts;
     if (auto fits = checkCounts(facts, settings); !fits)
         return fail(fits.error());
     const auto given = SettingValues::of(facts, settings, true);
@@ -185,7 +185,7 @@ Result<WrittenTables> writeTable(const TableFamily& family, const Keys& keys,
         reading["position-unit"] = table->axes[0].unit;
     if (!table->columns[0].unit.empty())
         reading["value-unit"] = table->columns[0].unit;
-    auto held = readBack(family, written.bytes, std::move(reading));
+    auto held = readBack(format, written.bytes, std::move(reading));
     if (!held)
         return fail(held.error());
     written.held = std::move(*held);

@@ -324,7 +324,7 @@ std::string headerText(const RapidCodeTable& table, const std::vector<std::strin
 
 Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWriteOptions& options)
 {
-    const FamilyFacts& facts = rapidcode::format().facts;
+    const FormatFacts& facts = rapidcode::format().facts;
     const auto values = SettingValues::of(facts, options.settings, true);
     if (!values)
         return fail(values.error());
@@ -350,9 +350,9 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
 
 } // namespace
 
-const TableFamily& format()
+const TableFormat& format()
 {
-    static const TableFamily family{
+    static const TableFormat format{
         .facts = {.name = "rapidcode",
             .controller = "RSI RapidCode (RMP)",
             .description = "CSV file of this program with the table of a compensator",
@@ -374,7 +374,7 @@ const TableFamily& format()
         .recognise = recognise,
         .read = read,
         .write = write};
-    return family;
+    return format;
 }
 
 } // namespace axiscomp::rapidcode

@@ -94,7 +94,7 @@ std::string tableText(const RapidCodeTable& table)
 
 Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWriteOptions& options)
 {
-    const FamilyFacts& facts = rapidcode_header::format().facts;
+    const FormatFacts& facts = rapidcode_header::format().facts;
     const auto values = SettingValues::of(facts, options.settings, true);
     if (!values)
         return fail(values.error());
@@ -127,9 +127,9 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
 
 } // namespace
 
-const TableFamily& format()
+const TableFormat& format()
 {
-    static const TableFamily family{.facts = {.name = "rapidcode-header",
+    static const TableFormat format{.facts = {.name = "rapidcode-header",
                                         .controller = "RSI RapidCode (RMP)",
                                         .description = "C++ header with the table of a compensator",
                                         .extensions = extensions,
@@ -145,7 +145,7 @@ const TableFamily& format()
                                         .rules = rules,
                                         .assumptions = assumptions},
         .write = write};
-    return family;
+    return format;
 }
 
 } // namespace axiscomp::rapidcode_header

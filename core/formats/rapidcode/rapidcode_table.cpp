@@ -36,7 +36,7 @@ Result<NeutralTable> withUnits(
         units["position-unit"] = positionUnit;
     if (!valueUnit.empty())
         units["value-unit"] = valueUnit;
-    const auto values = SettingValues::of(FamilyFacts{}, units, true);
+    const auto values = SettingValues::of(FormatFacts{}, units, true);
     if (!values)
         return fail(values.error());
     return inSettingUnits(table, *values, remarks);
@@ -50,7 +50,7 @@ RapidCodeInput inputOf(const SourceAxis& axis)
 }
 
 Result<std::vector<std::int64_t>> countsOf(
-    const FamilyFacts& facts, const std::vector<double>& values, double countsPerUnit)
+    const FormatFacts& facts, const std::vector<double>& values, double countsPerUnit)
 {
     constexpr double largest = std::numeric_limits<std::int32_t>::max();
     std::vector<std::int64_t> counts;
@@ -86,7 +86,7 @@ std::optional<std::size_t> rapidCodePoints(double minimum, double maximum, doubl
     return static_cast<std::size_t>(std::llround(cells)) + 1;
 }
 
-Result<RapidCodeTable> rapidCodeTable(const FamilyFacts& facts, const NeutralTable& table,
+Result<RapidCodeTable> rapidCodeTable(const FormatFacts& facts, const NeutralTable& table,
     const SettingValues& settings, std::vector<std::string>& remarks)
 {
     auto converted = withUnits(table, settings, remarks);

@@ -40,7 +40,7 @@ struct RapidCodeTable {
 /// The table with the units of the settings (position-unit, value-unit) or its own; values without
 /// one of these are in the unit of the first input where they can be. The units are added to
 /// remarks. Errors: InvalidArgument (settings, units), FormatCannotHold.
-[[nodiscard]] Result<RapidCodeTable> rapidCodeTable(const FamilyFacts& facts,
+[[nodiscard]] Result<RapidCodeTable> rapidCodeTable(const FormatFacts& facts,
     const NeutralTable& table, const SettingValues& settings, std::vector<std::string>& remarks);
 
 /// "The input is the output axis ...": what the user must choose in the call.

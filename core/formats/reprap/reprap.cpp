@@ -240,9 +240,9 @@ Recognition recognise(std::string_view text)
 
 } // namespace
 
-const TableFamily& format()
+const TableFormat& format()
 {
-    static const TableFamily family{
+    static const TableFormat format{
         .facts = {.name = "reprap",
             .controller = "RepRapFirmware (Duet)",
             .description = "heightmap.csv, version 2: heights of the bed",
@@ -262,7 +262,7 @@ const TableFamily& format()
             .assumptions = assumptions},
         .recognise = recognise,
         .read = read};
-    return family;
+    return format;
 }
 
 } // namespace axiscomp::reprap

@@ -289,7 +289,7 @@ private:
 
 Result<void> Writer::add(const NeutralTable& source)
 {
-    const FamilyFacts& facts = siemens_cec::format().facts;
+    const FormatFacts& facts = siemens_cec::format().facts;
     const std::string& target = source.columns.front().target;
     const auto input = siemens::axisName(facts, m_given, "input-axis", source.axes[0].name);
     const auto output = siemens::axisName(
@@ -347,9 +347,9 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
 
 } // namespace
 
-const TableFamily& format()
+const TableFormat& format()
 {
-    static const TableFamily family{.facts = {.name = "siemens-cec",
+    static const TableFormat format{.facts = {.name = "siemens-cec",
                                         .controller = "Siemens SINUMERIK",
                                         .description = "sag and angularity compensation ($AN_CEC)",
                                         .extensions = extensions,
@@ -371,7 +371,7 @@ const TableFamily& format()
         .recognise = recognise,
         .read = read,
         .write = write};
-    return family;
+    return format;
 }
 
 } // namespace axiscomp::siemens_cec

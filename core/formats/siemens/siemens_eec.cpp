@@ -181,7 +181,7 @@ Recognition recognise(std::string_view text)
 Result<std::string> tableLines(const NeutralTable& source, const std::string& axis,
     const std::string& encoder, std::vector<std::string>& remarks, std::string& rotary)
 {
-    const FamilyFacts& facts = siemens_eec::format().facts;
+    const FormatFacts& facts = siemens_eec::format().facts;
     const CompensationColumn& first = source.columns.front();
     if (!ownAxis(source, first))
         return cannotHold(facts,
@@ -212,8 +212,8 @@ Result<std::string> tableLines(const NeutralTable& source, const std::string& ax
 
 Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWriteOptions& options)
 {
-    const TableFamily& family = siemens_eec::format();
-    const auto given = SettingValues::of(family.facts, options.settings, true);
+    const TableFormat& format = siemens_eec::format();
+    const auto given = SettingValues::of(format.facts, options.settings, true);
     if (!given)
         return fail(given.error());
     WrittenTables written;
@@ -221,12 +221,12 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
     std::set<std::string> axes;
     std::string rotary;
     for (const NeutralTable& table : tables) {
-        const auto axis = siemens::axisName(family.facts, *given, "axis", table.axes.front().name);
+        const auto axis = siemens::axisName(format.facts, *given, "axis", table.axes.front().name);
         if (!axis)
             return fail(axis.error());
         if (!axes.insert(*axis).second)
             return cannotHold(
-                family.facts, "there are two tables for axis " + *axis, "choose one of them");
+                format.facts, "there are two tables for axis " + *axis, "choose one of them");
         auto text = tableLines(table, *axis, given->text("encoder"), written.remarks, rotary);
         if (!text)
             return fail(text.error());
@@ -236,7 +236,7 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
     FormatSettings reading;
     if (!rotary.empty())
         reading["rotary-axes"] = rotary;
-    auto held = readBack(family, written.bytes, std::move(reading));
+    auto held = readBack(format, written.bytes, std::move(reading));
     if (!held)
         return fail(held.error());
     written.held = std::move(*held);
@@ -245,9 +245,9 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
 
 } // namespace
 
-const TableFamily& format()
+const TableFormat& format()
 {
-    static const TableFamily family{
+    static const TableFormat format{
         .facts = {.name = "siemens-eec",
             .controller = "Siemens SINUMERIK",
             .description = "encoder and leadscrew error compensation ($AA_ENC_COMP)",
@@ -269,7 +269,7 @@ const TableFamily& format()
         .recognise = recognise,
         .read = read,
         .write = write};
-    return family;
+    return format;
 }
 
 } // namespace axiscomp::siemens_eec

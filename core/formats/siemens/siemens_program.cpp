@@ -307,7 +307,7 @@ std::string unitOf(const SettingValues& settings, const std::string& axis, bool 
     return isModulo || isRotary ? "deg" : "mm";
 }
 
-Result<std::string> axisName(const FamilyFacts& facts, const SettingValues& settings,
+Result<std::string> axisName(const FormatFacts& facts, const SettingValues& settings,
     std::string_view key, const std::string& name)
 {
     const std::string wanted = settings.has(key) ? settings.text(key) : name;
@@ -339,7 +339,7 @@ std::string gridLines(const SourceAxis& axis, std::string_view prefix, std::stri
     return text;
 }
 
-Result<void> checkModulo(const FamilyFacts& facts, const NeutralTable& table)
+Result<void> checkModulo(const FormatFacts& facts, const NeutralTable& table)
 {
     if (!table.axes.front().wrap)
         return {};

@@ -24,7 +24,7 @@ struct Assignment {
 [[nodiscard]] bool readProgram(const TextReading& reading, std::vector<std::string>& notes,
     const std::function<void(const Assignment&)>& visit);
 
-/// Certain when the program assigns variables of this name and none of the other family.
+/// Certain when the program assigns variables of this name and none of the other format.
 [[nodiscard]] Recognition recogniseProgram(
     std::string_view text, std::string_view own, std::string_view other);
 
@@ -78,13 +78,13 @@ inline constexpr FormatSetting rotaryAxes{.key = "rotary-axes",
 
 /// The name of an axis in a program: the setting, or the table's name for it. Errors:
 /// InvalidArgument for what is no name.
-[[nodiscard]] Result<std::string> axisName(const FamilyFacts& facts, const SettingValues& settings,
+[[nodiscard]] Result<std::string> axisName(const FormatFacts& facts, const SettingValues& settings,
     std::string_view key, const std::string& name);
 
 /// "$AN_CEC_STEP[0]=1" and the others of an axis. subject: what stands in the brackets.
 [[nodiscard]] std::string gridLines(
     const SourceAxis& axis, std::string_view prefix, std::string_view subject);
 /// What a modulo axis must be: rotary, one period, closed. Errors: FormatCannotHold.
-[[nodiscard]] Result<void> checkModulo(const FamilyFacts& facts, const NeutralTable& table);
+[[nodiscard]] Result<void> checkModulo(const FormatFacts& facts, const NeutralTable& table);
 
 } // namespace axiscomp::siemens

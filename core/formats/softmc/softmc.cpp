@@ -280,9 +280,9 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
 
 } // namespace
 
-const TableFamily& format()
+const TableFormat& format()
 {
-    static const TableFamily family{
+    static const TableFormat format{
         .facts = {.name = "softmc",
             .controller = "softMC (Danaher, Servotronix, Kollmorgen)",
             .description = "text table of positions and corrections",
@@ -301,7 +301,7 @@ const TableFamily& format()
         .recognise = recognise,
         .read = read,
         .write = write};
-    return family;
+    return format;
 }
 
 } // namespace axiscomp::softmc

@@ -93,9 +93,9 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
 
 } // namespace
 
-const TableFamily& format()
+const TableFormat& format()
 {
-    static const TableFamily family{
+    static const TableFormat format{
         .facts = {.name = "softmc-basic",
             .controller = "softMC (Danaher, Servotronix, Kollmorgen)",
             .description = "MC-BASIC assignments to SourceData and TargetData",
@@ -113,7 +113,7 @@ const TableFamily& format()
             .rules = rules,
             .assumptions = assumptions},
         .write = write};
-    return family;
+    return format;
 }
 
 } // namespace axiscomp::softmc_basic

@@ -77,9 +77,9 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
 
 } // namespace
 
-const TableFamily& format()
+const TableFormat& format()
 {
-    static const TableFamily family{
+    static const TableFormat format{
         .facts = {.name = "tamtbl",
             .controller = "Triamec",
             .description = "table file of the drive, laid out as the drive profile says",
@@ -99,7 +99,7 @@ const TableFamily& format()
         .recognise = nullptr,
         .read = read,
         .write = write};
-    return family;
+    return format;
 }
 
 } // namespace axiscomp::tam_table

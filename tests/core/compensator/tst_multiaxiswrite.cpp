@@ -23,7 +23,7 @@ private Q_SLOTS:
         CompensatorFixture fixture;
         const auto before = fixture.state(0);
         const std::vector<AxisWrite> writes{{0, exampleRequest(1)}, {1, exampleRequest(2)}};
-        const auto plans = planSeveral(fixture.compensator, writes);
+        const auto plans = planMultiAxis(fixture.compensator, writes);
         VERIFY_RESULT(plans);
         QCOMPARE(plans->size(), std::size_t(2));
         QCOMPARE(plans->at(1).axis, 1);
@@ -34,7 +34,7 @@ private Q_SLOTS:
     {
         CompensatorFixture fixture;
         const std::vector<AxisWrite> writes{{0, exampleRequest(1)}, {1, exampleRequest(2)}};
-        VERIFY_RESULT(planSeveral(fixture.compensator, writes));
+        VERIFY_RESULT(planMultiAxis(fixture.compensator, writes));
         for (const AxisWrite& write : writes)
             VERIFY_RESULT(fixture.compensator.write(write.axis, write.request));
         QVERIFY(fixture.state(0).registers[0] != fixture.state(1).registers[0]);
@@ -45,7 +45,7 @@ private Q_SLOTS:
     {
         CompensatorFixture fixture;
         const std::vector<AxisWrite> writes{{1, exampleRequest(1)}, {1, exampleRequest(2)}};
-        VERIFY_ERROR(planSeveral(fixture.compensator, writes), ErrorCode::InvalidArgument);
+        VERIFY_ERROR(planMultiAxis(fixture.compensator, writes), ErrorCode::InvalidArgument);
     }
 
     void theErrorOfOneAxisIsThatOfAllAndNamesIt()
@@ -54,7 +54,7 @@ private Q_SLOTS:
         WriteRequest wrong = exampleRequest(2);
         wrong.sources.pop_back();
         const std::vector<AxisWrite> writes{{0, exampleRequest(1)}, {1, wrong}};
-        const auto plans = planSeveral(fixture.compensator, writes);
+        const auto plans = planMultiAxis(fixture.compensator, writes);
         VERIFY_ERROR(plans, ErrorCode::SourceMissing);
         QCOMPARE(plans.error().context.at("ofAxis"), std::string("1"));
     }
@@ -67,10 +67,10 @@ private Q_SLOTS:
             VERIFY_RESULT(
                 fixture.compensator.write(0, exampleRequest(10 + n, Persistency::Persistent)));
         const std::vector<AxisWrite> one{{0, exampleRequest(1, Persistency::Persistent)}};
-        VERIFY_RESULT(planSeveral(fixture.compensator, one));
+        VERIFY_RESULT(planMultiAxis(fixture.compensator, one));
         const std::vector<AxisWrite> two{{0, exampleRequest(1, Persistency::Persistent)},
             {1, exampleRequest(2, Persistency::Persistent)}};
-        const auto plans = planSeveral(fixture.compensator, two);
+        const auto plans = planMultiAxis(fixture.compensator, two);
         VERIFY_ERROR(plans, ErrorCode::InvalidArgument);
         QVERIFY(sentence(plans.error()).find("volatile") != std::string::npos);
     }

@@ -40,9 +40,9 @@ NeutralTable exampleTable(int dimensions, SignConvention sign)
 }
 
 /// Some formats have names for axes, most have numbers.
-void nameAxes(NeutralTable& table, const TableFamily& family)
+void nameAxes(NeutralTable& table, const TableFormat& format)
 {
-    const bool hasNames = family.facts.name.starts_with("siemens");
+    const bool hasNames = format.facts.name.starts_with("siemens");
     table.axes[0].name = hasNames ? "X1" : "1";
     table.columns[0].target = table.axes[0].name;
     if (table.axes.size() == 2)
@@ -50,7 +50,7 @@ void nameAxes(NeutralTable& table, const TableFamily& family)
 }
 
 /// What a format must be told to write such a table.
-FormatSettings writeSettings(const FamilyFacts& facts)
+FormatSettings writeSettings(const FormatFacts& facts)
 {
     FormatSettings settings;
     for (const FormatSetting& setting : facts.settings)
@@ -60,7 +60,7 @@ FormatSettings writeSettings(const FamilyFacts& facts)
     return settings;
 }
 
-TableReadOptions readOptions(const FamilyFacts& facts, int dimensions)
+TableReadOptions readOptions(const FormatFacts& facts, int dimensions)
 {
     TableReadOptions options;
     options.layout = &layout();
@@ -75,7 +75,7 @@ TableReadOptions readOptions(const FamilyFacts& facts, int dimensions)
     return options;
 }
 
-ConversionRequest requestFor(const TableFamily& from, const TableFamily& to)
+ConversionRequest requestFor(const TableFormat& from, const TableFormat& to)
 {
     ConversionRequest request;
     request.from = &from;
@@ -86,9 +86,9 @@ ConversionRequest requestFor(const TableFamily& from, const TableFamily& to)
     return request;
 }
 
-bool takes(const TableFamily& family, int dimensions)
+bool takes(const TableFormat& format, int dimensions)
 {
-    return family.facts.fewestDimensions <= dimensions && dimensions <= family.facts.mostDimensions;
+    return format.facts.fewestDimensions <= dimensions && dimensions <= format.facts.mostDimensions;
 }
 
 bool contains(const std::vector<std::string>& lines, std::string_view part)
@@ -110,14 +110,14 @@ private Q_SLOTS:
         QTest::addColumn<int>("dimensions");
         QTest::addColumn<int>("source");
         QTest::addColumn<int>("target");
-        const auto families = tableFamilies();
+        const auto formats = tableFormats();
         for (int dimensions = 1; dimensions <= 2; ++dimensions)
-            for (std::size_t s = 0; s < families.size(); ++s)
-                for (std::size_t t = 0; t < families.size(); ++t)
-                    if (families[s]->read && families[s]->write && families[t]->write
-                        && takes(*families[s], dimensions) && takes(*families[t], dimensions))
-                        QTest::addRow("%dD %s to %s", dimensions, families[s]->facts.name.data(),
-                            families[t]->facts.name.data())
+            for (std::size_t s = 0; s < formats.size(); ++s)
+                for (std::size_t t = 0; t < formats.size(); ++t)
+                    if (formats[s]->read && formats[s]->write && formats[t]->write
+                        && takes(*formats[s], dimensions) && takes(*formats[t], dimensions))
+                        QTest::addRow("%dD %s to %s", dimensions, formats[s]->facts.name.data(),
+                            formats[t]->facts.name.data())
                             << dimensions << static_cast<int>(s) << static_cast<int>(t);
     }
     void everyFormatIsConvertedIntoEveryOther()
@@ -125,8 +125,8 @@ private Q_SLOTS:
         QFETCH(int, dimensions);
         QFETCH(int, source);
         QFETCH(int, target);
-        const TableFamily& from = *tableFamilies()[static_cast<std::size_t>(source)];
-        const TableFamily& to = *tableFamilies()[static_cast<std::size_t>(target)];
+        const TableFormat& from = *tableFormats()[static_cast<std::size_t>(source)];
+        const TableFormat& to = *tableFormats()[static_cast<std::size_t>(target)];
         std::array original{exampleTable(dimensions, from.facts.sign)};
         nameAxes(original[0], from);
         const auto file =
@@ -206,13 +206,13 @@ private Q_SLOTS:
         NeutralTable table = exampleTable(1, SignConvention::Feedback);
         table.columns.clear();
         const std::array tables{table};
-        for (const TableFamily* family : tableFamilies()) {
-            if (!family->write)
+        for (const TableFormat* format : tableFormats()) {
+            if (!format->write)
                 continue;
-            VERIFY_ERROR(convertTables(tables, requestFor(calibration_csv::format(), *family)),
+            VERIFY_ERROR(convertTables(tables, requestFor(calibration_csv::format(), *format)),
                 ErrorCode::InvalidArgument);
-            if (family->facts.fewestDimensions == 1)
-                VERIFY_ERROR(checkHolds(family->facts, tables), ErrorCode::InvalidArgument);
+            if (format->facts.fewestDimensions == 1)
+                VERIFY_ERROR(checkHolds(format->facts, tables), ErrorCode::InvalidArgument);
         }
     }
 

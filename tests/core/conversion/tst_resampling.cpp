@@ -144,7 +144,7 @@ private Q_SLOTS:
         const auto result = resample(table, request(axes));
         VERIFY_RESULT(result);
         QVERIFY(isEven(result->table));
-        const AppliedCompensation applied(table, 0, held);
+        const ControllerLookup applied(table, 0, held);
         for (std::size_t i = 0; i < result->table.pointCount(); ++i) {
             const double expected = applied.at(test::positionOf(result->table, i));
             QVERIFY(std::abs(result->table.columns[0].values[i] - expected) < 1e-13);
@@ -169,7 +169,7 @@ private Q_SLOTS:
             const std::vector<AxisRequest> axes(static_cast<std::size_t>(dimensions), byPoints(6));
             const auto result = resample(table, request(axes, method));
             VERIFY_RESULT(result);
-            const AppliedCompensation applied(result->table, 0, held);
+            const ControllerLookup applied(result->table, 0, held);
             double largest = 0.0;
             double sum = 0.0;
             Values where;
@@ -359,7 +359,7 @@ private Q_SLOTS:
         QVERIFY(isEven(made));
         const Values& values = result->table.columns[0].values;
         QCOMPARE(values.back(), values.front());
-        const AppliedCompensation applied(table, 0, held);
+        const ControllerLookup applied(table, 0, held);
         for (std::size_t i = 0; i < values.size(); ++i) {
             const double exact = std::sin((made.knots[i] - 20) * pi / 180);
             QVERIFY(std::abs(values[i] - exact) < 0.006);

@@ -133,7 +133,7 @@ private Q_SLOTS:
                 place[n] += columns[n].values[i];
             for (std::size_t n = 0; n < columns.size(); ++n) {
                 const double rest =
-                    columns[n].values[i] + AppliedCompensation(table, n, held).at(place);
+                    columns[n].values[i] + ControllerLookup(table, n, held).at(place);
                 QVERIFY2(std::abs(rest) < 2e-14, std::to_string(rest).c_str());
             }
         }

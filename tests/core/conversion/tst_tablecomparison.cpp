@@ -92,8 +92,8 @@ private Q_SLOTS:
         const NeutralTable c = converted(e);
         const auto difference = conversionDifference(e, held, c, held);
         VERIFY_RESULT(difference);
-        const AppliedCompensation feedback(e, 0, held);
-        const AppliedCompensation command(c, 0, held);
+        const ControllerLookup feedback(e, 0, held);
+        const ControllerLookup command(c, 0, held);
         double largest = 0.0;
         for (int i = 0; i <= 100000; ++i) {
             const double x = 0.001 * i;

@@ -180,27 +180,27 @@ inline std::string difference(
     return difference(found, expected, allowance, allowance);
 }
 
-/// What the family's controller applies at a position, for the first column.
-inline double applied(const TableFamily& family, const NeutralTable& table,
+/// What the format's controller applies at a position, for the first column.
+inline double applied(const TableFormat& format, const NeutralTable& table,
     std::initializer_list<double> position, std::size_t column = 0)
 {
-    return AppliedCompensation(table, column, family.facts.behaviour)
+    return ControllerLookup(table, column, format.facts.behaviour)
         .at(std::span(position.begin(), position.size()));
 }
 
 } // namespace axiscomp::test
 
 /// The only table of a text that must be read without an error.
-#define READ_TABLE(table, family, text, options)                                                   \
-    const auto reading_##table = (family).read(text, options);                                     \
+#define READ_TABLE(table, format, text, options)                                                   \
+    const auto reading_##table = (format).read(text, options);                                     \
     VERIFY_RESULT(reading_##table);                                                                \
     QVERIFY2(reading_##table->tables.size() == 1,                                                  \
         axiscomp::test::problemLines(*reading_##table).c_str());                                   \
     const axiscomp::NeutralTable& table = reading_##table->tables.front()
 
 /// What is written of one table without an error.
-#define WRITE_TABLE(written, family, table, options)                                               \
-    const auto written = (family).write(std::array{table}, options);                               \
+#define WRITE_TABLE(written, format, table, options)                                               \
+    const auto written = (format).write(std::array{table}, options);                               \
     VERIFY_RESULT(written)
 
 /// The two tables are the same; otherwise the first difference in words.

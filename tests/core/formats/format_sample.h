@@ -66,7 +66,7 @@ struct FormatSample {
         Settings settings;
     };
 
-    const TableFamily* family = nullptr;
+    const TableFormat* format = nullptr;
     std::string facts; ///< factsText() of it
     TableReadOptions reading = {};
     TableWriteOptions writing = {};
@@ -129,19 +129,19 @@ struct FormatSample {
 };
 
 using DescribeFormat = void (*)(FormatSample&);
-inline std::vector<std::pair<const TableFamily*, DescribeFormat>>& describedFormats()
+inline std::vector<std::pair<const TableFormat*, DescribeFormat>>& describedFormats()
 {
-    static std::vector<std::pair<const TableFamily*, DescribeFormat>> formats;
+    static std::vector<std::pair<const TableFormat*, DescribeFormat>> formats;
     return formats;
 }
-inline bool addFormat(const TableFamily& family, DescribeFormat describe)
+inline bool addFormat(const TableFormat& format, DescribeFormat describe)
 {
-    describedFormats().emplace_back(&family, describe);
+    describedFormats().emplace_back(&format, describe);
     return true;
 }
 
 } // namespace axiscomp::test
 
 /// Has the contract of all formats run over this one; describe: a function that fills its sample.
-#define AXISCOMP_FORMAT(family, describe)                                                          \
-    [[maybe_unused]] const bool isAddedBy_##describe = axiscomp::test::addFormat(family, describe);
+#define AXISCOMP_FORMAT(format, describe)                                                          \
+    [[maybe_unused]] const bool isAddedBy_##describe = axiscomp::test::addFormat(format, describe);

@@ -10,7 +10,7 @@ using test::problemLines;
 
 namespace {
 
-const TableFamily& family = aerotech_1d::format();
+const TableFormat& format = aerotech_1d::format();
 
 const std::string file = "; stage 12\n"
                          ":START 1 SAMPLEDIST=5 POSUNIT=METRIC CORUNIT=METRIC/1000\n"
@@ -127,7 +127,7 @@ private Q_SLOTS:
 
     void positionKIsDistanceTimesKLessTheOffset()
     {
-        READ_TABLE(table, family, file, {});
+        READ_TABLE(table, format, file, {});
         QCOMPARE(table.axes[0].name, std::string("1"));
         QCOMPARE(table.axes[0].unit, std::string("mm"));
         QCOMPARE(table.axes[0].knots, (std::vector<double>{-10, -5, 0}));
@@ -139,51 +139,51 @@ private Q_SLOTS:
 
     void aUnitMayBeDividedByANumber()
     {
-        READ_TABLE(table, family, file, {});
+        READ_TABLE(table, format, file, {});
         QCOMPARE(table.columns[0].unit, std::string("mm"));
         QCOMPARE(table.columns[0].values, (std::vector<double>{0.001, 0.002, -0.004}));
-        READ_TABLE(positions, family, with("POSUNIT=METRIC", "posunit = METRIC/10"), {});
+        READ_TABLE(positions, format, with("POSUNIT=METRIC", "posunit = METRIC/10"), {});
         QCOMPARE(positions.axes[0].knots, (std::vector<double>{-1, -0.5, 0}));
     }
 
     void aNegativeDistanceCountsDownwards()
     {
-        READ_TABLE(table, family, with("SAMPLEDIST=5", "SAMPLEDIST=-5"), {});
+        READ_TABLE(table, format, with("SAMPLEDIST=5", "SAMPLEDIST=-5"), {});
         QCOMPARE(table.axes[0].knots, (std::vector<double>{-20, -15, -10}));
         QCOMPARE(table.columns[0].values, (std::vector<double>{-0.004, 0.002, 0.001}));
     }
 
     void negcorTurnsTheSign()
     {
-        READ_TABLE(table, family, with("OFFSET=10", "OFFSET = 10 NEGCOR"), {});
+        READ_TABLE(table, format, with("OFFSET=10", "OFFSET = 10 NEGCOR"), {});
         QCOMPARE(table.columns[0].values, (std::vector<double>{-0.001, -0.002, 0.004}));
     }
 
     void unitsAreThoseOfTheFileOrOfASetting()
     {
-        READ_TABLE(english, family, with("POSUNIT=METRIC", "POSUNIT=ENGLISH"), {});
+        READ_TABLE(english, format, with("POSUNIT=METRIC", "POSUNIT=ENGLISH"), {});
         QCOMPARE(english.axes[0].unit, std::string("inch"));
         TableReadOptions options;
         options.settings["rotary-axes"] = "4, 1";
-        READ_TABLE(rotary, family, file, options);
+        READ_TABLE(rotary, format, file, options);
         QCOMPARE(rotary.axes[0].unit, std::string("deg"));
         QCOMPARE(rotary.columns[0].unit, std::string("deg"));
         const std::string primary = with("METRIC CORUNIT=METRIC/1000", "PRIMARY CORUNIT=COUNTS");
-        READ_TABLE(unknown, family, primary, {});
+        READ_TABLE(unknown, format, primary, {});
         QCOMPARE(unknown.axes[0].unit, std::string());
         QVERIFY(test::hasProblem(*reading_unknown, DiagnosticCode::UnitNotGiven, 2));
         options.settings["primary-unit"] = "um";
-        READ_TABLE(known, family, primary, options);
+        READ_TABLE(known, format, primary, options);
         QCOMPARE(known.columns[0].unit, std::string("um"));
         QVERIFY(known.columns[0].values[2] == -4 && reading_known->diagnostics.empty());
-        READ_TABLE(silent, family, with(" POSUNIT=METRIC", ""), {});
+        READ_TABLE(silent, format, with(" POSUNIT=METRIC", ""), {});
         QCOMPARE(silent.axes[0].unit, std::string());
         QVERIFY(test::hasProblem(*reading_silent, DiagnosticCode::UnitNotGiven, 2));
     }
 };
 
 AXISCOMP_TEST(TestAerotech1d)
-AXISCOMP_FORMAT(family, describe)
+AXISCOMP_FORMAT(format, describe)
 
 } // namespace tst_aerotech1d
 

@@ -10,7 +10,7 @@ using test::problemLines;
 
 namespace {
 
-const TableFamily& family = aerotech_2d::format();
+const TableFormat& format = aerotech_2d::format();
 
 /// Two rows of three points; row axis 2, column axis 1.
 const std::string file = "; granite\n"
@@ -126,7 +126,7 @@ private Q_SLOTS:
 
     void theLinesGoAlongTheRowAxisAndThePointsAlongTheColumnAxis()
     {
-        READ_TABLE(table, family, file, {});
+        READ_TABLE(table, format, file, {});
         QCOMPARE(table.axes[0].name, std::string("1"));
         QCOMPARE(table.axes[0].knots, (std::vector<double>{-5, 0, 5}));
         QCOMPARE(table.axes[1].name, std::string("2"));
@@ -137,7 +137,7 @@ private Q_SLOTS:
 
     void eachPointHasAPairOfCorrections()
     {
-        READ_TABLE(table, family, file, {});
+        READ_TABLE(table, format, file, {});
         QCOMPARE(table.columns.size(), std::size_t(2));
         QCOMPARE(table.columns[0].target, std::string("1"));
         QCOMPARE(table.columns[1].target, std::string("2"));
@@ -145,7 +145,7 @@ private Q_SLOTS:
 
     void aThirdOutputMakesTriples()
     {
-        READ_TABLE(table, family,
+        READ_TABLE(table, format,
             ":START2D 2 1 1 2 10 5 2\n:START2D OUTAXIS3=3 POSUNIT=METRIC CORUNIT=METRIC\n"
             "1 2 3 4 5 6\n7 8 9 10 11 12\n:END\n",
             {});
@@ -156,14 +156,14 @@ private Q_SLOTS:
 
     void negativeDistancesCountDownwards()
     {
-        READ_TABLE(table, family, downwards, {});
+        READ_TABLE(table, format, downwards, {});
         QCOMPARE(table.axes[0].knots, (std::vector<double>{-15, -10, -5}));
         QCOMPARE(table.axes[1].knots, (std::vector<double>{-30, -20}));
     }
 };
 
 AXISCOMP_TEST(TestAerotech2d)
-AXISCOMP_FORMAT(family, describe)
+AXISCOMP_FORMAT(format, describe)
 
 } // namespace tst_aerotech2d
 

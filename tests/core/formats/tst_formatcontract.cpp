@@ -21,16 +21,16 @@ using test::problemLines;
 
 namespace {
 
-/// In the order of the registry; a format that is not described has no family.
+/// In the order of the registry; a format that is not described has no format.
 const std::vector<FormatSample>& samples()
 {
     static const std::vector<FormatSample> all = [] {
         std::vector<FormatSample> result;
-        for (const TableFamily* family : tableFamilies()) {
+        for (const TableFormat* format : tableFormats()) {
             FormatSample sample;
             for (const auto& [described, describe] : test::describedFormats())
-                if (described == family) {
-                    sample.family = family;
+                if (described == format) {
+                    sample.format = format;
                     describe(sample);
                 }
             result.push_back(std::move(sample));
@@ -42,7 +42,7 @@ const std::vector<FormatSample>& samples()
 
 std::string nameOf(const FormatSample& sample)
 {
-    return std::string(sample.family->facts.name);
+    return std::string(sample.format->facts.name);
 }
 
 bool isAny(const FormatSample&)
@@ -55,7 +55,7 @@ bool isRead(const FormatSample& sample)
 }
 bool isReadAsText(const FormatSample& sample)
 {
-    return isRead(sample) && sample.family->facts.isText;
+    return isRead(sample) && sample.format->facts.isText;
 }
 bool isWritten(const FormatSample& sample)
 {
@@ -66,7 +66,7 @@ void addFormats(bool (*concerns)(const FormatSample&))
 {
     QTest::addColumn<int>("format");
     for (std::size_t i = 0; i < samples().size(); ++i)
-        if (samples()[i].family && concerns(samples()[i]))
+        if (samples()[i].format && concerns(samples()[i]))
             QTest::newRow(nameOf(samples()[i]).c_str()) << static_cast<int>(i);
 }
 
@@ -82,7 +82,7 @@ template <class Row> void addRows(std::vector<Row> FormatSample::*rows)
                 << static_cast<int>(i) << static_cast<int>(n);
 }
 
-const FormatSample& format()
+const FormatSample& sample()
 {
     QFETCH(int, format);
     return samples()[static_cast<std::size_t>(format)];
@@ -90,18 +90,18 @@ const FormatSample& format()
 template <class Row> const Row& row(std::vector<Row> FormatSample::*rows)
 {
     QFETCH(int, row);
-    return (format().*rows)[static_cast<std::size_t>(row)];
+    return (sample().*rows)[static_cast<std::size_t>(row)];
 }
 
 TableReadOptions readOptions(const FormatSample::Settings& settings = {})
 {
-    TableReadOptions options = format().reading;
+    TableReadOptions options = sample().reading;
     options.settings = settings.value_or(options.settings);
     return options;
 }
 TableWriteOptions writeOptions(const FormatSample::Settings& settings = {})
 {
-    TableWriteOptions options = format().writing;
+    TableWriteOptions options = sample().writing;
     options.settings = settings.value_or(options.settings);
     return options;
 }
@@ -114,7 +114,7 @@ struct Outcome {
 };
 Outcome outcomeOf(std::string_view text)
 {
-    const auto reading = format().family->read(text, readOptions());
+    const auto reading = sample().format->read(text, readOptions());
     if (!reading)
         return {{}, {}, test::describe(reading.error())};
     return {reading->tables, reading->diagnostics,
@@ -141,9 +141,9 @@ std::string faultOf(const Outcome& outcome, std::string_view text)
 }
 
 /// What a table can be, in words: compared with what each format's test says.
-std::string factsText(const TableFamily& family)
+std::string factsText(const TableFormat& format)
 {
-    const FamilyFacts& facts = family.facts;
+    const FormatFacts& facts = format.facts;
     const auto upTo = [](std::size_t number) {
         return number == 0 ? std::string("any") : std::to_string(number);
     };
@@ -207,7 +207,7 @@ bool isTheSame(const Outcome& outcome, const std::vector<NeutralTable>& tables)
 
 const NeutralTable& heldTable()
 {
-    return format().written.front().tables.front();
+    return sample().written.front().tables.front();
 }
 
 /// As on a German computer, whose numbers have commas.
@@ -255,21 +255,21 @@ private Q_SLOTS:
     void everyFormatIsDescribed()
     {
         for (std::size_t i = 0; i < samples().size(); ++i)
-            QVERIFY2(samples()[i].family, tableFamilies()[i]->facts.name.data());
+            QVERIFY2(samples()[i].format, tableFormats()[i]->facts.name.data());
         QCOMPARE(test::describedFormats().size(), samples().size());
     }
 
     void theFactsAreComplete_data() { addFormats(isAny); }
     void theFactsAreComplete()
     {
-        const TableFamily& family = *format().family;
-        const FamilyFacts& facts = family.facts;
-        QVERIFY2(factsText(family) == format().facts, factsText(family).c_str());
-        QCOMPARE(family.read != nullptr, isRead(format()));
-        QCOMPARE(family.write != nullptr, isWritten(format()));
-        QVERIFY(family.read || family.write);
-        QCOMPARE(family.recognise != nullptr, isReadAsText(format()));
-        QCOMPARE(familyNamed(facts.name).value(), &family); // which it would not be with a twin
+        const TableFormat& format = *sample().format;
+        const FormatFacts& facts = format.facts;
+        QVERIFY2(factsText(format) == sample().facts, factsText(format).c_str());
+        QCOMPARE(format.read != nullptr, isRead(sample()));
+        QCOMPARE(format.write != nullptr, isWritten(sample()));
+        QVERIFY(format.read || format.write);
+        QCOMPARE(format.recognise != nullptr, isReadAsText(sample()));
+        QCOMPARE(formatNamed(facts.name).value(), &format); // which it would not be with a twin
         QVERIFY(!facts.controller.empty() && !facts.description.empty() && !facts.numbers.empty());
         QVERIFY(!facts.extensions.empty());
         for (const std::string_view extension : facts.extensions)
@@ -290,13 +290,13 @@ private Q_SLOTS:
     void aFileIsReadWithoutAProblem_data() { addFormats(isRead); }
     void aFileIsReadWithoutAProblem()
     {
-        const Outcome outcome = outcomeOf(format().text);
-        VERIFY_SOUND(outcome, format().text);
+        const Outcome outcome = outcomeOf(sample().text);
+        VERIFY_SOUND(outcome, sample().text);
         QVERIFY2(outcome.refusal.empty(), outcome.refusal.c_str());
         QVERIFY2(outcome.problems.empty(),
             outcome.problems.empty() ? "" : message(outcome.problems.front()).c_str());
         for (const NeutralTable& table : outcome.tables)
-            QCOMPARE(table.sign, format().family->facts.sign);
+            QCOMPARE(table.sign, sample().format->facts.sign);
     }
 
     void aTableIsAppliedAsByItsController_data()
@@ -305,14 +305,14 @@ private Q_SLOTS:
     }
     void aTableIsAppliedAsByItsController()
     {
-        for (const FormatSample::Applied& applied : format().applied) {
-            const std::string& text = applied.text.empty() ? format().text : applied.text;
-            const auto reading = format().family->read(text, readOptions());
+        for (const FormatSample::Applied& applied : sample().applied) {
+            const std::string& text = applied.text.empty() ? sample().text : applied.text;
+            const auto reading = sample().format->read(text, readOptions());
             VERIFY_RESULT(reading);
             QVERIFY2(!reading->tables.empty(), problemLines(*reading).c_str());
             const NeutralTable& table = reading->tables.front();
-            const AppliedCompensation compensation(
-                table, applied.column, format().family->facts.behaviour);
+            const ControllerLookup compensation(
+                table, applied.column, sample().format->facts.behaviour);
             const double found = compensation.at(applied.position);
             QVERIFY2(found == applied.value || qFuzzyCompare(found, applied.value),
                 (toText(found) + " instead of " + toText(applied.value) + " at "
@@ -324,7 +324,7 @@ private Q_SLOTS:
     void lineEndsAndBlanksMakeNoDifference_data() { addFormats(isReadAsText); }
     void lineEndsAndBlanksMakeNoDifference()
     {
-        const std::string& text = format().text;
+        const std::string& text = sample().text;
         const auto plain = withTrimmedNotes(outcomeOf(text).tables);
         std::vector<std::string> spellings{withLineEnds(text, "\r\n"), withLineEnds(text, "\r"),
             withLineEnds(text, " \n"), withLineEnds(text, "\t \r\n"), "\xEF\xBB\xBF" + text,
@@ -333,7 +333,7 @@ private Q_SLOTS:
             spellings.push_back(text.substr(0, text.size() - 1));
         for (const std::string& spelling : spellings) {
             QVERIFY2(isTheSame(outcomeOf(spelling), plain), spelling.c_str());
-            QVERIFY2(format().family->recognise(spelling) == format().family->recognise(text),
+            QVERIFY2(sample().format->recognise(spelling) == sample().format->recognise(text),
                 spelling.c_str());
         }
         QVERIFY(isTheSame(outcomeOf(text + "\n\r\n  \r\n\n"), plain));
@@ -345,9 +345,9 @@ private Q_SLOTS:
     }
     void lettersOfOtherEncodingsAreKeptAsUtf8()
     {
-        const Outcome plain = outcomeOf(format().text);
+        const Outcome plain = outcomeOf(sample().text);
         for (const char* word : {"M\xFCller\n", "M\xC3\xBCller\n"}) {
-            Outcome outcome = outcomeOf(format().comment + word + format().text);
+            Outcome outcome = outcomeOf(sample().comment + word + sample().text);
             QVERIFY2(outcome.refusal.empty(), outcome.refusal.c_str());
             QCOMPARE(outcome.tables.size(), plain.tables.size());
             for (std::size_t i = 0; i < plain.tables.size(); ++i) {
@@ -362,29 +362,29 @@ private Q_SLOTS:
     void aFileWithoutATableIsRefused()
     {
         for (const char* empty : {"", "\n", "\n \n\t\n", "\r\n\r\n", "\xEF\xBB\xBF"}) {
-            const auto reading = format().family->read(empty, readOptions());
+            const auto reading = sample().format->read(empty, readOptions());
             VERIFY_RESULT(reading);
             QVERIFY(reading->tables.empty());
             QVERIFY2(problemLines(*reading).starts_with("0:0 EmptyFile"),
                 problemLines(*reading).c_str());
-            QCOMPARE(format().family->recognise(empty), Recognition::No);
+            QCOMPARE(sample().format->recognise(empty), Recognition::No);
         }
-        if (format().comment.empty())
+        if (sample().comment.empty())
             return;
-        const std::string comments = format().comment + "nothing\n" + format().comment + "else\n";
+        const std::string comments = sample().comment + "nothing\n" + sample().comment + "else\n";
         const Outcome outcome = outcomeOf(comments);
         VERIFY_SOUND(outcome, comments);
         QVERIFY(!outcome.refusal.empty());
-        QCOMPARE(format().family->recognise(comments), Recognition::No);
+        QCOMPARE(sample().format->recognise(comments), Recognition::No);
     }
 
     void aFileThatIsNoTextIsRefused_data() { addFormats(isReadAsText); }
     void aFileThatIsNoTextIsRefused()
     {
-        std::string text = format().text;
+        std::string text = sample().text;
         for (std::size_t i = 0; i < text.size(); ++i) {
             const char before = std::exchange(text[i], '\0');
-            const auto reading = format().family->read(text, readOptions());
+            const auto reading = sample().format->read(text, readOptions());
             VERIFY_RESULT(reading);
             QVERIFY(reading->tables.empty());
             const auto line =
@@ -395,7 +395,7 @@ private Q_SLOTS:
         }
         for (const char* binary :
             {"\x01\x02\x03\x04\x05\x06\x07\x08", "\x7f\x45\x4c\x46\x01\x01\x01"}) {
-            const auto reading = format().family->read(binary, readOptions());
+            const auto reading = sample().format->read(binary, readOptions());
             VERIFY_RESULT(reading);
             QVERIFY(problemLines(*reading).starts_with("0:0 NotText"));
         }
@@ -404,14 +404,14 @@ private Q_SLOTS:
     void aFileThatIsCutOffIsRefused_data() { addFormats(isRead); }
     void aFileThatIsCutOffIsRefused()
     {
-        const std::string_view text = format().text;
-        const std::size_t needed = text.size() - format().spareBytes;
+        const std::string_view text = sample().text;
+        const std::size_t needed = text.size() - sample().spareBytes;
         for (std::size_t size = 0; size <= needed; ++size) {
             const std::string_view part = text.substr(0, size);
             const Outcome outcome = outcomeOf(part);
             VERIFY_SOUND(outcome, part);
             const std::string found = std::to_string(size) + " bytes: " + outcome.refusal;
-            const bool mayBeRead = size + format().warnedBytes >= needed;
+            const bool mayBeRead = size + sample().warnedBytes >= needed;
             if (size == needed)
                 QVERIFY2(outcome.problems.empty(), found.c_str());
             else
@@ -425,7 +425,7 @@ private Q_SLOTS:
     void aGarbledByteGivesATableOrAProblem_data() { addFormats(isRead); }
     void aGarbledByteGivesATableOrAProblem()
     {
-        std::string text = format().text;
+        std::string text = sample().text;
         for (std::size_t i = 0; i < text.size(); ++i) {
             const char before = text[i];
             for (const char garbled : {'?', '9', '-', ' ', ',', '\n', ']', '\x01', '\xFF'}) {
@@ -442,14 +442,14 @@ private Q_SLOTS:
     void aFileThatIsTooLargeIsRefused_data()
     {
         addFormats([](const FormatSample& sample) {
-            return isReadAsText(sample) && sample.family->facts.mostBytes <= 64U << 20U;
+            return isReadAsText(sample) && sample.format->facts.mostBytes <= 64U << 20U;
         });
     }
     void aFileThatIsTooLargeIsRefused()
     {
-        const std::size_t most = format().family->facts.mostBytes;
-        const auto reading = format().family->read(
-            format().text + std::string(most + 1 - format().text.size(), '\n'), readOptions());
+        const std::size_t most = sample().format->facts.mostBytes;
+        const auto reading = sample().format->read(
+            sample().text + std::string(most + 1 - sample().text.size(), '\n'), readOptions());
         VERIFY_RESULT(reading);
         QVERIFY(reading->tables.empty());
         QCOMPARE(problemLines(*reading),
@@ -462,7 +462,7 @@ private Q_SLOTS:
     {
         const FormatSample::Problem& expected = row(&FormatSample::problems);
         TableReadOptions options = readOptions(expected.settings);
-        const auto reading = format().family->read(expected.text, options);
+        const auto reading = sample().format->read(expected.text, options);
         VERIFY_RESULT(reading);
         QVERIFY(reading->tables.empty());
         const std::string found = problemLines(*reading);
@@ -470,7 +470,7 @@ private Q_SLOTS:
         QCOMPARE(reading->diagnostics.front().controllerError, expected.controllerError);
         QVERIFY2(reading->hasErrors(), found.c_str());
         options.maximumDiagnostics = 1;
-        const auto shorter = format().family->read(expected.text, options);
+        const auto shorter = sample().format->read(expected.text, options);
         VERIFY_RESULT(shorter);
         QVERIFY(shorter->tables.empty() && shorter->hasErrors());
         const auto isError = [](const Diagnostic& d) { return d.severity == Severity::Error; };
@@ -481,7 +481,7 @@ private Q_SLOTS:
     void aWarningLetsTheTablePass()
     {
         const FormatSample::Warning& expected = row(&FormatSample::warnings);
-        const auto reading = format().family->read(expected.text, readOptions(expected.settings));
+        const auto reading = sample().format->read(expected.text, readOptions(expected.settings));
         VERIFY_RESULT(reading);
         const std::string found = problemLines(*reading);
         QVERIFY2(!reading->tables.empty() && !reading->hasErrors(), found.c_str());
@@ -500,7 +500,7 @@ private Q_SLOTS:
         stop.request_stop();
         TableReadOptions options = readOptions();
         options.stop = stop.get_token();
-        const auto reading = format().family->read(format().text, options);
+        const auto reading = sample().format->read(sample().text, options);
         VERIFY_RESULT(reading);
         QVERIFY(reading->cancelled && reading->tables.empty());
     }
@@ -508,30 +508,30 @@ private Q_SLOTS:
     void aFileIsRecognisedByItsContent_data() { addFormats(isReadAsText); }
     void aFileIsRecognisedByItsContent()
     {
-        QVERIFY(!format().recognised.empty());
-        for (const auto& [text, recognition] : format().recognised)
-            QVERIFY2(format().family->recognise(text) == recognition, text.c_str());
-        const std::string_view text = format().text;
-        const Recognition whole = format().family->recognise(text);
+        QVERIFY(!sample().recognised.empty());
+        for (const auto& [text, recognition] : sample().recognised)
+            QVERIFY2(sample().format->recognise(text) == recognition, text.c_str());
+        const std::string_view text = sample().text;
+        const Recognition whole = sample().format->recognise(text);
         QVERIFY(whole != Recognition::No);
         for (std::size_t size = 0; size < text.size(); ++size)
-            QVERIFY(format().family->recognise(text.substr(0, size)) <= whole);
+            QVERIFY(sample().format->recognise(text.substr(0, size)) <= whole);
     }
 
     void noFormatTakesTheFileOfAnotherForItsOwn_data() { addFormats(isReadAsText); }
     void noFormatTakesTheFileOfAnotherForItsOwn()
     {
-        const TableFamily& family = *format().family;
-        const std::string name = "x" + std::string(family.facts.extensions.front());
-        const FormatGuess guess = guessFamily(format().text, name);
-        QVERIFY(!guess.families.empty());
-        QCOMPARE(guess.families.front()->facts.name, family.facts.name);
+        const TableFormat& format = *sample().format;
+        const std::string name = "x" + std::string(format.facts.extensions.front());
+        const FormatGuess guess = guessFormat(sample().text, name);
+        QVERIFY(!guess.formats.empty());
+        QCOMPARE(guess.formats.front()->facts.name, format.facts.name);
         for (const FormatSample& other : samples())
-            if (other.family && other.family != &family && other.family->recognise)
-                QVERIFY2(other.family->recognise(format().text) != Recognition::Certain,
+            if (other.format && other.format != &format && other.format->recognise)
+                QVERIFY2(other.format->recognise(sample().text) != Recognition::Certain,
                     nameOf(other).c_str());
-        if (family.recognise(format().text) == Recognition::Certain)
-            QVERIFY(guessFamily(format().text, "table").isCertain);
+        if (format.recognise(sample().text) == Recognition::Certain)
+            QVERIFY(guessFormat(sample().text, "table").isCertain);
     }
 
     void settingsOfTheWrongKindAreRefused_data() { addFormats(isAny); }
@@ -543,10 +543,10 @@ private Q_SLOTS:
             {Kind::Number, {"", "many", "nan", "1,5"}}, {Kind::Choice, {"", "neither"}},
             {Kind::YesNo, {"", "perhaps", "YES"}}};
         for (const bool isWriting : {false, true}) {
-            if (isWriting ? !isWritten(format()) : !isRead(format()))
+            if (isWriting ? !isWritten(sample()) : !isRead(sample()))
                 continue;
             refusesSetting(isWriting, "no-such-setting", "1", "no setting no-such-setting");
-            for (const FormatSetting& setting : formatSettings(format().family->facts, isWriting)) {
+            for (const FormatSetting& setting : formatSettings(sample().format->facts, isWriting)) {
                 const std::string key(setting.key);
                 for (const std::string& value : wrong.at(setting.kind))
                     refusesSetting(isWriting, key, value, "the setting " + key + " is");
@@ -560,7 +560,7 @@ private Q_SLOTS:
     void settingsThatCannotBeAreRefused()
     {
         const FormatSample::Problem& expected = row(&FormatSample::refusedSettings);
-        const auto reading = format().family->read(expected.text, readOptions(expected.settings));
+        const auto reading = sample().format->read(expected.text, readOptions(expected.settings));
         VERIFY_ERROR(reading, ErrorCode::InvalidArgument);
         QVERIFY2(
             mentions(sentence(reading.error()), expected.line), sentence(reading.error()).c_str());
@@ -570,9 +570,9 @@ private Q_SLOTS:
     void whatIsWrittenIsReadBackTheSame()
     {
         const FormatSample::Written& expected = row(&FormatSample::written);
-        const TableFamily& family = *format().family;
-        VERIFY_RESULT(checkHolds(family.facts, expected.tables));
-        const auto written = family.write(expected.tables, writeOptions(expected.writing));
+        const TableFormat& format = *sample().format;
+        VERIFY_RESULT(checkHolds(format.facts, expected.tables));
+        const auto written = format.write(expected.tables, writeOptions(expected.writing));
         VERIFY_RESULT(written);
         QVERIFY2(
             expected.bytes.empty() || written->bytes == expected.bytes, written->bytes.c_str());
@@ -589,17 +589,17 @@ private Q_SLOTS:
             const std::string why = test::difference(
                 held, tables[i], expected.allowance, expected.allowanceOfPositions);
             QVERIFY2(why.empty(), why.c_str());
-            if (family.facts.holdsNotes)
+            if (format.facts.holdsNotes)
                 QCOMPARE(held.notes, tables[i].notes);
             if (!tables[i].name.empty())
                 QCOMPARE(held.name, tables[i].name);
             isRounded = isRounded || !test::difference(written->held[i], tables[i]).empty();
         }
         QVERIFY(isRounded || expected.allowance < 1e-9);
-        if (!family.read)
+        if (!format.read)
             return;
-        QVERIFY(!family.recognise || family.recognise(written->bytes) != Recognition::No);
-        const auto again = family.read(written->bytes, readOptions(expected.reading));
+        QVERIFY(!format.recognise || format.recognise(written->bytes) != Recognition::No);
+        const auto again = format.read(written->bytes, readOptions(expected.reading));
         VERIFY_RESULT(again);
         for (const Diagnostic& problem : again->diagnostics)
             QVERIFY2(problem.code == DiagnosticCode::UnitNotGiven, message(problem).c_str());
@@ -611,14 +611,14 @@ private Q_SLOTS:
     {
         const auto texts = [] {
             std::string text;
-            for (const FormatSample::Written& row : format().written) {
-                const auto written = format().family->write(row.tables, writeOptions(row.writing));
+            for (const FormatSample::Written& row : sample().written) {
+                const auto written = sample().format->write(row.tables, writeOptions(row.writing));
                 text += written ? written->bytes : test::describe(written.error());
             }
             return text;
         };
         const auto tables = [] {
-            return isRead(format()) ? outcomeOf(format().text).tables : std::vector<NeutralTable>();
+            return isRead(sample()) ? outcomeOf(sample().text).tables : std::vector<NeutralTable>();
         };
         const std::string plainTexts = texts();
         const std::vector<NeutralTable> plainTables = tables();
@@ -630,23 +630,23 @@ private Q_SLOTS:
     void twoMegabytesAreReadWhole_data()
     {
         addFormats([](const FormatSample& sample) {
-            const FamilyFacts& facts = sample.family->facts;
+            const FormatFacts& facts = sample.format->facts;
             return isRead(sample) && isWritten(sample) && facts.mostBytes > 3'000'000
                 && (facts.mostPoints == 0 || facts.mostPoints > 1'000'000);
         });
     }
     void twoMegabytesAreReadWhole()
     {
-        const TableFamily& family = *format().family;
+        const TableFormat& format = *sample().format;
         NeutralTable table = heldTable();
         const std::size_t axis = table.axes.size() - 1;
-        const auto small = family.write(std::array{grown(table, axis, 200)}, writeOptions());
+        const auto small = format.write(std::array{grown(table, axis, 200)}, writeOptions());
         VERIFY_RESULT(small);
         const std::size_t knots = 200 * (3'000'000 / small->bytes.size() + 1);
-        const auto written = family.write(std::array{grown(table, axis, knots)}, writeOptions());
+        const auto written = format.write(std::array{grown(table, axis, knots)}, writeOptions());
         VERIFY_RESULT(written);
         QVERIFY(written->bytes.size() > 2'000'000);
-        const auto again = family.read(written->bytes, readOptions());
+        const auto again = format.read(written->bytes, readOptions());
         VERIFY_RESULT(again);
         QVERIFY2(again->tables.size() == 1, problemLines(*again).c_str());
         COMPARE_TABLES(again->tables.front(), written->held.front(), 0.0);
@@ -657,7 +657,7 @@ private Q_SLOTS:
     void theFirstAboveALimitIsRefused_data() { addFormats(isWritten); }
     void theFirstAboveALimitIsRefused()
     {
-        const FamilyFacts& facts = format().family->facts;
+        const FormatFacts& facts = sample().format->facts;
         const NeutralTable& held = heldTable();
         NeutralTable deep = held;
         while (deep.axes.size() <= static_cast<std::size_t>(facts.mostDimensions))
@@ -710,7 +710,7 @@ private Q_SLOTS:
             for (const bool isValue : {true, false}) {
                 NeutralTable table = heldTable();
                 (isValue ? table.columns[0].values : table.axes[0].knots).back() = none;
-                const auto result = checkHolds(format().family->facts, std::array{table});
+                const auto result = checkHolds(sample().format->facts, std::array{table});
                 QVERIFY2(!result, isValue ? "a value" : "a position");
                 QVERIFY(isValue ? result.error().code == ErrorCode::InvalidArgument : true);
             }
@@ -722,7 +722,7 @@ private Q_SLOTS:
     {
         const FormatSample::Refused& expected = row(&FormatSample::refused);
         const auto written =
-            format().family->write(expected.tables, writeOptions(expected.settings));
+            sample().format->write(expected.tables, writeOptions(expected.settings));
         VERIFY_ERROR(written, expected.code);
         const std::string text = test::describe(written.error());
         QVERIFY2(mentions(text, expected.reason), text.c_str());
@@ -731,10 +731,10 @@ private Q_SLOTS:
 private:
     void refuses(const std::vector<NeutralTable>& tables, const std::string& reason)
     {
-        const auto result = checkHolds(format().family->facts, tables);
+        const auto result = checkHolds(sample().format->facts, tables);
         VERIFY_ERROR(result, ErrorCode::FormatCannotHold);
         QVERIFY2(mentions(sentence(result.error()), reason)
-                && mentions(sentence(result.error()), nameOf(format())),
+                && mentions(sentence(result.error()), nameOf(sample())),
             sentence(result.error()).c_str());
     }
     void refuses(const NeutralTable& table, const std::string& reason)
@@ -752,9 +752,9 @@ private:
         settings.erase(key);
         if (value)
             settings[key] = *value;
-        const TableFamily& family = *format().family;
-        const auto error = isWriting ? errorOf(family.write(std::array{heldTable()}, writing))
-                                     : errorOf(family.read(format().text, reading));
+        const TableFormat& format = *sample().format;
+        const auto error = isWriting ? errorOf(format.write(std::array{heldTable()}, writing))
+                                     : errorOf(format.read(sample().text, reading));
         QVERIFY2(error && error->code == ErrorCode::InvalidArgument, key.c_str());
         QVERIFY2(mentions(sentence(*error), reason), sentence(*error).c_str());
     }

@@ -10,7 +10,7 @@ using test::mentions;
 
 namespace {
 
-const TableFamily& family = icube::format();
+const TableFormat& format = icube::format();
 
 /// The example of the manual.
 const std::string example = "0.00 0.001\n0.25 0.001\n0.50 0.001\n1.00 0.002\n5.00 0.002\n"
@@ -163,7 +163,7 @@ private Q_SLOTS:
 
     void theExampleOfTheManualIsRead()
     {
-        READ_TABLE(read, family, example, inMillimetres);
+        READ_TABLE(read, format, example, inMillimetres);
         QCOMPARE(read.axes[0].knots, (std::vector<double>{0, 0.25, 0.5, 1, 5, 7, 8, 9, 9.25, 10}));
         QCOMPARE(read.columns[0].values,
             (std::vector<double>{
@@ -188,26 +188,26 @@ private Q_SLOTS:
     void everySeparatorIsRead()
     {
         QFETCH(QByteArray, text);
-        READ_TABLE(read, family, text.toStdString(), inMillimetres);
+        READ_TABLE(read, format, text.toStdString(), inMillimetres);
         QCOMPARE(read.axes[0].knots, (std::vector<double>{0, 1}));
         QCOMPARE(read.columns[0].values, (std::vector<double>{0.25, -0.25}));
     }
 
     void decreasingPositionsAreReadAscending()
     {
-        READ_TABLE(read, family, "10,0.3\n4,0.2\n0,0.1\n", inMillimetres);
+        READ_TABLE(read, format, "10,0.3\n4,0.2\n0,0.1\n", inMillimetres);
         QCOMPARE(read.axes[0].knots, (std::vector<double>{0, 4, 10}));
         QCOMPARE(read.columns[0].values, (std::vector<double>{0.1, 0.2, 0.3}));
     }
 
     void aRotaryAxisSpansItsWrapRangeExactly()
     {
-        READ_TABLE(read, family, "0,0.1\n100,0.2\n360,0.1\n", test::readingWith(rotary("360")));
+        READ_TABLE(read, format, "0,0.1\n100,0.2\n360,0.1\n", test::readingWith(rotary("360")));
         QCOMPARE(read.axes[0].wrap, std::optional<double>(360.0));
-        QCOMPARE(applied(family, read, {-310.0}), 0.15);
-        QCOMPARE(applied(family, read, {820.0}), 0.2);
-        READ_TABLE(down, family, "180,0.1\n0,0.2\n-180,0.1\n", test::readingWith(rotary("360")));
-        QCOMPARE(applied(family, down, {360.0}), 0.2);
+        QCOMPARE(applied(format, read, {-310.0}), 0.15);
+        QCOMPARE(applied(format, read, {820.0}), 0.2);
+        READ_TABLE(down, format, "180,0.1\n0,0.2\n-180,0.1\n", test::readingWith(rotary("360")));
+        QCOMPARE(applied(format, down, {360.0}), 0.2);
     }
 
     void lessThanAMegabyteIsReadAndMoreIsNotWritten()
@@ -216,11 +216,11 @@ private Q_SLOTS:
         for (int i = 0; text.size() < 1'000'000; ++i)
             text += std::to_string(i) + ",0.00001\n";
         text.resize(text.rfind('\n', 999'000) + 1);
-        READ_TABLE(read, family, text, inMillimetres);
+        READ_TABLE(read, format, text, inMillimetres);
         QVERIFY(read.pointCount() > 50'000);
 
         const auto written =
-            family.write(std::array{table(evenKnots(60'000), std::vector(60'000, 1e-3 / 3))}, {});
+            format.write(std::array{table(evenKnots(60'000), std::vector(60'000, 1e-3 / 3))}, {});
         VERIFY_ERROR(written, ErrorCode::FormatCannotHold);
         QVERIFY(mentions(sentence(written.error()), "999999"));
     }
@@ -236,7 +236,7 @@ private:
 };
 
 AXISCOMP_TEST(TestIcube)
-AXISCOMP_FORMAT(family, describe)
+AXISCOMP_FORMAT(format, describe)
 
 } // namespace tst_icube
 

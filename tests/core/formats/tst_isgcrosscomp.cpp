@@ -11,7 +11,7 @@ using test::problemLines;
 
 namespace {
 
-const TableFamily& family = isg_crosscomp::format();
+const TableFormat& format = isg_crosscomp::format();
 
 const TableReadOptions linear =
     test::readingWith({{"master-kind", "linear"}, {"axis-kind", "linear"}});
@@ -209,7 +209,7 @@ private Q_SLOTS:
                                  "kw.crosscomp.table[ 1 ].sollw 10000000 /*at 1000 mm*/\n"
                                  "kw.crosscomp.table[1].correction\t1000\n"
                                  "End\n";
-        READ_TABLE(table, family, text, linear);
+        READ_TABLE(table, format, text, linear);
         QCOMPARE(table.axes[0].name, std::string("1"));
         QCOMPARE(table.axes[0].unit, std::string("mm"));
         QCOMPARE(table.axes[0].knots, (std::vector<double>{1.0735, 1000.0}));
@@ -225,13 +225,13 @@ private Q_SLOTS:
     void incrementsAreConvertedWhenTheSettingSaysHowManyAUnitHas()
     {
         const std::string text = with("unit 1", "unit 0");
-        READ_TABLE(plain, family, text, linear);
+        READ_TABLE(plain, format, text, linear);
         QCOMPARE(plain.axes[0].unit, std::string("increments"));
         QCOMPARE(plain.axes[0].knots, (std::vector<double>{0, 100000, 150000}));
         QVERIFY(test::hasProblem(*reading_plain, DiagnosticCode::UnitNotGiven, 2));
         TableReadOptions options = linear;
         options.settings["increments-per-unit"] = "20000";
-        READ_TABLE(table, family, text, options);
+        READ_TABLE(table, format, text, options);
         QCOMPARE(table.axes[0].unit, std::string("mm"));
         QCOMPARE(table.axes[0].knots, (std::vector<double>{0, 5, 7.5}));
         QCOMPARE(table.columns[0].values[1], -0.0015);
@@ -239,20 +239,20 @@ private Q_SLOTS:
 
     void whetherAnAxisIsLinearOrRotaryIsSaidByASettingOrAWarning()
     {
-        const auto reading = family.read(three, {});
+        const auto reading = format.read(three, {});
         VERIFY_RESULT(reading);
         QCOMPARE(reading->tables.front().axes[0].unit, std::string("mm"));
         QVERIFY(test::hasProblem(*reading, DiagnosticCode::Assumption, 2));
         TableReadOptions options = linear;
         options.settings["master-kind"] = "rotary";
-        READ_TABLE(table, family, three, options);
+        READ_TABLE(table, format, three, options);
         QCOMPARE(table.axes[0].unit, std::string("deg"));
         QCOMPARE(table.columns[0].unit, std::string("mm"));
     }
 
     void aListWithoutTheEntryUnitIsTakenToBeInIncrementsWithAWarning()
     {
-        READ_TABLE(table, family, with("kw.crosscomp.unit 1\n", ""), linear);
+        READ_TABLE(table, format, with("kw.crosscomp.unit 1\n", ""), linear);
         QCOMPARE(table.axes[0].unit, std::string("increments"));
         QVERIFY(test::hasProblem(*reading_table, DiagnosticCode::Assumption, 0));
     }
@@ -261,22 +261,22 @@ private Q_SLOTS:
     {
         TableReadOptions options = linear;
         options.settings["modulo"] = "yes";
-        READ_TABLE(table, family, three, options);
+        READ_TABLE(table, format, three, options);
         QCOMPARE(table.axes[0].wrap, std::optional(15.0));
-        QCOMPARE(applied(family, table, {20.0}), -0.001); // 5 of the next turn
+        QCOMPARE(applied(format, table, {20.0}), -0.001); // 5 of the next turn
     }
 
     void decimalsAreReadAndWrittenOnlyWhenAskedFor()
     {
-        READ_TABLE(table, family, with("correction -30", "correction -30.25"), linear);
+        READ_TABLE(table, format, with("correction -30", "correction -30.25"), linear);
         QCOMPARE(table.columns[0].values[1], -0.003025);
         QCOMPARE(table.columns[0].step, 0.0);
-        WRITE_TABLE(whole, family, table, {});
+        WRITE_TABLE(whole, format, table, {});
         QVERIFY(whole->bytes.find("correction -30\n") != std::string::npos);
         QCOMPARE(whole->held.front().columns[0].values[1], -0.003);
         TableWriteOptions options;
         options.settings["decimals"] = "yes";
-        WRITE_TABLE(exact, family, table, options);
+        WRITE_TABLE(exact, format, table, options);
         QVERIFY(exact->bytes.find("correction -30.25\n") != std::string::npos);
         COMPARE_TABLES(exact->held.front(), table, 0.0);
     }
@@ -288,13 +288,13 @@ private Q_SLOTS:
             text += "kw.crosscomp.table[" + std::to_string(i) + "].setpoint " + std::to_string(i)
                 + "\nkw.crosscomp.table[" + std::to_string(i) + "].correction 17\n";
         QVERIFY(text.size() > 2'000'000);
-        READ_TABLE(table, family, text, linear);
+        READ_TABLE(table, format, text, linear);
         QCOMPARE(table.pointCount(), std::size_t(30000));
     }
 };
 
 AXISCOMP_TEST(TestIsgCrosscomp)
-AXISCOMP_FORMAT(family, describe)
+AXISCOMP_FORMAT(format, describe)
 
 } // namespace tst_isgcrosscomp
 

@@ -8,7 +8,7 @@ using namespace axiscomp;
 
 namespace {
 
-const TableFamily& family = isg_crosscomp2::format();
+const TableFormat& format = isg_crosscomp2::format();
 
 const TableReadOptions linear = test::readingWith(
     {{"master1-kind", "linear"}, {"master2-kind", "linear"}, {"axis-kind", "linear"}});
@@ -104,7 +104,7 @@ private Q_SLOTS:
 
     void theFirstIndexCountsAlongMasterTwo()
     {
-        READ_TABLE(table, family, plane(), linear);
+        READ_TABLE(table, format, plane(), linear);
         QCOMPARE(table.axes[0].name, std::string("1"));
         QCOMPARE(table.axes[0].knots, (std::vector<double>{-10, -5, 0}));
         QCOMPARE(table.axes[1].name, std::string("2"));
@@ -117,7 +117,7 @@ private Q_SLOTS:
         const auto text = with("kw.crosscomp2.interval 50000\n",
             "kw.crosscomp2.grid RECTANGULAR (new)\nkw.crosscomp2.interval1 50000\n"
             "kw.crosscomp2.interval2 10000\n");
-        READ_TABLE(table, family, text, linear);
+        READ_TABLE(table, format, text, linear);
         QCOMPARE(table.axes[0].knots[1], -5.0);
         QCOMPARE(table.axes[1].knots[1], 3.0);
     }
@@ -128,18 +128,18 @@ private Q_SLOTS:
         options.settings["modulo1"] = "yes";
         std::string closed = plane();
         closed.replace(closed.find("[0][2].correction 2"), 19, "[0][2].correction 0");
-        const auto half = family.read(closed, options);
+        const auto half = format.read(closed, options);
         VERIFY_RESULT(half);
         QVERIFY(test::hasProblem(*half, DiagnosticCode::NotPeriodic, 0));
         closed.replace(closed.find("[1][2].correction 12"), 20, "[1][2].correction 10");
-        READ_TABLE(table, family, closed, options);
+        READ_TABLE(table, format, closed, options);
         QCOMPARE(table.axes[0].wrap, std::optional(10.0));
         QVERIFY(!table.axes[1].wrap);
-        WRITE_TABLE(written, family, table, {});
+        WRITE_TABLE(written, format, table, {});
         QCOMPARE(written->held.front(), table);
         NeutralTable open = planeTable();
         open.axes[1].wrap = 10.0;
-        VERIFY_ERROR(family.write(std::array{open}, {}), ErrorCode::FormatCannotHold);
+        VERIFY_ERROR(format.write(std::array{open}, {}), ErrorCode::FormatCannotHold);
     }
 
     void aLargePlaneIsReadWhole()
@@ -153,13 +153,13 @@ private Q_SLOTS:
                 text += "kw.crosscomp2.table[" + std::to_string(j) + "][" + std::to_string(i)
                     + "].correction 12\n";
         QVERIFY(text.size() > 2'000'000);
-        READ_TABLE(table, family, text, linear);
+        READ_TABLE(table, format, text, linear);
         QCOMPARE(table.pointCount(), std::size_t(50000));
     }
 };
 
 AXISCOMP_TEST(TestIsgCrosscomp2)
-AXISCOMP_FORMAT(family, describe)
+AXISCOMP_FORMAT(format, describe)
 
 } // namespace tst_isgcrosscomp2
 

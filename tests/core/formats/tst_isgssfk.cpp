@@ -12,7 +12,7 @@ using test::problemLines;
 
 namespace {
 
-const TableFamily& family = isg_ssfk::format();
+const TableFormat& format = isg_ssfk::format();
 
 const TableReadOptions linear = test::readingWith({{"axis-kind", "linear"}});
 
@@ -150,7 +150,7 @@ private Q_SLOTS:
 
     void eachDirectionHasItsValues()
     {
-        READ_TABLE(table, family, bilateral, linear);
+        READ_TABLE(table, format, bilateral, linear);
         QCOMPARE(table.axes[0].name, std::string("2"));
         QCOMPARE(table.axes[0].knots, (std::vector<double>{-20, -19.9306, -19.8667, -19.8001}));
         QCOMPARE(table.columns.size(), std::size_t(2));
@@ -164,27 +164,27 @@ private Q_SLOTS:
 
     void oneColumnIsForBothDirections()
     {
-        READ_TABLE(table, family, even, linear);
+        READ_TABLE(table, format, even, linear);
         QCOMPARE(table.columns[0].direction, Direction::Both);
         QCOMPARE(table.axes[0].knots, (std::vector<double>{-10, 0, 10}));
     }
 
     void withoutBilateralTheNegativeValuesAreLeftOut()
     {
-        READ_TABLE(table, family, oneSided, linear);
+        READ_TABLE(table, format, oneSided, linear);
         QCOMPARE(table.columns.size(), std::size_t(1));
     }
 
     void aModuloAxisMustHaveTheSameValuesAtBothEnds()
     {
-        READ_TABLE(table, family, even + "kw.ssfk.modulo 1\n", linear);
+        READ_TABLE(table, format, even + "kw.ssfk.modulo 1\n", linear);
         QCOMPARE(table.axes[0].wrap, std::optional(20.0));
-        QCOMPARE(applied(family, table, {20}), -0.0004);
+        QCOMPARE(applied(format, table, {20}), -0.0004);
     }
 };
 
 AXISCOMP_TEST(TestIsgSsfk)
-AXISCOMP_FORMAT(family, describe)
+AXISCOMP_FORMAT(format, describe)
 
 } // namespace tst_isgssfk
 

@@ -9,7 +9,7 @@ using test::problemLines;
 
 namespace {
 
-const TableFamily& family = klipper::format();
+const TableFormat& format = klipper::format();
 
 /// As SAVE_CONFIG writes it, behind other settings.
 const std::string autosaved = "[printer]\nkinematics: corexy\n\n"
@@ -123,7 +123,7 @@ private Q_SLOTS:
 
     void aProfileThatWasSavedIsRead()
     {
-        READ_TABLE(table, family, autosaved, {});
+        READ_TABLE(table, format, autosaved, {});
         QCOMPARE(problemLines(*reading_table), std::string());
         QCOMPARE(table.name, std::string("default"));
         QCOMPARE(table.axes[0].knots, (std::vector<double>{10, 60, 110}));
@@ -135,7 +135,7 @@ private Q_SLOTS:
 
     void theLinesAreThoseOfYBeginningAtItsMinimum()
     {
-        READ_TABLE(table, family, autosaved, {});
+        READ_TABLE(table, format, autosaved, {});
         QCOMPARE(table.columns[0].values, (std::vector<double>{-0.1, 0, 0.1, 0.2, 0.3, 0.4}));
         QVERIFY(!ownAxis(table, table.columns[0])); // looked up at X and Y, which stay
     }
@@ -145,21 +145,21 @@ private Q_SLOTS:
         const std::string text = "[bed_mesh default]\r\n# comment\r\nversion: 1 ; comment\r\n"
                                  "points: 1, 2\r\n  3, 4 # comment\r\n\r\nx_count: 2\r\n"
                                  "y_count: 2\r\nmin_x: 0\r\nmax_x: 1\r\nmin_y: 0\r\nmax_y: 1\r\n";
-        READ_TABLE(table, family, text, {});
+        READ_TABLE(table, format, text, {});
         QCOMPARE(problemLines(*reading_table), std::string());
         QCOMPARE(table.columns[0].values, (std::vector<double>{1, 2, 3, 4}));
     }
 
     void olderFilesAddAnOffset()
     {
-        READ_TABLE(table, family, section({{"x_offset", "5"}, {"y_offset", "-1"}}), {});
+        READ_TABLE(table, format, section({{"x_offset", "5"}, {"y_offset", "-1"}}), {});
         QCOMPARE(table.axes[0].knots, (std::vector<double>{5, 105}));
         QCOMPARE(table.axes[1].knots, (std::vector<double>{-1, 49}));
     }
 
     void eachProfileIsATable()
     {
-        const auto reading = family.read(section({}) + section({}, "hot bed"), {});
+        const auto reading = format.read(section({}) + section({}, "hot bed"), {});
         VERIFY_RESULT(reading);
         QCOMPARE(problemLines(*reading), std::string());
         QCOMPARE(reading->tables.size(), std::size_t(2));
@@ -174,14 +174,14 @@ private Q_SLOTS:
             for (int x = 0; x < 500; ++x)
                 points += (x == 0 ? "0.012" : ", -0.012");
         }
-        READ_TABLE(table, family,
+        READ_TABLE(table, format,
             section({{"points", points}, {"x_count", "500"}, {"y_count", "500"}}), {});
         QCOMPARE(table.pointCount(), std::size_t(250000));
     }
 };
 
 AXISCOMP_TEST(TestKlipper)
-AXISCOMP_FORMAT(family, describe)
+AXISCOMP_FORMAT(format, describe)
 
 } // namespace tst_klipper
 

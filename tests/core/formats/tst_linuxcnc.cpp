@@ -9,7 +9,7 @@ using test::applied;
 
 namespace {
 
-const TableFamily& family = linuxcnc::format();
+const TableFormat& format = linuxcnc::format();
 
 /// The example in the source of the controller.
 const std::string example = "0.000000 0.000000 -0.001279\n0.100000 0.098742  0.051632\n"
@@ -155,7 +155,7 @@ private Q_SLOTS:
 
     void ofType0TheTrimIsNominalMinusMeasured()
     {
-        READ_TABLE(read, family, example, ofType("0"));
+        READ_TABLE(read, format, example, ofType("0"));
         QCOMPARE(read.axes[0].knots, (std::vector<double>{0, 0.1, 0.2}));
         QCOMPARE(read.columns.size(), std::size_t(2));
         QVERIFY(read.columns[0].direction == Direction::Positive);
@@ -166,24 +166,24 @@ private Q_SLOTS:
 
     void ofType1TheNumbersAreTrims()
     {
-        READ_TABLE(read, family, "0 0.001 -0.002\n10 0.003 0\n", ofType("1"));
+        READ_TABLE(read, format, "0 0.001 -0.002\n10 0.003 0\n", ofType("1"));
         QCOMPARE(read.columns[0].values, (std::vector<double>{0.001, 0.003}));
         QCOMPARE(read.columns[1].values, (std::vector<double>{-0.002, 0}));
     }
 
     void theTrimIsAddedToTheCommand()
     {
-        READ_TABLE(read, family, example, ofType("0"));
+        READ_TABLE(read, format, example, ofType("0"));
         // The axis stood at 0.098742 when it was sent to 0.1: it must be sent further.
-        QVERIFY(applied(family, read, {0.1}) > 0.0);
+        QVERIFY(applied(format, read, {0.1}) > 0.0);
     }
 
     void equalDirectionsAreOneColumn()
     {
-        READ_TABLE(trims, family, "0 1 1\n10 3 3\n", ofType("1"));
+        READ_TABLE(trims, format, "0 1 1\n10 3 3\n", ofType("1"));
         QCOMPARE(trims.columns.size(), std::size_t(1));
         QVERIFY(trims.columns[0].direction == Direction::Both);
-        READ_TABLE(measured, family, "0 0.1 0.1\n10 10.2 10.2\n", ofType("0"));
+        READ_TABLE(measured, format, "0 0.1 0.1\n10 10.2 10.2\n", ofType("0"));
         QCOMPARE(measured.columns.size(), std::size_t(1));
         QCOMPARE(measured.columns[0].values[0], -0.1);
     }
@@ -192,20 +192,20 @@ private Q_SLOTS:
     {
         TableReadOptions options;
         options.settings = {{"position-unit", "mm"}};
-        const auto reading = family.read(example, options);
+        const auto reading = format.read(example, options);
         VERIFY_RESULT(reading);
         QVERIFY(test::hasProblem(*reading, DiagnosticCode::Assumption, 0));
-        READ_TABLE(read, family, example, options);
-        READ_TABLE(known, family, example, ofType("0"));
+        READ_TABLE(read, format, example, options);
+        READ_TABLE(known, format, example, ofType("0"));
         COMPARE_TABLES(read, known, 0.0);
         QVERIFY(!test::hasProblem(*reading_known, DiagnosticCode::Assumption, 0));
     }
 
     void atMost256LinesAreRead()
     {
-        READ_TABLE(read, family, lines(256), ofType("1"));
+        READ_TABLE(read, format, lines(256), ofType("1"));
         QCOMPARE(read.pointCount(), std::size_t(256));
-        const auto reading = family.read(lines(300), ofType("1"));
+        const auto reading = format.read(lines(300), ofType("1"));
         VERIFY_RESULT(reading);
         QVERIFY(reading->tables.empty());
         QVERIFY(test::hasProblem(*reading, DiagnosticCode::LimitExceeded, 257));
@@ -213,14 +213,14 @@ private Q_SLOTS:
 
     void twoMegabytesOfLinesAreRefusedAsAWhole()
     {
-        const auto reading = family.read(lines(150'000), ofType("1"));
+        const auto reading = format.read(lines(150'000), ofType("1"));
         VERIFY_RESULT(reading);
         QVERIFY(test::hasProblem(*reading, DiagnosticCode::LimitExceeded, 257));
     }
 };
 
 AXISCOMP_TEST(TestLinuxcnc)
-AXISCOMP_FORMAT(family, describe)
+AXISCOMP_FORMAT(format, describe)
 
 } // namespace tst_linuxcnc
 

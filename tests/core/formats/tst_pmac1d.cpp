@@ -11,7 +11,7 @@ using test::problemLines;
 
 namespace {
 
-const TableFamily& family = pmac_1d::format();
+const TableFormat& format = pmac_1d::format();
 
 const std::string file = "; bowed screw\n"
                          "CLOSE\nDELETE COMP\n"
@@ -164,7 +164,7 @@ private Q_SLOTS:
 
     void entriesAreSixteenthsOfACountAndTheOneForZeroIsLeftOut()
     {
-        READ_TABLE(table, family, file, {});
+        READ_TABLE(table, format, file, {});
         QCOMPARE(table.axes[0].name, std::string("1"));
         QCOMPARE(table.axes[0].unit, std::string("counts"));
         QCOMPARE(table.axes[0].knots, (std::vector<double>{0, 1000, 2000, 3000, 4000}));
@@ -179,34 +179,34 @@ private Q_SLOTS:
 
     void countsBecomeUnitsByASetting()
     {
-        READ_TABLE(table, family, file, inMillimetres());
+        READ_TABLE(table, format, file, inMillimetres());
         QCOMPARE(table.axes[0].knots, (std::vector<double>{0, 1, 2, 3, 4}));
         QCOMPARE(table.axes[0].unit, std::string("mm"));
         QCOMPARE(table.columns[0].values[1], 0.01);
         QVERIFY2(reading_table->diagnostics.empty(), problemLines(*reading_table).c_str());
         TableReadOptions options = inMillimetres();
         options.settings["target-counts-per-unit"] = "2000";
-        READ_TABLE(other, family, file, options);
+        READ_TABLE(other, format, file, options);
         QCOMPARE(other.axes[0].knots[1], 1.0);
         QCOMPARE(other.columns[0].values[1], 0.005);
     }
 
     void motorsThatAreNotNamedAreTheAddressedOne()
     {
-        READ_TABLE(own, family, with("4,#1D,#2,4000", "4,4000"), {});
+        READ_TABLE(own, format, with("4,#1D,#2,4000", "4,4000"), {});
         QCOMPARE(own.axes[0].name, std::string("1"));
         QCOMPARE(own.columns[0].target, std::string("1"));
-        READ_TABLE(source, family, "#7 def comp 2 , #3 , 100\n1 0\n", {});
+        READ_TABLE(source, format, "#7 def comp 2 , #3 , 100\n1 0\n", {});
         QCOMPARE(source.axes[0].name, std::string("3"));
         QCOMPARE(source.columns[0].target, std::string("7"));
-        READ_TABLE(none, family, "DEFINE COMP 2,100\n1 0\n", {});
+        READ_TABLE(none, format, "DEFINE COMP 2,100\n1 0\n", {});
         QCOMPARE(none.axes[0].name, std::string());
         QVERIFY(test::hasProblem(*reading_none, DiagnosticCode::Assumption, 1));
     }
 
     void severalTablesOfAFileAreReadAndThoseOfTwoDimensionsLeftOut()
     {
-        const auto reading = family.read(
+        const auto reading = format.read(
             "DEFINE COMP 2.2,#1,#2,#3,10,10\n1 2 3 4 5 6 7 8\n" + file + file, inMillimetres());
         VERIFY_RESULT(reading);
         QCOMPARE(reading->tables.size(), std::size_t(2));
@@ -216,21 +216,21 @@ private Q_SLOTS:
     void negativePositionsAreWrittenBehindThePositiveOnes()
     {
         const NeutralTable table = openTable();
-        WRITE_TABLE(written, family, table, thousand);
+        WRITE_TABLE(written, format, table, thousand);
         QVERIFY(written->bytes.starts_with("#1\nDEFINE COMP 11,#1D,#1,55000\n"));
         const NeutralTable& held = written->held.front();
         for (double x = -20; x <= 30; x += 1.25)
-            QVERIFY(std::abs(applied(family, held, {x}) - applied(family, table, {x}))
+            QVERIFY(std::abs(applied(format, held, {x}) - applied(format, table, {x}))
                 <= 0.5 / 16000 + 1e-9);
         NeutralTable closed = table;
         closed.columns[0].values.back() = closed.columns[0].values.front();
-        WRITE_TABLE(shorter, family, closed, thousand);
+        WRITE_TABLE(shorter, format, closed, thousand);
         QVERIFY(shorter->bytes.starts_with("#1\nDEFINE COMP 10,#1D,#1,50000\n"));
     }
 };
 
 AXISCOMP_TEST(TestPmac1d)
-AXISCOMP_FORMAT(family, describe)
+AXISCOMP_FORMAT(format, describe)
 
 } // namespace tst_pmac1d
 

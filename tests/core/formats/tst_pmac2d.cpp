@@ -10,7 +10,7 @@ using test::changed;
 
 namespace {
 
-const TableFamily& family = pmac_2d::format();
+const TableFormat& format = pmac_2d::format();
 
 /// 2 rows and 3 columns of intervals: 4 x 3 points, the first of which has no entry.
 const std::string file = "#3\nDEFINE COMP 2.3,#1D,#2D,#3,3000,4000\n"
@@ -88,7 +88,7 @@ private Q_SLOTS:
 
     void alongARowTheRowMotorMovesAndTheFirstEntryIsLeftOut()
     {
-        READ_TABLE(table, family, file, inMillimetres);
+        READ_TABLE(table, format, file, inMillimetres);
         QCOMPARE(table.axes[0].name, std::string("1"));
         QCOMPARE(table.axes[0].knots, (std::vector<double>{0, 1, 2, 3}));
         QCOMPARE(table.axes[1].name, std::string("2"));
@@ -98,11 +98,11 @@ private Q_SLOTS:
 
     void motorsThatAreNotNamedAreTheAddressedOne()
     {
-        READ_TABLE(one, family, with("#1D,#2D,#3", "#1"), inMillimetres);
+        READ_TABLE(one, format, with("#1D,#2D,#3", "#1"), inMillimetres);
         QCOMPARE(one.axes[0].name, std::string("1"));
         QCOMPARE(one.axes[1].name, std::string("3"));
         QCOMPARE(one.columns[0].target, std::string("3"));
-        READ_TABLE(two, family, with("#1D,#2D,#3", "#5,#6"), inMillimetres);
+        READ_TABLE(two, format, with("#1D,#2D,#3", "#5,#6"), inMillimetres);
         QCOMPARE(two.axes[1].name, std::string("6"));
         QCOMPARE(two.columns[0].target, std::string("3"));
     }
@@ -112,28 +112,28 @@ private Q_SLOTS:
         TableReadOptions options = inMillimetres;
         options.settings["column-counts-per-unit"] = "500";
         options.settings["target-counts-per-unit"] = "100";
-        READ_TABLE(table, family, file, options);
+        READ_TABLE(table, format, file, options);
         QCOMPARE(table.axes[0].knots[1], 1.0);
         QCOMPARE(table.axes[1].knots[1], 4.0);
-        QCOMPARE(applied(family, table, {1, 0}), 0.01);
+        QCOMPARE(applied(format, table, {1, 0}), 0.01);
     }
 
     void whatIsWrittenCorrectsTheSame()
     {
         const NeutralTable table = plane();
-        WRITE_TABLE(written, family, table, thousand);
+        WRITE_TABLE(written, format, table, thousand);
         QVERIFY(written->bytes.starts_with("#3\nDEFINE COMP 6.5,#1D,#2D,#3,25000,12000\n"));
-        READ_TABLE(again, family, written->bytes, inMillimetres);
+        READ_TABLE(again, format, written->bytes, inMillimetres);
         QCOMPARE(again, written->held.front());
         for (double y = -4; y <= 6; y += 0.5)
             for (double x = -10; x <= 10; x += 1.25)
-                QVERIFY(std::abs(applied(family, again, {x, y}) - applied(family, table, {x, y}))
+                QVERIFY(std::abs(applied(format, again, {x, y}) - applied(format, table, {x, y}))
                     <= 0.5 / 16000 + 1e-9);
     }
 };
 
 AXISCOMP_TEST(TestPmac2d)
-AXISCOMP_FORMAT(family, describe)
+AXISCOMP_FORMAT(format, describe)
 
 } // namespace tst_pmac2d
 

@@ -13,8 +13,8 @@ using test::mentions;
 
 namespace {
 
-const TableFamily& family = rapidcode::format();
-const TableFamily& headerFamily = rapidcode_header::format();
+const TableFormat& format = rapidcode::format();
+const TableFormat& headerFormat = rapidcode_header::format();
 
 /// The example of the documentation: 5 x 21 points.
 NeutralTable twoAxes()
@@ -190,7 +190,7 @@ private Q_SLOTS:
 
     void theRangeIsAnIntegerMultipleOfTheDelta()
     {
-        READ_TABLE(decimal, family,
+        READ_TABLE(decimal, format,
             oneAxisText(
                 "# input.1.min = 0.1\n# input.1.max = 0.4\n# input.1.delta = 0.1\n", "1,2,3,4\n"),
             {});
@@ -199,7 +199,7 @@ private Q_SLOTS:
 
     void valuesAreRawCountsOfTheOutputAxis()
     {
-        READ_TABLE(table, family, oneAxisText(grid, "0,2,-3,2500\n"), {});
+        READ_TABLE(table, format, oneAxisText(grid, "0,2,-3,2500\n"), {});
         QCOMPARE(table.columns[0].values, (std::vector<double>{0, 0.002, -0.003, 2.5}));
         QCOMPARE(table.columns[0].unit, std::string("mm"));
         QCOMPARE(table.columns[0].step, 0.001);
@@ -208,7 +208,7 @@ private Q_SLOTS:
 
     void countsWithDecimalsAreRead()
     {
-        READ_TABLE(table, family, oneAxisText(grid, "0,2.5,-3,0\n"), {});
+        READ_TABLE(table, format, oneAxisText(grid, "0,2.5,-3,0\n"), {});
         QCOMPARE(table.columns[0].values[1], 0.0025);
         QCOMPARE(table.columns[0].step, 0.0);
     }
@@ -216,7 +216,7 @@ private Q_SLOTS:
     void countsPerUnitComeFromTheSettingWhereTheFileIsSilent()
     {
         const std::string text = "# RapidCode compensator table\n" + grid + "0,2,-3,0\n";
-        READ_TABLE(table, family, text,
+        READ_TABLE(table, format, text,
             test::readingWith(
                 {{"counts-per-unit", "2000"}, {"position-unit", "mm"}, {"value-unit", "um"}}));
         QCOMPARE(table.columns[0].values[1], 0.001);
@@ -228,7 +228,7 @@ private Q_SLOTS:
     {
         NeutralTable own = twoAxes();
         own.columns[0].target = "X";
-        for (const TableFamily* each : {&family, &headerFamily}) {
+        for (const TableFormat* each : {&format, &headerFormat}) {
             const auto written = each->write(std::array{own}, counts("1000"));
             VERIFY_RESULT(written);
             QVERIFY(mentions(written->bytes, "its command position must be the input"));
@@ -247,7 +247,7 @@ private Q_SLOTS:
             == z_flatness::firstDelta * (z_flatness::firstPoints - 1));
         TableWriteOptions options = counts("1000");
         options.settings["name"] = "z_flatness";
-        const auto written = headerFamily.write(std::array{twoAxes()}, options);
+        const auto written = headerFormat.write(std::array{twoAxes()}, options);
         VERIFY_RESULT(written);
         QFile file(
             QStringLiteral(AXISCOMP_SOURCE_FOLDER "/tests/data/formats/rapidcode_compensator.h"));
@@ -263,7 +263,7 @@ private Q_SLOTS:
         NeutralTable table = twoAxes();
         table.axes.resize(1);
         table.columns = {test::waveColumn("X", "mm", 5, 0.01)};
-        const auto written = headerFamily.write(std::array{table}, counts("1000"));
+        const auto written = headerFormat.write(std::array{table}, counts("1000"));
         VERIFY_RESULT(written);
         QVERIFY(mentions(written->bytes, "namespace compensator {"));
         QVERIFY(mentions(written->bytes, "constexpr int points = 5;"));
@@ -273,8 +273,8 @@ private Q_SLOTS:
 };
 
 AXISCOMP_TEST(TestRapidcode)
-AXISCOMP_FORMAT(family, describe)
-AXISCOMP_FORMAT(headerFamily, describeHeader)
+AXISCOMP_FORMAT(format, describe)
+AXISCOMP_FORMAT(headerFormat, describeHeader)
 
 } // namespace tst_rapidcode
 

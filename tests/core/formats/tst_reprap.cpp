@@ -10,7 +10,7 @@ using test::problemLines;
 
 namespace {
 
-const TableFamily& family = reprap::format();
+const TableFormat& format = reprap::format();
 
 const std::string title = "RepRapFirmware height map file v2 generated at 2021-04-05 06:07, mean "
                           "error 0.010, deviation 0.002\n";
@@ -111,7 +111,7 @@ private Q_SLOTS:
     {
         QFETCH(QByteArray, text);
         QFETCH(QByteArray, names);
-        READ_TABLE(table, family, text.toStdString(), {});
+        READ_TABLE(table, format, text.toStdString(), {});
         QCOMPARE(problemLines(*reading_table), std::string());
         QCOMPARE(table.axes[0].name + table.axes[1].name, names.toStdString());
         QCOMPARE(table.axes[0].unit, std::string("mm"));
@@ -123,20 +123,20 @@ private Q_SLOTS:
 
     void positionsGoByTheSpacingAndMayEndBeforeTheMaximum()
     {
-        READ_TABLE(table, family, oldFile(parameters, heights), {});
+        READ_TABLE(table, format, oldFile(parameters, heights), {});
         QCOMPARE(table.axes[0].knots, (std::vector<double>{10, 60, 110}));
     }
 
     void theHeightsAreLookedUpAtXAndYWhichStay()
     {
-        READ_TABLE(table, family, oldFile(parameters, heights), {});
-        QVERIFY(std::abs(applied(family, table, {85, 120}) - 0.175) < 1e-7); // of float32
+        READ_TABLE(table, format, oldFile(parameters, heights), {});
+        QVERIFY(std::abs(applied(format, table, {85, 120}) - 0.175) < 1e-7); // of float32
         QVERIFY(!ownAxis(table, table.columns[0]));
     }
 
     void theTitleIsKeptAsANote()
     {
-        READ_TABLE(table, family, oldFile(parameters, heights), {});
+        READ_TABLE(table, format, oldFile(parameters, heights), {});
         QCOMPARE(table.notes,
             (std::vector<std::string>{
                 "generated at 2021-04-05 06:07, mean error 0.010, deviation 0.002"}));
@@ -144,7 +144,7 @@ private Q_SLOTS:
 
     void pointsThatWereNotProbedAreReportedAndNotInvented()
     {
-        const auto reading = family.read(
+        const auto reading = format.read(
             oldFile(parameters, "  0.100,      0,  0.000\n      0,  0.400,  -0.500\n"), {});
         VERIFY_RESULT(reading);
         QVERIFY(reading->tables.empty());
@@ -153,13 +153,13 @@ private Q_SLOTS:
                         "with decimals\n"
                         "5:1 MissingPoint a point that was not probed at X = 10, Y = 220|a height "
                         "with decimals\n"));
-        READ_TABLE(zero, family, oldFile(parameters, "0.000,0.0,-0.000\n0.,1,2\n"), {});
+        READ_TABLE(zero, format, oldFile(parameters, "0.000,0.0,-0.000\n0.,1,2\n"), {});
         QCOMPARE(zero.columns[0].values[0], 0.0);
     }
 
     void aSpacingIsKnownToTwoDecimals()
     {
-        READ_TABLE(table, family,
+        READ_TABLE(table, format,
             oldFile("0.00,200.00,0.00,100.01,-1.00,66.67,33.34,4,4",
                 "0.1,0.1,0.1,0.1\n0.1,0.1,0.1,0.1\n0.1,0.1,0.1,0.1\n0.1,0.1,0.1,0.1\n"),
             {});
@@ -172,13 +172,13 @@ private Q_SLOTS:
         for (int y = 0; y < 500; ++y)
             for (int x = 0; x < 500; ++x)
                 rows += x == 499 ? "  0.012\n" : " -0.012,";
-        READ_TABLE(table, family, oldFile("0,499,0,499,-1,1,1,500,500", rows), {});
+        READ_TABLE(table, format, oldFile("0,499,0,499,-1,1,1,500,500", rows), {});
         QCOMPARE(table.pointCount(), std::size_t(250000));
     }
 };
 
 AXISCOMP_TEST(TestReprap)
-AXISCOMP_FORMAT(family, describe)
+AXISCOMP_FORMAT(format, describe)
 
 } // namespace tst_reprap
 

@@ -12,7 +12,7 @@ using test::problemLines;
 
 namespace {
 
-const TableFamily& family = siemens_cec::format();
+const TableFormat& format = siemens_cec::format();
 
 std::string tableText(const std::string& index, const std::string& direction, double factor = 1.0)
 {
@@ -62,7 +62,7 @@ void describe(test::FormatSample& sample)
     sample.applies({{{0}, 0.02}}, product);
     const std::string others = "$AN_CEC_INPUT_NCU[0]=1\n$AA_ENC_COMP[0,0,X]=1\n" + program;
     sample.warning(
-        "an unknown variable and another family", others, {"1:1 UnknownKey", "2:1 Assumption"});
+        "an unknown variable and another format", others, {"1:1 UnknownKey", "2:1 Assumption"});
     sample.applies({{{400}, 0.03}}, others);
 
     NeutralTable same = crossTable();
@@ -143,7 +143,7 @@ private Q_SLOTS:
 
     void aTableNamesItsInputAndItsOutput()
     {
-        READ_TABLE(table, family, program, {});
+        READ_TABLE(table, format, program, {});
         QCOMPARE(table.axes[0].name, std::string("AX2"));
         QCOMPARE(table.axes[0].knots, (std::vector<double>{-400, 0, 400}));
         QCOMPARE(table.columns[0].target, std::string("AX1"));
@@ -157,7 +157,7 @@ private Q_SLOTS:
     void tablesOfBothDirectionsAreOnePair()
     {
         const auto reading =
-            family.read(tableText("3", "-1", -1) + tableText("4", "0") + tableText("5", "1"), {});
+            format.read(tableText("3", "-1", -1) + tableText("4", "0") + tableText("5", "1"), {});
         VERIFY_RESULT(reading);
         QCOMPARE(reading->tables.size(), std::size_t(2));
         const NeutralTable& pair = reading->tables.front();
@@ -173,16 +173,16 @@ private Q_SLOTS:
     {
         std::string text = with("IS_MODULO[0]=0", "IS_MODULO[0]=1");
         text.replace(text.find("=0.03"), 5, "=0.01");
-        READ_TABLE(table, family, text, {});
+        READ_TABLE(table, format, text, {});
         QCOMPARE(table.axes[0].unit, std::string("deg"));
         QCOMPARE(table.axes[0].wrap, std::optional(800.0));
         QCOMPARE(table.columns[0].unit, std::string("mm"));
-        QCOMPARE(applied(family, table, {800}), 0.02);
+        QCOMPARE(applied(format, table, {800}), 0.02);
     }
 };
 
 AXISCOMP_TEST(TestSiemensCec)
-AXISCOMP_FORMAT(family, describe)
+AXISCOMP_FORMAT(format, describe)
 
 } // namespace tst_siemenscec
 

@@ -11,7 +11,7 @@ using test::problemLines;
 
 namespace {
 
-const TableFamily& family = siemens_eec::format();
+const TableFormat& format = siemens_eec::format();
 
 /// The manual's example, with fewer points.
 const std::string program = "%_N_AX_EEC_INI\n"
@@ -153,7 +153,7 @@ private Q_SLOTS:
 
     void theExampleOfTheManualIsRead()
     {
-        READ_TABLE(table, family, program, {});
+        READ_TABLE(table, format, program, {});
         QCOMPARE(table.axes[0].name, std::string("X1"));
         QCOMPARE(table.axes[0].unit, std::string("mm"));
         QCOMPARE(table.axes[0].knots, (std::vector<double>{-200, -199, -198}));
@@ -171,7 +171,7 @@ private Q_SLOTS:
                                  "$AA_ENC_COMP_IS_MODULO[0,\"X1\"]=0\n"
                                  "$AA_ENC_COMP[0,2,X1]=3\n$AA_ENC_COMP[0,0,X1]=1\n"
                                  "\t$AA_ENC_COMP[0,1,X1]=2\nm30\n";
-        READ_TABLE(table, family, text, {});
+        READ_TABLE(table, format, text, {});
         QCOMPARE(table.columns[0].values, (std::vector<double>{1, 2, 3}));
     }
 
@@ -179,17 +179,17 @@ private Q_SLOTS:
     {
         auto text = with("IS_MODULO[0,X1]=0", "IS_MODULO[0,X1]=1");
         text.replace(text.find("=-0.0"), 5, "=0.003");
-        READ_TABLE(table, family, text, {});
+        READ_TABLE(table, format, text, {});
         QCOMPARE(table.axes[0].unit, std::string("deg"));
         QCOMPARE(table.axes[0].wrap, std::optional(2.0));
-        QCOMPARE(applied(family, table, {-197}), 0.01); // one turn further
+        QCOMPARE(applied(format, table, {-197}), 0.01); // one turn further
     }
 
     void rotaryAxesAreNamedByASetting()
     {
         TableReadOptions options;
         options.settings["rotary-axes"] = "b, x1";
-        READ_TABLE(table, family, program, options);
+        READ_TABLE(table, format, program, options);
         QCOMPARE(table.axes[0].unit, std::string("deg"));
         QCOMPARE(table.columns[0].unit, std::string("deg"));
     }
@@ -199,23 +199,23 @@ private Q_SLOTS:
         std::string second = program;
         for (std::size_t at = 0; (at = second.find("[0,", at)) != std::string::npos;)
             second.replace(at, 3, "[1,");
-        const auto reading = family.read(program + second, {});
+        const auto reading = format.read(program + second, {});
         VERIFY_RESULT(reading);
         QCOMPARE(reading->tables.size(), std::size_t(2));
         QCOMPARE(reading->tables[1].name, std::string("X1, encoder 1"));
-        VERIFY_ERROR(family.write(reading->tables, {}), ErrorCode::FormatCannotHold);
+        VERIFY_ERROR(format.write(reading->tables, {}), ErrorCode::FormatCannotHold);
     }
 
     void aProgramWithoutIsModuloHasNone()
     {
-        READ_TABLE(table, family, with("$AA_ENC_COMP_IS_MODULO[0,X1]=0\n", ""), {});
+        READ_TABLE(table, format, with("$AA_ENC_COMP_IS_MODULO[0,X1]=0\n", ""), {});
         QVERIFY(!table.axes[0].wrap);
         QVERIFY(test::hasProblem(*reading_table, DiagnosticCode::Assumption, 0));
     }
 };
 
 AXISCOMP_TEST(TestSiemensEec)
-AXISCOMP_FORMAT(family, describe)
+AXISCOMP_FORMAT(format, describe)
 
 } // namespace tst_siemenseec
 

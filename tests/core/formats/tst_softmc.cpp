@@ -8,7 +8,7 @@ using namespace axiscomp;
 
 namespace {
 
-const TableFamily& family = softmc::format();
+const TableFormat& format = softmc::format();
 
 const TableReadOptions withUnits =
     test::readingWith({{"position-unit", "mm"}, {"value-unit", "mm"}});
@@ -86,7 +86,7 @@ private Q_SLOTS:
 
     void aTableOfThreeAxesIsReadWithTheFirstSourceFastest()
     {
-        READ_TABLE(table, family, threeAxes(), withUnits);
+        READ_TABLE(table, format, threeAxes(), withUnits);
         QCOMPARE(table.axes.size(), std::size_t(3));
         QCOMPARE(table.axes[0].knots, (std::vector<double>{0, 100}));
         QCOMPARE(table.axes[1].knots, (std::vector<double>{10, 11, 12}));
@@ -99,15 +99,15 @@ private Q_SLOTS:
 
     void oneCorrectionOrMoreThanThereAreSourcesIsAccepted()
     {
-        READ_TABLE(one, family, "2 2 2\n0 0 1\n1 0 2\n0 1 3\n1 1 4\n", withUnits);
+        READ_TABLE(one, format, "2 2 2\n0 0 1\n1 0 2\n0 1 3\n1 1 4\n", withUnits);
         QCOMPARE(one.columns.size(), std::size_t(1));
-        READ_TABLE(three, family, "1 2\n0 1 2 3\n1 4 5 6\n", withUnits);
+        READ_TABLE(three, format, "1 2\n0 1 2 3\n1 4 5 6\n", withUnits);
         QCOMPARE(three.columns.size(), std::size_t(3));
     }
 };
 
 AXISCOMP_TEST(TestSoftmc)
-AXISCOMP_FORMAT(family, describe)
+AXISCOMP_FORMAT(format, describe)
 
 } // namespace tst_softmc
 

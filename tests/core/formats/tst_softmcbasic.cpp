@@ -8,7 +8,7 @@ using namespace axiscomp;
 
 namespace {
 
-const TableFamily& family = softmc_basic::format();
+const TableFormat& format = softmc_basic::format();
 
 NeutralTable twoSources()
 {
@@ -62,12 +62,12 @@ private Q_SLOTS:
 
     void itTakesEffectAtTheFirstValue()
     {
-        QCOMPARE(test::applied(family, twoSources(), {99, 0}), 0.0);
+        QCOMPARE(test::applied(format, twoSources(), {99, 0}), 0.0);
     }
 
     void theAssignmentsAreTheRowsOfTheTextTable()
     {
-        const auto basic = family.write(std::array{twoSources()}, {});
+        const auto basic = format.write(std::array{twoSources()}, {});
         const auto text = softmc::format().write(std::array{twoSources()}, {});
         VERIFY_RESULT(basic);
         VERIFY_RESULT(text);
@@ -83,7 +83,7 @@ private Q_SLOTS:
 };
 
 AXISCOMP_TEST(TestSoftmcBasic)
-AXISCOMP_FORMAT(family, describe)
+AXISCOMP_FORMAT(format, describe)
 
 } // namespace tst_softmcbasic
 

@@ -134,23 +134,23 @@ private Q_SLOTS:
 
     void unknownNamesListTheKnownOnes()
     {
-        const auto family = familyNamed("tamtable");
-        VERIFY_ERROR(family, ErrorCode::UnknownFormat);
-        QVERIFY(sentence(family.error()).find("csv, tamtbl") != std::string::npos);
+        const auto format = formatNamed("tamtable");
+        VERIFY_ERROR(format, ErrorCode::UnknownFormat);
+        QVERIFY(sentence(format.error()).find("csv, tamtbl") != std::string::npos);
     }
 
     void aFileIsReadAsWhatItsContentIs()
     {
-        const auto choice = chooseFamily("1 2\n0 0.1\n1 0.2\n", "table.dat", false);
+        const auto choice = chooseFormat("1 2\n0 0.1\n1 0.2\n", "table.dat", false);
         VERIFY_RESULT(choice);
-        QCOMPARE(choice->family, &softmc::format());
-        const auto csv = chooseFamily("X,T\n0,1\n1,2\n", "x.csv", true);
+        QCOMPARE(choice->format, &softmc::format());
+        const auto csv = chooseFormat("X,T\n0,1\n1,2\n", "x.csv", true);
         VERIFY_RESULT(csv);
-        QCOMPARE(csv->family, &calibration_csv::format());
-        const auto tam = chooseFamily("anything", "X.TAMTBL", false);
+        QCOMPARE(csv->format, &calibration_csv::format());
+        const auto tam = chooseFormat("anything", "X.TAMTBL", false);
         VERIFY_RESULT(tam);
-        QCOMPARE(tam->family, &tam_table::format());
-        VERIFY_ERROR(chooseFamily("?", "x.bin", false), ErrorCode::UnknownFormat);
+        QCOMPARE(tam->format, &tam_table::format());
+        VERIFY_ERROR(chooseFormat("?", "x.bin", false), ErrorCode::UnknownFormat);
     }
 };
 

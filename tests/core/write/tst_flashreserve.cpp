@@ -151,7 +151,7 @@ private Q_SLOTS:
         VERIFY_RESULT(kind.write(whole));
         const int exchanges = whole.link.exchanges() - begin;
         const CompensatorFixture::State wanted = whole.state();
-        int putBack = 0;
+        int rollBack = 0;
         for (int exchange = 1; exchange <= exchanges; ++exchange) {
             for (const LinkFault fault : {LinkFault::Refused, LinkFault::ReplyLost,
                      LinkFault::StoresWrong, LinkFault::RequestLost}) {
@@ -169,10 +169,10 @@ private Q_SLOTS:
                 QVERIFY2(
                     written || written.error().code != ErrorCode::RollbackFailed, place.c_str());
                 QVERIFY2(f.text("General/Signals/DriveError") == "None", place.c_str());
-                putBack += written ? 0 : 1;
+                rollBack += written ? 0 : 1;
             }
         }
-        QVERIFY(putBack > 0);
+        QVERIFY(rollBack > 0);
     }
 
     void aFileThatCouldNotBePutBackIsNotUploaded()

@@ -66,7 +66,7 @@ private Q_SLOTS:
         const DataFile& file = bench->dataFile();
         for (const Diagnostic& problem : file.problems)
             QVERIFY2(problem.severity == Severity::Warning, qPrintable(problemText(problem)));
-        QCOMPARE(file.family, &softmc::format());
+        QCOMPARE(file.format, &softmc::format());
         const auto table = bench->selectedTable();
         QVERIFY(table);
         QCOMPARE(table->values.size(), std::size_t{5});
@@ -170,7 +170,7 @@ private Q_SLOTS:
         QVERIFY(!bench->dataFile().data);
         QCOMPARE(needed.count(), 1);
         ImportChoices choices;
-        choices.family = &icube::format();
+        choices.format = &icube::format();
         bench->importData(path, choices);
         QVERIFY(bench.fileRead());
         QVERIFY(bench->dataFile().data);
@@ -196,7 +196,7 @@ private Q_SLOTS:
         for (float& value : table.values)
             value *= 1e-4F;
         ImportChoices choices;
-        choices.family = &softmc::format();
+        choices.format = &softmc::format();
         const auto exported = exportTable(table, choices, "x.txt", genericTableLayout());
         VERIFY_RESULT(exported);
         const auto reading = softmc::format().read(exported->bytes, {});
@@ -209,14 +209,14 @@ private Q_SLOTS:
     {
         CompensationTable table{"first", "mm", {{{"X", "mm", 10.0, 10.0, 4}}}, {}};
         table.values = {0.002F, 0.003F, 0.001F, 0.004F};
-        const auto applied = appliedTable(table, softmc::format().facts);
+        const auto applied = tableAsAppliedBy(table, softmc::format().facts);
         VERIFY_RESULT(applied);
         QCOMPARE(applied->grid.axes[0].start, 0.0);
         QCOMPARE(applied->grid.axes[0].size, 6U);
         QCOMPARE(applied->values.front(), 0.0F); // the drive would hold 0.002
         QVERIFY(applied->values[1] < -0.0019F); // of the command
         QVERIFY(applied->values[5] < -0.0039F); // held above the last one
-        const auto ofDrive = appliedTable(table, calibration_csv::format().facts);
+        const auto ofDrive = tableAsAppliedBy(table, calibration_csv::format().facts);
         VERIFY_RESULT(ofDrive);
         QCOMPARE(
             ofDrive->values, (std::vector<float>{0.002F, 0.002F, 0.003F, 0.001F, 0.004F, 0.004F}));
@@ -257,7 +257,7 @@ private Q_SLOTS:
         const QString filter = openFilter();
         const QStringList entries = filter.split(QStringLiteral(";;"));
         const auto readable = std::ranges::count_if(
-            tableFamilies(), [](const TableFamily* family) { return family->read != nullptr; });
+            tableFormats(), [](const TableFormat* format) { return format->read != nullptr; });
         QCOMPARE(entries.size(), readable + 2);
         for (const char* pattern : {"*.csv", "*.TAMtbl", "*.txt", "*.lis"})
             QVERIFY2(entries.front().contains(QLatin1StringView(pattern)), pattern);
@@ -274,10 +274,10 @@ private Q_SLOTS:
             if (translatedPhrase(english) == QString::fromStdString(english))
                 unknown += QString::fromStdString(english);
         };
-        for (const TableFamily* family : tableFamilies()) {
-            check(family->facts.description);
+        for (const TableFormat* format : tableFormats()) {
+            check(format->facts.description);
             for (const bool isWriting : {false, true}) {
-                for (const FormatSetting& setting : formatSettings(family->facts, isWriting)) {
+                for (const FormatSetting& setting : formatSettings(format->facts, isWriting)) {
                     check(setting.meaning);
                     QString key = QString::fromUtf8(
                         setting.key.data(), static_cast<qsizetype>(setting.key.size()));

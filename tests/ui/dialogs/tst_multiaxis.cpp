@@ -80,7 +80,7 @@ public:
         return *found;
     }
     QPushButton& write() { return the<QPushButton>("writeSeveralButton"); }
-    QString reason() { return the<QLabel>("severalReason").text(); }
+    QString reason() { return the<QLabel>("multiAxisReason").text(); }
     void choose(int column, const QString& axis)
     {
         auto& combo = the<QComboBox>(column == 1 ? "axisOfColumn1" : "axisOfColumn2");
@@ -216,8 +216,8 @@ void TestMultiAxis::theMenuOpensTheDialog()
     QVERIFY(bench.choose2D());
     QVERIFY(entry.isEnabled());
     entry.trigger();
-    QTRY_VERIFY(bench.user.sees("severalAxesDialog"));
-    QCOMPARE(bench.user.the<QLabel>("severalReason").text(),
+    QTRY_VERIFY(bench.user.sees("multiAxisDialog"));
+    QCOMPARE(bench.user.the<QLabel>("multiAxisReason").text(),
         QStringLiteral("No axis is chosen: choose at least one."));
 }
 
@@ -227,7 +227,7 @@ void TestMultiAxis::whatIsProposedIsPlannedAndNothingIsChanged()
     QVERIFY(stage.open());
     const auto before = stage.state(0);
     QVERIFY(stage.mayWrite());
-    auto& plan = stage.the<QTableWidget>("severalPlanRows");
+    auto& plan = stage.the<QTableWidget>("multiAxisPlanRows");
     QCOMPARE(plan.rowCount(), 2);
     QCOMPARE(plan.item(0, 0)->text(), QStringLiteral("X"));
     QCOMPARE(plan.item(1, 0)->text(), QStringLiteral("Y"));
@@ -252,7 +252,7 @@ void TestMultiAxis::noAxisAndTheSameAxisTwiceCannotBeWritten()
     QVERIFY(!stage.write().isEnabled());
     QCOMPARE(stage.reason(), QStringLiteral("X is chosen twice: an axis has one table only."));
     QCOMPARE(stage.write().toolTip(), stage.reason());
-    QCOMPARE(stage.the<QTableWidget>("severalPlanRows").rowCount(), 0);
+    QCOMPARE(stage.the<QTableWidget>("multiAxisPlanRows").rowCount(), 0);
     stage.choose(1, QStringLiteral("none"));
     QVERIFY(stage.mayWrite());
     stage.choose(2, QStringLiteral("none"));
@@ -300,7 +300,7 @@ void TestMultiAxis::theRefusalOfOneAxisNamesItAndPreventsAll()
     const auto before = stage.state(0);
     stage.dialog = new MultiAxisDialog(stage.bench.controller());
     stage.dialog->QDialog::show();
-    auto& sources = stage.the<QComboBox>("severalSources");
+    auto& sources = stage.the<QComboBox>("multiAxisSources");
     sources.setCurrentIndex(0);
     Q_EMIT sources.activated(0);
     QTRY_VERIFY2(stage.reason().startsWith(QStringLiteral("Y: ")), qPrintable(stage.reason()));

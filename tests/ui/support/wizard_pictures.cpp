@@ -349,7 +349,7 @@ void exportDialog(PageScene& scene)
 }
 
 /// X has a table already; the columns are proposed, and all is planned.
-void severalAxes(PageScene& scene)
+void multiAxisAxes(PageScene& scene)
 {
     scene.choose2D();
     scene.write();
@@ -368,9 +368,9 @@ void severalAxes(PageScene& scene)
 }
 
 /// The drive has refused the first of the writes.
-void severalAxesFailed(PageScene& scene)
+void multiAxisFailed(PageScene& scene)
 {
-    severalAxes(scene);
+    multiAxisAxes(scene);
     scene.stage().gate().refuseUploads(
         Error{ErrorCode::TableRefused, {{"reason", "Crc does not match the elements"}}, {}});
     scene.click("writeSeveralButton");
@@ -413,8 +413,8 @@ const std::vector<State>& states()
         {"damaged-list", damagedList},
         {"damaged-import", damagedImport},
         {"export-dialog", exportDialog},
-        {"several-axes", severalAxes},
-        {"several-axes-failed", severalAxesFailed},
+        {"several-axes", multiAxisAxes},
+        {"several-axes-failed", multiAxisFailed},
     };
     return all;
 }

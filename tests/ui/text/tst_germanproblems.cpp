@@ -47,9 +47,9 @@ QSet<QString> wordsThatAreKept()
         QStringLiteral("negative"), QStringLiteral("yes"), QStringLiteral("deg"),
         QStringLiteral("inf")};
     static const QRegularExpression separator(QStringLiteral("[^a-z]+"));
-    for (const TableFamily* family : tableFamilies()) {
-        words += text(family->facts.name);
-        for (const FormatSetting& setting : family->facts.settings)
+    for (const TableFormat* format : tableFormats()) {
+        words += text(format->facts.name);
+        for (const FormatSetting& setting : format->facts.settings)
             for (const std::string_view part : {setting.key, setting.choices})
                 for (const QString& word : text(part).split(separator, Qt::SkipEmptyParts))
                     words += word;
@@ -129,15 +129,15 @@ private:
     std::vector<std::pair<QString, Make>> m_sentences;
 };
 
-void addFamilies(bool (*isWanted)(const TableFamily&))
+void addFormats(bool (*isWanted)(const TableFormat&))
 {
-    QTest::addColumn<const TableFamily*>("family");
-    for (const TableFamily* family : tableFamilies())
-        if (isWanted(*family))
-            QTest::newRow(std::string(family->facts.name).c_str()) << family;
+    QTest::addColumn<const TableFormat*>("format");
+    for (const TableFormat* format : tableFormats())
+        if (isWanted(*format))
+            QTest::newRow(std::string(format->facts.name).c_str()) << format;
 }
 
-FormatSettings neededSettings(const FamilyFacts& facts, bool isWriting)
+FormatSettings neededSettings(const FormatFacts& facts, bool isWriting)
 {
     FormatSettings settings;
     for (const FormatSetting& setting : facts.settings)
@@ -147,7 +147,7 @@ FormatSettings neededSettings(const FamilyFacts& facts, bool isWriting)
 }
 
 /// The needed settings, and each of the others with values that fit and that do not.
-std::vector<FormatSettings> variedSettings(const FamilyFacts& facts, bool isWriting)
+std::vector<FormatSettings> variedSettings(const FormatFacts& facts, bool isWriting)
 {
     std::vector<FormatSettings> varied{neededSettings(facts, isWriting), {},
         {{"position-unit", "mm"}, {"value-unit", "kg"}}, {{"position-unit", "deg"}},
@@ -161,31 +161,31 @@ std::vector<FormatSettings> variedSettings(const FamilyFacts& facts, bool isWrit
     return varied;
 }
 
-void read(const TableFamily& family, const QString& file, const FormatSettings& settings,
+void read(const TableFormat& format, const QString& file, const FormatSettings& settings,
     Sentences& sentences)
 {
     TableReadOptions options;
     options.dimensions = 2;
     options.settings = settings;
-    const auto reading = family.read(file.toStdString(), options);
+    const auto reading = format.read(file.toStdString(), options);
     sentences.add(reading);
     if (reading)
         for (const Diagnostic& problem : reading->diagnostics)
             sentences.add(problem);
 }
 
-void write(const TableFamily& family, const std::vector<NeutralTable>& tables,
+void write(const TableFormat& format, const std::vector<NeutralTable>& tables,
     const FormatSettings& settings, Sentences& sentences)
 {
     for (const NeutralTable& table : tables)
         if (!checkConsistent(table))
             return;
-    if (const auto holds = checkHolds(family.facts, tables); !holds)
+    if (const auto holds = checkHolds(format.facts, tables); !holds)
         return sentences.add(holds);
     TableWriteOptions options;
     options.layout = &layout();
     options.settings = settings;
-    const auto written = family.write(tables, options);
+    const auto written = format.write(tables, options);
     sentences.add(written);
     if (written)
         for (const std::string& remark : written->remarks)
@@ -240,19 +240,19 @@ private Q_SLOTS:
 
     void problemsOfDamagedFilesAreGerman_data()
     {
-        addFamilies([](const TableFamily& f) { return f.read != nullptr && f.facts.isText; });
+        addFormats([](const TableFormat& f) { return f.read != nullptr && f.facts.isText; });
     }
     void problemsOfDamagedFilesAreGerman()
     {
-        QFETCH(const TableFamily*, family);
-        const QString file = test::controllerFile(text(family->facts.name));
+        QFETCH(const TableFormat*, format);
+        const QString file = test::controllerFile(text(format->facts.name));
         QVERIFY(!file.isEmpty());
         Sentences sentences;
-        for (const FormatSettings& settings : variedSettings(family->facts, false))
-            read(*family, file, settings, sentences);
-        const FormatSettings needed = neededSettings(family->facts, false);
+        for (const FormatSettings& settings : variedSettings(format->facts, false))
+            read(*format, file, settings, sentences);
+        const FormatSettings needed = neededSettings(format->facts, false);
         for (const QString& damaged : test::damagedTexts(file))
-            read(*family, damaged, needed, sentences);
+            read(*format, damaged, needed, sentences);
         QVERIFY2(sentences.count() >= 15, qPrintable(QString::number(sentences.count())));
         const QStringList wrong = sentences.untranslated();
         QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(u'\n')));
@@ -260,21 +260,21 @@ private Q_SLOTS:
 
     void reasonsOfWritersAreGerman_data()
     {
-        addFamilies([](const TableFamily& family) { return family.write != nullptr; });
+        addFormats([](const TableFormat& format) { return format.write != nullptr; });
     }
     void reasonsOfWritersAreGerman()
     {
-        QFETCH(const TableFamily*, family);
+        QFETCH(const TableFormat*, format);
         Sentences sentences;
-        const auto most = static_cast<std::size_t>(family->facts.mostDimensions);
-        const FormatSettings needed = neededSettings(family->facts, true);
+        const auto most = static_cast<std::size_t>(format->facts.mostDimensions);
+        const FormatSettings needed = neededSettings(format->facts, true);
         for (std::size_t dimensions = 1; dimensions <= 3; ++dimensions)
             for (const NeutralTable& table : test::variedTables(dimensions)) {
-                write(*family, {table}, needed, sentences);
-                write(*family, {table, table}, needed, sentences);
+                write(*format, {table}, needed, sentences);
+                write(*format, {table, table}, needed, sentences);
             }
-        for (const FormatSettings& settings : variedSettings(family->facts, true))
-            write(*family, {test::neutralExample(most)}, settings, sentences);
+        for (const FormatSettings& settings : variedSettings(format->facts, true))
+            write(*format, {test::neutralExample(most)}, settings, sentences);
         QVERIFY2(sentences.count() >= 5, qPrintable(QString::number(sentences.count())));
         const QStringList wrong = sentences.untranslated();
         QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(u'\n')));

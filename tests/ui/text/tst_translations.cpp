@@ -112,12 +112,12 @@ QStringList documentationTexts()
     const auto add = [&texts](std::string_view text) {
         texts += QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
     };
-    for (const TableFamily* family : tableFamilies()) {
-        std::ranges::for_each(family->facts.rules, add);
-        std::ranges::for_each(family->facts.assumptions, add);
-        add(family->facts.numbers);
-        add(family->facts.controller); // a name
-        for (const FormatSetting& setting : family->facts.settings)
+    for (const TableFormat* format : tableFormats()) {
+        std::ranges::for_each(format->facts.rules, add);
+        std::ranges::for_each(format->facts.assumptions, add);
+        add(format->facts.numbers);
+        add(format->facts.controller); // a name
+        for (const FormatSetting& setting : format->facts.settings)
             add(setting.choices); // as they are typed
     }
     for (const Evidence evidence : {Evidence::Published, Evidence::Code, Evidence::Assumed})

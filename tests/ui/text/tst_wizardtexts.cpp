@@ -19,12 +19,12 @@ using test::Brackets;
 
 namespace {
 
-SurveyedTable kept(CompensationTable table)
+LoadedTable kept(CompensationTable table)
 {
-    return surveyed(std::make_shared<const CompensationTable>(std::move(table)));
+    return loaded(std::make_shared<const CompensationTable>(std::move(table)));
 }
 
-SurveyedTable table1D(std::vector<float> values, const char* unit = "mm")
+LoadedTable table1D(std::vector<float> values, const char* unit = "mm")
 {
     CompensationTable table;
     table.unit = unit;
