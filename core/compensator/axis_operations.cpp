@@ -21,27 +21,18 @@ OperationOptions quietly(const OperationOptions& options)
     return quiet;
 }
 
-std::optional<SettledWrite> settle(AxisCompensator& compensator,
-    const std::filesystem::path& storeRoot, AxisStatus& status, const OperationOptions& options)
+Result<SettledWrite> settle(
+    AxisCompensator& compensator, const JournalEntry& entry, const OperationOptions& options)
 {
-    using Outcome = AxisCompensator::UnfinishedOutcome;
-    const JournalEntry entry = *status.unfinishedWrite;
-    // While another program holds this lock the write has not failed, it is going on.
-    const auto lock =
-        DriveStore(storeRoot, std::chrono::milliseconds{0}).lockWrites(entry.serialNumber);
-    if (!lock)
-        return std::nullopt;
     const auto outcome = compensator.settleUnfinished(entry, options);
     if (!outcome)
-        return std::nullopt;
+        return fail(outcome.error());
     SettledWrite settled{entry, *outcome, {}};
-    if (*outcome == Outcome::New) {
-        status.unfinishedWrite.reset();
+    if (*outcome == AxisCompensator::UnfinishedOutcome::New)
         return settled;
-    }
     auto recovery = compensator.recovery(entry, options);
     if (!recovery)
-        return std::nullopt;
+        return fail(recovery.error());
     settled.recovery = std::move(*recovery);
     return settled;
 }
@@ -66,16 +57,45 @@ Result<DriveFindings> exploreDrive(AxisCompensator& compensator, const Operation
     return findings;
 }
 
-Result<AxisReading> readAxis(AxisCompensator& compensator, const std::filesystem::path& storeRoot,
-    int axis, const OperationOptions& options)
+Result<SettledStatus> settledStatus(AxisCompensator& compensator,
+    const std::filesystem::path& storeRoot, int axis, const OperationOptions& options)
 {
     auto status = compensator.status(axis, options);
     if (!status)
         return fail(status.error());
-    AxisReading reading;
-    reading.status = std::move(*status);
-    if (reading.status.unfinishedWrite)
-        reading.settled = settle(compensator, storeRoot, reading.status, options);
+    SettledStatus now{std::move(*status), std::nullopt, false};
+    if (!now.status.unfinishedWrite)
+        return now;
+    const auto lock = DriveStore(storeRoot, std::chrono::milliseconds{0})
+                          .lockWrites(now.status.drive.serialNumber);
+    if (!lock) {
+        now.status.unfinishedWrite.reset();
+        now.isBeingWritten = true;
+        return now;
+    }
+    // The other program may have ended its write between the first look and the lock.
+    status = compensator.status(axis, options);
+    if (!status)
+        return fail(status.error());
+    now.status = std::move(*status);
+    if (!now.status.unfinishedWrite)
+        return now;
+    auto settled = settle(compensator, *now.status.unfinishedWrite, options);
+    if (!settled)
+        return fail(settled.error());
+    if (settled->outcome == AxisCompensator::UnfinishedOutcome::New)
+        now.status.unfinishedWrite.reset();
+    now.settled = std::move(*settled);
+    return now;
+}
+
+Result<AxisReading> readAxis(AxisCompensator& compensator, const std::filesystem::path& storeRoot,
+    int axis, const OperationOptions& options)
+{
+    auto settled = settledStatus(compensator, storeRoot, axis, options);
+    if (!settled)
+        return fail(settled.error());
+    AxisReading reading{std::move(*settled), {}, std::nullopt, false};
 
     // Without its memory the program knows less, but the drive can be used all the same.
     DriveStore store(storeRoot);

@@ -9,8 +9,7 @@
 #include <optional>
 #include <vector>
 
-/// What the window asks a drive, as functions that run on the session's thread. They block; nothing
-/// of the window is touched here.
+/// Whole operations on one axis, for the window and the command line alike. They block.
 namespace axiscomp {
 
 /// What there is at an endpoint.
@@ -29,17 +28,27 @@ struct SettledWrite {
     AxisCompensator::Recovery recovery; ///< what can be done about it
 };
 
-/// One axis, with what this computer knows about it.
-struct AxisReading {
-    AxisStatus status;
+/// An axis on the drive, and what became of a write to it that did not end.
+struct SettledStatus {
+    AxisStatus status; ///< unfinishedWrite: only of a write that nobody is doing any more
+    std::optional<SettledWrite> settled; ///< there was such a write
+    bool isBeingWritten = false; ///< by another program, at this moment
+};
+
+/// Reads an axis and settles a write that did not end, both under the drive's write lock: while
+/// another program holds it a write has not failed, it is going on. Errors: those of
+/// AxisCompensator::status, settleUnfinished and recovery.
+[[nodiscard]] Result<SettledStatus> settledStatus(AxisCompensator& compensator,
+    const std::filesystem::path& storeRoot, int axis, const OperationOptions& options);
+
+/// The same, with what this computer knows about the drive.
+struct AxisReading : SettledStatus {
     DriveStore::FlashHistory flashHistory; ///< with what the drive has refused, to any program
     std::optional<FlashUse> flashUse;
     bool hasBackup = false;
-    std::optional<SettledWrite> settled;
 };
 
-/// Reads an axis, and settles a write that did not end unless another program is just writing.
-/// Errors: those of AxisCompensator::status.
+/// Reads an axis. What this computer remembers may be missing. Errors: those of settledStatus.
 [[nodiscard]] Result<AxisReading> readAxis(AxisCompensator& compensator,
     const std::filesystem::path& storeRoot, int axis, const OperationOptions& options);
 

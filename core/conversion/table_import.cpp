@@ -55,8 +55,6 @@ private:
     bool m_isOneOfSeveral = false; ///< the table that is converted
 };
 
-/// A file that could be of another controller is not taken for one on a mere suspicion: its numbers
-/// might have the other sign.
 void Import::chooseFormat()
 {
     const std::string name = m_request.file.filename().string();
@@ -68,21 +66,12 @@ void Import::chooseFormat()
     const auto choice = axiscomp::chooseFormat(text, name, false);
     // What nobody knows is read as a calibration file: its problems say what one looks like.
     m_result.format = choice ? choice->format : &calibration_csv::format();
-    if (!choice && choice.error().code == ErrorCode::FormatAmbiguous) {
-        m_result.format = m_result.candidates.front();
-        refuse(choice.error());
+    if (choice || choice.error().code != ErrorCode::FormatAmbiguous)
         return;
-    }
-    const TableFormat& format = *m_result.format;
-    const bool isSure = isTriamec(format) || format.recognise(text) == Recognition::Certain;
-    const bool isCalibrationName = formatOfExtension(name) == &calibration_csv::format();
-    const bool isNamed = !isCalibrationName && formatOfExtension(name) == &format;
-    if (isSure || (isNamed && m_result.candidates.size() == 1))
-        return;
-    if (isCalibrationName)
+    m_result.format = m_result.candidates.front();
+    if (formatOfExtension(name) == &calibration_csv::format())
         m_result.candidates.push_back(&calibration_csv::format());
-    refuse({ErrorCode::FormatAmbiguous,
-        {{"file", name}, {"candidates", formatNames(m_result.candidates)}}, {}});
+    refuse(choice.error());
 }
 
 Result<Bytes> Import::bytes(std::uint64_t limit)

@@ -161,13 +161,18 @@ Result<FormatChoice> chooseFormat(
             ErrorCode::UnknownFormat, {{"file", fileName}, {"known", formatNames(tableFormats())}});
     FormatChoice choice{guess.formats.front(), {}};
     choice.others.assign(guess.formats.begin() + 1, guess.formats.end());
-    const bool isDecided = guess.isCertain || guess.formats.size() == 1
-        || choice.format == &calibration_csv::format()
-        || hasExtension(choice.format->facts, fileName);
-    if (isDecided)
+    const bool isDecided =
+        guess.isCertain || guess.formats.size() == 1 || hasExtension(choice.format->facts, fileName);
+    const bool isCalibrationName = named == &calibration_csv::format();
+    const bool isSure = isTriamec(*choice.format)
+        || (isDecided && choice.format->recognise(text) == Recognition::Certain);
+    if (isSure || (!isCalibrationName && named == choice.format && guess.formats.size() == 1))
         return choice;
-    return fail(ErrorCode::FormatAmbiguous,
-        {{"file", fileName}, {"candidates", formatNames(guess.formats)}});
+    std::vector<const TableFormat*> candidates = guess.formats;
+    if (isCalibrationName)
+        candidates.push_back(named);
+    return fail(
+        ErrorCode::FormatAmbiguous, {{"file", fileName}, {"candidates", formatNames(candidates)}});
 }
 
 Result<const TableFormat*> outputFormat(const std::string& fileName, const std::string& formatName)

@@ -46,27 +46,18 @@ std::string recoveryText(const Recovery& recovery)
 }
 
 /// Only says what there is and what is possible.
-Result<ExitCode> explain(
-    Environment& environment, CommandSession& session, const JournalEntry& entry)
+ExitCode explain(Environment& environment, const SettledWrite& settled)
 {
-    const auto outcome = session.compensator().settleUnfinished(entry, session.operation());
-    if (!outcome)
-        return fail(outcome.error());
-    Json json = {{"unfinishedWrite", unfinishedToJson(entry, *outcome)},
+    Json json = {{"unfinishedWrite", unfinishedToJson(settled.entry, settled.outcome)},
         {"finishObstacle", nullptr}, {"undoObstacle", nullptr}, {"report", nullptr}};
-    std::string text = outcomeSentence(entry, *outcome);
+    std::string text = outcomeSentence(settled.entry, settled.outcome);
     text.front() = 'A';
     environment.print(text + ".\n");
-    if (*outcome == Outcome::New) {
-        environment.document(json);
-        return ExitCode::Done;
+    if (settled.outcome != Outcome::New) {
+        json["finishObstacle"] = errorOrNull(settled.recovery.finishObstacle);
+        json["undoObstacle"] = errorOrNull(settled.recovery.undoObstacle);
+        environment.print("\n" + recoveryText(settled.recovery));
     }
-    const auto recovery = session.compensator().recovery(entry, session.operation());
-    if (!recovery)
-        return fail(recovery.error());
-    json["finishObstacle"] = errorOrNull(recovery->finishObstacle);
-    json["undoObstacle"] = errorOrNull(recovery->undoObstacle);
-    environment.print("\n" + recoveryText(*recovery));
     environment.document(json);
     return ExitCode::Done;
 }
@@ -95,20 +86,24 @@ Result<WriteReport> carryOut(
 Result<ExitCode> runRecover(
     Environment& environment, CommandSession& session, int axis, const RecoverOptions& options)
 {
-    const auto status = session.compensator().status(axis, session.operation());
-    if (!status)
-        return fail(status.error());
-    if (!status->unfinishedWrite) {
-        const Error nothing{ErrorCode::NothingUnfinished, {{"axis", std::to_string(axis)}}, {}};
-        environment.print(sentence(nothing) + "\n");
+    const auto now = axiscomp::settledStatus(
+        session.compensator(), session.storeRoot(), axis, session.operation());
+    if (!now)
+        return fail(now.error());
+    if (!now->settled) {
+        const Error nothing{ErrorCode::NothingUnfinished, {{"axis", axis}}, {}};
+        environment.print((now->isBeingWritten
+                                  ? "another program is writing to this axis at this moment"
+                                  : sentence(nothing))
+            + "\n");
         environment.document({{"unfinishedWrite", nullptr}, {"finishObstacle", nullptr},
             {"undoObstacle", nullptr}, {"report", nullptr}});
         return ExitCode::Done;
     }
-    const JournalEntry& entry = *status->unfinishedWrite;
-    if (!options.finishes && !options.undoes)
-        return explain(environment, session, entry);
-    const auto report = carryOut(environment, session, entry, options.finishes);
+    const bool isComplete = now->settled->outcome == Outcome::New;
+    if (isComplete || (!options.finishes && !options.undoes))
+        return explain(environment, *now->settled);
+    const auto report = carryOut(environment, session, now->settled->entry, options.finishes);
     if (!report)
         return fail(report.error());
     environment.print(

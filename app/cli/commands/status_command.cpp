@@ -20,9 +20,10 @@ Result<ExitCode> runStatus(Environment& environment, CommandSession& session, in
 
     Json json = toJson(settled->status);
     json["flash"] = toJson(*flash);
-    if (settled->unfinished)
+    json["isBeingWritten"] = settled->isBeingWritten;
+    if (settled->settled)
         json["unfinishedWrite"] =
-            unfinishedToJson(*settled->status.unfinishedWrite, *settled->unfinished);
+            unfinishedToJson(settled->settled->entry, settled->settled->outcome);
     environment.document(json);
     environment.print(statusText(settled->status, session.profile()));
     environment.print("\n" + flashText(*flash));

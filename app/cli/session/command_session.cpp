@@ -119,7 +119,8 @@ CommandSession::CommandSession(Environment& environment, DriveOptions options, D
     , m_options(std::move(options))
     , m_profile(std::move(profile))
     , m_demoState(std::move(demoState))
-    , m_store(m_demoState ? m_demoState->path() : DriveStore::defaultRoot())
+    , m_storeRoot(m_demoState ? m_demoState->path() : DriveStore::defaultRoot())
+    , m_store(m_storeRoot)
 {
 }
 
@@ -197,19 +198,14 @@ Result<int> CommandSession::axis()
 
 Result<SettledStatus> settledStatus(Environment& environment, CommandSession& session, int axis)
 {
-    auto status = session.compensator().status(axis, session.operation());
-    if (!status)
-        return fail(status.error());
-    SettledStatus settled{std::move(*status), std::nullopt};
-    if (!settled.status.unfinishedWrite)
-        return settled;
-    const auto outcome = session.compensator().settleUnfinished(
-        *settled.status.unfinishedWrite, session.operation());
-    if (!outcome)
-        return fail(outcome.error());
-    settled.unfinished = *outcome;
-    environment.warn(outcomeSentence(*settled.status.unfinishedWrite, *outcome));
-    return settled;
+    auto now = axiscomp::settledStatus(
+        session.compensator(), session.storeRoot(), axis, session.operation());
+    if (now && now->isBeingWritten)
+        environment.warn("another program is writing to " + axisWords(now->status.axis)
+            + " at this moment; what is shown may already have changed");
+    if (now && now->settled)
+        environment.warn(outcomeSentence(now->settled->entry, now->settled->outcome));
+    return now;
 }
 
 Result<ExitCode> withDrive(

@@ -88,6 +88,7 @@ public:
     /// The axis that the options name. Errors: InvalidArgument when none is named and there are
     /// several; AxisNotFound, AxisAmbiguous.
     [[nodiscard]] Result<int> axis();
+    [[nodiscard]] const std::filesystem::path& storeRoot() const { return m_storeRoot; }
 
 private:
     CommandSession(Environment& environment, DriveOptions options, DriveProfile profile,
@@ -97,17 +98,14 @@ private:
     DriveOptions m_options;
     DriveProfile m_profile;
     std::optional<TemporaryFolder> m_demoState;
+    std::filesystem::path m_storeRoot;
     DriveStore m_store;
     std::unique_ptr<DriveLink> m_link;
     std::unique_ptr<AxisCompensator> m_compensator;
 };
 
 /// The state of an axis; says on standard error what became of an earlier write that did not end,
-/// and forgets it where the drive holds its new state completely.
-struct SettledStatus {
-    AxisStatus status;
-    std::optional<AxisCompensator::UnfinishedOutcome> unfinished;
-};
+/// or that another program is writing.
 [[nodiscard]] Result<SettledStatus> settledStatus(
     Environment& environment, CommandSession& session, int axis);
 

@@ -153,6 +153,39 @@ private Q_SLOTS:
         QVERIFY(!status.json().contains("unfinishedWrite"));
     }
 
+    void aWriteThatAnotherProgramIsDoingIsNotCalledUnfinished()
+    {
+        Fixture bench;
+        QString url;
+        {
+            const VirtualDriveProcess quick(bench.box, driveOptions({}, nullptr));
+            url = quick.url();
+            QVERIFY(bench.prepare(url));
+        }
+        const VirtualDriveProcess slow(bench.box, driveOptions(url, "slow=15"));
+        QVERIFY(slow.isReady());
+        const auto process = bench.startWrite(url, 3);
+        const auto pid = static_cast<pid_t>(process->processId());
+        ::kill(pid, SIGSTOP);
+        const ProgramRun during = bench.status(url);
+        const ProgramRun recover = bench.box.run({QStringLiteral("recover"),
+            QStringLiteral("--drive"), url, QStringLiteral("--axis"), QStringLiteral("0"),
+            QStringLiteral("--json")});
+        process->kill();
+        QVERIFY(process->waitForFinished(test::patienceMs));
+        VERIFY_CODE(during, 0);
+        QVERIFY2(!during.json().contains("unfinishedWrite"), during.text().constData());
+        QCOMPARE(during.json().value("isBeingWritten").toBool(), true);
+        QVERIFY2(during.err.contains("another program is writing"), during.err.constData());
+        VERIFY_CODE(recover, 0);
+        QVERIFY2(recover.json().value("unfinishedWrite").isNull(), recover.text().constData());
+        // Once that program has gone without ending it, it is.
+        const ProgramRun after = bench.status(url);
+        VERIFY_CODE(after, 0);
+        QVERIFY2(after.json().contains("unfinishedWrite"), after.text().constData());
+        QCOMPARE(after.json().value("isBeingWritten").toBool(), false);
+    }
+
     void killedProgramIsExplainedByTheNextRun_data() { addSteps(); }
     void killedProgramIsExplainedByTheNextRun()
     {

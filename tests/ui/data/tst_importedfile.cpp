@@ -10,7 +10,6 @@
 #include "ui/dialogs/file_filters.h"
 #include "ui/text/language.h"
 #include "ui/text/message_text.h"
-#include "ui/text/phrase_book.h"
 
 #include <QSignalSpy>
 #include <QTest>
@@ -265,36 +264,6 @@ private Q_SLOTS:
             QCOMPARE(entry.count(u'('), 1);
     }
 
-    void whatTheRegistrySaysIsKnownToTheTranslations()
-    {
-        const Language language(QStringLiteral("de"));
-        QStringList unknown;
-        const auto check = [&unknown](std::string_view text) {
-            const std::string english(text);
-            if (translatedPhrase(english) == QString::fromStdString(english))
-                unknown += QString::fromStdString(english);
-        };
-        for (const TableFormat* format : tableFormats()) {
-            check(format->facts.description);
-            for (const bool isWriting : {false, true}) {
-                for (const FormatSetting& setting : formatSettings(format->facts, isWriting)) {
-                    check(setting.meaning);
-                    QString key = QString::fromUtf8(
-                        setting.key.data(), static_cast<qsizetype>(setting.key.size()));
-                    key.replace(u'-', u' ');
-                    const bool isNamed = std::ranges::any_of(settingPhrases(),
-                        [&](const char* name) { return key == QLatin1String(name); });
-                    if (!isNamed)
-                        unknown += key;
-                }
-            }
-        }
-        unknown.removeDuplicates();
-        QVERIFY2(unknown.isEmpty(),
-            qPrintable(QStringLiteral("ui/text/format_phrases.cpp does not have:\n")
-                + unknown.join(u'\n')));
-    }
-
     void theReportIsGerman()
     {
         ControllerFixture bench;
@@ -303,11 +272,11 @@ private Q_SLOTS:
         choices.sign = SignConvention::Command;
         bench->importData(path, choices);
         QVERIFY(bench.fileRead());
-        const std::vector<std::string> report = bench->dataFile().report;
+        const std::vector<Text> report = bench->dataFile().report;
         QVERIFY(report.size() >= 3);
         const Language language(QStringLiteral("de"));
-        for (const std::string& line : report) {
-            const QString german = phraseText(line);
+        for (const Text& line : report) {
+            const QString german = sentenceText(line);
             for (const char* english : {" the ", " at ", " by ", " holds ", " from "})
                 QVERIFY2(!german.contains(QLatin1StringView(english)), qPrintable(german));
         }

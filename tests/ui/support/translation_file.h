@@ -17,6 +17,7 @@ struct Message {
     QString comment;
     QStringList translations; ///< several for a text with a number (%n)
     bool isFinished = false;
+    bool isCounted = false; ///< has forms for one and for several
     QString place; ///< "ui/page/drive_bar.cpp:89", where the file has places
 
     [[nodiscard]] QString id() const { return context + u'\n' + source + u'\n' + comment; }
@@ -33,6 +34,7 @@ inline Message readMessage(QXmlStreamReader& xml, const QString& context)
 {
     Message message;
     message.context = context;
+    message.isCounted = xml.attributes().value(QStringLiteral("numerus")) == u"yes";
     while (xml.readNextStartElement()) {
         if (xml.name() == QStringLiteral("location")) {
             const auto attributes = xml.attributes();

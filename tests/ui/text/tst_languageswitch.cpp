@@ -2,6 +2,7 @@
 #include "core/csv/calibration_csv.h"
 #include "tests/support/verify.h"
 #include "tests/ui/support/page_scene.h"
+#include "tests/ui/support/pseudo_language.h"
 #include "tests/ui/support/visible_texts.h"
 #include "tests/ui/support/window_test.h"
 #include "ui/text/language.h"
@@ -236,6 +237,26 @@ private Q_SLOTS:
         const QByteArray different =
             differences(lasting(english), lasting(test::visibleTexts(window)));
         QVERIFY2(different.isEmpty(), different.constData());
+    }
+
+    void everyTextIsInTheTranslationFile_data() { everyTextChangesAndComesBack_data(); }
+    void everyTextIsInTheTranslationFile()
+    {
+        QFETCH(int, state);
+        PageScene scene;
+        chooseLanguage(scene, QStringLiteral("en"));
+        const test::PseudoLanguage language;
+        QVERIFY(language.isValid());
+        states()[std::size_t(state)].reach(scene);
+        scene.settle();
+        const VisibleTexts texts = test::visibleTexts(shownWindow(scene));
+        QByteArray untranslated;
+        for (auto it = texts.cbegin(); it != texts.cend(); ++it) {
+            if (!isForExperts(it.key())
+                && !isTheSameInBothLanguages(test::outsideBrackets(it.value())))
+                untranslated += it.key().toUtf8() + ": \"" + it.value().toUtf8() + "\"\n";
+        }
+        QVERIFY2(untranslated.isEmpty(), untranslated.constData());
     }
 
     void thePlotsWordsChange()

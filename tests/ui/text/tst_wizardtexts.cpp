@@ -6,7 +6,6 @@
 #include "ui/session/axis_list.h"
 #include "ui/text/endpoint_text.h"
 #include "ui/text/message_text.h"
-#include "ui/text/phrase_book.h"
 #include "ui/text/sign_sentence.h"
 
 #include <QTest>
@@ -70,43 +69,15 @@ class TestWizardTexts : public QObject {
 private Q_SLOTS:
     void init() { test::failOnWarnings(); }
 
-    void everyErrorOfCoreIsKnownToTheTranslations()
-    {
-        for (const ErrorCode code : allErrorCodes()) {
-            const std::string text(errorTemplate(code));
-            const bool isKnown = std::ranges::any_of(
-                knownPhrases(), [&](const char* phrase) { return text == phrase; });
-            QVERIFY2(isKnown, text.c_str());
-        }
-    }
-
     void anErrorIsASentenceWithItsNumbers()
     {
         QCOMPARE(errorText({ErrorCode::TableTooLarge,
-                     {{"size", "70000"}, {"largest", "63360"}, {"slot", "Small1"}}, {}}),
+                     {{"size", 70000}, {"largest", 63360}, {"slot", Verbatim{"Small1"}}}, {}}),
             QStringLiteral("The table needs 70000 bytes, but the largest slot that may be taken, "
                            "Small1, holds 63360."));
         // An address stays as it is written.
-        QCOMPARE(errorText({ErrorCode::Timeout, {{"endpoint", "http://x"}, {"seconds", "5"}}, {}}),
+        QCOMPARE(errorText({ErrorCode::Timeout, {{"endpoint", Verbatim{"http://x"}}, {"seconds", 5}}, {}}),
             QStringLiteral("http://x did not answer within 5 s."));
-    }
-
-    void whatAnErrorHoldsIsTranslatedToo()
-    {
-        const Brackets translation;
-        const Error inner{ErrorCode::NotHomed, {{"axis", "0"}}, {}};
-        QCOMPARE(errorText({ErrorCode::RollbackFailed,
-                     {{"reason", sentence(inner)}, {"rollback", "it does not exist"},
-                         {"backup", "/tmp/b.json"}},
-                     {}}),
-            QStringLiteral("<<axis 0 must be homed first>; putting the old state back failed too "
-                           "(<it does not exist>). Do not activate the axis; restore it from "
-                           "/tmp/b.json>."));
-        QCOMPARE(phraseText("The parameters of all axes are saved, but the table of axis 1 (Y) in "
-                            "Small3 is volatile: after a reboot that axis has no table."),
-            QStringLiteral("<The parameters of all axes are saved, but the table of <axis 1 (Y)> "
-                           "in Small3 is volatile: after a reboot that axis has no table.>."));
-        QCOMPARE(phraseText("unheard of"), QStringLiteral("Unheard of."));
     }
 
     void everyWarningOfAPlanIsKnown()
@@ -138,8 +109,8 @@ private Q_SLOTS:
         const Brackets translation;
         int warnings = 0;
         for (const auto* plan : {&toVolatile, &saved, &intoSlot, &tooLarge, &tooSmall, &unknown}) {
-            for (const std::string& warning : (*plan)->warnings) {
-                QVERIFY2(phraseText(warning).startsWith(u'<'), warning.c_str());
+            for (const Text& warning : (*plan)->warnings) {
+                QVERIFY2(sentenceText(warning).startsWith(u'\u2039'), warning.english().c_str());
                 ++warnings;
             }
         }
@@ -151,16 +122,16 @@ private Q_SLOTS:
         for (int code = 0; code <= static_cast<int>(DiagnosticCode::Assumption); ++code) {
             Diagnostic problem;
             problem.code = static_cast<DiagnosticCode>(code);
-            problem.found = "what was found";
+            problem.found = Verbatim{"what was found"};
             const QString text = problemText(problem);
             QVERIFY2(text.size() > 20, qPrintable(text));
             QVERIFY2(text.contains(QStringLiteral("what was found")), qPrintable(text));
             QVERIFY2(text.endsWith(u'.'), qPrintable(text));
         }
-        QCOMPARE(problemText({Severity::Error, DiagnosticCode::NotANumber, 3, 2, "1,5x",
-                     "a number such as 0.5"}),
+        QCOMPARE(problemText({Severity::Error, DiagnosticCode::NotANumber, 3, 2, Verbatim{"1,5x"},
+                     Verbatim{"a number such as 0.5"}, {}}),
             QStringLiteral("This is not a number: found \"1,5x\", expected a number such as 0.5."));
-        QCOMPARE(problemText({Severity::Error, DiagnosticCode::NotANumber, 3, 2, {}, {}}),
+        QCOMPARE(problemText({Severity::Error, DiagnosticCode::NotANumber, 3, 2, {}, {}, {}}),
             QStringLiteral("This is not a number: found an empty cell."));
     }
 
@@ -169,7 +140,7 @@ private Q_SLOTS:
         const Brackets translation;
         for (const char* step : {"plan", "backup", "begin", "switch off", "upload", "verify",
                  "commit", "switch", "save", "done", "putting back", "download"})
-            QVERIFY2(stepText(QString::fromUtf8(step)).startsWith(u'<'), step);
+            QVERIFY2(stepText(QString::fromUtf8(step)).startsWith(u'\u2039'), step);
         QCOMPARE(stepText(QStringLiteral("unheard of")), QStringLiteral("unheard of"));
     }
 
