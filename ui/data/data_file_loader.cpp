@@ -21,7 +21,7 @@ void take(LoadedFile& file, TableImport import)
     file.refusal = std::move(import.refusal);
     if (file.refusal && file.problems.empty())
         file.problems.push_back(
-            {Severity::Error, DiagnosticCode::IoError, 0, 0, sentence(*file.refusal), {}});
+            {Severity::Error, DiagnosticCode::IoError, 0, 0, textOf(*file.refusal), {}, {}});
     if (!file.data)
         return;
     for (const CompensationTable& table : file.data->tables)

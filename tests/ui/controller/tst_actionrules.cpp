@@ -50,7 +50,7 @@ ActionSnapshot changed()
 const Error damagedTable{ErrorCode::CompensationError,
     {{"axis", "0"}, {"error", "TableBad"}, {"hint", "write it again"}}, {}};
 const Error damagedJournal{ErrorCode::FileNotReadable,
-    {{"file", "journal.json"}, {"reason", "the disk reports an error"}}, {}};
+    {{"file", Verbatim{"journal.json"}}, {"reason", Verbatim{"the disk reports an error"}}}, {}};
 
 /// docs/user-guide.md, "What the line under the buttons says", once more, as plain conditions.
 bool mayWrite(const ActionSnapshot& s)

@@ -190,7 +190,7 @@ private:
         const auto found = m_drives.find(endpoint);
         if (found == m_drives.end())
             return fail(
-                ErrorCode::InvalidEndpoint, {{"endpoint", endpoint}, {"reason", "unknown"}});
+                ErrorCode::InvalidEndpoint, {{"endpoint", endpoint}, {"reason", Verbatim{"unknown"}}});
         auto faulty = std::make_unique<FaultyLink>(found->second->drive);
         found->second->faults = faulty.get();
         return std::make_unique<GateLink>(std::move(faulty), found->second->gate);

@@ -119,7 +119,7 @@ public:
         if (ended)
             return {};
         ++m_timeouts;
-        return fail(ErrorCode::Timeout, {{"endpoint", "test:"}, {"seconds", "1"}});
+        return fail(ErrorCode::Timeout, {{"endpoint", Verbatim{"test:"}}, {"seconds", "1"}});
     }
     [[nodiscard]] Result<void> passUpload(const Exchange& exchange)
     {
@@ -140,7 +140,7 @@ public:
 
 private:
     const Error m_whenGone{
-        ErrorCode::NotConnected, {{"endpoint", "test:"}, {"reason", "no drive"}}, {}};
+        ErrorCode::NotConnected, {{"endpoint", Verbatim{"test:"}}, {"reason", Verbatim{"no drive"}}}, {}};
     mutable std::mutex m_mutex;
     std::condition_variable m_changed;
     bool m_holdsUploads = false;

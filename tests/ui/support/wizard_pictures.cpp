@@ -181,7 +181,7 @@ void driveRefuses(PageScene& scene)
 {
     scene.choose2D();
     scene.stage().gate().refuseUploads(
-        Error{ErrorCode::TableRefused, {{"reason", "Crc does not match the elements"}}, {}});
+        Error{ErrorCode::TableRefused, {{"reason", Verbatim{"Crc does not match the elements"}}}, {}});
     scene.click("writeButton");
     scene.click("confirmWriteButton");
     wait([&] { return scene.controller().isOutcomeAnError(); }, "the refusal");
@@ -372,7 +372,7 @@ void multiAxisFailed(PageScene& scene)
 {
     multiAxisAxes(scene);
     scene.stage().gate().refuseUploads(
-        Error{ErrorCode::TableRefused, {{"reason", "Crc does not match the elements"}}, {}});
+        Error{ErrorCode::TableRefused, {{"reason", Verbatim{"Crc does not match the elements"}}}, {}});
     scene.click("writeSeveralButton");
     wait([&] { return scene.controller().isOutcomeAnError(); }, "the refusal");
     scene.settle();

@@ -115,7 +115,7 @@ void refuseTable(PageScene& scene)
 {
     scene.choose2D();
     scene.stage().gate().refuseUploads(
-        Error{ErrorCode::TableRefused, {{"reason", "the disk is full"}}, {}});
+        Error{ErrorCode::TableRefused, {{"reason", Verbatim{"the disk is full"}}}, {}});
     scene.click("writeButton");
     scene.click("confirmWriteButton");
     test::wait([&] { return scene.controller().isOutcomeAnError(); }, "the refusal");
