@@ -161,8 +161,8 @@ Result<FormatChoice> chooseFormat(
             ErrorCode::UnknownFormat, {{"file", fileName}, {"known", formatNames(tableFormats())}});
     FormatChoice choice{guess.formats.front(), {}};
     choice.others.assign(guess.formats.begin() + 1, guess.formats.end());
-    const bool isDecided =
-        guess.isCertain || guess.formats.size() == 1 || hasExtension(choice.format->facts, fileName);
+    const bool isDecided = guess.isCertain || guess.formats.size() == 1
+        || hasExtension(choice.format->facts, fileName);
     const bool isCalibrationName = named == &calibration_csv::format();
     const bool isSure = isTriamec(*choice.format)
         || (isDecided && choice.format->recognise(text) == Recognition::Certain);

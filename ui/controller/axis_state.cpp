@@ -113,7 +113,7 @@ void WizardController::Private::noteChanges(const AxisStatus& before, const Axis
             [error = text(now.driveError)] { return tr("The drive is in error: %1.").arg(error); });
     if (!task && !(before.setup == now.setup))
         log(LogLine::Kind::Warning,
-            [] { return tr("Somebody else changed the settings of the axis on the drive."); });
+            [] { return tr("Another program changed the settings of this axis on the drive."); });
 }
 
 void WizardController::Private::noteUnfinished(const AxisReading& now)

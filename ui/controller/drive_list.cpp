@@ -202,7 +202,7 @@ void WizardController::Private::driveFound(DriveConnection* found, bool wasAnoth
         hasCompensation = axes[static_cast<std::size_t>(currentIndex)].axis.hasCompensation();
         live.watch(found, key.axis);
         refuse([name, endpoint] {
-            return tr("Another drive answers at %1 now: %2. Unwritten changes were dropped.")
+            return tr("A different drive now answers at %1: %2. Unwritten changes were discarded.")
                 .arg(endpoint, name);
         });
         Q_EMIT q.statusChanged();

@@ -212,7 +212,7 @@ void WizardController::Private::writeMultiAxis()
     if (!mayStart(Action::WriteSeveral))
         return;
     if (multiAxis.tables.empty() || !multiAxis.plans || !*multiAxis.plans) {
-        refuse([] { return tr("The writes are not planned yet."); });
+        refuse([] { return tr("The writes have not been planned yet."); });
         return;
     }
     multiAxis.axes = multiAxisAxes();

@@ -99,7 +99,8 @@ void WizardController::selectAxis(int index)
         return;
     if (d->task) {
         // What runs belongs to the axis that is shown; the field goes back to it.
-        d->refuse([] { return tr("Another axis can be chosen when this has ended."); });
+        d->refuse(
+            [] { return tr("Wait for the current operation before selecting another axis."); });
         Q_EMIT currentAxisChanged();
         return;
     }

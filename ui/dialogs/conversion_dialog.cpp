@@ -83,10 +83,10 @@ void ConversionDialog::retranslate()
     m_accept->setText(said.accept);
     m_accept->setAccessibleDescription(said.acceptMeaning);
     m_cancel->setText(tr("&Cancel"));
-    m_cancel->setToolTip(tr("Leave everything as it is (Esc)"));
+    m_cancel->setToolTip(tr("Change nothing (Esc)"));
     m_cancel->setAccessibleDescription(m_cancel->toolTip());
-    m_reportTitle->setText(tr("Wh&at comes out"));
-    m_report->setAccessibleName(tr("What comes out"));
+    m_reportTitle->setText(tr("&Result"));
+    m_report->setAccessibleName(tr("Result"));
     m_report->setToolTip(tr("What the conversion does to the numbers, with an example"));
     m_report->setAccessibleDescription(m_report->toolTip());
     m_form->retranslate(
@@ -142,7 +142,7 @@ void ConversionDialog::showState()
     m_reason->setVisible(!m_reasonText.isEmpty());
     m_accept->setEnabled(!m_isComputing && m_reasonText.isEmpty());
     m_accept->setToolTip(!m_reasonText.isEmpty() ? m_reasonText
-            : m_isComputing                      ? tr("This is being computed.")
+            : m_isComputing                      ? tr("Computing …")
                                                  : words().acceptMeaning);
 }
 
