@@ -184,7 +184,8 @@ Result<const TableFormat*> outputFormat(const std::string& fileName, const std::
     if (*named != nullptr && (*named)->write == nullptr)
         return fail(ErrorCode::InvalidArgument,
             {{"reason",
-                "the format " + std::string((*named)->facts.name) + " can be read, not written"}});
+                AXISCOMP_TEXT("Error", "the format {format} can be read, not written")
+                    .with("format", (*named)->facts.name)}});
     if (*named != nullptr)
         return named;
     std::vector<const TableFormat*> candidates;
