@@ -26,9 +26,9 @@ Text asDefined(std::size_t entries)
         .with("key", Verbatim{"DEFINE COMP"});
 }
 
-Text entriesText(std::int64_t count)
+Text entriesText(Argument count)
 {
-    return AXISCOMP_COUNTED("Error", "{count} entries", "1 entry").with("count", count);
+    return AXISCOMP_COUNTED("Error", "{count} entries", "1 entry").with("count", std::move(count));
 }
 
 /// The rest behind a word in capital or small letters; nothing when the token begins otherwise.
@@ -214,8 +214,7 @@ void Reader::finish()
     if (m_isOpen && m_definitions.back().entries.size() < m_definitions.back().entryCount) {
         const Definition& last = m_definitions.back();
         m_reading.diagnostics.error(DiagnosticCode::MissingPoint, last.place.line, 0,
-            entriesText(static_cast<std::int64_t>(last.entries.size())),
-            asDefined(last.entryCount));
+            entriesText(last.entries.size()), asDefined(last.entryCount));
     }
     m_isOpen = false;
     m_isForeign = false;
@@ -244,8 +243,7 @@ void Reader::takeEntries(const Token& line)
     }
     if (definition.entries.size() > definition.entryCount) {
         diagnostics.error(DiagnosticCode::Contradiction, line.line, 0,
-            entriesText(static_cast<std::int64_t>(definition.entries.size())),
-            asDefined(definition.entryCount));
+            entriesText(definition.entries.size()), asDefined(definition.entryCount));
         definition.entries.resize(definition.entryCount);
     }
 }
