@@ -44,7 +44,7 @@ void WizardController::Private::fileReplaced(
                     .arg(points)
                     .arg(tables);
             });
-    for (const std::string& line : file.file().report)
+    for (const Text& line : file.file().report)
         log(LogLine::Kind::Information, [line] { return sentenceText(line); });
     noteSelectedTable();
 }

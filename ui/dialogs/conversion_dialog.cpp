@@ -111,7 +111,7 @@ void ConversionDialog::startComputing()
     compute();
 }
 
-void ConversionDialog::showReport(const std::vector<std::string>& lines)
+void ConversionDialog::showReport(const std::vector<Text>& lines)
 {
     m_isComputing = false;
     m_reasonText.clear();
@@ -131,7 +131,7 @@ void ConversionDialog::showState()
 {
     m_busy->setBusy(m_isComputing);
     QStringList lines;
-    for (const std::string& line : m_lines)
+    for (const Text& line : m_lines)
         lines += sentenceText(line);
     if (m_report->toPlainText() != lines.join(u'\n'))
         m_report->setPlainText(lines.join(u'\n'));

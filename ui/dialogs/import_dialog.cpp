@@ -91,9 +91,9 @@ void ImportDialog::take(const TableImport& import)
         showReason(place + problemText(*error));
         return;
     }
-    std::vector<std::string> lines = import.report;
+    std::vector<Text> lines = import.report;
     if (lines.empty())
-        lines = {"the numbers of the file are taken as they are"};
+        lines = {AXISCOMP_TEXT("Error", "the numbers of the file are taken as they are")};
     showReport(lines);
 }
 

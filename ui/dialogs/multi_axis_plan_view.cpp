@@ -140,7 +140,7 @@ void MultiAxisPlanView::showPlans(std::span<const WritePlan> plans,
     for (std::size_t n = 0; n < plans.size(); ++n) {
         const WritePlan& plan = plans[n];
         addRow(plan, *tables[n], axes, !taken.insert(plan.after.slot).second);
-        for (const std::string& warning : plan.warnings)
+        for (const Text& warning : plan.warnings)
             remarks += tr("%1: %2", "axis and remark")
                            .arg(axisNameAmong(axes, plan.axis), sentenceText(warning));
     }

@@ -252,7 +252,7 @@ QStringList WritePreview::remarks(const WritePlan& plan) const
         list += tr("%1 held an earlier table of this axis; the current one stays complete until "
                    "the axis has switched to the new one.")
                     .arg(QString::fromStdString(plan.after.slot));
-    for (const std::string& warning : plan.warnings)
+    for (const Text& warning : plan.warnings)
         list += sentenceText(warning);
     return list;
 }

@@ -36,6 +36,14 @@ Json toJson(const std::string& drive, const CompensationSetup& setup)
 
 } // namespace
 
+std::vector<std::string> englishOf(const std::vector<Text>& texts)
+{
+    std::vector<std::string> english;
+    for (const Text& text : texts)
+        english.push_back(text.english());
+    return english;
+}
+
 std::string dump(const Json& json)
 {
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
@@ -126,7 +134,8 @@ Json toJson(const WritePlan& plan)
         {"slotReason", slotReasonName(plan.slotReason)}, {"tableBytes", plan.tableBytes},
         {"changes", std::move(changes)}, {"flashOperations", plan.flashOperations},
         {"flashOperationsLeft", plan.flashBudget.left},
-        {"flashWaitSeconds", plan.flashBudget.wait.count()}, {"warnings", plan.warnings}};
+        {"flashWaitSeconds", plan.flashBudget.wait.count()},
+        {"warnings", englishOf(plan.warnings)}};
 }
 
 Json toJson(const WriteReport& report)
