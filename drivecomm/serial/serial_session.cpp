@@ -116,9 +116,8 @@ Result<void> SerialSession::checkDrive()
         m_expected = m_identity.serialNumber;
     if (*m_expected == m_identity.serialNumber)
         return {};
-    return fail(ErrorCode::OtherDrive,
-        {{"expected", std::to_string(*m_expected)},
-            {"found", std::to_string(m_identity.serialNumber)}});
+    return fail(
+        ErrorCode::OtherDrive, {{"expected", *m_expected}, {"found", m_identity.serialNumber}});
 }
 
 Result<void> SerialSession::find(ExchangeDeadline& running)

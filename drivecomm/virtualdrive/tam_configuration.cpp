@@ -119,8 +119,7 @@ private:
     [[nodiscard]] tl::unexpected<Error> wrong(std::string reason) const
     {
         return fail(ErrorCode::InvalidConfiguration,
-            {{"file", m_fileName}, {"line", std::to_string(m_reader.lineNumber())},
-                {"reason", std::move(reason)}});
+            {{"file", m_fileName}, {"line", m_reader.lineNumber()}, {"reason", std::move(reason)}});
     }
 
     [[nodiscard]] Result<void> startElement()
