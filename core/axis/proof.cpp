@@ -20,7 +20,7 @@ constexpr std::chrono::milliseconds sampleInterval{20};
 constexpr double roundings = 8.0;
 constexpr double singleRounding = std::numeric_limits<float>::epsilon() / 2.0;
 
-Quantity quantity(double value)
+Quantity exactNumber(double value)
 {
     return {toText(RegisterValue{value})};
 }
@@ -162,10 +162,11 @@ private:
         for (std::size_t n = 0; n < dimensions(); ++n)
             position.push_back(AXISCOMP_TEXT("Error", "{axis} = {position}")
                                    .with("axis", m_status.setup.sources[n].path)
-                                   .with("position", quantity(sample.sources[n])));
+                                   .with("position", exactNumber(sample.sources[n])));
         return fail(ErrorCode::ProofFailed,
-            {{"axis", m_status.axis.index}, {"what", std::move(what)}, {"found", quantity(found)},
-                {"expected", quantity(expected)}, {"position", std::move(position)}});
+            {{"axis", m_status.axis.index}, {"what", std::move(what)},
+                {"found", exactNumber(found)}, {"expected", exactNumber(expected)},
+                {"position", std::move(position)}});
     }
 
     const RegisterAccess& m_access;

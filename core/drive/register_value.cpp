@@ -41,7 +41,7 @@ Result<RegisterValue> number(std::string_view type, std::string_view text, std::
     return RegisterValue{value};
 }
 
-template <typename T> Text range(const TextPattern& pattern)
+template <typename T> Text integerRange(const TextPattern& pattern)
 {
     return pattern.with("least", std::numeric_limits<T>::min())
         .with("most", std::numeric_limits<T>::max());
@@ -64,7 +64,7 @@ Result<RegisterValue> boolean(std::string_view text)
 
 Result<RegisterValue> unsignedInteger(std::string_view text)
 {
-    const Text expected = range<std::uint32_t>(AXISCOMP_TEXT(
+    const Text expected = integerRange<std::uint32_t>(AXISCOMP_TEXT(
         "Error", "a whole number from {least} to {most}, or an address such as 0x1234"));
     if (text.starts_with("0x") || text.starts_with("0X"))
         return number<std::uint32_t>("UInt32", text, text.substr(2), expected, 16);
@@ -117,7 +117,8 @@ Result<RegisterValue> registerValueFromText(std::string_view type, std::string_v
         return boolean(text);
     if (type == "Int32")
         return number<std::int32_t>(type, text, text,
-            range<std::int32_t>(AXISCOMP_TEXT("Error", "a whole number from {least} to {most}")));
+            integerRange<std::int32_t>(
+                AXISCOMP_TEXT("Error", "a whole number from {least} to {most}")));
     if (type == "UInt32")
         return unsignedInteger(text);
     if (type == "Single")
