@@ -342,7 +342,7 @@ private Q_SLOTS:
     {
         QCOMPARE(message({Severity::Error, DiagnosticCode::NotANumber, 1, 1, Verbatim{"1,5x"},
                      Verbatim{"a number such as 0.5"}}),
-            "found \"1,5x\", expected a number such as 0.5 (NotANumber)");
+            "this is not a number: found \"1,5x\", expected a number such as 0.5 (NotANumber)");
     }
 };
 
