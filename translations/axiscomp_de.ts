@@ -3749,7 +3749,7 @@
     </message>
     <message>
         <source>there are more than {most} slots</source>
-        <translation>es sind mehr als {most} Slots</translation>
+        <translation>es sind mehr als {most} Tabellenplätze</translation>
     </message>
     <message>
         <source>this is the value that stands for no table, enums.tableDisabled</source>
@@ -3757,15 +3757,15 @@
     </message>
     <message>
         <source>another slot has the name {name}</source>
-        <translation>ein anderer Slot heißt {name}</translation>
+        <translation>ein anderer Tabellenplatz heißt {name}</translation>
     </message>
     <message>
         <source>another slot has the file {file}</source>
-        <translation>ein anderer Slot hat die Datei {file}</translation>
+        <translation>ein anderer Tabellenplatz hat die Datei {file}</translation>
     </message>
     <message>
         <source>at least one slot is needed</source>
-        <translation>mindestens ein Slot ist nötig</translation>
+        <translation>mindestens ein Tabellenplatz ist nötig</translation>
     </message>
     <message>
         <source>the path of a web page is expected, such as /directory</source>
@@ -3901,11 +3901,11 @@
     </message>
     <message>
         <source>the profile {profile} has no slot {slot}</source>
-        <translation>das Profil {profile} hat keinen Slot {slot}</translation>
+        <translation>das Profil {profile} hat keinen Tabellenplatz {slot}</translation>
     </message>
     <message>
         <source>the table in {slot} is larger than the slot</source>
-        <translation>die Tabelle in {slot} ist größer als der Slot</translation>
+        <translation>die Tabelle in {slot} ist größer als der Tabellenplatz</translation>
     </message>
     <message>
         <source>the name of a file in the folder {folder}</source>
