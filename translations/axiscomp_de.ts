@@ -5821,7 +5821,7 @@
         <translation>Schreiben zurück&amp;nehmen</translation>
     </message>
     <message>
-        <source>Decide &amp;Later</source>
+        <source>&amp;Keep for Later</source>
         <translation>S&amp;päter entscheiden</translation>
     </message>
     <message>
@@ -6035,8 +6035,8 @@
         <translation>Flash-Vorgänge insgesamt: %1.</translation>
     </message>
     <message>
-        <source>Uses %1 flash operations; %2 more will be available right afterwards.</source>
-        <translation>Braucht %1 Flash-Vorgänge; gleich danach sind noch %2 verfügbar.</translation>
+        <source>Flash operations: %1 used, %2 left right after.</source>
+        <translation>Flash-Vorgänge: %1 verbraucht, gleich danach noch %2 übrig.</translation>
     </message>
 </context>
 <context>
@@ -6995,8 +6995,8 @@ B - A: %3</translation>
         <translation>Braucht keinen Flash-Vorgang: der Flash-Speicher hat es bereits.</translation>
     </message>
     <message>
-        <source>Uses %1 flash operations; %2 more will be available right afterwards.</source>
-        <translation>Braucht %1 Flash-Vorgänge; gleich danach sind noch %2 verfügbar.</translation>
+        <source>Flash operations: %1 used, %2 left right after.</source>
+        <translation>Flash-Vorgänge: %1 verbraucht, gleich danach noch %2 übrig.</translation>
     </message>
     <message>
         <source>%1 held an earlier table of this axis; the current one stays complete until the axis has switched to the new one.</source>

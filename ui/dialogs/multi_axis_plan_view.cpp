@@ -173,7 +173,7 @@ QString MultiAxisPlanView::costText(std::span<const WritePlan> plans)
     const int left = plans.front().flashBudget.left;
     return left == std::numeric_limits<int>::max()
         ? tr("Flash operations in total: %1.").arg(operations)
-        : tr("Uses %1 flash operations; %2 more will be available right afterwards.")
+        : tr("Flash operations: %1 used, %2 left right after.")
               .arg(operations)
               .arg(left - operations);
 }

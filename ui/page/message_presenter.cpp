@@ -140,7 +140,8 @@ void MessagePresenter::showUnfinishedWrite()
                            [this] { m_controller.finishWrite(); }, finish.isEnabled, finish.reason},
         {QStringLiteral("undoWriteButton"), tr("Undo Wri&te"), [this] { m_controller.undoWrite(); },
             undo.isEnabled, undo.reason},
-        {QStringLiteral("laterButton"), tr("Decide &Later"), [this] { putUnfinishedWriteAway(); }}};
+        {QStringLiteral("laterButton"), tr("&Keep for Later"),
+            [this] { putUnfinishedWriteAway(); }}};
     message.isClosable = false;
     const QString offered = message.text + finish.reason + undo.reason;
     if (m_offered == offered && m_messages.contains(unfinishedId))

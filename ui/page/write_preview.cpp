@@ -240,7 +240,7 @@ QString WritePreview::costText(const WritePlan& plan) const
         return plan.after.persistency == Persistency::Volatile
             ? tr("Uses no flash operation. Volatile: lost on a reboot.")
             : tr("Uses no flash operation: the flash already holds it.");
-    return tr("Uses %1 flash operations; %2 more will be available right afterwards.")
+    return tr("Flash operations: %1 used, %2 left right after.")
         .arg(plan.flashOperations)
         .arg(plan.flashBudget.left - plan.flashOperations);
 }

@@ -250,7 +250,7 @@ void TestMultiAxis::noAxisAndTheSameAxisTwiceCannotBeWritten()
     QVERIFY(stage.mayWrite());
     stage.choose(2, QStringLiteral("X"));
     QVERIFY(!stage.write().isEnabled());
-    QCOMPARE(stage.reason(), QStringLiteral("X is chosen twice: an axis has one table only."));
+    QCOMPARE(stage.reason(), QStringLiteral("X is selected twice; an axis has only one table."));
     QCOMPARE(stage.write().toolTip(), stage.reason());
     QCOMPARE(stage.the<QTableWidget>("multiAxisPlanRows").rowCount(), 0);
     stage.choose(1, QStringLiteral("none"));
@@ -269,7 +269,7 @@ void TestMultiAxis::eachAxisGetsItsOwnColumn()
     stage.write().click();
     QVERIFY(stage.ended());
     QVERIFY2(!stage.bench->isOutcomeAnError(), qPrintable(stage.reason()));
-    QVERIFY2(stage.reason().contains(QStringLiteral("the new state is on: X, Y.")),
+    QVERIFY2(stage.reason().contains(QStringLiteral("Written and verified: X, Y.")),
         qPrintable(stage.reason()));
     QVERIFY(stage.state(0).table != stage.state(1).table);
     QVERIFY(stage.holds(0, largestOfX));
@@ -321,8 +321,8 @@ void TestMultiAxis::whatChangedSinceThePlanIsNotWrittenToAnyAxis()
     QVERIFY(stage.ended());
     QVERIFY(stage.bench->isOutcomeAnError());
     QVERIFY2(stage.reason().startsWith(QStringLiteral("Y: ")), qPrintable(stage.reason()));
-    QVERIFY2(stage.reason().endsWith(
-                 QStringLiteral("No axis has the new state. The complete old state is on: X, Y.")),
+    QVERIFY2(
+        stage.reason().endsWith(QStringLiteral("No axis was changed. Old state, complete: X, Y.")),
         qPrintable(stage.reason()));
     QVERIFY(stage.state(0) == before);
     QVERIFY(stage.bench->setup().isDirty());
@@ -339,8 +339,7 @@ void TestMultiAxis::aFailureInTheSecondWriteSaysWhichAxisHoldsWhat()
     QVERIFY(stage.ended());
     QVERIFY(stage.bench->isOutcomeAnError());
     QVERIFY2(stage.reason().startsWith(QStringLiteral("Y: ")), qPrintable(stage.reason()));
-    QVERIFY2(stage.reason().endsWith(
-                 QStringLiteral("The new state is on: X. The complete old state is on: Y.")),
+    QVERIFY2(stage.reason().endsWith(QStringLiteral("New state: X. Old state, complete: Y.")),
         qPrintable(stage.reason()));
     QVERIFY(stage.holds(0, largestOfX));
     QCOMPARE(stage.state(1).registers, before.registers);
@@ -364,8 +363,7 @@ void TestMultiAxis::stoppedWritesSayWhichAxisHoldsWhat()
     gate.set(DriveGate::Mode::Open);
     QVERIFY(stage.ended());
     QCOMPARE(stage.reason(),
-        QStringLiteral("The writes were stopped at Y. The new state is on: X. The complete old "
-                       "state is on: Y."));
+        QStringLiteral("The writes were stopped at Y. New state: X. Old state, complete: Y."));
     QVERIFY(stage.holds(0, largestOfX));
     QCOMPARE(stage.state(1).registers, before.registers);
     QTest::keyClick(stage.dialog, Qt::Key_Escape);

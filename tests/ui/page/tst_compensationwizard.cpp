@@ -100,7 +100,7 @@ private Q_SLOTS:
         QCOMPARE(rowOf(rows, QStringLiteral("Persistency"), 2), QStringLiteral("persistent"));
         QTRY_VERIFY(
             rowOf(rows, QStringLiteral("Largest change"), 2).contains(QStringLiteral("µm")));
-        QVERIFY(user.the<QLabel>("previewCost").text().contains(QStringLiteral("costs 1")));
+        QVERIFY(user.the<QLabel>("previewCost").text().contains(QStringLiteral("1 used")));
         QVERIFY(bench.state() == before);
         user.press(Qt::Key_Return);
         QVERIFY(bench.saysOutcome(QStringLiteral("the drive holds the new state")));

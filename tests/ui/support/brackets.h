@@ -11,7 +11,8 @@ namespace axiscomp::test {
 /// and what a placeholder is filled with is not.
 inline QString bracketed(const QString& words)
 {
-    static const QRegularExpression placeholder(QStringLiteral("\\{\\w+\\}|%L?\\d+|%n|%%|<[^>]*>"));
+    static const QRegularExpression placeholder(
+        QStringLiteral("\\{\\w+\\}|%L?\\d+|%n|%%|<[^>]*>|\""));
     static const QRegularExpression letter(QStringLiteral("\\w"));
     QString result;
     const auto addWords = [&result](const QString& part) {

@@ -47,10 +47,14 @@ inline Message readMessage(QXmlStreamReader& xml, const QString& context)
             message.comment = xml.readElementText();
         } else if (xml.name() == QStringLiteral("translation")) {
             message.isFinished = !xml.attributes().hasAttribute(QStringLiteral("type"));
-            const QString text =
-                xml.readElementText(QXmlStreamReader::IncludeChildElements).trimmed();
-            if (!text.isEmpty())
-                message.translations += text;
+            const auto add = [&message](const QString& text) {
+                if (!text.trimmed().isEmpty())
+                    message.translations += text.trimmed();
+            };
+            if (!message.isCounted)
+                add(xml.readElementText());
+            while (message.isCounted && xml.readNextStartElement())
+                add(xml.readElementText());
         } else {
             xml.skipCurrentElement();
         }

@@ -58,7 +58,7 @@ private Q_SLOTS:
         QCOMPARE(
             errorText({ErrorCode::TableNotFound,
                 {{"table", Verbatim{"A"}}, {"known", std::vector<std::string>{"B", "C 1.5"}}}, {}}),
-            QStringLiteral("In der Datei ist keine Tabelle A; sie hat: B, C 1.5."));
+            QStringLiteral("Die Datei enthält keine Tabelle A, sondern: B, C 1.5."));
     }
 
     void aCountChoosesItsForm_data()

@@ -42,7 +42,9 @@ QSet<QString> wordsThatAreKept()
         QStringLiteral("reverse"), QStringLiteral("bilateral"), QStringLiteral("neg"),
         QStringLiteral("pos"), QStringLiteral("joint"), QStringLiteral("version"),
         QStringLiteral("radius"), QStringLiteral("yes"), QStringLiteral("deg"),
-        QStringLiteral("inf")};
+        QStringLiteral("inf"), QStringLiteral("crosscomp"), QStringLiteral("ssfk"),
+        QStringLiteral("points"), QStringLiteral("default"), QStringLiteral("height"),
+        QStringLiteral("map"), QStringLiteral("file")};
     static const QRegularExpression separator(QStringLiteral("[^a-z]+"));
     for (const TableFormat* format : tableFormats()) {
         words += text(format->facts.name);

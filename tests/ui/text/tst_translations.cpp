@@ -110,7 +110,15 @@ private Q_SLOTS:
         QStringList wrong;
         for (const Message& message : std::as_const(m_german)) {
             for (const QString& text : message.translations) {
-                if (placeholdersOf(text) != placeholdersOf(message.source))
+                // The form for one may say the number in words.
+                const bool isForOne = message.isCounted && text == message.translations.front();
+                QStringList wanted = placeholdersOf(message.source);
+                QStringList found = placeholdersOf(text);
+                if (isForOne) {
+                    wanted.removeAll(QStringLiteral("{count}"));
+                    found.removeAll(QStringLiteral("{count}"));
+                }
+                if (found != wanted)
                     wrong += message.described() + QStringLiteral(" -> ") + text;
             }
         }

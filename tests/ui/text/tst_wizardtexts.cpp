@@ -151,12 +151,13 @@ private Q_SLOTS:
         QTest::addColumn<QString>("sentence");
         QTest::newRow("positive")
             << QByteArray("0 0.001 0 0 0.0021 0")
-            << QStringLiteral("where the encoder reads 40.0000 mm the reference says 40.0021 mm: "
+            << QStringLiteral("where the encoder reads 40.0000 mm, the reference reads 40.0021 mm: "
                               "the drive will add +0.0021 mm");
         QTest::newRow("negative")
             << QByteArray("0 -0.0125 0")
-            << QStringLiteral("where the encoder reads 10.000 mm the reference says 9.987 mm: the "
-                              "drive will add -0.013 mm");
+            << QStringLiteral(
+                   "where the encoder reads 10.000 mm, the reference reads 9.987 mm: the "
+                   "drive will add -0.013 mm");
         QTest::newRow("nothing") << QByteArray("0 0 0")
                                  << QStringLiteral("all values are 0: the drive will add nothing");
     }
@@ -174,9 +175,10 @@ private Q_SLOTS:
     {
         // Micrometres, for a drive that counts in millimetres: the mistake can be read.
         QCOMPARE(signSentenceFor(table1D({0.0F, 2.1F, 0.0F}, "um"), axisX(), {}),
-            QStringLiteral("where the encoder reads 10.0 mm the reference says 12.1 mm: the drive "
-                           "will add +2.1 mm (the file says um, but the drive takes the values as "
-                           "mm)"));
+            QStringLiteral(
+                "where the encoder reads 10.0 mm, the reference reads 12.1 mm: the drive "
+                "will add +2.1 mm (the file says um, but the drive takes the values as "
+                "mm)"));
         QVERIFY(!signSentenceFor(table1D({0.0F, 2.1F, 0.0F}, "mm"), axisX(), {})
                      .contains(QStringLiteral("the file says")));
     }
@@ -190,7 +192,7 @@ private Q_SLOTS:
         const DimSource x{1, test::masterX};
         const DimSource y{2, test::masterY};
         QCOMPARE(signSentenceFor(kept(table), axisX(), {x, y, {}}),
-            QStringLiteral("at Y 30 mm, where the encoder reads 10.0000 mm the reference says "
+            QStringLiteral("at Y 30 mm, where the encoder reads 10.0000 mm, the reference reads "
                            "10.0021 mm: the drive will add +0.0021 mm"));
         // Over other axes only: what the encoder of this one reads is not in the table.
         AxisInfo z = axisX();
