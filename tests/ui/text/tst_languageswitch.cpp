@@ -48,7 +48,8 @@ QString withoutData(QString text)
 /// Without the names of controllers and of the tables of files, and without quotations.
 QString withoutNames(QString text)
 {
-    static const QRegularExpression name(QStringLiteral("\"[^\"]*\"|Table \\d|the disk is full"));
+    static const QRegularExpression name(
+        QStringLiteral("\"[^\"]*\"|Table \\d|the disk is full|PMAC|RSI RapidCode|softMC"));
     text.remove(name);
     for (const TableFormat* format : tableFormats())
         text.remove(QString::fromStdString(std::string(format->facts.controller)));

@@ -35,9 +35,9 @@ private Q_SLOTS:
                 {{"reason", inner}, {"rollback", aFolder}, {"backup", Verbatim{"/tmp/b.json"}}},
                 {}}),
             QStringLiteral(
-                "Achse 0 muss zuerst referenziert werden; auch das Zurückholen des alten "
-                "Zustands ist gescheitert (das ist ein Ordner). Die Achse nicht "
-                "aktivieren, sondern aus /tmp/b.json wiederherstellen."));
+                "Achse 0 muss zuerst referenziert werden; auch das Zurückstellen des alten Stands "
+                "ist fehlgeschlagen (das ist ein Ordner). Die Achse nicht aktivieren, sondern "
+                "wiederherstellen aus /tmp/b.json."));
     }
 
     void numbersHaveTheDecimalSignOfTheLanguageAndNamesKeepTheirs()

@@ -199,7 +199,7 @@ private Q_SLOTS:
         z.index = 2;
         z.folder = "Axes[2]/";
         QCOMPARE(signSentenceFor(kept(table), z, {x, y, {}}),
-            QStringLiteral("at X 10 mm, Y 30 mm the reference says 0.0021 mm more than the "
+            QStringLiteral("at X 10 mm, Y 30 mm the reference reads 0.0021 mm more than the "
                            "encoder: the drive will add +0.0021 mm"));
     }
 
