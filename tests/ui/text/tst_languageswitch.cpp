@@ -45,11 +45,11 @@ QString withoutData(QString text)
     return text.remove(data).remove(u'&');
 }
 
-/// Without the names of controllers and of the tables of files, and without quotations.
+/// Without the names of controllers, tables and states of a drive, quotations, and Qt's own words.
 QString withoutNames(QString text)
 {
-    static const QRegularExpression name(
-        QStringLiteral("\"[^\"]*\"|Table \\d|the disk is full|PMAC|RSI RapidCode|softMC"));
+    static const QRegularExpression name(QStringLiteral(
+        "\"[^\"]*\"|Table \\d|the disk is full|PMAC|RSI RapidCode|softMC|Active\\.|^Cancel$"));
     text.remove(name);
     for (const TableFormat* format : tableFormats())
         text.remove(QString::fromStdString(std::string(format->facts.controller)));
