@@ -158,6 +158,10 @@ std::string_view errorTemplate(const Error& error)
     if (error.code == ErrorCode::FlashWear && error.context.contains("reserve"))
         return "the flash operations that are left would do for the change, but not for putting "
                "everything back if it fails; wait {seconds} s, or write volatile";
+    if (error.code == ErrorCode::FlashWear && error.context.contains("record"))
+        return "the record of this drive's flash operations was damaged, so all of them count as "
+               "used up; write volatile, or reset the count with 'axiscomp status "
+               "--reset-flash-count'";
     return errorTemplate(error.code);
 }
 

@@ -58,6 +58,14 @@ Result<FlashUse> AxisCompensator::flashUse(const OperationOptions& options)
     return readFlashUse(access, d->store, *drive, d->clock());
 }
 
+Result<void> AxisCompensator::resetFlashCount(const OperationOptions& options)
+{
+    auto drive = d->identify(d->access(options));
+    if (!drive)
+        return fail(drive.error());
+    return d->store.acceptFlashLoss(drive->serialNumber);
+}
+
 Result<DriveBackup> AxisCompensator::backup(const OperationOptions& options)
 {
     const RegisterAccess access = d->access(options);

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/store/drive_store.h"
 
+#include "core/io/local_file.h"
 #include "core/store/backup_folder.h"
+#include "core/store/json_import.h"
+#include "core/store/store_database.h"
 #include "core/store/store_folder.h"
-#include "core/store/store_json.h"
+#include "core/store/store_records.h"
 
 #include <algorithm>
 #include <array>
@@ -17,8 +20,8 @@ namespace axiscomp {
 
 namespace {
 
-constexpr std::size_t keptFlashOperations = 1000;
-constexpr std::ptrdiff_t keptTablesPerSlot = 4;
+/// Bytes that a kept table may have: several times what the largest slot of a drive holds.
+constexpr std::uint64_t maximumKeptTableSize = 16 * 1024 * 1024;
 
 /// Whether the file holds the backup that was written as this text.
 Result<void> checkBackup(const std::filesystem::path& file, const std::string& text)
@@ -36,8 +39,9 @@ Result<void> checkBackup(const std::filesystem::path& file, const std::string& t
     return {};
 }
 
-Result<std::filesystem::path> keepBackup(
-    const StoreFolder& folder, const DriveBackup& backup, WallTime time, std::optional<int> axis)
+/// unfinished: the axis's journal, whose backup stays however old it is.
+Result<std::filesystem::path> keepBackup(const StoreFolder& folder, const DriveBackup& backup,
+    WallTime time, std::optional<int> axis, const Result<std::optional<JournalEntry>>& unfinished)
 {
     auto lock = folder.lock();
     if (!lock)
@@ -53,7 +57,10 @@ Result<std::filesystem::path> keepBackup(
         (void)removeFile(file);
         return fail(same.error());
     }
-    pruneBackups(folder, axis, file);
+    // A journal that cannot be read may name any of them.
+    if (unfinished)
+        pruneBackups(
+            folder, axis, file, *unfinished ? (*unfinished)->backup : std::filesystem::path());
     return file;
 }
 
@@ -62,8 +69,12 @@ Result<std::filesystem::path> keepBackup(
 DriveStore::DriveStore(std::filesystem::path root, std::chrono::milliseconds lockWait)
     : m_root(std::move(root))
     , m_lockWait(lockWait)
+    , m_database(std::make_unique<StoreDatabase>(m_root, lockWait))
 {
 }
+
+DriveStore::~DriveStore() = default;
+DriveStore::DriveStore(DriveStore&& other) noexcept = default;
 
 std::filesystem::path DriveStore::defaultRoot()
 {
@@ -91,7 +102,8 @@ Result<std::filesystem::path> DriveStore::saveBackup(const AxisBackup& backup)
     const StoreFolder folder{m_root, backup.drive.serialNumber, m_lockWait};
     DriveBackup ofAxis;
     ofAxis.axes = {backup};
-    return keepBackup(folder, ofAxis, backup.time, backup.axis);
+    return keepBackup(
+        folder, ofAxis, backup.time, backup.axis, journal(backup.drive.serialNumber, backup.axis));
 }
 
 Result<std::filesystem::path> DriveStore::saveBackup(
@@ -101,7 +113,7 @@ Result<std::filesystem::path> DriveStore::saveBackup(
     DriveBackup ofFile;
     ofFile.drive = drive;
     ofFile.otherFiles = {file};
-    return keepBackup(folder, ofFile, time, std::nullopt);
+    return keepBackup(folder, ofFile, time, std::nullopt, std::nullopt);
 }
 
 std::vector<std::filesystem::path> DriveStore::backups(std::int32_t serialNumber, int axis) const
@@ -137,23 +149,23 @@ Result<Bytes> DriveStore::keptTable(const JournalEntry::KeptTable& table) const
 Result<void> DriveStore::openJournal(const JournalEntry& entry)
 {
     const StoreFolder folder{m_root, entry.serialNumber, m_lockWait};
-    auto lock = folder.lock();
-    if (!lock)
-        return fail(lock.error());
-    return saveFile(folder.journal(entry.axis), asBytes(writeJournal(entry, folder.path())));
+    auto opened = m_database->change(
+        [&](sqlite::Connection& database) { records::putJournal(database, entry, folder.path()); });
+    return opened ? dropJournalOfOlderVersion(m_root, entry.serialNumber, entry.axis) : opened;
 }
 
 Result<void> DriveStore::closeJournal(std::int32_t serialNumber, int axis)
 {
-    const StoreFolder folder{m_root, serialNumber, m_lockWait};
-    if (isMissing(folder.journal(axis)))
+    if (!hasStore(m_root))
         return {};
-    auto lock = folder.lock();
-    if (!lock)
-        return fail(lock.error());
-    if (auto removed = removeFile(folder.journal(axis)); !removed)
-        return removed;
-    for (const std::filesystem::path& table : folder.keptTables(axis))
+    auto closed = m_database->change([&](sqlite::Connection& database) {
+        records::removeJournal(database, serialNumber, axis);
+    });
+    if (closed)
+        closed = dropJournalOfOlderVersion(m_root, serialNumber, axis);
+    if (!closed)
+        return closed;
+    for (const auto& table : StoreFolder{m_root, serialNumber, m_lockWait}.keptTables(axis))
         (void)removeFile(table);
     return {};
 }
@@ -161,61 +173,30 @@ Result<void> DriveStore::closeJournal(std::int32_t serialNumber, int axis)
 Result<std::optional<JournalEntry>> DriveStore::journal(std::int32_t serialNumber, int axis)
 {
     const StoreFolder folder{m_root, serialNumber, m_lockWait};
-    const std::filesystem::path file = folder.journal(axis);
-    const auto broken = [&](const std::string& why) {
-        return fail(ErrorCode::FileNotReadable,
-            {{"file", file.string()},
-                {"reason",
-                    "it was kept about a write that did not end, but is damaged (" + why
-                        + "). Look at what the drive holds, then delete the file"}});
-    };
-    if (isMissing(file))
-        return std::nullopt;
-    auto bytes = loadFile(file, maximumDocumentSize);
-    if (!bytes && isMissing(file)) // closed by another program just now
-        return std::nullopt;
-    if (!bytes)
-        return broken(sentence(bytes.error()));
-    auto entry = readJournal(asText(*bytes), folder.path());
-    if (!entry)
-        return broken(entry.error());
-    if (entry->serialNumber != serialNumber || entry->axis != axis)
-        return broken("it is about axis " + std::to_string(entry->axis) + " of drive "
-            + std::to_string(entry->serialNumber));
-    return *std::move(entry);
+    std::optional<JournalEntry> entry;
+    auto read = m_database->read([&](sqlite::Connection& database) {
+        entry = records::journal(database, serialNumber, axis, folder.path());
+    });
+    if (!read)
+        return fail(read.error());
+    return entry ? std::move(entry) : journalOfOlderVersion(m_root, serialNumber, axis);
 }
 
 Result<DriveStore::FlashHistory> DriveStore::flashHistory(std::int32_t serialNumber)
 {
-    const StoreFolder folder{m_root, serialNumber, m_lockWait};
-    return folder.look<FlashHistory>(folder.flashHistory(), readFlashHistory);
-}
-
-template <typename Change>
-Result<void> DriveStore::changeFlashHistory(std::int32_t serialNumber, const Change& change)
-{
-    const StoreFolder folder{m_root, serialNumber, m_lockWait};
-    auto lock = folder.lock();
-    if (!lock)
-        return fail(lock.error());
-    auto history = folder.take<FlashHistory>(folder.flashHistory(), readFlashHistory);
-    if (!history)
-        return fail(history.error());
-    change(*history);
-    return saveFile(folder.flashHistory(), asBytes(writeFlashHistory(*history)));
+    FlashHistory history;
+    auto read = m_database->read([&](sqlite::Connection& database) {
+        history = records::flashHistory(database, serialNumber, m_root);
+    });
+    return read.map([&] { return std::move(history); });
 }
 
 Result<void> DriveStore::recordFlash(std::int32_t serialNumber, WallTime now, int operations)
 {
     if (operations <= 0)
         return {};
-    return changeFlashHistory(serialNumber, [&](FlashHistory& history) {
-        const auto count = static_cast<std::size_t>(operations);
-        std::vector<WallTime>& recent = history.recent;
-        recent.insert(recent.end(), std::min(count, keptFlashOperations), now);
-        if (recent.size() > keptFlashOperations)
-            recent.erase(recent.begin(), recent.end() - keptFlashOperations);
-        history.total += count;
+    return m_database->change([&](sqlite::Connection& database) {
+        records::addFlash(database, serialNumber, now, static_cast<std::uint64_t>(operations));
     });
 }
 
@@ -224,9 +205,15 @@ Result<void> DriveStore::recordFlashRefusal(
 {
     if (wait <= std::chrono::seconds{0})
         return {};
-    return changeFlashHistory(serialNumber, [&](FlashHistory& history) {
-        history.refusal = FlashHistory::Refusal{now, wait};
+    return m_database->change([&](sqlite::Connection& database) {
+        records::setFlashRefusal(database, serialNumber, {now, wait});
     });
+}
+
+Result<void> DriveStore::acceptFlashLoss(std::int32_t serialNumber)
+{
+    return m_database->change(
+        [&](sqlite::Connection& database) { records::acceptFlashLoss(database, serialNumber); });
 }
 
 FlashWearGuard wearGuard(const FlashWearLimits& limits, const DriveStore::FlashHistory& history)
@@ -234,92 +221,55 @@ FlashWearGuard wearGuard(const FlashWearLimits& limits, const DriveStore::FlashH
     FlashWearGuard guard(limits, history.recent);
     if (history.refusal)
         guard.recordRefusal(history.refusal->time, history.refusal->wait);
+    if (history.damagedRecord)
+        guard.recordLoss();
     return guard;
 }
 
 Result<std::vector<DriveStore::OwnTable>> DriveStore::ownTables(std::int32_t serialNumber, int axis)
 {
-    const StoreFolder folder{m_root, serialNumber, m_lockWait};
-    auto written = folder.look<std::vector<WrittenTable>>(folder.tables(), readTables);
-    if (!written)
-        return fail(written.error());
-    std::vector<OwnTable> own;
-    for (const WrittenTable& table : *written)
-        if (table.axis == axis)
-            own.push_back(table.table);
-    return own;
+    std::vector<OwnTable> tables;
+    auto read = m_database->read([&](sqlite::Connection& database) {
+        tables = records::ownTables(database, serialNumber, axis);
+    });
+    return read.map([&] { return std::move(tables); });
 }
 
 Result<void> DriveStore::recordOwnTable(std::int32_t serialNumber, int axis, const OwnTable& table)
 {
-    const StoreFolder folder{m_root, serialNumber, m_lockWait};
-    auto lock = folder.lock();
-    if (!lock)
-        return fail(lock.error());
-    auto written = folder.take<std::vector<WrittenTable>>(folder.tables(), readTables);
-    if (!written)
-        return fail(written.error());
-
-    std::vector<WrittenTable> tables{{axis, table}};
-    for (const WrittenTable& older : *written) {
-        const bool isSame = older.table == table;
-        const auto ofSlot = std::ranges::count(
-            tables, older.table.slot, [](const WrittenTable& kept) { return kept.table.slot; });
-        if (!isSame && ofSlot < keptTablesPerSlot)
-            tables.push_back(older);
-    }
-    return saveFile(folder.tables(), asBytes(writeTables(tables)));
+    return m_database->change([&](sqlite::Connection& database) {
+        records::addOwnTable(database, serialNumber, axis, table);
+    });
 }
 
-Result<SavedState> DriveStore::savedState(std::int32_t serialNumber)
+Result<RebootState> DriveStore::rebootState(std::int32_t serialNumber)
 {
-    const StoreFolder folder{m_root, serialNumber, m_lockWait};
-    return folder.look<SavedState>(folder.saved(), readSavedState);
-}
-
-template <typename Change>
-Result<void> DriveStore::changeSavedState(std::int32_t serialNumber, const Change& change)
-{
-    const StoreFolder folder{m_root, serialNumber, m_lockWait};
-    auto lock = folder.lock();
-    if (!lock)
-        return fail(lock.error());
-    auto state = folder.take<SavedState>(folder.saved(), readSavedState);
-    if (!state)
-        return fail(state.error());
-    const SavedState before = *state;
-    change(*state);
-    if (*state == before)
-        return {};
-    return saveFile(folder.saved(), asBytes(writeSavedState(*state)));
+    RebootState state;
+    auto read = m_database->read([&](sqlite::Connection& database) {
+        state = records::rebootState(database, serialNumber);
+    });
+    return read.map([&] { return std::move(state); });
 }
 
 Result<void> DriveStore::recordSaving(
-    std::int32_t serialNumber, const std::vector<SavedState::Use>& uses)
+    std::int32_t serialNumber, const std::vector<RebootState::Use>& uses)
 {
-    return changeSavedState(serialNumber, [&](SavedState& state) {
-        for (const SavedState::Use& use : uses)
-            if (std::ranges::find(state.uses, use) == state.uses.end())
-                state.uses.push_back(use);
-    });
+    return m_database->change(
+        [&](sqlite::Connection& database) { records::addUses(database, serialNumber, uses); });
 }
 
 Result<void> DriveStore::recordSaved(
-    std::int32_t serialNumber, const std::vector<SavedState::Use>& uses)
+    std::int32_t serialNumber, const std::vector<RebootState::Use>& uses)
 {
-    return changeSavedState(serialNumber, [&](SavedState& state) {
-        state.isKnown = true;
-        state.uses = uses;
-    });
+    return m_database->change(
+        [&](sqlite::Connection& database) { records::replaceUses(database, serialNumber, uses); });
 }
 
 Result<void> DriveStore::recordCovered(
     std::int32_t serialNumber, const std::string& slot, bool isCovered)
 {
-    return changeSavedState(serialNumber, [&](SavedState& state) {
-        std::erase(state.covered, slot);
-        if (isCovered)
-            state.covered.push_back(slot);
+    return m_database->change([&](sqlite::Connection& database) {
+        records::setCovered(database, serialNumber, slot, isCovered);
     });
 }
 

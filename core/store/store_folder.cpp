@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/store/store_folder.h"
 
+#include "core/io/local_file.h"
 #include "core/store/backup_json.h"
 
 #include <cerrno>
@@ -53,11 +54,6 @@ StoreFolder::StoreFolder(const std::filesystem::path& root, std::int32_t serialN
 {
 }
 
-std::filesystem::path StoreFolder::journal(int axis) const
-{
-    return m_path / ("journal-axis" + std::to_string(axis) + ".json");
-}
-
 std::filesystem::path StoreFolder::keptTable(int axis, std::uint32_t crc) const
 {
     return m_path / ("journal-axis" + std::to_string(axis) + "-" + crcText(crc) + keptTableEnding);
@@ -79,35 +75,6 @@ Result<FileLock> StoreFolder::lock(const char* name) const
     if (auto made = makePrivateFolder(m_path); !made)
         return fail(made.error());
     return FileLock::acquire(m_path / name, m_lockWait, m_path);
-}
-
-/// nullopt: there is something that can never be one of the store's files.
-Result<std::optional<Bytes>> StoreFolder::load(const std::filesystem::path& file)
-{
-    auto bytes = loadFile(file, maximumDocumentSize);
-    if (bytes)
-        return *std::move(bytes);
-    std::error_code ignored;
-    if (bytes.error().code == ErrorCode::FileTooLarge
-        || std::filesystem::is_directory(file, ignored))
-        return std::nullopt;
-    return fail(bytes.error());
-}
-
-Result<void> StoreFolder::moveAside(const std::filesystem::path& file)
-{
-    std::filesystem::path aside = file;
-    aside += ".broken";
-    std::error_code error;
-    std::filesystem::remove_all(aside, error);
-    std::filesystem::rename(file, aside, error);
-    if (!error)
-        return {};
-    return fail(ErrorCode::FileNotWritable,
-        {{"file", file.string()},
-            {"reason",
-                "it is damaged and cannot be moved aside (" + fileErrorReason(error.value())
-                    + "); delete it"}});
 }
 
 } // namespace axiscomp

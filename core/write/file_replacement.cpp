@@ -148,11 +148,11 @@ Result<void> FileReplacement::checkUnchanged(const Look& seen) const
 /// A reboot must not bring an axis this table with the sources of another.
 Result<void> FileReplacement::checkSavedUse(ByteView bytes) const
 {
-    auto saved = m_store.savedState(m_drive.serialNumber);
+    auto saved = m_store.rebootState(m_drive.serialNumber);
     if (!saved)
         return fail(saved.error());
     const std::uint32_t crc = elementCrc(bytes, m_access.profile().layout);
-    for (const SavedState::Use& use : saved->uses)
+    for (const RebootState::Use& use : saved->uses)
         if (use.slot == m_slot.name && use.crc != crc)
             return fail(ErrorCode::SlotInUse,
                 {{"slot", m_slot.name},

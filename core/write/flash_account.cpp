@@ -43,6 +43,7 @@ Result<FlashUse> readFlashUse(
     use.budget = wearGuard(limits, *history).budget(now);
     use.operationsRecorded = history->total;
     use.ratedCycles = limits.ratedCycles;
+    use.damagedRecord = history->damagedRecord;
     for (const std::string& slot : slots) { // the first of several with the same count
         const auto count = counts->find(slot);
         if (count == counts->end())
@@ -63,7 +64,9 @@ Result<void> checkFlashBudget(
     if (operations + reserve <= budget.left)
         return {};
     ErrorContext context{{"seconds", std::to_string(budget.wait.count())}};
-    if (operations <= budget.left)
+    if (budget.isRecordLost)
+        context.emplace("record", "damaged");
+    else if (operations <= budget.left)
         context.emplace("reserve", std::to_string(reserve));
     return fail(ErrorCode::FlashWear, std::move(context));
 }

@@ -9,7 +9,7 @@ namespace axiscomp {
 
 namespace {
 
-using Use = SavedState::Use;
+using Use = RebootState::Use;
 
 /// What the parameters name, and which of those slots hold a volatile table.
 struct NamedSlots {
@@ -96,7 +96,7 @@ Result<int> costOfSaving(
     auto named = readNamed(access, drive);
     if (!named)
         return fail(named.error());
-    auto state = store.savedState(drive.serialNumber);
+    auto state = store.rebootState(drive.serialNumber);
     if (!state)
         return fail(state.error());
     return static_cast<int>(std::ranges::count_if(
@@ -109,7 +109,7 @@ Result<void> saveParameters(const RegisterAccess& access, DriveStore& store,
     auto named = readNamed(access, drive);
     if (!named)
         return fail(named.error());
-    auto state = store.savedState(drive.serialNumber);
+    auto state = store.rebootState(drive.serialNumber);
     if (!state)
         return fail(state.error());
     std::vector<std::string> covering = std::move(named->volatileSlots);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/write/previous_state.h"
 
+#include "core/io/local_file.h"
 #include "core/table/tam_table.h"
 
 #include <algorithm>

@@ -26,13 +26,13 @@ Result<WriteReport> WriteProcedure::recoverOldState(const UnfinishedWrite& unfin
     m_slotTouched = isNewTable() && step >= stepRank("upload");
     m_flashTouched = changesPersistency() && step >= stepRank(isNewTable() ? "commit" : "switch");
     m_savedTouched = step >= stepRank("save") || (overwritesOwn() && wantsPersistent());
-    auto saved = m_store.savedState(m_write.plan.drive.serialNumber);
+    auto saved = m_store.rebootState(m_write.plan.drive.serialNumber);
     if (!saved)
         return fail(saved.error());
     // It is switched off in the saved parameters as well, by this write or by the next of another
     // axis.
     const bool isSavedOff = saved->isKnown
-        && std::ranges::find(saved->uses, m_write.plan.axis, &SavedState::Use::axis)
+        && std::ranges::find(saved->uses, m_write.plan.axis, &RebootState::Use::axis)
             == saved->uses.end();
     const bool wasPersistent = unfinished.oldFile() && unfinished.oldFile()->persistent;
     m_savedTouched = m_savedTouched || (isSavedOff && (m_flashTouched || wasPersistent));
@@ -81,7 +81,7 @@ Result<void> WriteProcedure::checkFlash()
     // Then the axis has its volatile table again, which is saved as well.
     const std::string& slot = m_write.plan.before.slot;
     const AxisBackup::File* old = backupOf(slot);
-    auto saved = m_store.savedState(m_write.plan.drive.serialNumber);
+    auto saved = m_store.rebootState(m_write.plan.drive.serialNumber);
     if (!saved)
         return fail(saved.error());
     if (m_savedTouched && !overwritesOwn() && old && !old->persistent && saved->isCovered(slot))

@@ -3,6 +3,7 @@
 
 #include "core/axis/axis_reader.h"
 #include "core/axis/slot_state.h"
+#include "core/io/local_file.h"
 #include "core/store/drive_store.h"
 #include "core/table/tam_table.h"
 #include "core/write/backup_restore.h"
@@ -110,7 +111,7 @@ Result<std::optional<std::string>> UnfinishedWrite::slotFor(
     if (!readings)
         return fail(readings.error());
     const SlotState state = slotState(m_access, drive, m_entry.axis, slot, *readings);
-    auto saved = store.savedState(drive.serialNumber);
+    auto saved = store.rebootState(drive.serialNumber);
     if (!saved)
         return fail(saved.error());
     const bool isOurs =

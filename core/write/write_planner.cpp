@@ -89,7 +89,7 @@ Result<PreparedWrite> WritePlanner::prepare(int axis, const WriteRequest& reques
             {{"what", "the settings of " + axisText(axis, m_status.axis.name)},
                 {"before", setupText(*request.expected)}, {"now", setupText(m_status.setup)}});
 
-    auto saved = m_store.savedState(m_drive.serialNumber);
+    auto saved = m_store.rebootState(m_drive.serialNumber);
     if (!saved)
         return fail(saved.error());
     m_saved = std::move(*saved);

@@ -63,7 +63,7 @@ private:
     int m_axis = 0;
     AxisStatus m_status;
     std::vector<AxisStatus> m_others; ///< the other axes, when the parameters will be saved
-    SavedState m_saved;
+    RebootState m_saved;
     PreparedWrite m_write;
     bool m_isStored = false; ///< the new table is in the flash of its slot already
 };

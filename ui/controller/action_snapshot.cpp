@@ -26,6 +26,7 @@ void WizardController::Private::snapshotDrive(ActionSnapshot& now) const
     const FlashBudget budget = flashBudget();
     now.flashOperationsLeft = budget.left;
     now.flashWaitSeconds = static_cast<int>(budget.wait.count());
+    now.isFlashRecordLost = budget.isRecordLost;
     now.isFlashLimitKnown = budget.left != std::numeric_limits<int>::max();
     if (!status)
         return;

@@ -55,6 +55,9 @@ constexpr const char* errorPhraseList[] = {
     QT_TRANSLATE_NOOP("Error",
         "the flash operations that are left would do for the change, but not for putting "
         "everything back if it fails; wait {seconds} s, or write volatile"),
+    QT_TRANSLATE_NOOP("Error",
+        "the record of this drive's flash operations was damaged, so all of them count as used "
+        "up; write volatile, or reset the count with 'axiscomp status --reset-flash-count'"),
     QT_TRANSLATE_NOOP("Error", "the compensation of axis {axis} is in error {error}: {hint}"),
     QT_TRANSLATE_NOOP("Error", "the drive has no axis {axis}; it has: {known}"),
     QT_TRANSLATE_NOOP("Error", "several axes are named {axis}: give the index, one of {matches}"),

@@ -9,8 +9,17 @@ namespace axiscomp::app {
 
 namespace {
 
-Result<ExitCode> runStatus(Environment& environment, CommandSession& session, int axis)
+struct StatusOptions {
+    DriveOptions drive;
+    bool resetsFlashCount = false;
+};
+
+Result<ExitCode> runStatus(
+    Environment& environment, CommandSession& session, int axis, bool resetsFlashCount)
 {
+    if (resetsFlashCount)
+        if (auto reset = session.compensator().resetFlashCount(session.operation()); !reset)
+            return fail(reset.error());
     const auto settled = settledStatus(environment, session, axis);
     if (!settled)
         return fail(settled.error());
@@ -33,13 +42,22 @@ Result<ExitCode> runStatus(Environment& environment, CommandSession& session, in
 
 void addStatusCommand(CommandLine& line)
 {
-    auto options = std::make_shared<DriveOptions>();
-    options->command = commandName("status");
+    auto options = std::make_shared<StatusOptions>();
+    options->drive.command = commandName("status");
     CLI::App* command = line.add("status", driveCommands,
         "Show the compensation of an axis, and what became of a write that was interrupted",
-        [options](Environment& environment) { return withAxis(environment, *options, runStatus); });
-    addDriveOptions(*command, *options);
-    addAxisOption(*command, *options);
+        [options](Environment& environment) {
+            return withAxis(environment, options->drive,
+                [options](Environment& inside, CommandSession& session, int axis) {
+                    return runStatus(inside, session, axis, options->resetsFlashCount);
+                });
+        });
+    addDriveOptions(*command, options->drive);
+    addAxisOption(*command, options->drive);
+    command->add_flag("--reset-flash-count", options->resetsFlashCount,
+        "Count the drive's flash operations anew after their record was damaged; first wait as "
+        "long "
+        "as the drive counts them");
 }
 
 } // namespace axiscomp::app

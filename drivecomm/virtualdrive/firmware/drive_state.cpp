@@ -11,13 +11,13 @@ Result<void> VirtualDrive::Private::openState()
     if (!opened)
         return fail(opened.error());
     folder = *std::move(opened);
-    Result<std::optional<SavedDrive>> saved = folder->load();
+    Result<std::optional<StoredDrive>> saved = folder->load();
     if (!saved)
         return fail(saved.error());
     return *saved ? restore(**saved) : Result<void>{};
 }
 
-Result<void> VirtualDrive::Private::restore(const SavedDrive& saved)
+Result<void> VirtualDrive::Private::restore(const StoredDrive& saved)
 {
     const auto unusable = [&](std::string reason) {
         return fail(ErrorCode::FileNotReadable,
@@ -55,17 +55,17 @@ Result<void> VirtualDrive::Private::restore(const SavedDrive& saved)
     return {};
 }
 
-SavedDrive VirtualDrive::Private::snapshot(
+StoredDrive VirtualDrive::Private::snapshot(
     const FlashMemory& trial, const std::vector<Change>& changes) const
 {
-    SavedDrive result;
+    StoredDrive result;
     result.serialNumber = options.serialNumber;
     result.savedAt = options.wallClock();
     for (const DriveTime operation : trial.operations())
         result.operationAges.push_back(now - operation);
     for (std::size_t i = 0; i < trial.slotCount(); ++i) {
         const SlotMemory& slot = trial.slot(i);
-        SavedDrive::Slot& saved = result.slots[profile.tableSlots[i].name];
+        StoredDrive::Slot& saved = result.slots[profile.tableSlots[i].name];
         saved.eraseCount = slot.eraseCount;
         if (slot.flash)
             saved.table = {slot.flash, &slot.flash->bytes};

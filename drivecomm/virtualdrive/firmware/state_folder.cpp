@@ -125,11 +125,11 @@ std::map<std::string, ParsedSlot> parseSlots(const json& slots, std::string& com
 }
 
 /// Everything but the tables; slots says where they are.
-SavedDrive parseDrive(
+StoredDrive parseDrive(
     const json& document, std::map<std::string, ParsedSlot>& slots, std::string& complaint)
 {
     Reader reader(document, "", complaint);
-    SavedDrive drive;
+    StoredDrive drive;
     (void)reader.integer("format", format, format);
     drive.serialNumber = static_cast<std::int32_t>(reader.integer("serialNumber",
         std::numeric_limits<std::int32_t>::min(), std::numeric_limits<std::int32_t>::max()));
@@ -186,7 +186,7 @@ Result<std::unique_ptr<StateFolder>> StateFolder::open(const std::filesystem::pa
     return std::unique_ptr<StateFolder>(new StateFolder(folder, *std::move(lock)));
 }
 
-Result<std::optional<SavedDrive>> StateFolder::load()
+Result<std::optional<StoredDrive>> StateFolder::load()
 {
     std::error_code problem;
     if (!std::filesystem::exists(mainFile(), problem) && !problem) {
@@ -202,7 +202,7 @@ Result<std::optional<SavedDrive>> StateFolder::load()
 
     std::string complaint;
     std::map<std::string, ParsedSlot> slots;
-    SavedDrive drive = parseDrive(document, slots, complaint);
+    StoredDrive drive = parseDrive(document, slots, complaint);
     if (!complaint.empty())
         return unreadable(mainFile(), complaint);
 
@@ -220,7 +220,7 @@ Result<std::optional<SavedDrive>> StateFolder::load()
     return drive;
 }
 
-Result<void> StateFolder::save(const SavedDrive& drive)
+Result<void> StateFolder::save(const StoredDrive& drive)
 {
     std::set<std::string> files;
     json slots = json::object();

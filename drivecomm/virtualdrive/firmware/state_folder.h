@@ -18,7 +18,7 @@
 namespace axiscomp::drivecomm {
 
 /// What a virtual drive keeps while it is off.
-struct SavedDrive {
+struct StoredDrive {
     struct Slot {
         std::uint32_t eraseCount = 0;
         std::shared_ptr<const Bytes> table; ///< null: empty
@@ -40,9 +40,9 @@ public:
         const std::filesystem::path& folder);
 
     /// None when nothing was saved yet. Errors: FileNotReadable with what is wrong where.
-    [[nodiscard]] Result<std::optional<SavedDrive>> load();
+    [[nodiscard]] Result<std::optional<StoredDrive>> load();
     /// Errors: FileNotWritable; the old state is kept.
-    [[nodiscard]] Result<void> save(const SavedDrive& drive);
+    [[nodiscard]] Result<void> save(const StoredDrive& drive);
 
     [[nodiscard]] std::filesystem::path mainFile() const { return m_folder / "drive.json"; }
 

@@ -74,9 +74,9 @@ struct VirtualDrive::Private {
 
     // drive_state.cpp: the state folder
     [[nodiscard]] Result<void> openState();
-    [[nodiscard]] Result<void> restore(const SavedDrive& saved);
+    [[nodiscard]] Result<void> restore(const StoredDrive& saved);
     [[nodiscard]] static bool savesParameters(const std::vector<Change>& changes);
-    [[nodiscard]] SavedDrive snapshot(
+    [[nodiscard]] StoredDrive snapshot(
         const FlashMemory& trial, const std::vector<Change>& changes) const;
 
     const DriveProfile& profile;

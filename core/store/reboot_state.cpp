@@ -1,23 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/store/saved_state.h"
+#include "core/store/reboot_state.h"
 
 #include <algorithm>
 
 namespace axiscomp {
 
-bool SavedState::isCovered(std::string_view slot) const
+bool RebootState::isCovered(std::string_view slot) const
 {
     return std::ranges::find(covered, slot) != covered.end();
 }
 
-std::optional<int> SavedState::otherUser(std::string_view slot, int axis) const
+std::optional<int> RebootState::otherUser(std::string_view slot, int axis) const
 {
     const auto other = std::ranges::find_if(
         uses, [&](const Use& use) { return use.slot == slot && use.axis != axis; });
     return other == uses.end() ? std::nullopt : std::optional(other->axis);
 }
 
-bool SavedState::isInTheWay(std::string_view slot, int axis, std::uint32_t crc) const
+bool RebootState::isInTheWay(std::string_view slot, int axis, std::uint32_t crc) const
 {
     return std::ranges::any_of(uses,
         [&](const Use& use) { return use.slot == slot && (use.axis != axis || use.crc != crc); });

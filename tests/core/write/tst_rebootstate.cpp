@@ -2,6 +2,7 @@
 //
 // What a reboot brings back: the parameters that were saved last, with the tables that are in
 // flash. The two must belong together whichever axis was written last, and how.
+#include "core/io/local_file.h"
 #include "tests/support/compensator_fixture.h"
 #include "tests/support/test_registry.h"
 #include "tests/support/verify.h"
@@ -11,7 +12,7 @@
 #include <algorithm>
 #include <functional>
 
-namespace tst_savedstate {
+namespace tst_rebootstate {
 
 using namespace axiscomp;
 using namespace axiscomp::test;
@@ -76,7 +77,7 @@ bool contains(const std::vector<std::string>& texts, const std::string& part)
 
 } // namespace
 
-class TestSavedState : public QObject {
+class TestRebootState : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
@@ -246,7 +247,7 @@ private Q_SLOTS:
             } catch (const ProgramDied&) {
             }
             f.link.heal();
-            const auto saved = f.store.savedState(4711);
+            const auto saved = f.store.rebootState(4711);
             VERIFY_RESULT(saved);
             QVERIFY(saved->otherUser("Small1", 0) || saved->otherUser("Small3", 0));
         }
@@ -437,8 +438,8 @@ private Q_SLOTS:
     }
 };
 
-AXISCOMP_TEST(TestSavedState)
+AXISCOMP_TEST(TestRebootState)
 
-} // namespace tst_savedstate
+} // namespace tst_rebootstate
 
-#include "tst_savedstate.moc"
+#include "tst_rebootstate.moc"

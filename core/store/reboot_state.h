@@ -11,7 +11,7 @@ namespace axiscomp {
 
 /// What a drive does not tell about what a reboot brings back, as far as the programs of this
 /// computer have brought it about.
-struct SavedState {
+struct RebootState {
     /// A slot that the saved parameters of an axis name, or may name.
     struct Use {
         int axis = 0;
@@ -23,7 +23,7 @@ struct SavedState {
     std::vector<Use> uses;
     /// Slots where flash may hold another table than the volatile one that lies over it.
     std::vector<std::string> covered;
-    friend bool operator==(const SavedState&, const SavedState&) = default;
+    friend bool operator==(const RebootState&, const RebootState&) = default;
 
     [[nodiscard]] bool isCovered(std::string_view slot) const;
     /// The first axis but this one whose saved parameters name the slot.

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/store/store_database.h"
+
+#include "core/io/local_file.h"
+#include "core/store/json_import.h"
+#include "core/store/store_folder.h"
+#include "core/store/store_repair.h"
+#include "core/store/store_schema.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <utility>
+
+#include <sqlite3.h>
+#include <sys/stat.h>
+#include <sys/vfs.h>
+
+namespace axiscomp {
+
+namespace {
+
+namespace fs = std::filesystem;
+using sqlite::Transaction;
+
+constexpr int mostReplacements = 3;
+
+/// File systems whose locks and shared memory do not reach other computers (linux/magic.h).
+constexpr std::array<std::uint32_t, 6> networkFileSystems{0x6969 /* NFS */, 0x517b /* SMB */,
+    0xfe534d42 /* SMB 2 */, 0xff534d42 /* CIFS */, 0x73757245 /* Coda */, 0x5346414f /* AFS */};
+
+bool isOnNetwork(const fs::path& folder)
+{
+    struct statfs system { };
+    return ::statfs(folder.c_str(), &system) == 0
+        && std::ranges::find(networkFileSystems, static_cast<std::uint32_t>(system.f_type))
+        != networkFileSystems.end();
+}
+
+tl::unexpected<Error> unusable(const fs::path& file, const std::string& reason)
+{
+    return fail(ErrorCode::FileNotReadable, {{"file", file.string()}, {"reason", reason}});
+}
+
+/// A pipe would be waited for, a device written to.
+Result<void> checkOrdinary(const fs::path& database)
+{
+    for (const char* ending : {"", "-wal", "-shm"}) {
+        fs::path file = database;
+        file += ending;
+        struct stat status { };
+        if (::lstat(file.c_str(), &status) == 0 && !S_ISREG(status.st_mode))
+            return unusable(file, "it is not an ordinary file; move it away");
+    }
+    return {};
+}
+
+} // namespace
+
+StoreDatabase::StoreDatabase(fs::path root, std::chrono::milliseconds longestWait)
+    : m_root(std::move(root))
+    , m_file(m_root / "axiscomp.db")
+    , m_longestWait(longestWait)
+{
+}
+
+StoreDatabase::~StoreDatabase() = default;
+
+Result<void> StoreDatabase::read(const Work& work)
+{
+    return run(work, Transaction::Kind::Read);
+}
+
+Result<void> StoreDatabase::change(const Work& work)
+{
+    return run(work, Transaction::Kind::Write);
+}
+
+Result<void> StoreDatabase::run(const Work& work, Transaction::Kind kind)
+{
+    const std::scoped_lock guard(m_mutex);
+    const bool changes = kind == Transaction::Kind::Write;
+    for (int attempt = 0;; ++attempt) {
+        const auto opened = open(changes);
+        if (!opened || !*opened)
+            return opened ? Result<void>{} : fail(opened.error());
+        try {
+            {
+                Transaction transaction(*m_connection, kind);
+                work(*m_connection);
+                transaction.commit();
+            }
+            if (!changes || isStillInPlace() || attempt == mostReplacements)
+                return {};
+        } catch (const sqlite::Failure& failure) {
+            // Opening anew replaces what is damaged.
+            m_connection.reset();
+            m_isDamaged = failure.isDamage();
+            if (!m_isDamaged || attempt == mostReplacements)
+                return failed(
+                    failure, changes ? ErrorCode::FileNotWritable : ErrorCode::FileNotReadable);
+        }
+    }
+}
+
+/// false: there is nothing to read.
+Result<bool> StoreDatabase::open(bool makes)
+{
+    if (m_connection && isStillInPlace())
+        return true;
+    m_connection.reset();
+    if (!makes && !hasStore(m_root))
+        return false;
+    if (auto made = makePrivateFolder(m_root); !made)
+        return fail(made.error());
+    if (isOnNetwork(m_root))
+        return unusable(m_root,
+            "it is on a network file system, where a database can be damaged; set XDG_STATE_HOME "
+            "to a folder on this computer");
+    const auto lock = FileLock::acquire(m_root / "axiscomp.lock", m_longestWait, m_file);
+    if (!lock)
+        return fail(lock.error());
+    if (auto opened = openLocked(); !opened) {
+        m_connection.reset();
+        return fail(opened.error());
+    }
+    return true;
+}
+
+Result<void> StoreDatabase::openLocked()
+{
+    if (auto finished = finishStoreReplacement(m_file); !finished)
+        return finished;
+    try {
+        if (std::exchange(m_isDamaged, false) && isStillInPlace())
+            throw sqlite::Failure::damage("found while it was used");
+        if (isMissing(m_file))
+            if (auto made = makeStore(m_file); !made)
+                return made;
+        if (auto opened = openFile(); !opened)
+            return opened;
+    } catch (const sqlite::Failure& failure) {
+        m_connection.reset();
+        if (!failure.isDamage())
+            return failed(failure);
+        try {
+            if (auto replaced = replaceDamagedStore(m_file); !replaced)
+                return replaced;
+            if (auto opened = openFile(); !opened)
+                return opened;
+        } catch (const sqlite::Failure& again) {
+            return failed(again);
+        }
+    }
+    try {
+        return takeOverJson(*m_connection, m_root);
+    } catch (const sqlite::Failure& failure) {
+        return failed(failure);
+    }
+}
+
+/// Throws what SQLite finds wrong.
+Result<void> StoreDatabase::openFile()
+{
+    if (auto ordinary = checkOrdinary(m_file); !ordinary)
+        return ordinary;
+    if (std::error_code error; fs::file_size(m_file, error) == 0 && !error)
+        throw sqlite::Failure::damage("the file is empty"); // SQLite would take it for a new one
+    m_connection = std::make_unique<sqlite::Connection>(m_file, m_longestWait);
+    sqlite::Connection& connection = *m_connection;
+    const StoreIdentity identity = storeIdentity(connection);
+    if (identity == StoreIdentity::Newer)
+        return unusable(m_file, "a newer version of this program has written it; use that version");
+    if (identity == StoreIdentity::Foreign)
+        return unusable(m_file, "it is the database of another program; move it away");
+    if (connection.isReadOnly())
+        return fail(ErrorCode::FileNotWritable,
+            {{"file", m_file.string()}, {"reason", "the file is read-only"}});
+    if (const std::string found = connection.text("PRAGMA quick_check(1)"); found != "ok")
+        throw sqlite::Failure::damage(found);
+    connection.run("PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL");
+    if (connection.text("PRAGMA journal_mode") != "wal")
+        return fail(ErrorCode::FileNotWritable,
+            {{"file", m_file.string()},
+                {"reason", "this file system cannot share it between programs"}});
+    if (identity == StoreIdentity::Older)
+        migrateStore(connection);
+
+    struct stat status { };
+    if (::stat(m_file.c_str(), &status) != 0)
+        return fail(ErrorCode::FileNotReadable,
+            {{"file", m_file.string()}, {"reason", fileErrorReason(errno)}});
+    m_device = status.st_dev;
+    m_inode = status.st_ino;
+    return {};
+}
+
+bool StoreDatabase::isStillInPlace() const
+{
+    struct stat status { };
+    return ::stat(m_file.c_str(), &status) == 0 && status.st_dev == m_device
+        && status.st_ino == m_inode;
+}
+
+tl::unexpected<Error> StoreDatabase::failed(const sqlite::Failure& failure, ErrorCode code) const
+{
+    const auto reason = [&]() -> std::string {
+        switch (failure.code & 0xff) {
+        case SQLITE_BUSY:
+        case SQLITE_LOCKED:
+            return "another program is using it; try again when that one has finished";
+        case SQLITE_FULL:
+            return fileErrorReason(ENOSPC);
+        case SQLITE_READONLY:
+            return "the file or its folder is read-only";
+        case SQLITE_NOMEM:
+            return fileErrorReason(ENOMEM);
+        case SQLITE_CORRUPT:
+        case SQLITE_NOTADB:
+            return "it is damaged";
+        default:
+            return failure.systemError != 0 ? fileErrorReason(failure.systemError)
+                                            : failure.message;
+        }
+    }();
+    return fail(code, {{"file", m_file.string()}, {"reason", reason}}, failure.message);
+}
+
+} // namespace axiscomp
