@@ -2052,6 +2052,46 @@
         <translation>zusammen kosten diese Schreibvorgänge {count} Flash-Vorgänge, und {left} sind jetzt möglich; flüchtig schreiben, oder weniger auf einmal</translation>
     </message>
     <message>
+        <source>the record of this drive&apos;s flash operations was damaged, so all of them count as used up; write volatile, or reset the count with &apos;axiscomp status --reset-flash-count&apos;</source>
+        <translation>die Aufzeichnung der Flash-Vorgänge dieses Antriebs war beschädigt, daher gelten alle als verbraucht; flüchtig schreiben oder die Zählung mit „axiscomp status --reset-flash-count“ zurücksetzen</translation>
+    </message>
+    <message>
+        <source>it is damaged</source>
+        <translation>sie ist beschädigt</translation>
+    </message>
+    <message>
+        <source>it cannot be renamed: {reason}</source>
+        <translation>sie kann nicht umbenannt werden: {reason}</translation>
+    </message>
+    <message>
+        <source>it is not an ordinary file; move it away</source>
+        <translation>das ist keine gewöhnliche Datei; bitte an einen anderen Ort verschieben</translation>
+    </message>
+    <message>
+        <source>it is the database of another program; move it away</source>
+        <translation>das ist die Datenbank eines anderen Programms; bitte an einen anderen Ort verschieben</translation>
+    </message>
+    <message>
+        <source>a newer version of this program has written it; use that version</source>
+        <translation>eine neuere Version dieses Programms hat sie geschrieben; bitte diese Version verwenden</translation>
+    </message>
+    <message>
+        <source>the file is read-only</source>
+        <translation>die Datei ist schreibgeschützt</translation>
+    </message>
+    <message>
+        <source>the file or its folder is read-only</source>
+        <translation>die Datei oder ihr Ordner ist schreibgeschützt</translation>
+    </message>
+    <message>
+        <source>this file system cannot share it between programs</source>
+        <translation>auf diesem Dateisystem können sich Programme die Datei nicht teilen</translation>
+    </message>
+    <message>
+        <source>it is on a network file system, where a database can be damaged; set XDG_STATE_HOME to a folder on this computer</source>
+        <translation>er liegt auf einem Netzwerk-Dateisystem, auf dem eine Datenbank beschädigt werden kann; XDG_STATE_HOME auf einen Ordner dieses Rechners setzen</translation>
+    </message>
+    <message>
         <source>the flash operations that are left would do for the change, but not for putting everything back if it fails; wait {seconds} s, or write volatile</source>
         <translation>die übrigen Flash-Vorgänge reichen für die Änderung, aber nicht, um nach einem Fehlschlag alles zurückzustellen; {seconds} s warten oder flüchtig schreiben</translation>
     </message>
@@ -4313,6 +4353,10 @@
     <message>
         <source>The table needs %1 bytes, but the largest slot has %2.</source>
         <translation>Die Tabelle braucht %1 Byte, der größte Tabellenplatz hat %2.</translation>
+    </message>
+    <message>
+        <source>The record of this drive&apos;s flash operations was damaged, so all of them count as used up. Write volatile, or run &quot;axiscomp status --reset-flash-count&quot;.</source>
+        <translation>Die Aufzeichnung der Flash-Vorgänge dieses Antriebs war beschädigt, daher gelten alle als verbraucht. Flüchtig schreiben oder „axiscomp status --reset-flash-count“ ausführen.</translation>
     </message>
     <message>
         <source>Flash wear: wait %1, or write volatile.</source>

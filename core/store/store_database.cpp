@@ -176,8 +176,12 @@ Result<void> StoreDatabase::openFile()
     if (connection.isReadOnly())
         return fail(ErrorCode::FileNotWritable,
             {{"file", m_file.string()}, {"reason", "the file is read-only"}});
-    if (const std::string found = connection.text("PRAGMA quick_check(1)"); found != "ok")
+    if (const std::string found = connection.text("PRAGMA quick_check(1)"); found != "ok") {
+        // The disk may fail only now and then.
+        if (found.find("error code") != std::string::npos)
+            throw sqlite::Failure{SQLITE_IOERR, EIO, found};
         throw sqlite::Failure::damage(found);
+    }
     connection.run("PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL");
     if (connection.text("PRAGMA journal_mode") != "wal")
         return fail(ErrorCode::FileNotWritable,

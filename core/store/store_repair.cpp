@@ -119,6 +119,10 @@ Result<void> replaceDamagedStore(const fs::path& database)
     auto built =
         buildStore(database, withEnding(database, recoveredEnding + stamp), [&](Connection& to) {
             recoverRows(database, to);
+            // What the user has decided about earlier losses does not reach this one.
+            to.run(
+                "UPDATE drive SET accepted_loss = min(accepted_loss, (SELECT coalesce(max(id), 0) "
+                "FROM flash_loss))");
             records::addFlashLoss(
                 to, std::nullopt, database.filename().string() + damagedEnding + stamp);
         });

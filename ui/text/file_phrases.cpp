@@ -32,6 +32,17 @@ constexpr const char* filePhraseList[] = {
         "it was kept about a write that did not end, but is damaged ({reason}). Look at what the "
         "drive holds, then delete the file"),
     QT_TRANSLATE_NOOP("Error", "it is about axis {axis} of drive {drive}"),
+    QT_TRANSLATE_NOOP("Error", "it is damaged"),
+    QT_TRANSLATE_NOOP("Error", "it cannot be renamed: {reason}"),
+    QT_TRANSLATE_NOOP("Error", "it is not an ordinary file; move it away"),
+    QT_TRANSLATE_NOOP("Error", "it is the database of another program; move it away"),
+    QT_TRANSLATE_NOOP("Error", "a newer version of this program has written it; use that version"),
+    QT_TRANSLATE_NOOP("Error", "the file is read-only"),
+    QT_TRANSLATE_NOOP("Error", "the file or its folder is read-only"),
+    QT_TRANSLATE_NOOP("Error", "this file system cannot share it between programs"),
+    QT_TRANSLATE_NOOP("Error",
+        "it is on a network file system, where a database can be damaged; set XDG_STATE_HOME to "
+        "a folder on this computer"),
     QT_TRANSLATE_NOOP("Error", "this is not JSON"),
     QT_TRANSLATE_NOOP("Error", "the document"),
     QT_TRANSLATE_NOOP("Error", "line {line}, column {column}"),
