@@ -19,6 +19,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::int32_t serial = 1559;
+constexpr int momentStep = 11; ///< of some hundred system calls
 const WallTime start = *utcFromText("2026-11-21T08:02:23.25Z");
 
 /// A state folder that the last version before the database has written.
@@ -163,7 +164,8 @@ void TestJsonImport::killedAnywhereNothingIsLostOrThereTwice()
             QVERIFY(fs::exists(m_root / "1559" / "flash.json.imported"));
             QVERIFY(!fs::exists(m_root / "1559" / "flash.json"));
             prepare();
-        });
+        },
+        momentStep);
     QVERIFY2(moments > 50, std::to_string(moments).c_str());
 }
 

@@ -20,6 +20,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::int32_t serial = 1559;
+constexpr int momentStep = 11; ///< of some hundred system calls
 const WallTime start = *utcFromText("2026-11-21T08:02:23Z");
 const FlashWearLimits limits{.operations = 8, .window = 10min};
 
@@ -187,7 +188,8 @@ void TestStoreDamage::killedAnywhereItIsReplacedInTheEnd()
             QVERIFY(fs::exists(*history->damagedRecord));
             QCOMPARE(damagedFiles(m_root).size(), std::size_t{1});
             prepare();
-        });
+        },
+        momentStep);
     QVERIFY2(moments > 50, std::to_string(moments).c_str());
 }
 
