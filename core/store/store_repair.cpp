@@ -86,7 +86,8 @@ Result<void> buildStore(
             return removed;
     {
         Connection to(building, std::chrono::milliseconds{0});
-        to.run("PRAGMA synchronous = EXTRA");
+        to.run(
+            "PRAGMA journal_mode = OFF; PRAGMA synchronous = FULL"); // it is whole or thrown away
         migrateStore(to);
         sqlite::Transaction transaction(to, sqlite::Transaction::Kind::Write);
         fill(to);
