@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
+#include <charconv>
 #include <string>
 #include <utility>
 
@@ -35,6 +37,17 @@ bool isOnNetwork(const fs::path& folder)
     return ::statfs(folder.c_str(), &system) == 0
         && std::ranges::find(networkFileSystems, static_cast<std::uint32_t>(system.f_type))
         != networkFileSystems.end();
+}
+
+/// Of quick_check: the disk or the memory failed, which does not damage anything.
+bool isReadError(std::string_view found)
+{
+    constexpr std::string_view words = "error code=";
+    const std::size_t at = found.find(words);
+    int code = 0;
+    if (at != std::string_view::npos)
+        std::from_chars(found.data() + at + words.size(), found.data() + found.size(), code);
+    return (code & 0xff) == SQLITE_IOERR || (code & 0xff) == SQLITE_NOMEM;
 }
 
 tl::unexpected<Error> unusable(const fs::path& file, const std::string& reason)
@@ -176,12 +189,8 @@ Result<void> StoreDatabase::openFile()
     if (connection.isReadOnly())
         return fail(ErrorCode::FileNotWritable,
             {{"file", m_file.string()}, {"reason", "the file is read-only"}});
-    if (const std::string found = connection.text("PRAGMA quick_check(1)"); found != "ok") {
-        // The disk may fail only now and then.
-        if (found.find("error code") != std::string::npos)
-            throw sqlite::Failure{SQLITE_IOERR, EIO, found};
-        throw sqlite::Failure::damage(found);
-    }
+    if (const std::string found = connection.text("PRAGMA quick_check(1)"); found != "ok")
+        throw sqlite::Failure{isReadError(found) ? SQLITE_IOERR : SQLITE_CORRUPT, EIO, found};
     connection.run("PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL");
     if (connection.text("PRAGMA journal_mode") != "wal")
         return fail(ErrorCode::FileNotWritable,
