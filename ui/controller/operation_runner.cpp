@@ -9,13 +9,6 @@
 
 namespace axiscomp::ui {
 
-std::string requestedSource(const DimSource& source)
-{
-    return source.path.empty()
-        ? QStringLiteral("0x%1").arg(source.address, 8, 16, QChar(u'0')).toStdString()
-        : source.path;
-}
-
 namespace {
 
 /// All sources, so that those of dimensions that are no longer chosen are taken away.

@@ -59,24 +59,69 @@ void copyValue(Field field, const EditedSetup& from, EditedSetup& to)
     to.sources[index] = from.sources[index];
 }
 
+QVariant valueOf(Field field, const EditedSetup& setup)
+{
+    switch (field) {
+    case Field::Dimensionality:
+        return setup.dimensionality;
+    case Field::Table:
+        return setup.table.fileTable ? QVariant(*setup.table.fileTable) : QVariant();
+    case Field::Persistency:
+        return setup.persistency == Persistency::Persistent;
+    case Field::Source1:
+    case Field::Source2:
+    case Field::Source3:
+        break;
+    }
+    const DimSource& source = setup.sources[static_cast<std::size_t>(sourceIndex(field))];
+    return source.isSet() ? QString::fromStdString(requestedSource(source)) : QString();
+}
+
 } // namespace
 
-SetupModel::SetupModel(QObject* parent) : QObject(parent) { }
-
-bool SetupModel::hasBaseline() const
+std::string requestedSource(const DimSource& source)
 {
-    return m_baseline.has_value();
+    return source.path.empty()
+        ? QStringLiteral("0x%1").arg(source.address, 8, 16, QChar(u'0')).toStdString()
+        : source.path;
+}
+
+SetupModel::SetupModel(QObject* parent) : QAbstractTableModel(parent) { }
+
+int SetupModel::rowCount(const QModelIndex& parent) const
+{
+    return parent.isValid() ? 0 : static_cast<int>(allFields.size());
+}
+
+int SetupModel::columnCount(const QModelIndex& parent) const
+{
+    return parent.isValid() ? 0 : 1;
+}
+
+QVariant SetupModel::data(const QModelIndex& index, int role) const
+{
+    if (!checkIndex(index, CheckIndexOption::IndexIsValid))
+        return {};
+    const Field field = allFields.at(static_cast<std::size_t>(index.row()));
+    switch (role) {
+    case Qt::DisplayRole:
+    case Qt::EditRole:
+        return valueOf(field, m_edited);
+    case DriveValueRole:
+        return m_baseline ? valueOf(field, asEdited(*m_baseline)) : QVariant();
+    case DirtyRole:
+        return isDirty(field);
+    case ProblemRole:
+        return problem(field);
+    default:
+        return {};
+    }
 }
 
 const CompensationSetup& SetupModel::baseline() const
 {
     static const CompensationSetup none;
     return m_baseline ? *m_baseline : none;
-}
-
-const EditedSetup& SetupModel::edited() const
-{
-    return m_edited;
 }
 
 /// Changes the values and announces every field that looks different afterwards.
@@ -90,9 +135,12 @@ template <typename Change> void SetupModel::apply(const Change& change)
     change();
     for (std::size_t i = 0; i < allFields.size(); ++i) {
         const Field field = allFields[i];
-        if (!sameValue(field, before, m_edited) || wasDirty[i] != isDirty(field)
-            || baselineBefore != m_baseline)
-            Q_EMIT fieldChanged(field);
+        if (sameValue(field, before, m_edited) && wasDirty[i] == isDirty(field)
+            && baselineBefore == m_baseline)
+            continue;
+        const QModelIndex row = index(static_cast<int>(i), 0);
+        Q_EMIT dataChanged(row, row, {Qt::DisplayRole, Qt::EditRole, DriveValueRole, DirtyRole});
+        Q_EMIT fieldChanged(field);
     }
 }
 
@@ -174,6 +222,19 @@ void SetupModel::revert()
 {
     if (m_baseline)
         apply([&] { m_edited = asEdited(*m_baseline); });
+}
+
+QString SetupModel::problem(Field field) const
+{
+    const Wording& problem = m_problems[static_cast<std::size_t>(field)];
+    return problem ? problem() : QString();
+}
+
+void SetupModel::setProblem(Field field, const Wording& problem)
+{
+    m_problems[static_cast<std::size_t>(field)] = problem;
+    const QModelIndex row = index(static_cast<int>(field), 0);
+    Q_EMIT dataChanged(row, row, {ProblemRole});
 }
 
 } // namespace axiscomp::ui

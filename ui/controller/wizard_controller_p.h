@@ -24,9 +24,6 @@
 
 namespace axiscomp::ui {
 
-/// As a request names it: by its path, by its address when it has none.
-[[nodiscard]] std::string requestedSource(const DimSource& source);
-
 struct WizardController::Private {
     Q_DECLARE_TR_FUNCTIONS(axiscomp::ui::WizardController)
 
