@@ -4531,6 +4531,29 @@
     </message>
 </context>
 <context>
+    <name>axiscomp::ui::AxisState</name>
+    <message>
+        <source>Compensation: %1.</source>
+        <translation>Kompensation: %1.</translation>
+    </message>
+    <message>
+        <source>Homing: %1.</source>
+        <translation>Referenzierung: %1.</translation>
+    </message>
+    <message>
+        <source>The compensation is in error: %1.</source>
+        <translation>Die Kompensation meldet einen Fehler: %1.</translation>
+    </message>
+    <message>
+        <source>The drive is in error: %1.</source>
+        <translation>Der Antrieb meldet einen Fehler: %1.</translation>
+    </message>
+    <message>
+        <source>Somebody else changed the settings of the axis on the drive.</source>
+        <translation>Die Einstellungen der Achse wurden im Antrieb von anderer Seite geändert.</translation>
+    </message>
+</context>
+<context>
     <name>axiscomp::ui::CertificateButton</name>
     <message>
         <source>Forget Cert&amp;ificate</source>
@@ -5153,6 +5176,17 @@
     </message>
 </context>
 <context>
+    <name>axiscomp::ui::DriveList</name>
+    <message>
+        <source>Connected to %1 (%2).</source>
+        <translation>Verbunden mit %1 (%2).</translation>
+    </message>
+    <message>
+        <source>Another drive answers at %1 now: %2. Unwritten changes were dropped.</source>
+        <translation>Unter %1 antwortet jetzt ein anderer Antrieb: %2. Nicht geschriebene Änderungen wurden verworfen.</translation>
+    </message>
+</context>
+<context>
     <name>axiscomp::ui::DropFrame</name>
     <message>
         <source>Drop to open %1</source>
@@ -5481,6 +5515,13 @@
     </message>
 </context>
 <context>
+    <name>axiscomp::ui::MultiAxisController</name>
+    <message>
+        <source>The writes are not planned yet.</source>
+        <translation>Die Schreibvorgänge sind noch nicht geplant.</translation>
+    </message>
+</context>
+<context>
     <name>axiscomp::ui::MultiAxisDialog</name>
     <message>
         <source>Write Several Axes</source>
@@ -5681,6 +5722,43 @@
     <message>
         <source>Flash operations of all together: %1; left for now afterwards: %2.</source>
         <translation>Flash-Vorgänge aller zusammen: %1; danach vorerst übrig: %2.</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::OperationRunner</name>
+    <message>
+        <source>Begin: %1 %2.</source>
+        <translation>Beginn: %1 %2.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>The fields were changed while the write was planned: write again.</source>
+        <translation>Während der Planung wurden Felder geändert: neu schreiben.</translation>
+    </message>
+    <message>
+        <source>The drive or the fields have changed since the write was planned: write again.</source>
+        <translation>Antrieb oder Felder haben sich seit der Planung geändert: neu schreiben.</translation>
+    </message>
+    <message>
+        <source>%1: stopping</source>
+        <translation>%1: wird gestoppt</translation>
+    </message>
+    <message>
+        <source>Stopped by the user.</source>
+        <translation>Vom Benutzer abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Begin: %1, %2.</source>
+        <comment>task and drive</comment>
+        <translation>Beginn: %1, %2.</translation>
+    </message>
+    <message>
+        <source>%1: %2, %3</source>
+        <comment>task, axis and step</comment>
+        <translation>%1: %2, %3</translation>
     </message>
 </context>
 <context>
@@ -6211,6 +6289,13 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
     </message>
 </context>
 <context>
+    <name>axiscomp::ui::SourceCheck</name>
+    <message>
+        <source>The drive is not connected: the source cannot be checked.</source>
+        <translation>Der Antrieb ist nicht verbunden: die Quelle lässt sich nicht prüfen.</translation>
+    </message>
+</context>
+<context>
     <name>axiscomp::ui::StatusStrip</name>
     <message>
         <source>compensation off</source>
@@ -6362,6 +6447,17 @@ B - A: %3</translation>
     </message>
 </context>
 <context>
+    <name>axiscomp::ui::TableSelection</name>
+    <message>
+        <source>%1 has been read: %2 points, tables: %3.</source>
+        <translation>%1 wurde gelesen: %2 Stützstellen, Tabellen: %3.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be used: %2 problems.</source>
+        <translation>%1 ist nicht verwendbar, Anzahl der Fehler: %2.</translation>
+    </message>
+</context>
+<context>
     <name>axiscomp::ui::TableViewModel</name>
     <message>
         <source>No table</source>
@@ -6452,86 +6548,8 @@ B - A: %3</translation>
 <context>
     <name>axiscomp::ui::WizardController</name>
     <message>
-        <source>Compensation: %1.</source>
-        <translation>Kompensation: %1.</translation>
-    </message>
-    <message>
-        <source>Homing: %1.</source>
-        <translation>Referenzierung: %1.</translation>
-    </message>
-    <message>
-        <source>The compensation is in error: %1.</source>
-        <translation>Die Kompensation meldet einen Fehler: %1.</translation>
-    </message>
-    <message>
-        <source>The drive is in error: %1.</source>
-        <translation>Der Antrieb meldet einen Fehler: %1.</translation>
-    </message>
-    <message>
-        <source>Somebody else changed the settings of the axis on the drive.</source>
-        <translation>Die Einstellungen der Achse wurden im Antrieb von anderer Seite geändert.</translation>
-    </message>
-    <message>
         <source>Another axis can be chosen when this has ended.</source>
         <translation>Erst nach dem Ende dieses Vorgangs lässt sich eine andere Achse wählen.</translation>
-    </message>
-    <message>
-        <source>Connected to %1 (%2).</source>
-        <translation>Verbunden mit %1 (%2).</translation>
-    </message>
-    <message>
-        <source>Another drive answers at %1 now: %2. Unwritten changes were dropped.</source>
-        <translation>Unter %1 antwortet jetzt ein anderer Antrieb: %2. Nicht geschriebene Änderungen wurden verworfen.</translation>
-    </message>
-    <message>
-        <source>Begin: %1 %2.</source>
-        <translation>Beginn: %1 %2.</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
-    </message>
-    <message>
-        <source>The fields were changed while the write was planned: write again.</source>
-        <translation>Während der Planung wurden Felder geändert: neu schreiben.</translation>
-    </message>
-    <message>
-        <source>The drive or the fields have changed since the write was planned: write again.</source>
-        <translation>Antrieb oder Felder haben sich seit der Planung geändert: neu schreiben.</translation>
-    </message>
-    <message>
-        <source>%1: stopping</source>
-        <translation>%1: wird gestoppt</translation>
-    </message>
-    <message>
-        <source>Stopped by the user.</source>
-        <translation>Vom Benutzer abgebrochen.</translation>
-    </message>
-    <message>
-        <source>The drive is not connected: the source cannot be checked.</source>
-        <translation>Der Antrieb ist nicht verbunden: die Quelle lässt sich nicht prüfen.</translation>
-    </message>
-    <message>
-        <source>%1 has been read: %2 points, tables: %3.</source>
-        <translation>%1 wurde gelesen: %2 Stützstellen, Tabellen: %3.</translation>
-    </message>
-    <message>
-        <source>%1 cannot be used: %2 problems.</source>
-        <translation>%1 ist nicht verwendbar, Anzahl der Fehler: %2.</translation>
-    </message>
-    <message>
-        <source>Begin: %1, %2.</source>
-        <comment>task and drive</comment>
-        <translation>Beginn: %1, %2.</translation>
-    </message>
-    <message>
-        <source>%1: %2, %3</source>
-        <comment>task, axis and step</comment>
-        <translation>%1: %2, %3</translation>
-    </message>
-    <message>
-        <source>The writes are not planned yet.</source>
-        <translation>Die Schreibvorgänge sind noch nicht geplant.</translation>
     </message>
 </context>
 <context>

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/error.h"
 #include "core/base/wall_time.h"
 #include "ui/text/language.h"
 
+#include <QObject>
 #include <QString>
 
 #include <vector>
@@ -20,17 +22,18 @@ struct LogLine {
 };
 
 /// What happened, in order; only the newest lines are kept.
-class WizardLog {
+class WizardLog : public QObject {
+    Q_OBJECT
+
 public:
     static constexpr std::size_t capacity = 1000;
 
-    void add(LogLine::Kind kind, const Wording& text, const QString& detail = {})
-    {
-        if (m_lines.size() == capacity)
-            m_lines.erase(m_lines.begin());
-        m_lines.push_back({++m_count, std::chrono::system_clock::now(), kind, text, detail});
-    }
+    void add(LogLine::Kind kind, const Wording& text, const QString& detail = {});
+    void add(const Error& error);
     [[nodiscard]] const std::vector<LogLine>& lines() const { return m_lines; }
+
+Q_SIGNALS:
+    void added();
 
 private:
     std::vector<LogLine> m_lines;
