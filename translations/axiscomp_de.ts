@@ -4108,16 +4108,16 @@
         <translation>Planung</translation>
     </message>
     <message>
-        <source>keeping the old state in a backup</source>
-        <translation>alten Stand sichern</translation>
+        <source>backing up the old state</source>
+        <translation>der alte Zustand wird gesichert</translation>
     </message>
     <message>
-        <source>checking that nothing has changed meanwhile</source>
-        <translation>prüfen, ob sich inzwischen nichts geändert hat</translation>
+        <source>checking for changes since the plan</source>
+        <translation>es wird geprüft, ob sich seit der Planung etwas geändert hat</translation>
     </message>
     <message>
-        <source>switching the axis to no table</source>
-        <translation>Achse von der Tabelle trennen</translation>
+        <source>detaching the table from the axis</source>
+        <translation>die Tabelle wird von der Achse gelöst</translation>
     </message>
     <message>
         <source>uploading the table</source>
@@ -4144,8 +4144,8 @@
         <translation>zurücklesen</translation>
     </message>
     <message>
-        <source>putting the old state back</source>
-        <translation>alten Stand zurückstellen</translation>
+        <source>rolling back</source>
+        <translation>der alte Zustand wird wiederhergestellt</translation>
     </message>
     <message>
         <source>reading the table</source>
@@ -4155,8 +4155,8 @@
 <context>
     <name>TablePlot</name>
     <message>
-        <source>The file&apos;s name must end in .png, .pdf or .csv, so that its format is known.</source>
-        <translation>Der Dateiname muss auf .png, .pdf oder .csv enden, damit das Format bekannt ist.</translation>
+        <source>The file name must end in .png, .pdf or .csv.</source>
+        <translation>Der Dateiname muss auf .png, .pdf oder .csv enden.</translation>
     </message>
     <message>
         <source>There is no table to save.</source>
@@ -4200,8 +4200,8 @@
         <translation>&amp;Aktivieren</translation>
     </message>
     <message>
-        <source>More about activation</source>
-        <translation>Weiteres zum Aktivieren</translation>
+        <source>More actions</source>
+        <translation>Weitere Aktionen</translation>
     </message>
     <message>
         <source>Evaluate, or restore the previous table</source>
@@ -4212,44 +4212,44 @@
         <translation>&amp;Deaktivieren</translation>
     </message>
     <message>
-        <source>&amp;Evaluate Without Adding</source>
-        <translation>&amp;Auswerten ohne Addieren</translation>
+        <source>&amp;Evaluate (Adds Nothing)</source>
+        <translation>Aus&amp;werten (ohne Aufschaltung)</translation>
     </message>
     <message>
         <source>Restore &amp;Previous Table…</source>
         <translation>&amp;Vorherige Tabelle wiederherstellen…</translation>
     </message>
     <message>
-        <source>What comes next</source>
+        <source>Next step</source>
         <translation>Nächster Schritt</translation>
     </message>
     <message>
-        <source>Writes the table and the settings to the drive and reads them back (Ctrl+Return)</source>
-        <translation>Schreibt Tabelle und Einstellungen in den Antrieb und liest sie zurück (Strg+Eingabe)</translation>
+        <source>Writes table and settings to the drive and verifies them (Ctrl+Return)</source>
+        <translation>Schreibt Tabelle und Einstellungen in den Antrieb und prüft sie (Strg+Eingabe)</translation>
     </message>
     <message>
-        <source>Puts the drive&apos;s values back into all fields (Ctrl+Shift+R)</source>
-        <translation>Stellt in allen Feldern die Werte des Antriebs wieder her (Strg+Umschalt+R)</translation>
+        <source>Resets all fields to the drive&apos;s values (Ctrl+Shift+R)</source>
+        <translation>Setzt alle Felder auf die Werte des Antriebs zurück (Strg+Umschalt+R)</translation>
     </message>
     <message>
-        <source>The drive adds the compensation from now on; compared with the table at once</source>
-        <translation>Der Antrieb addiert ab jetzt die Kompensation; sie wird sofort mit der Tabelle verglichen</translation>
+        <source>Switches the compensation on, then compares the drive&apos;s output with the table</source>
+        <translation>Schaltet die Kompensation ein und vergleicht dann den Ausgang des Antriebs mit der Tabelle</translation>
     </message>
     <message>
-        <source>The drive no longer adds the compensation</source>
-        <translation>Der Antrieb addiert die Kompensation nicht mehr</translation>
+        <source>Switches the compensation off</source>
+        <translation>Schaltet die Kompensation aus</translation>
     </message>
     <message>
-        <source>The drive checks table and sources and shows the indices, but adds nothing</source>
-        <translation>Der Antrieb prüft Tabelle und Quellen und zeigt die Indizes, addiert aber nichts</translation>
+        <source>The drive looks up the table and shows the indices, but adds nothing</source>
+        <translation>Der Antrieb liest die Tabelle und zeigt die Indizes, schaltet aber nichts auf</translation>
     </message>
     <message>
-        <source>Writes the table and the settings that the axis had before the last write</source>
-        <translation>Schreibt die Tabelle und die Einstellungen, die die Achse vor dem letzten Schreiben hatte</translation>
+        <source>Writes back the table and settings from before the last write</source>
+        <translation>Schreibt Tabelle und Einstellungen von vor dem letzten Schreiben zurück</translation>
     </message>
     <message>
-        <source>Write or go back in the list on the right</source>
-        <translation>In der Liste rechts schreiben oder zurückgehen</translation>
+        <source>Continue in the preview on the right</source>
+        <translation>Weiter in der Vorschau rechts</translation>
     </message>
 </context>
 <context>
@@ -4259,8 +4259,8 @@
         <translation>Kein Antrieb ist verbunden: zuerst eine Verbindung hinzufügen.</translation>
     </message>
     <message>
-        <source>The drives are being asked for their axes.</source>
-        <translation>Die Antriebe werden nach ihren Achsen gefragt.</translation>
+        <source>Reading the axes of the drives.</source>
+        <translation>Die Achsen der Antriebe werden gelesen.</translation>
     </message>
     <message>
         <source>Choose an axis first.</source>
@@ -4315,12 +4315,12 @@
         <translation>Die Tabelle braucht %1 Byte, der größte Tabellenplatz hat %2.</translation>
     </message>
     <message>
-        <source>Flash wear: wait %1, or write volatile.</source>
-        <translation>Flash-Abnutzung: %1 warten oder flüchtig schreiben.</translation>
+        <source>To spare the flash, wait %1 or write volatile.</source>
+        <translation>Zur Schonung des Flash-Speichers %1 warten oder flüchtig schreiben.</translation>
     </message>
     <message>
-        <source>Flash wear: wait %1.</source>
-        <translation>Flash-Abnutzung: %1 warten.</translation>
+        <source>To spare the flash, wait %1.</source>
+        <translation>Zur Schonung des Flash-Speichers %1 warten.</translation>
     </message>
     <message>
         <source>Nothing has changed.</source>
@@ -4331,52 +4331,52 @@
         <translation>Die Datei wird gelesen.</translation>
     </message>
     <message>
-        <source>Parameters must be written.</source>
-        <translation>Zuerst müssen die Parameter geschrieben werden.</translation>
+        <source>The parameters still have to be saved.</source>
+        <translation>Die Parameter müssen noch gespeichert werden.</translation>
     </message>
     <message>
         <source>The axis has no table on the drive: write one first.</source>
         <translation>Die Achse hat keine Tabelle im Antrieb: zuerst eine schreiben.</translation>
     </message>
     <message>
-        <source>An earlier write left the axis in neither the old nor the new state: write again, or restore the previous state.</source>
-        <translation>Ein früheres Schreiben hat die Achse weder im alten noch im neuen Stand hinterlassen: neu schreiben oder den vorherigen Stand wiederherstellen.</translation>
+        <source>An earlier write left the axis in neither the old nor the new state: write again or restore the previous state.</source>
+        <translation>Ein früherer Schreibvorgang hat die Achse weder im alten noch im neuen Zustand hinterlassen: erneut schreiben oder den vorigen Zustand wiederherstellen.</translation>
     </message>
     <message>
-        <source>The compensation is active already.</source>
-        <translation>Die Kompensation ist schon aktiv.</translation>
+        <source>The compensation is already active.</source>
+        <translation>Die Kompensation ist bereits aktiv.</translation>
     </message>
     <message>
         <source>The axis must be homed first.</source>
         <translation>Die Achse muss zuerst referenziert werden.</translation>
     </message>
     <message>
-        <source>The compensation is being evaluated already.</source>
-        <translation>Die Kompensation wird schon ausgewertet.</translation>
+        <source>The compensation is already being evaluated.</source>
+        <translation>Die Kompensation wird bereits ausgewertet.</translation>
     </message>
     <message>
         <source>The compensation is not active.</source>
         <translation>Die Kompensation ist nicht aktiv.</translation>
     </message>
     <message>
-        <source>There is no backup of this axis yet: one is made before every write.</source>
-        <translation>Von dieser Achse gibt es noch keine Sicherung: vor jedem Schreiben wird eine angelegt.</translation>
+        <source>This axis has no backup yet; every write makes one.</source>
+        <translation>Diese Achse hat noch keine Sicherung; jedes Schreiben legt eine an.</translation>
     </message>
     <message>
         <source>Nothing is running.</source>
         <translation>Es läuft nichts.</translation>
     </message>
     <message>
-        <source>It is being stopped already.</source>
-        <translation>Es wird schon gestoppt.</translation>
+        <source>It is already being stopped.</source>
+        <translation>Es wird bereits angehalten.</translation>
     </message>
     <message>
         <source>Finishes an earlier write: saves the parameters of the drive.</source>
         <translation>Schließt ein früheres Schreiben ab: speichert die Parameter des Antriebs.</translation>
     </message>
     <message>
-        <source>Writes to the drive and stores in flash: %1 of %2 flash operations that are possible now.</source>
-        <translation>Schreibt in den Antrieb und in seinen Flash-Speicher: %1 von %2 jetzt möglichen Flash-Vorgängen.</translation>
+        <source>Writes to the drive and stores in flash; uses %1 of the %2 flash operations available now.</source>
+        <translation>Schreibt in den Antrieb und in den Flash-Speicher; braucht %1 der %2 jetzt verfügbaren Flash-Vorgänge.</translation>
     </message>
     <message>
         <source>Writes to the drive and stores in flash.</source>
@@ -4387,32 +4387,32 @@
         <translation>Schreibt in den Antrieb und speichert seine Parameter; die Tabelle im Flash-Speicher bleibt.</translation>
     </message>
     <message>
-        <source>Writes to the drive; a reboot of the drive brings the stored state back.</source>
-        <translation>Schreibt in den Antrieb; ein Neustart des Antriebs bringt den gespeicherten Stand zurück.</translation>
+        <source>Writes to the drive; a reboot of the drive restores the stored state.</source>
+        <translation>Schreibt in den Antrieb; ein Neustart des Antriebs stellt den gespeicherten Zustand wieder her.</translation>
     </message>
     <message>
-        <source>Adds the table&apos;s values to the encoder position, then proves that the drive adds what the table says.</source>
-        <translation>Addiert die Werte der Tabelle zur Geberposition und weist dann nach, dass der Antrieb addiert, was die Tabelle sagt.</translation>
+        <source>Adds the table to the encoder position and proves that the drive&apos;s output matches the table.</source>
+        <translation>Addiert die Tabelle zur Geberposition und weist nach, dass der Ausgang des Antriebs der Tabelle entspricht.</translation>
     </message>
     <message>
-        <source>Lets the drive check table and sources and look up, without adding anything.</source>
-        <translation>Lässt den Antrieb Tabelle und Quellen prüfen und nachschlagen, ohne etwas zu addieren.</translation>
+        <source>The drive looks up the table without adding anything.</source>
+        <translation>Der Antrieb liest die Tabelle, ohne etwas aufzuschalten.</translation>
     </message>
     <message>
         <source>Switches the compensation off; table and settings stay on the drive.</source>
         <translation>Schaltet die Kompensation aus; Tabelle und Einstellungen bleiben im Antrieb.</translation>
     </message>
     <message>
-        <source>Puts the drive&apos;s values back into the fields.</source>
-        <translation>Stellt in den Feldern die Werte des Antriebs wieder her.</translation>
+        <source>Resets the fields to the drive&apos;s values.</source>
+        <translation>Setzt die Felder auf die Werte des Antriebs zurück.</translation>
     </message>
     <message>
-        <source>Writes the table and the sources that the axis had before.</source>
-        <translation>Schreibt die Tabelle und die Quellen, die die Achse vorher hatte.</translation>
+        <source>Writes back the previous table and sources.</source>
+        <translation>Schreibt die vorige Tabelle und die vorigen Quellen zurück.</translation>
     </message>
     <message>
-        <source>Looks for drives and axes again and reads the axis.</source>
-        <translation>Sucht erneut nach Antrieben und Achsen und liest die Achse.</translation>
+        <source>Searches for drives and axes again and reads the axis.</source>
+        <translation>Sucht Antriebe und Achsen erneut und liest die Achse.</translation>
     </message>
     <message>
         <source>Opens a file of compensation data, .csv or .TAMtbl.</source>
@@ -4423,8 +4423,8 @@
         <translation>Bricht das Lesen der Datei ab.</translation>
     </message>
     <message>
-        <source>Stops the write and puts the old state back.</source>
-        <translation>Bricht das Schreiben ab und stellt den alten Stand zurück.</translation>
+        <source>Stops the write and rolls back.</source>
+        <translation>Hält das Schreiben an und stellt den alten Zustand wieder her.</translation>
     </message>
     <message>
         <source>Stops what is running.</source>
@@ -4435,8 +4435,8 @@
         <translation>%1 ...</translation>
     </message>
     <message>
-        <source>An earlier write did not end: the parameters may not be saved. Write to finish it.</source>
-        <translation>Ein früheres Schreiben wurde nicht beendet: die Parameter sind vielleicht nicht gespeichert. Zum Abschließen schreiben.</translation>
+        <source>An earlier write was interrupted: its parameters may not be saved. Write to finish it.</source>
+        <translation>Ein früherer Schreibvorgang wurde unterbrochen: die Parameter sind womöglich nicht gespeichert. Schreiben vollendet ihn.</translation>
     </message>
     <message>
         <source>The compensation is active.</source>
@@ -4447,16 +4447,16 @@
         <translation>Die Kompensation wird nur ausgewertet: der Antrieb addiert nichts.</translation>
     </message>
     <message>
-        <source>No write to this axis is unfinished.</source>
-        <translation>Für diese Achse ist kein Schreibvorgang unvollendet.</translation>
+        <source>This axis has no unfinished write.</source>
+        <translation>Diese Achse hat keinen unvollendeten Schreibvorgang.</translation>
     </message>
     <message>
-        <source>Brings the drive to the complete new state of the write that did not end.</source>
-        <translation>Bringt den Antrieb auf den vollständigen neuen Stand des nicht beendeten Schreibvorgangs.</translation>
+        <source>Completes the interrupted write.</source>
+        <translation>Vollendet den unterbrochenen Schreibvorgang.</translation>
     </message>
     <message>
-        <source>Brings the drive back to the complete state before the write that did not end.</source>
-        <translation>Bringt den Antrieb auf den vollständigen Stand vor dem nicht beendeten Schreibvorgang zurück.</translation>
+        <source>Restores the state before the interrupted write.</source>
+        <translation>Stellt den Zustand vor dem unterbrochenen Schreibvorgang wieder her.</translation>
     </message>
     <message>
         <source>Open a file with several columns of values first.</source>
@@ -4467,8 +4467,8 @@
         <translation>Der Antrieb hat keine zweite Achse mit Kompensationsregistern.</translation>
     </message>
     <message>
-        <source>Writes columns of the open file, each to an axis of its own.</source>
-        <translation>Schreibt Spalten der geöffneten Datei, jede in ihre eigene Achse.</translation>
+        <source>Writes several columns of the open file, each to its own axis.</source>
+        <translation>Schreibt mehrere Spalten der offenen Datei, jede auf ihre Achse.</translation>
     </message>
     <message>
         <source>planning</source>
@@ -4549,8 +4549,8 @@
         <translation>Der Antrieb meldet einen Fehler: %1.</translation>
     </message>
     <message>
-        <source>Somebody else changed the settings of the axis on the drive.</source>
-        <translation>Die Einstellungen der Achse wurden im Antrieb von anderer Seite geändert.</translation>
+        <source>Another program changed the settings of this axis on the drive.</source>
+        <translation>Ein anderes Programm hat die Einstellungen dieser Achse im Antrieb geändert.</translation>
     </message>
 </context>
 <context>
@@ -4564,27 +4564,27 @@
         <translation>Zerti&amp;fikat …</translation>
     </message>
     <message>
-        <source>Trust the certificate of the chosen drive no longer</source>
-        <translation>Dem Zertifikat des gewählten Antriebs nicht länger vertrauen</translation>
+        <source>Stop trusting the certificate of the selected drive</source>
+        <translation>Dem Zertifikat des ausgewählten Antriebs nicht mehr vertrauen</translation>
     </message>
     <message>
-        <source>Look at the certificate of the chosen drive and decide about it</source>
-        <translation>Das Zertifikat des gewählten Antriebs ansehen und darüber entscheiden</translation>
+        <source>Show the certificate of the selected drive and decide whether to trust it</source>
+        <translation>Das Zertifikat des ausgewählten Antriebs zeigen und entscheiden, ob ihm vertraut wird</translation>
     </message>
 </context>
 <context>
     <name>axiscomp::ui::CertificateDialog</name>
     <message>
-        <source>Certificate of a Drive</source>
-        <translation>Zertifikat eines Antriebs</translation>
+        <source>Drive Certificate</source>
+        <translation>Zertifikat des Antriebs</translation>
     </message>
     <message>
-        <source>The certificate of this drive has CHANGED: it is not the one that was trusted. Either the drive got a new one, or something else answers in its place.</source>
-        <translation>Das Zertifikat dieses Antriebs hat sich GEÄNDERT: Es ist nicht das, dem vertraut wurde. Entweder hat der Antrieb ein neues bekommen, oder etwas anderes antwortet an seiner Stelle.</translation>
+        <source>The certificate of this drive has CHANGED since it was trusted. Either the drive has a new one, or another device answers at its address.</source>
+        <translation>Das Zertifikat dieses Antriebs hat sich GEÄNDERT, seit ihm vertraut wurde. Entweder hat der Antrieb ein neues, oder ein anderes Gerät antwortet unter seiner Adresse.</translation>
     </message>
     <message>
-        <source>Nobody known to this computer vouches for the certificate of this drive, so it is not certain that it is the drive that answers.</source>
-        <translation>Niemand, den dieser Rechner kennt, bürgt für das Zertifikat dieses Antriebs. Es ist deshalb nicht sicher, dass der Antrieb antwortet.</translation>
+        <source>No authority known to this computer has signed this certificate, so the identity of the drive cannot be confirmed.</source>
+        <translation>Keine diesem Rechner bekannte Stelle hat dieses Zertifikat unterschrieben; dass wirklich der Antrieb antwortet, ist daher nicht sicher.</translation>
     </message>
     <message>
         <source>Address</source>
@@ -4611,8 +4611,8 @@
         <translation>von %1 bis %2</translation>
     </message>
     <message>
-        <source>Trust it only when the fingerprint is the one that the drive itself, or its administrator, shows. Then this very certificate is accepted for this address, and any other one is refused.</source>
-        <translation>Vertrauen Sie ihm nur, wenn der Fingerabdruck der ist, den der Antrieb selbst oder sein Verwalter zeigt. Dann wird genau dieses Zertifikat für diese Adresse angenommen und jedes andere abgelehnt.</translation>
+        <source>Trust it only if the drive itself, or its administrator, shows the same fingerprint. From then on this address is accepted with this certificate only.</source>
+        <translation>Nur vertrauen, wenn der Antrieb selbst oder sein Verwalter denselben Fingerabdruck zeigt. Von da an wird diese Adresse nur mit diesem Zertifikat angenommen.</translation>
     </message>
     <message>
         <source>Do &amp;Not Trust</source>
@@ -4634,12 +4634,12 @@
 <context>
     <name>axiscomp::ui::ColumnMapping</name>
     <message>
-        <source>No axis is chosen: choose at least one.</source>
-        <translation>Keine Achse ist gewählt: mindestens eine wählen.</translation>
+        <source>Select at least one axis.</source>
+        <translation>Mindestens eine Achse auswählen.</translation>
     </message>
     <message>
-        <source>%1 is chosen twice: an axis has one table only.</source>
-        <translation>%1 ist zweimal gewählt: Eine Achse hat nur eine Tabelle.</translation>
+        <source>%1 is selected twice; an axis has only one table.</source>
+        <translation>%1 ist zweimal ausgewählt; eine Achse hat nur eine Tabelle.</translation>
     </message>
     <message>
         <source>Axis %1</source>
@@ -4678,8 +4678,8 @@
         <translation>Achse für %1</translation>
     </message>
     <message>
-        <source>The axis that gets the column %1</source>
-        <translation>Die Achse, die die Spalte %1 bekommt</translation>
+        <source>The axis for column %1</source>
+        <translation>Die Achse für Spalte %1</translation>
     </message>
 </context>
 <context>
@@ -4704,8 +4704,8 @@
         <translation>Die Antriebe der Liste verwenden</translation>
     </message>
     <message>
-        <source>Change no connection (Esc)</source>
-        <translation>Keine Verbindung ändern (Esc)</translation>
+        <source>Discard the changes (Esc)</source>
+        <translation>Die Änderungen verwerfen (Esc)</translation>
     </message>
     <message>
         <source>Connections</source>
@@ -4744,16 +4744,16 @@
         <translation>&amp;Testen</translation>
     </message>
     <message>
-        <source>Ask the drive at the chosen address who it is</source>
-        <translation>Den Antrieb unter der gewählten Adresse nach seinem Namen fragen</translation>
+        <source>Ask the drive at the selected address to identify itself</source>
+        <translation>Den Antrieb unter der ausgewählten Adresse nach seiner Identität fragen</translation>
     </message>
     <message>
         <source>De&amp;mo Drive</source>
         <translation>De&amp;mo-Antrieb</translation>
     </message>
     <message>
-        <source>Add the built-in demo drive: everything can be tried with it</source>
-        <translation>Eingebauten Demo-Antrieb hinzufügen: damit lässt sich alles ausprobieren</translation>
+        <source>Add the built-in demo drive to try everything without hardware</source>
+        <translation>Den eingebauten Demo-Antrieb hinzufügen, um alles ohne Hardware zu versuchen</translation>
     </message>
     <message>
         <source>&amp;Address</source>
@@ -4780,15 +4780,15 @@
         <translation>fragt an …</translation>
     </message>
     <message>
-        <source>This address is in the list already.</source>
-        <translation>Diese Adresse steht schon in der Liste.</translation>
+        <source>This address is already in the list.</source>
+        <translation>Diese Adresse steht bereits in der Liste.</translation>
     </message>
     <message>
         <source>Asking %1 …</source>
         <translation>%1 wird gefragt …</translation>
     </message>
     <message>
-        <source>Added, but there is no answer so far: %1</source>
+        <source>Added, but not answering yet: %1</source>
         <translation>Hinzugefügt, aber noch ohne Antwort: %1</translation>
     </message>
     <message>
@@ -4800,32 +4800,32 @@
         <translation>Ä&amp;ndern</translation>
     </message>
     <message>
-        <source>Checks the address and takes it into the list</source>
+        <source>Checks the address and adds it to the list</source>
         <translation>Prüft die Adresse und nimmt sie in die Liste auf</translation>
     </message>
     <message>
-        <source>Not while a drive is being written</source>
-        <translation>Nicht während in einen Antrieb geschrieben wird</translation>
+        <source>Not possible while a drive is being written</source>
+        <translation>Nicht möglich, während ein Antrieb geschrieben wird</translation>
     </message>
     <message>
-        <source>Drives are reached by their web server, for example http://192.168.1.20, or by a serial line, for example serial:/dev/ttyUSB0. A web address may carry a user name and a password, http://user:password@host: they are used until the program ends and never stored.</source>
-        <translation>Antriebe werden über ihren Webserver erreicht, zum Beispiel http://192.168.1.20, oder über eine serielle Leitung, zum Beispiel serial:/dev/ttyUSB0. Eine Webadresse kann Benutzernamen und Kennwort enthalten, http://user:password@host: Sie gelten bis zum Programmende und werden nie gespeichert.</translation>
+        <source>Drives are reached through their web server, such as http://192.168.1.20, or a serial line, such as serial:/dev/ttyUSB0. A web address may contain a user name and password (http://user:password@host); they are used until the program ends and never stored.</source>
+        <translation>Antriebe werden über ihren Webserver erreicht, etwa http://192.168.1.20, oder über eine serielle Leitung, etwa serial:/dev/ttyUSB0. Eine Webadresse kann Benutzernamen und Passwort enthalten (http://benutzer:passwort@host); sie gelten bis zum Ende des Programms und werden nie gespeichert.</translation>
     </message>
     <message>
         <source>&amp;Find …</source>
         <translation>Su&amp;chen …</translation>
     </message>
     <message>
-        <source>Look for drives at the serial ports of this computer</source>
-        <translation>An den seriellen Anschlüssen dieses Rechners nach Antrieben suchen</translation>
+        <source>Search the serial ports of this computer for drives</source>
+        <translation>Die seriellen Anschlüsse dieses Rechners nach Antrieben absuchen</translation>
     </message>
     <message>
         <source>The address of a drive&apos;s web server, or a serial port</source>
         <translation>Die Adresse des Webservers eines Antriebs oder ein serieller Anschluss</translation>
     </message>
     <message>
-        <source>The certificate of %1 is not trusted any longer.</source>
-        <translation>Dem Zertifikat von %1 wird nicht länger vertraut.</translation>
+        <source>The certificate of %1 is no longer trusted.</source>
+        <translation>Dem Zertifikat von %1 wird nicht mehr vertraut.</translation>
     </message>
 </context>
 <context>
@@ -4839,8 +4839,8 @@
         <translation>Wie vom Antrieb angewendet</translation>
     </message>
     <message>
-        <source>The table as the drive applies it, or converted for another controller as that one would: with its sign, and with its rules beyond the ends</source>
-        <translation>Die Tabelle, wie der Antrieb sie anwendet, oder für eine andere Steuerung umgerechnet, wie diese es täte: mit ihrem Vorzeichen und ihren Regeln jenseits der Enden</translation>
+        <source>The table as the drive applies it, or converted to another controller&apos;s convention: its sign, and its rules beyond the ends</source>
+        <translation>Die Tabelle, wie der Antrieb sie anwendet, oder umgerechnet für eine andere Steuerung: mit deren Vorzeichen und deren Regeln jenseits der Enden</translation>
     </message>
     <message>
         <source>Applied by</source>
@@ -4854,24 +4854,24 @@
         <translation>Abbre&amp;chen</translation>
     </message>
     <message>
-        <source>Leave everything as it is (Esc)</source>
-        <translation>Alles lassen, wie es ist (Esc)</translation>
+        <source>Change nothing (Esc)</source>
+        <translation>Nichts ändern (Esc)</translation>
     </message>
     <message>
-        <source>Wh&amp;at comes out</source>
-        <translation>Wa&amp;s herauskommt</translation>
+        <source>&amp;Result</source>
+        <translation>E&amp;rgebnis</translation>
     </message>
     <message>
-        <source>What comes out</source>
-        <translation>Was herauskommt</translation>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
     </message>
     <message>
         <source>What the conversion does to the numbers, with an example</source>
         <translation>Was die Umrechnung mit den Zahlen macht, mit einem Beispiel</translation>
     </message>
     <message>
-        <source>This is being computed.</source>
-        <translation>Das wird gerade berechnet.</translation>
+        <source>Computing …</source>
+        <translation>Wird berechnet …</translation>
     </message>
 </context>
 <context>
@@ -4881,8 +4881,8 @@
         <translation>Bitte das Format wählen.</translation>
     </message>
     <message>
-        <source>Enter the number for the even grid.</source>
-        <translation>Bitte die Zahl für das gleichmäßige Raster eingeben.</translation>
+        <source>Enter a number for the even grid.</source>
+        <translation>Eine Zahl für das gleichmäßige Gitter eingeben.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is no number, and no list such as 21; 31.</source>
@@ -4925,20 +4925,20 @@
         <translation>Das Format der neuen Datei</translation>
     </message>
     <message>
-        <source>What the values of the file are: added to the encoder position (feedback) or added to the commanded position (command)</source>
-        <translation>Was die Werte der Datei sind: zur Geberposition addiert (feedback) oder zur Sollposition addiert (command)</translation>
+        <source>Whether the file&apos;s values are added to the encoder position (feedback) or to the commanded position (command)</source>
+        <translation>Ob die Werte der Datei zur Geberposition (Geberseite) oder zur Sollposition (Sollseite) addiert werden</translation>
     </message>
     <message>
-        <source>What the values of the new file shall be: added to the encoder position (feedback) or added to the commanded position (command)</source>
-        <translation>Was die Werte der neuen Datei sein sollen: zur Geberposition addiert (feedback) oder zur Sollposition addiert (command)</translation>
+        <source>Whether the new file&apos;s values are to be added to the encoder position (feedback) or to the commanded position (command)</source>
+        <translation>Ob die Werte der neuen Datei zur Geberposition (Geberseite) oder zur Sollposition (Sollseite) addiert werden sollen</translation>
     </message>
     <message>
-        <source>The drive has one value for both directions of motion: which one it shall have</source>
-        <translation>Der Antrieb hat einen Wert für beide Bewegungsrichtungen: welchen er haben soll</translation>
+        <source>The drive holds one value for both directions of motion; choose which one</source>
+        <translation>Der Antrieb hat einen Wert für beide Bewegungsrichtungen; hier wird gewählt, welchen</translation>
     </message>
     <message>
-        <source>The table is used as it is, for an axis that stays within one revolution</source>
-        <translation>Die Tabelle wird verwendet, wie sie ist, für eine Achse, die innerhalb einer Umdrehung bleibt</translation>
+        <source>For an axis that stays within one revolution: the table is used as it is</source>
+        <translation>Für eine Achse, die innerhalb einer Umdrehung bleibt: die Tabelle wird unverändert verwendet</translation>
     </message>
     <message>
         <source>Brings the table onto evenly spaced positions</source>
@@ -5005,8 +5005,8 @@
         <translation>ein Abstand</translation>
     </message>
     <message>
-        <source>as coarse as a deviation allows</source>
-        <translation>so grob, wie eine Abweichung erlaubt</translation>
+        <source>coarsest within a deviation</source>
+        <translation>so grob wie eine Abweichung erlaubt</translation>
     </message>
     <message>
         <source>linear, as controllers do</source>
@@ -5037,8 +5037,8 @@
         <translation>Ab&amp;weichung</translation>
     </message>
     <message>
-        <source>In the unit of the values; the fewest points that keep it are looked for</source>
-        <translation>In der Einheit der Werte; gesucht werden die wenigsten Punkte, die sie einhalten</translation>
+        <source>In the unit of the values; the coarsest grid within it is used</source>
+        <translation>In der Einheit der Werte; das gröbste Gitter, das sie einhält, wird verwendet</translation>
     </message>
 </context>
 <context>
@@ -5104,8 +5104,8 @@
         <translation>Import&amp;optionen…</translation>
     </message>
     <message>
-        <source>Format, sign and even grid of the open file</source>
-        <translation>Format, Vorzeichen und gleichmäßiges Raster der offenen Datei</translation>
+        <source>Format, sign and grid of the open file</source>
+        <translation>Format, Vorzeichen und Gitter der offenen Datei</translation>
     </message>
 </context>
 <context>
@@ -5127,7 +5127,7 @@
         <translation>Der Antrieb der gewählten Achse und seine Adresse</translation>
     </message>
     <message>
-        <source>The drive of the chosen axis; all drives of the connections are here</source>
+        <source>The drive of the selected axis; lists all drives under Connections</source>
         <translation>Der Antrieb der gewählten Achse; hier stehen alle Antriebe der Verbindungen</translation>
     </message>
     <message>
@@ -5167,12 +5167,12 @@
         <translation>verbunden</translation>
     </message>
     <message>
-        <source>connection lost, trying again</source>
+        <source>connection lost, reconnecting</source>
         <translation>Verbindung verloren, neuer Versuch läuft</translation>
     </message>
     <message>
-        <source>Look for axes again and read everything from the drives (F5)</source>
-        <translation>Erneut nach Achsen suchen und alles aus den Antrieben lesen (F5)</translation>
+        <source>Search for axes again and read everything from the drives (F5)</source>
+        <translation>Achsen erneut suchen und alles aus den Antrieben lesen (F5)</translation>
     </message>
 </context>
 <context>
@@ -5182,7 +5182,7 @@
         <translation>Verbunden mit %1 (%2).</translation>
     </message>
     <message>
-        <source>Another drive answers at %1 now: %2. Unwritten changes were dropped.</source>
+        <source>A different drive now answers at %1: %2. Unwritten changes were discarded.</source>
         <translation>Unter %1 antwortet jetzt ein anderer Antrieb: %2. Nicht geschriebene Änderungen wurden verworfen.</translation>
     </message>
 </context>
@@ -5200,16 +5200,16 @@
         <translation>Für eine andere Steuerung exportieren</translation>
     </message>
     <message>
-        <source>The table &quot;%1&quot; is written as a file that another controller reads. The drive keeps what it has.</source>
-        <translation>Die Tabelle &quot;%1&quot; wird als Datei geschrieben, die eine andere Steuerung liest. Der Antrieb behält, was er hat.</translation>
+        <source>Writes the table &quot;%1&quot; to a file for another controller. Nothing on the drive changes.</source>
+        <translation>Schreibt die Tabelle &quot;%1&quot; in eine Datei für eine andere Steuerung. Am Antrieb ändert sich nichts.</translation>
     </message>
     <message>
         <source>E&amp;xport…</source>
         <translation>E&amp;xportieren…</translation>
     </message>
     <message>
-        <source>Choose where the file is written</source>
-        <translation>Wählen, wohin die Datei geschrieben wird</translation>
+        <source>Choose where to save the file</source>
+        <translation>Den Speicherort der Datei wählen</translation>
     </message>
 </context>
 <context>
@@ -5227,8 +5227,8 @@
         <translation>im Antrieb: %1</translation>
     </message>
     <message>
-        <source>Put back the drive&apos;s value: %1</source>
-        <translation>Wert des Antriebs wiederherstellen: %1</translation>
+        <source>Revert to the drive&apos;s value: %1</source>
+        <translation>Auf den Wert des Antriebs zurücksetzen: %1</translation>
     </message>
     <message>
         <source>&amp;Revert to the drive&apos;s value</source>
@@ -5288,8 +5288,8 @@
         <translation>Datei wird gelesen…</translation>
     </message>
     <message>
-        <source>These lines cannot be read from the file any more.</source>
-        <translation>Diese Zeilen lassen sich nicht mehr aus der Datei lesen.</translation>
+        <source>These lines can no longer be read from the file.</source>
+        <translation>Diese Zeilen können nicht mehr aus der Datei gelesen werden.</translation>
     </message>
     <message>
         <source>Lines %1 to %2</source>
@@ -5316,7 +5316,7 @@
         <translation>Werte der Tabelle</translation>
     </message>
     <message>
-        <source>Show the values of the chosen table again</source>
+        <source>Show the values of the selected table again</source>
         <translation>Wieder die Werte der gewählten Tabelle zeigen</translation>
     </message>
     <message>
@@ -5347,24 +5347,24 @@
         <translation>Antriebe suchen</translation>
     </message>
     <message>
-        <source>Every serial port of this computer is asked whether a drive is there; nothing else is sent. A port that is not listed can be typed as an address, for example serial:/dev/ttyUSB0?baud=921600.</source>
-        <translation>Jeder serielle Anschluss dieses Rechners wird gefragt, ob dort ein Antrieb ist; sonst wird nichts gesendet. Ein Anschluss, der nicht in der Liste steht, kann als Adresse eingegeben werden, zum Beispiel serial:/dev/ttyUSB0?baud=921600.</translation>
+        <source>Asks every serial port of this computer for a drive; nothing else is sent. A port that is not listed can be entered as an address, such as serial:/dev/ttyUSB0?baud=921600.</source>
+        <translation>Fragt jeden seriellen Anschluss dieses Rechners nach einem Antrieb; sonst wird nichts gesendet. Ein nicht aufgeführter Anschluss kann als Adresse eingegeben werden, etwa serial:/dev/ttyUSB0?baud=921600.</translation>
     </message>
     <message>
-        <source>Try the usual &amp;baud rates at every port</source>
-        <translation>An jedem Anschluss die üblichen &amp;Baudraten versuchen</translation>
+        <source>Try all common &amp;baud rates at every port</source>
+        <translation>Alle üblichen &amp;Baudraten an jedem Anschluss versuchen</translation>
     </message>
     <message>
-        <source>Takes some seconds for each port where nothing answers</source>
-        <translation>Dauert einige Sekunden für jeden Anschluss, an dem nichts antwortet</translation>
+        <source>Takes a few seconds for each port without an answer</source>
+        <translation>Dauert je Anschluss ohne Antwort einige Sekunden</translation>
     </message>
     <message>
         <source>&amp;Search Again</source>
         <translation>Noch einmal &amp;suchen</translation>
     </message>
     <message>
-        <source>Look at all ports once more</source>
-        <translation>Alle Anschlüsse noch einmal absuchen</translation>
+        <source>Search all ports again</source>
+        <translation>Alle Anschlüsse erneut absuchen</translation>
     </message>
     <message>
         <source>Address</source>
@@ -5383,19 +5383,19 @@
         <translation>Was gefunden wurde</translation>
     </message>
     <message>
-        <source>Looking …</source>
-        <translation>Sucht …</translation>
+        <source>Searching …</source>
+        <translation>Suche läuft …</translation>
     </message>
     <message>
         <source>%1, serial number %2, axes: %3</source>
         <translation>%1, Seriennummer %2, Achsen: %3</translation>
     </message>
     <message>
-        <source>This computer has no serial port that is not in the list already.</source>
-        <translation>Dieser Rechner hat keinen seriellen Anschluss, der nicht schon in der Liste steht.</translation>
+        <source>All serial ports of this computer are already in the list.</source>
+        <translation>Alle seriellen Anschlüsse dieses Rechners stehen bereits in der Liste.</translation>
     </message>
     <message>
-        <source>Ports looked at: %1; drives found: %2</source>
+        <source>Ports searched: %1; drives found: %2</source>
         <translation>Abgesuchte Anschlüsse: %1; gefundene Antriebe: %2</translation>
     </message>
     <message>
@@ -5414,16 +5414,16 @@
         <translation>Kompensationsdaten importieren</translation>
     </message>
     <message>
-        <source>How is %1 to be understood? The table becomes what the drive adds to the encoder position, on an even grid.</source>
-        <translation>Wie ist %1 zu verstehen? Aus der Tabelle wird das, was der Antrieb zur Geberposition addiert, auf einem gleichmäßigen Raster.</translation>
+        <source>Choose how to read %1. The result is the table that the drive adds to the encoder position, on an even grid.</source>
+        <translation>Wie soll %1 gelesen werden? Das Ergebnis ist die Tabelle, die der Antrieb zur Geberposition addiert, auf einem gleichmäßigen Gitter.</translation>
     </message>
     <message>
         <source>I&amp;mport</source>
         <translation>I&amp;mportieren</translation>
     </message>
     <message>
-        <source>Use the file in this way; nothing is written to the drive yet</source>
-        <translation>Die Datei so verwenden; auf den Antrieb wird noch nichts geschrieben</translation>
+        <source>Use the file with these choices; nothing is written to the drive yet</source>
+        <translation>Die Datei mit diesen Angaben verwenden; in den Antrieb wird noch nichts geschrieben</translation>
     </message>
     <message>
         <source>Line %1: </source>
@@ -5467,20 +5467,20 @@
 <context>
     <name>axiscomp::ui::MessagePresenter</name>
     <message>
-        <source>No drive is set up yet, so this is the built-in demo drive: everything can be tried, nothing is real.</source>
-        <translation>Noch ist kein Antrieb eingerichtet, daher dieser eingebaute Demo-Antrieb: alles lässt sich ausprobieren, nichts ist echt.</translation>
+        <source>This is the built-in demo drive. Try everything; no real drive is affected.</source>
+        <translation>Das ist der eingebaute Demo-Antrieb. Alles kann versucht werden; kein echter Antrieb ist betroffen.</translation>
     </message>
     <message>
         <source>Wor&amp;k with Real Drives…</source>
         <translation>Mit echten A&amp;ntrieben arbeiten…</translation>
     </message>
     <message>
-        <source>%1 What you have changed is kept; the program keeps trying.</source>
-        <translation>%1 Die Änderungen bleiben erhalten; das Programm versucht es weiter.</translation>
+        <source>%1 Your changes are kept; reconnecting …</source>
+        <translation>%1 Die Änderungen bleiben erhalten; die Verbindung wird erneut versucht …</translation>
     </message>
     <message>
-        <source>%1 The program keeps trying.</source>
-        <translation>%1 Das Programm versucht es weiter.</translation>
+        <source>%1 Reconnecting …</source>
+        <translation>%1 Die Verbindung wird erneut versucht …</translation>
     </message>
     <message>
         <source>%1 has changed on disk.</source>
@@ -5499,12 +5499,12 @@
         <translation>Schreiben zurück&amp;nehmen</translation>
     </message>
     <message>
-        <source>&amp;Keep for Later</source>
-        <translation>S&amp;päter</translation>
+        <source>Decide &amp;Later</source>
+        <translation>S&amp;päter entscheiden</translation>
     </message>
     <message>
-        <source>Look at t&amp;he Certificate…</source>
-        <translation>Z&amp;um Zertifikat…</translation>
+        <source>S&amp;how Certificate…</source>
+        <translation>Zertifikat &amp;zeigen…</translation>
     </message>
 </context>
 <context>
@@ -5517,7 +5517,7 @@
 <context>
     <name>axiscomp::ui::MultiAxisController</name>
     <message>
-        <source>The writes are not planned yet.</source>
+        <source>The writes have not been planned yet.</source>
         <translation>Die Schreibvorgänge sind noch nicht geplant.</translation>
     </message>
 </context>
@@ -5528,8 +5528,8 @@
         <translation>Mehrere Achsen schreiben</translation>
     </message>
     <message>
-        <source>Columns of %1 are written to axes of %2, one after the other. Each write is verified and keeps the old table and settings in a backup file first; none begins before all of them are found possible.</source>
-        <translation>Spalten von %1 werden in Achsen von %2 geschrieben, eine nach der anderen. Jeder Schreibvorgang wird geprüft und sichert vorher die alte Tabelle und die alten Einstellungen in einer Datei; keiner beginnt, bevor alle als möglich erkannt sind.</translation>
+        <source>Writes columns of %1 to axes of %2, one after the other. All writes are checked before the first one begins; each one makes a backup and is verified.</source>
+        <translation>Schreibt Spalten von %1 nacheinander auf Achsen von %2. Alle Schreibvorgänge werden geprüft, bevor der erste beginnt; jeder legt eine Sicherung an und wird verifiziert.</translation>
     </message>
     <message>
         <source>&amp;Sources</source>
@@ -5540,20 +5540,20 @@
         <translation>Jede Achse behält ihre Quellen</translation>
     </message>
     <message>
-        <source>The registers whose values look the tables up</source>
-        <translation>Die Register, deren Werte in den Tabellen nachschlagen</translation>
+        <source>The registers that supply the positions for the tables</source>
+        <translation>Die Register, deren Werte die Stellen in den Tabellen bestimmen</translation>
     </message>
     <message>
-        <source>For all of them, as chosen in the page: %1</source>
-        <translation>Für alle, wie auf der Seite gewählt: %1</translation>
+        <source>The same for all, as on the page: %1</source>
+        <translation>Für alle dieselben wie auf der Seite: %1</translation>
     </message>
     <message>
-        <source>Persistency, as chosen in the page: persistent, all tables are stored in flash.</source>
-        <translation>Speicherung, wie auf der Seite gewählt: dauerhaft, alle Tabellen werden im Flash gespeichert.</translation>
+        <source>Persistent, as on the page: all tables are stored in flash.</source>
+        <translation>Persistent wie auf der Seite: alle Tabellen werden im Flash-Speicher abgelegt.</translation>
     </message>
     <message>
-        <source>Persistency, as chosen in the page: volatile, a reboot of the drive brings the stored states back.</source>
-        <translation>Speicherung, wie auf der Seite gewählt: flüchtig, ein Neustart des Antriebs bringt die gespeicherten Zustände zurück.</translation>
+        <source>Volatile, as on the page: a reboot of the drive restores the stored state.</source>
+        <translation>Flüchtig wie auf der Seite: ein Neustart des Antriebs stellt den gespeicherten Zustand wieder her.</translation>
     </message>
     <message>
         <source>What will be written</source>
@@ -5576,8 +5576,8 @@
         <translation>A&amp;nhalten</translation>
     </message>
     <message>
-        <source>Stops the writes; the one that runs is put back first (Esc)</source>
-        <translation>Hält die Schreibvorgänge an; der laufende wird zuerst zurückgenommen (Esc)</translation>
+        <source>Stops the writes; the current one is rolled back (Esc)</source>
+        <translation>Hält die Schreibvorgänge an; der laufende wird rückgängig gemacht (Esc)</translation>
     </message>
     <message>
         <source>C&amp;lose</source>
@@ -5596,12 +5596,12 @@
         <translation>Nichts ändern und zurückgehen (Esc)</translation>
     </message>
     <message>
-        <source>The drive is asked what would change …</source>
+        <source>Asking the drive what would change …</source>
         <translation>Der Antrieb wird gefragt, was sich ändern würde …</translation>
     </message>
     <message>
-        <source>The drive has all of this already.</source>
-        <translation>Der Antrieb hat das alles schon.</translation>
+        <source>The drive already has all of this.</source>
+        <translation>Der Antrieb hat das alles bereits.</translation>
     </message>
 </context>
 <context>
@@ -5611,12 +5611,12 @@
         <translation>Sie sind im Flash gespeichert.</translation>
     </message>
     <message>
-        <source>They are volatile: a reboot of the drive brings the stored states back.</source>
-        <translation>Sie sind flüchtig: Ein Neustart des Antriebs bringt die gespeicherten Zustände zurück.</translation>
+        <source>They are volatile: a reboot of the drive restores the stored state.</source>
+        <translation>Sie sind flüchtig: ein Neustart des Antriebs stellt den gespeicherten Zustand wieder her.</translation>
     </message>
     <message>
-        <source>Written, read back and compared; the new state is on: %1. %2</source>
-        <translation>Geschrieben, zurückgelesen und verglichen; den neuen Zustand haben: %1. %2</translation>
+        <source>Written and verified: %1. %2</source>
+        <translation>Geschrieben und verifiziert: %1. %2</translation>
     </message>
     <message>
         <source>The writes were stopped.</source>
@@ -5632,16 +5632,16 @@
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>No axis has the new state.</source>
-        <translation>Keine Achse hat den neuen Zustand.</translation>
+        <source>No axis was changed.</source>
+        <translation>Keine Achse wurde geändert.</translation>
     </message>
     <message>
-        <source>The new state is on: %1.</source>
-        <translation>Den neuen Zustand haben: %1.</translation>
+        <source>New state: %1.</source>
+        <translation>Neuer Zustand: %1.</translation>
     </message>
     <message>
-        <source>The complete old state is on: %1.</source>
-        <translation>Den vollständigen alten Zustand haben: %1.</translation>
+        <source>Old state, complete: %1.</source>
+        <translation>Alter Zustand, vollständig: %1.</translation>
     </message>
 </context>
 <context>
@@ -5663,12 +5663,12 @@
         <translation>%1D in %2, %3</translation>
     </message>
     <message>
-        <source>nothing: the drive has all of this already</source>
-        <translation>nichts: Der Antrieb hat das alles schon</translation>
+        <source>nothing: the drive already has all of this</source>
+        <translation>nichts: der Antrieb hat das alles bereits</translation>
     </message>
     <message>
-        <source>chosen when its turn comes</source>
-        <translation>wird gewählt, wenn sie an der Reihe ist</translation>
+        <source>chosen when it is written</source>
+        <translation>wird beim Schreiben gewählt</translation>
     </message>
     <message>
         <source>%1 (empty)</source>
@@ -5679,7 +5679,7 @@
         <translation>%1 (enthielt eine frühere Tabelle dieser Achse)</translation>
     </message>
     <message>
-        <source>%1 (is overwritten)</source>
+        <source>%1 (will be overwritten)</source>
         <translation>%1 (wird überschrieben)</translation>
     </message>
     <message>
@@ -5712,16 +5712,16 @@
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>Costs no flash operation.</source>
-        <translation>Kostet keinen Flash-Vorgang.</translation>
+        <source>Uses no flash operation.</source>
+        <translation>Braucht keinen Flash-Vorgang.</translation>
     </message>
     <message>
-        <source>Flash operations of all together: %1.</source>
-        <translation>Flash-Vorgänge aller zusammen: %1.</translation>
+        <source>Flash operations in total: %1.</source>
+        <translation>Flash-Vorgänge insgesamt: %1.</translation>
     </message>
     <message>
-        <source>Flash operations of all together: %1; left for now afterwards: %2.</source>
-        <translation>Flash-Vorgänge aller zusammen: %1; danach vorerst übrig: %2.</translation>
+        <source>Uses %1 flash operations; %2 more will be available right afterwards.</source>
+        <translation>Braucht %1 Flash-Vorgänge; gleich danach sind noch %2 verfügbar.</translation>
     </message>
 </context>
 <context>
@@ -5772,16 +5772,16 @@
         <translation>Er ist im Flash-Speicher abgelegt.</translation>
     </message>
     <message>
-        <source>It is volatile: a reboot of the drive brings the stored state back.</source>
-        <translation>Er ist flüchtig: ein Neustart des Antriebs bringt den gespeicherten Stand zurück.</translation>
+        <source>It is volatile: a reboot of the drive restores the stored state.</source>
+        <translation>Sie ist flüchtig: ein Neustart des Antriebs stellt den gespeicherten Zustand wieder her.</translation>
     </message>
     <message>
-        <source>Written, read back and compared: the drive holds the new state. %1</source>
-        <translation>Geschrieben, zurückgelesen und verglichen: der Antrieb hat den neuen Stand. %1</translation>
+        <source>Written and verified: the drive holds the new state. %1</source>
+        <translation>Geschrieben und verifiziert: der Antrieb hat den neuen Zustand. %1</translation>
     </message>
     <message>
-        <source>The drive has all of this already: there was nothing to write.</source>
-        <translation>Der Antrieb hat das alles schon: es gab nichts zu schreiben.</translation>
+        <source>Nothing to write: the drive already has all of this.</source>
+        <translation>Nichts zu schreiben: der Antrieb hat das alles bereits.</translation>
     </message>
     <message>
         <source>The write was stopped.</source>
@@ -5808,40 +5808,40 @@
         <translation>Der Nachweis wurde abgebrochen.</translation>
     </message>
     <message>
-        <source>%1 But it is not proved: deactivate it unless you know why. %2</source>
-        <translation>%1 Sie ist aber nicht nachgewiesen: deaktivieren, solange der Grund unklar ist. %2</translation>
+        <source>%1 But the proof failed: deactivate it unless you know why. %2</source>
+        <translation>%1 Aber der Nachweis ist gescheitert: deaktivieren, wenn der Grund nicht bekannt ist. %2</translation>
     </message>
     <message>
         <source>Restored: the drive holds the state from before the write of %1.</source>
         <translation>Wiederhergestellt: der Antrieb hat den Stand vor dem Schreiben vom %1.</translation>
     </message>
     <message>
-        <source>The drive holds the complete new state; nothing needs to be done.</source>
-        <translation>Der Antrieb hat vollständig den neuen Stand; es ist nichts zu tun.</translation>
+        <source>The drive holds the complete new state; nothing more to do.</source>
+        <translation>Der Antrieb hat den vollständigen neuen Zustand; es ist nichts weiter zu tun.</translation>
     </message>
     <message>
-        <source>A write that began on %1 did not end (last step: %2). %3</source>
-        <translation>Ein am %1 begonnener Schreibvorgang wurde nicht beendet (letzter Schritt: %2). %3</translation>
+        <source>The write of %1 was interrupted (last step: %2). %3</source>
+        <translation>Der Schreibvorgang vom %1 wurde unterbrochen (letzter Schritt: %2). %3</translation>
     </message>
     <message>
         <source>%1 The write is still unfinished.</source>
         <translation>%1 Der Schreibvorgang ist weiterhin unvollendet.</translation>
     </message>
     <message>
-        <source>Finished, read back and compared: the drive holds the complete new state.</source>
-        <translation>Abgeschlossen, zurückgelesen und verglichen: der Antrieb hat den vollständigen neuen Stand.</translation>
+        <source>Finished and verified: the drive holds the complete new state.</source>
+        <translation>Vollendet und verifiziert: der Antrieb hat den vollständigen neuen Zustand.</translation>
     </message>
     <message>
-        <source>Undone, read back and compared: the drive holds the complete old state.</source>
-        <translation>Rückgängig gemacht, zurückgelesen und verglichen: der Antrieb hat den vollständigen alten Stand.</translation>
+        <source>Undone and verified: the drive holds the complete old state.</source>
+        <translation>Rückgängig gemacht und verifiziert: der Antrieb hat den vollständigen alten Zustand.</translation>
     </message>
     <message>
         <source>The drive holds the complete new state, but its parameters may not be saved.</source>
         <translation>Der Antrieb hat den vollständigen neuen Stand, aber seine Parameter sind möglicherweise nicht gespeichert.</translation>
     </message>
     <message>
-        <source>The drive holds neither the old nor the new state: do not activate the axis before the write is finished or undone.</source>
-        <translation>Der Antrieb hat weder den alten noch den neuen Stand: die Achse erst aktivieren, wenn der Schreibvorgang abgeschlossen oder rückgängig gemacht ist.</translation>
+        <source>The drive holds neither the old nor the new state: finish or undo the write before activating the axis.</source>
+        <translation>Der Antrieb hat weder den alten noch den neuen Zustand: den Schreibvorgang vollenden oder rückgängig machen, bevor die Achse aktiviert wird.</translation>
     </message>
 </context>
 <context>
@@ -5855,12 +5855,12 @@
         <translation>&amp;Systemsprache</translation>
     </message>
     <message>
-        <source>List &amp;Changes Before Volatile Writes</source>
-        <translation>Auch vor flüchtigem Schreiben Änderungen au&amp;flisten</translation>
+        <source>Show &amp;Preview Before Volatile Writes</source>
+        <translation>&amp;Vorschau vor flüchtigem Schreiben zeigen</translation>
     </message>
     <message>
-        <source>Persistent writes always show what will be written</source>
-        <translation>Vor dauerhaftem Schreiben wird immer gezeigt, was geschrieben wird</translation>
+        <source>Persistent writes always show the preview</source>
+        <translation>Vor persistentem Schreiben erscheint die Vorschau immer</translation>
     </message>
     <message>
         <source>Save Lo&amp;g…</source>
@@ -5879,20 +5879,20 @@
         <translation>&lt;b&gt;Assistent für Achskompensation&lt;/b&gt; %1</translation>
     </message>
     <message>
-        <source>Brings measured errors of an axis into its drive, switches the compensation on and proves that it is right.
+        <source>Writes error compensation tables to servo drives, activates them and proves that the drive applies them.
 
-The compensation value is reference minus encoder, and is added to the encoder position.
+A compensation value is reference minus encoder; the drive adds it to the encoder position.
 
 Free software under the GNU General Public License, version 3 or later.</source>
-        <translation>Bringt gemessene Fehler einer Achse in ihren Antrieb, schaltet die Kompensation ein und weist nach, dass sie stimmt.
+        <translation>Schreibt Tabellen zur Fehlerkompensation in Servoantriebe, aktiviert sie und weist nach, dass der Antrieb sie anwendet.
 
-Der Kompensationswert ist Referenz minus Geber und wird zur Geberposition addiert.
+Ein Kompensationswert ist Referenz minus Geber; der Antrieb addiert ihn zur Geberposition.
 
-Freie Software unter der GNU General Public License, Version 3 oder neuer.</translation>
+Freie Software unter der GNU General Public License, Version 3 oder später.</translation>
     </message>
     <message>
-        <source>Write the selected table as a file that another controller reads</source>
-        <translation>Die gewählte Tabelle als Datei schreiben, die eine andere Steuerung liest</translation>
+        <source>Save the selected table as a file for another controller</source>
+        <translation>Die gewählte Tabelle als Datei für eine andere Steuerung speichern</translation>
     </message>
     <message>
         <source>No table is selected.</source>
@@ -5910,12 +5910,12 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
 <context>
     <name>axiscomp::ui::PreviewPanel</name>
     <message>
-        <source>Bring measured errors of an axis into its drive</source>
-        <translation>Gemessene Fehler einer Achse in den Antrieb bringen</translation>
+        <source>Compensate the position errors of an axis</source>
+        <translation>Die Positionsfehler einer Achse kompensieren</translation>
     </message>
     <message>
-        <source>Choose the axis and the registers that its error depends on. Open a file with positions and compensation values (reference minus encoder) and choose one of its tables. Write brings table and settings into the drive and reads them back; Activate makes the drive add them. Orange fields differ from the drive; nothing reaches the drive before Write.</source>
-        <translation>Die Achse wählen und die Register, von denen ihr Fehler abhängt. Eine Datei mit Positionen und Kompensationswerten (Referenz minus Geber) öffnen und eine ihrer Tabellen wählen. Schreiben bringt Tabelle und Einstellungen in den Antrieb und liest sie zurück; nach dem Aktivieren addiert der Antrieb die Werte. Orange Felder weichen vom Antrieb ab; vor dem Schreiben gelangt nichts in den Antrieb.</translation>
+        <source>Select the axis and the registers that its error depends on. Open a file of positions and compensation values (reference minus encoder) and select a table. Write uploads and verifies table and settings; Activate switches the compensation on. Orange fields differ from the drive; nothing reaches the drive before Write.</source>
+        <translation>Die Achse und die Register wählen, von denen ihr Fehler abhängt. Eine Datei mit Positionen und Kompensationswerten (Referenz minus Geber) öffnen und eine Tabelle wählen. Schreiben überträgt und verifiziert Tabelle und Einstellungen; Aktivieren schaltet die Kompensation ein. Orange Felder weichen vom Antrieb ab; vor dem Schreiben erreicht nichts den Antrieb.</translation>
     </message>
     <message>
         <source>Save Exa&amp;mple…</source>
@@ -5930,8 +5930,8 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
         <translation>Beispieldatei für %1D:</translation>
     </message>
     <message>
-        <source>Save a small calibration file for %1D that shows how such a file looks</source>
-        <translation>Kleine Kalibrierdatei für %1D speichern, die den Aufbau zeigt</translation>
+        <source>Save a small %1D calibration file as an example</source>
+        <translation>Eine kleine %1D-Kalibrierdatei als Beispiel speichern</translation>
     </message>
     <message>
         <source>%1 bytes, more than any slot of the drive holds</source>
@@ -5981,12 +5981,12 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
         <translation>Warnung, Zeile %1</translation>
     </message>
     <message>
-        <source>%1 is not used as it is; what was chosen before stays chosen.</source>
-        <translation>%1 wird so nicht verwendet; die bisherige Auswahl bleibt bestehen.</translation>
+        <source>%1 cannot be used; the previous selection is kept.</source>
+        <translation>%1 kann nicht verwendet werden; die vorige Auswahl bleibt.</translation>
     </message>
     <message>
-        <source>%1 is used; these places are odd.</source>
-        <translation>%1 wird verwendet; diese Stellen sind auffällig.</translation>
+        <source>%1 is used, with these warnings.</source>
+        <translation>%1 wird verwendet, mit diesen Warnungen.</translation>
     </message>
     <message>
         <source>Further problems: %1.</source>
@@ -6004,8 +6004,8 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
         <translation>nicht angegeben</translation>
     </message>
     <message>
-        <source>usual: %1</source>
-        <translation>üblich: %1</translation>
+        <source>default: %1</source>
+        <translation>Vorgabe: %1</translation>
     </message>
     <message>
         <source>needed</source>
@@ -6031,24 +6031,24 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
         <translation>Ac&amp;hse</translation>
     </message>
     <message>
-        <source>The axis to compensate; all axes of all drives are here</source>
+        <source>The axis to compensate; lists all axes of all drives</source>
         <translation>Die zu kompensierende Achse; hier stehen alle Achsen aller Antriebe</translation>
     </message>
     <message>
-        <source>The axis whose compensation is set up</source>
-        <translation>Die Achse, deren Kompensation eingerichtet wird</translation>
+        <source>The axis to compensate</source>
+        <translation>Die zu kompensierende Achse</translation>
     </message>
     <message>
         <source>Dimen&amp;sionality</source>
         <translation>Dimensi&amp;onalität</translation>
     </message>
     <message>
-        <source>On how many positions the compensation depends: 1D on one, 2D on two, 3D on three</source>
-        <translation>Von wie vielen Positionen die Kompensation abhängt: 1D von einer, 2D von zwei, 3D von drei</translation>
+        <source>The number of positions that the compensation depends on: 1D one, 2D two, 3D three</source>
+        <translation>Die Zahl der Positionen, von denen die Kompensation abhängt: 1D eine, 2D zwei, 3D drei</translation>
     </message>
     <message>
-        <source>On how many positions the compensation depends</source>
-        <translation>Von wie vielen Positionen die Kompensation abhängt</translation>
+        <source>The number of positions that the compensation depends on</source>
+        <translation>Die Zahl der Positionen, von denen die Kompensation abhängt</translation>
     </message>
     <message>
         <source>Dim&amp;1 Source</source>
@@ -6063,23 +6063,23 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
         <translation>Dim&amp;3-Quelle</translation>
     </message>
     <message>
-        <source>The register whose value looks the table up in dimension %1: choose one, or type a path, a tam:// URI or a hexadecimal address and press Enter</source>
-        <translation>Das Register, mit dessen Wert die Tabelle in Dimension %1 abgefragt wird: eines wählen oder Pfad, tam://-URI oder hexadezimale Adresse eingeben und Eingabe drücken</translation>
+        <source>The register that supplies the position for dimension %1: select one, or type a path, a tam:// URI or a hexadecimal address and press Enter</source>
+        <translation>Das Register, das die Position für Dimension %1 liefert: eines wählen, oder einen Pfad, eine tam://-URI oder eine hexadezimale Adresse eingeben und die Eingabetaste drücken</translation>
     </message>
     <message>
-        <source>The register whose value looks the table up in dimension %1</source>
-        <translation>Das Register, mit dessen Wert die Tabelle in Dimension %1 abgefragt wird</translation>
+        <source>The register that supplies the position for dimension %1</source>
+        <translation>Das Register, das die Position für Dimension %1 liefert</translation>
     </message>
     <message>
         <source>Compensat&amp;ion data</source>
         <translation>Ko&amp;mpensationsdaten</translation>
     </message>
     <message>
-        <source>A file with measured positions and compensation values; only needed for a new table</source>
-        <translation>Eine Datei mit gemessenen Positionen und Kompensationswerten; nur für eine neue Tabelle nötig</translation>
+        <source>A file of positions and compensation values; needed only for a new table</source>
+        <translation>Eine Datei mit Positionen und Kompensationswerten; nur für eine neue Tabelle nötig</translation>
     </message>
     <message>
-        <source>A file with compensation values; only needed for a new table</source>
+        <source>A file of compensation values; needed only for a new table</source>
         <translation>Eine Datei mit Kompensationswerten; nur für eine neue Tabelle nötig</translation>
     </message>
     <message>
@@ -6087,24 +6087,24 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
         <translation>&amp;Tabelle</translation>
     </message>
     <message>
-        <source>The table that the axis shall have: the one on the drive, or one of the file&apos;s</source>
-        <translation>Die Tabelle, die die Achse haben soll: die im Antrieb oder eine der Datei</translation>
+        <source>The table for the axis: the one on the drive, or one from the file</source>
+        <translation>Die Tabelle für die Achse: die im Antrieb oder eine aus der Datei</translation>
     </message>
     <message>
-        <source>The table that the axis shall have</source>
-        <translation>Die Tabelle, die die Achse haben soll</translation>
+        <source>The table for the axis</source>
+        <translation>Die Tabelle für die Achse</translation>
     </message>
     <message>
         <source>Persistency</source>
         <translation>Speicherung</translation>
     </message>
     <message>
-        <source>Persistent: stored in the drive&apos;s flash, still there after a reboot. Volatile: gone after a reboot. Can be changed for the table on the drive, too</source>
-        <translation>Dauerhaft: im Flash-Speicher des Antriebs, nach einem Neustart noch da. Flüchtig: nach einem Neustart weg. Lässt sich auch für die Tabelle im Antrieb ändern</translation>
+        <source>Persistent: stored in the drive&apos;s flash and kept over a reboot. Volatile: lost on a reboot. Applies to the table on the drive as well</source>
+        <translation>Persistent: im Flash-Speicher des Antriebs, bleibt über einen Neustart erhalten. Flüchtig: geht beim Neustart verloren. Gilt auch für die Tabelle im Antrieb</translation>
     </message>
     <message>
-        <source>Whether the table is still there after a reboot</source>
-        <translation>Ob die Tabelle nach einem Neustart noch da ist</translation>
+        <source>Whether the table survives a reboot</source>
+        <translation>Ob die Tabelle einen Neustart überdauert</translation>
     </message>
     <message>
         <source>Make &amp;persistent</source>
@@ -6136,8 +6136,8 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
         <translation>%1, Positionen in %2, %3</translation>
     </message>
     <message>
-        <source>choose a register, or type one</source>
-        <translation>Register wählen oder eingeben</translation>
+        <source>select or type a register</source>
+        <translation>ein Register wählen oder eingeben</translation>
     </message>
     <message>
         <source>now %1</source>
@@ -6177,11 +6177,11 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
         <translation>für eine Tabelle eine Datei öffnen</translation>
     </message>
     <message>
-        <source>problems: %1; nothing of this file is used</source>
-        <translation>Fehler: %1; von dieser Datei wird nichts verwendet</translation>
+        <source>problems: %1; the file is not used</source>
+        <translation>Probleme: %1; die Datei wird nicht verwendet</translation>
     </message>
     <message>
-        <source>CSV; only needed for a new table</source>
+        <source>CSV; needed only for a new table</source>
         <translation>CSV; nur für eine neue Tabelle nötig</translation>
     </message>
     <message>
@@ -6197,13 +6197,13 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
         <translation>im Flash-Speicher</translation>
     </message>
     <message>
-        <source>gone after a reboot</source>
-        <translation>nach einem Neustart weg</translation>
+        <source>lost on a reboot</source>
+        <translation>geht beim Neustart verloren</translation>
     </message>
     <message>
-        <source>; operations left for now: %1 of %2</source>
+        <source>; %1 of %2 flash operations available now</source>
         <comment>of the flash</comment>
-        <translation>; jetzt noch möglich: %1 von %2 Vorgängen</translation>
+        <translation>; %1 von %2 Flash-Vorgängen jetzt verfügbar</translation>
     </message>
     <message>
         <source>not set</source>
@@ -6229,9 +6229,9 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
         <translation>%1, leer</translation>
     </message>
     <message>
-        <source>; used so far: %1 of the usual %2 cycles</source>
+        <source>; %1 of typically %2 flash cycles used</source>
         <comment>of the flash</comment>
-        <translation>; bisher verbraucht: %1 der üblichen %2 Zyklen</translation>
+        <translation>; %1 von üblicherweise %2 Flash-Zyklen verbraucht</translation>
     </message>
     <message>
         <source>; read as %1, converted</source>
@@ -6245,20 +6245,20 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
         <translation>alle Werte sind 0: der Antrieb addiert nichts</translation>
     </message>
     <message>
-        <source>where the encoder reads %1 the reference says %2: the drive will add %3</source>
-        <translation>wo der Geber %1 anzeigt, misst die Referenz %2: der Antrieb addiert %3</translation>
+        <source>where the encoder reads %1, the reference reads %2: the drive will add %3</source>
+        <translation>wo der Geber %1 anzeigt, zeigt die Referenz %2: der Antrieb addiert %3</translation>
     </message>
     <message>
         <source>at %1, %2</source>
         <translation>bei %1, %2</translation>
     </message>
     <message>
-        <source>at %1 the reference says %2 more than the encoder: the drive will add %3</source>
-        <translation>bei %1 misst die Referenz %2 mehr als der Geber: der Antrieb addiert %3</translation>
+        <source>at %1 the reference reads %2 more than the encoder: the drive will add %3</source>
+        <translation>bei %1 zeigt die Referenz %2 mehr als der Geber: der Antrieb addiert %3</translation>
     </message>
     <message>
-        <source>at %1 the reference says %2 less than the encoder: the drive will add %3</source>
-        <translation>bei %1 misst die Referenz %2 weniger als der Geber: der Antrieb addiert %3</translation>
+        <source>at %1 the reference reads %2 less than the encoder: the drive will add %3</source>
+        <translation>bei %1 zeigt die Referenz %2 weniger als der Geber: der Antrieb addiert %3</translation>
     </message>
     <message>
         <source> (the file says %1, but the drive takes the values as %2)</source>
@@ -6268,23 +6268,23 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
 <context>
     <name>axiscomp::ui::SliceRow</name>
     <message>
-        <source>Cut at</source>
+        <source>Slice at</source>
         <translation>Schnitt bei</translation>
     </message>
     <message>
-        <source>Which slice of the three dimensions is shown</source>
-        <translation>Welcher Schnitt der drei Dimensionen gezeigt wird</translation>
+        <source>The slice that is shown</source>
+        <translation>Der gezeigte Schnitt</translation>
     </message>
     <message>
         <source>Slice</source>
         <translation>Schnitt</translation>
     </message>
     <message>
-        <source>The dimension that is cut; the other two are shown</source>
-        <translation>Die Dimension, die geschnitten wird; die anderen beiden sind zu sehen</translation>
+        <source>The dimension that is held constant; the other two are shown</source>
+        <translation>Die festgehaltene Dimension; die beiden anderen werden gezeigt</translation>
     </message>
     <message>
-        <source>Dimension that is cut</source>
+        <source>Sliced dimension</source>
         <translation>Geschnittene Dimension</translation>
     </message>
 </context>
@@ -6322,8 +6322,8 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
         <translation>Abbre&amp;chen</translation>
     </message>
     <message>
-        <source>Stops what runs; a write is put back first (Esc)</source>
-        <translation>Bricht den Vorgang ab; ein Schreiben wird zuerst zurückgestellt (Esc)</translation>
+        <source>Stops the operation; a write is rolled back (Esc)</source>
+        <translation>Hält den Vorgang an; ein Schreibvorgang wird rückgängig gemacht (Esc)</translation>
     </message>
     <message>
         <source>Progress</source>
@@ -6334,16 +6334,16 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
         <translation>Protoko&amp;ll</translation>
     </message>
     <message>
-        <source>Show what has happened so far, in detail (Ctrl+L)</source>
-        <translation>Zeigt im Einzelnen, was bisher geschehen ist (Strg+L)</translation>
+        <source>Show the log (Ctrl+L)</source>
+        <translation>Das Protokoll zeigen (Strg+L)</translation>
     </message>
     <message>
-        <source>What the drive&apos;s compensation of this axis does now</source>
-        <translation>Was die Kompensation dieser Achse im Antrieb gerade tut</translation>
+        <source>The state of the compensation of this axis</source>
+        <translation>Der Zustand der Kompensation dieser Achse</translation>
     </message>
     <message>
-        <source>The drive&apos;s own values: what it adds to the encoder position, and where it is in the table</source>
-        <translation>Die Werte des Antriebs selbst: was er zur Geberposition addiert und wo er in der Tabelle steht</translation>
+        <source>Live values of the drive: the compensation output and the table index</source>
+        <translation>Werte des Antriebs: der Ausgang der Kompensation und der Index in der Tabelle</translation>
     </message>
     <message>
         <source>output &lt;b&gt;%1&lt;/b&gt; &amp;nbsp; index &lt;b&gt;%2&lt;/b&gt;</source>
@@ -6376,7 +6376,7 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
 <context>
     <name>axiscomp::ui::TablePlot</name>
     <message>
-        <source>Save the picture or its values</source>
+        <source>Save picture or values</source>
         <translation>Bild oder Werte speichern</translation>
     </message>
     <message>
@@ -6475,8 +6475,8 @@ B - A: %3</translation>
         <translation>Ohne Schreiben s&amp;chließen</translation>
     </message>
     <message>
-        <source>The drive is being written. Stopping puts the old state back first.</source>
-        <translation>Es wird gerade in den Antrieb geschrieben. Beim Stoppen wird zuerst der alte Stand zurückgestellt.</translation>
+        <source>A write is in progress. Stopping rolls it back first.</source>
+        <translation>Es wird gerade geschrieben. Beim Anhalten wird zuerst der alte Zustand wiederhergestellt.</translation>
     </message>
     <message>
         <source>&amp;Stop and Close</source>
@@ -6548,8 +6548,8 @@ B - A: %3</translation>
 <context>
     <name>axiscomp::ui::WizardController</name>
     <message>
-        <source>Another axis can be chosen when this has ended.</source>
-        <translation>Erst nach dem Ende dieses Vorgangs lässt sich eine andere Achse wählen.</translation>
+        <source>Wait for the current operation before selecting another axis.</source>
+        <translation>Erst nach dem Ende des laufenden Vorgangs kann eine andere Achse gewählt werden.</translation>
     </message>
 </context>
 <context>
@@ -6563,8 +6563,8 @@ B - A: %3</translation>
         <translation>flüchtig</translation>
     </message>
     <message>
-        <source>Nothing has been changed on the drive so far. The old table and settings are kept in a backup file first.</source>
-        <translation>Im Antrieb ist bisher nichts geändert. Die alte Tabelle und die Einstellungen werden zuerst in einer Datei gesichert.</translation>
+        <source>Nothing on the drive has changed yet. The old table and settings are backed up first.</source>
+        <translation>Am Antrieb ist noch nichts geändert. Die alte Tabelle und die alten Einstellungen werden zuerst gesichert.</translation>
     </message>
     <message>
         <source>Field</source>
@@ -6587,8 +6587,8 @@ B - A: %3</translation>
         <translation>Vor flüchtigem Schreiben nicht m&amp;ehr zeigen</translation>
     </message>
     <message>
-        <source>Persistent writes always show this list; the menu brings it back for volatile ones</source>
-        <translation>Vor dauerhaftem Schreiben erscheint diese Liste immer; vor flüchtigem bringt sie das Menü zurück</translation>
+        <source>Persistent writes always show the preview; the menu turns it back on for volatile ones</source>
+        <translation>Vor persistentem Schreiben erscheint die Vorschau immer; für flüchtiges schaltet das Menü sie wieder ein</translation>
     </message>
     <message>
         <source>&amp;Write</source>
@@ -6620,7 +6620,7 @@ B - A: %3</translation>
         <translation>Größte Änderung</translation>
     </message>
     <message>
-        <source>being computed …</source>
+        <source>computing …</source>
         <translation>wird berechnet …</translation>
     </message>
     <message>
@@ -6649,20 +6649,20 @@ B - A: %3</translation>
         <translation>%1 bei %2</translation>
     </message>
     <message>
-        <source>Costs no flash operation. Volatile: gone after a reboot.</source>
-        <translation>Kostet keinen Flash-Vorgang. Flüchtig: nach einem Neustart weg.</translation>
+        <source>Uses no flash operation. Volatile: lost on a reboot.</source>
+        <translation>Braucht keinen Flash-Vorgang. Flüchtig: geht beim Neustart verloren.</translation>
     </message>
     <message>
-        <source>Costs no flash operation: the flash already holds it.</source>
-        <translation>Kostet keinen Flash-Vorgang: der Flash-Speicher enthält es schon.</translation>
+        <source>Uses no flash operation: the flash already holds it.</source>
+        <translation>Braucht keinen Flash-Vorgang: der Flash-Speicher hat es bereits.</translation>
     </message>
     <message>
-        <source>Flash operations: costs %1, left for now afterwards: %2.</source>
-        <translation>Flash-Vorgänge: kostet %1, danach vorerst noch möglich: %2.</translation>
+        <source>Uses %1 flash operations; %2 more will be available right afterwards.</source>
+        <translation>Braucht %1 Flash-Vorgänge; gleich danach sind noch %2 verfügbar.</translation>
     </message>
     <message>
-        <source>%1 held an earlier table of this axis; the present one stays whole until the new one has taken over.</source>
-        <translation>%1 enthielt eine frühere Tabelle dieser Achse; die jetzige bleibt ganz, bis die neue übernommen hat.</translation>
+        <source>%1 held an earlier table of this axis; the current one stays complete until the axis has switched to the new one.</source>
+        <translation>%1 enthielt eine frühere Tabelle dieser Achse; die jetzige bleibt vollständig, bis die Achse auf die neue umgeschaltet ist.</translation>
     </message>
     <message>
         <source>not set</source>
@@ -6679,8 +6679,8 @@ B - A: %3</translation>
         <translation>Parameter</translation>
     </message>
     <message>
-        <source>perhaps not saved</source>
-        <translation>vielleicht nicht gespeichert</translation>
+        <source>possibly not saved</source>
+        <translation>womöglich nicht gespeichert</translation>
     </message>
     <message>
         <source>saved</source>

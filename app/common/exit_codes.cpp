@@ -3,81 +3,32 @@
 
 namespace axiscomp::app {
 
-// Without a default label, so that the compiler names a code that is missing here.
+// Without a default label, so that the compiler names a class that is missing here.
 ExitCode exitCode(ErrorCode code)
 {
-    switch (code) {
-    case ErrorCode::Cancelled:
-        return ExitCode::Stopped;
-    case ErrorCode::NothingToWrite:
-    case ErrorCode::NothingUnfinished:
+    switch (errorClass(code)) {
+    case ErrorClass::NothingToDo:
         return ExitCode::Done;
-    case ErrorCode::FileNotWritable:
-    case ErrorCode::TableNotKept:
+    case ErrorClass::Stopped:
+        return ExitCode::Stopped;
+    case ErrorClass::Local:
         return ExitCode::OtherFailure;
-
-    case ErrorCode::InvalidArgument:
-    case ErrorCode::UnknownFormat:
-    case ErrorCode::FormatAmbiguous:
-    case ErrorCode::FormatCannotHold:
-    case ErrorCode::ResamplingImpossible:
-    case ErrorCode::TableNotFound:
-    case ErrorCode::InvalidEndpoint:
-    case ErrorCode::AxisNotFound:
-    case ErrorCode::AxisAmbiguous:
-    case ErrorCode::SourceMissing:
-    case ErrorCode::SourceSurplus:
-    case ErrorCode::SourceNotFound:
-    case ErrorCode::SourceWrongType:
-    case ErrorCode::SourceOtherDrive:
-    case ErrorCode::SourceRepeated:
-    case ErrorCode::DimensionMismatch:
-    case ErrorCode::SlotNotFound:
+    case ErrorClass::Request:
+    case ErrorClass::Address:
         return ExitCode::Usage;
-
-    case ErrorCode::FileNotReadable:
-    case ErrorCode::FileTooLarge:
-    case ErrorCode::InvalidCalibration:
-    case ErrorCode::SignNotConvertible:
-    case ErrorCode::InvalidTable:
-    case ErrorCode::InvalidProfile:
-    case ErrorCode::InvalidConfiguration:
-    case ErrorCode::InvalidBackup:
+    case ErrorClass::InputFile:
         return ExitCode::InputFile;
-
-    case ErrorCode::Unauthorized:
-    case ErrorCode::DriveRejected:
-    case ErrorCode::UnknownRegister:
-    case ErrorCode::UnknownFile:
-    case ErrorCode::NotAllowedNow:
-    case ErrorCode::TooLargeForSlot:
-    case ErrorCode::TableRefused:
-    case ErrorCode::CompensationError:
-    case ErrorCode::NoCompensation:
-    case ErrorCode::TableTooLarge:
-    case ErrorCode::SlotInUse:
-    case ErrorCode::NoFreeSlot:
-    case ErrorCode::NoTable:
-    case ErrorCode::CompensationActive:
-    case ErrorCode::NotHomed:
-    case ErrorCode::OtherDrive:
+    case ErrorClass::Refused:
+    case ErrorClass::Unauthorized:
         return ExitCode::DriveRefused;
-
-    case ErrorCode::NotConnected:
-    case ErrorCode::ConnectionLost:
-    case ErrorCode::Timeout:
-    case ErrorCode::Protocol:
-    case ErrorCode::CertificateRejected:
-    case ErrorCode::OutcomeUnknown:
+    case ErrorClass::NotConnected:
+    case ErrorClass::Lost:
+    case ErrorClass::Untrusted:
+    case ErrorClass::OutcomeUnknown:
         return ExitCode::NoConnection;
-
-    case ErrorCode::ChangedMeanwhile:
-    case ErrorCode::VerifyMismatch:
-    case ErrorCode::ProofFailed:
-    case ErrorCode::RollbackFailed:
+    case ErrorClass::Difference:
         return ExitCode::ReadBackDiffers;
-
-    case ErrorCode::FlashWear:
+    case ErrorClass::FlashWear:
         return ExitCode::FlashWear;
     }
     return ExitCode::OtherFailure;

@@ -12,151 +12,154 @@ namespace {
 struct ErrorRow {
     ErrorCode code;
     std::string_view name;
+    ErrorClass errorClass;
     TextPattern pattern;
 };
 
 constexpr std::array errorRows{
-    ErrorRow{ErrorCode::InvalidArgument, "InvalidArgument", AXISCOMP_TEXT("Error", "{reason}")},
-    ErrorRow{ErrorCode::Cancelled, "Cancelled", AXISCOMP_TEXT("Error", "stopped by the user")},
-    ErrorRow{ErrorCode::FileNotReadable, "FileNotReadable",
+    ErrorRow{ErrorCode::InvalidArgument, "InvalidArgument", ErrorClass::Request,
+        AXISCOMP_TEXT("Error", "{reason}")},
+    ErrorRow{ErrorCode::Cancelled, "Cancelled", ErrorClass::Stopped,
+        AXISCOMP_TEXT("Error", "stopped by the user")},
+    ErrorRow{ErrorCode::FileNotReadable, "FileNotReadable", ErrorClass::InputFile,
         AXISCOMP_TEXT("Error", "{file} cannot be read: {reason}")},
-    ErrorRow{ErrorCode::FileNotWritable, "FileNotWritable",
+    ErrorRow{ErrorCode::FileNotWritable, "FileNotWritable", ErrorClass::Local,
         AXISCOMP_TEXT("Error", "{file} cannot be written: {reason}")},
-    ErrorRow{ErrorCode::FileTooLarge, "FileTooLarge",
+    ErrorRow{ErrorCode::FileTooLarge, "FileTooLarge", ErrorClass::InputFile,
         AXISCOMP_TEXT(
             "Error", "{file} has {size} bytes, more than the {limit} that such a file can have")},
-    ErrorRow{ErrorCode::InvalidCalibration, "InvalidCalibration",
+    ErrorRow{ErrorCode::InvalidCalibration, "InvalidCalibration", ErrorClass::InputFile,
         AXISCOMP_COUNTED("Error", "{file} is not a valid calibration file: {count} problems",
             "{file} is not a valid calibration file: one problem")},
-    ErrorRow{ErrorCode::InvalidTable, "InvalidTable",
+    ErrorRow{ErrorCode::InvalidTable, "InvalidTable", ErrorClass::InputFile,
         AXISCOMP_TEXT("Error",
             "this is not a valid TAM table: {field} at offset {offset} is {found}, expected "
             "{expected}")},
-    ErrorRow{ErrorCode::InvalidProfile, "InvalidProfile",
+    ErrorRow{ErrorCode::InvalidProfile, "InvalidProfile", ErrorClass::InputFile,
         AXISCOMP_TEXT("Error", "the drive profile {file} is wrong at {path}: {reason}")},
-    ErrorRow{ErrorCode::InvalidConfiguration, "InvalidConfiguration",
+    ErrorRow{ErrorCode::InvalidConfiguration, "InvalidConfiguration", ErrorClass::InputFile,
         AXISCOMP_TEXT("Error", "the TAM configuration {file} is wrong in line {line}: {reason}")},
-    ErrorRow{ErrorCode::InvalidBackup, "InvalidBackup",
+    ErrorRow{ErrorCode::InvalidBackup, "InvalidBackup", ErrorClass::InputFile,
         AXISCOMP_TEXT("Error", "{file} is not a valid backup: {reason}")},
-    ErrorRow{ErrorCode::UnknownFormat, "UnknownFormat",
+    ErrorRow{ErrorCode::UnknownFormat, "UnknownFormat", ErrorClass::Request,
         AXISCOMP_TEXT("Error", "the format of {file} is not known; name one of: {known}")},
-    ErrorRow{ErrorCode::TableNotFound, "TableNotFound",
+    ErrorRow{ErrorCode::TableNotFound, "TableNotFound", ErrorClass::Request,
         AXISCOMP_TEXT("Error", "there is no table {table} in the file; it has: {known}")},
-    ErrorRow{ErrorCode::FormatAmbiguous, "FormatAmbiguous",
+    ErrorRow{ErrorCode::FormatAmbiguous, "FormatAmbiguous", ErrorClass::Request,
         AXISCOMP_TEXT(
             "Error", "{file} can be one of several formats: {candidates}; say which one it is")},
-    ErrorRow{ErrorCode::FormatCannotHold, "FormatCannotHold",
+    ErrorRow{ErrorCode::FormatCannotHold, "FormatCannotHold", ErrorClass::Request,
         AXISCOMP_TEXT("Error", "the format {format} cannot hold this table: {reason}; {wayOut}")},
-    ErrorRow{ErrorCode::SignNotConvertible, "SignNotConvertible",
+    ErrorRow{ErrorCode::SignNotConvertible, "SignNotConvertible", ErrorClass::InputFile,
         AXISCOMP_TEXT("Error", "the sign cannot be converted at {position}: {reason}")},
-    ErrorRow{ErrorCode::ResamplingImpossible, "ResamplingImpossible",
+    ErrorRow{ErrorCode::ResamplingImpossible, "ResamplingImpossible", ErrorClass::Request,
         AXISCOMP_TEXT("Error", "the table cannot be resampled: {reason}")},
-    ErrorRow{ErrorCode::InvalidEndpoint, "InvalidEndpoint",
+    ErrorRow{ErrorCode::InvalidEndpoint, "InvalidEndpoint", ErrorClass::Address,
         AXISCOMP_TEXT("Error", "{endpoint} is not the address of a drive: {reason}")},
-    ErrorRow{ErrorCode::NotConnected, "NotConnected",
+    ErrorRow{ErrorCode::NotConnected, "NotConnected", ErrorClass::NotConnected,
         AXISCOMP_TEXT("Error", "no connection to {endpoint}: {reason}")},
-    ErrorRow{ErrorCode::ConnectionLost, "ConnectionLost",
+    ErrorRow{ErrorCode::ConnectionLost, "ConnectionLost", ErrorClass::Lost,
         AXISCOMP_TEXT("Error", "the connection to {endpoint} was lost: {reason}")},
-    ErrorRow{ErrorCode::Timeout, "Timeout",
+    ErrorRow{ErrorCode::Timeout, "Timeout", ErrorClass::Lost,
         AXISCOMP_TEXT("Error", "{endpoint} did not answer within {seconds} s")},
-    ErrorRow{ErrorCode::Protocol, "Protocol",
+    ErrorRow{ErrorCode::Protocol, "Protocol", ErrorClass::Lost,
         AXISCOMP_TEXT("Error",
             "{endpoint} did not answer as a drive does: expected {expected}, got {quote}")},
-    ErrorRow{ErrorCode::Unauthorized, "Unauthorized",
+    ErrorRow{ErrorCode::Unauthorized, "Unauthorized", ErrorClass::Unauthorized,
         AXISCOMP_TEXT("Error",
             "{endpoint} asks for a user name and a password; give them as "
             "http://user:password@host")},
-    ErrorRow{ErrorCode::CertificateRejected, "CertificateRejected",
+    ErrorRow{ErrorCode::CertificateRejected, "CertificateRejected", ErrorClass::Untrusted,
         AXISCOMP_TEXT("Error",
             "the certificate of {endpoint} cannot be trusted: {reason}. Its SHA-256 fingerprint is "
             "{fingerprint}; trust it under Connections, or with --trust-certificate, if the drive "
             "has the same")},
-    ErrorRow{ErrorCode::DriveRejected, "DriveRejected",
+    ErrorRow{ErrorCode::DriveRejected, "DriveRejected", ErrorClass::Refused,
         AXISCOMP_TEXT("Error", "the drive refused: {reason}")},
-    ErrorRow{ErrorCode::UnknownRegister, "UnknownRegister",
+    ErrorRow{ErrorCode::UnknownRegister, "UnknownRegister", ErrorClass::Refused,
         AXISCOMP_TEXT("Error", "the drive has no register {path}")},
-    ErrorRow{ErrorCode::UnknownFile, "UnknownFile",
+    ErrorRow{ErrorCode::UnknownFile, "UnknownFile", ErrorClass::Refused,
         AXISCOMP_TEXT("Error", "the drive has no file {path}")},
-    ErrorRow{ErrorCode::NotAllowedNow, "NotAllowedNow",
+    ErrorRow{ErrorCode::NotAllowedNow, "NotAllowedNow", ErrorClass::Refused,
         AXISCOMP_TEXT("Error", "the drive does not allow this now: {reason}")},
-    ErrorRow{ErrorCode::TooLargeForSlot, "TooLargeForSlot",
+    ErrorRow{ErrorCode::TooLargeForSlot, "TooLargeForSlot", ErrorClass::Refused,
         AXISCOMP_TEXT("Error", "the table does not fit: {reason}")},
-    ErrorRow{ErrorCode::TableRefused, "TableRefused",
+    ErrorRow{ErrorCode::TableRefused, "TableRefused", ErrorClass::Refused,
         AXISCOMP_TEXT("Error", "the drive refused the table: {reason}")},
-    ErrorRow{ErrorCode::FlashWear, "FlashWear",
+    ErrorRow{ErrorCode::FlashWear, "FlashWear", ErrorClass::FlashWear,
         AXISCOMP_TEXT("Error",
             "too many flash operations in a short time; wait {seconds} s, or write volatile")},
-    ErrorRow{ErrorCode::CompensationError, "CompensationError",
+    ErrorRow{ErrorCode::CompensationError, "CompensationError", ErrorClass::Refused,
         AXISCOMP_TEXT("Error", "the compensation of axis {axis} is in error {error}: {hint}")},
-    ErrorRow{ErrorCode::AxisNotFound, "AxisNotFound",
+    ErrorRow{ErrorCode::AxisNotFound, "AxisNotFound", ErrorClass::Request,
         AXISCOMP_TEXT("Error", "the drive has no axis {axis}; it has: {known}")},
-    ErrorRow{ErrorCode::AxisAmbiguous, "AxisAmbiguous",
+    ErrorRow{ErrorCode::AxisAmbiguous, "AxisAmbiguous", ErrorClass::Request,
         AXISCOMP_TEXT("Error", "several axes are named {axis}: give the index, one of {matches}")},
-    ErrorRow{ErrorCode::NoCompensation, "NoCompensation",
+    ErrorRow{ErrorCode::NoCompensation, "NoCompensation", ErrorClass::Refused,
         AXISCOMP_TEXT("Error", "axis {axis} of this drive has no compensation registers")},
-    ErrorRow{ErrorCode::SourceMissing, "SourceMissing",
+    ErrorRow{ErrorCode::SourceMissing, "SourceMissing", ErrorClass::Request,
         AXISCOMP_TEXT("Error", "the source of dimension {dimension} is missing")},
-    ErrorRow{ErrorCode::SourceSurplus, "SourceSurplus",
+    ErrorRow{ErrorCode::SourceSurplus, "SourceSurplus", ErrorClass::Request,
         AXISCOMP_TEXT("Error",
             "there is a source for dimension {dimension}, but the table is {dimensions}D")},
-    ErrorRow{ErrorCode::SourceNotFound, "SourceNotFound",
+    ErrorRow{ErrorCode::SourceNotFound, "SourceNotFound", ErrorClass::Request,
         AXISCOMP_TEXT("Error", "the drive has no register {source}{nearest}")},
-    ErrorRow{ErrorCode::SourceWrongType, "SourceWrongType",
+    ErrorRow{ErrorCode::SourceWrongType, "SourceWrongType", ErrorClass::Request,
         AXISCOMP_TEXT(
             "Error", "{source} is of type {type}; a dimension source must be one of {allowed}")},
-    ErrorRow{ErrorCode::SourceOtherDrive, "SourceOtherDrive",
+    ErrorRow{ErrorCode::SourceOtherDrive, "SourceOtherDrive", ErrorClass::Request,
         AXISCOMP_TEXT("Error",
             "{source} is a register of the drive {other}; a source must be on the drive itself, "
             "{drive}")},
-    ErrorRow{ErrorCode::SourceRepeated, "SourceRepeated",
+    ErrorRow{ErrorCode::SourceRepeated, "SourceRepeated", ErrorClass::Request,
         AXISCOMP_TEXT(
             "Error", "{source} is the source of both dimension {first} and dimension {second}")},
-    ErrorRow{ErrorCode::DimensionMismatch, "DimensionMismatch",
+    ErrorRow{ErrorCode::DimensionMismatch, "DimensionMismatch", ErrorClass::Request,
         AXISCOMP_TEXT("Error", "the table is {table}D, but {chosen}D is chosen")},
-    ErrorRow{ErrorCode::TableTooLarge, "TableTooLarge",
+    ErrorRow{ErrorCode::TableTooLarge, "TableTooLarge", ErrorClass::Refused,
         AXISCOMP_TEXT("Error",
             "the table needs {size} bytes, but the largest slot that may be taken, {slot}, holds "
             "{largest}")},
-    ErrorRow{ErrorCode::SlotNotFound, "SlotNotFound",
+    ErrorRow{ErrorCode::SlotNotFound, "SlotNotFound", ErrorClass::Request,
         AXISCOMP_TEXT("Error", "the drive has no slot {slot}; it has: {known}")},
-    ErrorRow{ErrorCode::SlotInUse, "SlotInUse",
+    ErrorRow{ErrorCode::SlotInUse, "SlotInUse", ErrorClass::Refused,
         AXISCOMP_TEXT("Error", "slot {slot} is in use by {user}")},
-    ErrorRow{ErrorCode::NoFreeSlot, "NoFreeSlot",
+    ErrorRow{ErrorCode::NoFreeSlot, "NoFreeSlot", ErrorClass::Refused,
         AXISCOMP_TEXT("Error",
             "no slot is free for a table of {size} bytes: {slots}; name one to overwrite it")},
-    ErrorRow{ErrorCode::NoTable, "NoTable",
+    ErrorRow{ErrorCode::NoTable, "NoTable", ErrorClass::Refused,
         AXISCOMP_TEXT("Error", "axis {axis} has no table on the drive; write one first")},
-    ErrorRow{ErrorCode::NothingToWrite, "NothingToWrite",
+    ErrorRow{ErrorCode::NothingToWrite, "NothingToWrite", ErrorClass::NothingToDo,
         AXISCOMP_TEXT("Error", "axis {axis} already has all of this; there is nothing to write")},
-    ErrorRow{ErrorCode::NothingUnfinished, "NothingUnfinished",
+    ErrorRow{ErrorCode::NothingUnfinished, "NothingUnfinished", ErrorClass::NothingToDo,
         AXISCOMP_TEXT("Error",
             "no write to axis {axis} is unfinished; there is nothing to finish or to undo")},
-    ErrorRow{ErrorCode::TableNotKept, "TableNotKept",
+    ErrorRow{ErrorCode::TableNotKept, "TableNotKept", ErrorClass::Local,
         AXISCOMP_TEXT("Error",
             "the new table of the unfinished write to axis {axis} was not kept on this computer: "
             "write it again, or undo the write")},
-    ErrorRow{ErrorCode::CompensationActive, "CompensationActive",
+    ErrorRow{ErrorCode::CompensationActive, "CompensationActive", ErrorClass::Refused,
         AXISCOMP_TEXT("Error", "the compensation of axis {axis} is active; deactivate it first")},
-    ErrorRow{
-        ErrorCode::NotHomed, "NotHomed", AXISCOMP_TEXT("Error", "axis {axis} must be homed first")},
-    ErrorRow{ErrorCode::OtherDrive, "OtherDrive",
+    ErrorRow{ErrorCode::NotHomed, "NotHomed", ErrorClass::Refused,
+        AXISCOMP_TEXT("Error", "axis {axis} must be homed first")},
+    ErrorRow{ErrorCode::OtherDrive, "OtherDrive", ErrorClass::Refused,
         AXISCOMP_TEXT(
             "Error", "this is another drive: expected serial number {expected}, found {found}")},
-    ErrorRow{ErrorCode::ChangedMeanwhile, "ChangedMeanwhile",
+    ErrorRow{ErrorCode::ChangedMeanwhile, "ChangedMeanwhile", ErrorClass::Difference,
         AXISCOMP_TEXT("Error",
             "somebody else changed {what} from {before} to {now}; nothing was written, look "
             "again")},
-    ErrorRow{ErrorCode::VerifyMismatch, "VerifyMismatch",
+    ErrorRow{ErrorCode::VerifyMismatch, "VerifyMismatch", ErrorClass::Difference,
         AXISCOMP_TEXT("Error", "{what} read back as {found}, but {expected} was written")},
-    ErrorRow{ErrorCode::ProofFailed, "ProofFailed",
+    ErrorRow{ErrorCode::ProofFailed, "ProofFailed", ErrorClass::Difference,
         AXISCOMP_TEXT("Error",
             "the drive does not add what it should: {what} at {position} is {found}, expected "
             "{expected}")},
-    ErrorRow{ErrorCode::OutcomeUnknown, "OutcomeUnknown",
+    ErrorRow{ErrorCode::OutcomeUnknown, "OutcomeUnknown", ErrorClass::OutcomeUnknown,
         AXISCOMP_TEXT("Error",
             "{reason}. The drive holds the complete old or the complete new state; ask for the "
             "status when it answers again. The old state is kept in {backup}")},
-    ErrorRow{ErrorCode::RollbackFailed, "RollbackFailed",
+    ErrorRow{ErrorCode::RollbackFailed, "RollbackFailed", ErrorClass::Difference,
         AXISCOMP_TEXT("Error",
             "{reason}; putting the old state back failed too ({rollback}). Do not activate the "
             "axis; restore it from {backup}")},
@@ -181,6 +184,30 @@ const ErrorRow& rowOf(ErrorCode code)
 std::string_view errorName(ErrorCode code)
 {
     return rowOf(code).name;
+}
+
+ErrorClass errorClass(ErrorCode code)
+{
+    return rowOf(code).errorClass;
+}
+
+bool isLinkFailure(ErrorCode code)
+{
+    const ErrorClass kind = errorClass(code);
+    return kind == ErrorClass::Address || kind == ErrorClass::Unauthorized
+        || kind == ErrorClass::Untrusted || kind == ErrorClass::NotConnected
+        || kind == ErrorClass::Lost;
+}
+
+bool isUnreachable(ErrorCode code)
+{
+    const ErrorClass kind = errorClass(code);
+    return kind == ErrorClass::NotConnected || kind == ErrorClass::Lost;
+}
+
+bool mayHaveArrived(ErrorCode code)
+{
+    return errorClass(code) == ErrorClass::Lost;
 }
 
 TextPattern errorPattern(ErrorCode code)

@@ -79,22 +79,31 @@ enum class ErrorCode {
     ///< backup
 };
 
+/// What kind of thing went wrong: a column of the table of errors, and what programs branch on.
+enum class ErrorClass {
+    NothingToDo, ///< there is nothing to write, to finish or to undo
+    Stopped, ///< by the user
+    Local, ///< on this computer, such as a full disk
+    Request, ///< what was asked for cannot be
+    InputFile,
+    Address, ///< is not one of a drive
+    Unauthorized,
+    Untrusted, ///< the certificate is
+    NotConnected, ///< nothing was sent
+    Lost, ///< sent, without an answer that can be read: it may have arrived
+    Refused, ///< by the drive, or by a check before a write
+    FlashWear,
+    Difference, ///< the drive has something else than it should
+    OutcomeUnknown,
+};
+[[nodiscard]] ErrorClass errorClass(ErrorCode code);
+
 /// The drive cannot be reached (any more), or not as it was asked for: the link is made anew.
-[[nodiscard]] constexpr bool isLinkFailure(ErrorCode code)
-{
-    switch (code) {
-    case ErrorCode::InvalidEndpoint:
-    case ErrorCode::NotConnected:
-    case ErrorCode::ConnectionLost:
-    case ErrorCode::Timeout:
-    case ErrorCode::Protocol:
-    case ErrorCode::Unauthorized:
-    case ErrorCode::CertificateRejected:
-        return true;
-    default:
-        return false;
-    }
-}
+[[nodiscard]] bool isLinkFailure(ErrorCode code);
+/// There is no answer to be had from the drive at the moment.
+[[nodiscard]] bool isUnreachable(ErrorCode code);
+/// The drive may have got the request and carried it out.
+[[nodiscard]] bool mayHaveArrived(ErrorCode code);
 
 /// The arguments of the sentence, and what a program acts on: "seconds" and "count" are whole
 /// numbers, "path", "endpoint" and "fingerprint" are names.

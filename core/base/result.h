@@ -24,3 +24,23 @@ template <typename T> using Result = tl::expected<T, Error>;
 }
 
 } // namespace axiscomp
+
+#define AXISCOMP_JOINED_2(a, b) a##b
+#define AXISCOMP_JOINED(a, b) AXISCOMP_JOINED_2(a, b)
+
+/// AXISCOMP_TRY(auto drive, identify(options)); declares the value of a Result, or hands its error
+/// on from the function.
+#define AXISCOMP_TRY(declaration, ...)                                                             \
+    AXISCOMP_TRY_AS(AXISCOMP_JOINED(axiscompResult, __LINE__), declaration, __VA_ARGS__)
+#define AXISCOMP_TRY_AS(result, declaration, ...)                                                  \
+    auto result = (__VA_ARGS__);                                                                   \
+    if (!result)                                                                                   \
+        return ::axiscomp::fail(std::move(result).error());                                        \
+    declaration = *std::move(result)
+
+/// AXISCOMP_CHECK(write(registers)); hands the error of a Result on from the function.
+#define AXISCOMP_CHECK(...)                                                                        \
+    do {                                                                                           \
+        if (auto axiscompChecked = (__VA_ARGS__); !axiscompChecked)                                \
+            return ::axiscomp::fail(std::move(axiscompChecked).error());                           \
+    } while (false)

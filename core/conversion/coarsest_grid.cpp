@@ -200,10 +200,9 @@ private:
     [[nodiscard]] Result<Sizes> fewestAlone() const;
     [[nodiscard]] Result<CoarsestGrid> refined(const Sizes& fewest) const;
     [[nodiscard]] Result<CoarsestGrid> reduced(CoarsestGrid grid) const;
-    [[nodiscard]] std::string text(const Sizes& sizes) const;
-    [[nodiscard]] std::string text(double deviation) const
+    [[nodiscard]] Quantity quantity(double deviation) const
     {
-        return quantityText(deviation, m_table.columns.front().unit);
+        return quantityOf(deviation, m_table.columns.front().unit);
     }
 
     const NeutralTable& m_table;
@@ -229,12 +228,13 @@ double GridSearch::countOf(const Sizes& sizes)
     return count;
 }
 
-std::string GridSearch::text(const Sizes& sizes) const
+/// "3 x 4"
+std::string sizesOf(const std::vector<std::size_t>& points)
 {
     std::string text;
-    for (const std::size_t size : sizes)
+    for (const std::size_t size : points)
         text += (text.empty() ? "" : " x ") + std::to_string(size);
-    return text + " points";
+    return text;
 }
 
 Result<double> GridSearch::deviationOf(const Sizes& sizes) const
@@ -261,10 +261,14 @@ Result<GridSearch::Sizes> GridSearch::fewestAlone() const
         const std::size_t most = mostAlong(n);
         const auto fewest = search.fewest(most);
         if (!fewest)
-            return resamplingImpossible("a deviation of " + text(m_wanted) + " takes more than "
-                + std::to_string(most) + " points along " + axisText(m_table, n) + "; with "
-                + std::to_string(most) + " it is " + text(search.deviationWith(most))
-                + "; allow more points or a larger deviation");
+            return resamplingImpossible(AXISCOMP_TEXT("Error",
+                "a deviation of {deviation} takes more than {count} points along {axis}; with "
+                "{most} it is {found}; allow more points or a larger deviation")
+                                            .with("deviation", quantity(m_wanted))
+                                            .with("count", most)
+                                            .with("axis", axisText(m_table, n))
+                                            .with("most", most)
+                                            .with("found", quantity(search.deviationWith(most))));
         sizes.push_back(*fewest);
     }
     return sizes;
@@ -299,11 +303,16 @@ Result<CoarsestGrid> GridSearch::refined(const Sizes& fewest) const
         scale = std::max(scale * step, nextScale);
     }
     const bool wasTried = std::isfinite(grid.deviation);
-    return resamplingImpossible("a deviation of " + text(m_wanted)
-        + " takes more points than allowed; "
-        + (wasTried ? "with " + text(grid.points) + " it is " + text(grid.deviation)
-                    : "it takes at least " + text(fewest))
-        + "; allow more points or a larger deviation");
+    const TextPattern reason = wasTried
+        ? AXISCOMP_TEXT("Error",
+            "a deviation of {deviation} takes more points than allowed; with {sizes} points it "
+            "is {found}; allow more points or a larger deviation")
+        : AXISCOMP_TEXT("Error",
+            "a deviation of {deviation} takes more points than allowed; it takes at least "
+            "{sizes} points; allow more points or a larger deviation");
+    return resamplingImpossible(reason.with("deviation", quantity(m_wanted))
+                                    .with("sizes", sizesOf(wasTried ? grid.points : fewest))
+                                    .with("found", quantity(grid.deviation)));
 }
 
 Result<CoarsestGrid> GridSearch::reduced(CoarsestGrid grid) const
@@ -355,18 +364,19 @@ Result<CoarsestGrid> coarsestGrid(
 {
     if (auto fine = checkResamplable(table); !fine)
         return fail(fine.error());
-    const auto invalid = [](std::string reason) {
-        return fail(ErrorCode::InvalidArgument, {{"reason", std::move(reason)}});
-    };
     if (!std::isfinite(deviation) || deviation < 0.0)
-        return invalid("the wanted deviation must be a number of 0 or more");
+        return invalidArgument(
+            AXISCOMP_TEXT("Error", "the wanted deviation must be a number of 0 or more"));
     if (!limits.mostPerAxis.empty() && limits.mostPerAxis.size() != table.axes.size())
-        return invalid("limits for " + std::to_string(limits.mostPerAxis.size())
-            + " axes are given, the table has " + std::to_string(table.axes.size()));
+        return invalidArgument(
+            AXISCOMP_TEXT("Error", "limits for {count} axes are given, the table has {axes}")
+                .with("count", limits.mostPerAxis.size())
+                .with("axes", table.axes.size()));
     const bool isTooFew =
         std::ranges::any_of(limits.mostPerAxis, [](std::size_t most) { return most < 2; });
     if (isTooFew || limits.mostPoints < (std::size_t{1} << table.axes.size()))
-        return invalid("a grid has at least two points along each axis; allow as many");
+        return invalidArgument(AXISCOMP_TEXT(
+            "Error", "a grid has at least two points along each axis; allow as many"));
     return GridSearch(table, deviation, method, limits).run();
 }
 

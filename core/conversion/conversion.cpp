@@ -54,7 +54,7 @@ void noteRounding(
 /// One table on its way from one format to the other.
 class Converter {
 public:
-    Converter(const ConversionRequest& request, std::vector<std::string>& remarks)
+    Converter(const ConversionRequest& request, std::vector<Text>& remarks)
         : m_request(request)
         , m_remarks(remarks)
     {
@@ -80,7 +80,7 @@ private:
     }
 
     const ConversionRequest& m_request;
-    std::vector<std::string>& m_remarks;
+    std::vector<Text>& m_remarks;
 };
 
 Result<NeutralTable> Converter::merged(NeutralTable table, TableConversion& conversion) const
@@ -117,7 +117,7 @@ Result<NeutralTable> Converter::resampled(NeutralTable table, TableConversion& c
     auto resampled = resample(table, request);
     if (!resampled)
         return fail(resampled.error());
-    for (const std::string& remark : resampled->report.remarks)
+    for (const Text& remark : resampled->report.remarks)
         remarkOnce(m_remarks, remark);
     conversion.resampling = std::move(resampled->report);
     return std::move(resampled->table);
@@ -135,8 +135,9 @@ Result<NeutralTable> Converter::signConverted(NeutralTable table, TableConversio
     conversion.example = std::move(converted->example);
     if (converted->usesHeldEnds)
         remarkOnce(m_remarks,
-            "at the ends of the table the sign was converted with the end values held, where the "
-            "controller of the source applies nothing");
+            AXISCOMP_TEXT("Error",
+                "at the ends of the table the sign was converted with the end values held, where "
+                "the controller of the source applies nothing"));
     return std::move(converted->table);
 }
 
@@ -179,15 +180,20 @@ Result<void> Converter::finish(
     return {};
 }
 
-void remarkOnSigns(const ConversionRequest& request, std::vector<std::string>& remarks)
+void remarkOnSigns(const ConversionRequest& request, std::vector<Text>& remarks)
 {
     const auto remark = [&](const TableFormat& format, bool isOverruled) {
         const FormatFacts& facts = format.facts;
         if (!isOverruled && facts.signEvidence == Evidence::Assumed)
             remarkOnce(remarks,
-                "that files of the format " + std::string(facts.name) + " hold the "
-                    + std::string(signName(facts.sign))
-                    + " convention is an assumption: check one point on the machine");
+                (facts.sign == SignConvention::Feedback
+                        ? AXISCOMP_TEXT("Error",
+                            "that files of the format {format} hold the feedback convention is "
+                            "an assumption: check one point on the machine")
+                        : AXISCOMP_TEXT("Error",
+                            "that files of the format {format} hold the command convention is an "
+                            "assumption: check one point on the machine"))
+                    .with("format", facts.name));
     };
     remark(*request.from, request.sourceSign.has_value());
     remark(*request.to, request.targetSign.has_value());
@@ -221,7 +227,7 @@ Result<Conversion> convertTables(
             !done)
             return fail(done.error());
     remarkOnSigns(request, conversion.remarks);
-    for (const std::string& remark : conversion.written.remarks)
+    for (const Text& remark : conversion.written.remarks)
         remarkOnce(conversion.remarks, remark);
     return conversion;
 }

@@ -39,7 +39,7 @@ struct TableConversion {
     ConversionDifference difference; ///< source and result, each as its controller applies it
     double valueRounding = 0.0; ///< the largest, by the steps of the target's numbers
     double positionRounding = 0.0;
-    std::string example; ///< one point in words, both conventions
+    Text example; ///< one point in words, both conventions
 };
 
 struct Conversion {
@@ -56,7 +56,7 @@ struct Conversion {
 
 /// The sentences of a report, in the order of interest: sign with the example, resampling,
 /// directions, rounding, the largest difference, remarks.
-[[nodiscard]] std::vector<std::string> conversionReport(
+[[nodiscard]] std::vector<Text> conversionReport(
     const Conversion& conversion, const ConversionRequest& request);
 
 } // namespace axiscomp

@@ -5,23 +5,21 @@
 #include "core/neutral/table_motion.h"
 
 #include <span>
-#include <string>
 #include <utility>
 
 namespace axiscomp {
 
-inline auto invalidArgument(std::string reason)
+inline auto invalidArgument(Text reason)
 {
     return fail(ErrorCode::InvalidArgument, {{"reason", std::move(reason)}});
 }
 
-inline auto resamplingImpossible(std::string reason)
+inline auto resamplingImpossible(Text reason)
 {
     return fail(ErrorCode::ResamplingImpossible, {{"reason", std::move(reason)}});
 }
 
-inline auto notConvertible(
-    const NeutralTable& table, std::span<const double> position, std::string reason)
+inline auto notConvertible(const NeutralTable& table, std::span<const double> position, Text reason)
 {
     return fail(ErrorCode::SignNotConvertible,
         {{"position", positionText(table, position)}, {"reason", std::move(reason)}});

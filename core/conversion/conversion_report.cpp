@@ -13,11 +13,11 @@ namespace axiscomp {
 namespace {
 
 /// An amount that nobody needs exactly: "0.0333 um".
-std::string amountText(double amount, const std::string& unit)
+Quantity amountOf(double amount, const std::string& unit)
 {
     std::array<char, 32> text{};
     std::snprintf(text.data(), text.size(), "%.3g", amount);
-    return unit.empty() ? text.data() : std::string(text.data()) + ' ' + unit;
+    return {text.data(), unit};
 }
 
 /// What is left of numbers that are the same but for the rounding of doubles.
@@ -37,85 +37,122 @@ bool isFloatRounding(const TableConversion& table, const ConversionRequest& requ
     return table.valueRounding <= share * largest;
 }
 
-std::string formatSign(const TableFormat& format, std::optional<SignConvention> overruled)
+Text formatSign(const TableFormat& format, std::optional<SignConvention> overruled)
 {
-    const FormatFacts& facts = format.facts;
-    std::string text = std::string(facts.name) + " holds ";
-    text += signName(overruled.value_or(facts.sign));
-    return text + (overruled ? " values, as you say" : " values");
+    constexpr TextPattern known[] = {AXISCOMP_TEXT("Error", "{format} holds feedback values"),
+        AXISCOMP_TEXT("Error", "{format} holds command values")};
+    constexpr TextPattern said[] = {
+        AXISCOMP_TEXT("Error", "{format} holds feedback values, as you say"),
+        AXISCOMP_TEXT("Error", "{format} holds command values, as you say")};
+    const auto sign = static_cast<std::size_t>(overruled.value_or(format.facts.sign));
+    return (overruled ? said : known)[sign].with("format", format.facts.name);
 }
 
-std::string signLine(const ConversionRequest& request, const std::string& example)
+Text signLine(const ConversionRequest& request, const Text& example)
 {
-    std::string text = "sign: " + formatSign(*request.from, request.sourceSign);
-    if (request.from != request.to || request.targetSign)
-        text += ", " + formatSign(*request.to, request.targetSign);
-    return text + "; " + example;
+    const bool hasTarget = request.from != request.to || request.targetSign;
+    return (hasTarget ? AXISCOMP_TEXT("Error", "sign: {from}, {to}; {example}")
+                      : AXISCOMP_TEXT("Error", "sign: {from}; {example}"))
+        .with("from", formatSign(*request.from, request.sourceSign))
+        .with("to", formatSign(*request.to, request.targetSign))
+        .with("example", example);
 }
 
-std::string sizesText(const NeutralTable& table)
+/// "3 x 4"
+std::string knotCounts(const NeutralTable& table)
 {
     std::string text;
     for (const SourceAxis& axis : table.axes)
         text += (text.empty() ? "" : " x ") + std::to_string(axis.knots.size());
-    return text + " points";
+    return text;
 }
 
-std::string resamplingLine(const TableConversion& table, std::size_t column)
+Text resamplingLine(const TableConversion& table, std::size_t column)
 {
     const ResamplingReport& report = *table.resampling;
     const ColumnDeviation& deviation = report.columns[column];
     const std::string& unit = table.source.columns[column].unit;
-    return "resampled from " + sizesText(table.source) + " to " + sizesText(table.result)
-        + ": at the positions of the source it is off by at most "
-        + amountText(deviation.largest, unit) + ", " + amountText(deviation.rms, unit) + " rms";
+    return AXISCOMP_TEXT("Error",
+        "resampled from {before} points to {after} points: at the positions of the source it is "
+        "off by at most {largest}, {rms} rms")
+        .with("before", knotCounts(table.source))
+        .with("after", knotCounts(table.result))
+        .with("largest", amountOf(deviation.largest, unit))
+        .with("rms", amountOf(deviation.rms, unit));
 }
 
-std::string directionLine(
-    const TableConversion& table, const DirectionLoss& loss, DirectionChoice choice)
+Text directionLine(const TableConversion& table, const DirectionLoss& loss, DirectionChoice choice)
 {
     const CompensationColumn& column = table.result.columns[loss.column];
-    const std::string unit = table.source.columns.front().unit;
-    std::string text = "one value for both directions of motion, " + std::string(choiceName(choice))
-        + (column.target.empty() ? "" : ", for " + column.target);
+    const bool hasTarget = !column.target.empty();
     if (loss.position.empty())
-        return text + ": they are the same";
-    return text + ": half their difference is up to " + amountText(loss.largestHalfDifference, unit)
-        + ", at " + positionText(table.source, loss.position);
+        return (hasTarget ? AXISCOMP_TEXT("Error",
+                    "one value for both directions of motion, {choice}, for {target}: they are the "
+                    "same")
+                          : AXISCOMP_TEXT("Error",
+                              "one value for both directions of motion, {choice}: they are the "
+                              "same"))
+            .with("choice", choiceText(choice))
+            .with("target", column.target);
+    const std::string& unit = table.source.columns.front().unit;
+    return (hasTarget ? AXISCOMP_TEXT("Error",
+                "one value for both directions of motion, {choice}, for {target}: half their "
+                "difference is up to {loss}, at {place}")
+                      : AXISCOMP_TEXT("Error",
+                          "one value for both directions of motion, {choice}: half their "
+                          "difference is up to {loss}, at {place}"))
+        .with("choice", choiceText(choice))
+        .with("target", column.target)
+        .with("loss", amountOf(loss.largestHalfDifference, unit))
+        .with("place", positionText(table.source, loss.position));
 }
 
-std::string roundingLine(const TableConversion& table)
+Text roundingLine(const TableConversion& table)
 {
-    std::string text = "the numbers of the file are rounded: values by up to "
-        + amountText(table.valueRounding, table.result.columns.front().unit);
-    if (table.positionRounding > 0.0)
-        text += ", positions by up to "
-            + amountText(table.positionRounding, table.result.axes.front().unit);
-    return text;
+    return (table.positionRounding > 0.0
+            ? AXISCOMP_TEXT("Error",
+                "the numbers of the file are rounded: values by up to {value}, positions by up "
+                "to {position}")
+            : AXISCOMP_TEXT(
+                "Error", "the numbers of the file are rounded: values by up to {value}"))
+        .with("value", amountOf(table.valueRounding, table.result.columns.front().unit))
+        .with("position", amountOf(table.positionRounding, table.result.axes.front().unit));
 }
 
-std::string differenceLine(const TableConversion& table, const ColumnDifference& difference)
+Text differenceOf(const TableConversion& table, const ColumnDifference& difference)
 {
     const CompensationColumn& column = table.source.columns[difference.columnA];
-    std::string text = "compared at " + std::to_string(table.difference.positions)
-        + " positions, each by its controller's rules";
-    if (table.source.columns.size() > 1)
-        text += " (" + columnText(table.source, column) + ")";
     if (isNoise(difference.largest, column))
-        return text + ": they do not differ";
-    text += ": they differ by at most " + amountText(difference.largest, column.unit);
-    if (!difference.where.empty())
-        text += " at " + positionText(table.source, difference.where);
+        return AXISCOMP_TEXT("Error", "they do not differ");
+    TextPattern pattern = AXISCOMP_TEXT("Error", "they differ by at most {largest} at {place}");
     if (isNoise(difference.largestInside, column))
-        text += ", and not at all where both have values";
+        pattern = AXISCOMP_TEXT("Error",
+            "they differ by at most {largest} at {place}, and not at all where both have values");
     else if (difference.largestInside < difference.largest)
-        text += ", where both have values by at most "
-            + amountText(difference.largestInside, column.unit);
-    return text;
+        pattern = AXISCOMP_TEXT("Error",
+            "they differ by at most {largest} at {place}, where both have values by at most "
+            "{inside}");
+    return pattern.with("largest", amountOf(difference.largest, column.unit))
+        .with("place", positionText(table.source, difference.where))
+        .with("inside", amountOf(difference.largestInside, column.unit));
+}
+
+Text differenceLine(const TableConversion& table, const ColumnDifference& difference)
+{
+    const bool hasOthers = table.source.columns.size() > 1;
+    return (hasOthers
+            ? AXISCOMP_TEXT("Error",
+                "compared at {count} positions, each by its controller's rules ({column}): "
+                "{difference}")
+            : AXISCOMP_TEXT("Error",
+                "compared at {count} positions, each by its controller's rules: {difference}"))
+        .with("count", table.difference.positions)
+        .with("column", columnText(table.source, table.source.columns[difference.columnA]))
+        .with("difference", differenceOf(table, difference));
 }
 
 void addTable(
-    const TableConversion& table, const ConversionRequest& request, std::vector<std::string>& lines)
+    const TableConversion& table, const ConversionRequest& request, std::vector<Text>& lines)
 {
     lines.push_back(signLine(request, table.example));
     for (std::size_t n = 0; table.resampling && n < table.resampling->columns.size(); ++n)
@@ -130,14 +167,14 @@ void addTable(
 
 } // namespace
 
-std::vector<std::string> conversionReport(
-    const Conversion& conversion, const ConversionRequest& request)
+std::vector<Text> conversionReport(const Conversion& conversion, const ConversionRequest& request)
 {
-    std::vector<std::string> lines;
+    std::vector<Text> lines;
     for (std::size_t n = 0; n < conversion.tables.size(); ++n) {
         if (conversion.tables.size() > 1)
-            lines.push_back("table " + std::to_string(n + 1) + " of "
-                + std::to_string(conversion.tables.size()) + ":");
+            lines.push_back(AXISCOMP_TEXT("Error", "table {number} of {count}:")
+                                .with("number", n + 1)
+                                .with("count", conversion.tables.size()));
         addTable(conversion.tables[n], request, lines);
     }
     lines.insert(lines.end(), conversion.remarks.begin(), conversion.remarks.end());

@@ -10,9 +10,11 @@ namespace axiscomp {
 
 namespace {
 
-std::string targetText(const CompensationColumn& column)
+Argument targetText(const CompensationColumn& column)
 {
-    return column.target.empty() ? "the target without a name" : column.target;
+    if (column.target.empty())
+        return AXISCOMP_TEXT("Error", "the target without a name");
+    return column.target;
 }
 
 /// The columns of one target.
@@ -53,12 +55,20 @@ Result<std::vector<Group>> groupsOf(const NeutralTable& table)
         }
         const CompensationColumn*& member = memberOf(*group, column.direction);
         if (member)
-            return invalidArgument("there are two columns for " + targetText(column) + " in "
-                + std::string(directionName(column.direction)) + " direction; keep one of them");
+            return invalidArgument((column.direction == Direction::Positive
+                    ? AXISCOMP_TEXT("Error",
+                        "there are two columns for {target} in positive direction; keep one of "
+                        "them")
+                    : AXISCOMP_TEXT("Error",
+                        "there are two columns for {target} in negative direction; keep one of "
+                        "them"))
+                                       .with("target", targetText(column)));
         member = &column;
         if (group->both && (group->positive || group->negative))
-            return invalidArgument("for " + targetText(column)
-                + " there are values for both directions and others for one; keep one of them");
+            return invalidArgument(AXISCOMP_TEXT("Error",
+                "for {target} there are values for both directions and others for one; keep one of "
+                "them")
+                                       .with("target", targetText(column)));
     }
     return groups;
 }
@@ -86,6 +96,7 @@ private:
     [[nodiscard]] Result<void> merge(const Group& group);
     [[nodiscard]] Result<void> mergePair(const Group& group);
     [[nodiscard]] Result<void> takeSingle(const Group& group);
+    [[nodiscard]] TextPattern missing(bool hasPositive) const;
 
     const NeutralTable& m_table;
     DirectionChoice m_choice;
@@ -101,17 +112,31 @@ Result<void> Merger::merge(const Group& group)
     return group.positive && group.negative ? mergePair(group) : takeSingle(group);
 }
 
+/// Why a column in one direction does not do.
+TextPattern Merger::missing(bool hasPositive) const
+{
+    if (m_choice == DirectionChoice::Mean)
+        return hasPositive ? AXISCOMP_TEXT("Error",
+                   "{target} has values for the positive direction only, so that there is no mean; "
+                   "choose the positive direction")
+                           : AXISCOMP_TEXT("Error",
+                               "{target} has values for the negative direction only, so that "
+                               "there is no mean; choose the negative direction");
+    return hasPositive ? AXISCOMP_TEXT("Error",
+               "{target} has values for the positive direction only, so that there is no negative "
+               "one; choose the positive direction")
+                       : AXISCOMP_TEXT("Error",
+                           "{target} has values for the negative direction only, so that there is "
+                           "no positive one; choose the negative direction");
+}
+
 Result<void> Merger::takeSingle(const Group& group)
 {
     const bool isChosen = (m_choice == DirectionChoice::Positive && group.positive)
         || (m_choice == DirectionChoice::Negative && group.negative);
-    const std::string_view has = directionName(group.first->direction);
     if (!isChosen)
-        return invalidArgument(targetText(*group.first) + " has values for the " + std::string(has)
-            + " direction only, so that there is no "
-            + (m_choice == DirectionChoice::Mean ? std::string("mean")
-                                                 : std::string(choiceName(m_choice)) + " one")
-            + "; choose the " + std::string(has) + " direction");
+        return invalidArgument(
+            missing(group.positive != nullptr).with("target", targetText(*group.first)));
     CompensationColumn column = *group.first;
     column.direction = Direction::Both;
     m_result.table.columns.push_back(std::move(column));
@@ -120,7 +145,8 @@ Result<void> Merger::takeSingle(const Group& group)
 
 Result<void> Merger::mergePair(const Group& group)
 {
-    const std::string what = "values for " + targetText(*group.first);
+    const Text what =
+        AXISCOMP_TEXT("Error", "values for {column}").with("column", targetText(*group.first));
     const auto positiveFactor = factorBetween(group.positive->unit, group.first->unit, what);
     const auto negativeFactor = factorBetween(group.negative->unit, group.first->unit, what);
     if (!positiveFactor || !negativeFactor)
@@ -156,17 +182,17 @@ Result<void> Merger::mergePair(const Group& group)
 
 } // namespace
 
-std::string_view choiceName(DirectionChoice choice)
+TextPattern choiceText(DirectionChoice choice)
 {
     switch (choice) {
     case DirectionChoice::Positive:
-        return "positive";
+        return AXISCOMP_TEXT("Error", "positive");
     case DirectionChoice::Negative:
-        return "negative";
+        return AXISCOMP_TEXT("Error", "negative");
     case DirectionChoice::Mean:
         break;
     }
-    return "mean";
+    return AXISCOMP_TEXT("Error", "mean");
 }
 
 Result<MergedDirections> mergeDirections(const NeutralTable& table, DirectionChoice choice)

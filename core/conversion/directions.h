@@ -8,7 +8,7 @@ namespace axiscomp {
 
 /// What one value for both directions of motion is made of.
 enum class DirectionChoice { Mean, Positive, Negative };
-[[nodiscard]] std::string_view choiceName(DirectionChoice choice); ///< "mean", "positive", ...
+[[nodiscard]] TextPattern choiceText(DirectionChoice choice); ///< "mean", "positive", ...
 
 /// What is lost for one target: half the difference of the two directions. With the mean an axis
 /// is off by that much in either direction; with one of them it is exact there, and off by twice as

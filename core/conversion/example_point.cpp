@@ -23,9 +23,9 @@ std::string sixDigits(double value)
 }
 
 /// "+0.0021 mm"
-std::string signedText(double value, const std::string& unit)
+Quantity signedQuantity(double value, const std::string& unit)
 {
-    return (value > 0.0 ? "+" : "") + sixDigits(value) + (unit.empty() ? "" : " " + unit);
+    return {(value > 0.0 ? "+" : "") + sixDigits(value), unit};
 }
 
 /// So that the sum with a position has no more digits than the value itself is shown with.
@@ -76,55 +76,34 @@ public:
     }
 
     /// Without the numbers of files.
-    [[nodiscard]] std::string text() const
+    [[nodiscard]] Text text() const
     {
-        std::string text;
-        if (m_column.direction != Direction::Both)
-            text = "moving in " + std::string(directionName(m_column.direction)) + " direction, ";
-        return text + (m_table.sign == SignConvention::Feedback ? encoderText() : commandText());
+        Text text = m_table.sign == SignConvention::Feedback ? encoderText() : commandText();
+        if (m_column.direction == Direction::Both)
+            return text;
+        return (m_column.direction == Direction::Positive
+                ? AXISCOMP_TEXT("Error", "moving in positive direction, {example}")
+                : AXISCOMP_TEXT("Error", "moving in negative direction, {example}"))
+            .with("example", std::move(text));
     }
 
 private:
-    [[nodiscard]] std::string place() const { return positionText(m_table, m_position); }
-    [[nodiscard]] std::string target() const
+    [[nodiscard]] Text about(const TextPattern& pattern) const;
+    [[nodiscard]] Argument target() const
     {
-        return m_column.target.empty() ? "the target" : m_column.target;
+        if (m_column.target.empty())
+            return AXISCOMP_TEXT("Error", "the target");
+        return m_column.target;
     }
     /// What the value makes of the position of its own axis.
-    [[nodiscard]] std::string movedPlace() const
+    [[nodiscard]] Quantity movedPlace() const
     {
         const SourceAxis& axis = m_table.axes[*m_own];
         const double factor = unitFactor(m_column.unit, axis.unit).value_or(1.0);
-        return quantityText(m_position[*m_own] + factor * shownValue(m_value), axis.unit);
+        return quantityOf(m_position[*m_own] + factor * shownValue(m_value), axis.unit);
     }
-    [[nodiscard]] std::string referenceOffset(double offset) const
-    {
-        return "the reference of " + target() + " is "
-            + quantityText(std::abs(offset), m_column.unit) + (offset > 0.0 ? " above" : " below")
-            + " its encoder";
-    }
-    [[nodiscard]] std::string encoderText() const
-    {
-        const bool isOne = m_table.axes.size() == 1;
-        const std::string reads =
-            "where the " + std::string(isOne ? "encoder reads " : "encoders read ") + place();
-        if (!m_own)
-            return reads + ' ' + referenceOffset(m_value);
-        return reads + " the reference " + (isOne ? "" : "of " + axisText(m_table, *m_own) + ' ')
-            + "says " + movedPlace();
-    }
-    [[nodiscard]] std::string commandText() const
-    {
-        if (!m_own)
-            return "commanded to " + place() + ", where " + referenceOffset(-m_value)
-                + ", the controller moves " + target() + " by "
-                + signedText(m_value, m_column.unit);
-        const bool isOne = m_table.axes.size() == 1;
-        return "commanded to " + place() + ", the controller moves the encoder "
-            + (isOne ? "" : "of " + axisText(m_table, *m_own) + ' ') + "to " + movedPlace()
-            + ", where the reference says "
-            + quantityText(m_position[*m_own], m_table.axes[*m_own].unit);
-    }
+    [[nodiscard]] Text encoderText() const;
+    [[nodiscard]] Text commandText() const;
 
     const NeutralTable& m_table;
     const CompensationColumn& m_column;
@@ -133,33 +112,99 @@ private:
     Position m_position;
 };
 
-std::string fileText(const NeutralTable& table, const Point& point)
+/// With what the sentences say of the place and of the axis.
+Text Sentence::about(const TextPattern& pattern) const
 {
-    const CompensationColumn& column = table.columns[point.column];
-    return "the " + std::string(signName(table.sign)) + " file says "
-        + signedText(column.values[point.index], column.unit);
+    Text text = pattern.with("place", positionText(m_table, m_position));
+    if (!m_own)
+        return std::move(text)
+            .with("axis", target())
+            .with("offset", quantityOf(std::abs(m_value), m_column.unit));
+    return std::move(text)
+        .with("axis", axisText(m_table, *m_own))
+        .with("moved", movedPlace())
+        .with("reference", quantityOf(m_position[*m_own], m_table.axes[*m_own].unit));
 }
 
-constexpr std::string_view allZero = "all values are 0, in either sign";
+Text Sentence::encoderText() const
+{
+    const bool isOne = m_table.axes.size() == 1;
+    if (m_own)
+        return about(isOne
+                ? AXISCOMP_TEXT(
+                    "Error", "where the encoder reads {place} the reference says {moved}")
+                : AXISCOMP_TEXT("Error",
+                    "where the encoders read {place} the reference of {axis} says {moved}"));
+    if (isOne)
+        return about(m_value > 0.0
+                ? AXISCOMP_TEXT("Error",
+                    "where the encoder reads {place} the reference of {axis} is {offset} above "
+                    "its encoder")
+                : AXISCOMP_TEXT("Error",
+                    "where the encoder reads {place} the reference of {axis} is {offset} below "
+                    "its encoder"));
+    return about(m_value > 0.0
+            ? AXISCOMP_TEXT("Error",
+                "where the encoders read {place} the reference of {axis} is {offset} above its "
+                "encoder")
+            : AXISCOMP_TEXT("Error",
+                "where the encoders read {place} the reference of {axis} is {offset} below its "
+                "encoder"));
+}
+
+Text Sentence::commandText() const
+{
+    if (m_own)
+        return about(m_table.axes.size() == 1
+                ? AXISCOMP_TEXT("Error",
+                    "commanded to {place}, the controller moves the encoder to {moved}, where "
+                    "the reference says {reference}")
+                : AXISCOMP_TEXT("Error",
+                    "commanded to {place}, the controller moves the encoder of {axis} to "
+                    "{moved}, where the reference says {reference}"));
+    return about(m_value < 0.0
+            ? AXISCOMP_TEXT("Error",
+                "commanded to {place}, where the reference of {axis} is {offset} above its "
+                "encoder, the controller moves {target} by {value}")
+            : AXISCOMP_TEXT("Error",
+                "commanded to {place}, where the reference of {axis} is {offset} below its "
+                "encoder, the controller moves {target} by {value}"))
+        .with("target", target())
+        .with("value", signedQuantity(m_value, m_column.unit));
+}
+
+Quantity valueOf(const NeutralTable& table, const Point& point)
+{
+    const CompensationColumn& column = table.columns[point.column];
+    return signedQuantity(column.values[point.index], column.unit);
+}
+
+constexpr TextPattern allZero = AXISCOMP_TEXT("Error", "all values are 0, in either sign");
 
 } // namespace
 
-std::string examplePoint(const NeutralTable& table)
+Text examplePoint(const NeutralTable& table)
 {
     const auto point = largestPoint(table);
     if (!point)
-        return std::string(allZero);
-    return Sentence(table, *point).text() + ": " + fileText(table, *point);
+        return allZero;
+    return (table.sign == SignConvention::Feedback
+            ? AXISCOMP_TEXT("Error", "{example}: the feedback file says {value}")
+            : AXISCOMP_TEXT("Error", "{example}: the command file says {value}"))
+        .with("example", Sentence(table, *point).text())
+        .with("value", valueOf(table, *point));
 }
 
-std::string examplePoint(const NeutralTable& feedback, const NeutralTable& command)
+Text examplePoint(const NeutralTable& feedback, const NeutralTable& command)
 {
     const auto point = largestPoint(feedback);
     if (!point)
-        return std::string(allZero);
-    const CompensationColumn& column = command.columns[point->column];
-    return Sentence(feedback, *point).text() + ": " + fileText(feedback, *point)
-        + ", the command file " + signedText(column.values[point->index], column.unit);
+        return allZero;
+    return AXISCOMP_TEXT(
+        "Error", "{example}: the feedback file says {value}, the command file {other}")
+        .with("example", Sentence(feedback, *point).text())
+        .with("value", valueOf(feedback, *point))
+        .with("other", valueOf(command, *point));
 }
 
 } // namespace axiscomp

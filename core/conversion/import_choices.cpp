@@ -22,7 +22,8 @@ Result<ResamplingRequest> gridRequest(const ResamplingChoice& choice, std::size_
         if (choice.kind == ResamplingChoice::Kind::Distance)
             request.axes[n].distance = number;
         else if (number < 2.0 || number > mostPoints || number != std::floor(number))
-            return invalidArgument("a number of points is a whole number, at least 2");
+            return invalidArgument(
+                AXISCOMP_TEXT("Error", "a number of points is a whole number, at least 2"));
         else
             request.axes[n].points = static_cast<std::size_t>(number);
     }
@@ -43,12 +44,13 @@ Result<decltype(ConversionRequest::resampling)> resamplingRequest(
     if (choice.kind == ResamplingChoice::Kind::None)
         return Answer{};
     if (choice.numbers.empty())
-        return invalidArgument("the number for the even grid is missing");
+        return invalidArgument(AXISCOMP_TEXT("Error", "the number for the even grid is missing"));
     if (choice.kind == ResamplingChoice::Kind::Within)
         return Answer{WantedDeviation{choice.numbers.front(), choice.method}};
     if (choice.numbers.size() != 1 && choice.numbers.size() != dimensions)
-        return invalidArgument("the even grid needs one number, or one for each of the "
-            + std::to_string(dimensions) + " source axes");
+        return invalidArgument(AXISCOMP_TEXT(
+            "Error", "the even grid needs one number, or one for each of the {count} source axes")
+                                   .with("count", dimensions));
     auto request = gridRequest(choice, dimensions);
     if (!request)
         return fail(request.error());

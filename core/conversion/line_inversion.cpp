@@ -11,8 +11,6 @@ namespace axiscomp {
 
 namespace {
 
-constexpr std::string_view unitHint = "; check the unit of the values";
-
 double offsetAt(const NeutralTable& table, const Mover& mover, std::size_t index)
 {
     double sum = 0.0;
@@ -64,9 +62,12 @@ Result<void> checkClosed(const NeutralTable& table, const Mover& mover, std::siz
             continue;
         const std::string& unit = table.axes[mover.axis].unit;
         return notConvertible(table, knotPosition(table, first),
-            "a full turn of " + axisText(table, axis) + " begins with the correction "
-                + quantityText(begin, unit) + " and ends with " + quantityText(end, unit)
-                + "; make both the same, or leave the modulo out");
+            AXISCOMP_TEXT("Error",
+                "a full turn of {axis} begins with the correction {begin} and ends with {end}; "
+                "make both the same, or leave the modulo out")
+                .with("axis", axisText(table, axis))
+                .with("begin", quantityOf(begin, unit))
+                .with("end", quantityOf(end, unit)));
     }
     return {};
 }
@@ -150,13 +151,14 @@ Result<void> checkInvertible(const NeutralTable& table, const Mover& mover)
         if (const auto knot = line.fault()) {
             if (!std::isfinite(line.sum(*knot)) || !std::isfinite(line.sum((*knot + 1) % count)))
                 return notConvertible(table, knotPosition(table, first + *knot * stride),
-                    "the numbers are too large to be added to each other");
+                    AXISCOMP_TEXT("Error", "the numbers are too large to be added to each other"));
             const std::size_t next = (*knot + 1) % count;
             return notConvertible(table, knotPosition(table, first + *knot * stride),
-                "from there to " + quantityText(axis.knots[next], axis.unit)
-                    + " the correction changes by "
-                    + quantityText(line.offset(next) - line.offset(*knot), axis.unit)
-                    + ", so that positions would change their order" + std::string(unitHint));
+                AXISCOMP_TEXT("Error",
+                    "from there to {place} the correction changes by {change}, so that positions "
+                    "would change their order; check the unit of the values")
+                    .with("place", quantityOf(axis.knots[next], axis.unit))
+                    .with("change", quantityOf(line.offset(next) - line.offset(*knot), axis.unit)));
         }
     }
     return {};
@@ -182,9 +184,11 @@ Result<SlopeMatrix> checkContraction(const NeutralTable& table, const std::vecto
     if (contracts(slopes))
         return slopes;
     return notConvertible(table, knotPosition(table, steepest.index),
-        "the correction of " + axisText(table, row) + " changes by " + roundedText(steepest.size)
-            + " for each unit of the way, too much for several axes that are corrected together"
-            + std::string(unitHint));
+        AXISCOMP_TEXT("Error",
+            "the correction of {axis} changes by {change} for each unit of the way, too much for "
+            "several axes that are corrected together; check the unit of the values")
+            .with("axis", axisText(table, row))
+            .with("change", Quantity{roundedText(steepest.size)}));
 }
 
 } // namespace axiscomp

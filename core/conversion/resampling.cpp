@@ -152,10 +152,12 @@ Result<void> checkResamplable(const NeutralTable& table)
                 const double begin = column.values[first];
                 const double end = column.values[first + (count - 1) * stride];
                 if (std::abs(begin - end) > rounding * largest)
-                    return resamplingImpossible("a full turn of " + axisText(table, n)
-                        + " begins with " + quantityText(begin, column.unit) + " and ends with "
-                        + quantityText(end, column.unit)
-                        + "; make both the same, or leave the modulo out");
+                    return resamplingImpossible(AXISCOMP_TEXT("Error",
+                        "a full turn of {axis} begins with {begin} and ends with {end}; make both "
+                        "the same, or leave the modulo out")
+                                                    .with("axis", axisText(table, n))
+                                                    .with("begin", quantityOf(begin, column.unit))
+                                                    .with("end", quantityOf(end, column.unit)));
             }
         }
     }
@@ -179,7 +181,7 @@ Result<ResampledTable> resampleOnto(
         closeTurn(table.axes[n], plan[n], made, places[n]);
         isKept = isKept && plan[n].isKept;
         result.grid.push_back(plan[n].grid);
-        if (!plan[n].remark.empty())
+        if (!plan[n].remark.isEmpty())
             result.report.remarks.push_back(plan[n].remark);
     }
     for (CompensationColumn& column : result.table.columns) {
@@ -191,8 +193,9 @@ Result<ResampledTable> resampleOnto(
         column.step = isKept ? column.step : 0.0;
         for (const double value : column.values)
             if (!std::isfinite(value))
-                return resamplingImpossible("the values for " + columnText(table, column)
-                    + " are too large to be interpolated");
+                return resamplingImpossible(AXISCOMP_TEXT(
+                    "Error", "the values for {column} are too large to be interpolated")
+                                                .with("column", columnText(table, column)));
     }
     result.report.columns = deviationsOf(table, plan, result.table);
     return result;
@@ -203,10 +206,10 @@ Result<ResampledTable> resample(const NeutralTable& table, const ResamplingReque
     if (auto fine = checkResamplable(table); !fine)
         return fail(fine.error());
     if (request.axes.size() != table.axes.size())
-        return fail(ErrorCode::InvalidArgument,
-            {{"reason",
-                "grids for " + std::to_string(request.axes.size()) + " axes are given, the table "
-                    + "has " + std::to_string(table.axes.size())}});
+        return invalidArgument(
+            AXISCOMP_TEXT("Error", "grids for {count} axes are given, the table has {axes}")
+                .with("count", request.axes.size())
+                .with("axes", table.axes.size()));
     std::vector<PlannedAxis> plan;
     double points = 1.0;
     for (std::size_t n = 0; n < table.axes.size(); ++n) {
@@ -217,8 +220,9 @@ Result<ResampledTable> resample(const NeutralTable& table, const ResamplingReque
         plan.push_back(std::move(*planned));
     }
     if (points > static_cast<double>(mostGridPoints))
-        return resamplingImpossible("the grid would have more than "
-            + std::to_string(mostGridPoints) + " points; take fewer along an axis");
+        return resamplingImpossible(AXISCOMP_TEXT(
+            "Error", "the grid would have more than {count} points; take fewer along an axis")
+                                        .with("count", mostGridPoints));
     return resampleOnto(table, plan, request.method);
 }
 

@@ -6,7 +6,6 @@
 
 #include <cstddef>
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace axiscomp {
@@ -109,7 +108,7 @@ struct PlannedAxis {
     double from = 0.0; ///< the wanted range, in which deviations count
     double to = 0.0;
     bool isKept = false; ///< the knots are the source's own, and so are the values along them
-    std::string remark; ///< empty: the grid is as wanted
+    Text remark; ///< empty: the grid is as wanted
 };
 
 /// points positions over a range: the first and the last exactly at its ends.

@@ -57,15 +57,24 @@ public:
             : byDistance(holdsEnds);
         // as pointsAreDistinct has it: closer points are one place for a controller
         if (planned && !(planned->grid.distance > 4.0 * roundingOf(m_from, m_to)))
-            return resamplingImpossible("the points along " + m_name
-                + " would be so close that positions " + "cannot tell them apart; take fewer");
+            return resamplingImpossible(about(AXISCOMP_TEXT("Error",
+                "the points along {axis} would be so close that positions cannot tell them apart; "
+                "take fewer")));
         return planned;
     }
 
 private:
-    [[nodiscard]] std::string text(double position) const
+    [[nodiscard]] Quantity quantity(double position) const
     {
-        return quantityText(position, m_axis.unit);
+        return quantityOf(position, m_axis.unit);
+    }
+    /// With the axis and the wanted grid, of which every sentence says something.
+    [[nodiscard]] Text about(const TextPattern& pattern) const
+    {
+        return pattern.with("axis", m_name)
+            .with("from", quantity(m_from))
+            .with("to", quantity(m_to))
+            .with("distance", quantity(m_request.distance));
     }
     [[nodiscard]] Result<void> checkRequest() const;
     [[nodiscard]] Result<void> checkRange(bool holdsEnds) const;
@@ -74,7 +83,7 @@ private:
     [[nodiscard]] Result<PlannedAxis> otherEnd(double cells, bool holdsEnds) const;
 
     const SourceAxis& m_axis;
-    std::string m_name;
+    Text m_name;
     const AxisRequest& m_request;
     double m_from;
     double m_to;
@@ -85,23 +94,27 @@ Result<void> AxisPlanner::checkRequest() const
 {
     const double distance = m_request.distance;
     if (m_request.points > 0 && distance != 0.0)
-        return invalidArgument(
-            "for " + m_name + " both a number of points and a distance are given");
+        return invalidArgument(about(
+            AXISCOMP_TEXT("Error", "for {axis} both a number of points and a distance are given")));
     if (m_request.points == 1)
-        return invalidArgument("a grid along " + m_name + " needs at least two points");
+        return invalidArgument(
+            about(AXISCOMP_TEXT("Error", "a grid along {axis} needs at least two points")));
     if (!std::isfinite(distance) || distance < 0.0)
-        return invalidArgument("the distance along " + m_name + " must be a number above 0");
+        return invalidArgument(
+            about(AXISCOMP_TEXT("Error", "the distance along {axis} must be a number above 0")));
     if (!std::isfinite(m_from) || !std::isfinite(m_to) || !std::isfinite(m_to - m_from)
         || !(m_to - m_from > m_rounding))
-        return invalidArgument("the grid along " + m_name
-            + " must end above its start, not go from " + text(m_from) + " to " + text(m_to));
+        return invalidArgument(about(AXISCOMP_TEXT("Error",
+            "the grid along {axis} must end above its start, not go from {from} to {to}")));
     if (m_request.points > mostGridPoints)
-        return resamplingImpossible(std::to_string(m_request.points) + " points along " + m_name
-            + " are more than " + std::to_string(mostGridPoints));
+        return resamplingImpossible(
+            about(AXISCOMP_TEXT("Error", "{count} points along {axis} are more than {most}"))
+                .with("count", m_request.points)
+                .with("most", mostGridPoints));
     const bool asksRange = m_request.start || m_request.end;
     if (m_request.points == 0 && distance == 0.0 && asksRange)
-        return invalidArgument(
-            "for a part of " + m_name + " a number of points or a distance is needed");
+        return invalidArgument(about(AXISCOMP_TEXT(
+            "Error", "for a part of {axis} a number of points or a distance is needed")));
     return {};
 }
 
@@ -109,25 +122,33 @@ Result<void> AxisPlanner::checkRange(bool holdsEnds) const
 {
     if (m_axis.wrap) {
         if (std::abs(m_to - m_from - *m_axis.wrap) > m_rounding + roundingOf(m_from, m_to))
-            return invalidArgument("the grid along " + m_name + " must be one full turn, from "
-                + text(m_from) + " to " + text(m_from + *m_axis.wrap));
+            return invalidArgument(
+                about(AXISCOMP_TEXT("Error",
+                          "the grid along {axis} must be one full turn, from {from} to {to}"))
+                    .with("to", quantity(m_from + *m_axis.wrap)));
         return {};
     }
-    const std::string wayOut = "; stay within the data, or let the end values be held";
     if (!holdsEnds && m_from < m_axis.knots.front() - m_rounding)
-        return resamplingImpossible("the grid along " + m_name + " begins at " + text(m_from)
-            + ", before the data at " + text(m_axis.knots.front()) + wayOut);
+        return resamplingImpossible(about(AXISCOMP_TEXT("Error",
+                                              "the grid along {axis} begins at {from}, before the "
+                                              "data at {data}; stay within the "
+                                              "data, or let the end values be held"))
+                                        .with("data", quantity(m_axis.knots.front())));
     if (!holdsEnds && m_to > m_axis.knots.back() + m_rounding)
-        return resamplingImpossible("the grid along " + m_name + " ends at " + text(m_to)
-            + ", behind the data at " + text(m_axis.knots.back()) + wayOut);
+        return resamplingImpossible(about(AXISCOMP_TEXT("Error",
+                                              "the grid along {axis} ends at {to}, behind the data "
+                                              "at {data}; stay within the data, "
+                                              "or let the end values be held"))
+                                        .with("data", quantity(m_axis.knots.back())));
     return {};
 }
 
 Result<PlannedAxis> AxisPlanner::kept() const
 {
     if (!isEven(m_axis))
-        return invalidArgument("the positions of " + m_name
-            + " are not evenly spaced; give a number of points or a distance");
+        return invalidArgument(about(AXISCOMP_TEXT("Error",
+            "the positions of {axis} are not evenly spaced; give a number of points or a "
+            "distance")));
     const double first = m_axis.knots.front();
     const double last = m_axis.knots.back();
     const std::size_t size = m_axis.knots.size();
@@ -140,8 +161,10 @@ Result<PlannedAxis> AxisPlanner::byDistance(bool holdsEnds) const
     constexpr double allowance = 1e-9; // of a distance
     const double cells = (m_to - m_from) / m_request.distance;
     if (!(cells < static_cast<double>(mostGridPoints)))
-        return resamplingImpossible("a distance of " + text(m_request.distance) + " along " + m_name
-            + " makes more than " + std::to_string(mostGridPoints) + " points");
+        return resamplingImpossible(
+            about(AXISCOMP_TEXT("Error",
+                      "a distance of {distance} along {axis} makes more than {count} points"))
+                .with("count", mostGridPoints));
     const double whole = std::round(cells);
     if (whole < 1.0 || std::abs(cells - whole) > allowance)
         return otherEnd(cells, holdsEnds);
@@ -151,19 +174,21 @@ Result<PlannedAxis> AxisPlanner::byDistance(bool holdsEnds) const
 /// The distance does not divide the range.
 Result<PlannedAxis> AxisPlanner::otherEnd(double cells, bool holdsEnds) const
 {
-    const std::string range = "the range of " + m_name + " from " + text(m_from) + " to "
-        + text(m_to) + " is no whole multiple of " + text(m_request.distance);
     if (m_axis.wrap) {
         const double fewer = std::max(1.0, std::floor(cells));
-        return resamplingImpossible("the full turn of " + m_name + ", " + text(*m_axis.wrap)
-            + ", is no whole multiple of " + text(m_request.distance) + "; possible are "
-            + text(*m_axis.wrap / (fewer + 1.0)) + " or " + text(*m_axis.wrap / fewer));
+        return resamplingImpossible(about(
+            AXISCOMP_TEXT("Error",
+                "the full turn of {axis}, {turn}, is no whole multiple of {distance}; possible are "
+                "{fewer} or {more}"))
+                                        .with("turn", quantity(*m_axis.wrap))
+                                        .with("fewer", quantity(*m_axis.wrap / (fewer + 1.0)))
+                                        .with("more", quantity(*m_axis.wrap / fewer)));
     }
     const double count = holdsEnds ? std::ceil(cells) : std::floor(cells);
     if (count < 1.0)
-        return resamplingImpossible("a distance of " + text(m_request.distance)
-            + " is longer than the range " + "of " + m_name + " from " + text(m_from) + " to "
-            + text(m_to) + "; take a shorter one, or let the end values be held");
+        return resamplingImpossible(about(AXISCOMP_TEXT("Error",
+            "a distance of {distance} is longer than the range of {axis} from {from} to {to}; take "
+            "a shorter one, or let the end values be held")));
     PlannedAxis plan;
     plan.grid = {m_from, m_request.distance, static_cast<std::size_t>(count) + 1};
     for (std::size_t i = 0; i < plan.grid.size; ++i)
@@ -171,8 +196,15 @@ Result<PlannedAxis> AxisPlanner::otherEnd(double cells, bool holdsEnds) const
     plan.from = m_from;
     plan.to = m_to;
     const double end = plan.knots.back();
-    plan.remark = range + ": the grid ends at " + text(end) + ", "
-        + (holdsEnds ? text(end - m_to) + " behind it" : text(m_to - end) + " before its end");
+    plan.remark = (holdsEnds
+            ? AXISCOMP_TEXT("Error", "{range}: the grid ends at {end}, {distance} behind it")
+            : AXISCOMP_TEXT("Error", "{range}: the grid ends at {end}, {distance} before its end"))
+                      .with("range",
+                          about(AXISCOMP_TEXT("Error",
+                              "the range of {axis} from {from} to {to} is no whole multiple of "
+                              "{distance}")))
+                      .with("end", quantity(end))
+                      .with("distance", quantity(std::abs(end - m_to)));
     return plan;
 }
 

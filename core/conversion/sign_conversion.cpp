@@ -155,8 +155,10 @@ Result<Position> SignConverter::fixedPoint(
             return place;
     }
     return notConvertible(m_source, knot,
-        "the corrections are so steep that " + std::to_string(mostIterations)
-            + " steps do not find the place that belongs to it; check the unit of the values");
+        AXISCOMP_TEXT("Error",
+            "the corrections are so steep that {count} steps do not find the place that belongs to "
+            "it; check the unit of the values")
+            .with("count", mostIterations));
 }
 
 Result<void> SignConverter::convertJointly(

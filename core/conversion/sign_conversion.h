@@ -17,7 +17,7 @@ struct SignConversion {
     /// Places beyond the knots were needed, where the source's controller applies nothing. There
     /// the end values were held: at the step no place would belong to the knot.
     bool usesHeldEnds = false;
-    std::string example; ///< a sentence, see examplePoint
+    Text example; ///< a sentence, see examplePoint
 };
 
 /// The same compensation in the other convention, at the same knots. With the encoder position
@@ -41,10 +41,10 @@ struct SignConversion {
 /// The point of the largest value in words, so that a person can tell the sign: "where the encoder
 /// reads 40 mm the reference says 40.0021 mm: the feedback file says +0.0021 mm". Looks at the
 /// columns that act on an axis of the table, or at all where there is none. table: consistent.
-[[nodiscard]] std::string examplePoint(const NeutralTable& table);
+[[nodiscard]] Text examplePoint(const NeutralTable& table);
 
 /// The same for a table in both conventions, with the number of each file at the same knot.
-[[nodiscard]] std::string examplePoint(const NeutralTable& feedback, const NeutralTable& command);
+[[nodiscard]] Text examplePoint(const NeutralTable& feedback, const NeutralTable& command);
 
 /// How two columns differ in what their controllers make of them, as an error of position in the
 /// unit of a's column. Positions are in the units of a's axes.

@@ -42,12 +42,14 @@ Result<std::vector<ColumnPair>> pairsOf(const NeutralTable& a, const NeutralTabl
         if (pairs.size() == before && isByOrder)
             pairs.push_back({i, i});
         if (pairs.size() == before)
-            return invalidArgument("the second table has no column for " + columnText(a, column));
+            return invalidArgument(
+                AXISCOMP_TEXT("Error", "the second table has no column for {column}")
+                    .with("column", columnText(a, column)));
     }
     for (ColumnPair& pair : pairs) {
         const CompensationColumn& column = a.columns[pair.a];
-        const auto factor = factorBetween(
-            b.columns[pair.b].unit, column.unit, "values for " + columnText(a, column));
+        const auto factor = factorBetween(b.columns[pair.b].unit, column.unit,
+            AXISCOMP_TEXT("Error", "values for {column}").with("column", columnText(a, column)));
         if (!factor)
             return fail(factor.error());
         pair.factor = *factor;
@@ -221,11 +223,13 @@ Result<void> Comparison::prepare()
         if (auto fine = checkConsistent(*table); !fine)
             return fine;
     if (a.axes.size() != b.axes.size())
-        return invalidArgument("a table of " + std::to_string(a.axes.size())
-            + " source axes cannot be compared with one of " + std::to_string(b.axes.size()));
+        return invalidArgument(AXISCOMP_TEXT(
+            "Error", "a table of {count} source axes cannot be compared with one of {other}")
+                                   .with("count", a.axes.size())
+                                   .with("other", b.axes.size()));
     for (std::size_t n = 0; n < a.axes.size(); ++n) {
-        const auto factor =
-            factorBetween(a.axes[n].unit, b.axes[n].unit, "positions of " + axisText(a, n));
+        const auto factor = factorBetween(a.axes[n].unit, b.axes[n].unit,
+            AXISCOMP_TEXT("Error", "positions of {axis}").with("axis", axisText(a, n)));
         if (!factor)
             return fail(factor.error());
         m_a.factors[n] = 1.0;

@@ -24,7 +24,7 @@ Result<TableExport> exportTable(const CompensationTable& table, const ImportChoi
     auto conversion = convertTables(std::span(&source, 1), request);
     if (!conversion)
         return fail(conversion.error());
-    std::vector<std::string> report = conversionReport(*conversion, request);
+    std::vector<Text> report = conversionReport(*conversion, request);
     return TableExport{std::move(conversion->written.bytes), std::move(report)};
 }
 

@@ -46,7 +46,7 @@ private:
     void problem(const Error& error)
     {
         m_result.problems.push_back(
-            {Severity::Error, DiagnosticCode::IoError, 0, 0, sentence(error), {}});
+            {Severity::Error, DiagnosticCode::IoError, 0, 0, textOf(error), {}});
     }
 
     const TableImportRequest& m_request;
@@ -153,7 +153,8 @@ void Import::readOther()
     if (format.read == nullptr)
         return refuse({ErrorCode::InvalidArgument,
             {{"reason",
-                "the format " + std::string(format.facts.name) + " can be written, not read"}},
+                AXISCOMP_TEXT("Error", "the format {format} can be written, not read")
+                    .with("format", format.facts.name)}},
             {}});
     const auto content = bytes(format.facts.mostBytes);
     if (!content)
@@ -230,7 +231,7 @@ Result<CompensationTable> Import::converted(const NeutralTable& column)
     CompensationTable& table = data->tables.front();
     keepName(table);
     if (m_isOneOfSeveral)
-        m_result.report.push_back(table.name + ':');
+        m_result.report.emplace_back(Verbatim{table.name + ':'});
     std::ranges::move(conversionReport(*conversion, request), std::back_inserter(m_result.report));
     return std::move(table);
 }

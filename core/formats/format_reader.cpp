@@ -19,20 +19,25 @@ void checkComputed(const NeutralTable& table, DiagnosticList& diagnostics)
             std::ranges::adjacent_find(axis.knots, std::greater_equal<>()) == axis.knots.end();
         if (!isAscending || !std::ranges::all_of(axis.knots, isFinite))
             diagnostics.error(DiagnosticCode::NotFinite, 0, 0,
-                "positions of " + (axis.name.empty() ? "the axis" : axis.name),
-                "numbers that a computer can tell from each other; check their size");
+                axis.name.empty()
+                    ? AXISCOMP_TEXT("Error", "positions of the axis")
+                    : AXISCOMP_TEXT("Error", "positions of {axis}").with("axis", axis.name),
+                AXISCOMP_TEXT(
+                    "Error", "numbers that a computer can tell from each other; check their size"));
     }
     for (const CompensationColumn& column : table.columns)
         if (!std::ranges::all_of(column.values, isFinite))
             diagnostics.error(DiagnosticCode::NotFinite, 0, 0,
-                "values of " + (column.target.empty() ? "the table" : column.target),
-                "numbers that a computer can hold; check their size");
+                column.target.empty()
+                    ? AXISCOMP_TEXT("Error", "values of the table")
+                    : AXISCOMP_TEXT("Error", "values of {target}").with("target", column.target),
+                AXISCOMP_TEXT("Error", "numbers that a computer can hold; check their size"));
 }
 
 } // namespace
 
 void TextReading::error(std::string_view number, DiagnosticCode code, std::size_t line,
-    std::size_t column, std::string found, std::string expected)
+    std::size_t column, Text found, Text expected)
 {
     diagnostics.error({.severity = Severity::Error,
         .code = code,

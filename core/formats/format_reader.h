@@ -16,7 +16,7 @@ struct TextReading {
     [[nodiscard]] bool isStopped() const { return options.stop.stop_requested(); }
     /// An error that the controller has a number for.
     void error(std::string_view number, DiagnosticCode code, std::size_t line, std::size_t column,
-        std::string found, std::string expected);
+        Text found, Text expected);
 };
 
 /// Reads a text with a format's own `parse`, whose tables count unless there was an error or a

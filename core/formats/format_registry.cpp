@@ -161,8 +161,8 @@ Result<FormatChoice> chooseFormat(
             ErrorCode::UnknownFormat, {{"file", fileName}, {"known", formatNames(tableFormats())}});
     FormatChoice choice{guess.formats.front(), {}};
     choice.others.assign(guess.formats.begin() + 1, guess.formats.end());
-    const bool isDecided =
-        guess.isCertain || guess.formats.size() == 1 || hasExtension(choice.format->facts, fileName);
+    const bool isDecided = guess.isCertain || guess.formats.size() == 1
+        || hasExtension(choice.format->facts, fileName);
     const bool isCalibrationName = named == &calibration_csv::format();
     const bool isSure = isTriamec(*choice.format)
         || (isDecided && choice.format->recognise(text) == Recognition::Certain);
@@ -184,7 +184,8 @@ Result<const TableFormat*> outputFormat(const std::string& fileName, const std::
     if (*named != nullptr && (*named)->write == nullptr)
         return fail(ErrorCode::InvalidArgument,
             {{"reason",
-                "the format " + std::string((*named)->facts.name) + " can be read, not written"}});
+                AXISCOMP_TEXT("Error", "the format {format} can be read, not written")
+                    .with("format", (*named)->facts.name)}});
     if (*named != nullptr)
         return named;
     std::vector<const TableFormat*> candidates;

@@ -12,12 +12,12 @@ namespace {
 constexpr std::array unitSettings{
     FormatSetting{.key = "position-unit",
         .kind = FormatSetting::Kind::Text,
-        .meaning = "unit of the positions, where the file does not say it",
+        .meaning = AXISCOMP_TEXT("Error", "unit of the positions, where the file does not say it"),
         .forReading = true,
         .forWriting = true},
     FormatSetting{.key = "value-unit",
         .kind = FormatSetting::Kind::Text,
-        .meaning = "unit of the values, where the file does not say it",
+        .meaning = AXISCOMP_TEXT("Error", "unit of the values, where the file does not say it"),
         .forReading = true,
         .forWriting = true},
 };
@@ -27,21 +27,22 @@ bool isFor(const FormatSetting& setting, bool isWriting)
     return isWriting ? setting.forWriting : setting.forReading;
 }
 
-std::string expectedOf(const FormatSetting& setting)
+Text expectedOf(const FormatSetting& setting)
 {
     switch (setting.kind) {
     case FormatSetting::Kind::WholeNumber:
-        return "a whole number";
+        return AXISCOMP_TEXT("Error", "a whole number");
     case FormatSetting::Kind::Number:
-        return "a number such as 0.5";
+        return AXISCOMP_TEXT("Error", "a number such as {example}")
+            .with("example", Verbatim{"0.5"});
     case FormatSetting::Kind::Choice:
-        return "one of " + std::string(setting.choices);
+        return AXISCOMP_TEXT("Error", "one of {choices}").with("choices", setting.choices);
     case FormatSetting::Kind::YesNo:
-        return "yes or no";
+        return AXISCOMP_TEXT("Error", "yes or no");
     case FormatSetting::Kind::Text:
         break;
     }
-    return "a text";
+    return AXISCOMP_TEXT("Error", "a text");
 }
 
 bool isOneOf(std::string_view choices, std::string_view value)
@@ -68,12 +69,14 @@ bool fits(const FormatSetting& setting, std::string_view value)
     return !value.empty();
 }
 
-std::string keyList(const std::vector<FormatSetting>& settings)
+Argument keyList(const std::vector<FormatSetting>& settings)
 {
-    std::string list;
+    if (settings.empty())
+        return AXISCOMP_TEXT("Error", "none");
+    std::vector<std::string> keys;
     for (const FormatSetting& setting : settings)
-        list += (list.empty() ? "" : ", ") + std::string(setting.key);
-    return list.empty() ? "none" : list;
+        keys.emplace_back(setting.key);
+    return keys;
 }
 
 } // namespace
@@ -92,30 +95,41 @@ std::vector<FormatSetting> formatSettings(const FormatFacts& facts, bool isWriti
 Result<SettingValues> SettingValues::of(
     const FormatFacts& facts, const FormatSettings& settings, bool isWriting)
 {
-    const auto refuse = [](std::string reason) {
+    const auto refuse = [](Text reason) {
         return fail(ErrorCode::InvalidArgument, {{"reason", std::move(reason)}});
     };
-    const std::string format(facts.name);
     const std::vector<FormatSetting> known = formatSettings(facts, isWriting);
     for (const auto& [key, value] : settings)
         if (std::ranges::find(known, key, &FormatSetting::key) == known.end())
-            return refuse("the format " + format + " has no setting " + key
-                + (isWriting ? " for writing" : " for reading") + "; it has: " + keyList(known));
+            return refuse((isWriting
+                    ? AXISCOMP_TEXT("Error",
+                        "the format {format} has no setting {key} for writing; it has: {known}")
+                    : AXISCOMP_TEXT("Error",
+                        "the format {format} has no setting {key} for reading; it has: {known}"))
+                              .with("format", facts.name)
+                              .with("key", key)
+                              .with("known", keyList(known)));
     SettingValues values;
     for (const FormatSetting& setting : known) {
         const auto given = settings.find(setting.key);
-        const std::string key(setting.key);
         if (given == settings.end() && setting.isNeeded)
-            return refuse("the format " + format + " needs the setting " + key + " ("
-                + std::string(setting.meaning) + ")");
+            return refuse(
+                AXISCOMP_TEXT("Error", "the format {format} needs the setting {key} ({meaning})")
+                    .with("format", facts.name)
+                    .with("key", setting.key)
+                    .with("meaning", setting.meaning));
         if (given == settings.end() && setting.standard.empty())
             continue;
         const std::string value =
             given == settings.end() ? std::string(setting.standard) : given->second;
         if (!fits(setting, value))
-            return refuse("the setting " + key + " is \"" + value + "\", expected "
-                + expectedOf(setting) + " (" + std::string(setting.meaning) + ")");
-        values.m_values.emplace(key, value);
+            return refuse(AXISCOMP_TEXT(
+                "Error", "the setting {key} is \"{value}\", expected {expected} ({meaning})")
+                              .with("key", setting.key)
+                              .with("value", value)
+                              .with("expected", expectedOf(setting))
+                              .with("meaning", setting.meaning));
+        values.m_values.emplace(setting.key, value);
     }
     return values;
 }

@@ -39,11 +39,10 @@ double largestGap(const NeutralTable& table, std::size_t axis)
 
 } // namespace
 
-tl::unexpected<Error> cannotHold(const FormatFacts& facts, std::string reason, std::string wayOut)
+tl::unexpected<Error> cannotHold(const FormatFacts& facts, Text reason, Text wayOut)
 {
     return fail(ErrorCode::FormatCannotHold,
-        {{"format", std::string(facts.name)}, {"reason", std::move(reason)},
-            {"wayOut", std::move(wayOut)}});
+        {{"format", facts.name}, {"reason", std::move(reason)}, {"wayOut", std::move(wayOut)}});
 }
 
 Result<long> axisNumber(const FormatFacts& facts, const SettingValues& settings,
@@ -53,12 +52,16 @@ Result<long> axisNumber(const FormatFacts& facts, const SettingValues& settings,
     const auto number = isSet ? std::optional(settings.whole(key)) : wholeNumberOf(name);
     if (number && *number >= 1)
         return *number;
+    Text reason = isSet
+        ? AXISCOMP_TEXT("Error",
+            "the format {format} names its axes by numbers from 1; the setting {key} is {value}")
+              .with("value", settings.text(key))
+        : AXISCOMP_TEXT("Error",
+            "the format {format} names its axes by numbers from 1 and there is no number in the "
+            "axis name \"{name}\"; give the setting {key}")
+              .with("name", name);
     return fail(ErrorCode::InvalidArgument,
-        {{"reason",
-            "the format " + std::string(facts.name) + " names its axes by numbers from 1"
-                + (isSet ? "; the setting " + std::string(key) + " is " + settings.text(key)
-                         : " and there is no number in the axis name \"" + name
-                            + "\"; give the setting " + std::string(key))}});
+        {{"reason", std::move(reason).with("format", facts.name).with("key", key)}});
 }
 
 bool isClosed(const NeutralTable& table, std::size_t axis)
@@ -72,17 +75,23 @@ Result<void> checkOnePeriod(
     const SourceAxis& source = table.axes[axis];
     const double period = source.wrap.value_or(0.0);
     const double span = source.knots.back() - source.knots.front();
-    const std::string which = "source " + std::to_string(axis + 1);
     if (std::abs(span - period) > 1e-9 * period + source.step / 2.0)
         return cannotHold(facts,
-            "its positions of " + which + " span " + roundedText(span)
-                + ", and a modulo axis needs exactly one period of " + roundedText(period),
-            "resample it over one whole period");
+            AXISCOMP_TEXT("Error",
+                "its positions of source {number} span {span}, and a modulo axis needs exactly one "
+                "period of {period}")
+                .with("number", axis + 1)
+                .with("span", Quantity{roundedText(span)})
+                .with("period", Quantity{roundedText(period)}),
+            AXISCOMP_TEXT("Error", "resample it over one whole period"));
     if (largestGap(table, axis) > allowance)
         return cannotHold(facts,
-            "the values at both ends of the modulo axis, " + which + ", differ by "
-                + roundedText(largestGap(table, axis)),
-            "make both ends equal: they are the same place");
+            AXISCOMP_TEXT("Error",
+                "the values at both ends of the modulo axis, source {number}, differ by "
+                "{difference}")
+                .with("number", axis + 1)
+                .with("difference", Quantity{roundedText(largestGap(table, axis))}),
+            AXISCOMP_TEXT("Error", "make both ends equal: they are the same place"));
     return {};
 }
 
@@ -100,8 +109,10 @@ Result<DirectionPair> directionPair(const FormatFacts& facts, const NeutralTable
             return pair;
     }
     return cannotHold(facts,
-        "it takes a column for both directions of motion, or one for each direction of one axis",
-        "choose these columns");
+        AXISCOMP_TEXT("Error",
+            "it takes a column for both directions of motion, or one for each direction of one "
+            "axis"),
+        AXISCOMP_TEXT("Error", "choose these columns"));
 }
 
 std::string plainNumber(double value)
@@ -174,7 +185,8 @@ Result<std::vector<NeutralTable>> readBack(
         return fail(reading.error());
     for (const Diagnostic& diagnostic : reading->diagnostics)
         if (diagnostic.severity == Severity::Error)
-            return cannotHold(format.facts, message(diagnostic), "choose another format");
+            return cannotHold(
+                format.facts, textOf(diagnostic), AXISCOMP_TEXT("Error", "choose another format"));
     return std::move(reading->tables);
 }
 

@@ -9,8 +9,7 @@ namespace axiscomp {
 // What several formats need for writing, and for reading back what they wrote.
 
 /// FormatCannotHold with the limit and the way out.
-[[nodiscard]] tl::unexpected<Error> cannotHold(
-    const FormatFacts& facts, std::string reason, std::string wayOut);
+[[nodiscard]] tl::unexpected<Error> cannotHold(const FormatFacts& facts, Text reason, Text wayOut);
 
 /// The number that stands for an axis: the setting of this key, or the name of the axis where that
 /// is a number from 1. Errors: InvalidArgument that names the setting.

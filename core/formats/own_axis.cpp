@@ -18,10 +18,24 @@ bool isContradictory(const SettingValues& settings)
         && !isSameUnit(settings.text(positionKey), settings.text(valueKey));
 }
 
-std::string contradiction(const SettingValues& settings)
+Text contradiction(const SettingValues& settings)
 {
-    return "positions in " + settings.text(positionKey) + " and values in "
-        + settings.text(valueKey);
+    return AXISCOMP_TEXT("Error", "positions in {unit} and values in {other}")
+        .with("unit", settings.text(positionKey))
+        .with("other", settings.text(valueKey));
+}
+
+Text crossText(const NeutralTable& table, const CompensationColumn& column)
+{
+    const bool hasTarget = !column.target.empty();
+    return (hasTarget ? AXISCOMP_TEXT("Error",
+                "it corrects an axis by its own position, and this table goes from {axis} to "
+                "{target}")
+                      : AXISCOMP_TEXT("Error",
+                          "it corrects an axis by its own position, and this table goes from "
+                          "{axis}"))
+        .with("axis", axisTexts(table))
+        .with("target", column.target);
 }
 
 /// What positions and values are written in; empty when nobody says it.
@@ -45,26 +59,28 @@ void takeOneUnit(NeutralTable& table, const SettingValues& settings, DiagnosticL
         column.unit = unit;
     if (isContradictory(settings))
         diagnostics.error(DiagnosticCode::Contradiction, 0, 0, contradiction(settings),
-            "one unit, since the controller adds the values to the positions");
+            AXISCOMP_TEXT(
+                "Error", "one unit, since the controller adds the values to the positions"));
     if (unit.empty())
-        diagnostics.warning(DiagnosticCode::UnitNotGiven, 0, 0, "numbers without a unit",
-            "the setting position-unit, such as mm, where a unit matters");
+        diagnostics.warning(DiagnosticCode::UnitNotGiven, 0, 0,
+            AXISCOMP_TEXT("Error", "numbers without a unit"),
+            AXISCOMP_TEXT("Error", "the setting {key}, such as mm, where a unit matters")
+                .with("key", positionKey));
 }
 
 Result<NeutralTable> asOwnAxisTable(const FormatFacts& facts, const NeutralTable& table,
-    const SettingValues& settings, std::vector<std::string>& remarks)
+    const SettingValues& settings, std::vector<Text>& remarks)
 {
     for (const CompensationColumn& column : table.columns)
         if (!ownAxis(table, column))
-            return cannotHold(facts,
-                "it corrects an axis by its own position, and this table goes from "
-                    + columnText(table, column),
-                "choose a format for cross compensation");
+            return cannotHold(facts, crossText(table, column),
+                AXISCOMP_TEXT("Error", "choose a format for cross compensation"));
     if (isContradictory(settings))
         return fail(ErrorCode::InvalidArgument,
             {{"reason",
-                contradiction(settings) + ": the format " + std::string(facts.name)
-                    + " has one unit for both"}});
+                AXISCOMP_TEXT("Error", "{units}: the format {format} has one unit for both")
+                    .with("units", contradiction(settings))
+                    .with("format", facts.name)}});
     NeutralTable own = table;
     const std::string unit = chosenUnit(own, settings);
     own.name.clear();
@@ -78,7 +94,10 @@ Result<NeutralTable> asOwnAxisTable(const FormatFacts& facts, const NeutralTable
         column.target.clear();
         column.unit = column.unit.empty() ? unit : column.unit;
     }
-    remarks.push_back("positions and values are in " + (unit.empty() ? "no known unit" : unit));
+    remarks.push_back(
+        AXISCOMP_TEXT("Error", "positions and values are in {unit}")
+            .with("unit",
+                unit.empty() ? Argument(AXISCOMP_TEXT("Error", "no known unit")) : Argument(unit)));
     return unit.empty() ? own : inUnits(own, unit, unit, remarks);
 }
 

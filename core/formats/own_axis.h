@@ -17,6 +17,6 @@ void takeOneUnit(NeutralTable& table, const SettingValues& settings, DiagnosticL
 /// else that of its positions, which is added to remarks. Errors: FormatCannotHold for a table that
 /// corrects another axis than its source; InvalidArgument for units that cannot be converted.
 [[nodiscard]] Result<NeutralTable> asOwnAxisTable(const FormatFacts& facts,
-    const NeutralTable& table, const SettingValues& settings, std::vector<std::string>& remarks);
+    const NeutralTable& table, const SettingValues& settings, std::vector<Text>& remarks);
 
 } // namespace axiscomp

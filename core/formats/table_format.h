@@ -34,7 +34,7 @@ struct FormatSetting {
     enum class Kind { Text, WholeNumber, Number, Choice, YesNo };
     std::string_view key = {}; ///< "counts-per-unit"
     Kind kind = Kind::Text;
-    std::string_view meaning = {}; ///< a phrase for help and dialogs: "counts per unit of position"
+    TextPattern meaning = {}; ///< for help and dialogs: "counts per unit of position"
     std::string_view choices = {}; ///< "increments, metric": of Kind::Choice
     std::string_view standard = {}; ///< the value without a setting; empty: as the meaning says
     bool forReading = false;
@@ -48,7 +48,7 @@ using FormatSettings = std::map<std::string, std::string, std::less<>>;
 struct FormatFacts {
     std::string_view name = {}; ///< "softmc": for --from, --to and --as
     std::string_view controller = {}; ///< "softMC (Danaher, Servotronix, Kollmorgen)"
-    std::string_view description = {}; ///< "text table, first source fastest"
+    TextPattern description = {}; ///< "text table, first source fastest"
     std::span<const std::string_view> extensions = {}; ///< ".txt", the usual one first
     int fewestDimensions = 1;
     int mostDimensions = 1;
@@ -151,9 +151,10 @@ struct FormatChoice {
     std::vector<const TableFormat*> others; ///< that the content would allow as well
 };
 /// A file that could be of another controller is not taken for one on a mere suspicion, since its
-/// numbers might have the other sign: its content is certain, or its name says the one format that its
-/// content allows. text: the first bytes. isCalibration: the user said something that only calibration files need
-/// (the number of dimensions). Errors: UnknownFormat, FormatAmbiguous with the candidates.
+/// numbers might have the other sign: its content is certain, or its name says the one format that
+/// its content allows. text: the first bytes. isCalibration: the user said something that only
+/// calibration files need (the number of dimensions). Errors: UnknownFormat, FormatAmbiguous with
+/// the candidates.
 [[nodiscard]] Result<FormatChoice> chooseFormat(
     std::string_view text, const std::string& fileName, bool isCalibration);
 

@@ -39,7 +39,10 @@ Result<Factor> factorBetween(const std::string& from, const std::string& to)
         return *factor < 1.0 ? Factor{1.0, wholeIfNearly(1.0 / *factor)}
                              : Factor{wholeIfNearly(*factor), 1.0};
     return fail(ErrorCode::InvalidArgument,
-        {{"reason", "numbers in " + from + " cannot be given in " + to}});
+        {{"reason",
+            AXISCOMP_TEXT("Error", "numbers in {from} cannot be given in {to}")
+                .with("from", from)
+                .with("to", to)}});
 }
 
 Result<void> convertAxis(SourceAxis& axis, const std::string& unit)
@@ -74,14 +77,16 @@ std::string fittingUnit(const std::string& unit, std::string_view length, std::s
     return std::string(isAngle ? angle : length);
 }
 
-std::string unitWords(const std::string& unit)
+Argument unitWords(const std::string& unit)
 {
-    return unit.empty() ? "a unit that is not said" : unit;
+    if (unit.empty())
+        return AXISCOMP_TEXT("Error", "a unit that is not said");
+    return unit;
 }
 
 } // namespace
 
-void remarkOnce(std::vector<std::string>& remarks, std::string remark)
+void remarkOnce(std::vector<Text>& remarks, Text remark)
 {
     if (std::ranges::find(remarks, remark) == remarks.end())
         remarks.push_back(std::move(remark));
@@ -94,31 +99,37 @@ void takeUnits(NeutralTable& table, const SettingValues& settings, DiagnosticLis
     for (CompensationColumn& column : table.columns)
         column.unit = settings.text("value-unit");
     if (!settings.has("position-unit"))
-        diagnostics.warning(DiagnosticCode::UnitNotGiven, 0, 0, "positions without a unit",
-            "the setting position-unit, such as mm, where a unit matters");
+        diagnostics.warning(DiagnosticCode::UnitNotGiven, 0, 0,
+            AXISCOMP_TEXT("Error", "positions without a unit"),
+            AXISCOMP_TEXT("Error", "the setting {key}, such as mm, where a unit matters")
+                .with("key", Verbatim{"position-unit"}));
     if (!settings.has("value-unit"))
-        diagnostics.warning(DiagnosticCode::UnitNotGiven, 0, 0, "values without a unit",
-            "the setting value-unit, such as um, where a unit matters");
+        diagnostics.warning(DiagnosticCode::UnitNotGiven, 0, 0,
+            AXISCOMP_TEXT("Error", "values without a unit"),
+            AXISCOMP_TEXT("Error", "the setting {key}, such as um, where a unit matters")
+                .with("key", Verbatim{"value-unit"}));
 }
 
 Result<NeutralTable> inUnits(const NeutralTable& table, std::string_view lengthUnit,
-    std::string_view angleUnit, std::vector<std::string>& remarks)
+    std::string_view angleUnit, std::vector<Text>& remarks)
 {
     NeutralTable converted = table;
-    const auto assume = [&](std::string& unit, std::string_view what) {
+    const auto assume = [&](std::string& unit, const TextPattern& what) {
         if (!unit.empty())
             return;
         unit = lengthUnit;
-        remarkOnce(
-            remarks, "the " + std::string(what) + " have no unit; they are taken to be " + unit);
+        remarkOnce(remarks,
+            AXISCOMP_TEXT("Error", "the {what} have no unit; they are taken to be {unit}")
+                .with("what", what)
+                .with("unit", unit));
     };
     for (SourceAxis& axis : converted.axes) {
-        assume(axis.unit, "positions");
+        assume(axis.unit, AXISCOMP_TEXT("Error", "positions"));
         if (auto done = convertAxis(axis, fittingUnit(axis.unit, lengthUnit, angleUnit)); !done)
             return fail(done.error());
     }
     for (CompensationColumn& column : converted.columns) {
-        assume(column.unit, "values");
+        assume(column.unit, AXISCOMP_TEXT("Error", "values"));
         const std::string unit = fittingUnit(column.unit, lengthUnit, angleUnit);
         if (auto done = convertColumn(column, unit); !done)
             return fail(done.error());
@@ -127,7 +138,7 @@ Result<NeutralTable> inUnits(const NeutralTable& table, std::string_view lengthU
 }
 
 Result<NeutralTable> inSettingUnits(
-    const NeutralTable& table, const SettingValues& settings, std::vector<std::string>& remarks)
+    const NeutralTable& table, const SettingValues& settings, std::vector<Text>& remarks)
 {
     NeutralTable converted = table;
     const std::string positionUnit = settings.text("position-unit");
@@ -152,20 +163,26 @@ Result<NeutralTable> inSettingUnits(
             return fail(done.error());
     }
     for (const SourceAxis& axis : converted.axes)
-        remarkOnce(remarks, "the positions are in " + unitWords(axis.unit));
+        remarkOnce(remarks,
+            AXISCOMP_TEXT("Error", "the positions are in {unit}")
+                .with("unit", unitWords(axis.unit)));
     for (const CompensationColumn& column : converted.columns)
-        remarkOnce(remarks, "the values are in " + unitWords(column.unit));
+        remarkOnce(remarks,
+            AXISCOMP_TEXT("Error", "the values are in {unit}")
+                .with("unit", unitWords(column.unit)));
     return converted;
 }
 
-Result<NeutralTable> inPositionUnits(const NeutralTable& table, std::vector<std::string>& remarks)
+Result<NeutralTable> inPositionUnits(const NeutralTable& table, std::vector<Text>& remarks)
 {
     NeutralTable converted = table;
     for (CompensationColumn& column : converted.columns) {
         const std::string unit = converted.axes[ownAxis(converted, column).value_or(0)].unit;
         if (unit.empty() || column.unit.empty()) {
             remarkOnce(remarks,
-                "not all units are said: the values are taken to be in the unit of the positions");
+                AXISCOMP_TEXT("Error",
+                    "not all units are said: the values are taken to be in the unit of the "
+                    "positions"));
             continue;
         }
         if (isSameUnit(column.unit, unit))
@@ -174,8 +191,10 @@ Result<NeutralTable> inPositionUnits(const NeutralTable& table, std::vector<std:
         if (auto done = convertColumn(column, unit); !done)
             return fail(done.error());
         remarkOnce(remarks,
-            "the values were in " + before + " and are now in " + unit
-                + ", the unit of the positions");
+            AXISCOMP_TEXT("Error",
+                "the values were in {before} and are now in {unit}, the unit of the positions")
+                .with("before", before)
+                .with("unit", unit));
     }
     return converted;
 }

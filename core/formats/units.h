@@ -7,7 +7,7 @@
 namespace axiscomp {
 
 /// Adds a sentence that is not among the remarks yet.
-void remarkOnce(std::vector<std::string>& remarks, std::string remark);
+void remarkOnce(std::vector<Text>& remarks, Text remark);
 
 /// Reading a format that says no units: what the settings position-unit and value-unit say, or a
 /// warning that nobody says it.
@@ -17,20 +17,20 @@ void takeUnits(NeutralTable& table, const SettingValues& settings, DiagnosticLis
 /// A unit that the table does not say is taken to be the fixed one, which is added to remarks
 /// (once). Errors: InvalidArgument for a unit that is neither a length nor an angle.
 [[nodiscard]] Result<NeutralTable> inUnits(const NeutralTable& table, std::string_view lengthUnit,
-    std::string_view angleUnit, std::vector<std::string>& remarks);
+    std::string_view angleUnit, std::vector<Text>& remarks);
 
 /// Writing a format that says no units: the settings position-unit and value-unit are what the
 /// numbers shall be in; without them positions stay, and the values of an axis's own correction get
 /// the unit of its positions, since the controller adds one to the other. The units are added to
 /// remarks. Errors: InvalidArgument for units that cannot be converted.
 [[nodiscard]] Result<NeutralTable> inSettingUnits(
-    const NeutralTable& table, const SettingValues& settings, std::vector<std::string>& remarks);
+    const NeutralTable& table, const SettingValues& settings, std::vector<Text>& remarks);
 
 /// The values in the unit of the positions that they correct, as a drive takes them: of the own
 /// axis, or of the first one. What is changed, and units that nobody says, are added to remarks.
 /// Errors: InvalidArgument for values that are no positions.
 [[nodiscard]] Result<NeutralTable> inPositionUnits(
-    const NeutralTable& table, std::vector<std::string>& remarks);
+    const NeutralTable& table, std::vector<Text>& remarks);
 
 /// Rounds every number to multiples of the steps that axes and columns name; 0 stays as it is.
 void roundToSteps(NeutralTable& table);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace axiscomp {
 
@@ -82,18 +83,34 @@ std::vector<NeutralTable> separateColumns(std::span<const NeutralTable> tables)
     return separate;
 }
 
-std::string columnText(const NeutralTable& table, const CompensationColumn& column)
+Text axisText(const NeutralTable& table, std::size_t axis)
 {
-    std::string text;
-    for (std::size_t n = 0; n < table.axes.size(); ++n) {
-        const std::string& name = table.axes[n].name;
-        text += (n == 0 ? "" : ", ") + (name.empty() ? "source " + std::to_string(n + 1) : name);
-    }
+    const std::string& name = table.axes[axis].name;
+    if (name.empty())
+        return AXISCOMP_TEXT("Error", "source {number}").with("number", axis + 1);
+    return Verbatim{name};
+}
+
+std::vector<Text> axisTexts(const NeutralTable& table)
+{
+    std::vector<Text> texts;
+    for (std::size_t n = 0; n < table.axes.size(); ++n)
+        texts.push_back(axisText(table, n));
+    return texts;
+}
+
+Text columnText(const NeutralTable& table, const CompensationColumn& column)
+{
+    Text text = AXISCOMP_TEXT("Error", "{axes}").with("axes", axisTexts(table));
     if (!column.target.empty())
-        text += " to " + column.target;
-    if (column.direction != Direction::Both)
-        text += ", " + std::string(directionName(column.direction));
-    return text;
+        text = AXISCOMP_TEXT("Error", "{axes} to {target}")
+                   .with("axes", axisTexts(table))
+                   .with("target", column.target);
+    if (column.direction == Direction::Both)
+        return text;
+    return (column.direction == Direction::Positive ? AXISCOMP_TEXT("Error", "{column}, positive")
+                                                    : AXISCOMP_TEXT("Error", "{column}, negative"))
+        .with("column", std::move(text));
 }
 
 } // namespace axiscomp

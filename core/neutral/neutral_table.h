@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/text.h"
+
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -72,7 +74,10 @@ struct NeutralTable {
 /// user chooses from, and what a format with one column can hold.
 [[nodiscard]] std::vector<NeutralTable> separateColumns(std::span<const NeutralTable> tables);
 
+/// Its name, or "source 2".
+[[nodiscard]] Text axisText(const NeutralTable& table, std::size_t axis);
+[[nodiscard]] std::vector<Text> axisTexts(const NeutralTable& table);
 /// "X, Y to Z, positive": for reports.
-[[nodiscard]] std::string columnText(const NeutralTable& table, const CompensationColumn& column);
+[[nodiscard]] Text columnText(const NeutralTable& table, const CompensationColumn& column);
 
 } // namespace axiscomp

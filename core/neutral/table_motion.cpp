@@ -12,7 +12,7 @@ namespace axiscomp {
 
 namespace {
 
-auto invalid(std::string reason)
+auto invalid(Text reason)
 {
     return fail(ErrorCode::InvalidArgument, {{"reason", std::move(reason)}});
 }
@@ -22,20 +22,25 @@ bool areFinite(const std::vector<double>& numbers)
     return std::ranges::all_of(numbers, [](double number) { return std::isfinite(number); });
 }
 
-Result<void> checkAxis(const SourceAxis& axis, const std::string& name)
+Result<void> checkAxis(const SourceAxis& axis, const Text& name)
 {
     const std::vector<double>& knots = axis.knots;
     if (knots.size() < 2)
-        return invalid(name + " has fewer than two positions");
+        return invalid(
+            AXISCOMP_TEXT("Error", "{axis} has fewer than two positions").with("axis", name));
     const bool ascends = std::ranges::adjacent_find(knots, std::greater_equal<>()) == knots.end();
     if (!areFinite(knots) || !ascends || !std::isfinite(knots.back() - knots.front()))
-        return invalid("the positions of " + name + " do not increase strictly");
+        return invalid(AXISCOMP_TEXT("Error", "the positions of {axis} do not increase strictly")
+                           .with("axis", name));
     const double span = knots.back() - knots.front();
     constexpr double rounding = 8.0 * std::numeric_limits<double>::epsilon();
     const double allowance = rounding * (std::abs(knots.front()) + std::abs(knots.back()));
     if (axis.wrap && !(std::isfinite(*axis.wrap) && *axis.wrap >= span - allowance))
-        return invalid("the period of " + name + ", " + quantityText(*axis.wrap, axis.unit)
-            + ", is shorter than the range of its positions, " + quantityText(span, axis.unit));
+        return invalid(AXISCOMP_TEXT("Error",
+            "the period of {axis}, {period}, is shorter than the range of its positions, {range}")
+                           .with("axis", name)
+                           .with("period", quantityOf(*axis.wrap, axis.unit))
+                           .with("range", quantityOf(span, axis.unit)));
     return {};
 }
 
@@ -54,25 +59,28 @@ bool overlap(Direction a, Direction b)
 Result<void> checkConsistent(const NeutralTable& table)
 {
     if (table.axes.empty() || table.axes.size() > 3)
-        return invalid(
-            "a table has 1 to 3 source axes, this has " + std::to_string(table.axes.size()));
+        return invalid(AXISCOMP_TEXT("Error", "a table has 1 to 3 source axes, this has {count}")
+                           .with("count", table.axes.size()));
     if (table.columns.empty())
-        return invalid("the table has no values");
+        return invalid(AXISCOMP_TEXT("Error", "the table has no values"));
     for (std::size_t n = 0; n < table.axes.size(); ++n)
         if (auto fine = checkAxis(table.axes[n], axisText(table, n)); !fine)
             return fine;
     for (const CompensationColumn& column : table.columns) {
         if (column.values.size() != table.pointCount())
-            return invalid(std::to_string(column.values.size()) + " values for "
-                + columnText(table, column) + ", for " + std::to_string(table.pointCount())
-                + " points");
+            return invalid(
+                AXISCOMP_TEXT("Error", "{number} values for {column}, for {points} points")
+                    .with("number", column.values.size())
+                    .with("column", columnText(table, column))
+                    .with("points", table.pointCount()));
         if (!areFinite(column.values))
-            return invalid("a value for " + columnText(table, column) + " is not a finite number");
+            return invalid(AXISCOMP_TEXT("Error", "a value for {column} is not a finite number")
+                               .with("column", columnText(table, column)));
     }
     return {};
 }
 
-Result<double> factorBetween(std::string_view from, std::string_view to, std::string_view what)
+Result<double> factorBetween(std::string_view from, std::string_view to, Text what)
 {
     if (isSameUnit(from, to))
         return 1.0;
@@ -80,8 +88,11 @@ Result<double> factorBetween(std::string_view from, std::string_view to, std::st
         return *factor;
     if (!isKnown(from) || !isKnown(to))
         return 1.0;
-    return invalid("the " + std::string(what) + " are in " + std::string(from)
-        + ", which cannot be given in " + std::string(to) + "; correct the units");
+    return invalid(AXISCOMP_TEXT(
+        "Error", "the {what} are in {from}, which cannot be given in {to}; correct the units")
+                       .with("what", std::move(what))
+                       .with("from", from)
+                       .with("to", to));
 }
 
 Position knotPosition(const NeutralTable& table, std::size_t index)
@@ -95,26 +106,21 @@ Position knotPosition(const NeutralTable& table, std::size_t index)
     return position;
 }
 
-std::string quantityText(double number, const std::string& unit)
+Quantity quantityOf(double number, const std::string& unit)
 {
-    return roundedText(number) + (unit.empty() ? "" : " " + unit);
+    return {roundedText(number), unit};
 }
 
-std::string axisText(const NeutralTable& table, std::size_t axis)
-{
-    const std::string& name = table.axes[axis].name;
-    return name.empty() ? "source " + std::to_string(axis + 1) : name;
-}
-
-std::string positionText(const NeutralTable& table, std::span<const double> position)
+Argument positionText(const NeutralTable& table, std::span<const double> position)
 {
     if (table.axes.size() == 1)
-        return quantityText(position[0], table.axes[0].unit);
-    std::string text;
+        return quantityOf(position[0], table.axes[0].unit);
+    std::vector<Text> texts;
     for (std::size_t n = 0; n < table.axes.size(); ++n)
-        text += (n == 0 ? "" : ", ") + axisText(table, n) + " = "
-            + quantityText(position[n], table.axes[n].unit);
-    return text;
+        texts.push_back(AXISCOMP_TEXT("Error", "{axis} = {position}")
+                            .with("axis", axisText(table, n))
+                            .with("position", quantityOf(position[n], table.axes[n].unit)));
+    return texts;
 }
 
 std::size_t strideOf(const NeutralTable& table, std::size_t axis)
@@ -151,9 +157,12 @@ Result<std::vector<Mover>> moversOf(
         for (std::size_t a = 0; a < b; ++a)
             if (ownAxes[a] && ownAxes[a] == ownAxes[b]
                 && overlap(table.columns[a].direction, table.columns[b].direction))
-                return invalid("columns " + std::to_string(a + 1) + " and " + std::to_string(b + 1)
-                    + " both correct " + axisText(table, *ownAxes[a])
-                    + " in the same direction; keep one of them");
+                return invalid(AXISCOMP_TEXT("Error",
+                    "columns {first} and {second} both correct {axis} in the same direction; keep "
+                    "one of them")
+                                   .with("first", a + 1)
+                                   .with("second", b + 1)
+                                   .with("axis", axisText(table, *ownAxes[a])));
     std::vector<Mover> movers;
     for (std::size_t axis = 0; axis < table.axes.size(); ++axis) {
         Mover mover{axis, {}};
@@ -161,8 +170,9 @@ Result<std::vector<Mover>> moversOf(
             const CompensationColumn& column = table.columns[i];
             if (ownAxes[i] != axis || !overlap(column.direction, direction))
                 continue;
-            const auto factor = factorBetween(
-                column.unit, table.axes[axis].unit, "values for " + columnText(table, column));
+            const auto factor = factorBetween(column.unit, table.axes[axis].unit,
+                AXISCOMP_TEXT("Error", "values for {column}")
+                    .with("column", columnText(table, column)));
             if (!factor)
                 return fail(factor.error());
             mover.parts.push_back({i, *factor});

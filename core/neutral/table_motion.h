@@ -15,20 +15,17 @@ namespace axiscomp {
 [[nodiscard]] Result<void> checkConsistent(const NeutralTable& table);
 
 /// How many `to` one `from` is; units that are not known are taken to be the same. Errors:
-/// InvalidArgument when one is a length and the other an angle; what: "values of X".
-[[nodiscard]] Result<double> factorBetween(
-    std::string_view from, std::string_view to, std::string_view what);
+/// InvalidArgument when one is a length and the other an angle; what: "values for X".
+[[nodiscard]] Result<double> factorBetween(std::string_view from, std::string_view to, Text what);
 
 /// One number for each axis.
 using Position = std::array<double, 3>;
 /// The position of a point; index: as in CompensationColumn::values.
 [[nodiscard]] Position knotPosition(const NeutralTable& table, std::size_t index);
 /// "40 mm", "X = 40 mm, Y = 10 mm".
-[[nodiscard]] std::string positionText(const NeutralTable& table, std::span<const double> position);
+[[nodiscard]] Argument positionText(const NeutralTable& table, std::span<const double> position);
 /// "40 mm", with 12 digits.
-[[nodiscard]] std::string quantityText(double number, const std::string& unit);
-/// Its name, or "source 2".
-[[nodiscard]] std::string axisText(const NeutralTable& table, std::size_t axis);
+[[nodiscard]] Quantity quantityOf(double number, const std::string& unit);
 /// The stride of an axis in CompensationColumn::values.
 [[nodiscard]] std::size_t strideOf(const NeutralTable& table, std::size_t axis);
 

@@ -128,7 +128,7 @@ Obstacle Rules::noChoice() const
     if (Obstacle found = noDrive())
         return found;
     if (!m_now.hasAxis)
-        return m_now.isConnecting ? tr("The drives are being asked for their axes.")
+        return m_now.isConnecting ? tr("Reading the axes of the drives.")
                                   : tr("Choose an axis first.");
     return {};
 }
@@ -170,7 +170,7 @@ Obstacle Rules::nothingToStop() const
     if (!m_now.task)
         return tr("Nothing is running.");
     if (!m_now.canCancel)
-        return tr("It is being stopped already.");
+        return tr("It is already being stopped.");
     return {};
 }
 
@@ -184,14 +184,14 @@ Obstacle Rules::active() const
 Obstacle Rules::activeAlready() const
 {
     if (m_now.isActive)
-        return tr("The compensation is active already.");
+        return tr("The compensation is already active.");
     return {};
 }
 
 Obstacle Rules::evaluatingAlready() const
 {
     if (m_now.isEvaluating)
-        return tr("The compensation is being evaluated already.");
+        return tr("The compensation is already being evaluated.");
     return {};
 }
 
@@ -213,7 +213,7 @@ Obstacle Rules::mixture() const
 {
     if (m_now.unfinished == Unfinished::Mixture)
         return tr("An earlier write left the axis in neither the old nor the new state: write "
-                  "again, or restore the previous state.");
+                  "again or restore the previous state.");
     return {};
 }
 
@@ -227,7 +227,7 @@ Obstacle Rules::notHomed() const
 Obstacle Rules::noBackup() const
 {
     if (!m_now.hasBackup)
-        return tr("There is no backup of this axis yet: one is made before every write.");
+        return tr("This axis has no backup yet; every write makes one.");
     return {};
 }
 
@@ -236,14 +236,15 @@ Obstacle Rules::noFlash() const
     if (m_now.flashOperationsNeeded <= m_now.flashOperationsLeft)
         return {};
     return m_now.isPersistent
-        ? tr("Flash wear: wait %1, or write volatile.").arg(durationText(m_now.flashWaitSeconds))
-        : tr("Flash wear: wait %1.").arg(durationText(m_now.flashWaitSeconds));
+        ? tr("To spare the flash, wait %1 or write volatile.")
+              .arg(durationText(m_now.flashWaitSeconds))
+        : tr("To spare the flash, wait %1.").arg(durationText(m_now.flashWaitSeconds));
 }
 
 Obstacle Rules::nothingUnfinished() const
 {
     if (m_now.unfinished == Unfinished::None)
-        return tr("No write to this axis is unfinished.");
+        return tr("This axis has no unfinished write.");
     return {};
 }
 
@@ -272,7 +273,7 @@ Obstacle Rules::nothingToWrite() const
 Obstacle Rules::unwritten() const
 {
     if (m_now.isDirty)
-        return tr("Parameters must be written.");
+        return tr("The parameters still have to be saved.");
     return {};
 }
 
@@ -314,15 +315,15 @@ QString Rules::writeConsequence() const
     if (!m_now.isDirty)
         return tr("Finishes an earlier write: saves the parameters of the drive.");
     if (m_now.flashOperationsNeeded > 0 && m_now.isFlashLimitKnown)
-        return tr("Writes to the drive and stores in flash: %1 of %2 flash operations that are "
-                  "possible now.")
+        return tr("Writes to the drive and stores in flash; uses %1 of the %2 flash operations "
+                  "available now.")
             .arg(m_now.flashOperationsNeeded)
             .arg(m_now.flashOperationsLeft);
     if (m_now.flashOperationsNeeded > 0)
         return tr("Writes to the drive and stores in flash.");
     if (m_now.isPersistent)
         return tr("Writes to the drive and saves its parameters; the table in flash stays.");
-    return tr("Writes to the drive; a reboot of the drive brings the stored state back.");
+    return tr("Writes to the drive; a reboot of the drive restores the stored state.");
 }
 
 QString Rules::consequence(Action action) const
@@ -331,32 +332,32 @@ QString Rules::consequence(Action action) const
     case Action::Write:
         return writeConsequence();
     case Action::Activate:
-        return tr("Adds the table's values to the encoder position, then proves that the drive "
-                  "adds what the table says.");
+        return tr("Adds the table to the encoder position and proves that the drive's output "
+                  "matches the table.");
     case Action::Evaluate:
-        return tr("Lets the drive check table and sources and look up, without adding anything.");
+        return tr("The drive looks up the table without adding anything.");
     case Action::Deactivate:
         return tr("Switches the compensation off; table and settings stay on the drive.");
     case Action::Revert:
-        return tr("Puts the drive's values back into the fields.");
+        return tr("Resets the fields to the drive's values.");
     case Action::RestorePrevious:
-        return tr("Writes the table and the sources that the axis had before.");
+        return tr("Writes back the previous table and sources.");
     case Action::FinishWrite:
-        return tr("Brings the drive to the complete new state of the write that did not end.");
+        return tr("Completes the interrupted write.");
     case Action::UndoWrite:
-        return tr("Brings the drive back to the complete state before the write that did not end.");
+        return tr("Restores the state before the interrupted write.");
     case Action::Refresh:
-        return tr("Looks for drives and axes again and reads the axis.");
+        return tr("Searches for drives and axes again and reads the axis.");
     case Action::OpenData:
         return tr("Opens a file of compensation data, .csv or .TAMtbl.");
     case Action::WriteSeveral:
-        return tr("Writes columns of the open file, each to an axis of its own.");
+        return tr("Writes several columns of the open file, each to its own axis.");
     case Action::Cancel:
         break;
     }
     if (m_now.isReadingFile && !m_now.task)
         return tr("Stops reading the file.");
-    return m_now.task && isWrite(*m_now.task) ? tr("Stops the write and puts the old state back.")
+    return m_now.task && isWrite(*m_now.task) ? tr("Stops the write and rolls back.")
                                               : tr("Stops what is running.");
 }
 
@@ -379,8 +380,8 @@ QString Rules::hint() const
         return obstacle(Action::Write).value_or(*found);
     if (m_now.unfinished == Unfinished::Unsaved)
         return obstacle(Action::Write)
-            .value_or(tr("An earlier write did not end: the parameters may not be saved. Write to "
-                         "finish it."));
+            .value_or(tr("An earlier write was interrupted: its parameters may not be saved. Write "
+                         "to finish it."));
     if (m_now.problem)
         return errorText(*m_now.problem);
     if (m_now.isActive)

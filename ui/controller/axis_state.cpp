@@ -183,7 +183,7 @@ void AxisState::noteChanges(const AxisStatus& now)
             [error = text(now.driveError)] { return tr("The drive is in error: %1.").arg(error); });
     if (!m_isPaused && !(before.setup == now.setup))
         m_log.add(LogLine::Kind::Warning,
-            [] { return tr("Somebody else changed the settings of the axis on the drive."); });
+            [] { return tr("Another program changed the settings of this axis on the drive."); });
 }
 
 void AxisState::noteUnfinished(const AxisReading& now)

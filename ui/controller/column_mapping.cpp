@@ -16,13 +16,10 @@ class Assignment {
     Q_DECLARE_TR_FUNCTIONS(axiscomp::ui::ColumnMapping)
 
 public:
-    [[nodiscard]] static QString nothingChosen()
-    {
-        return tr("No axis is chosen: choose at least one.");
-    }
+    [[nodiscard]] static QString nothingChosen() { return tr("Select at least one axis."); }
     [[nodiscard]] static QString chosenTwice(const QString& axis)
     {
-        return tr("%1 is chosen twice: an axis has one table only.").arg(axis);
+        return tr("%1 is selected twice; an axis has only one table.").arg(axis);
     }
     [[nodiscard]] static QString unnamed(int axis) { return tr("Axis %1").arg(axis); }
 };

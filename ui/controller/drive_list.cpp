@@ -235,7 +235,7 @@ void DriveList::take(DriveConnection* found, bool wasAnother)
         if (m_current != key)
             return;
         m_outcome.refuse([name, endpoint] {
-            return tr("Another drive answers at %1 now: %2. Unwritten changes were dropped.")
+            return tr("A different drive now answers at %1: %2. Unwritten changes were discarded.")
                 .arg(endpoint, name);
         });
     }

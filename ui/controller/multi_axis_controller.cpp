@@ -95,7 +95,7 @@ std::vector<AxisEntry> MultiAxisController::axesOfTables() const
 void MultiAxisController::write()
 {
     if (m_asked.empty() || !m_plans || !*m_plans) {
-        m_outcome.refuse([] { return tr("The writes are not planned yet."); });
+        m_outcome.refuse([] { return tr("The writes have not been planned yet."); });
         return;
     }
     const std::vector<AxisEntry> axes = axesOfTables();

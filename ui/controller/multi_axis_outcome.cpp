@@ -22,10 +22,8 @@ public:
     {
         const QString persistency = isPersistent
             ? tr("They are stored in flash.")
-            : tr("They are volatile: a reboot of the drive brings the stored states back.");
-        return {tr("Written, read back and compared; the new state is on: %1. %2")
-                    .arg(listed(axes), persistency),
-            false, {}};
+            : tr("They are volatile: a reboot of the drive restores the stored state.");
+        return {tr("Written and verified: %1. %2").arg(listed(axes), persistency), false, {}};
     }
     [[nodiscard]] static Outcome nothingWritten(
         const QStringList& axes, const Error& error, const QString& sentence)
@@ -57,10 +55,10 @@ public:
 private:
     [[nodiscard]] static QString states(const QStringList& withNew, const QStringList& withOld)
     {
-        QString text = withNew.isEmpty() ? tr("No axis has the new state.")
-                                         : tr("The new state is on: %1.").arg(listed(withNew));
+        QString text = withNew.isEmpty() ? tr("No axis was changed.")
+                                         : tr("New state: %1.").arg(listed(withNew));
         if (!withOld.isEmpty())
-            text += u' ' + tr("The complete old state is on: %1.").arg(listed(withOld));
+            text += u' ' + tr("Old state, complete: %1.").arg(listed(withOld));
         return text;
     }
 };

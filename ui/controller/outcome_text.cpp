@@ -66,10 +66,9 @@ Outcome Outcomes::written(const WriteReport& report)
 {
     const QString persistency = report.now.setup.persistency == Persistency::Persistent
         ? tr("It is stored in flash.")
-        : tr("It is volatile: a reboot of the drive brings the stored state back.");
-    return {
-        tr("Written, read back and compared: the drive holds the new state. %1").arg(persistency),
-        false, QStringLiteral("backup: ") + QString::fromStdString(report.backup.string())};
+        : tr("It is volatile: a reboot of the drive restores the stored state.");
+    return {tr("Written and verified: the drive holds the new state. %1").arg(persistency), false,
+        QStringLiteral("backup: ") + QString::fromStdString(report.backup.string())};
 }
 
 Outcome Outcomes::notWritten(const Error& error)
@@ -77,8 +76,7 @@ Outcome Outcomes::notWritten(const Error& error)
     Outcome outcome{errorText(error), true, errorDetail(error)};
     switch (error.code) {
     case ErrorCode::NothingToWrite:
-        return {tr("The drive has all of this already: there was nothing to write."), false,
-            outcome.detail};
+        return {tr("Nothing to write: the drive already has all of this."), false, outcome.detail};
     case ErrorCode::OutcomeUnknown: // these two say themselves what the drive holds
     case ErrorCode::RollbackFailed:
         return outcome;
@@ -115,7 +113,7 @@ Outcome Outcomes::switched(Switch wanted, const Activation& activation)
         return {state + u' ' + proved(*proof, activation.status.axis), false, {}};
     const QString reason = proof.error().code == ErrorCode::Cancelled ? tr("The proof was stopped.")
                                                                       : errorText(proof.error());
-    return {tr("%1 But it is not proved: deactivate it unless you know why. %2").arg(state, reason),
+    return {tr("%1 But the proof failed: deactivate it unless you know why. %2").arg(state, reason),
         true, errorDetail(proof.error())};
 }
 
@@ -131,9 +129,8 @@ Outcome Outcomes::recovered(bool finishes, const Result<WriteReport>& report)
     if (!report)
         return {tr("%1 The write is still unfinished.").arg(errorText(report.error())), true,
             errorDetail(report.error())};
-    return {finishes
-            ? tr("Finished, read back and compared: the drive holds the complete new state.")
-            : tr("Undone, read back and compared: the drive holds the complete old state."),
+    return {finishes ? tr("Finished and verified: the drive holds the complete new state.")
+                     : tr("Undone and verified: the drive holds the complete old state."),
         false, QStringLiteral("backup: ") + QString::fromStdString(report->backup.string())};
 }
 
@@ -144,19 +141,19 @@ QString Outcomes::settled(AxisCompensator::UnfinishedOutcome outcome)
     case Unfinished::Old:
         return tr("The drive holds the complete old state.");
     case Unfinished::New:
-        return tr("The drive holds the complete new state; nothing needs to be done.");
+        return tr("The drive holds the complete new state; nothing more to do.");
     case Unfinished::NewUnsaved:
         return tr("The drive holds the complete new state, but its parameters may not be saved.");
     case Unfinished::Neither:
         break;
     }
-    return tr("The drive holds neither the old nor the new state: do not activate the axis before "
-              "the write is finished or undone.");
+    return tr("The drive holds neither the old nor the new state: finish or undo the write before "
+              "activating the axis.");
 }
 
 QString Outcomes::unfinished(const SettledWrite& settledWrite)
 {
-    return tr("A write that began on %1 did not end (last step: %2). %3")
+    return tr("The write of %1 was interrupted (last step: %2). %3")
         .arg(localTime(settledWrite.entry.time),
             stepText(QString::fromStdString(settledWrite.entry.step)),
             settled(settledWrite.outcome));

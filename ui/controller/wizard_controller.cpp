@@ -152,7 +152,7 @@ void WizardController::selectAxis(int index)
     if (m_parts->runner.task()) {
         // What runs belongs to the axis that is shown; the field goes back to it.
         m_parts->outcome.refuse(
-            [] { return tr("Another axis can be chosen when this has ended."); });
+            [] { return tr("Wait for the current operation before selecting another axis."); });
         Q_EMIT currentAxisChanged();
         return;
     }

@@ -50,8 +50,8 @@ void CertificateButton::retranslate()
     setEnabled(m_rejected.contains(m_endpoint) || m_trusted.contains(m_endpoint));
     setText(isToBeForgotten() ? tr("Forget Cert&ificate") : tr("Cert&ificate …"));
     setToolTip(isToBeForgotten()
-            ? tr("Trust the certificate of the chosen drive no longer")
-            : tr("Look at the certificate of the chosen drive and decide about it"));
+            ? tr("Stop trusting the certificate of the selected drive")
+            : tr("Show the certificate of the selected drive and decide whether to trust it"));
 }
 
 void CertificateButton::open()

@@ -106,12 +106,12 @@ void CertificateDialog::changeEvent(QEvent* event)
 
 void CertificateDialog::retranslate()
 {
-    setWindowTitle(tr("Certificate of a Drive"));
+    setWindowTitle(tr("Drive Certificate"));
     m_introduction->setText(m_certificate.hasChanged
-            ? tr("The certificate of this drive has CHANGED: it is not the one that was trusted. "
-                 "Either the drive got a new one, or something else answers in its place.")
-            : tr("Nobody known to this computer vouches for the certificate of this drive, so it "
-                 "is not certain that it is the drive that answers."));
+            ? tr("The certificate of this drive has CHANGED since it was trusted. Either the drive "
+                 "has a new one, or another device answers at its address.")
+            : tr("No authority known to this computer has signed this certificate, so the identity "
+                 "of the drive cannot be confirmed."));
     const QStringList names{
         tr("Address"), tr("Issued to"), tr("Issued by"), tr("Valid"), tr("SHA-256 fingerprint")};
     for (qsizetype i = 0; i < names.size(); ++i)
@@ -119,9 +119,9 @@ void CertificateDialog::retranslate()
     m_validity->setText(
         tr("from %1 until %2")
             .arg(dayText(m_certificate.validFrom), dayText(m_certificate.validUntil)));
-    m_note->setText(tr("Trust it only when the fingerprint is the one that the drive itself, or "
-                       "its administrator, shows. Then this very certificate is accepted for this "
-                       "address, and any other one is refused."));
+    m_note->setText(
+        tr("Trust it only if the drive itself, or its administrator, shows the same fingerprint. "
+           "From then on this address is accepted with this certificate only."));
     m_refuse->setText(tr("Do &Not Trust"));
     m_refuse->setToolTip(tr("Stay disconnected (Esc)"));
     m_trust->setText(tr("&Trust This Certificate"));

@@ -131,7 +131,7 @@ void ColumnMappingTable::retranslate()
         QComboBox* combo = m_combos[static_cast<std::size_t>(row)];
         combo->setItemText(0, tr("none", "axis"));
         combo->setAccessibleName(tr("Axis for %1").arg(name));
-        combo->setToolTip(tr("The axis that gets the column %1").arg(name));
+        combo->setToolTip(tr("The axis for column %1").arg(name));
         combo->setAccessibleDescription(combo->toolTip());
     }
 }

@@ -142,7 +142,7 @@ void ConnectionsDialog::connectButtons()
         testCurrent();
     });
     connect(m_certificate, &CertificateButton::forgotten, this, [this](const QString& endpoint) {
-        showNote(tr("The certificate of %1 is not trusted any longer.").arg(endpoint), false);
+        showNote(tr("The certificate of %1 is no longer trusted.").arg(endpoint), false);
     });
     connect(m_certificate, &CertificateButton::failed, this,
         [this](const QString& sentence) { showNote(sentence, true); });
@@ -179,11 +179,10 @@ void ConnectionsDialog::changeEvent(QEvent* event)
 void ConnectionsDialog::retranslate()
 {
     setWindowTitle(tr("Connections"));
-    m_introduction->setText(tr(
-        "Drives are reached by their web server, for example http://192.168.1.20, or by a serial "
-        "line, for example serial:/dev/ttyUSB0. A web address may carry a user name and a "
-        "password, http://user:password@host: they are used until the program ends and never "
-        "stored."));
+    m_introduction->setText(
+        tr("Drives are reached through their web server, such as http://192.168.1.20, or a serial "
+           "line, such as serial:/dev/ttyUSB0. A web address may contain a user name and password "
+           "(http://user:password@host); they are used until the program ends and never stored."));
     m_list->setHeaderLabels({tr("Address"), tr("Drive"), tr("State")});
     m_list->setAccessibleName(tr("Connections"));
     m_edit->setText(tr("&Edit"));
@@ -191,19 +190,19 @@ void ConnectionsDialog::retranslate()
     m_remove->setText(tr("&Remove"));
     m_remove->setToolTip(tr("Remove the chosen connection"));
     m_test->setText(tr("&Test"));
-    m_test->setToolTip(tr("Ask the drive at the chosen address who it is"));
+    m_test->setToolTip(tr("Ask the drive at the selected address to identify itself"));
     m_demo->setText(tr("De&mo Drive"));
     m_certificate->retranslate();
     m_find->setText(tr("&Find …"));
-    m_find->setToolTip(tr("Look for drives at the serial ports of this computer"));
-    m_demo->setToolTip(tr("Add the built-in demo drive: everything can be tried with it"));
+    m_find->setToolTip(tr("Search the serial ports of this computer for drives"));
+    m_demo->setToolTip(tr("Add the built-in demo drive to try everything without hardware"));
     m_addressLabel->setText(tr("&Address"));
     m_address->setPlaceholderText(QStringLiteral("http://192.168.1.20"));
     m_address->setAccessibleName(tr("Address"));
     m_address->setAccessibleDescription(
         tr("The address of a drive's web server, or a serial port"));
     m_address->setToolTip(m_address->accessibleDescription());
-    m_buttons->button(QDialogButtonBox::Cancel)->setToolTip(tr("Change no connection (Esc)"));
+    m_buttons->button(QDialogButtonBox::Cancel)->setToolTip(tr("Discard the changes (Esc)"));
     showKnownStates();
     updateButtons();
 }
@@ -316,7 +315,7 @@ void ConnectionsDialog::checkAddress()
     if (!m_edited.isEmpty() && endpoint == editableText(m_edited))
         endpoint = m_edited;
     if (endpoint != m_edited && itemOf(endpoint)) {
-        showNote(tr("This address is in the list already."), true);
+        showNote(tr("This address is already in the list."), true);
         return;
     }
     m_busy->setBusy(true);
@@ -343,8 +342,7 @@ void ConnectionsDialog::takeAddress(const QString& endpoint, const Result<DriveI
     addItem(endpoint);
     showState(*itemOf(endpoint), identity);
     if (!identity)
-        showNote(
-            tr("Added, but there is no answer so far: %1").arg(errorText(identity.error())), true);
+        showNote(tr("Added, but not answering yet: %1").arg(errorText(identity.error())), true);
 }
 
 void ConnectionsDialog::removeCurrent()
@@ -374,13 +372,13 @@ void ConnectionsDialog::updateButtons()
     m_certificate->choose(item ? endpointOf(*item) : QString());
     m_demo->setEnabled(!itemOf(QStringLiteral("demo:")));
     m_add->setText(m_edited.isEmpty() ? tr("A&dd") : tr("Chan&ge"));
-    m_add->setToolTip(tr("Checks the address and takes it into the list"));
+    m_add->setToolTip(tr("Checks the address and adds it to the list"));
     m_add->setEnabled(!m_address->text().trimmed().isEmpty() && !m_busy->isBusy());
     m_add->setDefault(m_add->isEnabled());
     QPushButton* accept = m_buttons->button(QDialogButtonBox::Ok);
     accept->setDefault(!m_add->isEnabled());
     accept->setEnabled(!m_controller.isWriting());
-    accept->setToolTip(m_controller.isWriting() ? tr("Not while a drive is being written")
+    accept->setToolTip(m_controller.isWriting() ? tr("Not possible while a drive is being written")
                                                 : tr("Use the drives of the list"));
 }
 

@@ -83,10 +83,10 @@ void ConversionDialog::retranslate()
     m_accept->setText(said.accept);
     m_accept->setAccessibleDescription(said.acceptMeaning);
     m_cancel->setText(tr("&Cancel"));
-    m_cancel->setToolTip(tr("Leave everything as it is (Esc)"));
+    m_cancel->setToolTip(tr("Change nothing (Esc)"));
     m_cancel->setAccessibleDescription(m_cancel->toolTip());
-    m_reportTitle->setText(tr("Wh&at comes out"));
-    m_report->setAccessibleName(tr("What comes out"));
+    m_reportTitle->setText(tr("&Result"));
+    m_report->setAccessibleName(tr("Result"));
     m_report->setToolTip(tr("What the conversion does to the numbers, with an example"));
     m_report->setAccessibleDescription(m_report->toolTip());
     m_form->retranslate(
@@ -111,7 +111,7 @@ void ConversionDialog::startComputing()
     compute();
 }
 
-void ConversionDialog::showReport(const std::vector<std::string>& lines)
+void ConversionDialog::showReport(const std::vector<Text>& lines)
 {
     m_isComputing = false;
     m_reasonText.clear();
@@ -131,7 +131,7 @@ void ConversionDialog::showState()
 {
     m_busy->setBusy(m_isComputing);
     QStringList lines;
-    for (const std::string& line : m_lines)
+    for (const Text& line : m_lines)
         lines += sentenceText(line);
     if (m_report->toPlainText() != lines.join(u'\n'))
         m_report->setPlainText(lines.join(u'\n'));
@@ -142,7 +142,7 @@ void ConversionDialog::showState()
     m_reason->setVisible(!m_reasonText.isEmpty());
     m_accept->setEnabled(!m_isComputing && m_reasonText.isEmpty());
     m_accept->setToolTip(!m_reasonText.isEmpty() ? m_reasonText
-            : m_isComputing                      ? tr("This is being computed.")
+            : m_isComputing                      ? tr("Computing …")
                                                  : words().acceptMeaning);
 }
 

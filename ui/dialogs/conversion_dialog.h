@@ -37,8 +37,8 @@ protected:
     virtual void compute() = 0;
 
     [[nodiscard]] ConversionForm& form() { return *m_form; }
-    /// Of a conversion that can be done: English, for phraseText.
-    void showReport(const std::vector<std::string>& lines);
+    /// Of a conversion that can be done.
+    void showReport(const std::vector<Text>& lines);
     /// Why it cannot be done, a translated sentence.
     void showReason(const QString& reason);
     /// To be called when everything has been built, and for another language.
@@ -60,7 +60,7 @@ private:
     QDialogButtonBox* m_buttons;
     QPushButton* m_accept;
     QPushButton* m_cancel;
-    std::vector<std::string> m_lines;
+    std::vector<Text> m_lines;
     QString m_reasonText;
     bool m_isComputing = false;
 };

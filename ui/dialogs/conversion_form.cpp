@@ -207,7 +207,7 @@ QString ConversionForm::problem() const
     if (!format())
         return tr("Choose the format.");
     if (m_grid->currentIndex() > 0 && m_number->text().trimmed().isEmpty())
-        return tr("Enter the number for the even grid.");
+        return tr("Enter a number for the even grid.");
     if (m_grid->currentIndex() > 0 && !numbers())
         return tr("\"%1\" is no number, and no list such as 21; 31.").arg(m_number->text());
     return {};
@@ -257,14 +257,14 @@ void ConversionForm::describeFields()
     describe(*m_format,
         isImport ? tr("The format that the file is read as") : tr("The format of the new file"));
     describe(*m_sign,
-        isImport ? tr("What the values of the file are: added to the encoder position (feedback) "
-                      "or added to the commanded position (command)")
-                 : tr("What the values of the new file shall be: added to the encoder position "
-                      "(feedback) or added to the commanded position (command)"));
+        isImport ? tr("Whether the file's values are added to the encoder position (feedback) or "
+                      "to the commanded position (command)")
+                 : tr("Whether the new file's values are to be added to the encoder position "
+                      "(feedback) or to the commanded position (command)"));
     describe(*m_direction,
-        tr("The drive has one value for both directions of motion: which one it shall have"));
+        tr("The drive holds one value for both directions of motion; choose which one"));
     describe(*m_dropsWrap,
-        tr("The table is used as it is, for an axis that stays within one revolution"));
+        tr("For an axis that stays within one revolution: the table is used as it is"));
     describe(*m_grid, tr("Brings the table onto evenly spaced positions"));
     describe(*m_method, tr("How the values between the positions of the table are made"));
     describe(*m_holds, tr("The even grid may end beyond the last position"));
@@ -292,7 +292,7 @@ void ConversionForm::fillItems()
     m_grid->setItemText(0, tr("the positions of the table"));
     m_grid->setItemText(1, tr("a number of points"));
     m_grid->setItemText(2, tr("a distance"));
-    m_grid->setItemText(3, tr("as coarse as a deviation allows"));
+    m_grid->setItemText(3, tr("coarsest within a deviation"));
     m_method->setItemText(0, tr("linear, as controllers do"));
     m_method->setItemText(1, tr("smooth (monotone cubic)"));
 }
@@ -313,8 +313,7 @@ void ConversionForm::nameNumber()
         return;
     case ResamplingChoice::Kind::Within:
         nameRow(*m_form, m_number, tr("Deviatio&n"));
-        describe(*m_number,
-            tr("In the unit of the values; the fewest points that keep it are looked for"));
+        describe(*m_number, tr("In the unit of the values; the coarsest grid within it is used"));
         return;
     }
 }

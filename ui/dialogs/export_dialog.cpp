@@ -47,10 +47,10 @@ ExportDialog::ExportDialog(Options options, QWidget* parent)
 ConversionDialog::Words ExportDialog::words() const
 {
     return {tr("Export for Another Controller"),
-        tr("The table \"%1\" is written as a file that another controller reads. The drive keeps "
-           "what it has.")
+        tr("Writes the table \"%1\" to a file for another controller. Nothing on the drive "
+           "changes.")
             .arg(m_options.tableName),
-        tr("E&xport…"), tr("Choose where the file is written")};
+        tr("E&xport…"), tr("Choose where to save the file")};
 }
 
 void ExportDialog::compute()

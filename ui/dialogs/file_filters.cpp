@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/dialogs/file_filters.h"
+#include "ui/text/translated_text.h"
 #include "ui/text/value_text.h"
 
 #include "core/formats/table_format.h"
@@ -55,7 +56,7 @@ QString saveFilter(const TableFormat& format)
 QString formatText(const TableFormat& format)
 {
     return qString(format.facts.controller) + QStringLiteral(": ")
-        + translatedPhrase(std::string(format.facts.description));
+        + translated(format.facts.description);
 }
 
 QString extensionOf(const TableFormat& format)

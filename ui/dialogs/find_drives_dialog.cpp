@@ -93,13 +93,12 @@ void FindDrivesDialog::retranslate()
 {
     setWindowTitle(tr("Find Drives"));
     m_introduction->setText(
-        tr("Every serial port of this computer is asked whether a drive is there; nothing else is "
-           "sent. A port that is not listed can be typed as an address, for example "
-           "serial:/dev/ttyUSB0?baud=921600."));
-    m_anyBaudRate->setText(tr("Try the usual &baud rates at every port"));
-    m_anyBaudRate->setToolTip(tr("Takes some seconds for each port where nothing answers"));
+        tr("Asks every serial port of this computer for a drive; nothing else is sent. A port that "
+           "is not listed can be entered as an address, such as serial:/dev/ttyUSB0?baud=921600."));
+    m_anyBaudRate->setText(tr("Try all common &baud rates at every port"));
+    m_anyBaudRate->setToolTip(tr("Takes a few seconds for each port without an answer"));
     m_search->setText(tr("&Search Again"));
-    m_search->setToolTip(tr("Look at all ports once more"));
+    m_search->setToolTip(tr("Search all ports again"));
     m_list->setHeaderLabels({tr("Address"), tr("Port"), tr("Answer")});
     m_list->setAccessibleName(tr("What was found"));
     if (!m_scan.isRunning())
@@ -111,7 +110,7 @@ void FindDrivesDialog::search()
 {
     m_list->clear();
     m_places = 0;
-    m_note->setText(tr("Looking …"));
+    m_note->setText(tr("Searching …"));
     m_busy->setBusy(true);
     m_scan.start(m_options.linkFactory,
         [candidates = m_options.candidates, otherThan = m_options.otherThan,
@@ -152,10 +151,10 @@ void FindDrivesDialog::showEnd()
 {
     m_busy->setBusy(false);
     if (m_places == 0)
-        m_note->setText(tr("This computer has no serial port that is not in the list already."));
+        m_note->setText(tr("All serial ports of this computer are already in the list."));
     else
         m_note->setText(
-            tr("Ports looked at: %1; drives found: %2").arg(m_places).arg(chosen().size()));
+            tr("Ports searched: %1; drives found: %2").arg(m_places).arg(chosen().size()));
     updateButtons();
 }
 

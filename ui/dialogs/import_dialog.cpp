@@ -45,10 +45,10 @@ ImportDialog::ImportDialog(Options options, QWidget* parent)
 ConversionDialog::Words ImportDialog::words() const
 {
     return {tr("Import Compensation Data"),
-        tr("How is %1 to be understood? The table becomes what the drive adds to the encoder "
+        tr("Choose how to read %1. The result is the table that the drive adds to the encoder "
            "position, on an even grid.")
             .arg(QFileInfo(m_options.path).fileName()),
-        tr("I&mport"), tr("Use the file in this way; nothing is written to the drive yet")};
+        tr("I&mport"), tr("Use the file with these choices; nothing is written to the drive yet")};
 }
 
 void ImportDialog::compute()
@@ -91,9 +91,9 @@ void ImportDialog::take(const TableImport& import)
         showReason(place + problemText(*error));
         return;
     }
-    std::vector<std::string> lines = import.report;
+    std::vector<Text> lines = import.report;
     if (lines.empty())
-        lines = {"the numbers of the file are taken as they are"};
+        lines = {AXISCOMP_TEXT("Error", "the numbers of the file are taken as they are")};
     showReport(lines);
 }
 

@@ -130,25 +130,23 @@ void MultiAxisDialog::retranslate()
 {
     setWindowTitle(tr("Write Several Axes"));
     m_introduction->setText(
-        tr("Columns of %1 are written to axes of %2, one after the other. Each write is verified "
-           "and keeps the old table and settings in a backup file first; none begins before all "
-           "of them are found possible.")
+        tr("Writes columns of %1 to axes of %2, one after the other. All writes are checked before "
+           "the first one begins; each one makes a backup and is verified.")
             .arg(QFileInfo(m_controller.dataFile().path).fileName(),
                 m_axes.empty() ? QString() : m_axes.front().driveName));
     m_columns->retranslate();
     m_sourcesLabel->setText(tr("&Sources"));
     m_sources->setItemText(KeepSources, tr("Each axis keeps its sources"));
-    m_sources->setToolTip(tr("The registers whose values look the tables up"));
+    m_sources->setToolTip(tr("The registers that supply the positions for the tables"));
     m_sources->setAccessibleDescription(m_sources->toolTip());
     if (m_sources->count() > PageSources)
         m_sources->setItemText(PageSources,
-            tr("For all of them, as chosen in the page: %1")
+            tr("The same for all, as on the page: %1")
                 .arg(sourceLines(m_controller.sourcesForSeveral(), m_axes)
                          .join(QStringLiteral(", "))));
     m_persistency->setText(m_controller.setup().edited().persistency == Persistency::Persistent
-            ? tr("Persistency, as chosen in the page: persistent, all tables are stored in flash.")
-            : tr("Persistency, as chosen in the page: volatile, a reboot of the drive brings the "
-                 "stored states back."));
+            ? tr("Persistent, as on the page: all tables are stored in flash.")
+            : tr("Volatile, as on the page: a reboot of the drive restores the stored state."));
     m_planTitle->setText(tr("What will be written"));
     m_plan->retranslate();
     m_progress->setAccessibleName(tr("Progress"));
@@ -287,7 +285,7 @@ void MultiAxisDialog::showButtons()
     switch (m_state) {
     case State::Writing:
         m_close->setText(tr("S&top"));
-        m_close->setToolTip(tr("Stops the writes; the one that runs is put back first (Esc)"));
+        m_close->setToolTip(tr("Stops the writes; the current one is rolled back (Esc)"));
         break;
     case State::Ended:
         m_close->setText(tr("C&lose"));
@@ -311,7 +309,7 @@ QString MultiAxisDialog::reason() const
                                       : obstacleText;
     }
     case State::Planning:
-        return tr("The drive is asked what would change …");
+        return tr("Asking the drive what would change …");
     case State::Planned:
         if (!plans)
             break;
@@ -319,7 +317,7 @@ QString MultiAxisDialog::reason() const
             return multiAxisErrorText(plans->error(), m_axes);
         if (std::ranges::all_of(
                 **plans, [](const WritePlan& plan) { return plan.changes.empty(); }))
-            return tr("The drive has all of this already.");
+            return tr("The drive already has all of this.");
         return MultiAxisPlanView::costText(**plans);
     case State::Writing:
         return m_controller.busy().step;

@@ -41,7 +41,7 @@ QString afterText(
     const WritePlan& plan, const CompensationTable& table, std::span<const AxisEntry> axes)
 {
     if (plan.changes.empty())
-        return MultiAxisPlanView::tr("nothing: the drive has all of this already");
+        return MultiAxisPlanView::tr("nothing: the drive already has all of this");
     QStringList lines{
         QStringLiteral("%1: %2").arg(QString::fromStdString(table.name), gridText(table.grid)),
         persistencyWord(plan.after.persistency)};
@@ -54,14 +54,14 @@ QString slotText(const WritePlan& plan, bool isTaken)
 {
     const QString slot = QString::fromStdString(plan.after.slot);
     if (isTaken)
-        return MultiAxisPlanView::tr("chosen when its turn comes");
+        return MultiAxisPlanView::tr("chosen when it is written");
     switch (plan.slotReason) {
     case SlotReason::Empty:
         return MultiAxisPlanView::tr("%1 (empty)").arg(slot);
     case SlotReason::OwnPrevious:
         return MultiAxisPlanView::tr("%1 (held an earlier table of this axis)").arg(slot);
     case SlotReason::OverwriteOwn:
-        return MultiAxisPlanView::tr("%1 (is overwritten)").arg(slot);
+        return MultiAxisPlanView::tr("%1 (will be overwritten)").arg(slot);
     case SlotReason::Named:
     case SlotReason::KeepTable:
         break;
@@ -140,7 +140,7 @@ void MultiAxisPlanView::showPlans(std::span<const WritePlan> plans,
     for (std::size_t n = 0; n < plans.size(); ++n) {
         const WritePlan& plan = plans[n];
         addRow(plan, *tables[n], axes, !taken.insert(plan.after.slot).second);
-        for (const std::string& warning : plan.warnings)
+        for (const Text& warning : plan.warnings)
             remarks += tr("%1: %2", "axis and remark")
                            .arg(axisNameAmong(axes, plan.axis), sentenceText(warning));
     }
@@ -169,11 +169,11 @@ QString MultiAxisPlanView::costText(std::span<const WritePlan> plans)
     for (const WritePlan& plan : plans)
         operations += plan.flashOperations;
     if (operations == 0)
-        return tr("Costs no flash operation.");
+        return tr("Uses no flash operation.");
     const int left = plans.front().flashBudget.left;
     return left == std::numeric_limits<int>::max()
-        ? tr("Flash operations of all together: %1.").arg(operations)
-        : tr("Flash operations of all together: %1; left for now afterwards: %2.")
+        ? tr("Flash operations in total: %1.").arg(operations)
+        : tr("Uses %1 flash operations; %2 more will be available right afterwards.")
               .arg(operations)
               .arg(left - operations);
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/dialogs/setting_fields.h"
-#include "ui/text/value_text.h"
 
 #include "ui/text/message_text.h"
+#include "ui/text/value_text.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -16,6 +16,60 @@
 namespace axiscomp::ui {
 
 namespace {
+
+// The keys of all formats, with blanks in place of "-", and what can be chosen for them: for
+// lupdate.
+[[maybe_unused]] constexpr const char* settingWords[] = {
+    QT_TRANSLATE_NOOP("Setting", "column axis"),
+    QT_TRANSLATE_NOOP("Setting", "row axis"),
+    QT_TRANSLATE_NOOP("Setting", "output axis 1"),
+    QT_TRANSLATE_NOOP("Setting", "output axis 2"),
+    QT_TRANSLATE_NOOP("Setting", "output axis 3"),
+    QT_TRANSLATE_NOOP("Setting", "source counts per unit"),
+    QT_TRANSLATE_NOOP("Setting", "target counts per unit"),
+    QT_TRANSLATE_NOOP("Setting", "column counts per unit"),
+    QT_TRANSLATE_NOOP("Setting", "source motor"),
+    QT_TRANSLATE_NOOP("Setting", "target motor"),
+    QT_TRANSLATE_NOOP("Setting", "row motor"),
+    QT_TRANSLATE_NOOP("Setting", "column motor"),
+    QT_TRANSLATE_NOOP("Setting", "position"),
+    QT_TRANSLATE_NOOP("Setting", "desired"),
+    QT_TRANSLATE_NOOP("Setting", "actual"),
+    QT_TRANSLATE_NOOP("Setting", "counts per unit"),
+    QT_TRANSLATE_NOOP("Setting", "position unit"),
+    QT_TRANSLATE_NOOP("Setting", "value unit"),
+    QT_TRANSLATE_NOOP("Setting", "wrap range"),
+    QT_TRANSLATE_NOOP("Setting", "master axis"),
+    QT_TRANSLATE_NOOP("Setting", "master1 axis"),
+    QT_TRANSLATE_NOOP("Setting", "master2 axis"),
+    QT_TRANSLATE_NOOP("Setting", "n cycles"),
+    QT_TRANSLATE_NOOP("Setting", "master kind"),
+    QT_TRANSLATE_NOOP("Setting", "master1 kind"),
+    QT_TRANSLATE_NOOP("Setting", "master2 kind"),
+    QT_TRANSLATE_NOOP("Setting", "axis kind"),
+    QT_TRANSLATE_NOOP("Setting", "modulo"),
+    QT_TRANSLATE_NOOP("Setting", "modulo1"),
+    QT_TRANSLATE_NOOP("Setting", "modulo2"),
+    QT_TRANSLATE_NOOP("Setting", "list unit"),
+    QT_TRANSLATE_NOOP("Setting", "increments per unit"),
+    QT_TRANSLATE_NOOP("Setting", "decimals"),
+    QT_TRANSLATE_NOOP("Setting", "axis"),
+    QT_TRANSLATE_NOOP("Setting", "type"),
+    QT_TRANSLATE_NOOP("Setting", "name"),
+    QT_TRANSLATE_NOOP("Setting", "first table"),
+    QT_TRANSLATE_NOOP("Setting", "input axis"),
+    QT_TRANSLATE_NOOP("Setting", "output axis"),
+    QT_TRANSLATE_NOOP("Setting", "encoder"),
+    QT_TRANSLATE_NOOP("Setting", "persistent"),
+    QT_TRANSLATE_NOOP("Setting", "rotary axes"),
+    QT_TRANSLATE_NOOP("Setting", "primary unit"),
+    QT_TRANSLATE_NOOP("Setting", "units"),
+    QT_TRANSLATE_NOOP("Setting", "primary"),
+    QT_TRANSLATE_NOOP("Setting", "metric"),
+    QT_TRANSLATE_NOOP("Setting", "increments"),
+    QT_TRANSLATE_NOOP("Setting", "linear"),
+    QT_TRANSLATE_NOOP("Setting", "rotary"),
+};
 
 QStringList choicesOf(const FormatSetting& setting)
 {
@@ -190,20 +244,20 @@ void SettingFields::retranslate(QSet<QChar> usedKeys)
             row.label->setText(name);
         else if (auto* box = qobject_cast<QCheckBox*>(row.field))
             box->setText(name);
-        row.field->setToolTip(sentenceText(std::string(row.setting.meaning)));
+        row.field->setToolTip(sentenceText(row.setting.meaning));
         row.field->setAccessibleName(QString(name).remove(u'&'));
         row.field->setAccessibleDescription(row.field->toolTip());
         const QString standard = qString(row.setting.standard);
         if (auto* combo = qobject_cast<QComboBox*>(row.field)) {
             combo->setItemText(
-                0, standard.isEmpty() ? tr("not given") : tr("usual: %1").arg(word(standard)));
+                0, standard.isEmpty() ? tr("not given") : tr("default: %1").arg(word(standard)));
             for (int i = 1; i < combo->count(); ++i)
                 combo->setItemText(i, word(combo->itemData(i).toString()));
         }
         if (auto* line = qobject_cast<QLineEdit*>(row.field))
             line->setPlaceholderText(row.setting.isNeeded ? tr("needed")
                     : standard.isEmpty()                  ? tr("not given")
-                                                          : tr("usual: %1").arg(standard));
+                                                          : tr("default: %1").arg(standard));
     }
 }
 

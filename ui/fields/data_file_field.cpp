@@ -137,7 +137,7 @@ void DataFileField::fillMenu()
     QAction* again = m_menu->addAction(symbolIcon(Symbol::Refresh), tr("&Read Again"));
     QAction* import = m_menu->addAction(symbolIcon(Symbol::Edit), tr("Import &Options…"));
     import->setObjectName(QStringLiteral("importOptionsAction"));
-    import->setToolTip(tr("Format, sign and even grid of the open file"));
+    import->setToolTip(tr("Format, sign and grid of the open file"));
     import->setEnabled(!m_path.isEmpty());
     connect(import, &QAction::triggered, this, &DataFileField::importOptionsRequested);
     QAction* close = m_menu->addAction(symbolIcon(Symbol::Close), tr("&Close File"));

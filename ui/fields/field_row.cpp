@@ -248,7 +248,7 @@ void FieldRow::showState()
         const QString onDrive = tr("on the drive: %1").arg(m_driveText);
         toolTip = toolTip.isEmpty() ? onDrive : onDrive + u'\n' + toolTip;
         description = changedText() + QStringLiteral(". ") + description;
-        m_revert->setToolTip(tr("Put back the drive's value: %1").arg(m_driveText));
+        m_revert->setToolTip(tr("Revert to the drive's value: %1").arg(m_driveText));
     }
     if (!m_problem.isEmpty())
         description = m_problem + QStringLiteral(". ") + description;

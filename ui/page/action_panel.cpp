@@ -92,12 +92,12 @@ void ActionPanel::retranslate()
     m_write->setText(tr("&Write Compensation"));
     m_revert->setText(tr("Re&vert All"));
     m_activate->setText(tr("&Activate"));
-    m_activateMore->setAccessibleName(tr("More about activation"));
+    m_activateMore->setAccessibleName(tr("More actions"));
     m_activateMore->setToolTip(tr("Evaluate, or restore the previous table"));
     m_deactivate->setText(tr("D&eactivate"));
-    m_evaluate->setText(tr("&Evaluate Without Adding"));
+    m_evaluate->setText(tr("&Evaluate (Adds Nothing)"));
     m_restore->setText(tr("Restore &Previous Table…"));
-    m_hint->setAccessibleName(tr("What comes next"));
+    m_hint->setAccessibleName(tr("Next step"));
     showActions();
 }
 
@@ -129,19 +129,18 @@ void ActionPanel::setPreviewing(bool isPreviewing)
 void ActionPanel::showActions()
 {
     apply(*m_write, Action::Write,
-        tr("Writes the table and the settings to the drive and reads them back (Ctrl+Return)"));
-    apply(*m_revert, Action::Revert,
-        tr("Puts the drive's values back into all fields (Ctrl+Shift+R)"));
+        tr("Writes table and settings to the drive and verifies them (Ctrl+Return)"));
+    apply(*m_revert, Action::Revert, tr("Resets all fields to the drive's values (Ctrl+Shift+R)"));
     apply(*m_activate, Action::Activate,
-        tr("The drive adds the compensation from now on; compared with the table at once"));
-    apply(*m_deactivate, Action::Deactivate, tr("The drive no longer adds the compensation"));
+        tr("Switches the compensation on, then compares the drive's output with the table"));
+    apply(*m_deactivate, Action::Deactivate, tr("Switches the compensation off"));
     apply(*m_evaluate, Action::Evaluate,
-        tr("The drive checks table and sources and shows the indices, but adds nothing"));
+        tr("The drive looks up the table and shows the indices, but adds nothing"));
     apply(*m_restore, Action::RestorePrevious,
-        tr("Writes the table and the settings that the axis had before the last write"));
+        tr("Writes back the table and settings from before the last write"));
     if (m_isPreviewing) {
         m_write->setEnabled(false);
-        m_write->setToolTip(tr("Write or go back in the list on the right"));
+        m_write->setToolTip(tr("Continue in the preview on the right"));
     }
     // The next step is the one that Return stands for.
     m_write->setDefault(m_write->isEnabled());

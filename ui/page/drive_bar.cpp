@@ -89,8 +89,7 @@ void DriveBar::retranslate()
     m_label->setText(tr("&Drive"));
     m_drives->setAccessibleName(tr("Drive"));
     m_drives->setAccessibleDescription(tr("The drive of the chosen axis, and its address"));
-    m_drives->setToolTip(
-        tr("The drive of the chosen axis; all drives of the connections are here"));
+    m_drives->setToolTip(tr("The drive of the selected axis; lists all drives under Connections"));
     m_connections->setText(tr("Co&nnections…"));
     m_connections->setToolTip(tr("Add, test or remove drives"));
     m_refresh->setText(tr("&Refresh"));
@@ -142,7 +141,7 @@ void DriveBar::showState()
         case DriveState::Connection::Lost:
             symbol = Symbol::Error;
             tone = Tone::Error;
-            text = tr("connection lost, trying again");
+            text = tr("connection lost, reconnecting");
             break;
         }
     }
@@ -153,7 +152,7 @@ void DriveBar::showState()
     const ActionState refresh = m_controller.action(Action::Refresh);
     m_refresh->setEnabled(refresh.isEnabled);
     m_refresh->setToolTip(refresh.isEnabled || refresh.reason.isEmpty()
-            ? tr("Look for axes again and read everything from the drives (F5)")
+            ? tr("Search for axes again and read everything from the drives (F5)")
             : refresh.reason);
 }
 

@@ -160,7 +160,7 @@ void FileLinesView::showRange()
     if (m_isReading)
         m_range->setText(tr("Reading the file…"));
     else if (count == 0)
-        m_range->setText(tr("These lines cannot be read from the file any more."));
+        m_range->setText(tr("These lines can no longer be read from the file."));
     else
         m_range->setText(
             tr("Lines %1 to %2").arg(countText(m_firstLine), countText(m_firstLine + count - 1)));
@@ -171,7 +171,7 @@ void FileLinesView::retranslate()
     const std::array<std::tuple<QToolButton*, QString, QString>, 5> tools{{
         {m_previous, tr("Previous problem"), tr("Show the lines at the previous problem")},
         {m_next, tr("Next problem"), tr("Show the lines at the next problem")},
-        {m_close, tr("Table's values"), tr("Show the values of the chosen table again")},
+        {m_close, tr("Table's values"), tr("Show the values of the selected table again")},
         {m_earlier, tr("Earlier lines"), tr("Show the lines before these")},
         {m_later, tr("Later lines"), tr("Show the lines after these")},
     }};

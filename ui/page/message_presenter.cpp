@@ -53,8 +53,8 @@ void MessagePresenter::offerDemo()
 {
     Message message;
     message.id = demoId;
-    message.text = tr("No drive is set up yet, so this is the built-in demo drive: everything can "
-                      "be tried, nothing is real.");
+    message.text =
+        tr("This is the built-in demo drive. Try everything; no real drive is affected.");
     message.buttons = {{QStringLiteral("setUpDrivesButton"), tr("Wor&k with Real Drives…"),
         [this] { Q_EMIT connectionsRequested(); }}};
     m_messages.show(message);
@@ -92,11 +92,11 @@ void MessagePresenter::showConnection()
     message.id = connectionId;
     message.tone = Tone::Error;
     message.text = m_controller.setup().isDirty()
-        ? tr("%1 What you have changed is kept; the program keeps trying.").arg(drive->problem)
-        : tr("%1 The program keeps trying.").arg(drive->problem);
+        ? tr("%1 Your changes are kept; reconnecting …").arg(drive->problem)
+        : tr("%1 Reconnecting …").arg(drive->problem);
     if (drive->certificate)
-        message.buttons = {{QStringLiteral("lookAtCertificateButton"),
-            tr("Look at t&he Certificate…"), [this, certificate = *drive->certificate] {
+        message.buttons = {{QStringLiteral("lookAtCertificateButton"), tr("S&how Certificate…"),
+            [this, certificate = *drive->certificate] {
                 Q_EMIT certificateRequested(certificate);
             }}};
     if (m_messages.text(message.id) != message.text)
@@ -140,8 +140,7 @@ void MessagePresenter::showUnfinishedWrite()
                            [this] { m_controller.finishWrite(); }, finish.isEnabled, finish.reason},
         {QStringLiteral("undoWriteButton"), tr("Undo Wri&te"), [this] { m_controller.undoWrite(); },
             undo.isEnabled, undo.reason},
-        {QStringLiteral("laterButton"), tr("&Keep for Later"),
-            [this] { putUnfinishedWriteAway(); }}};
+        {QStringLiteral("laterButton"), tr("Decide &Later"), [this] { putUnfinishedWriteAway(); }}};
     message.isClosable = false;
     const QString offered = message.text + finish.reason + undo.reason;
     if (m_offered == offered && m_messages.contains(unfinishedId))

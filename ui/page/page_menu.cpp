@@ -78,9 +78,8 @@ void PageMenu::showPreviewSkipped(bool isSkipped)
 void PageMenu::setExportEnabled(bool isEnabled)
 {
     m_export->setEnabled(isEnabled);
-    m_export->setToolTip(isEnabled
-            ? tr("Write the selected table as a file that another controller reads")
-            : tr("No table is selected."));
+    m_export->setToolTip(isEnabled ? tr("Save the selected table as a file for another controller")
+                                   : tr("No table is selected."));
 }
 
 void PageMenu::showWriteSeveral(bool isEnabled, const QString& reason)
@@ -94,8 +93,8 @@ void PageMenu::retranslate()
     m_languages->setTitle(tr("&Language"));
     m_systemLanguage->setText(tr("&System Language"));
     m_writeSeveral->setText(tr("&Write Several Axes…"));
-    m_preview->setText(tr("List &Changes Before Volatile Writes"));
-    m_preview->setToolTip(tr("Persistent writes always show what will be written"));
+    m_preview->setText(tr("Show &Preview Before Volatile Writes"));
+    m_preview->setToolTip(tr("Persistent writes always show the preview"));
     m_export->setText(tr("&Export for Another Controller…"));
     setExportEnabled(m_export->isEnabled());
     m_saveLog->setText(tr("Save Lo&g…"));
@@ -112,9 +111,9 @@ void PageMenu::showAbout()
     box->setText(
         tr("<b>Axis Compensation Wizard</b> %1").arg(QCoreApplication::applicationVersion()));
     box->setInformativeText(
-        tr("Brings measured errors of an axis into its drive, switches the compensation on and "
-           "proves that it is right.\n\nThe compensation value is reference minus encoder, and is "
-           "added to the encoder position.\n\nFree software under the GNU General Public License, "
+        tr("Writes error compensation tables to servo drives, activates them and proves that the "
+           "drive applies them.\n\nA compensation value is reference minus encoder; the drive adds "
+           "it to the encoder position.\n\nFree software under the GNU General Public License, "
            "version 3 or later."));
     box->open();
 }

@@ -204,13 +204,12 @@ bool PreviewPanel::isWritePreviewShown() const
 
 void PreviewPanel::retranslate()
 {
-    m_title->setText(tr("Bring measured errors of an axis into its drive"));
+    m_title->setText(tr("Compensate the position errors of an axis"));
     m_explanation->setText(
-        tr("Choose the axis and the registers that its error depends on. Open a file with "
-           "positions and compensation values (reference minus encoder) and choose one of its "
-           "tables. Write brings table and settings into the drive and reads them back; Activate "
-           "makes the drive add them. Orange fields differ from the drive; nothing reaches the "
-           "drive before Write."));
+        tr("Select the axis and the registers that its error depends on. Open a file of positions "
+           "and compensation values (reference minus encoder) and select a table. Write uploads "
+           "and verifies table and settings; Activate switches the compensation on. Orange fields "
+           "differ from the drive; nothing reaches the drive before Write."));
     m_example->setText(tr("Save Exa&mple…"));
     const std::array<std::pair<QWidget*, QString>, 2> pages{
         {{m_plot, tr("Picture")}, {m_valuesStack, tr("Values")}}};
@@ -234,8 +233,7 @@ void PreviewPanel::showExample()
     const int dimensionality = m_controller.setup().edited().dimensionality;
     m_exampleLabel->setText(tr("Example file for %1D:").arg(dimensionality));
     m_example->setToolTip(
-        tr("Save a small calibration file for %1D that shows how such a file looks")
-            .arg(dimensionality));
+        tr("Save a small %1D calibration file as an example").arg(dimensionality));
     m_example->setAccessibleDescription(m_example->toolTip());
 }
 

@@ -97,9 +97,8 @@ void ProblemList::fill()
     const QString name = QFileInfo(m_path).fileName();
     const bool hasErrors =
         std::ranges::count(m_problems, Severity::Error, &Diagnostic::severity) > 0;
-    QString title = hasErrors
-        ? tr("%1 is not used as it is; what was chosen before stays chosen.").arg(name)
-        : tr("%1 is used; these places are odd.").arg(name);
+    QString title = hasErrors ? tr("%1 cannot be used; the previous selection is kept.").arg(name)
+                              : tr("%1 is used, with these warnings.").arg(name);
     if (m_suppressed > 0)
         title += u' ' + tr("Further problems: %1.").arg(countText(m_suppressed));
     m_title->setText(title);

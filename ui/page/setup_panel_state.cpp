@@ -50,29 +50,29 @@ std::size_t errorCount(const DataFile& file)
 
 void SetupPanel::setTexts()
 {
-    m_axisRow->setTexts({tr("A&xis"), tr("The axis to compensate; all axes of all drives are here"),
-        tr("The axis whose compensation is set up")});
+    m_axisRow->setTexts({tr("A&xis"), tr("The axis to compensate; lists all axes of all drives"),
+        tr("The axis to compensate")});
     m_dimensionalityRow->setTexts({tr("Dimen&sionality"),
-        tr("On how many positions the compensation depends: 1D on one, 2D on two, 3D on three"),
-        tr("On how many positions the compensation depends")});
+        tr("The number of positions that the compensation depends on: 1D one, 2D two, 3D three"),
+        tr("The number of positions that the compensation depends on")});
     const std::array labels{tr("Dim&1 Source"), tr("Dim&2 Source"), tr("Dim&3 Source")};
     for (std::size_t n = 0; n < labels.size(); ++n) {
         m_sourceRows[n]->setTexts({labels[n],
-            tr("The register whose value looks the table up in dimension %1: choose one, or type "
-               "a path, a tam:// URI or a hexadecimal address and press Enter")
+            tr("The register that supplies the position for dimension %1: select one, or type a "
+               "path, a tam:// URI or a hexadecimal address and press Enter")
                 .arg(n + 1),
-            tr("The register whose value looks the table up in dimension %1").arg(n + 1)});
+            tr("The register that supplies the position for dimension %1").arg(n + 1)});
     }
     m_dataRow->setTexts({tr("Compensat&ion data"),
-        tr("A file with measured positions and compensation values; only needed for a new table"),
-        tr("A file with compensation values; only needed for a new table")});
-    m_tableRow->setTexts({tr("Ta&ble"),
-        tr("The table that the axis shall have: the one on the drive, or one of the file's"),
-        tr("The table that the axis shall have")});
+        tr("A file of positions and compensation values; needed only for a new table"),
+        tr("A file of compensation values; needed only for a new table")});
+    m_tableRow->setTexts(
+        {tr("Ta&ble"), tr("The table for the axis: the one on the drive, or one from the file"),
+            tr("The table for the axis")});
     m_persistencyRow->setTexts({tr("Persistency"),
-        tr("Persistent: stored in the drive's flash, still there after a reboot. "
-           "Volatile: gone after a reboot. Can be changed for the table on the drive, too"),
-        tr("Whether the table is still there after a reboot")});
+        tr("Persistent: stored in the drive's flash and kept over a reboot. Volatile: lost on a "
+           "reboot. Applies to the table on the drive as well"),
+        tr("Whether the table survives a reboot")});
     m_persistency->setText(tr("Make &persistent"));
     for (int index = 0; index < m_dimensionality->count(); ++index)
         m_dimensionality->setItemText(index, tr("%1D").arg(index + 1));
@@ -154,7 +154,7 @@ void SetupPanel::showSourceValues()
     for (std::size_t n = 0; n < m_sources.size(); ++n) {
         const DimSource& source = setup.edited().sources[n];
         const bool isOnDrive = status && source == status->setup.sources[n];
-        QString text = tr("choose a register, or type one");
+        QString text = tr("select or type a register");
         if (source.isSet())
             text = isOnDrive ? tr("now %1", "value").arg(numberText(status->sourceValues[n]))
                              : QString();
@@ -219,10 +219,9 @@ void SetupPanel::showData()
     else
         m_data->showFile(file.path);
     const std::size_t errors = file.isReading ? 0 : errorCount(file);
-    m_dataRow->setProblem(errors == 0
-            ? QString()
-            : tr("problems: %1; nothing of this file is used").arg(countText(errors)));
-    QString information = tr("CSV; only needed for a new table");
+    m_dataRow->setProblem(
+        errors == 0 ? QString() : tr("problems: %1; the file is not used").arg(countText(errors)));
+    QString information = tr("CSV; needed only for a new table");
     if (file.isReading)
         information = tr("reading %1").arg(QFileInfo(file.readingPath).fileName());
     else if (file.data)
@@ -240,14 +239,14 @@ void SetupPanel::showData()
 void SetupPanel::showPersistency()
 {
     const bool isPersistent = m_controller.setup().edited().persistency == Persistency::Persistent;
-    QString text = isPersistent ? tr("in flash") : tr("gone after a reboot");
+    QString text = isPersistent ? tr("in flash") : tr("lost on a reboot");
     const int limit = m_profile.flashWear.operations;
     if (isPersistent && limit > 0)
-        text += tr("; operations left for now: %1 of %2", "of the flash")
+        text += tr("; %1 of %2 flash operations available now", "of the flash")
                     .arg(m_controller.flashOperationsLeft())
                     .arg(limit);
     if (const auto& use = m_controller.flashUse(); isPersistent && use && use->ratedCycles > 0)
-        text += tr("; used so far: %1 of the usual %2 cycles", "of the flash")
+        text += tr("; %1 of typically %2 flash cycles used", "of the flash")
                     .arg(countText(std::max<std::uint64_t>(use->mostCycles,
                              use->mostUsedSlot.empty() ? use->operationsRecorded : 0)),
                         countText(use->ratedCycles));

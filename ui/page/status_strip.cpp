@@ -113,14 +113,13 @@ StatusStrip::StatusStrip(WizardController& controller, QWidget* parent)
 void StatusStrip::retranslate()
 {
     m_cancel->setText(tr("&Cancel"));
-    m_cancel->setToolTip(tr("Stops what runs; a write is put back first (Esc)"));
+    m_cancel->setToolTip(tr("Stops the operation; a write is rolled back (Esc)"));
     m_cancel->setAccessibleDescription(m_cancel->toolTip());
     m_progress->setAccessibleName(tr("Progress"));
     m_log->setText(tr("&Log"));
-    m_log->setToolTip(tr("Show what has happened so far, in detail (Ctrl+L)"));
-    m_state->setToolTip(tr("What the drive's compensation of this axis does now"));
-    m_live->setToolTip(tr("The drive's own values: what it adds to the encoder position, and "
-                          "where it is in the table"));
+    m_log->setToolTip(tr("Show the log (Ctrl+L)"));
+    m_state->setToolTip(tr("The state of the compensation of this axis"));
+    m_live->setToolTip(tr("Live values of the drive: the compensation output and the table index"));
     showBusy();
     showLive();
 }

@@ -76,7 +76,7 @@ void UnsavedChangesGuard::askWhileWriting()
     Message question;
     question.id = questionId();
     question.tone = Tone::Warning;
-    question.text = tr("The drive is being written. Stopping puts the old state back first.");
+    question.text = tr("A write is in progress. Stopping rolls it back first.");
     question.buttons = {
         {QStringLiteral("stopAndCloseButton"), tr("&Stop and Close"),
             [this] {

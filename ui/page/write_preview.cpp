@@ -109,13 +109,13 @@ void WritePreview::build()
 
 void WritePreview::retranslate()
 {
-    m_introduction->setText(tr("Nothing has been changed on the drive so far. The old table and "
-                               "settings are kept in a backup file first."));
+    m_introduction->setText(tr(
+        "Nothing on the drive has changed yet. The old table and settings are backed up first."));
     m_rows->setHorizontalHeaderLabels({tr("Field"), tr("On the drive"), tr("New")});
     m_rows->setAccessibleName(tr("What will be written"));
     m_skip->setText(tr("Do not show this again &for volatile writes"));
-    m_skip->setToolTip(
-        tr("Persistent writes always show this list; the menu brings it back for volatile ones"));
+    m_skip->setToolTip(tr(
+        "Persistent writes always show the preview; the menu turns it back on for volatile ones"));
     m_write->setText(tr("&Write"));
     m_write->setToolTip(tr("Write this to the drive now"));
     m_back->setText(tr("Bac&k"));
@@ -162,7 +162,7 @@ void WritePreview::fillRows(const WritePlan& plan)
     if (isNewTable) {
         addRow(tr("Table"), tableText(before.slot, m_controller.driveTable().get()),
             tableText(after.slot, m_controller.selectedTable().get()));
-        addRow(tr("Largest change"), {}, tr("being computed …"));
+        addRow(tr("Largest change"), {}, tr("computing …"));
         askForLargestChange();
     }
     if (before.dimensionality != after.dimensionality)
@@ -178,7 +178,7 @@ void WritePreview::fillRows(const WritePlan& plan)
             before.slot.empty() ? tr("no table") : persistencyText(before.persistency),
             persistencyText(after.persistency));
     if (m_rows->rowCount() == 0) // an earlier write is finished
-        addRow(tr("Parameters"), tr("perhaps not saved"), tr("saved"));
+        addRow(tr("Parameters"), tr("possibly not saved"), tr("saved"));
 }
 
 void WritePreview::addRow(const QString& field, const QString& before, const QString& after)
@@ -238,9 +238,9 @@ QString WritePreview::costText(const WritePlan& plan) const
 {
     if (plan.flashOperations == 0)
         return plan.after.persistency == Persistency::Volatile
-            ? tr("Costs no flash operation. Volatile: gone after a reboot.")
-            : tr("Costs no flash operation: the flash already holds it.");
-    return tr("Flash operations: costs %1, left for now afterwards: %2.")
+            ? tr("Uses no flash operation. Volatile: lost on a reboot.")
+            : tr("Uses no flash operation: the flash already holds it.");
+    return tr("Uses %1 flash operations; %2 more will be available right afterwards.")
         .arg(plan.flashOperations)
         .arg(plan.flashBudget.left - plan.flashOperations);
 }
@@ -249,10 +249,10 @@ QStringList WritePreview::remarks(const WritePlan& plan) const
 {
     QStringList list;
     if (plan.slotReason == SlotReason::OwnPrevious)
-        list += tr("%1 held an earlier table of this axis; the present one stays whole until the "
-                   "new one has taken over.")
+        list += tr("%1 held an earlier table of this axis; the current one stays complete until "
+                   "the axis has switched to the new one.")
                     .arg(QString::fromStdString(plan.after.slot));
-    for (const std::string& warning : plan.warnings)
+    for (const Text& warning : plan.warnings)
         list += sentenceText(warning);
     return list;
 }

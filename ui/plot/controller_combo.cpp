@@ -63,8 +63,8 @@ void ControllerCombo::retranslate()
             format ? tr("As applied by %1").arg(controllerText(*format))
                    : tr("As applied by the drive"));
     }
-    setToolTip(tr("The table as the drive applies it, or converted for another controller as that "
-                  "one would: with its sign, and with its rules beyond the ends"));
+    setToolTip(tr("The table as the drive applies it, or converted to another controller's "
+                  "convention: its sign, and its rules beyond the ends"));
     setAccessibleName(tr("Applied by"));
     setAccessibleDescription(toolTip());
 }

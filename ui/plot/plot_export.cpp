@@ -177,9 +177,8 @@ QFuture<QString> exportPlot(
     const bool isPicture = ending == u"png" || ending == u"pdf";
     if (!shown || (!isPicture && ending != u"csv"))
         return inBackground<QString>(
-            [problem = shown ? QCoreApplication::translate("TablePlot",
-                           "The file's name must end in .png, .pdf or .csv, so that its format is "
-                           "known.")
+            [problem = shown ? QCoreApplication::translate(
+                           "TablePlot", "The file name must end in .png, .pdf or .csv.")
                              : QCoreApplication::translate(
                                  "TablePlot", "There is no table to save.")] { return problem; });
     if (!isPicture)

@@ -42,12 +42,12 @@ SliceRow::SliceRow(TableViewModel& shown, QWidget* parent)
 
 void SliceRow::retranslate()
 {
-    m_label->setText(tr("Cut at"));
-    m_index->setToolTip(tr("Which slice of the three dimensions is shown"));
+    m_label->setText(tr("Slice at"));
+    m_index->setToolTip(tr("The slice that is shown"));
     m_index->setAccessibleName(tr("Slice"));
     m_index->setAccessibleDescription(m_index->toolTip());
-    m_dimension->setToolTip(tr("The dimension that is cut; the other two are shown"));
-    m_dimension->setAccessibleName(tr("Dimension that is cut"));
+    m_dimension->setToolTip(tr("The dimension that is held constant; the other two are shown"));
+    m_dimension->setAccessibleName(tr("Sliced dimension"));
     m_dimension->setAccessibleDescription(m_dimension->toolTip());
 }
 

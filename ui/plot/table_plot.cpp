@@ -121,7 +121,7 @@ QFuture<QString> TablePlot::exportTo(const QString& path) const
 
 void TablePlot::askForExport()
 {
-    auto* dialog = new QFileDialog(this, tr("Save the picture or its values"));
+    auto* dialog = new QFileDialog(this, tr("Save picture or values"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     dialog->setNameFilters({tr("Picture (*.png)"), tr("Document (*.pdf)"), tr("Values (*.csv)")});

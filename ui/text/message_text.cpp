@@ -18,16 +18,16 @@ struct Step {
 };
 constexpr std::array steps{
     Step{"plan", QT_TRANSLATE_NOOP("Step", "planning")},
-    Step{"backup", QT_TRANSLATE_NOOP("Step", "keeping the old state in a backup")},
-    Step{"begin", QT_TRANSLATE_NOOP("Step", "checking that nothing has changed meanwhile")},
-    Step{"switch off", QT_TRANSLATE_NOOP("Step", "switching the axis to no table")},
+    Step{"backup", QT_TRANSLATE_NOOP("Step", "backing up the old state")},
+    Step{"begin", QT_TRANSLATE_NOOP("Step", "checking for changes since the plan")},
+    Step{"switch off", QT_TRANSLATE_NOOP("Step", "detaching the table from the axis")},
     Step{"upload", QT_TRANSLATE_NOOP("Step", "uploading the table")},
     Step{"verify", QT_TRANSLATE_NOOP("Step", "verifying the table")},
     Step{"commit", QT_TRANSLATE_NOOP("Step", "storing the table in flash")},
     Step{"switch", QT_TRANSLATE_NOOP("Step", "switching the axis over")},
     Step{"save", QT_TRANSLATE_NOOP("Step", "saving the parameters")},
     Step{"done", QT_TRANSLATE_NOOP("Step", "reading back")},
-    Step{"putting back", QT_TRANSLATE_NOOP("Step", "putting the old state back")},
+    Step{"putting back", QT_TRANSLATE_NOOP("Step", "rolling back")},
     Step{"download", QT_TRANSLATE_NOOP("Step", "reading the table")},
 };
 

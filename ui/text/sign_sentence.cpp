@@ -94,8 +94,7 @@ private:
         const double encoder = m_position[own];
         const int decimals = std::max(decimalsOf(encoder), decimalsFor(m_value));
         const QString where =
-            tr("where the encoder reads %1 the reference says %2: the drive will "
-               "add %3")
+            tr("where the encoder reads %1, the reference reads %2: the drive will add %3")
                 .arg(withUnit(fixedText(encoder, decimals), positionUnit(own)),
                     withUnit(fixedText(encoder + m_value, decimals), m_unit), added());
         const QString others = place(m_own);
@@ -105,10 +104,9 @@ private:
     [[nodiscard]] QString withDifference() const
     {
         const QString amount = withUnit(fixedText(std::abs(m_value), decimalsFor(m_value)), m_unit);
-        return (m_value > 0.0 ? tr("at %1 the reference says %2 more than the encoder: the drive "
-                                   "will add %3")
-                              : tr("at %1 the reference says %2 less than the encoder: the drive "
-                                   "will add %3"))
+        return (m_value > 0.0
+                ? tr("at %1 the reference reads %2 more than the encoder: the drive will add %3")
+                : tr("at %1 the reference reads %2 less than the encoder: the drive will add %3"))
             .arg(place(-1), amount, added());
     }
 

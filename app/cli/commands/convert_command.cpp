@@ -164,7 +164,7 @@ Result<ExitCode> convertOther(Environment& environment, const ConvertOptions& op
     if (auto written = writeOutput(environment, output, bytes); !written)
         return fail(written.error());
 
-    const std::vector<std::string> report = conversionReport(*conversion, *request);
+    const std::vector<std::string> report = englishOf(conversionReport(*conversion, *request));
     Json results = Json::array();
     for (const TableConversion& table : conversion->tables)
         results.push_back(conversionJson(table));

@@ -18,10 +18,10 @@ Json settingsJson(const FormatFacts& facts)
 {
     Json list = Json::array();
     for (const FormatSetting& setting : facts.settings)
-        list.push_back(
-            {{"key", setting.key}, {"meaning", setting.meaning}, {"standard", setting.standard},
-                {"choices", setting.choices}, {"reading", setting.forReading},
-                {"writing", setting.forWriting}, {"needed", setting.isNeeded}});
+        list.push_back({{"key", setting.key}, {"meaning", setting.meaning.words},
+            {"standard", setting.standard}, {"choices", setting.choices},
+            {"reading", setting.forReading}, {"writing", setting.forWriting},
+            {"needed", setting.isNeeded}});
     return list;
 }
 
@@ -32,7 +32,7 @@ Json formatJson(const TableFormat& format)
     for (int d = facts.fewestDimensions; d <= facts.mostDimensions; ++d)
         dimensions.push_back(d);
     return {{"name", facts.name}, {"controller", facts.controller},
-        {"extension", facts.extensions.front()}, {"description", facts.description},
+        {"extension", facts.extensions.front()}, {"description", facts.description.words},
         {"reads", format.read != nullptr}, {"writes", format.write != nullptr},
         {"dimensions", std::move(dimensions)}, {"knots", knotRuleName(facts.knots)},
         {"mostPoints", facts.mostPoints}, {"severalTables", holdsSeveral(facts)},
@@ -53,7 +53,7 @@ std::string listText()
         table.add({std::string(facts.name), std::string(facts.extensions.front()),
             format->read ? "yes" : "-", format->write ? "yes" : "-", dimensionsText(facts),
             std::string(signName(facts.sign)),
-            std::string(facts.controller) + ": " + std::string(facts.description)});
+            std::string(facts.controller) + ": " + facts.description.words});
     }
     return table.text("");
 }

@@ -143,7 +143,7 @@ Result<ExitCode> lookUpForController(
             options.input.command);
     return answer(environment, options, controllerEvaluation(table, (*as)->facts.behaviour),
         {{"file", options.input.file}, {"as", (*as)->facts.name}, {"sign", signName(table.sign)},
-            {"column", columnText(table, table.columns.front())},
+            {"column", columnText(table, table.columns.front()).english()},
             {"unit", table.columns.front().unit}});
 }
 

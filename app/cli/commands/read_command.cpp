@@ -86,8 +86,8 @@ Result<ReadTable> readAsOther(Environment& environment, CommandSession& session,
     const auto conversion = convertTables(tables, *request);
     if (!conversion)
         return fail(conversion.error());
-    for (const std::string& line : conversionReport(*conversion, *request))
-        environment.console().note(options.output + ": " + line);
+    for (const Text& line : conversionReport(*conversion, *request))
+        environment.console().note(options.output + ": " + line.english());
     const ByteView view = asBytes(conversion->written.bytes);
     return ReadTable{*std::move(table), Bytes(view.begin(), view.end())};
 }

@@ -92,9 +92,9 @@ Result<ExitCode> runRecover(
         return fail(now.error());
     if (!now->settled) {
         const Error nothing{ErrorCode::NothingUnfinished, {{"axis", axis}}, {}};
-        environment.print((now->isBeingWritten
-                                  ? "another program is writing to this axis at this moment"
-                                  : sentence(nothing))
+        environment.print(
+            (now->isBeingWritten ? "another program is writing to this axis at this moment"
+                                 : sentence(nothing))
             + "\n");
         environment.document({{"unfinishedWrite", nullptr}, {"finishObstacle", nullptr},
             {"undoObstacle", nullptr}, {"report", nullptr}});

@@ -186,8 +186,8 @@ Result<CompensationTable> driveTable(Environment& environment, const TableInput&
     const auto conversion = convertTables(std::span(columns).subspan(*index, 1), *request);
     if (!conversion)
         return fail(conversion.error());
-    for (const std::string& line : conversionReport(*conversion, *request))
-        environment.console().note(displayName(inputOptions.file) + ": " + line);
+    for (const Text& line : conversionReport(*conversion, *request))
+        environment.console().note(displayName(inputOptions.file) + ": " + line.english());
     auto data = calibrationData(conversion->written.held.front());
     if (!data)
         return fail(data.error());

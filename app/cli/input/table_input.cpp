@@ -326,8 +326,8 @@ Result<std::size_t> chooseColumn(
     for (const NeutralTable& table : columns) {
         const CompensationColumn& column = table.columns.front();
         const std::string name = !column.name.empty() ? column.name : table.name;
-        choices.push_back(
-            {name.empty() ? column.target : name, name.empty() ? columnText(table, column) : name});
+        choices.push_back({name.empty() ? column.target : name,
+            name.empty() ? columnText(table, column).english() : name});
     }
     return choose(choices, options);
 }

@@ -63,10 +63,10 @@ std::string signText(const FormatFacts& facts)
 Lines factLines(const TableFormat& format)
 {
     const FormatFacts& facts = format.facts;
-    Lines lines{{"Controller", std::string(facts.controller)},
-        {"File", std::string(facts.description)}, {"Use", use(format)},
-        {"Extension", extensionsText(facts)}, {"Dimensions", dimensionsText(facts)},
-        {"Holds", holdsText(facts)}, {"Limits", limitsText(facts)}, {"Sign", signText(facts)},
+    Lines lines{{"Controller", std::string(facts.controller)}, {"File", facts.description.words},
+        {"Use", use(format)}, {"Extension", extensionsText(facts)},
+        {"Dimensions", dimensionsText(facts)}, {"Holds", holdsText(facts)},
+        {"Limits", limitsText(facts)}, {"Sign", signText(facts)},
         {"Outside",
             outsideWords(facts) + " (" + std::string(evidenceName(facts.outsideEvidence)) + ")"}};
     return lines;
@@ -74,7 +74,7 @@ Lines factLines(const TableFormat& format)
 
 std::string settingText(const FormatSetting& setting)
 {
-    std::string text(setting.meaning);
+    std::string text = setting.meaning.words;
     if (!setting.choices.empty())
         text += "; one of " + std::string(setting.choices);
     if (setting.kind == FormatSetting::Kind::YesNo)

@@ -27,7 +27,7 @@ Json textOrNull(const std::string& text)
     return text.empty() ? Json(nullptr) : Json(text);
 }
 
-Json toJson(const std::string& drive, const CompensationSetup& setup)
+Json setupJson(const std::string& drive, const CompensationSetup& setup)
 {
     return {{"dimensions", setup.dimensionality}, {"sources", sourceTexts(drive, setup)},
         {"slot", textOrNull(setup.slot)}, {"crc", setup.tableCrc},
@@ -35,6 +35,14 @@ Json toJson(const std::string& drive, const CompensationSetup& setup)
 }
 
 } // namespace
+
+std::vector<std::string> englishOf(const std::vector<Text>& texts)
+{
+    std::vector<std::string> english;
+    for (const Text& text : texts)
+        english.push_back(text.english());
+    return english;
+}
 
 std::string dump(const Json& json)
 {
@@ -121,12 +129,13 @@ Json toJson(const WritePlan& plan)
         changes.push_back(
             {{"field", change.field}, {"before", change.before}, {"after", change.after}});
     return {{"drive", plan.drive.name}, {"serialNumber", plan.drive.serialNumber},
-        {"axis", plan.axis}, {"before", toJson(plan.drive.name, plan.before)},
-        {"after", toJson(plan.drive.name, plan.after)},
+        {"axis", plan.axis}, {"before", setupJson(plan.drive.name, plan.before)},
+        {"after", setupJson(plan.drive.name, plan.after)},
         {"slotReason", slotReasonName(plan.slotReason)}, {"tableBytes", plan.tableBytes},
         {"changes", std::move(changes)}, {"flashOperations", plan.flashOperations},
         {"flashOperationsLeft", plan.flashBudget.left},
-        {"flashWaitSeconds", plan.flashBudget.wait.count()}, {"warnings", plan.warnings}};
+        {"flashWaitSeconds", plan.flashBudget.wait.count()},
+        {"warnings", englishOf(plan.warnings)}};
 }
 
 Json toJson(const WriteReport& report)

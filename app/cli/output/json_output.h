@@ -13,6 +13,7 @@ namespace axiscomp::app {
 [[nodiscard]] std::string dump(const Json& json);
 
 /// {"code", "line", "column", "message"}
+[[nodiscard]] std::vector<std::string> englishOf(const std::vector<Text>& texts);
 [[nodiscard]] Json toJson(const Diagnostic& diagnostic);
 /// [{"name", "unit", "start", "distance", "size"}]
 [[nodiscard]] Json toJson(const Grid& grid);

@@ -53,7 +53,7 @@ std::string tableWords(const AxisStatus& status, const DriveProfile& profile)
 }
 
 /// One line per dimension: its grid, and where the drive looks the table up now.
-std::string dimensionsText(const AxisStatus& status)
+std::string dimensionalityText(const AxisStatus& status)
 {
     TextTable table(
         {">dimension", ">start", ">distance", ">size", ">last", "source", ">value", ">index"});
@@ -110,7 +110,7 @@ std::string statusText(const AxisStatus& status, const DriveProfile& profile)
         lines.emplace_back("Drive error", status.driveError);
     std::string text = labelled(lines);
     if (!status.setup.slot.empty() || status.setup.sources[0].isSet())
-        text += "\n" + dimensionsText(status);
+        text += "\n" + dimensionalityText(status);
     return text;
 }
 

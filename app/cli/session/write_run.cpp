@@ -106,8 +106,8 @@ Result<Json> writeAndReport(Environment& environment, CommandSession& session, i
     if (!plan)
         return fail(plan.error());
     environment.print(planText(*plan, before->status.axis, request.table));
-    for (const std::string& warning : plan->warnings)
-        environment.warn(warning);
+    for (const Text& warning : plan->warnings)
+        environment.warn(warning.english());
     Json json = {{"plan", toJson(*plan)}, {"report", nullptr}};
     if (isDryRun) {
         environment.print("\nNothing was written (--dry-run).\n");

@@ -21,17 +21,21 @@ constexpr std::array settings{isg::listUnit, isg::incrementsPerUnit, isg::decima
     isg::axisSetting,
     FormatSetting{.key = "master-axis",
         .kind = FormatSetting::Kind::WholeNumber,
-        .meaning = "logical number of the axis whose position counts, for master_ax_nr",
+        .meaning = AXISCOMP_TEXT(
+            "Error", "logical number of the axis whose position counts, for master_ax_nr"),
         .forWriting = true},
     FormatSetting{.key = "n-cycles",
         .kind = FormatSetting::Kind::WholeNumber,
-        .meaning = "cycles over which switching is smoothed, for n_cycles",
+        .meaning = AXISCOMP_TEXT("Error", "cycles over which switching is smoothed, for n_cycles"),
         .forWriting = true},
-    isg::kindSetting("master-kind", "whether the master axis is linear (mm) or rotary (deg)"),
-    isg::kindSetting("axis-kind", "whether the compensated axis is linear (mm) or rotary (deg)"),
+    isg::kindSetting("master-kind",
+        AXISCOMP_TEXT("Error", "whether the master axis is linear (mm) or rotary (deg)")),
+    isg::kindSetting("axis-kind",
+        AXISCOMP_TEXT("Error", "whether the compensated axis is linear (mm) or rotary (deg)")),
     FormatSetting{.key = "modulo",
         .kind = FormatSetting::Kind::YesNo,
-        .meaning = "the master is a modulo axis: the first and the last point are one place",
+        .meaning = AXISCOMP_TEXT(
+            "Error", "the master is a modulo axis: the first and the last point are one place"),
         .standard = "no",
         .forReading = true}};
 
@@ -77,9 +81,10 @@ std::optional<NeutralTable> build(const isg::List& list, const SettingValues& se
                 .code = DiagnosticCode::NotMonotonic,
                 .line = setpoints->lines[i],
                 .column = 0,
-                .found =
-                    toText(setpoints->numbers[i]) + " after " + toText(setpoints->numbers[i - 1]),
-                .expected = "ascending setpoints",
+                .found = AXISCOMP_TEXT("Error", "{number} after {number2}")
+                             .with("number", Quantity{toText(setpoints->numbers[i])})
+                             .with("number2", Quantity{toText(setpoints->numbers[i - 1])}),
+                .expected = AXISCOMP_TEXT("Error", "ascending setpoints"),
                 .controllerError = "70245"});
     if (list.diagnostics().hasErrors())
         return std::nullopt;
@@ -89,7 +94,7 @@ std::optional<NeutralTable> build(const isg::List& list, const SettingValues& se
     axis.name = std::to_string(*master);
     axis.unit = scale->unit(settingValues, "master-kind", list);
     axis.knots = isg::scaled(*scale, setpoints->numbers, axis.step);
-    if (!checkKnots(axis.knots, setpoints->lines, "the points", list.diagnostics()))
+    if (!checkKnots(axis.knots, setpoints->lines, {}, list.diagnostics()))
         return std::nullopt;
     CompensationColumn& column = table.columns.emplace_back();
     column.target = list.axisNumber();
@@ -99,8 +104,10 @@ std::optional<NeutralTable> build(const isg::List& list, const SettingValues& se
         axis.wrap = axis.knots.back() - axis.knots.front();
         if (!isClosed(table, 0))
             list.diagnostics().error(DiagnosticCode::NotPeriodic, corrections->lines.back(), 0,
-                toText(corrections->numbers.back()) + " at the end",
-                toText(corrections->numbers.front()) + ", as at the beginning");
+                AXISCOMP_TEXT("Error", "{number} at the end")
+                    .with("number", Quantity{toText(corrections->numbers.back())}),
+                AXISCOMP_TEXT("Error", "{number}, as at the beginning")
+                    .with("number", Quantity{toText(corrections->numbers.front())}));
     }
     return table;
 }
@@ -131,21 +138,18 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
     const auto master = axisNumber(facts, *given, "master-axis", source.axes.front().name);
     if (!axis || !master)
         return fail(axis ? master.error() : axis.error());
-    std::vector<std::string> remarks;
+    std::vector<Text> remarks;
     auto draft = isg::beginDraft(section, source, *given, *axis, remarks);
     if (!draft)
         return fail(draft.error());
     const NeutralTable& table = draft->table;
-    const auto knots = isg::inFile(facts, *draft, table.axes[0].knots, "the position");
-    auto values = isg::inFile(facts, *draft, table.columns[0].values, "the value");
+    const auto knots = isg::inFile(facts, *draft, table.axes[0].knots, isg::Numbers::Positions);
+    auto values = isg::inFile(facts, *draft, table.columns[0].values, isg::Numbers::Values);
     if (!knots || !values)
         return fail(knots ? values.error() : knots.error());
     for (std::size_t i = 1; i < knots->size(); ++i)
         if ((*knots)[i] <= (*knots)[i - 1])
-            return cannotHold(facts,
-                "the position " + roundedText(table.axes[0].knots[i])
-                    + " is the same as the one before when it is rounded",
-                "resample it onto a coarser grid");
+            return isg::roundedTogether(facts, table.axes[0].knots[i]);
     if (table.axes[0].wrap) {
         if (auto fits = checkOnePeriod(facts, table, 0, 0.5 / draft->scale.numbers.perUnit); !fits)
             return fail(fits.error());
@@ -160,8 +164,7 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
         draft->addPoint(index, "setpoint", (*knots)[i]);
         draft->addPoint(index, "correction", (*values)[i]);
     }
-    remarks.push_back(
-        "activate it in the axis list of axis " + std::to_string(*axis) + ": lr_param.crosscomp 1");
+    remarks.push_back(isg::activation(section, *axis));
     FormatSettings reading{{"master-kind", isg::kindOf(table.axes[0].unit)},
         {"axis-kind", isg::kindOf(table.columns[0].unit)}};
     if (table.axes[0].wrap)
@@ -177,7 +180,8 @@ const TableFormat& format()
     static const TableFormat format{
         .facts = {.name = "isg-crosscomp",
             .controller = "ISG kernel, TwinCAT CNC",
-            .description = "cross compensation in a compensation list (kw.crosscomp)",
+            .description =
+                AXISCOMP_TEXT("Error", "cross compensation in a compensation list (kw.crosscomp)"),
             .extensions = extensions,
             .knots = KnotRule::Any,
             .mostPoints = mostPoints,

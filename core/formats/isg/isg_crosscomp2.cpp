@@ -17,14 +17,14 @@ constexpr std::string_view fields[] = {"correction"};
 constexpr isg::Section section{"crosscomp2", 2, keys, fields};
 
 constexpr std::array<std::string_view, 1> extensions{".lis"};
-constexpr FormatSetting masterSetting(std::string_view key, std::string_view meaning)
+constexpr FormatSetting masterSetting(std::string_view key, TextPattern meaning)
 {
     return {.key = key,
         .kind = FormatSetting::Kind::WholeNumber,
         .meaning = meaning,
         .forWriting = true};
 }
-constexpr FormatSetting moduloSetting(std::string_view key, std::string_view meaning)
+constexpr FormatSetting moduloSetting(std::string_view key, TextPattern meaning)
 {
     return {.key = key,
         .kind = FormatSetting::Kind::YesNo,
@@ -34,14 +34,22 @@ constexpr FormatSetting moduloSetting(std::string_view key, std::string_view mea
 }
 constexpr std::array settings{isg::listUnit, isg::incrementsPerUnit, isg::decimals,
     isg::axisSetting,
-    masterSetting("master1-axis", "logical number of master axis 1, for master1_ax_nr"),
-    masterSetting("master2-axis", "logical number of master axis 2, for master2_ax_nr"),
-    masterSetting("n-cycles", "cycles over which switching is smoothed, for n_cycles"),
-    isg::kindSetting("master1-kind", "whether master axis 1 is linear (mm) or rotary (deg)"),
-    isg::kindSetting("master2-kind", "whether master axis 2 is linear (mm) or rotary (deg)"),
-    isg::kindSetting("axis-kind", "whether the compensated axis is linear (mm) or rotary (deg)"),
-    moduloSetting("modulo1", "master axis 1 is a modulo axis: its ends are one place"),
-    moduloSetting("modulo2", "master axis 2 is a modulo axis: its ends are one place")};
+    masterSetting("master1-axis",
+        AXISCOMP_TEXT("Error", "logical number of master axis 1, for master1_ax_nr")),
+    masterSetting("master2-axis",
+        AXISCOMP_TEXT("Error", "logical number of master axis 2, for master2_ax_nr")),
+    masterSetting("n-cycles",
+        AXISCOMP_TEXT("Error", "cycles over which switching is smoothed, for n_cycles")),
+    isg::kindSetting("master1-kind",
+        AXISCOMP_TEXT("Error", "whether master axis 1 is linear (mm) or rotary (deg)")),
+    isg::kindSetting("master2-kind",
+        AXISCOMP_TEXT("Error", "whether master axis 2 is linear (mm) or rotary (deg)")),
+    isg::kindSetting("axis-kind",
+        AXISCOMP_TEXT("Error", "whether the compensated axis is linear (mm) or rotary (deg)")),
+    moduloSetting("modulo1",
+        AXISCOMP_TEXT("Error", "master axis 1 is a modulo axis: its ends are one place")),
+    moduloSetting("modulo2",
+        AXISCOMP_TEXT("Error", "master axis 2 is a modulo axis: its ends are one place"))};
 
 constexpr std::array<std::string_view, 9> rules{
     "Lines are a name, a blank and a value; # begins a comment line; behind a number anything "
@@ -72,7 +80,8 @@ std::optional<std::array<double, 2>> intervals(const isg::List& list)
     const bool isSquare = grid.empty() || grid == "QUADRATIC";
     if (!isSquare && grid != "RECTANGULAR") {
         list.diagnostics().error(DiagnosticCode::Syntax, list.line("grid"), 0,
-            excerpt(grid, Encoding::Utf8), "QUADRATIC or RECTANGULAR");
+            Verbatim{excerpt(grid, Encoding::Utf8)},
+            AXISCOMP_TEXT("Error", "QUADRATIC or RECTANGULAR"));
         return std::nullopt;
     }
     constexpr std::array<std::string_view, 2> own{"interval1", "interval2"};
@@ -86,7 +95,8 @@ std::optional<std::array<double, 2>> intervals(const isg::List& list)
         if (*distance > 0.0)
             continue;
         list.diagnostics().error(DiagnosticCode::LimitExceeded, list.line(key), 0,
-            list.path(key) + ' ' + toText(*distance), "a distance above 0");
+            Verbatim{list.path(key) + ' ' + toText(*distance)},
+            AXISCOMP_TEXT("Error", "a distance above 0"));
         return std::nullopt;
     }
     return distances;
@@ -123,8 +133,9 @@ void checkModulo(const isg::List& list, NeutralTable& table, std::size_t n, cons
     axis.wrap = axis.knots.back() - axis.knots.front();
     if (!isClosed(table, n))
         list.diagnostics().error(DiagnosticCode::NotPeriodic, 0, 0,
-            "different values at both ends of master axis " + std::to_string(n + 1),
-            "the same values: a modulo axis is at the same place there");
+            AXISCOMP_TEXT("Error", "different values at both ends of master axis {number}")
+                .with("number", n + 1),
+            AXISCOMP_TEXT("Error", "the same values: a modulo axis is at the same place there"));
 }
 
 std::optional<NeutralTable> build(const isg::List& list, const SettingValues& settingValues)
@@ -148,7 +159,8 @@ std::optional<NeutralTable> build(const isg::List& list, const SettingValues& se
         SourceAxis& axis = table.axes.emplace_back(std::move(master->axis));
         axis.knots = isg::scaled(
             *scale, evenKnots(master->start, master->interval, master->size), axis.step);
-        if (!checkKnots(axis.knots, {}, "master axis " + axis.name, list.diagnostics()))
+        const Text name = AXISCOMP_TEXT("Error", "master axis {number}").with("number", axis.name);
+        if (!checkKnots(axis.knots, {}, name, list.diagnostics()))
             return std::nullopt;
     }
     CompensationColumn& column = table.columns.emplace_back();
@@ -185,15 +197,17 @@ Result<std::array<double, 2>> gridOf(
         knot *= draft.scale.numbers.perUnit;
     const double distance = (exact.back() - exact.front()) / static_cast<double>(exact.size() - 1);
     const std::array inUnits{axis.knots.front(), distance / draft.scale.numbers.perUnit};
-    const auto inFile = isg::inFile(facts, draft, inUnits, "the position");
+    const auto inFile = isg::inFile(facts, draft, inUnits, isg::Numbers::Positions);
     if (!inFile)
         return fail(inFile.error());
     if (!isg::isEvenInFile((*inFile)[0], (*inFile)[1], exact))
         return cannotHold(facts,
-            "the distance of " + roundedText(inUnits[1]) + ' ' + axis.unit + " along master "
-                + axis.name + " is no whole number of "
-                + roundedText(1.0 / draft.scale.numbers.perUnit) + ' ' + axis.unit,
-            "resample it with such a distance");
+            AXISCOMP_TEXT("Error",
+                "the distance of {distance} along master {axis} is no whole number of {step}")
+                .with("distance", Quantity{roundedText(inUnits[1]), axis.unit})
+                .with("axis", axis.name)
+                .with("step", Quantity{roundedText(1.0 / draft.scale.numbers.perUnit), axis.unit}),
+            AXISCOMP_TEXT("Error", "resample it with such a distance"));
     return std::array{(*inFile)[0], (*inFile)[1]};
 }
 
@@ -227,8 +241,8 @@ void addHeader(isg::Draft& draft, const std::array<std::array<double, 2>, 2>& gr
     }
 }
 
-Result<isg::Draft> draftOf(const NeutralTable& source, const SettingValues& given, long axis,
-    std::vector<std::string>& remarks)
+Result<isg::Draft> draftOf(
+    const NeutralTable& source, const SettingValues& given, long axis, std::vector<Text>& remarks)
 {
     const FormatFacts& facts = isg_crosscomp2::format().facts;
     const auto master1 = axisNumber(facts, given, "master1-axis", source.axes[0].name);
@@ -243,9 +257,11 @@ Result<isg::Draft> draftOf(const NeutralTable& source, const SettingValues& give
     if (!grid1 || !grid2)
         return fail(grid1 ? grid2.error() : grid1.error());
     if ((*grid1)[1] != (*grid2)[1])
-        return cannotHold(facts, "it takes one distance for both sources, and these are different",
-            "resample it with the same distance for each source");
-    auto values = isg::inFile(facts, *draft, draft->table.columns[0].values, "the value");
+        return cannotHold(facts,
+            AXISCOMP_TEXT(
+                "Error", "it takes one distance for both sources, and these are different"),
+            AXISCOMP_TEXT("Error", "resample it with the same distance for each source"));
+    auto values = isg::inFile(facts, *draft, draft->table.columns[0].values, isg::Numbers::Values);
     if (!values)
         return fail(values.error());
     if (auto closed = closeEnds(facts, *draft, *values); !closed)
@@ -269,12 +285,11 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
     const auto axis = axisNumber(facts, *given, "axis", tables.front().columns.front().target);
     if (!axis)
         return fail(axis.error());
-    std::vector<std::string> remarks;
+    std::vector<Text> remarks;
     auto draft = draftOf(tables.front(), *given, *axis, remarks);
     if (!draft)
         return fail(draft.error());
-    remarks.push_back("activate it in the axis list of axis " + std::to_string(*axis)
-        + ": lr_param.crosscomp2 1");
+    remarks.push_back(isg::activation(section, *axis));
     const NeutralTable& table = draft->table;
     FormatSettings reading{{"axis-kind", isg::kindOf(table.columns[0].unit)}};
     for (std::size_t n = 0; n < 2; ++n) {
@@ -293,7 +308,8 @@ const TableFormat& format()
     static const TableFormat format{
         .facts = {.name = "isg-crosscomp2",
             .controller = "ISG kernel, TwinCAT CNC",
-            .description = "plane compensation in a compensation list (kw.crosscomp2)",
+            .description =
+                AXISCOMP_TEXT("Error", "plane compensation in a compensation list (kw.crosscomp2)"),
             .extensions = extensions,
             .fewestDimensions = 2,
             .mostDimensions = 2,

@@ -14,9 +14,9 @@ constexpr std::string_view nameKey = "kopf.log_achs_name";
 constexpr std::string_view sections[] = {"crosscomp", "crosscomp2", "ssfk"};
 constexpr std::string_view blanks = " \t";
 
-std::string quoted(std::string_view text)
+Verbatim quoted(std::string_view text)
 {
-    return excerpt(text, Encoding::Utf8);
+    return {excerpt(text, Encoding::Utf8)};
 }
 
 /// "crosscomp" of "kw.crosscomp.unit"; empty for other entries.
@@ -61,7 +61,8 @@ bool List::readName(const Token& line, Name& name) const
         const auto index = wholeNumberOf(inside);
         if (!index || *index < 0 || name.indices == name.index.size()) {
             m_diagnostics.error(DiagnosticCode::Syntax, line.line, line.column + i,
-                quoted(text.substr(i)), "an index from 0 such as [3], at most two of them");
+                quoted(text.substr(i)),
+                AXISCOMP_TEXT("Error", "an index from 0 such as [3], at most two of them"));
             return false;
         }
         name.index[name.indices++] = *index;
@@ -78,15 +79,18 @@ void List::takeForeign(std::string_view path, const Token& name)
     const bool isSection = std::ranges::find(sections, section) != std::end(sections);
     if (!isSection) {
         m_diagnostics.warning(
-            DiagnosticCode::UnknownKey, name.line, name.column, quoted(name.text), "");
+            DiagnosticCode::UnknownKey, name.line, name.column, quoted(name.text), {});
         return;
     }
     if (std::ranges::find(m_foreign, section) != m_foreign.end())
         return;
     m_foreign.push_back(section);
     m_diagnostics.warning(DiagnosticCode::Assumption, name.line, name.column,
-        "a table kw." + section + " besides kw." + std::string(m_section.name),
-        "the format isg-" + section + " to read it; it is left out here");
+        AXISCOMP_TEXT("Error", "a table kw.{name} besides kw.{other}")
+            .with("name", section)
+            .with("other", m_section.name),
+        AXISCOMP_TEXT("Error", "the format {format} to read it; it is left out here")
+            .with("format", "isg-" + section));
 }
 
 void List::takeCell(std::string_view field, const Name& name, const Entry& entry)
@@ -96,7 +100,7 @@ void List::takeCell(std::string_view field, const Name& name, const Entry& entry
     const auto found = std::ranges::find(m_section.fields, field);
     if (found == m_section.fields.end()) {
         m_diagnostics.warning(DiagnosticCode::UnknownKey, entry.name.line, entry.name.column,
-            quoted(entry.name.text), "");
+            quoted(entry.name.text), {});
         return;
     }
     Cell cell{
@@ -113,7 +117,7 @@ void List::takeLine(const Token& line, Name& name)
         trimmedToken({line.text.substr(name.length), line.line, line.column + name.length})};
     if (m_hasEnded) {
         m_diagnostics.error(DiagnosticCode::Syntax, line.line, line.column, quoted(entry.name.text),
-            "nothing after End");
+            AXISCOMP_TEXT("Error", "nothing after End"));
         m_hasEnded = false;
         return;
     }
@@ -130,7 +134,7 @@ void List::takeLine(const Token& line, Name& name)
     }
     if (!entry.value) {
         m_diagnostics.error(DiagnosticCode::Syntax, line.line, line.column, quoted(entry.name.text),
-            "a value behind the name and a blank");
+            AXISCOMP_TEXT("Error", "a value behind the name and a blank"));
         return;
     }
     std::string_view key = name.path;
@@ -143,8 +147,9 @@ void List::takeLine(const Token& line, Name& name)
     }
     if (isOwn && key.starts_with("table[")) {
         m_diagnostics.error(DiagnosticCode::Syntax, line.line, line.column, quoted(entry.name.text),
-            "a point kw." + std::string(m_section.name) + '.' + std::string(point) + " with "
-                + (m_section.indices == 2 ? "two indices" : "one index"));
+            (m_section.indices == 2 ? AXISCOMP_TEXT("Error", "a point kw.{point} with two indices")
+                                    : AXISCOMP_TEXT("Error", "a point kw.{point} with one index"))
+                .with("point", std::string(m_section.name) + '.' + std::string(point)));
         return;
     }
     if (isOwn && std::ranges::find(m_section.keys, key) == m_section.keys.end()) {
@@ -154,8 +159,9 @@ void List::takeLine(const Token& line, Name& name)
     const auto [place, isNew] = m_entries.emplace(key, entry);
     if (!isNew)
         m_diagnostics.error(DiagnosticCode::Contradiction, line.line, line.column,
-            name.path + " a second time",
-            "each entry once; the first is in line " + std::to_string(place->second.name.line));
+            AXISCOMP_TEXT("Error", "{what} a second time").with("what", name.path),
+            AXISCOMP_TEXT("Error", "each entry once; the first is in line {line}")
+                .with("line", place->second.name.line));
 }
 
 bool List::parse(std::string_view text, const std::stop_token& stop)
@@ -177,8 +183,9 @@ bool List::parse(std::string_view text, const std::stop_token& stop)
         return !entry.first.starts_with("kopf.");
     });
     if (isEmpty)
-        m_diagnostics.error(DiagnosticCode::Syntax, 0, 0, "",
-            "a table kw." + std::string(m_section.name) + ", of which there is no entry");
+        m_diagnostics.error(DiagnosticCode::Syntax, 0, 0, {},
+            AXISCOMP_TEXT("Error", "a table kw.{name}, of which there is no entry")
+                .with("name", m_section.name));
     return !isEmpty;
 }
 
@@ -216,8 +223,8 @@ std::string List::text(std::string_view key) const
 
 void List::missing(std::string_view key) const
 {
-    m_diagnostics.error(
-        DiagnosticCode::Syntax, 0, 0, "", "the entry " + path(key) + ", which is missing");
+    m_diagnostics.error(DiagnosticCode::Syntax, 0, 0, {},
+        AXISCOMP_TEXT("Error", "the entry {name}, which is missing").with("name", path(key)));
 }
 
 std::optional<long> List::whole(std::string_view key, long least, long most) const
@@ -227,13 +234,15 @@ std::optional<long> List::whole(std::string_view key, long least, long most) con
         missing(key);
         return std::nullopt;
     }
-    const std::string range = std::to_string(least) + " to " + std::to_string(most);
+    const Text range =
+        AXISCOMP_TEXT("Error", "{number} to {number2}").with("number", least).with("number2", most);
     const Token word = firstWord(entry->value);
-    const auto number = readWholeNumber(word, "a whole number, " + range, m_diagnostics);
+    const auto number = readWholeNumber(word,
+        AXISCOMP_TEXT("Error", "a whole number, {range}").with("range", range), m_diagnostics);
     if (!number || (*number >= least && *number <= most))
         return number;
     m_diagnostics.error(DiagnosticCode::LimitExceeded, word.line, word.column,
-        path(key) + ' ' + std::to_string(*number), range);
+        Verbatim{path(key) + ' ' + std::to_string(*number)}, range);
     return std::nullopt;
 }
 
@@ -241,7 +250,8 @@ std::optional<double> List::number(std::string_view key) const
 {
     const Entry* const entry = find(key);
     if (entry)
-        return readNumber(firstWord(entry->value), "the number of " + path(key), m_diagnostics);
+        return readNumber(firstWord(entry->value),
+            AXISCOMP_TEXT("Error", "the number of {key}").with("key", path(key)), m_diagnostics);
     missing(key);
     return std::nullopt;
 }
@@ -249,8 +259,10 @@ std::optional<double> List::number(std::string_view key) const
 std::optional<bool> List::flag(std::string_view key, bool standard) const
 {
     if (!has(key)) {
-        m_diagnostics.warning(DiagnosticCode::Assumption, 0, 0, "no entry " + path(key),
-            std::string("0 or 1; ") + (standard ? "1" : "0") + " is assumed");
+        m_diagnostics.warning(DiagnosticCode::Assumption, 0, 0,
+            AXISCOMP_TEXT("Error", "no entry {name}").with("name", path(key)),
+            standard ? AXISCOMP_TEXT("Error", "0 or 1; 1 is assumed")
+                     : AXISCOMP_TEXT("Error", "0 or 1; 0 is assumed"));
         return standard;
     }
     const auto number = whole(key, 0, 1);
@@ -265,12 +277,14 @@ std::string List::axisNumber() const
     if (!entry)
         return {};
     const Token word = firstWord(entry->value);
-    const auto number =
-        readWholeNumber(word, "the logical number of the axis, from 1", m_diagnostics);
+    const auto number = readWholeNumber(
+        word, AXISCOMP_TEXT("Error", "the logical number of the axis, from 1"), m_diagnostics);
     if (first && second && word.text != firstWord(second->value).text)
         m_diagnostics.error(DiagnosticCode::Contradiction, second->name.line, 0,
-            "kopf.log_achs_nr " + quoted(firstWord(second->value).text),
-            quoted(word.text) + ", as kopf.achs_nr says");
+            Verbatim{"kopf.log_achs_nr " + quoted(firstWord(second->value).text).text},
+            AXISCOMP_TEXT("Error", "{value}, as {key} says")
+                .with("value", quoted(word.text))
+                .with("key", axisKeys[0]));
     return number ? std::to_string(*number) : std::string();
 }
 
@@ -287,9 +301,12 @@ bool List::checkMostPoints(std::size_t points, std::size_t standard) const
     if (points <= static_cast<std::size_t>(most))
         return true;
     m_diagnostics.error(DiagnosticCode::LimitExceeded, line("max_points"), 0,
-        std::to_string(points) + " points",
-        "at most " + std::to_string(most) + ", which is "
-            + (has("max_points") ? "" : "the standard value of ") + path("max_points"));
+        AXISCOMP_COUNTED("Error", "{count} points", "1 point").with("count", points),
+        (has("max_points")
+                ? AXISCOMP_TEXT("Error", "at most {number}, which is {name}")
+                : AXISCOMP_TEXT("Error", "at most {number}, which is the standard value of {name}"))
+            .with("number", most)
+            .with("name", path("max_points")));
     return false;
 }
 
@@ -318,11 +335,15 @@ std::optional<Field> List::field(std::string_view name, std::array<std::size_t, 
             m_diagnostics.error(
                 isBeyond ? DiagnosticCode::Contradiction : DiagnosticCode::DuplicatePoint,
                 cell.name.line, cell.name.column,
-                quoted(cell.name.text) + (isBeyond ? "" : " a second time"),
-                isBeyond ? "indices within the size that the list says" : "each point once");
+                isBeyond ? Text(quoted(cell.name.text))
+                         : AXISCOMP_TEXT("Error", "{what} a second time")
+                               .with("what", quoted(cell.name.text)),
+                isBeyond ? AXISCOMP_TEXT("Error", "indices within the size that the list says")
+                         : AXISCOMP_TEXT("Error", "each point once"));
             continue;
         }
-        const auto number = readNumber(firstWord(cell.value), "a number", m_diagnostics);
+        const auto number =
+            readNumber(firstWord(cell.value), AXISCOMP_TEXT("Error", "a number"), m_diagnostics);
         isGood = isGood && number;
         if (offset >= seenSize)
             continue;
@@ -337,9 +358,13 @@ std::optional<Field> List::field(std::string_view name, std::array<std::size_t, 
     const std::string j =
         m_section.indices == 2 ? '[' + std::to_string(offset / sizes[1]) + ']' : "";
     m_diagnostics.error(DiagnosticCode::MissingPoint, 0, 0,
-        "no " + path("table") + j + '[' + std::to_string(offset % sizes[1]) + "]."
-            + std::string(name),
-        std::to_string(total) + " of them; there are " + std::to_string(given));
+        AXISCOMP_TEXT("Error", "no {name}")
+            .with("name",
+                path("table") + j + '[' + std::to_string(offset % sizes[1]) + "]."
+                    + std::string(name)),
+        AXISCOMP_TEXT("Error", "{number} of them; there are {number2}")
+            .with("number", total)
+            .with("number2", given));
     return std::nullopt;
 }
 

@@ -102,25 +102,27 @@ using Build = std::optional<NeutralTable> (*)(const List& list, const SettingVal
 /// The settings of all three.
 inline constexpr FormatSetting listUnit{.key = "list-unit",
     .kind = FormatSetting::Kind::Choice,
-    .meaning = "metric: 0.1 um and 0.0001 deg; increments: of the encoder",
+    .meaning = AXISCOMP_TEXT("Error", "metric: 0.1 um and 0.0001 deg; increments: of the encoder"),
     .choices = "metric, increments",
     .standard = "metric",
     .forWriting = true};
 inline constexpr FormatSetting incrementsPerUnit{.key = "increments-per-unit",
     .kind = FormatSetting::Kind::Number,
-    .meaning = "encoder increments for one mm or degree, of a list in increments",
+    .meaning =
+        AXISCOMP_TEXT("Error", "encoder increments for one mm or degree, of a list in increments"),
     .forReading = true,
     .forWriting = true};
 inline constexpr FormatSetting decimals{.key = "decimals",
     .kind = FormatSetting::Kind::YesNo,
-    .meaning = "write numbers with decimals, which only newer kernels take",
+    .meaning = AXISCOMP_TEXT("Error", "write numbers with decimals, which only newer kernels take"),
     .standard = "no",
     .forWriting = true};
 inline constexpr FormatSetting axisSetting{.key = "axis",
     .kind = FormatSetting::Kind::WholeNumber,
-    .meaning = "logical number of the axis that is compensated, for kopf.achs_nr",
+    .meaning =
+        AXISCOMP_TEXT("Error", "logical number of the axis that is compensated, for kopf.achs_nr"),
     .forWriting = true};
-[[nodiscard]] constexpr FormatSetting kindSetting(std::string_view key, std::string_view meaning)
+[[nodiscard]] constexpr FormatSetting kindSetting(std::string_view key, TextPattern meaning)
 {
     return {.key = key,
         .kind = FormatSetting::Kind::Choice,
@@ -161,10 +163,15 @@ struct Draft {
 };
 /// axis: the number for kopf.achs_nr.
 [[nodiscard]] Result<Draft> beginDraft(const Section& section, const NeutralTable& table,
-    const SettingValues& settings, long axis, std::vector<std::string>& remarks);
+    const SettingValues& settings, long axis, std::vector<Text>& remarks);
+enum class Numbers { Positions, Values };
 /// The numbers of the file for positions or values. Errors: FormatCannotHold, 32 bits.
-[[nodiscard]] Result<std::vector<double>> inFile(const FormatFacts& facts, const Draft& draft,
-    std::span<const double> numbers, std::string_view what);
+[[nodiscard]] Result<std::vector<double>> inFile(
+    const FormatFacts& facts, const Draft& draft, std::span<const double> numbers, Numbers what);
+/// FormatCannotHold for a position that rounding makes the same as the one before.
+[[nodiscard]] tl::unexpected<Error> roundedTogether(const FormatFacts& facts, double position);
+/// How the table of an axis is switched on.
+[[nodiscard]] Text activation(const Section& section, long axis);
 /// Ends the text, reads it back and adds what a person must know. readSettings: what the list does
 /// not say itself.
 [[nodiscard]] Result<WrittenTables> finish(const TableFormat& format, Draft draft,

@@ -17,7 +17,8 @@ constexpr isg::Section section{"ssfk", 1, keys, fields};
 constexpr std::array<std::string_view, 1> extensions{".lis"};
 constexpr std::array settings{isg::listUnit, isg::incrementsPerUnit, isg::decimals,
     isg::axisSetting,
-    isg::kindSetting("axis-kind", "whether the axis is linear (mm) or rotary (deg)")};
+    isg::kindSetting(
+        "axis-kind", AXISCOMP_TEXT("Error", "whether the axis is linear (mm) or rotary (deg)"))};
 
 constexpr std::array<std::string_view, 8> rules{
     "Lines are a name, a blank and a value; # begins a comment line; behind a number anything "
@@ -51,13 +52,15 @@ std::optional<isg::Field> positions(const isg::List& list, std::size_t count)
         return list.field("setpoint", {1, count});
     if (*interval < 0.0) {
         list.diagnostics().error(DiagnosticCode::LimitExceeded, list.line("interval"), 0,
-            list.path("interval") + ' ' + toText(*interval), "0, or a distance above 0");
+            Verbatim{list.path("interval") + ' ' + toText(*interval)},
+            AXISCOMP_TEXT("Error", "0, or a distance above 0"));
         return std::nullopt;
     }
     if (list.hasField("setpoint"))
         list.diagnostics().error(DiagnosticCode::Contradiction, list.line("interval"), 0,
-            list.path("interval") + ' ' + toText(*interval) + " and setpoints of each point",
-            "an interval of 0 with setpoints, or an interval without");
+            AXISCOMP_TEXT("Error", "{entry} and setpoints of each point")
+                .with("entry", list.path("interval") + ' ' + toText(*interval)),
+            AXISCOMP_TEXT("Error", "an interval of 0 with setpoints, or an interval without"));
     const auto start = list.number("kw_startpos");
     if (!start)
         return std::nullopt;
@@ -93,7 +96,8 @@ std::optional<NeutralTable> build(const isg::List& list, const SettingValues& se
         return std::nullopt;
     if (!*isBilateral && list.hasField("neg"))
         list.diagnostics().warning(DiagnosticCode::Assumption, list.line("bilateral"), 0,
-            "values neg without bilateral 1", "values pos only; neg is left out");
+            AXISCOMP_TEXT("Error", "values neg without bilateral 1"),
+            AXISCOMP_TEXT("Error", "values pos only; neg is left out"));
     const auto knots = positions(list, count);
     if (!knots)
         return std::nullopt;
@@ -103,7 +107,7 @@ std::optional<NeutralTable> build(const isg::List& list, const SettingValues& se
     axis.name = list.axisNumber();
     axis.unit = scale->unit(settingValues, "axis-kind", list);
     axis.knots = isg::scaled(*scale, knots->numbers, axis.step);
-    if (!checkKnots(axis.knots, knots->lines, "the points", list.diagnostics()))
+    if (!checkKnots(axis.knots, knots->lines, {}, list.diagnostics()))
         return std::nullopt;
     addColumn(
         table, *positive, *scale, *isBilateral ? Direction::Positive : Direction::Both, axis.name);
@@ -113,7 +117,8 @@ std::optional<NeutralTable> build(const isg::List& list, const SettingValues& se
         table.axes[0].wrap = table.axes[0].knots.back() - table.axes[0].knots.front();
         if (!isClosed(table, 0))
             list.diagnostics().error(DiagnosticCode::NotPeriodic, positive->lines.back(), 0,
-                "different values at both ends", "the same values, since modulo is 1");
+                AXISCOMP_TEXT("Error", "different values at both ends"),
+                AXISCOMP_TEXT("Error", "the same values, since modulo is 1"));
     }
     return table;
 }
@@ -136,7 +141,7 @@ Recognition recognise(std::string_view text)
 /// The numbers of one direction; a modulo axis stays closed when they are rounded.
 Result<std::vector<double>> valuesOf(const isg::Draft& draft, const CompensationColumn& column)
 {
-    auto values = isg::inFile(isg_ssfk::format().facts, draft, column.values, "the value");
+    auto values = isg::inFile(isg_ssfk::format().facts, draft, column.values, isg::Numbers::Values);
     if (values && draft.table.axes[0].wrap)
         values->back() = values->front();
     return values;
@@ -147,15 +152,12 @@ Result<void> addPositions(isg::Draft& draft)
 {
     const FormatFacts& facts = isg_ssfk::format().facts;
     const SourceAxis& axis = draft.table.axes[0];
-    const auto knots = isg::inFile(facts, draft, axis.knots, "the position");
+    const auto knots = isg::inFile(facts, draft, axis.knots, isg::Numbers::Positions);
     if (!knots)
         return fail(knots.error());
     for (std::size_t i = 1; i < knots->size(); ++i)
         if ((*knots)[i] <= (*knots)[i - 1])
-            return cannotHold(facts,
-                "the position " + roundedText(axis.knots[i])
-                    + " is the same as the one before when it is rounded",
-                "resample it onto a coarser grid");
+            return isg::roundedTogether(facts, axis.knots[i]);
     std::vector<double> exact = axis.knots;
     for (double& knot : exact)
         knot *= draft.scale.numbers.perUnit;
@@ -199,13 +201,17 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
     const std::string& target = source.columns[0].target;
     if (!target.empty() && !name.empty() && target != name)
         return cannotHold(facts,
-            "it compensates " + target + " by the position of " + name
-                + ", and the format compensates an axis by its own position",
-            "write it as isg-crosscomp");
+            AXISCOMP_TEXT("Error",
+                "it compensates {target} by the position of {axis}, and the format compensates an "
+                "axis by its own position")
+                .with("target", target)
+                .with("axis", name),
+            AXISCOMP_TEXT("Error", "write it as {format}")
+                .with("format", isg_crosscomp::format().facts.name));
     const auto axis = axisNumber(facts, *given, "axis", name.empty() ? target : name);
     if (!axis)
         return fail(axis.error());
-    std::vector<std::string> remarks;
+    std::vector<Text> remarks;
     auto draft = isg::beginDraft(section, source, *given, *axis, remarks);
     if (!draft)
         return fail(draft.error());
@@ -218,8 +224,7 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
             return fail(fits.error());
     if (auto added = addTable(*draft, *pair); !added)
         return fail(added.error());
-    remarks.push_back(
-        "activate it in the axis list of axis " + std::to_string(*axis) + ": lr_param.ssfk 1");
+    remarks.push_back(isg::activation(section, *axis));
     const std::string kind = isg::kindOf(draft->table.axes[0].unit);
     return isg::finish(
         isg_ssfk::format(), std::move(*draft), *given, {{"axis-kind", kind}}, std::move(remarks));
@@ -232,7 +237,8 @@ const TableFormat& format()
     static const TableFormat format{
         .facts = {.name = "isg-ssfk",
             .controller = "ISG kernel, TwinCAT CNC",
-            .description = "leadscrew error compensation in a compensation list (kw.ssfk)",
+            .description = AXISCOMP_TEXT(
+                "Error", "leadscrew error compensation in a compensation list (kw.ssfk)"),
             .extensions = extensions,
             .knots = KnotRule::Any,
             .mostPoints = mostPoints,

@@ -15,7 +15,7 @@ namespace {
 constexpr double perMetricUnit = 10000.0; // 0.1 um for 1 mm, 0.0001 deg for 1 deg
 constexpr std::string_view increments = "increments";
 
-Error wrongSetting(std::string reason)
+Error wrongSetting(Text reason)
 {
     return Error{ErrorCode::InvalidArgument, {{"reason", std::move(reason)}}, {}};
 }
@@ -42,9 +42,11 @@ std::string Scale::unit(
         return std::string(increments);
     if (!settings.has(kindKey))
         list.diagnostics().warning(DiagnosticCode::Assumption, list.line("unit"), 0,
-            isMetric ? "numbers of 0.1 um or 0.0001 deg" : "increments for one mm or degree",
-            "the setting " + std::string(kindKey)
-                + ", linear or rotary; linear is assumed, so that it is mm");
+            isMetric ? AXISCOMP_TEXT("Error", "numbers of 0.1 um or 0.0001 deg")
+                     : AXISCOMP_TEXT("Error", "increments for one mm or degree"),
+            AXISCOMP_TEXT(
+                "Error", "the setting {key}, linear or rotary; linear is assumed, so that it is mm")
+                .with("key", kindKey));
     return settings.text(kindKey) == "rotary" ? "deg" : "mm";
 }
 
@@ -62,12 +64,14 @@ std::optional<Scale> scaleOf(const List& list, const SettingValues& settings)
     scale.numbers.perUnit = scale.isConverted ? settings.number("increments-per-unit") : 1.0;
     if (!scale.isConverted)
         list.diagnostics().warning(DiagnosticCode::UnitNotGiven, list.line("unit"), 0,
-            "numbers in encoder increments",
-            "the setting increments-per-unit, where millimetres or degrees matter");
+            AXISCOMP_TEXT("Error", "numbers in encoder increments"),
+            AXISCOMP_TEXT(
+                "Error", "the setting increments-per-unit, where millimetres or degrees matter"));
     if (scale.numbers.perUnit > 0.0)
         return scale;
     list.diagnostics().error(DiagnosticCode::LimitExceeded, 0, 0,
-        "increments-per-unit " + toText(scale.numbers.perUnit), "a number above 0");
+        Verbatim{"increments-per-unit " + toText(scale.numbers.perUnit)},
+        AXISCOMP_TEXT("Error", "a number above 0"));
     return std::nullopt;
 }
 
@@ -81,7 +85,8 @@ Result<Scale> scaleForWriting(const SettingValues& settings)
         scale.numbers.perUnit = scale.isConverted ? settings.number("increments-per-unit") : 1.0;
     scale.numbers.hasDecimals = settings.yes("decimals");
     if (!(scale.numbers.perUnit > 0.0))
-        return fail(wrongSetting("the setting increments-per-unit is not above 0"));
+        return fail(
+            wrongSetting(AXISCOMP_TEXT("Error", "the setting increments-per-unit is not above 0")));
     return scale;
 }
 
@@ -111,7 +116,7 @@ std::string Draft::numberText(double inFile) const
 }
 
 Result<Draft> beginDraft(const Section& section, const NeutralTable& table,
-    const SettingValues& settings, long axis, std::vector<std::string>& remarks)
+    const SettingValues& settings, long axis, std::vector<Text>& remarks)
 {
     auto scale = scaleForWriting(settings);
     if (!scale)
@@ -119,8 +124,9 @@ Result<Draft> beginDraft(const Section& section, const NeutralTable& table,
     Draft draft{table, *scale, {}, "kw." + std::string(section.name) + '.'};
     const bool needsUnits = scale->isMetric || scale->isConverted;
     if (!needsUnits && !isInIncrements(table))
-        return fail(wrongSetting("numbers in mm or degrees become increments only with the "
-                                 "setting increments-per-unit"));
+        return fail(wrongSetting(AXISCOMP_TEXT("Error",
+            "numbers in mm or degrees become increments only with the setting "
+            "increments-per-unit")));
     if (needsUnits) {
         auto converted = inUnits(table, "mm", "deg", remarks);
         if (!converted)
@@ -137,22 +143,44 @@ Result<Draft> beginDraft(const Section& section, const NeutralTable& table,
     return draft;
 }
 
-Result<std::vector<double>> inFile(const FormatFacts& facts, const Draft& draft,
-    std::span<const double> numbers, std::string_view what)
+Result<std::vector<double>> inFile(
+    const FormatFacts& facts, const Draft& draft, std::span<const double> numbers, Numbers what)
 {
     std::vector<double> rounded(numbers.size());
     for (std::size_t i = 0; i < numbers.size(); ++i)
         rounded[i] = draft.scale.numbers.inFile(numbers[i]);
-    if (const auto at = beyond32Bits(rounded))
+    if (const auto at = beyond32Bits(rounded)) {
+        const Quantity number{roundedText(numbers[*at])};
         return cannotHold(facts,
-            std::string(what) + ' ' + roundedText(numbers[*at])
-                + " is beyond the 32 bits of its numbers",
-            "check the unit of the table");
+            what == Numbers::Positions
+                ? AXISCOMP_TEXT(
+                    "Error", "the position {position} is beyond the 32 bits of its numbers")
+                      .with("position", number)
+                : AXISCOMP_TEXT("Error", "the value {value} is beyond the 32 bits of its numbers")
+                      .with("value", number),
+            AXISCOMP_TEXT("Error", "check the unit of the table"));
+    }
     return rounded;
 }
 
+tl::unexpected<Error> roundedTogether(const FormatFacts& facts, double position)
+{
+    return cannotHold(facts,
+        AXISCOMP_TEXT(
+            "Error", "the position {position} is the same as the one before when it is rounded")
+            .with("position", Quantity{roundedText(position)}),
+        AXISCOMP_TEXT("Error", "resample it onto a coarser grid"));
+}
+
+Text activation(const Section& section, long axis)
+{
+    return AXISCOMP_TEXT("Error", "activate it in the axis list of axis {axis}: {parameter} 1")
+        .with("axis", axis)
+        .with("parameter", "lr_param." + std::string(section.name));
+}
+
 Result<WrittenTables> finish(const TableFormat& format, Draft draft, const SettingValues& settings,
-    FormatSettings readSettings, std::vector<std::string> remarks)
+    FormatSettings readSettings, std::vector<Text> remarks)
 {
     draft.text += "End\n";
     if (!draft.scale.isMetric && draft.scale.isConverted)

@@ -74,6 +74,13 @@ std::optional<Token> sectionOf(const Token& line)
     return trimmedToken({content.text.substr(1, end - 1), content.line, content.column + 1});
 }
 
+constexpr TextPattern noEntry = AXISCOMP_TEXT("Error", "an entry such as min_x = 10");
+
+Verbatim quotedText(const Token& token)
+{
+    return {excerpt(token.text, Encoding::Utf8)};
+}
+
 /// Reads the sections of a configuration, and looks into those of profiles only.
 class Sections {
 public:
@@ -103,7 +110,9 @@ void Sections::begin(const Token& section)
     profile.name = toUtf8(trimmed(section.text.substr(sectionPrefix.size())), Encoding::Utf8);
     if (std::ranges::find(m_profiles, profile.name, &Profile::name) != m_profiles.end())
         m_source.diagnostics.error(DiagnosticCode::Contradiction, section.line, section.column,
-            "a second section for the profile " + profile.name, "each profile once");
+            AXISCOMP_TEXT("Error", "a second section for the profile {name}")
+                .with("name", profile.name),
+            AXISCOMP_TEXT("Error", "each profile once"));
     m_profiles.push_back(std::move(profile));
 }
 
@@ -113,13 +122,13 @@ void Sections::takeEntry(const Token& line)
     const Token key = trimmedToken({line.text.substr(0, equals), line.line, line.column});
     m_isInPoints = key.text == "points";
     if (equals == std::string_view::npos) {
-        m_source.diagnostics.error(DiagnosticCode::Syntax, key.line, key.column,
-            excerpt(key.text, Encoding::Utf8), "an entry such as min_x = 10");
+        m_source.diagnostics.error(
+            DiagnosticCode::Syntax, key.line, key.column, quotedText(key), noEntry);
         return;
     }
     if (!isKnownKey(key.text)) {
-        m_source.diagnostics.warning(DiagnosticCode::UnknownKey, key.line, key.column,
-            excerpt(key.text, Encoding::Utf8), "");
+        m_source.diagnostics.warning(
+            DiagnosticCode::UnknownKey, key.line, key.column, quotedText(key), {});
         return;
     }
     const Token value =
@@ -127,7 +136,8 @@ void Sections::takeEntry(const Token& line)
     Profile& profile = m_profiles.back();
     if (!profile.entries.emplace(std::string(key.text), value).second)
         m_source.diagnostics.error(DiagnosticCode::Contradiction, key.line, key.column,
-            "a second " + std::string(key.text), "each entry once in a section");
+            AXISCOMP_TEXT("Error", "a second {key}").with("key", key.text),
+            AXISCOMP_TEXT("Error", "each entry once in a section"));
     if (m_isInPoints && value)
         profile.rows.push_back(value);
 }
@@ -149,8 +159,8 @@ void Sections::take(const Token& line)
     else if (m_isInPoints)
         m_profiles.back().rows.push_back(content);
     else
-        m_source.diagnostics.error(DiagnosticCode::Syntax, content.line, content.column,
-            excerpt(content.text, Encoding::Utf8), "an entry such as min_x = 10");
+        m_source.diagnostics.error(
+            DiagnosticCode::Syntax, content.line, content.column, quotedText(content), noEntry);
 }
 
 /// The numbers of one profile.
@@ -181,7 +191,8 @@ const Token* ProfileReader::entry(const std::string& key)
     if (found != m_profile.entries.end())
         return &found->second;
     m_source.diagnostics.error(DiagnosticCode::Syntax, m_profile.section.line, 0,
-        std::string(m_profile.section.text), "an entry " + key + " in this section");
+        Verbatim{std::string(m_profile.section.text)},
+        AXISCOMP_TEXT("Error", "an entry {key} in this section").with("key", key));
     return nullptr;
 }
 
@@ -190,22 +201,25 @@ void ProfileReader::checkVersion()
     const auto version = m_profile.entries.find("version");
     if (version != m_profile.entries.end() && version->second.text != "1")
         m_source.diagnostics.error(DiagnosticCode::Contradiction, version->second.line,
-            version->second.column, "version " + excerpt(version->second.text, Encoding::Utf8),
-            "1; the firmware does not use other versions");
+            version->second.column,
+            AXISCOMP_TEXT("Error", "version {version}")
+                .with("version", quotedText(version->second)),
+            AXISCOMP_TEXT("Error", "1; the firmware does not use other versions"));
 }
 
 /// The number of points along an axis; 0 after an error.
 long ProfileReader::pointsOf(const std::string& key)
 {
     const Token* const token = entry(key);
-    const auto points =
-        token ? readWholeNumber(*token, "a number of points", m_source.diagnostics) : std::nullopt;
+    const auto points = token ? readWholeNumber(*token,
+                            AXISCOMP_TEXT("Error", "a number of points"), m_source.diagnostics)
+                              : std::nullopt;
     if (!points)
         return 0;
     if (*points >= 2)
         return *points;
     m_source.diagnostics.error(DiagnosticCode::TooFewPoints, token->line, token->column,
-        key + " = " + std::to_string(*points), "at least 2");
+        Verbatim{key + " = " + std::to_string(*points)}, AXISCOMP_TEXT("Error", "at least 2"));
     return 0;
 }
 
@@ -219,18 +233,26 @@ std::vector<double> ProfileReader::heights(long columns, long rows)
         splitCells(row, ',', cells);
         if (static_cast<long>(cells.size()) != columns)
             m_source.diagnostics.error(DiagnosticCode::ColumnCount, row.line, 0,
-                std::to_string(cells.size()) + " heights",
-                std::to_string(columns) + ", as x_count says");
+                AXISCOMP_COUNTED("Error", "{count} heights", "1 height")
+                    .with("count", cells.size()),
+                AXISCOMP_TEXT("Error", "{value}, as {key} says")
+                    .with("value", columns)
+                    .with("key", Verbatim{"x_count"}));
         for (const Token& cell : cells)
             values.push_back(
-                readNumber(cell, "a height in mm", m_source.diagnostics).value_or(0.0));
+                readNumber(cell, AXISCOMP_TEXT("Error", "a height in mm"), m_source.diagnostics)
+                    .value_or(0.0));
     }
     const auto found = static_cast<long>(m_profile.rows.size());
     if (found != rows)
         m_source.diagnostics.error(
             found < rows ? DiagnosticCode::MissingPoint : DiagnosticCode::Contradiction,
-            m_profile.section.line, 0, std::to_string(found) + " lines of points",
-            std::to_string(rows) + ", as y_count says");
+            m_profile.section.line, 0,
+            AXISCOMP_COUNTED("Error", "{count} lines of points", "1 line of points")
+                .with("count", found),
+            AXISCOMP_TEXT("Error", "{value}, as {key} says")
+                .with("value", rows)
+                .with("key", Verbatim{"y_count"}));
     return values;
 }
 
@@ -244,20 +266,24 @@ SourceAxis ProfileReader::axis(const std::string& name, const std::string& small
     bool isKnown = true;
     for (std::size_t n = 0; n < ends.size(); ++n) {
         const Token* const token = entry(keys[n]);
-        const auto number =
-            token ? readNumber(*token, "a position in mm", m_source.diagnostics) : std::nullopt;
+        const auto number = token
+            ? readNumber(*token, AXISCOMP_TEXT("Error", "a position in mm"), m_source.diagnostics)
+            : std::nullopt;
         isKnown = isKnown && number.has_value();
         ends[n] = number.value_or(0.0);
     }
     const auto offset = m_profile.entries.find(small + "_offset");
     if (offset != m_profile.entries.end())
         for (double& end : ends)
-            end +=
-                readNumber(offset->second, "an offset in mm", m_source.diagnostics).value_or(0.0);
+            end += readNumber(
+                offset->second, AXISCOMP_TEXT("Error", "an offset in mm"), m_source.diagnostics)
+                       .value_or(0.0);
     if (isKnown && !(ends[1] > ends[0]))
         m_source.diagnostics.error(DiagnosticCode::NotMonotonic, entry(keys[1])->line, 0,
-            keys[1] + " = " + toText(ends[1]) + " after " + keys[0] + " = " + toText(ends[0]),
-            "a maximum above the minimum");
+            AXISCOMP_TEXT("Error", "{number} after {number2}")
+                .with("number", keys[1] + " = " + toText(ends[1]))
+                .with("number2", keys[0] + " = " + toText(ends[0])),
+            AXISCOMP_TEXT("Error", "a maximum above the minimum"));
     if (m_source.diagnostics.hasErrors())
         return axis;
     // The number of points is that of the heights, which are there.
@@ -296,8 +322,8 @@ std::vector<NeutralTable> parse(TextReading& source)
     }
     const std::vector<Profile> profiles = std::move(sections).profiles();
     if (profiles.empty())
-        source.diagnostics.error(DiagnosticCode::Syntax, 0, 0, "",
-            "a section [bed_mesh NAME] with the points of a mesh");
+        source.diagnostics.error(DiagnosticCode::Syntax, 0, 0, {},
+            AXISCOMP_TEXT("Error", "a section [bed_mesh NAME] with the points of a mesh"));
     std::vector<NeutralTable> tables;
     for (const Profile& profile : profiles)
         tables.push_back(ProfileReader(profile, source).table());
@@ -327,7 +353,8 @@ const TableFormat& format()
     static const TableFormat format{
         .facts = {.name = "klipper",
             .controller = "Klipper",
-            .description = "[bed_mesh NAME] sections of printer.cfg: heights of the bed",
+            .description = AXISCOMP_TEXT(
+                "Error", "[bed_mesh NAME] sections of printer.cfg: heights of the bed"),
             .extensions = extensions,
             .fewestDimensions = 2,
             .mostDimensions = 2,

@@ -9,7 +9,7 @@ namespace {
 /// What the formats differ in: words only.
 struct Words {
     std::string_view name;
-    std::string_view description;
+    TextPattern description;
     Keys keys;
     std::span<const FormatSetting> settings;
     std::span<const std::string_view> rules;
@@ -23,8 +23,12 @@ constexpr std::string_view desiredPosition =
 constexpr std::array<std::string_view, 1> motors1d{"source-motor"};
 constexpr std::array<std::string_view, 1> counts1d{"source-counts-per-unit"};
 constexpr std::array settings1d{countsForWriting, countsForReading, usesActual,
-    countsSetting(counts1d[0], "encoder counts for one unit of the positions"), targetCounts,
-    motorSetting(motors1d[0], "number of the motor whose position counts, 1 to 32"), targetMotor};
+    countsSetting(
+        counts1d[0], AXISCOMP_TEXT("Error", "encoder counts for one unit of the positions")),
+    targetCounts,
+    motorSetting(
+        motors1d[0], AXISCOMP_TEXT("Error", "number of the motor whose position counts, 1 to 32")),
+    targetMotor};
 constexpr std::array<std::string_view, 6> rules1d{
     "DEFINE COMP entries,#source[D],#target,span, then the entries, whole numbers of 1/16 count, "
     "with blanks or line ends between.",
@@ -41,10 +45,16 @@ constexpr std::array<std::string_view, 2> motors2d{"row-motor", "column-motor"};
 constexpr std::array<std::string_view, 2> counts2d{
     "source-counts-per-unit", "column-counts-per-unit"};
 constexpr std::array settings2d{countsForWriting, countsForReading, usesActual,
-    countsSetting(counts2d[0], "encoder counts for one unit of the row motor"),
-    countsSetting(counts2d[1], "encoder counts for one unit of the column motor"), targetCounts,
-    motorSetting(motors2d[0], "number of the motor along a row of entries, 1 to 32"),
-    motorSetting(motors2d[1], "number of the motor from row to row, 1 to 32"), targetMotor};
+    countsSetting(
+        counts2d[0], AXISCOMP_TEXT("Error", "encoder counts for one unit of the row motor")),
+    countsSetting(
+        counts2d[1], AXISCOMP_TEXT("Error", "encoder counts for one unit of the column motor")),
+    targetCounts,
+    motorSetting(
+        motors2d[0], AXISCOMP_TEXT("Error", "number of the motor along a row of entries, 1 to 32")),
+    motorSetting(
+        motors2d[1], AXISCOMP_TEXT("Error", "number of the motor from row to row, 1 to 32")),
+    targetMotor};
 constexpr std::array<std::string_view, 6> rules2d{
     "DEFINE COMP rows.columns,#row[D],#column[D],#target,span,span, then (rows + 1) * (columns + "
     "1) - 1 entries, whole numbers of 1/16 count.",
@@ -58,10 +68,11 @@ constexpr std::array<std::string_view, 6> rules2d{
 };
 
 /// By the number of sources, from 1.
-constexpr std::array words{Words{"pmac-1d", "leadscrew compensation of one source (DEFINE COMP)",
-                               {motors1d, counts1d}, settings1d, rules1d},
-    Words{"pmac-2d", "compensation of a motor by two others (DEFINE COMP)", {motors2d, counts2d},
-        settings2d, rules2d}};
+constexpr std::array words{
+    Words{"pmac-1d", AXISCOMP_TEXT("Error", "leadscrew compensation of one source (DEFINE COMP)"),
+        {motors1d, counts1d}, settings1d, rules1d},
+    Words{"pmac-2d", AXISCOMP_TEXT("Error", "compensation of a motor by two others (DEFINE COMP)"),
+        {motors2d, counts2d}, settings2d, rules2d}};
 
 constexpr std::array<std::string_view, 1> extensions{".pmc"};
 

@@ -39,14 +39,16 @@ inline constexpr std::array<std::string_view, 4> assumptions{
 
 inline constexpr FormatSetting countsForWriting{.key = "counts-per-unit",
     .kind = FormatSetting::Kind::Number,
-    .meaning = "encoder counts for one unit, of every motor without a setting of its own",
+    .meaning = AXISCOMP_TEXT(
+        "Error", "encoder counts for one unit, of every motor without a setting of its own"),
     .forWriting = true,
     .isNeeded = true};
 inline constexpr FormatSetting countsForReading{.key = "counts-per-unit",
     .kind = FormatSetting::Kind::Number,
-    .meaning = "encoder counts for one unit; without it tables are in counts",
+    .meaning =
+        AXISCOMP_TEXT("Error", "encoder counts for one unit; without it tables are in counts"),
     .forReading = true};
-[[nodiscard]] constexpr FormatSetting countsSetting(std::string_view key, std::string_view meaning)
+[[nodiscard]] constexpr FormatSetting countsSetting(std::string_view key, TextPattern meaning)
 {
     return {.key = key,
         .kind = FormatSetting::Kind::Number,
@@ -54,20 +56,21 @@ inline constexpr FormatSetting countsForReading{.key = "counts-per-unit",
         .forReading = true,
         .forWriting = true};
 }
-[[nodiscard]] constexpr FormatSetting motorSetting(std::string_view key, std::string_view meaning)
+[[nodiscard]] constexpr FormatSetting motorSetting(std::string_view key, TextPattern meaning)
 {
     return {.key = key,
         .kind = FormatSetting::Kind::WholeNumber,
         .meaning = meaning,
         .forWriting = true};
 }
-inline constexpr FormatSetting targetCounts =
-    countsSetting("target-counts-per-unit", "encoder counts for one unit of the values");
-inline constexpr FormatSetting targetMotor =
-    motorSetting("target-motor", "number of the motor that is compensated, 1 to 32");
+inline constexpr FormatSetting targetCounts = countsSetting(
+    "target-counts-per-unit", AXISCOMP_TEXT("Error", "encoder counts for one unit of the values"));
+inline constexpr FormatSetting targetMotor = motorSetting(
+    "target-motor", AXISCOMP_TEXT("Error", "number of the motor that is compensated, 1 to 32"));
 inline constexpr FormatSetting usesActual{.key = "position",
     .kind = FormatSetting::Kind::Choice,
-    .meaning = "position of the sources that counts: desired (written with D) or actual",
+    .meaning = AXISCOMP_TEXT(
+        "Error", "position of the sources that counts: desired (written with D) or actual"),
     .choices = "desired, actual",
     .standard = "desired",
     .forWriting = true};

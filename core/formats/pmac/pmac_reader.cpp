@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/formats/formats.h"
 #include "core/formats/pmac/pmac_file.h"
 #include "core/formats/units.h"
 #include "core/text/text_file.h"
@@ -13,9 +14,21 @@ namespace {
 constexpr std::array<std::string_view, 2> sourceCounts{
     "source-counts-per-unit", "column-counts-per-unit"};
 
-std::string quoted(std::string_view text)
+Verbatim quoted(std::string_view text)
 {
-    return excerpt(text, Encoding::Utf8);
+    return {excerpt(text, Encoding::Utf8)};
+}
+
+Text asDefined(std::size_t entries)
+{
+    return AXISCOMP_TEXT("Error", "{value}, as {key} says")
+        .with("value", entries)
+        .with("key", Verbatim{"DEFINE COMP"});
+}
+
+Text entriesText(Argument count)
+{
+    return AXISCOMP_COUNTED("Error", "{count} entries", "1 entry").with("count", std::move(count));
 }
 
 /// The rest behind a word in capital or small letters; nothing when the token begins otherwise.
@@ -71,11 +84,12 @@ struct Definition {
 std::optional<std::size_t> readSize(const Token& cell, DiagnosticList& diagnostics)
 {
     constexpr long most = 1'000'000;
-    const auto size = readWholeNumber(cell, "a number of entries", diagnostics);
+    const auto size =
+        readWholeNumber(cell, AXISCOMP_TEXT("Error", "a number of entries"), diagnostics);
     if (!size || (*size >= 1 && *size <= most))
         return size;
-    diagnostics.error(DiagnosticCode::LimitExceeded, cell.line, cell.column,
-        std::to_string(*size) + " entries", "1 to " + std::to_string(most));
+    diagnostics.error(DiagnosticCode::LimitExceeded, cell.line, cell.column, entriesText(*size),
+        AXISCOMP_TEXT("Error", "{number} to {number2}").with("number", 1).with("number2", most));
     return std::nullopt;
 }
 
@@ -89,7 +103,7 @@ std::optional<std::string> readMotor(const Token& cell, DiagnosticList& diagnost
     if (motor && *motor >= 1 && *motor <= 32)
         return std::to_string(*motor);
     diagnostics.error(DiagnosticCode::Syntax, cell.line, cell.column, quoted(cell.text),
-        "the number of a motor, #1 to #32, perhaps with a D");
+        AXISCOMP_TEXT("Error", "the number of a motor, #1 to #32, perhaps with a D"));
     return std::nullopt;
 }
 
@@ -133,21 +147,25 @@ bool Reader::readArguments(Definition& definition, std::vector<Token> cells)
     if (cells.size() != 1 + m_dimensions || motors.size() > 1 + m_dimensions) {
         diagnostics.error(DiagnosticCode::Syntax, definition.place.line, definition.place.column,
             quoted(definition.place.text),
-            m_dimensions == 1 ? "DEFINE COMP entries,#source,#target,span"
-                              : "DEFINE COMP rows.columns,#row,#column,#target,span,span");
+            m_dimensions == 1 ? AXISCOMP_TEXT("Error", "DEFINE COMP entries,#source,#target,span")
+                              : AXISCOMP_TEXT("Error",
+                                  "DEFINE COMP rows.columns,#row,#column,#target,span,span"));
         return false;
     }
     for (std::size_t n = 0; n < m_dimensions; ++n) {
-        const auto span = readWholeNumber(cells[1 + n], "a span in counts", diagnostics);
+        const auto span =
+            readWholeNumber(cells[1 + n], AXISCOMP_TEXT("Error", "a span in counts"), diagnostics);
         if (span && *span < 1)
             diagnostics.error(DiagnosticCode::LimitExceeded, cells[1 + n].line, cells[1 + n].column,
-                "a span of " + std::to_string(*span), "at least 1 count");
+                AXISCOMP_TEXT("Error", "a span of {span}").with("span", *span),
+                AXISCOMP_TEXT("Error", "at least 1 count"));
         definition.spans[n] = span.value_or(0);
     }
     if (motors.size() <= m_dimensions && m_addressed.empty())
         diagnostics.warning(DiagnosticCode::Assumption, definition.place.line, 0,
-            "motors that are not named",
-            "the motor that is addressed when the file is loaded; name it with #");
+            AXISCOMP_TEXT("Error", "motors that are not named"),
+            AXISCOMP_TEXT(
+                "Error", "the motor that is addressed when the file is loaded; name it with #"));
     motors.resize(std::max(motors.size(), m_dimensions + 1), m_addressed);
     for (std::size_t n = 0; n < m_dimensions; ++n)
         definition.sources[n] = motors[n];
@@ -166,9 +184,10 @@ void Reader::begin(const Token& line, const Token& arguments)
     if (isPlane != (m_dimensions == 2)) {
         m_isForeign = true;
         diagnostics.warning(DiagnosticCode::Assumption, line.line, line.column,
-            isPlane ? "a table of two dimensions" : "a table of one dimension",
-            std::string("the format ") + (isPlane ? "pmac-2d" : "pmac-1d")
-                + " to read it; it is left out here");
+            isPlane ? AXISCOMP_TEXT("Error", "a table of two dimensions")
+                    : AXISCOMP_TEXT("Error", "a table of one dimension"),
+            AXISCOMP_TEXT("Error", "the format {format} to read it; it is left out here")
+                .with("format", (isPlane ? pmac_2d::format() : pmac_1d::format()).facts.name));
         return;
     }
     Definition definition;
@@ -195,8 +214,7 @@ void Reader::finish()
     if (m_isOpen && m_definitions.back().entries.size() < m_definitions.back().entryCount) {
         const Definition& last = m_definitions.back();
         m_reading.diagnostics.error(DiagnosticCode::MissingPoint, last.place.line, 0,
-            std::to_string(last.entries.size()) + " entries",
-            std::to_string(last.entryCount) + ", as DEFINE COMP says");
+            entriesText(last.entries.size()), asDefined(last.entryCount));
     }
     m_isOpen = false;
     m_isForeign = false;
@@ -209,9 +227,9 @@ void Reader::takeEntries(const Token& line)
         return;
     if (!m_isOpen || m_definitions.back().entries.size() == m_definitions.back().entryCount) {
         diagnostics.error(DiagnosticCode::Contradiction, line.line, line.column,
-            "further entries: " + quoted(line.text),
-            m_isOpen ? std::to_string(m_definitions.back().entryCount) + ", as DEFINE COMP says"
-                     : "DEFINE COMP in front of them");
+            AXISCOMP_TEXT("Error", "further entries: {entries}").with("entries", quoted(line.text)),
+            m_isOpen ? asDefined(m_definitions.back().entryCount)
+                     : AXISCOMP_TEXT("Error", "DEFINE COMP in front of them"));
         finish();
         m_isForeign = true; // one such problem is enough
         return;
@@ -219,13 +237,13 @@ void Reader::takeEntries(const Token& line)
     splitTokens(line, " \t,", m_tokens);
     Definition& definition = m_definitions.back();
     for (const Token& token : m_tokens) {
-        const auto entry = readWholeNumber(token, "a whole number of 1/16 count", diagnostics);
+        const auto entry = readWholeNumber(
+            token, AXISCOMP_TEXT("Error", "a whole number of 1/16 count"), diagnostics);
         definition.entries.push_back(static_cast<double>(entry.value_or(0)));
     }
     if (definition.entries.size() > definition.entryCount) {
         diagnostics.error(DiagnosticCode::Contradiction, line.line, 0,
-            std::to_string(definition.entries.size()) + " entries",
-            std::to_string(definition.entryCount) + ", as DEFINE COMP says");
+            entriesText(definition.entries.size()), asDefined(definition.entryCount));
         definition.entries.resize(definition.entryCount);
     }
 }
@@ -238,7 +256,7 @@ void Reader::takeCommand(const Token& line)
         [&](std::string_view word) { return behindWord(line, word).has_value(); });
     if (!isExpected)
         m_reading.diagnostics.warning(
-            DiagnosticCode::UnknownKey, line.line, line.column, quoted(line.text), "");
+            DiagnosticCode::UnknownKey, line.line, line.column, quoted(line.text), {});
     m_isForeign = isDefine; // its entries
 }
 
@@ -269,9 +287,10 @@ std::vector<Definition> Reader::read()
     }
     finish();
     if (m_definitions.empty() && !m_reading.diagnostics.hasErrors())
-        m_reading.diagnostics.error(DiagnosticCode::Syntax, 0, 0, "",
-            std::string("DEFINE COMP for a table of ") + (m_dimensions == 1 ? "one" : "two")
-                + (m_dimensions == 1 ? " dimension" : " dimensions"));
+        m_reading.diagnostics.error(DiagnosticCode::Syntax, 0, 0, {},
+            m_dimensions == 1
+                ? AXISCOMP_TEXT("Error", "DEFINE COMP for a table of one dimension")
+                : AXISCOMP_TEXT("Error", "DEFINE COMP for a table of two dimensions"));
     return std::move(m_definitions);
 }
 
@@ -313,23 +332,28 @@ NeutralTable tableOf(Definition& definition, const TextReading& reading, std::si
             axis.unit = "counts";
         column.unit = "counts";
         reading.diagnostics.warning(DiagnosticCode::UnitNotGiven, definition.place.line, 0,
-            "a table in counts", "the setting counts-per-unit, where a unit matters");
+            AXISCOMP_TEXT("Error", "a table in counts"),
+            AXISCOMP_TEXT("Error", "the setting {key}, where a unit matters")
+                .with("key", Verbatim{"counts-per-unit"}));
     }
     for (std::size_t n = 0; n < dimensions; ++n) {
         const std::size_t line = definition.place.line;
-        const std::string motor = "motor " + table.axes[n].name;
+        const Text motor =
+            AXISCOMP_TEXT("Error", "motor {number}").with("number", table.axes[n].name);
         static_cast<void>(
             checkKnots(table.axes[n].knots, std::span(&line, 1), motor, reading.diagnostics));
         if (!isClosed(table, n))
             reading.diagnostics.warning(DiagnosticCode::NotPeriodic, definition.place.line, 0,
-                "different entries at 0 and at the span of motor " + table.axes[n].name,
-                "the same: the table rolls over there");
+                AXISCOMP_TEXT("Error", "different entries at 0 and at the span of motor {motor}")
+                    .with("motor", table.axes[n].name),
+                AXISCOMP_TEXT("Error", "the same: the table rolls over there"));
     }
     const bool areFinite =
         std::ranges::all_of(column.values, [](double value) { return std::isfinite(value); });
     if (!areFinite)
         reading.diagnostics.error(DiagnosticCode::LimitExceeded, definition.place.line, 0,
-            "entries that are too large in these units", "another counts-per-unit");
+            AXISCOMP_TEXT("Error", "entries that are too large in these units"),
+            AXISCOMP_TEXT("Error", "another counts-per-unit"));
     return table;
 }
 
@@ -374,8 +398,12 @@ Result<void> checkCounts(const FormatFacts& facts, const FormatSettings& setting
         if (key.ends_with("counts-per-unit") && number && !(*number > 0.0))
             return fail(ErrorCode::InvalidArgument,
                 {{"reason",
-                    "the setting " + key + " of the format " + std::string(facts.name) + " is "
-                        + value + ", expected a number above 0"}});
+                    AXISCOMP_TEXT("Error",
+                        "the setting {key} of the format {format} is {value}, expected a number "
+                        "above 0")
+                        .with("key", key)
+                        .with("format", facts.name)
+                        .with("value", value)}});
     }
     return {};
 }

@@ -36,24 +36,29 @@ Result<Circle> circleOf(const FormatFacts& facts, const NeutralTable& table, std
     const double first = axis.knots.front() / distance;
     if (!(std::abs(first) < 1e9) || std::abs(first - std::round(first)) > 1e-6)
         return cannotHold(facts,
-            "position 0, where its tables begin, is no point of source " + std::to_string(n + 1),
-            "resample it with a point at 0");
+            AXISCOMP_TEXT(
+                "Error", "position 0, where its tables begin, is no point of source {number}")
+                .with("number", n + 1),
+            AXISCOMP_TEXT("Error", "resample it with a point at 0"));
     Circle circle{std::lround(first), axis.knots.size() - 1, 0};
     if (axis.wrap) {
         if (auto fits = checkOnePeriod(facts, table, n, allowance); !fits)
             return fail(fits.error());
     } else if (circle.first > 0 || circle.first + static_cast<long>(circle.size) < 0) {
         return cannotHold(facts,
-            "its tables begin at position 0, which source " + std::to_string(n + 1)
-                + " does not reach",
-            "resample it over a range with 0");
+            AXISCOMP_TEXT(
+                "Error", "its tables begin at position 0, which source {number} does not reach")
+                .with("number", n + 1),
+            AXISCOMP_TEXT("Error", "resample it over a range with 0"));
     } else if (!isClosed(table, n)) {
         ++circle.size; // one interval more leads from the last value to the first
     }
     const double span = static_cast<double>(circle.size) * distance * counts;
     if (!(span <= largestSpan) || !(span >= 0.5))
-        return cannotHold(facts, "a span of " + roundedText(span) + " counts",
-            "check counts-per-unit and the unit of the positions");
+        return cannotHold(facts,
+            AXISCOMP_TEXT("Error", "a span of {span} counts")
+                .with("span", Quantity{roundedText(span)}),
+            AXISCOMP_TEXT("Error", "check counts-per-unit and the unit of the positions"));
     circle.span = std::lround(span);
     return circle;
 }
@@ -76,16 +81,18 @@ Result<std::vector<double>> entriesOf(const FormatFacts& facts, const NeutralTab
         const double entry = numbers.inFile(values[i]);
         if (!(std::abs(entry) <= largestEntry))
             return cannotHold(facts,
-                "the value " + roundedText(values[i]) + " is beyond the 24 bits of an entry",
-                "check counts-per-unit and the unit of the values");
+                AXISCOMP_TEXT("Error", "the value {value} is beyond the 24 bits of an entry")
+                    .with("value", Quantity{roundedText(values[i])}),
+                AXISCOMP_TEXT("Error", "check counts-per-unit and the unit of the values"));
         const std::size_t row = circles.size() == 2 ? circles[1].place(i / width) : 0;
         entries[row * circles[0].size + circles[0].place(i % width)] = entry;
     }
     if (entries[0] != 0.0)
         return cannotHold(facts,
-            "its value at position 0 is " + roundedText(numbers.fromFile(entries[0]))
-                + ", and the controller takes it to be 0 there",
-            "subtract this value from all values");
+            AXISCOMP_TEXT("Error",
+                "its value at position 0 is {value}, and the controller takes it to be 0 there")
+                .with("value", Quantity{roundedText(numbers.fromFile(entries[0]))}),
+            AXISCOMP_TEXT("Error", "subtract this value from all values"));
     return entries;
 }
 
@@ -114,8 +121,9 @@ Result<std::vector<std::string>> motorsOf(const FormatFacts& facts, const Keys& 
         if (!motor)
             return fail(motor.error());
         if (*motor > 32)
-            return cannotHold(
-                facts, "there is no motor " + std::to_string(*motor), "choose one from 1 to 32");
+            return cannotHold(facts,
+                AXISCOMP_TEXT("Error", "there is no motor {number}").with("number", *motor),
+                AXISCOMP_TEXT("Error", "choose one from 1 to 32"));
         motors.push_back(std::to_string(*motor));
         return {};
     };
@@ -189,7 +197,8 @@ Result<WrittenTables> writeTable(const TableFormat& format, const Keys& keys,
     if (!held)
         return fail(held.error());
     written.held = std::move(*held);
-    written.remarks.push_back("switch the table on with I51=1; outside of its span it rolls over");
+    written.remarks.emplace_back(AXISCOMP_TEXT(
+        "Error", "switch the table on with I51=1; outside of its span it rolls over"));
     return written;
 }
 

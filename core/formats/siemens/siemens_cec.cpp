@@ -21,16 +21,18 @@ constexpr std::array<std::string_view, 3> extensions{".ini", ".mpf", ".spf"};
 constexpr std::array settings{siemens::rotaryAxes,
     FormatSetting{.key = "first-table",
         .kind = FormatSetting::Kind::WholeNumber,
-        .meaning = "index of the first table that is written",
+        .meaning = AXISCOMP_TEXT("Error", "index of the first table that is written"),
         .standard = "0",
         .forWriting = true},
     FormatSetting{.key = "input-axis",
         .kind = FormatSetting::Kind::Text,
-        .meaning = "name of the axis whose position counts, instead of the table's name for it",
+        .meaning = AXISCOMP_TEXT(
+            "Error", "name of the axis whose position counts, instead of the table's name for it"),
         .forWriting = true},
     FormatSetting{.key = "output-axis",
         .kind = FormatSetting::Kind::Text,
-        .meaning = "name of the axis that is compensated, instead of the table's name for it",
+        .meaning = AXISCOMP_TEXT(
+            "Error", "name of the axis that is compensated, instead of the table's name for it"),
         .forWriting = true}};
 
 constexpr std::array<std::string_view, 7> rules{
@@ -82,20 +84,22 @@ private:
 
 Entry* Collector::entryOf(const Token& index)
 {
-    const std::string expected = "the index of a table, 0 to " + std::to_string(mostTables - 1);
+    const Text expected = AXISCOMP_TEXT("Error", "the index of a table, 0 to {number}")
+                              .with("number", mostTables - 1);
     const auto number = readWholeNumber(index, expected, m_diagnostics);
     if (!number)
         return nullptr;
+    const Text label = AXISCOMP_TEXT("Error", "table {number}").with("number", *number);
     if (*number < 0 || *number >= mostTables) {
-        m_diagnostics.error(DiagnosticCode::LimitExceeded, index.line, index.column,
-            "table " + std::to_string(*number), expected);
+        m_diagnostics.error(
+            DiagnosticCode::LimitExceeded, index.line, index.column, label, expected);
         return nullptr;
     }
     Entry& entry = m_entries[*number];
     if (entry.curve.prefix.empty()) {
         entry.index = *number;
         entry.curve.prefix = prefix;
-        entry.curve.label = "table " + std::to_string(*number);
+        entry.curve.label = label;
     }
     return &entry;
 }
@@ -104,7 +108,8 @@ void Collector::takeAxis(std::string& axis, const siemens::Assignment& said)
 {
     if (!axis.empty())
         m_diagnostics.error(DiagnosticCode::Contradiction, said.name.line, said.name.column,
-            std::string(said.name.text) + " a second time", "each variable once");
+            AXISCOMP_TEXT("Error", "{what} a second time").with("what", said.name.text),
+            AXISCOMP_TEXT("Error", "each variable once"));
     axis = toUtf8(said.value.text, Encoding::Utf8);
 }
 
@@ -114,11 +119,14 @@ void Collector::takeOther(const Token& name)
         && sameLetters(name.text.substr(0, otherPrefix.size()), otherPrefix);
     if (isOther && !m_hasOther)
         m_diagnostics.warning(DiagnosticCode::Assumption, name.line, name.column,
-            "tables $AA_ENC_COMP besides $AN_CEC",
-            "the format siemens-eec to read them; they are left out here");
+            AXISCOMP_TEXT("Error", "tables {name} besides {other}")
+                .with("name", otherPrefix)
+                .with("other", prefix),
+            AXISCOMP_TEXT("Error", "the format {format} to read them; they are left out here")
+                .with("format", siemens_eec::format().facts.name));
     else if (!isOther)
         m_diagnostics.warning(DiagnosticCode::UnknownKey, name.line, name.column,
-            excerpt(name.text, Encoding::Utf8), "");
+            Verbatim{excerpt(name.text, Encoding::Utf8)}, {});
     m_hasOther = m_hasOther || isOther;
 }
 
@@ -138,8 +146,9 @@ void Collector::take(const siemens::Assignment& said)
     }
     if (said.arguments.size() != (isPoint ? 2U : 1U)) {
         m_diagnostics.error(DiagnosticCode::Syntax, said.name.line, said.name.column,
-            excerpt(name, Encoding::Utf8),
-            isPoint ? "two indices: [table,point]" : "one index: [table]");
+            Verbatim{excerpt(name, Encoding::Utf8)},
+            isPoint ? AXISCOMP_TEXT("Error", "two indices: [table,point]")
+                    : AXISCOMP_TEXT("Error", "one index: [table]"));
         return;
     }
     Entry* const entry = entryOf(said.arguments.front());
@@ -161,7 +170,7 @@ std::optional<Direction> directionOf(const siemens::Curve& curve, DiagnosticList
     if (value == 1.0 || value == -1.0)
         return value > 0.0 ? Direction::Positive : Direction::Negative;
     diagnostics.error(DiagnosticCode::LimitExceeded, curve.lines[siemens::Curve::Direction], 0,
-        "$AN_CEC_DIRECTION " + toText(value), "0, 1 or -1");
+        Verbatim{"$AN_CEC_DIRECTION " + toText(value)}, AXISCOMP_TEXT("Error", "0, 1 or -1"));
     return std::nullopt;
 }
 
@@ -171,19 +180,21 @@ std::optional<NeutralTable> tableOf(const Entry& entry, const TextReading& readi
     for (const auto& [axis, suffix] :
         {std::pair(&entry.input, inputSuffix), std::pair(&entry.output, outputSuffix)})
         if (axis->empty())
-            diagnostics.error(DiagnosticCode::Syntax, 0, 0, "",
-                "$AN_CEC" + std::string(suffix) + " of " + entry.curve.label
-                    + ", which is missing");
+            diagnostics.error(DiagnosticCode::Syntax, 0, 0, {},
+                AXISCOMP_TEXT("Error", "{variable} of {curve}, which is missing")
+                    .with("variable", std::string(prefix) + std::string(suffix))
+                    .with("curve", entry.curve.label));
     const auto direction = directionOf(entry.curve, diagnostics);
     auto sampled = siemens::sample(entry.curve, diagnostics);
     if (!direction || !sampled)
         return std::nullopt;
     if (entry.curve.value(siemens::Curve::MultBy) != 0.0)
         diagnostics.warning(DiagnosticCode::Assumption, entry.curve.lines[siemens::Curve::MultBy],
-            0, "a product with another table", "a table by itself; the product is left out");
+            0, AXISCOMP_TEXT("Error", "a product with another table"),
+            AXISCOMP_TEXT("Error", "a table by itself; the product is left out"));
     NeutralTable table;
     table.sign = SignConvention::Command;
-    table.name = entry.curve.label;
+    table.name = entry.curve.label.english();
     SourceAxis& axis = table.axes.emplace_back(std::move(sampled->axis));
     axis.name = entry.input;
     axis.unit = siemens::unitOf(reading.settings, axis.name, axis.wrap.has_value());
@@ -225,8 +236,9 @@ std::vector<NeutralTable> parse(TextReading& reading)
             reading, notes, [&](const siemens::Assignment& said) { collector.take(said); }))
         return {};
     if (collector.entries().empty())
-        reading.diagnostics.error(
-            DiagnosticCode::Syntax, 0, 0, "", "variables $AN_CEC, of which there are none");
+        reading.diagnostics.error(DiagnosticCode::Syntax, 0, 0, {},
+            AXISCOMP_TEXT("Error", "variables {name}, of which there are none")
+                .with("name", prefix));
     std::vector<NeutralTable> tables;
     for (const auto& [index, entry] : collector.entries())
         if (auto table = tableOf(entry, reading))
@@ -308,14 +320,18 @@ Result<void> Writer::add(const NeutralTable& source)
     m_written.bytes += noteLines(*table, "; ");
     for (const CompensationColumn& column : table->columns) {
         if (m_index < 0 || m_index >= mostTables)
-            return cannotHold(facts, "there is no table " + std::to_string(m_index),
-                "choose fewer tables, or another first-table");
+            return cannotHold(facts,
+                AXISCOMP_TEXT("Error", "there is no table {number}").with("number", m_index),
+                AXISCOMP_TEXT("Error", "choose fewer tables, or another first-table"));
         const std::string index = std::to_string(m_index++);
         m_written.bytes += columnLines(*table, column, index, *input, *output);
-        m_written.remarks.push_back("table " + index + " needs $MN_MM_CEC_MAX_POINTS[" + index
-            + "] (MD18342) of at least " + std::to_string(column.values.size())
-            + "; switch it on with $SN_CEC_TABLE_ENABLE[" + index
-            + "] (SD41300) 1 and $MA_CEC_ENABLE (MD32710) 1 of axis " + *output);
+        m_written.remarks.push_back(AXISCOMP_TEXT("Error",
+            "table {index} needs $MN_MM_CEC_MAX_POINTS[{index}] (MD18342) of at least {count}; "
+            "switch it on with $SN_CEC_TABLE_ENABLE[{index}] (SD41300) 1 and $MA_CEC_ENABLE "
+            "(MD32710) 1 of axis {axis}")
+                                        .with("index", index)
+                                        .with("count", column.values.size())
+                                        .with("axis", *output));
     }
     return {};
 }
@@ -349,25 +365,26 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
 
 const TableFormat& format()
 {
-    static const TableFormat format{.facts = {.name = "siemens-cec",
-                                        .controller = "Siemens SINUMERIK",
-                                        .description = "sag and angularity compensation ($AN_CEC)",
-                                        .extensions = extensions,
-                                        .knots = KnotRule::Even,
-                                        .mostTables = 0,
-                                        .holdsNames = true,
-                                        .holdsUnits = true,
-                                        .holdsNotes = true,
-                                        .holdsDirections = true,
-                                        .holdsWrap = true,
-                                        .numbers = "decimal text",
-                                        .sign = SignConvention::Command,
-                                        .signEvidence = Evidence::Assumed,
-                                        .behaviour = {.outside = Outside::Hold},
-                                        .outsideEvidence = Evidence::Published,
-                                        .settings = settings,
-                                        .rules = rules,
-                                        .assumptions = assumptions},
+    static const TableFormat format{
+        .facts = {.name = "siemens-cec",
+            .controller = "Siemens SINUMERIK",
+            .description = AXISCOMP_TEXT("Error", "sag and angularity compensation ($AN_CEC)"),
+            .extensions = extensions,
+            .knots = KnotRule::Even,
+            .mostTables = 0,
+            .holdsNames = true,
+            .holdsUnits = true,
+            .holdsNotes = true,
+            .holdsDirections = true,
+            .holdsWrap = true,
+            .numbers = "decimal text",
+            .sign = SignConvention::Command,
+            .signEvidence = Evidence::Assumed,
+            .behaviour = {.outside = Outside::Hold},
+            .outsideEvidence = Evidence::Published,
+            .settings = settings,
+            .rules = rules,
+            .assumptions = assumptions},
         .recognise = recognise,
         .read = read,
         .write = write};

@@ -18,11 +18,12 @@ constexpr std::array<std::string_view, 3> extensions{".ini", ".mpf", ".spf"};
 constexpr std::array settings{siemens::rotaryAxes,
     FormatSetting{.key = "axis",
         .kind = FormatSetting::Kind::Text,
-        .meaning = "name of the machine axis, such as X1, instead of the table's name for it",
+        .meaning = AXISCOMP_TEXT(
+            "Error", "name of the machine axis, such as X1, instead of the table's name for it"),
         .forWriting = true},
     FormatSetting{.key = "encoder",
         .kind = FormatSetting::Kind::Choice,
-        .meaning = "measuring system of the axis",
+        .meaning = AXISCOMP_TEXT("Error", "measuring system of the axis"),
         .choices = "0, 1",
         .standard = "0",
         .forWriting = true}};
@@ -72,7 +73,8 @@ private:
 
 siemens::Curve* Collector::curveOf(const Token& encoder, const Token& axis)
 {
-    const auto number = readWholeNumber(encoder, "the measuring system, 0 or 1", m_diagnostics);
+    const auto number = readWholeNumber(
+        encoder, AXISCOMP_TEXT("Error", "the measuring system, 0 or 1"), m_diagnostics);
     if (!number)
         return nullptr;
     const auto isIt = [&](const Entry& entry) {
@@ -87,14 +89,17 @@ siemens::Curve* Collector::curveOf(const Token& encoder, const Token& axis)
         return &found->curve;
     if (*number < 0 || *number > 1 || !axis || m_entries.size() == mostTables) {
         m_diagnostics.error(DiagnosticCode::LimitExceeded, encoder.line, encoder.column,
-            "measuring system " + std::to_string(*number) + " of axis "
-                + excerpt(axis.text, Encoding::Utf8),
-            "0 or 1, and the name of an axis, at most " + std::to_string(mostTables) + " of them");
+            AXISCOMP_TEXT("Error", "measuring system {number} of axis {axis}")
+                .with("number", *number)
+                .with("axis", Verbatim{excerpt(axis.text, Encoding::Utf8)}),
+            AXISCOMP_TEXT("Error", "0 or 1, and the name of an axis, at most {number} of them")
+                .with("number", mostTables));
         return nullptr;
     }
     Entry entry{{*number, std::string(axis.text)}, {}};
-    entry.curve.label =
-        "axis " + toUtf8(axis.text, Encoding::Utf8) + ", encoder " + std::to_string(*number);
+    entry.curve.label = AXISCOMP_TEXT("Error", "axis {axis}, encoder {number}")
+                            .with("axis", toUtf8(axis.text, Encoding::Utf8))
+                            .with("number", *number);
     entry.curve.prefix = prefix;
     m_entries.push_back(std::move(entry));
     return &m_entries.back().curve;
@@ -113,19 +118,23 @@ void Collector::take(const siemens::Assignment& said)
             && sameLetters(name.substr(0, otherPrefix.size()), otherPrefix);
         if (isOther && !m_hasOther)
             m_diagnostics.warning(DiagnosticCode::Assumption, said.name.line, said.name.column,
-                "tables $AN_CEC besides $AA_ENC_COMP",
-                "the format siemens-cec to read them; they are left out here");
+                AXISCOMP_TEXT("Error", "tables {name} besides {other}")
+                    .with("name", otherPrefix)
+                    .with("other", prefix),
+                AXISCOMP_TEXT("Error", "the format {format} to read them; they are left out here")
+                    .with("format", siemens_cec::format().facts.name));
         else if (!isOther)
             m_diagnostics.warning(DiagnosticCode::UnknownKey, said.name.line, said.name.column,
-                excerpt(name, Encoding::Utf8), "");
+                Verbatim{excerpt(name, Encoding::Utf8)}, {});
         m_hasOther = m_hasOther || isOther;
         return;
     }
     const std::size_t wanted = isPoint ? 3 : 2;
     if (said.arguments.size() != wanted) {
         m_diagnostics.error(DiagnosticCode::Syntax, said.name.line, said.name.column,
-            excerpt(name, Encoding::Utf8),
-            isPoint ? "three indices: [encoder,point,axis]" : "two indices: [encoder,axis]");
+            Verbatim{excerpt(name, Encoding::Utf8)},
+            isPoint ? AXISCOMP_TEXT("Error", "three indices: [encoder,point,axis]")
+                    : AXISCOMP_TEXT("Error", "two indices: [encoder,axis]"));
         return;
     }
     siemens::Curve* const curve = curveOf(said.arguments.front(), said.arguments.back());
@@ -143,8 +152,9 @@ std::vector<NeutralTable> parse(TextReading& reading)
             reading, notes, [&](const siemens::Assignment& said) { collector.take(said); }))
         return {};
     if (collector.entries().empty())
-        reading.diagnostics.error(
-            DiagnosticCode::Syntax, 0, 0, "", "variables $AA_ENC_COMP, of which there are none");
+        reading.diagnostics.error(DiagnosticCode::Syntax, 0, 0, {},
+            AXISCOMP_TEXT("Error", "variables {name}, of which there are none")
+                .with("name", prefix));
     std::vector<NeutralTable> tables;
     for (const Entry& entry : collector.entries()) {
         auto sampled = siemens::sample(entry.curve, reading.diagnostics);
@@ -179,22 +189,26 @@ Recognition recognise(std::string_view text)
 
 /// The lines of one table; axis: its name in the program.
 Result<std::string> tableLines(const NeutralTable& source, const std::string& axis,
-    const std::string& encoder, std::vector<std::string>& remarks, std::string& rotary)
+    const std::string& encoder, std::vector<Text>& remarks, std::string& rotary)
 {
     const FormatFacts& facts = siemens_eec::format().facts;
     const CompensationColumn& first = source.columns.front();
     if (!ownAxis(source, first))
         return cannotHold(facts,
-            "it compensates " + first.target + " by the position of " + source.axes.front().name,
-            "write it as siemens-cec");
+            AXISCOMP_TEXT("Error", "it compensates {target} by the position of {axis}")
+                .with("target", first.target)
+                .with("axis", source.axes.front().name),
+            AXISCOMP_TEXT("Error", "write it as {format}")
+                .with("format", siemens_cec::format().facts.name));
     const auto table = inUnits(source, "mm", "deg", remarks);
     if (!table)
         return fail(table.error());
     if (auto fits = siemens::checkModulo(facts, *table); !fits)
         return fail(fits.error());
     if (table->axes[0].unit != table->columns[0].unit)
-        return cannotHold(facts, "its positions and values are not both lengths or both angles",
-            "check the units of the table");
+        return cannotHold(facts,
+            AXISCOMP_TEXT("Error", "its positions and values are not both lengths or both angles"),
+            AXISCOMP_TEXT("Error", "check the units of the table"));
     if (table->axes[0].unit == "deg")
         rotary += (rotary.empty() ? "" : ",") + axis;
     std::string text = noteLines(*table, "; ");
@@ -204,9 +218,11 @@ Result<std::string> tableLines(const NeutralTable& source, const std::string& ax
             .append("[" + encoder + ',' + std::to_string(i) + ',' + axis + "]=")
             .append(plainNumber(values[i]) + '\n');
     text += siemens::gridLines(table->axes[0], prefix, encoder + ',' + axis);
-    remarks.push_back("axis " + axis + " needs $MA_MM_ENC_COMP_MAX_POINTS (MD38000) of at least "
-        + std::to_string(values.size()) + "; load the file with $MA_ENC_COMP_ENABLE (MD32700) 0, "
-        + "then set it to 1");
+    remarks.push_back(AXISCOMP_TEXT("Error",
+        "axis {axis} needs $MA_MM_ENC_COMP_MAX_POINTS (MD38000) of at least {count}; load the file "
+        "with $MA_ENC_COMP_ENABLE (MD32700) 0, then set it to 1")
+                          .with("axis", axis)
+                          .with("count", values.size()));
     return text;
 }
 
@@ -225,8 +241,9 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
         if (!axis)
             return fail(axis.error());
         if (!axes.insert(*axis).second)
-            return cannotHold(
-                format.facts, "there are two tables for axis " + *axis, "choose one of them");
+            return cannotHold(format.facts,
+                AXISCOMP_TEXT("Error", "there are two tables for axis {axis}").with("axis", *axis),
+                AXISCOMP_TEXT("Error", "choose one of them"));
         auto text = tableLines(table, *axis, given->text("encoder"), written.remarks, rotary);
         if (!text)
             return fail(text.error());
@@ -250,7 +267,8 @@ const TableFormat& format()
     static const TableFormat format{
         .facts = {.name = "siemens-eec",
             .controller = "Siemens SINUMERIK",
-            .description = "encoder and leadscrew error compensation ($AA_ENC_COMP)",
+            .description =
+                AXISCOMP_TEXT("Error", "encoder and leadscrew error compensation ($AA_ENC_COMP)"),
             .extensions = extensions,
             .knots = KnotRule::Even,
             .mostTables = 0,

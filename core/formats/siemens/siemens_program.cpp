@@ -11,9 +11,21 @@ namespace axiscomp::siemens {
 
 namespace {
 
-std::string quoted(std::string_view text)
+Verbatim quoted(std::string_view text)
 {
-    return excerpt(text, Encoding::Utf8);
+    return {excerpt(text, Encoding::Utf8)};
+}
+
+/// "$AN_CEC_STEP"
+std::string nameOf(const Curve& curve, Curve::Variable variable)
+{
+    return curve.prefix + std::string(variableNames[variable]);
+}
+
+/// Of a curve.
+Text about(const Curve& curve, const TextPattern& pattern)
+{
+    return pattern.with("curve", curve.label);
 }
 
 bool isNameCharacter(char c)
@@ -53,7 +65,7 @@ Token bare(Token value)
 /// False: not of this form; the problem is reported.
 bool readAssignment(const Token& line, Assignment& said, DiagnosticList& diagnostics)
 {
-    const auto refuse = [&](std::size_t at, std::string expected) {
+    const auto refuse = [&](std::size_t at, Text expected) {
         const Token found = rest(line, at);
         diagnostics.error(DiagnosticCode::Syntax, found.line, found.column, quoted(found.text),
             std::move(expected));
@@ -65,20 +77,21 @@ bool readAssignment(const Token& line, Assignment& said, DiagnosticList& diagnos
     said.name = {line.text.substr(0, i), line.line, line.column};
     const Token behindName = rest(line, i);
     if (!behindName.text.starts_with('['))
-        return refuse(i, "an index in [ ] behind the name");
+        return refuse(i, AXISCOMP_TEXT("Error", "an index in [ ] behind the name"));
     const std::size_t close = behindName.text.find(']');
     if (close == std::string_view::npos)
-        return refuse(i, "an index that ends in ]");
+        return refuse(i, AXISCOMP_TEXT("Error", "an index that ends in ]"));
     splitCells({behindName.text.substr(1, close - 1), line.line, behindName.column + 1}, ',',
         said.arguments);
     for (Token& argument : said.arguments)
         argument = bare(argument);
     const Token behindIndex = rest(behindName, close + 1);
     if (!behindIndex.text.starts_with('='))
-        return refuse(behindIndex.column - line.column, "= and a value behind the index");
+        return refuse(behindIndex.column - line.column,
+            AXISCOMP_TEXT("Error", "= and a value behind the index"));
     said.value = bare(rest(behindIndex, 1));
     if (!said.value)
-        return refuse(line.text.size(), "a value behind =");
+        return refuse(line.text.size(), AXISCOMP_TEXT("Error", "a value behind ="));
     return true;
 }
 
@@ -116,7 +129,8 @@ bool readProgram(const TextReading& reading, std::vector<std::string>& notes,
             hasEnded = false; // an archive may hold several programs
         } else if (hasEnded) {
             reading.diagnostics.error(DiagnosticCode::Syntax, line.line, line.column,
-                quoted(line.text), "nothing behind the end of the program, M17");
+                quoted(line.text),
+                AXISCOMP_TEXT("Error", "nothing behind the end of the program, M17"));
             return true;
         } else if (line.text.front() == '$') {
             if (readAssignment(line, said, reading.diagnostics))
@@ -125,7 +139,8 @@ bool readProgram(const TextReading& reading, std::vector<std::string>& notes,
             hasEnded = true;
         } else {
             reading.diagnostics.error(DiagnosticCode::Syntax, line.line, line.column,
-                quoted(line.text), "an assignment such as $NAME[0,1]=0.5, CHANDATA(1) or M17");
+                quoted(line.text),
+                AXISCOMP_TEXT("Error", "an assignment such as $NAME[0,1]=0.5, CHANDATA(1) or M17"));
         }
     }
     return true;
@@ -161,11 +176,13 @@ Curve::Variable variableOf(std::string_view suffix)
 void setVariable(
     Curve& curve, Curve::Variable variable, const Assignment& said, DiagnosticList& diagnostics)
 {
-    const auto number = readNumber(said.value, "a number", diagnostics);
+    const auto number = readNumber(said.value, AXISCOMP_TEXT("Error", "a number"), diagnostics);
     if (curve.variables[variable]) {
         diagnostics.error(DiagnosticCode::Contradiction, said.name.line, said.name.column,
-            std::string(said.name.text) + " of " + curve.label + " a second time",
-            "each variable once; the first is in line " + std::to_string(curve.lines[variable]));
+            about(curve, AXISCOMP_TEXT("Error", "{variable} of {curve} a second time"))
+                .with("variable", said.name.text),
+            AXISCOMP_TEXT("Error", "each variable once; the first is in line {line}")
+                .with("line", curve.lines[variable]));
         return;
     }
     curve.variables[variable] = number.value_or(0.0);
@@ -174,11 +191,13 @@ void setVariable(
 
 void addPoint(Curve& curve, const Token& index, const Token& value, DiagnosticList& diagnostics)
 {
-    const auto n = readWholeNumber(index, "the number of a point, from 0", diagnostics);
-    const auto number = readNumber(value, "a compensation value", diagnostics);
+    constexpr TextPattern pointNumber = AXISCOMP_TEXT("Error", "the number of a point, from 0");
+    const auto n = readWholeNumber(index, pointNumber, diagnostics);
+    const auto number =
+        readNumber(value, AXISCOMP_TEXT("Error", "a compensation value"), diagnostics);
     if (n && *n < 0)
-        diagnostics.error(DiagnosticCode::Syntax, index.line, index.column, quoted(index.text),
-            "the number of a point, from 0");
+        diagnostics.error(
+            DiagnosticCode::Syntax, index.line, index.column, quoted(index.text), pointNumber);
     else if (n)
         curve.points.push_back({*n, number.value_or(0.0), index.line, index.column});
 }
@@ -193,9 +212,9 @@ std::optional<std::size_t> pointCount(const Curve& curve, DiagnosticList& diagno
         if (curve.variables[variable])
             continue;
         isComplete = false;
-        diagnostics.error(DiagnosticCode::Syntax, 0, 0, "",
-            curve.prefix + std::string(variableNames[variable]) + " of " + curve.label
-                + ", which is missing");
+        diagnostics.error(DiagnosticCode::Syntax, 0, 0, {},
+            about(curve, AXISCOMP_TEXT("Error", "{variable} of {curve}, which is missing"))
+                .with("variable", nameOf(curve, variable)));
     }
     if (!isComplete)
         return std::nullopt;
@@ -203,16 +222,19 @@ std::optional<std::size_t> pointCount(const Curve& curve, DiagnosticList& diagno
     const double max = curve.value(Curve::Max);
     const double step = curve.value(Curve::Step);
     const double last = (max - min) / step;
-    const std::string found = "MIN " + toText(min) + ", MAX " + toText(max) + " and STEP "
-        + toText(step) + " of " + curve.label;
+    const Text found =
+        about(curve, AXISCOMP_TEXT("Error", "MIN {min}, MAX {max} and STEP {step} of {curve}"))
+            .with("min", Quantity{toText(min)})
+            .with("max", Quantity{toText(max)})
+            .with("step", Quantity{toText(step)});
     if (!(step > 0.0) || !(max > min) || !(last < 1e9)) {
         diagnostics.error(DiagnosticCode::LimitExceeded, curve.lines[Curve::Step], 0, found,
-            "a STEP above 0 and a MAX above MIN");
+            AXISCOMP_TEXT("Error", "a STEP above 0 and a MAX above MIN"));
         return std::nullopt;
     }
     if (std::abs(last - std::round(last)) > 1e-9 + 1e-6 * last || last < 0.5) {
         diagnostics.error(DiagnosticCode::Contradiction, curve.lines[Curve::Max], 0, found,
-            "a whole number of steps from MIN to MAX");
+            AXISCOMP_TEXT("Error", "a whole number of steps from MIN to MAX"));
         return std::nullopt;
     }
     return static_cast<std::size_t>(std::llround(last)) + 1;
@@ -232,13 +254,16 @@ std::optional<std::vector<double>> pointValues(
         if (n >= count) {
             isGood = false;
             diagnostics.error(DiagnosticCode::Contradiction, point.line, point.column,
-                "point " + std::to_string(point.index) + " of " + curve.label,
-                "points up to " + std::to_string(count - 1) + ", which MIN, MAX and STEP give");
+                about(curve, AXISCOMP_TEXT("Error", "point {number} of {curve}"))
+                    .with("number", point.index),
+                AXISCOMP_TEXT("Error", "points up to {number}, which MIN, MAX and STEP give")
+                    .with("number", count - 1));
         } else if (n < seenSize && seen[n]) {
             isGood = false;
             diagnostics.error(DiagnosticCode::DuplicatePoint, point.line, point.column,
-                "point " + std::to_string(point.index) + " of " + curve.label + " a second time",
-                "each point once");
+                about(curve, AXISCOMP_TEXT("Error", "point {number} of {curve} a second time"))
+                    .with("number", point.index),
+                AXISCOMP_TEXT("Error", "each point once"));
         } else if (n < seenSize) {
             seen[n] = true;
             values[n] = point.value;
@@ -247,9 +272,12 @@ std::optional<std::vector<double>> pointValues(
     const auto hole = std::ranges::find(seen, false);
     if (hole != seen.end()) {
         diagnostics.error(DiagnosticCode::MissingPoint, 0, 0,
-            "no point " + std::to_string(hole - seen.begin()) + " of " + curve.label,
-            std::to_string(count) + " points, which MIN, MAX and STEP give; there are "
-                + std::to_string(curve.points.size()));
+            about(curve, AXISCOMP_TEXT("Error", "no point {number} of {curve}"))
+                .with("number", hole - seen.begin()),
+            AXISCOMP_TEXT(
+                "Error", "{number} points, which MIN, MAX and STEP give; there are {number2}")
+                .with("number", count)
+                .with("number2", curve.points.size()));
         return std::nullopt;
     }
     return isGood ? std::optional(std::move(values)) : std::nullopt;
@@ -257,15 +285,16 @@ std::optional<std::vector<double>> pointValues(
 
 std::optional<bool> isModulo(const Curve& curve, DiagnosticList& diagnostics)
 {
-    const std::string name = curve.prefix + std::string(variableNames[Curve::IsModulo]);
+    const std::string name = nameOf(curve, Curve::IsModulo);
     if (!curve.variables[Curve::IsModulo])
-        diagnostics.warning(DiagnosticCode::Assumption, 0, 0, "no " + name + " of " + curve.label,
-            "0 or 1; 0 is assumed");
+        diagnostics.warning(DiagnosticCode::Assumption, 0, 0,
+            about(curve, AXISCOMP_TEXT("Error", "no {variable} of {curve}")).with("variable", name),
+            AXISCOMP_TEXT("Error", "0 or 1; 0 is assumed"));
     const double value = curve.value(Curve::IsModulo);
     if (value == 0.0 || value == 1.0)
         return value == 1.0;
     diagnostics.error(DiagnosticCode::LimitExceeded, curve.lines[Curve::IsModulo], 0,
-        name + ' ' + toText(value), "0 or 1");
+        Verbatim{name + ' ' + toText(value)}, AXISCOMP_TEXT("Error", "0 or 1"));
     return std::nullopt;
 }
 
@@ -289,8 +318,10 @@ std::optional<Sampled> sample(const Curve& curve, DiagnosticList& diagnostics)
         sampled.axis.wrap = curve.value(Curve::Max) - min;
         if (sampled.values.front() != sampled.values.back())
             diagnostics.warning(DiagnosticCode::NotPeriodic, curve.lines[Curve::IsModulo], 0,
-                toText(sampled.values.back()) + " at MAX of " + curve.label,
-                toText(sampled.values.front()) + ", as at MIN, which follows it");
+                about(curve, AXISCOMP_TEXT("Error", "{number} at MAX of {curve}"))
+                    .with("number", Quantity{toText(sampled.values.back())}),
+                AXISCOMP_TEXT("Error", "{number}, as at MIN, which follows it")
+                    .with("number", Quantity{toText(sampled.values.front())}));
     }
     if (!checkKnots(sampled.axis.knots, {}, curve.label, diagnostics))
         return std::nullopt;
@@ -317,8 +348,12 @@ Result<std::string> axisName(const FormatFacts& facts, const SettingValues& sett
         return wanted;
     return fail(ErrorCode::InvalidArgument,
         {{"reason",
-            '"' + wanted + "\" is no axis name for the format " + std::string(facts.name)
-                + ", such as X1; give the setting " + std::string(key)}});
+            AXISCOMP_TEXT("Error",
+                "\"{axis}\" is no axis name for the format {format}, such as X1; give the setting "
+                "{key}")
+                .with("axis", wanted)
+                .with("format", facts.name)
+                .with("key", key)}});
 }
 
 std::string gridLines(const SourceAxis& axis, std::string_view prefix, std::string_view subject)
@@ -344,7 +379,8 @@ Result<void> checkModulo(const FormatFacts& facts, const NeutralTable& table)
     if (!table.axes.front().wrap)
         return {};
     if (table.axes.front().unit != "deg")
-        return cannotHold(facts, "its modulo axis is not rotary", "leave the modulo out");
+        return cannotHold(facts, AXISCOMP_TEXT("Error", "its modulo axis is not rotary"),
+            AXISCOMP_TEXT("Error", "leave the modulo out"));
     return checkOnePeriod(facts, table, 0, 0.0);
 }
 

@@ -32,7 +32,7 @@ struct Assignment {
 struct Curve {
     enum Variable { Step, Min, Max, IsModulo, Direction, MultBy, variableCount };
 
-    std::string label; ///< for problems: "axis X1"
+    Text label; ///< for problems: "axis X1, encoder 0"
     std::string prefix; ///< of its variables: "$AA_ENC_COMP"
     std::array<std::optional<double>, variableCount> variables = {};
     std::array<std::size_t, variableCount> lines = {};
@@ -69,8 +69,9 @@ struct Sampled {
 /// The axes that are said to be rotary, in degrees.
 inline constexpr FormatSetting rotaryAxes{.key = "rotary-axes",
     .kind = FormatSetting::Kind::Text,
-    .meaning = "names of the axes in degrees, such as C,B; all others are in mm, and modulo axes "
-               "in degrees anyway",
+    .meaning = AXISCOMP_TEXT("Error",
+        "names of the axes in degrees, such as C,B; all others are in mm, and modulo axes "
+        "in degrees anyway"),
     .forReading = true};
 /// "deg" or "mm".
 [[nodiscard]] std::string unitOf(

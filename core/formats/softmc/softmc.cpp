@@ -37,41 +37,48 @@ struct Shape {
     std::size_t rows = 0;
 };
 
+/// "3 x 4"
 std::string sizesText(const Shape& shape)
 {
     std::string text;
     for (const std::size_t size : shape.sizes)
         text += (text.empty() ? "" : " x ") + std::to_string(size);
-    return text + " = " + std::to_string(shape.rows) + " rows";
+    return text;
 }
 
 std::optional<Shape> readShape(const std::vector<Token>& tokens, DiagnosticList& diagnostics)
 {
     const Token& first = tokens.front();
-    const auto count = readWholeNumber(first, "the number of source axes, 1 to 3", diagnostics);
+    const auto count = readWholeNumber(
+        first, AXISCOMP_TEXT("Error", "the number of source axes, 1 to 3"), diagnostics);
     if (!count)
         return std::nullopt;
     if (*count < 1 || *count > static_cast<long>(mostSources)) {
         diagnostics.error(DiagnosticCode::LimitExceeded, first.line, first.column,
-            std::to_string(*count) + " source axes", "1 to 3");
+            AXISCOMP_COUNTED("Error", "{count} source axes", "1 source axis").with("count", *count),
+            AXISCOMP_TEXT("Error", "{number} to {number2}")
+                .with("number", 1)
+                .with("number2", mostSources));
         return std::nullopt;
     }
     if (tokens.size() != static_cast<std::size_t>(*count) + 1) {
         diagnostics.error(DiagnosticCode::ColumnCount, first.line, 0,
-            std::to_string(tokens.size() - 1) + " sizes",
-            std::to_string(*count) + ", one for each source axis");
+            AXISCOMP_COUNTED("Error", "{count} sizes", "1 size").with("count", tokens.size() - 1),
+            AXISCOMP_TEXT("Error", "{number}, one for each source axis").with("number", *count));
         return std::nullopt;
     }
     Shape shape{{}, 1};
     for (std::size_t n = 1; n < tokens.size(); ++n) {
         const Token& token = tokens[n];
-        const auto size = readWholeNumber(token, "the number of points of a source", diagnostics);
+        const auto size = readWholeNumber(
+            token, AXISCOMP_TEXT("Error", "the number of points of a source"), diagnostics);
         if (!size)
             return std::nullopt;
         if (*size < 2 || static_cast<std::size_t>(*size) > mostRows / shape.rows) {
             diagnostics.error(DiagnosticCode::LimitExceeded, token.line, token.column,
-                std::to_string(*size) + " points",
-                "at least 2, and at most " + std::to_string(mostRows) + " rows in all");
+                AXISCOMP_COUNTED("Error", "{count} points", "1 point").with("count", *size),
+                AXISCOMP_TEXT("Error", "at least 2, and at most {number} rows in all")
+                    .with("number", mostRows));
             return std::nullopt;
         }
         shape.sizes.push_back(static_cast<std::size_t>(*size));
@@ -92,28 +99,35 @@ struct Rows {
     }
 };
 
+Text numbersText(const std::vector<Token>& tokens)
+{
+    return AXISCOMP_COUNTED("Error", "{count} numbers", "1 number").with("count", tokens.size());
+}
+
 /// False: the rest cannot be understood.
 bool takeRow(
     const std::vector<Token>& tokens, std::size_t sources, Rows& rows, DiagnosticList& diagnostics)
 {
     const std::size_t line = tokens.front().line;
     if (rows.width == 0 && tokens.size() <= sources) {
-        diagnostics.error(DiagnosticCode::TooFewColumns, line, 0,
-            std::to_string(tokens.size()) + " numbers",
-            std::to_string(sources) + " positions and at least one correction");
+        diagnostics.error(DiagnosticCode::TooFewColumns, line, 0, numbersText(tokens),
+            AXISCOMP_COUNTED("Error", "{count} positions and at least one correction",
+                "1 position and at least one correction")
+                .with("count", sources));
         return false;
     }
     if (rows.width == 0)
         rows.width = tokens.size();
     if (tokens.size() != rows.width) {
-        diagnostics.error(DiagnosticCode::ColumnCount, line, 0,
-            std::to_string(tokens.size()) + " numbers",
-            std::to_string(rows.width) + ", as in the first row");
+        diagnostics.error(DiagnosticCode::ColumnCount, line, 0, numbersText(tokens),
+            AXISCOMP_TEXT("Error", "{number}, as in the first row").with("number", rows.width));
         return false;
     }
     for (std::size_t i = 0; i < tokens.size(); ++i) {
-        const auto number =
-            readNumber(tokens[i], i < sources ? "a source position" : "a correction", diagnostics);
+        const auto number = readNumber(tokens[i],
+            i < sources ? AXISCOMP_TEXT("Error", "a source position")
+                        : AXISCOMP_TEXT("Error", "a correction"),
+            diagnostics);
         rows.numbers.push_back(number.value_or(0.0));
     }
     rows.lines.push_back(line);
@@ -137,8 +151,11 @@ std::vector<double> knotsOf(
         if (std::abs(found - expected) <= allowance)
             continue;
         diagnostics.error(DiagnosticCode::Contradiction, rows.lines[row], source + 1,
-            toText(found) + " for source " + std::to_string(source + 1),
-            toText(expected) + ": the first source changes fastest");
+            AXISCOMP_TEXT("Error", "{number} for source {number2}")
+                .with("number", Quantity{toText(found)})
+                .with("number2", source + 1),
+            AXISCOMP_TEXT("Error", "{number}: the first source changes fastest")
+                .with("number", Quantity{toText(expected)}));
         break;
     }
     return knots;
@@ -149,9 +166,11 @@ void checkEven(const SourceAxis& axis, DiagnosticList& diagnostics)
     if (isEven(axis))
         return;
     diagnostics.error(DiagnosticCode::UnevenSpacing, 0, 0,
-        "positions of source " + axis.name + " from " + toText(axis.knots.front()) + " to "
-            + toText(axis.knots.back()),
-        "equal distances");
+        AXISCOMP_TEXT("Error", "positions of source {axis} from {first} to {last}")
+            .with("axis", axis.name)
+            .with("first", Quantity{toText(axis.knots.front())})
+            .with("last", Quantity{toText(axis.knots.back())}),
+        AXISCOMP_TEXT("Error", "equal distances"));
 }
 
 NeutralTable tableOf(const Rows& rows, const Shape& shape, DiagnosticList& diagnostics)
@@ -163,7 +182,8 @@ NeutralTable tableOf(const Rows& rows, const Shape& shape, DiagnosticList& diagn
         SourceAxis axis;
         axis.name = std::to_string(n + 1);
         axis.knots = knotsOf(rows, shape, n, diagnostics);
-        if (checkKnots(axis.knots, {}, "source " + axis.name, diagnostics))
+        const Text name = AXISCOMP_TEXT("Error", "source {number}").with("number", n + 1);
+        if (checkKnots(axis.knots, {}, name, diagnostics))
             checkEven(axis, diagnostics);
         table.axes.push_back(std::move(axis));
     }
@@ -202,9 +222,11 @@ std::vector<NeutralTable> parse(TextReading& reading)
     }
     if (rows.lines.size() != shape->rows) {
         diagnostics.error(DiagnosticCode::Contradiction, 1, 0,
-            "a header of " + sizesText(*shape) + ", and " + std::to_string(rows.lines.size())
-                + " rows",
-            "as many rows as the header says");
+            AXISCOMP_TEXT("Error", "a header of {sizes} = {number} rows, and {number2} rows")
+                .with("sizes", sizesText(*shape))
+                .with("number", shape->rows)
+                .with("number2", rows.lines.size()),
+            AXISCOMP_TEXT("Error", "as many rows as the header says"));
         return {};
     }
     NeutralTable table = tableOf(rows, *shape, diagnostics);
@@ -285,7 +307,7 @@ const TableFormat& format()
     static const TableFormat format{
         .facts = {.name = "softmc",
             .controller = "softMC (Danaher, Servotronix, Kollmorgen)",
-            .description = "text table of positions and corrections",
+            .description = AXISCOMP_TEXT("Error", "text table of positions and corrections"),
             .extensions = extensions,
             .mostDimensions = mostSources,
             .knots = KnotRule::Even,

@@ -15,7 +15,7 @@ constexpr std::array<std::string_view, 2> extensions{".prg", ".lib"};
 constexpr std::array settings{
     FormatSetting{.key = "name",
         .kind = FormatSetting::Kind::Text,
-        .meaning = "name of the compensation table in the MC-BASIC program",
+        .meaning = AXISCOMP_TEXT("Error", "name of the compensation table in the MC-BASIC program"),
         .standard = "Comp1",
         .forWriting = true},
 };
@@ -50,12 +50,13 @@ std::string assignment(const std::string& array, std::size_t axis, std::size_t p
         + "] = " + toText(value) + '\n';
 }
 
+/// "3 x 4"
 std::string shapeText(const NeutralTable& table)
 {
     std::string text;
     for (const SourceAxis& axis : table.axes)
         text += (text.empty() ? "" : " x ") + std::to_string(axis.knots.size());
-    return text + (table.axes.size() == 1 ? " points" : " points, the first source fastest");
+    return text;
 }
 
 Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWriteOptions& options)
@@ -67,14 +68,18 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
     if (!isBasicName(name))
         return fail(ErrorCode::InvalidArgument,
             {{"reason",
-                "the setting name is \"" + name
-                    + "\", expected letters, digits and _, beginning with a letter"}});
+                AXISCOMP_TEXT("Error",
+                    "the setting name is \"{name}\", expected letters, digits and _, beginning "
+                    "with a letter")
+                    .with("name", name)}});
     WrittenTables written;
     auto table = inSettingUnits(tables.front(), *values, written.remarks);
     if (!table)
         return fail(table.error());
     std::string& text = written.bytes;
-    text = "' Compensation table " + name + ": " + shapeText(*table) + "\n";
+    const bool hasOneAxis = table->axes.size() == 1;
+    text = "' Compensation table " + name + ": " + shapeText(*table)
+        + (hasOneAxis ? " points\n" : " points, the first source fastest\n");
     for (std::size_t point = 0; point < table->pointCount(); ++point) {
         std::size_t rest = point;
         for (std::size_t n = 0; n < table->axes.size(); ++n) {
@@ -85,8 +90,15 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
         for (std::size_t n = 0; n < table->columns.size(); ++n)
             text += assignment(name + ".TargetData", n, point, table->columns[n].values[point]);
     }
-    written.remarks.push_back("the table " + name + " must be defined in the program, with "
-        + shapeText(*table) + ", and not be in use (CompActive = 0) while the lines run");
+    written.remarks.push_back((hasOneAxis
+            ? AXISCOMP_TEXT("Error",
+                "the table {name} must be defined in the program, with {count} points, and not be "
+                "in use (CompActive = 0) while the lines run")
+            : AXISCOMP_TEXT("Error",
+                "the table {name} must be defined in the program, with {count} points, the first "
+                "source fastest, and not be in use (CompActive = 0) while the lines run"))
+                                  .with("name", name)
+                                  .with("count", shapeText(*table)));
     written.held.push_back(std::move(*table));
     return written;
 }
@@ -98,7 +110,8 @@ const TableFormat& format()
     static const TableFormat format{
         .facts = {.name = "softmc-basic",
             .controller = "softMC (Danaher, Servotronix, Kollmorgen)",
-            .description = "MC-BASIC assignments to SourceData and TargetData",
+            .description =
+                AXISCOMP_TEXT("Error", "MC-BASIC assignments to SourceData and TargetData"),
             .extensions = extensions,
             .mostDimensions = 3,
             .knots = KnotRule::Even,

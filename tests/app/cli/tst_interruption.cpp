@@ -168,9 +168,9 @@ private Q_SLOTS:
         const auto pid = static_cast<pid_t>(process->processId());
         ::kill(pid, SIGSTOP);
         const ProgramRun during = bench.status(url);
-        const ProgramRun recover = bench.box.run({QStringLiteral("recover"),
-            QStringLiteral("--drive"), url, QStringLiteral("--axis"), QStringLiteral("0"),
-            QStringLiteral("--json")});
+        const ProgramRun recover =
+            bench.box.run({QStringLiteral("recover"), QStringLiteral("--drive"), url,
+                QStringLiteral("--axis"), QStringLiteral("0"), QStringLiteral("--json")});
         process->kill();
         QVERIFY(process->waitForFinished(test::patienceMs));
         VERIFY_CODE(during, 0);

@@ -80,7 +80,7 @@ private Q_SLOTS:
         for (const Documented& code : documentedCodes()) {
             const auto found = std::ranges::find(allErrorCodes(), code.name, errorName);
             QVERIFY2(found != allErrorCodes().end(), code.name.c_str());
-            for (const std::string& placeholder : placeholdersOf(errorTemplate(*found)))
+            for (const std::string& placeholder : placeholdersOf(errorPattern(*found).words))
                 QVERIFY2(code.keys.contains(placeholder),
                     (code.name + " does not document " + placeholder).c_str());
         }
@@ -91,52 +91,61 @@ private Q_SLOTS:
         std::set<std::string_view> names;
         for (const ErrorCode code : allErrorCodes()) {
             QVERIFY(names.insert(errorName(code)).second);
-            const std::string_view text = errorTemplate(code);
+            const std::string_view text = errorPattern(code).words;
             QVERIFY(!text.empty());
             QVERIFY(!text.ends_with('.'));
             QCOMPARE(std::ranges::count(text, '{'), std::ranges::count(text, '}'));
         }
     }
 
-    void aTemplateIsFilled_data()
+    void theClassSaysWhatBecameOfTheRequest()
     {
-        QTest::addColumn<std::string>("text");
-        QTest::addColumn<std::string>("expected");
-        const auto row = [](const char* text, const char* expected) {
-            QTest::newRow(text) << std::string(text) << std::string(expected);
-        };
-        row("{a}", "1");
-        row("x {a} y {b} z", "x 1 y {a} z");
-        row("{a}{a}", "11");
-        row("{missing}", "?");
-        row("no placeholder", "no placeholder");
-        row("", "");
-        row("open {a", "open {a");
-        row("a} {b", "a} {b");
-    }
-    void aTemplateIsFilled()
-    {
-        QFETCH(std::string, text);
-        QFETCH(std::string, expected);
-        // a value that looks like a placeholder is not filled again
-        QCOMPARE(fillTemplate(text, {{"a", "1"}, {"b", "{a}"}}), expected);
+        for (const ErrorCode code :
+            {ErrorCode::ConnectionLost, ErrorCode::Timeout, ErrorCode::Protocol})
+            QVERIFY(mayHaveArrived(code) && isUnreachable(code) && isLinkFailure(code));
+        QVERIFY(!mayHaveArrived(ErrorCode::NotConnected) && isUnreachable(ErrorCode::NotConnected));
+        for (const ErrorCode code :
+            {ErrorCode::Unauthorized, ErrorCode::CertificateRejected, ErrorCode::InvalidEndpoint})
+            QVERIFY(isLinkFailure(code) && !isUnreachable(code) && !mayHaveArrived(code));
+        for (const ErrorCode code : {ErrorCode::DriveRejected, ErrorCode::Cancelled})
+            QVERIFY(!isLinkFailure(code) && !mayHaveArrived(code));
     }
 
     void aSentenceHasTheValuesOfItsContext()
     {
-        const Error error{ErrorCode::Timeout, {{"endpoint", "http://drive"}, {"seconds", "5"}}, {}};
+        const Error error{
+            ErrorCode::Timeout, {{"endpoint", Verbatim{"http://drive"}}, {"seconds", 5}}, {}};
         QCOMPARE(sentence(error), "http://drive did not answer within 5 s");
+    }
+
+    void theShortFormsHandErrorsOnAndGiveValues()
+    {
+        const auto number = [](bool isThere) -> Result<int> {
+            return isThere ? Result<int>(7) : fail(ErrorCode::UnknownFile);
+        };
+        int calls = 0;
+        const auto twice = [&](bool isThere) -> Result<int> {
+            AXISCOMP_TRY(const int first, number(true));
+            AXISCOMP_TRY(auto second, number(isThere));
+            AXISCOMP_CHECK(number(isThere));
+            ++calls;
+            return first + second;
+        };
+        VERIFY_RESULT(twice(true));
+        QCOMPARE(*twice(true), 14);
+        VERIFY_ERROR(twice(false), ErrorCode::UnknownFile);
+        QCOMPARE(calls, 2);
     }
 
     void failMakesAnErrorAndHandsOneOn()
     {
         const auto first = []() -> Result<int> {
-            return fail(ErrorCode::UnknownFile, {{"path", "a"}}, "detail");
+            return fail(ErrorCode::UnknownFile, {{"path", Verbatim{"a"}}}, "detail");
         };
         const auto second = [&]() -> Result<std::string> { return fail(first().error()); };
         const auto result = second();
         VERIFY_ERROR(result, ErrorCode::UnknownFile);
-        QCOMPARE(result.error().context.find("path")->second, "a");
+        QCOMPARE(result.error().context.english("path"), "a");
         QCOMPARE(result.error().detail, "detail");
     }
 };

@@ -91,10 +91,9 @@ bool takes(const TableFormat& format, int dimensions)
     return format.facts.fewestDimensions <= dimensions && dimensions <= format.facts.mostDimensions;
 }
 
-bool contains(const std::vector<std::string>& lines, std::string_view part)
+bool contains(const std::vector<Text>& lines, std::string_view part)
 {
-    return std::ranges::any_of(
-        lines, [&](const std::string& line) { return line.find(part) != std::string::npos; });
+    return test::mentions(test::joined(lines), part);
 }
 
 } // namespace

@@ -232,9 +232,9 @@ private Q_SLOTS:
 
     void choicesHaveNames()
     {
-        QCOMPARE(choiceName(DirectionChoice::Mean), std::string_view("mean"));
-        QCOMPARE(choiceName(DirectionChoice::Positive), std::string_view("positive"));
-        QCOMPARE(choiceName(DirectionChoice::Negative), std::string_view("negative"));
+        QCOMPARE(Text(choiceText(DirectionChoice::Mean)).english(), std::string("mean"));
+        QCOMPARE(Text(choiceText(DirectionChoice::Positive)).english(), std::string("positive"));
+        QCOMPARE(Text(choiceText(DirectionChoice::Negative)).english(), std::string("negative"));
     }
 };
 

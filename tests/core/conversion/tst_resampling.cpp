@@ -290,7 +290,7 @@ private Q_SLOTS:
         QCOMPARE(inside->table.axes[0].knots.back(), 100.0);
         QCOMPARE(inside->grid[0], (AxisGrid{0, 10, 11}));
         QCOMPARE(inside->report.remarks.size(), std::size_t(1));
-        QCOMPARE(inside->report.remarks[0],
+        QCOMPARE(inside->report.remarks[0].english(),
             std::string("the range of X from 0 mm to 103 mm is no whole multiple of 10 mm: the "
                         "grid ends at 100 mm, 3 mm before its end"));
         // what is lost is in the report
@@ -303,7 +303,8 @@ private Q_SLOTS:
         VERIFY_RESULT(behind);
         QCOMPARE(behind->table.axes[0].knots.back(), 110.0);
         QCOMPARE(behind->table.columns[0].values.back(), 103.0);
-        QVERIFY(behind->report.remarks[0].ends_with("the grid ends at 110 mm, 7 mm behind it"));
+        QVERIFY(behind->report.remarks[0].english().ends_with(
+            "the grid ends at 110 mm, 7 mm behind it"));
     }
 
     void beyondTheDataTheEndsAreHeldOnlyWhenAsked()

@@ -19,8 +19,9 @@ inline std::string problemLines(const TableReading& reading)
     for (const Diagnostic& d : reading.diagnostics) {
         text += d.severity == Severity::Warning ? "warning " : "";
         text += std::to_string(d.line) + ':' + std::to_string(d.column) + ' '
-            + std::string(diagnosticName(d.code)) + ' ' + d.found + '|' + d.expected
-            + (d.controllerError.empty() ? "" : " #" + d.controllerError) + '\n';
+            + std::string(diagnosticName(d.code)) + ' ' + d.found.english() + '|'
+            + d.expected.english() + (d.controllerError.empty() ? "" : " #" + d.controllerError)
+            + '\n';
     }
     return text;
 }
@@ -41,11 +42,11 @@ inline bool mentions(std::string_view text, std::string_view part)
     return text.find(part) != std::string_view::npos;
 }
 
-inline std::string joined(const std::vector<std::string>& lines)
+inline std::string joined(const std::vector<Text>& lines)
 {
     std::string text;
-    for (const std::string& line : lines)
-        text += line + '\n';
+    for (const Text& line : lines)
+        text += line.english() + '\n';
     return text;
 }
 

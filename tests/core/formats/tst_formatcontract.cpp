@@ -270,7 +270,8 @@ private Q_SLOTS:
         QVERIFY(format.read || format.write);
         QCOMPARE(format.recognise != nullptr, isReadAsText(sample()));
         QCOMPARE(formatNamed(facts.name).value(), &format); // which it would not be with a twin
-        QVERIFY(!facts.controller.empty() && !facts.description.empty() && !facts.numbers.empty());
+        QVERIFY(!facts.controller.empty() && !facts.numbers.empty());
+        QVERIFY(!Text(facts.description).isEmpty());
         QVERIFY(!facts.extensions.empty());
         for (const std::string_view extension : facts.extensions)
             QVERIFY(extension.size() > 1 && extension.front() == '.');
@@ -281,7 +282,7 @@ private Q_SLOTS:
         QVERIFY(!facts.assumptions.empty()
             || (isPublished(facts.signEvidence) && isPublished(facts.outsideEvidence)));
         for (const FormatSetting& setting : facts.settings) {
-            QVERIFY2(!setting.meaning.empty(), setting.key.data());
+            QVERIFY2(!Text(setting.meaning).isEmpty(), setting.key.data());
             QVERIFY2(setting.forReading || setting.forWriting, setting.key.data());
             QCOMPARE(setting.choices.empty(), setting.kind != FormatSetting::Kind::Choice);
         }
@@ -316,7 +317,7 @@ private Q_SLOTS:
             const double found = compensation.at(applied.position);
             QVERIFY2(found == applied.value || qFuzzyCompare(found, applied.value),
                 (toText(found) + " instead of " + toText(applied.value) + " at "
-                    + positionText(table, applied.position))
+                    + positionText(table, applied.position).english())
                     .c_str());
         }
     }

@@ -82,11 +82,11 @@ void describe(test::FormatSample& sample)
         section({{"x_count", "1000000000"}, {"y_count", "1000000000"}}),
         "1:0 MissingPoint 2 lines of points|1000000000, as y_count says");
     row("line too short", section({{"points", "\n  1, 2\n  3"}}),
-        "8:0 ColumnCount 1 heights|2, as x_count says");
+        "8:0 ColumnCount 1 height|2, as x_count says");
     row("line too long", section({{"points", "\n  1, 2, 3\n  3, 4"}}),
         "7:0 ColumnCount 3 heights|2, as x_count says");
     row("too few lines", section({{"points", "\n  1, 2"}}),
-        "1:0 MissingPoint 1 lines of points|2, as y_count says");
+        "1:0 MissingPoint 1 line of points|2, as y_count says");
     row("too many lines", section({{"points", "\n  1, 2\n  3, 4\n  5, 6"}}),
         "1:0 Contradiction 3 lines of points|2, as y_count says");
     row("height is none", section({{"points", "\n  1, x\n  3, 4"}}),

@@ -61,10 +61,10 @@ void describe(test::FormatSample& sample)
 
     const auto row = sample.problemRow();
     row("four sources", "4 2 2 2 2\n", "1:1 LimitExceeded 4 source axes|1 to 3");
-    row("a size is missing", "2 3\n0 0 1\n", "1:0 ColumnCount 1 sizes|2,");
-    row("one point", "1 1\n0 1\n", "1:3 LimitExceeded 1 points|at least 2");
+    row("a size is missing", "2 3\n0 0 1\n", "1:0 ColumnCount 1 size|2,");
+    row("one point", "1 1\n0 1\n", "1:3 LimitExceeded 1 point|at least 2");
     row("too many rows", "3 9999 9999 9999\n", "1:8 LimitExceeded");
-    row("no correction", "1 2\n0\n1\n", "2:0 TooFewColumns 1 numbers|1 positions and at least");
+    row("no correction", "1 2\n0\n1\n", "2:0 TooFewColumns 1 number|1 position and at least");
     row("a number that is none", "1 2\n0 0.1\n1 0,1\n", "3:3 NotANumber 0,1|a correction");
     row("not finite", "1 2\n0 nan\n1 1\n", "2:3 NotANumber nan|a correction");
     row("ragged", "1 2\n0 1\n1 1 1\n", "3:0 ColumnCount 3 numbers|2, as in the first row");

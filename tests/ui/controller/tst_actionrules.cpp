@@ -166,7 +166,7 @@ private:
             decision[Action::Cancel].isEnabled, now.isReadingFile || (now.task && now.canCancel));
         if (decision[Action::Write].isEnabled && now.isDirty
             && now.unfinished != Unfinished::Mixture)
-            QCOMPARE(decision.hint, QStringLiteral("Parameters must be written."));
+            QCOMPARE(decision.hint, QStringLiteral("The parameters still have to be saved."));
     }
 };
 
@@ -199,15 +199,15 @@ void TestActionRules::reasons_data()
         "The compensation is active: deactivate it first.", [](S& s) { s.isActive = true; });
     row("write: not connected", changed(), Action::Write, "The drive is not connected.",
         [](S& s) { s.isConnected = false; });
-    row("write: flash wear", changed(), Action::Write, "Flash wear: wait 3:12, or write volatile.",
-        [](S& s) {
+    row("write: flash wear", changed(), Action::Write,
+        "To spare the flash, wait 3:12, or write volatile.", [](S& s) {
             s.isPersistent = true;
             s.flashOperationsNeeded = 1;
             s.flashOperationsLeft = 0;
             s.flashWaitSeconds = 192;
         });
-    row("write: flash wear while erasing", changed(), Action::Write, "Flash wear: wait 0:05.",
-        [](S& s) {
+    row("write: flash wear while erasing", changed(), Action::Write,
+        "To spare the flash, wait 0:05.", [](S& s) {
             s.flashOperationsNeeded = 1;
             s.flashOperationsLeft = 0;
             s.flashWaitSeconds = 5;
@@ -231,9 +231,9 @@ void TestActionRules::reasons_data()
         [](S& s) { s.isSourceBeingChecked = true; });
     row("write: file read", changed(), Action::Write, "The file is being read.",
         [](S& s) { s.isReadingFile = true; });
-    row("activate: unwritten", changed(), Action::Activate, "Parameters must be written.",
-        [](S&) {});
-    row("activate: active", ready(), Action::Activate, "The compensation is active already.",
+    row("activate: unwritten", changed(), Action::Activate,
+        "The parameters still have to be saved.", [](S&) {});
+    row("activate: active", ready(), Action::Activate, "The compensation is already active.",
         [](S& s) { s.isActive = true; });
     row("activate: not homed", ready(), Action::Activate, "The axis must be homed first.",
         [](S& s) { s.isHomed = false; });
@@ -243,11 +243,11 @@ void TestActionRules::reasons_data()
     row("activate: does not fit", ready(), Action::Activate, "Dim1 Source is missing.",
         [](S& s) { s.missingSource = 1; });
     row("activate: mixture", ready(), Action::Activate,
-        "An earlier write left the axis in neither the old nor the new state: write again, or "
+        "An earlier write left the axis in neither the old nor the new state: write again or "
         "restore the previous state.",
         [](S& s) { s.unfinished = Unfinished::Mixture; });
     row("evaluate: evaluating", ready(), Action::Evaluate,
-        "The compensation is being evaluated already.", [](S& s) { s.isEvaluating = true; });
+        "The compensation is already being evaluated.", [](S& s) { s.isEvaluating = true; });
     row("deactivate: off", ready(), Action::Deactivate, "The compensation is not active.",
         [](S&) {});
     row("deactivate: lost", ready(), Action::Deactivate, "The drive is not connected.", [](S& s) {
@@ -256,12 +256,11 @@ void TestActionRules::reasons_data()
     });
     row("revert: nothing changed", ready(), Action::Revert, "Nothing has changed.", [](S&) {});
     row("restore: no backup", ready(), Action::RestorePrevious,
-        "There is no backup of this axis yet: one is made before every write.",
-        [](S& s) { s.hasBackup = false; });
+        "This axis has no backup yet; every write makes one.", [](S& s) { s.hasBackup = false; });
     row("restore: active", ready(), Action::RestorePrevious,
         "The compensation is active: deactivate it first.", [](S& s) { s.isActive = true; });
     row("cancel: nothing", ready(), Action::Cancel, "Nothing is running.", [](S&) {});
-    row("cancel: twice", ready(), Action::Cancel, "It is being stopped already.",
+    row("cancel: twice", ready(), Action::Cancel, "It is already being stopped.",
         [](S& s) { s.task = Task::Write; });
     row("not read yet", changed(), Action::Write, "The axis is being read.",
         [](S& s) { s.isKnown = false; });
@@ -282,7 +281,7 @@ void TestActionRules::consequences_data()
         QTest::newRow(name) << now << static_cast<int>(action) << QString::fromUtf8(consequence);
     };
     row("write volatile", Action::Write,
-        "Writes to the drive; a reboot of the drive brings the stored state back.");
+        "Writes to the drive; a reboot of the drive restores the stored state.");
     now.isPersistent = true;
     now.flashOperationsNeeded = 1;
     now.flashOperationsLeft = 7;
@@ -298,9 +297,9 @@ void TestActionRules::consequences_data()
     now.task = Task::Plan;
     row("cancel planning", Action::Cancel, "Stops what is running.");
     now.task = Task::Restore;
-    row("cancel restoring", Action::Cancel, "Stops the write and puts the old state back.");
+    row("cancel restoring", Action::Cancel, "Stops the write and rolls back.");
     now.task = Task::Write;
-    row("cancel writing", Action::Cancel, "Stops the write and puts the old state back.");
+    row("cancel writing", Action::Cancel, "Stops the write and rolls back.");
     now = ready();
     now.problem = damagedTable;
     row("deactivate an error", Action::Deactivate,
@@ -308,7 +307,7 @@ void TestActionRules::consequences_data()
     // What has been changed can be put back without the drive.
     now = changed();
     now.isConnected = false;
-    row("revert while lost", Action::Revert, "Puts the drive's values back into the fields.");
+    row("revert while lost", Action::Revert, "Resets the fields to the drive's values.");
 }
 
 void TestActionRules::hints_data()
@@ -321,7 +320,7 @@ void TestActionRules::hints_data()
         QTest::newRow(name) << now << QString::fromUtf8(hint);
     };
     using S = ActionSnapshot;
-    row("unwritten", changed(), "Parameters must be written.", [](S&) {});
+    row("unwritten", changed(), "The parameters still have to be saved.", [](S&) {});
     row("unwritten, does not fit", changed(), "Dim1 Source is missing.",
         [](S& s) { s.missingSource = 1; });
     row("unwritten, active", changed(), "The compensation is active: deactivate it first.",
@@ -329,22 +328,22 @@ void TestActionRules::hints_data()
     row("active", ready(), "The compensation is active.", [](S& s) { s.isActive = true; });
     row("not homed", ready(), "The axis must be homed first.", [](S& s) { s.isHomed = false; });
     row("ready", ready(),
-        "Adds the table's values to the encoder position, then proves that the drive adds what "
-        "the table says.",
+        "Adds the table to the encoder position and proves that the drive's output matches the "
+        "table.",
         [](S&) {});
     row("no table at all", ready(), "No table is chosen: open compensation data.",
         [](S& s) { s.hasDriveTable = s.hasTable = false; });
     row("error", ready(), qUtf8Printable(errorText(damagedTable)),
         [](S& s) { s.problem = damagedTable; });
     row("busy", changed(), "Writing ...", [](S& s) { s.task = Task::Write; });
-    row("connecting", ready(), "The drives are being asked for their axes.", [](S& s) {
+    row("connecting", ready(), "Reading the axes of the drives.", [](S& s) {
         s.hasAxis = false;
         s.isConnecting = true;
     });
     row("lost while changed", changed(), "The drive is not connected.",
         [](S& s) { s.isConnected = false; });
     row("unsaved", ready(),
-        "An earlier write did not end: the parameters may not be saved. Write to finish it.",
+        "An earlier write was interrupted: its parameters may not be saved. Write to finish it.",
         [](S& s) { s.unfinished = Unfinished::Unsaved; });
 }
 

@@ -192,7 +192,7 @@ private Q_SLOTS:
         bench.drive().gate.set(DriveGate::Mode::Open);
         QTRY_COMPARE(bench->drives().front().connection, Connection::Connected);
         QVERIFY(bench->setup().edited() == edited);
-        QTRY_COMPARE(bench->hint(), QStringLiteral("Parameters must be written."));
+        QTRY_COMPARE(bench->hint(), QStringLiteral("The parameters still have to be saved."));
     }
 
     void anotherDriveAtTheSameAddressIsNoticedAndItsEditsAreDropped()
@@ -208,7 +208,7 @@ private Q_SLOTS:
         other.name = "Other";
         other.serialNumber = 4799;
         bench.addDrive("http://x", other);
-        QTRY_VERIFY(bench->outcome().contains(QStringLiteral("Another drive")));
+        QTRY_VERIFY(bench->outcome().contains(QStringLiteral("A different drive")));
         QVERIFY(bench->isOutcomeAnError());
         QTRY_VERIFY(bench->status().has_value());
         QCOMPARE(bench->status()->drive.serialNumber, 4799);

@@ -110,7 +110,7 @@ private Q_SLOTS:
         ControllerFixture bench;
         QVERIFY(bench.connect());
         QCOMPARE(bench->action(Action::FinishWrite).reason,
-            QStringLiteral("No write to this axis is unfinished."));
+            QStringLiteral("This axis has no unfinished write."));
         QVERIFY(bench.prepare2D());
         bench->setup().setPersistency(Persistency::Persistent);
         QVERIFY(bench.planAndWrite());
@@ -126,8 +126,8 @@ private Q_SLOTS:
         else
             bench->undoWrite();
         QVERIFY(bench.idle());
-        QVERIFY2(bench->outcome().startsWith(finishes ? QStringLiteral("Finished, read back")
-                                                      : QStringLiteral("Undone, read back")),
+        QVERIFY2(bench->outcome().startsWith(finishes ? QStringLiteral("Finished and verified")
+                                                      : QStringLiteral("Undone and verified")),
             qPrintable(bench->outcome()));
         QVERIFY(bench->unfinishedWrite().isEmpty());
         QVERIFY(!bench->action(Action::UndoWrite).isEnabled);

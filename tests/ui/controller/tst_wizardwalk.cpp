@@ -250,7 +250,7 @@ private Q_SLOTS:
         int activated = 0;
         QObject::connect(
             &bench.controller(), &WizardController::outcomeChanged, &bench.controller(), [&] {
-                written += bench->outcome().startsWith(QStringLiteral("Written, read back"));
+                written += bench->outcome().startsWith(QStringLiteral("Written and verified"));
                 activated += bench->outcome().contains(QStringLiteral("active. Proved"));
             });
         for (int step = 0; step < 10'000; ++step) {

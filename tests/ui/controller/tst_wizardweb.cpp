@@ -17,8 +17,7 @@ namespace {
 
 using Connection = DriveState::Connection;
 
-const QString written =
-    QStringLiteral("Written, read back and compared: the drive holds the new state.");
+const QString written = QStringLiteral("Written and verified: the drive holds the new state.");
 const std::string base = "Axes[0]/Parameters/Compensations/Axis/";
 const std::string tableX = base + "Table";
 

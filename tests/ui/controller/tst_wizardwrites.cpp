@@ -28,7 +28,7 @@ private Q_SLOTS:
         ControllerFixture bench;
         QVERIFY(bench.connect());
         QVERIFY(bench.prepare2D());
-        QCOMPARE(bench->hint(), QStringLiteral("Parameters must be written."));
+        QCOMPARE(bench->hint(), QStringLiteral("The parameters still have to be saved."));
         QVERIFY(!bench->action(Action::Activate).isEnabled);
         QCOMPARE(bench->selectedTableBytes(), std::size_t{128 + 36 * 4});
 
@@ -63,7 +63,7 @@ private Q_SLOTS:
             qPrintable(bench->outcome()));
         QVERIFY(bench->outcome().endsWith(QStringLiteral(" in 5 samples.")));
         QCOMPARE(bench->action(Action::Activate).reason,
-            QStringLiteral("The compensation is active already."));
+            QStringLiteral("The compensation is already active."));
 
         bench->deactivate();
         QVERIFY(bench.idle());
@@ -169,7 +169,7 @@ private Q_SLOTS:
         QTRY_COMPARE(bench.drive().gate.waiting(), 1);
         QVERIFY(bench->action(Action::Cancel).isEnabled);
         QCOMPARE(bench->action(Action::Cancel).reason,
-            QStringLiteral("Stops the write and puts the old state back."));
+            QStringLiteral("Stops the write and rolls back."));
         bench->cancel();
         QVERIFY(!bench->action(Action::Cancel).isEnabled);
         bench.drive().gate.set(DriveGate::Mode::Open);
@@ -194,8 +194,8 @@ private Q_SLOTS:
         QVERIFY(bench->flashWaitSeconds() > 290);
         QVERIFY(bench.prepare2D());
         bench->setup().setPersistency(Persistency::Persistent);
-        QVERIFY2(
-            bench->action(Action::Write).reason.startsWith(QStringLiteral("Flash wear: wait ")),
+        QVERIFY2(bench->action(Action::Write)
+                     .reason.startsWith(QStringLiteral("To spare the flash, wait ")),
             qPrintable(bench->action(Action::Write).reason));
         bench->setup().setPersistency(Persistency::Volatile);
         QVERIFY(bench.planAndWrite());
@@ -216,8 +216,8 @@ private Q_SLOTS:
         QCOMPARE(bench->flashOperationsLeft(), 0);
         QVERIFY(bench->flashWaitSeconds() > 590);
         QVERIFY(bench.prepare2D(2) == false); // persistent as the table before
-        QVERIFY2(
-            bench->action(Action::Write).reason.startsWith(QStringLiteral("Flash wear: wait ")),
+        QVERIFY2(bench->action(Action::Write)
+                     .reason.startsWith(QStringLiteral("To spare the flash, wait ")),
             qPrintable(bench->action(Action::Write).reason));
         const QString reason = bench->action(Action::Write).reason;
         QTRY_VERIFY(bench->action(Action::Write).reason != reason); // it counts down
@@ -250,7 +250,7 @@ private Q_SLOTS:
         bench->closeData();
         QVERIFY(!bench->dataFile().data);
         bench->setup().setPersistency(Persistency::Persistent);
-        QCOMPARE(bench->hint(), QStringLiteral("Parameters must be written."));
+        QCOMPARE(bench->hint(), QStringLiteral("The parameters still have to be saved."));
         QVERIFY(bench.planAndWrite());
         QVERIFY(bench->outcome().endsWith(QStringLiteral("It is stored in flash.")));
         QVERIFY(bench->status()->table->persistent);

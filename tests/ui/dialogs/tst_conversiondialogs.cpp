@@ -72,7 +72,7 @@ private Q_SLOTS:
         QCOMPARE(user.the("acceptConversion").toolTip(), reason(bench));
         QVERIFY(chooseAt(bench, "gridField", 2));
         QVERIFY(!mayAccept(bench)); // the distance is missing
-        QCOMPARE(reason(bench), QStringLiteral("Enter the number for the even grid."));
+        QCOMPARE(reason(bench), QStringLiteral("Enter a number for the even grid."));
         QVERIFY(user.click("gridNumberField"));
         user.type(QStringLiteral("10"));
         QTRY_VERIFY(mayAccept(bench));

@@ -218,7 +218,7 @@ void TestMultiAxis::theMenuOpensTheDialog()
     entry.trigger();
     QTRY_VERIFY(bench.user.sees("multiAxisDialog"));
     QCOMPARE(bench.user.the<QLabel>("multiAxisReason").text(),
-        QStringLiteral("No axis is chosen: choose at least one."));
+        QStringLiteral("Select at least one axis."));
 }
 
 void TestMultiAxis::whatIsProposedIsPlannedAndNothingIsChanged()
@@ -236,8 +236,8 @@ void TestMultiAxis::whatIsProposedIsPlannedAndNothingIsChanged()
         qPrintable(plan.item(1, 2)->text()));
     QVERIFY2(plan.item(1, 2)->text().contains(QStringLiteral("MasterPosition")),
         qPrintable(plan.item(1, 2)->text()));
-    QCOMPARE(plan.item(1, 3)->text(), QStringLiteral("chosen when its turn comes"));
-    QCOMPARE(stage.reason(), QStringLiteral("Costs no flash operation."));
+    QCOMPARE(plan.item(1, 3)->text(), QStringLiteral("chosen when it is written"));
+    QCOMPARE(stage.reason(), QStringLiteral("Uses no flash operation."));
     QTRY_VERIFY(stage.the<QTableWidget>("columnAxes").item(0, 1)->text()
         == QStringLiteral("+0.001 … +0.003 mm"));
     QVERIFY(stage.state(0) == before);
@@ -257,7 +257,7 @@ void TestMultiAxis::noAxisAndTheSameAxisTwiceCannotBeWritten()
     QVERIFY(stage.mayWrite());
     stage.choose(2, QStringLiteral("none"));
     QVERIFY(!stage.write().isEnabled());
-    QCOMPARE(stage.reason(), QStringLiteral("No axis is chosen: choose at least one."));
+    QCOMPARE(stage.reason(), QStringLiteral("Select at least one axis."));
 }
 
 void TestMultiAxis::eachAxisGetsItsOwnColumn()

@@ -55,7 +55,8 @@ private Q_SLOTS:
         PageFixture bench;
         const auto before = bench.state();
         QVERIFY(test::page_states::closingWhileWriting(bench));
-        QVERIFY(bench.user.message("leaveQuestion").contains(QStringLiteral("being written")));
+        QVERIFY(
+            bench.user.message("leaveQuestion").contains(QStringLiteral("write is in progress")));
         QVERIFY(bench.window.isVisible());
         QVERIFY(bench.user.click("stopAndCloseButton"));
         bench.served.faults.clear();

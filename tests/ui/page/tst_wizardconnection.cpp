@@ -36,10 +36,10 @@ private Q_SLOTS:
         const EditedSetup edited = bench.controller().setup().edited();
         bench.served.stop();
         QTRY_VERIFY(!user.message("connectionMessage").isEmpty());
-        QVERIFY(user.message("connectionMessage")
-                    .contains(QStringLiteral("What you have changed is kept")));
+        QVERIFY(
+            user.message("connectionMessage").contains(QStringLiteral("Your changes are kept")));
         QCOMPARE(
-            user.the<QLabel>("driveState").text(), QStringLiteral("connection lost, trying again"));
+            user.the<QLabel>("driveState").text(), QStringLiteral("connection lost, reconnecting"));
         QCOMPARE(user.hint(), QStringLiteral("The drive is not connected."));
         QVERIFY(!user.the("writeButton").isEnabled());
         QVERIFY(!user.sees("liveValues"));

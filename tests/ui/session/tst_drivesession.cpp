@@ -50,7 +50,8 @@ struct SessionFixture {
         ++linksMade;
         lastEndpoint = endpoint;
         if (refuses)
-            return fail(ErrorCode::InvalidEndpoint, {{"endpoint", endpoint}, {"reason", Verbatim{"no"}}});
+            return fail(
+                ErrorCode::InvalidEndpoint, {{"endpoint", endpoint}, {"reason", Verbatim{"no"}}});
         return std::make_unique<test::GateLink>(
             drivecomm::makeDirectLink(drive), gate, [this](QThread* made, QThread* destroyed) {
                 madeOn = made;

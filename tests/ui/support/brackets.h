@@ -7,8 +7,8 @@
 
 namespace axiscomp::test {
 
-/// "<the drive has no axis >{axis}<; it has: >{known}": what is in brackets has been translated, and
-/// what a placeholder is filled with is not.
+/// "<the drive has no axis >{axis}<; it has: >{known}": what is in brackets has been translated,
+/// and what a placeholder is filled with is not.
 inline QString bracketed(const QString& words)
 {
     static const QRegularExpression placeholder(QStringLiteral("\\{\\w+\\}|%L?\\d+|%n|%%|<[^>]*>"));

@@ -189,8 +189,8 @@ private:
         const std::lock_guard lock(m_mutex);
         const auto found = m_drives.find(endpoint);
         if (found == m_drives.end())
-            return fail(
-                ErrorCode::InvalidEndpoint, {{"endpoint", endpoint}, {"reason", Verbatim{"unknown"}}});
+            return fail(ErrorCode::InvalidEndpoint,
+                {{"endpoint", endpoint}, {"reason", Verbatim{"unknown"}}});
         auto faulty = std::make_unique<FaultyLink>(found->second->drive);
         found->second->faults = faulty.get();
         return std::make_unique<GateLink>(std::move(faulty), found->second->gate);

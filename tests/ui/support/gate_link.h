@@ -139,8 +139,8 @@ public:
     }
 
 private:
-    const Error m_whenGone{
-        ErrorCode::NotConnected, {{"endpoint", Verbatim{"test:"}}, {"reason", Verbatim{"no drive"}}}, {}};
+    const Error m_whenGone{ErrorCode::NotConnected,
+        {{"endpoint", Verbatim{"test:"}}, {"reason", Verbatim{"no drive"}}}, {}};
     mutable std::mutex m_mutex;
     std::condition_variable m_changed;
     bool m_holdsUploads = false;

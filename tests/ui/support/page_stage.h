@@ -97,8 +97,8 @@ private:
 
     QTemporaryDir m_folder;
     drivecomm::VirtualDrive m_drive;
-    DriveGate m_gate{Error{
-        ErrorCode::ConnectionLost, {{"endpoint", address}, {"reason", Verbatim{"Connection closed"}}}, {}}};
+    DriveGate m_gate{Error{ErrorCode::ConnectionLost,
+        {{"endpoint", address}, {"reason", Verbatim{"Connection closed"}}}, {}}};
 };
 
 } // namespace axiscomp::test

@@ -54,8 +54,8 @@ inline bool writeFile(const QString& path)
 
 } // namespace pseudo_language
 
-/// A language that is nothing but a translation file, made from the sources: in it every text that can
-/// be translated stands in brackets, but for names, numbers and what the placeholders hold.
+/// A language that is nothing but a translation file, made from the sources: in it every text that
+/// can be translated stands in brackets, but for names, numbers and what the placeholders hold.
 class PseudoLanguage {
 public:
     /// The language is spoken while this object is there. Ask isValid().

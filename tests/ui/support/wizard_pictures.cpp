@@ -180,8 +180,8 @@ void curve1DValues(PageScene& scene)
 void driveRefuses(PageScene& scene)
 {
     scene.choose2D();
-    scene.stage().gate().refuseUploads(
-        Error{ErrorCode::TableRefused, {{"reason", Verbatim{"Crc does not match the elements"}}}, {}});
+    scene.stage().gate().refuseUploads(Error{
+        ErrorCode::TableRefused, {{"reason", Verbatim{"Crc does not match the elements"}}}, {}});
     scene.click("writeButton");
     scene.click("confirmWriteButton");
     wait([&] { return scene.controller().isOutcomeAnError(); }, "the refusal");
@@ -371,8 +371,8 @@ void multiAxisAxes(PageScene& scene)
 void multiAxisFailed(PageScene& scene)
 {
     multiAxisAxes(scene);
-    scene.stage().gate().refuseUploads(
-        Error{ErrorCode::TableRefused, {{"reason", Verbatim{"Crc does not match the elements"}}}, {}});
+    scene.stage().gate().refuseUploads(Error{
+        ErrorCode::TableRefused, {{"reason", Verbatim{"Crc does not match the elements"}}}, {}});
     scene.click("writeSeveralButton");
     wait([&] { return scene.controller().isOutcomeAnError(); }, "the refusal");
     scene.settle();

@@ -9,7 +9,7 @@
 namespace axiscomp::test {
 
 inline const QString written =
-    QStringLiteral("Written, read back and compared: the drive holds the new state.");
+    QStringLiteral("Written and verified: the drive holds the new state.");
 inline const QString oldState = QStringLiteral("The drive holds the complete old state.");
 inline const std::string tableX = "Axes[0]/Parameters/Compensations/Axis/Table";
 

@@ -30,13 +30,14 @@ private Q_SLOTS:
     {
         const Language language(QStringLiteral("de"));
         const Text inner{errorPattern(ErrorCode::NotHomed), {{"axis", 0}}};
-        QCOMPARE(errorText({ErrorCode::RollbackFailed,
-                     {{"reason", inner}, {"rollback", aFolder},
-                         {"backup", Verbatim{"/tmp/b.json"}}},
-                     {}}),
-            QStringLiteral("Achse 0 muss zuerst referenziert werden; auch das Zurückholen des alten "
-                           "Zustands ist gescheitert (das ist ein Ordner). Die Achse nicht "
-                           "aktivieren, sondern aus /tmp/b.json wiederherstellen."));
+        QCOMPARE(
+            errorText({ErrorCode::RollbackFailed,
+                {{"reason", inner}, {"rollback", aFolder}, {"backup", Verbatim{"/tmp/b.json"}}},
+                {}}),
+            QStringLiteral(
+                "Achse 0 muss zuerst referenziert werden; auch das Zurückholen des alten "
+                "Zustands ist gescheitert (das ist ein Ordner). Die Achse nicht "
+                "aktivieren, sondern aus /tmp/b.json wiederherstellen."));
     }
 
     void numbersHaveTheDecimalSignOfTheLanguageAndNamesKeepTheirs()
@@ -54,9 +55,9 @@ private Q_SLOTS:
     void aListIsJoined()
     {
         const Language language(QStringLiteral("de"));
-        QCOMPARE(errorText({ErrorCode::TableNotFound,
-                     {{"table", Verbatim{"A"}}, {"known", std::vector<std::string>{"B", "C 1.5"}}},
-                     {}}),
+        QCOMPARE(
+            errorText({ErrorCode::TableNotFound,
+                {{"table", Verbatim{"A"}}, {"known", std::vector<std::string>{"B", "C 1.5"}}}, {}}),
             QStringLiteral("In der Datei ist keine Tabelle A; sie hat: B, C 1.5."));
     }
 
@@ -127,7 +128,10 @@ private Q_SLOTS:
             text = Text(errorPattern(ErrorCode::FileNotReadable),
                 {{"file", Verbatim{"x"}}, {"reason", text}});
         QVERIFY(translated(text).endsWith(QStringLiteral("das ist ein Ordner")));
-        QBENCHMARK { (void)translated(text); }
+        QBENCHMARK
+        {
+            (void)translated(text);
+        }
     }
 };
 

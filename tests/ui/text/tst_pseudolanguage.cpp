@@ -8,8 +8,8 @@
 #include "tests/support/test_registry.h"
 #include "tests/support/verify.h"
 #include "tests/ui/support/controller_files.h"
-#include "tests/ui/support/varied_tables.h"
 #include "tests/ui/support/pseudo_language.h"
+#include "tests/ui/support/varied_tables.h"
 #include "ui/text/translated_text.h"
 
 #include <QRegularExpression>
@@ -74,7 +74,8 @@ public:
     void add(const Text& text)
     {
         static const QRegularExpression digits(QStringLiteral("[\\d.]+"));
-        const QString shape = QString::fromStdString(text.english()).replace(digits, QStringLiteral("1"));
+        const QString shape =
+            QString::fromStdString(text.english()).replace(digits, QStringLiteral("1"));
         if (m_known.contains(shape)) // the same with other numbers is the same sentence
             return;
         m_known += shape;
@@ -190,8 +191,8 @@ void resampleAll(const NeutralTable& table, Sentences& sentences)
 
 } // namespace
 
-/// In a language that is nothing but a translation file made from the sources, nothing that a sentence
-/// of core says stands outside of it but names and numbers.
+/// In a language that is nothing but a translation file made from the sources, nothing that a
+/// sentence of core says stands outside of it but names and numbers.
 class TestPseudoLanguage : public QObject {
     Q_OBJECT
 
@@ -233,8 +234,8 @@ private Q_SLOTS:
         for (const QString& damaged : test::damagedTexts(file))
             read(*format, damaged, needed, sentences);
         QVERIFY2(sentences.count() >= 15, qPrintable(QString::number(sentences.count())));
-        QVERIFY2(sentences.untranslated().isEmpty(),
-            qPrintable(sentences.untranslated().join(u'\n')));
+        QVERIFY2(
+            sentences.untranslated().isEmpty(), qPrintable(sentences.untranslated().join(u'\n')));
     }
 
     void reasonsOfWritersAreTranslated_data()
@@ -255,8 +256,8 @@ private Q_SLOTS:
         for (const FormatSettings& settings : variedSettings(format->facts, true))
             write(*format, {test::neutralExample(most)}, settings, sentences);
         QVERIFY2(sentences.count() >= 5, qPrintable(QString::number(sentences.count())));
-        QVERIFY2(sentences.untranslated().isEmpty(),
-            qPrintable(sentences.untranslated().join(u'\n')));
+        QVERIFY2(
+            sentences.untranslated().isEmpty(), qPrintable(sentences.untranslated().join(u'\n')));
     }
 
     void reasonsOfConversionsAreTranslated()
@@ -278,8 +279,8 @@ private Q_SLOTS:
                 sentences.add(conversionDifference(test::neutralExample(2), {}, table, {}, 1000));
             }
         QVERIFY2(sentences.count() >= 60, qPrintable(QString::number(sentences.count())));
-        QVERIFY2(sentences.untranslated().isEmpty(),
-            qPrintable(sentences.untranslated().join(u'\n')));
+        QVERIFY2(
+            sentences.untranslated().isEmpty(), qPrintable(sentences.untranslated().join(u'\n')));
     }
 
 private:

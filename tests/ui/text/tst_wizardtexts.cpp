@@ -76,7 +76,8 @@ private Q_SLOTS:
             QStringLiteral("The table needs 70000 bytes, but the largest slot that may be taken, "
                            "Small1, holds 63360."));
         // An address stays as it is written.
-        QCOMPARE(errorText({ErrorCode::Timeout, {{"endpoint", Verbatim{"http://x"}}, {"seconds", 5}}, {}}),
+        QCOMPARE(errorText({ErrorCode::Timeout,
+                     {{"endpoint", Verbatim{"http://x"}}, {"seconds", 5}}, {}}),
             QStringLiteral("http://x did not answer within 5 s."));
     }
 
