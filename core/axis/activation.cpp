@@ -15,15 +15,18 @@ constexpr std::chrono::milliseconds statePollInterval{5};
 
 struct Hint {
     CompensationFault fault;
-    std::string_view hint;
+    TextPattern hint;
 };
 constexpr std::array hints{
-    Hint{CompensationFault::NotHomed, "the axis must be homed first"},
-    Hint{CompensationFault::NoTable, "the axis has no table; write one first"},
+    Hint{CompensationFault::NotHomed, AXISCOMP_TEXT("Error", "the axis must be homed first")},
+    Hint{CompensationFault::NoTable,
+        AXISCOMP_TEXT("Error", "the axis has no table; write one first")},
     Hint{CompensationFault::DimensionMismatch,
-        "the number of sources must equal the table's dimensions"},
-    Hint{CompensationFault::BadSource, "a source is not a Single or Double register of this drive"},
-    Hint{CompensationFault::BadTable, "the drive cannot use the table; write it again"},
+        AXISCOMP_TEXT("Error", "the number of sources must equal the table's dimensions")},
+    Hint{CompensationFault::BadSource,
+        AXISCOMP_TEXT("Error", "a source is not a Single or Double register of this drive")},
+    Hint{CompensationFault::BadTable,
+        AXISCOMP_TEXT("Error", "the drive cannot use the table; write it again")},
 };
 
 Result<void> requestActivation(
@@ -47,9 +50,9 @@ Result<AxisStatus> waitForState(const RegisterAccess& access, const DriveIdentit
 {
     const std::string path = access.axisPath(access.registers().state, axis);
     const std::string request = access.axisPath(access.registers().activation, axis);
-    const auto notReached = [&](const std::string& state, std::string hint) {
+    const auto notReached = [&](const std::string& state, Text hint) {
         return fail(ErrorCode::CompensationError,
-            {{"axis", std::to_string(axis)}, {"error", state}, {"hint", std::move(hint)}});
+            {{"axis", axis}, {"error", state}, {"hint", std::move(hint)}});
     };
     const auto deadline = Clock::now() + access.options().timeout;
     while (true) {
@@ -65,10 +68,12 @@ Result<AxisStatus> waitForState(const RegisterAccess& access, const DriveIdentit
             return status;
         }
         if (textAt(*readings, request) != activation)
-            return notReached(
-                state, "the drive has restarted, or somebody else has switched the compensation");
+            return notReached(state,
+                AXISCOMP_TEXT("Error",
+                    "the drive has restarted, or somebody else has switched the compensation"));
         if (Clock::now() >= deadline)
-            return notReached(state, "it did not become " + wanted + " in time");
+            return notReached(state,
+                AXISCOMP_TEXT("Error", "it did not become {state} in time").with("state", wanted));
         if (auto paused = access.pause(statePollInterval); !paused)
             return fail(paused.error());
     }
@@ -88,7 +93,7 @@ Result<AxisStatus> readyStatus(
 {
     auto status = readStatus(access, drive, axis, sources);
     if (status && !status->table)
-        return fail(ErrorCode::NoTable, {{"axis", std::to_string(axis)}});
+        return fail(ErrorCode::NoTable, {{"axis", axis}});
     return status;
 }
 
@@ -96,13 +101,13 @@ Result<AxisStatus> readyStatus(
 
 Error compensationError(const AxisStatus& status)
 {
-    std::string hint = "see the drive's manual";
+    TextPattern hint = AXISCOMP_TEXT("Error", "see the drive's manual");
     for (const Hint& row : hints) {
         if (row.fault == status.fault)
             hint = row.hint;
     }
     return Error{ErrorCode::CompensationError,
-        {{"axis", std::to_string(status.axis.index)}, {"error", status.error}, {"hint", hint}}, {}};
+        {{"axis", status.axis.index}, {"error", status.error}, {"hint", hint}}, {}};
 }
 
 Result<AxisStatus> activateAxis(
@@ -112,7 +117,7 @@ Result<AxisStatus> activateAxis(
     if (!status || status->axis.state == CompensationState::Active)
         return status;
     if (!status->axis.isHomed)
-        return fail(ErrorCode::NotHomed, {{"axis", std::to_string(axis)}});
+        return fail(ErrorCode::NotHomed, {{"axis", axis}});
     return requestAndWait(access, *status, sources, access.enums().activationAddToEncoders,
         access.enums().stateActive);
 }
@@ -124,7 +129,7 @@ Result<AxisStatus> evaluateAxis(
     if (!status || status->axis.state == CompensationState::Evaluating)
         return status;
     if (status->isOn())
-        return fail(ErrorCode::CompensationActive, {{"axis", std::to_string(axis)}});
+        return fail(ErrorCode::CompensationActive, {{"axis", axis}});
     return requestAndWait(access, *status, sources, access.enums().activationEvaluate,
         access.enums().stateEvaluating);
 }

@@ -224,7 +224,7 @@ CompensationFault compensationFault(const RegisterEnums& enums, std::string_view
 Error compensationActive(const AxisStatus& status)
 {
     return {ErrorCode::CompensationActive,
-        {{"axis", std::to_string(status.axis.index)}, {"name", status.axis.name}}, {}};
+        {{"axis", status.axis.index}, {"name", status.axis.name}}, {}};
 }
 
 Result<StatusReading> readStatusWith(const RegisterAccess& access, const DriveIdentity& drive,
@@ -235,7 +235,7 @@ Result<StatusReading> readStatusWith(const RegisterAccess& access, const DriveId
         return fail(first.error());
     if (!first->contains(access.axisPath(access.registers().table, axis))
         || !first->contains(access.axisPath(access.registers().state, axis)))
-        return fail(ErrorCode::NoCompensation, {{"axis", std::to_string(axis)}});
+        return fail(ErrorCode::NoCompensation, {{"axis", axis}});
     auto wiring = wiringFrom(access, *first, axis, sources);
     if (!wiring)
         return fail(wiring.error());
@@ -257,8 +257,8 @@ Result<StatusReading> readStatusWith(const RegisterAccess& access, const DriveId
         std::swap(known, *wiring);
     }
     return fail(ErrorCode::ChangedMeanwhile,
-        {{"what", "the settings of axis " + std::to_string(axis)}, {"before", wiring->slot},
-            {"now", known.slot}});
+        {{"what", AXISCOMP_TEXT("Error", "the settings of axis {axis}").with("axis", axis)},
+            {"before", wiring->slot}, {"now", known.slot}});
 }
 
 Result<std::vector<RegisterWrite>> readAxisRegisters(const RegisterAccess& access, int axis)

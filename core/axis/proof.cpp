@@ -20,9 +20,9 @@ constexpr std::chrono::milliseconds sampleInterval{20};
 constexpr double roundings = 8.0;
 constexpr double singleRounding = std::numeric_limits<float>::epsilon() / 2.0;
 
-std::string number(double value)
+Quantity exactNumber(double value)
 {
-    return toText(RegisterValue{value});
+    return {toText(RegisterValue{value})};
 }
 
 class Prover {
@@ -94,8 +94,10 @@ private:
         const bool isActive = state == m_access.enums().stateActive;
         if (!isActive && state != m_access.enums().stateEvaluating)
             return fail(ErrorCode::CompensationError,
-                {{"axis", std::to_string(axis)}, {"error", state},
-                    {"hint", "only an active or an evaluating compensation can be proved"}});
+                {{"axis", axis}, {"error", state},
+                    {"hint",
+                        AXISCOMP_TEXT("Error",
+                            "only an active or an evaluating compensation can be proved")}});
         sample.output = numberAt(*readings, outputPath);
         // While evaluating, the drive looks up but adds nothing.
         sample.expected = isActive
@@ -140,26 +142,31 @@ private:
         m_proof.largestDifference = std::max(m_proof.largestDifference, difference);
         m_proof.samples.push_back(sample);
         if (!(difference <= m_proof.tolerance + motion.output))
-            return mismatch("the output", sample, sample.output, sample.expected);
+            return mismatch(
+                AXISCOMP_TEXT("Error", "the output"), sample, sample.output, sample.expected);
         for (std::size_t n = 0; n < dimensions(); ++n) {
             const double tolerance = motion.indices[n]
                 + roundings * singleRounding * static_cast<double>(m_table.grid.axes[n].size);
             if (!(std::abs(sample.indices[n] - sample.expectedIndices[n]) <= tolerance))
-                return mismatch("the index of dimension " + std::to_string(n + 1), sample,
-                    sample.indices[n], sample.expectedIndices[n]);
+                return mismatch(AXISCOMP_TEXT("Error", "the index of dimension {dimension}")
+                                    .with("dimension", n + 1),
+                    sample, sample.indices[n], sample.expectedIndices[n]);
         }
         return {};
     }
 
     [[nodiscard]] tl::unexpected<Error> mismatch(
-        const std::string& what, const Proof::Sample& sample, double found, double expected) const
+        Text what, const Proof::Sample& sample, double found, double expected) const
     {
-        std::string position;
+        std::vector<Text> position;
         for (std::size_t n = 0; n < dimensions(); ++n)
-            position += (n == 0 ? "" : " / ") + number(sample.sources[n]);
+            position.push_back(AXISCOMP_TEXT("Error", "{axis} = {position}")
+                                   .with("axis", m_status.setup.sources[n].path)
+                                   .with("position", exactNumber(sample.sources[n])));
         return fail(ErrorCode::ProofFailed,
-            {{"axis", std::to_string(m_status.axis.index)}, {"what", what},
-                {"found", number(found)}, {"expected", number(expected)}, {"position", position}});
+            {{"axis", m_status.axis.index}, {"what", std::move(what)},
+                {"found", exactNumber(found)}, {"expected", exactNumber(expected)},
+                {"position", std::move(position)}});
     }
 
     const RegisterAccess& m_access;
@@ -178,7 +185,7 @@ Result<Proof> proveAxis(const RegisterAccess& access, const AxisStatus& status,
         return fail(compensationError(status));
     for (std::size_t n = 0; n < static_cast<std::size_t>(table.grid.dimensions()); ++n) {
         if (status.setup.sources[n].path.empty())
-            return fail(ErrorCode::SourceMissing, {{"dimension", std::to_string(n + 1)}});
+            return fail(ErrorCode::SourceMissing, {{"dimension", n + 1}});
     }
     return Prover(access, status, table).run(samples);
 }

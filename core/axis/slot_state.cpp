@@ -20,15 +20,16 @@ std::vector<std::string> userPaths(
     return paths;
 }
 
-std::string otherUserOf(const RegisterAccess& access, const DriveIdentity& drive, int axis,
+Text otherUserOf(const RegisterAccess& access, const DriveIdentity& drive, int axis,
     std::string_view slot, const Readings& readings)
 {
     const RegisterPaths& registers = access.registers();
     for (int other = 0; other < drive.axes; ++other) {
         if (textAt(readings, access.axisPath(registers.coggingTable, other)) == slot)
-            return "the cogging compensation of axis " + std::to_string(other);
+            return AXISCOMP_TEXT("Error", "the cogging compensation of axis {axis}")
+                .with("axis", other);
         if (other != axis && textAt(readings, access.axisPath(registers.table, other)) == slot)
-            return "axis " + std::to_string(other);
+            return AXISCOMP_TEXT("Error", "axis {axis}").with("axis", other);
     }
     return {};
 }
@@ -58,13 +59,22 @@ SlotState slotState(const RegisterAccess& access, const DriveIdentity& drive, in
     return state;
 }
 
-std::string slotStateText(const SlotState& state)
+Text slotStateText(const SlotState& state)
 {
-    std::string text = "empty";
-    if (!state.isEmpty())
-        text = std::to_string(state.elements) + " values (CRC " + crcText(state.crc) + "), "
-            + (state.persistent ? "persistent" : "volatile");
-    return state.otherUser.empty() ? text : text + ", used by " + state.otherUser;
+    const bool isFree = state.otherUser.isEmpty();
+    TextPattern pattern =
+        isFree ? AXISCOMP_TEXT("Error", "empty") : AXISCOMP_TEXT("Error", "empty, used by {user}");
+    if (!state.isEmpty() && state.persistent)
+        pattern = isFree
+            ? AXISCOMP_TEXT("Error", "{count} values (CRC {crc}), persistent")
+            : AXISCOMP_TEXT("Error", "{count} values (CRC {crc}), persistent, used by {user}");
+    else if (!state.isEmpty())
+        pattern = isFree
+            ? AXISCOMP_TEXT("Error", "{count} values (CRC {crc}), volatile")
+            : AXISCOMP_TEXT("Error", "{count} values (CRC {crc}), volatile, used by {user}");
+    return pattern.with("count", state.elements)
+        .with("crc", crcText(state.crc))
+        .with("user", state.otherUser);
 }
 
 } // namespace axiscomp

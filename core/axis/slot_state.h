@@ -11,7 +11,7 @@ struct SlotState {
     std::uint32_t elements = 0; ///< 0: empty
     std::uint32_t crc = 0; ///< of the elements
     bool persistent = false;
-    std::string otherUser; ///< "axis 1", "the cogging compensation of axis 0"; empty: none
+    Text otherUser; ///< "axis 1", "the cogging compensation of axis 0"; empty: none
 
     [[nodiscard]] bool isEmpty() const { return elements == 0; }
     friend bool operator==(const SlotState&, const SlotState&) = default;
@@ -24,6 +24,6 @@ struct SlotState {
     int axis, std::string_view slot, const Readings& readings);
 
 /// For errors: "empty", "36 values (CRC 00c0ffee), volatile, used by axis 1"
-[[nodiscard]] std::string slotStateText(const SlotState& state);
+[[nodiscard]] Text slotStateText(const SlotState& state);
 
 } // namespace axiscomp

@@ -32,20 +32,12 @@ bool isAllowed(const DriveProfile& profile, const std::string& type)
     return std::ranges::find(profile.sourceTypes, type) != profile.sourceTypes.end();
 }
 
-std::string joined(const std::vector<std::string>& items)
-{
-    std::string text;
-    for (const std::string& item : items)
-        text += (text.empty() ? "" : ", ") + item;
-    return text;
-}
-
 Result<DimSource> checkedType(const RegisterAccess& access, const std::string& path,
     const std::string& type, std::uint32_t address)
 {
     if (!isAllowed(access.profile(), type))
         return fail(ErrorCode::SourceWrongType,
-            {{"source", path}, {"type", type}, {"allowed", joined(access.profile().sourceTypes)}});
+            {{"source", path}, {"type", type}, {"allowed", access.profile().sourceTypes}});
     return DimSource{address, path};
 }
 
@@ -69,7 +61,8 @@ Result<DimSource> SourceDirectory::resolve(const RegisterAccess& access, const s
     const std::size_t path = drive == std::string::npos ? drive : text.find('/', drive + 1);
     if (path == std::string::npos)
         return fail(ErrorCode::SourceNotFound,
-            {{"source", text}, {"nearest", "; a URI is written tam://mc/<drive>/<path>"}});
+            {{"source", text},
+                {"nearest", AXISCOMP_TEXT("Error", "; a URI is written tam://mc/<drive>/<path>")}});
     const std::string named = text.substr(drive + 1, path - drive - 1);
     if (named != m_drive.name)
         return fail(ErrorCode::SourceOtherDrive,
@@ -101,14 +94,17 @@ Result<DimSource> SourceDirectory::resolveAddress(
     const auto parsed = std::from_chars(text.data() + 2, end, address, 16);
     if (parsed.ec != std::errc{} || parsed.ptr != end || address == 0)
         return fail(ErrorCode::SourceNotFound,
-            {{"source", text}, {"nearest", "; an address is written 0x and 1 to 8 hex digits"}});
+            {{"source", text},
+                {"nearest",
+                    AXISCOMP_TEXT("Error", "; an address is written 0x and 1 to 8 hex digits")}});
     const auto source = sourceAt(access, address);
     if (!source)
         return source;
     const auto known = m_registers.find(address);
     if (known == m_registers.end())
         return fail(ErrorCode::SourceNotFound,
-            {{"source", text}, {"nearest", ": no register has this address"}});
+            {{"source", text},
+                {"nearest", AXISCOMP_TEXT("Error", ": no register has this address")}});
     return checkedType(access, known->second.path, known->second.type, address);
 }
 
@@ -176,7 +172,7 @@ Result<void> SourceDirectory::loadTree(const RegisterAccess& access)
     return {};
 }
 
-std::string SourceDirectory::nearest(const std::string& path) const
+Text SourceDirectory::nearest(const std::string& path) const
 {
     std::vector<std::pair<std::size_t, std::string_view>> candidates;
     for (const auto& [address, known] : m_registers) {
@@ -187,13 +183,14 @@ std::string SourceDirectory::nearest(const std::string& path) const
     const std::size_t count = std::min<std::size_t>(3, candidates.size());
     const auto middle = candidates.begin() + static_cast<std::ptrdiff_t>(count);
     std::partial_sort(candidates.begin(), middle, candidates.end());
-    std::string text;
+    std::vector<std::string> names;
     for (std::size_t i = 0; i < count; ++i) {
         if (candidates[i].first <= std::max<std::size_t>(8, path.size() / 2))
-            text +=
-                (text.empty() ? "; the nearest are " : ", ") + std::string(candidates[i].second);
+            names.emplace_back(candidates[i].second);
     }
-    return text;
+    if (names.empty())
+        return {};
+    return AXISCOMP_TEXT("Error", "; the nearest are {names}").with("names", names);
 }
 
 void SourceDirectory::remember(const RegisterReading& reading)

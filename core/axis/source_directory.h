@@ -29,7 +29,7 @@ private:
         const RegisterAccess& access, const std::string& text);
     [[nodiscard]] Result<void> loadShortlist(const RegisterAccess& access);
     [[nodiscard]] Result<void> loadTree(const RegisterAccess& access);
-    [[nodiscard]] std::string nearest(const std::string& path) const;
+    [[nodiscard]] Text nearest(const std::string& path) const;
     void remember(const RegisterReading& reading);
 
     struct Register {

@@ -26,9 +26,12 @@ Result<void> writeInOrder(const RegisterAccess& access, const std::vector<Regist
     return {};
 }
 
-std::string byteText(std::byte byte)
+Text byteText(ByteView bytes, std::ptrdiff_t offset)
 {
-    return "byte " + std::to_string(std::to_integer<int>(byte));
+    const auto at = static_cast<std::size_t>(offset);
+    if (at >= bytes.size())
+        return AXISCOMP_TEXT("Error", "nothing");
+    return AXISCOMP_TEXT("Error", "byte {value}").with("value", std::to_integer<int>(bytes[at]));
 }
 
 bool mayHaveArrived(const Error& error)
@@ -61,10 +64,13 @@ Result<void> compareFiles(const std::string& path, ByteView found, ByteView expe
     const auto [at, wanted] = std::ranges::mismatch(found, expected);
     if (at == found.end() && wanted == expected.end())
         return {};
-    const std::string what = path + " at offset " + std::to_string(at - found.begin());
+    const std::ptrdiff_t offset = at - found.begin();
     return fail(ErrorCode::VerifyMismatch,
-        {{"what", what}, {"found", at == found.end() ? "nothing" : byteText(*at)},
-            {"expected", wanted == expected.end() ? "nothing" : byteText(*wanted)}});
+        {{"what",
+             AXISCOMP_TEXT("Error", "{path} at offset {offset}")
+                 .with("path", path)
+                 .with("offset", offset)},
+            {"found", byteText(found, offset)}, {"expected", byteText(expected, offset)}});
 }
 
 Result<void> writeVerified(const RegisterAccess& access, const std::vector<RegisterWrite>& values,

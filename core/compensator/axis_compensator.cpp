@@ -49,18 +49,18 @@ Result<int> AxisCompensator::findAxis(
     if (parsed.ec == std::errc{} && parsed.ptr == end && index >= 0
         && index < static_cast<int>(all->size()))
         return index;
-    std::string known;
-    std::string matches;
+    std::vector<Text> known;
+    std::vector<std::string> matches;
     for (const AxisInfo& info : *all) {
-        known += (known.empty() ? "" : ", ") + axisText(info.index, info.name);
+        known.push_back(axisText(info.index, info.name));
         if (info.name != indexOrName)
             continue;
         index = info.index;
-        matches += (matches.empty() ? "" : ", ") + std::to_string(info.index);
+        matches.push_back(std::to_string(info.index));
     }
     if (matches.empty())
-        return fail(ErrorCode::AxisNotFound, {{"axis", indexOrName}, {"known", known}});
-    if (matches.find(',') != std::string::npos)
+        return fail(ErrorCode::AxisNotFound, {{"axis", indexOrName}, {"known", std::move(known)}});
+    if (matches.size() > 1)
         return fail(ErrorCode::AxisAmbiguous, {{"axis", indexOrName}, {"matches", matches}});
     return index;
 }
@@ -141,7 +141,7 @@ Result<WriteReport> AxisCompensator::Private::write(
     if (!unfinished)
         return fail(unfinished.error());
     if (prepared->plan.changes.empty() && !onlySaves && !*unfinished)
-        return fail(ErrorCode::NothingToWrite, {{"axis", std::to_string(axis)}});
+        return fail(ErrorCode::NothingToWrite, {{"axis", axis}});
     return WriteProcedure(
         access, store, sources, clock, std::move(*prepared), std::move(*unfinished))
         .run();
@@ -154,7 +154,7 @@ Result<WriteReport> AxisCompensator::setPersistency(
     if (!now)
         return fail(now.error());
     if (!now->table)
-        return fail(ErrorCode::NoTable, {{"axis", std::to_string(axis)}});
+        return fail(ErrorCode::NoTable, {{"axis", axis}});
     WriteRequest request;
     request.dimensionality = now->setup.dimensionality;
     request.persistency = persistency;
@@ -206,7 +206,7 @@ Result<CompensationTable> AxisCompensator::readTable(int axis, const OperationOp
         return fail(now.error());
     const TableSlot* slot = d->profile.slotNamed(now->setup.slot);
     if (!slot || !now->table)
-        return fail(ErrorCode::NoTable, {{"axis", std::to_string(axis)}});
+        return fail(ErrorCode::NoTable, {{"axis", axis}});
     auto bytes = download(slot->file, options);
     if (!bytes)
         return fail(bytes.error());

@@ -36,8 +36,11 @@ struct AxisCompensator::Private {
         auto drive = identify(access);
         if (drive && (axis < 0 || axis >= drive->axes))
             return fail(ErrorCode::AxisNotFound,
-                {{"axis", std::to_string(axis)},
-                    {"known", "0 to " + std::to_string(drive->axes - 1)}});
+                {{"axis", axis},
+                    {"known",
+                        AXISCOMP_TEXT("Error", "{number} to {number2}")
+                            .with("number", 0)
+                            .with("number2", drive->axes - 1)}});
         return drive;
     }
 

@@ -10,9 +10,11 @@ namespace axiscomp {
 
 namespace {
 
-std::string journalText(const JournalEntry& entry)
+Text journalText(const JournalEntry& entry)
 {
-    return utcText(entry.time) + " (" + entry.step + ")";
+    return AXISCOMP_TEXT("Error", "{time} ({step})")
+        .with("time", utcText(entry.time))
+        .with("step", entry.step);
 }
 
 /// Another program may have finished it, or begun the next one.
@@ -21,14 +23,15 @@ Result<void> checkJournal(DriveStore& store, const JournalEntry& entry)
     auto now = store.journal(entry.serialNumber, entry.axis);
     if (!now)
         return fail(now.error());
-    const std::string axis = std::to_string(entry.axis);
     if (!*now)
-        return fail(ErrorCode::NothingUnfinished, {{"axis", axis}});
+        return fail(ErrorCode::NothingUnfinished, {{"axis", entry.axis}});
     if (**now == entry)
         return {};
     return fail(ErrorCode::ChangedMeanwhile,
-        {{"what", "the unfinished write to axis " + axis}, {"before", journalText(entry)},
-            {"now", journalText(**now)}});
+        {{"what",
+             AXISCOMP_TEXT("Error", "the unfinished write to axis {axis}")
+                 .with("axis", entry.axis)},
+            {"before", journalText(entry)}, {"now", journalText(**now)}});
 }
 
 } // namespace
@@ -45,8 +48,7 @@ Result<DriveIdentity> AxisCompensator::Private::identify(
     auto drive = identify(access, entry.axis);
     if (drive && drive->serialNumber != entry.serialNumber)
         return fail(ErrorCode::OtherDrive,
-            {{"expected", std::to_string(entry.serialNumber)},
-                {"found", std::to_string(drive->serialNumber)}});
+            {{"expected", entry.serialNumber}, {"found", drive->serialNumber}});
     return drive;
 }
 

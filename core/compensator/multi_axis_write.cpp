@@ -8,7 +8,7 @@ namespace axiscomp {
 
 namespace {
 
-auto refuse(std::string reason)
+auto refuse(Text reason)
 {
     return fail(ErrorCode::InvalidArgument, {{"reason", std::move(reason)}});
 }
@@ -55,7 +55,8 @@ Result<std::vector<WritePlan>> planMultiAxis(AxisCompensator& compensator,
     std::set<int> axes;
     for (const AxisWrite& write : writes)
         if (!axes.insert(write.axis).second)
-            return refuse("axis " + std::to_string(write.axis) + " is named twice");
+            return refuse(
+                AXISCOMP_TEXT("Error", "axis {axis} is named twice").with("axis", write.axis));
     std::vector<WritePlan> plans;
     int flashOperations = 0;
     int needed = 0; ///< with what putting back the one that fails may cost
@@ -71,9 +72,11 @@ Result<std::vector<WritePlan>> planMultiAxis(AxisCompensator& compensator,
         plans.push_back(*std::move(plan));
     }
     if (!plans.empty() && needed > plans.front().flashBudget.left)
-        return refuse("together these writes cost " + std::to_string(needed)
-            + " flash operations, and " + std::to_string(plans.front().flashBudget.left)
-            + " are possible now; write them volatile, or fewer at a time");
+        return refuse(AXISCOMP_TEXT("Error",
+            "together these writes cost {cost} flash operations, and {left} are possible now; "
+            "write them volatile, or fewer at a time")
+                          .with("cost", needed)
+                          .with("left", plans.front().flashBudget.left));
     return plans;
 }
 

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <limits>
 #include <new>
+#include <utility>
 
 namespace axiscomp {
 
@@ -19,23 +20,25 @@ std::size_t maximumBytes(const CsvOptions& options)
     return std::min<std::size_t>(options.maximumBytes, std::numeric_limits<std::uint32_t>::max());
 }
 
-void reportTooLarge(DiagnosticList& diagnostics, const std::string& bytes, std::size_t limit)
+void reportTooLarge(DiagnosticList& diagnostics, Argument bytes, std::size_t limit)
 {
-    diagnostics.error(DiagnosticCode::TooLarge, 0, 0, bytes + " bytes",
-        "at most " + std::to_string(limit) + " bytes");
+    diagnostics.error(DiagnosticCode::TooLarge, 0, 0,
+        AXISCOMP_TEXT("Error", "{size} bytes").with("size", std::move(bytes)),
+        AXISCOMP_TEXT("Error", "at most {size} bytes").with("size", limit));
 }
 
 void reportNoLines(const csv::Scan& scan, DiagnosticList& diagnostics)
 {
     if (scan.headerLine == 0 && scan.notes.empty())
-        diagnostics.error(DiagnosticCode::EmptyFile, 0, 0, "", "");
+        diagnostics.error(DiagnosticCode::EmptyFile, 0, 0, {}, {});
     else if (scan.headerLine == 0)
-        diagnostics.error(DiagnosticCode::NoHeader, 0, 0, "",
-            "a line with the names of the columns, not only comments");
+        diagnostics.error(DiagnosticCode::NoHeader, 0, 0, {},
+            AXISCOMP_TEXT("Error", "a line with the names of the columns, not only comments"));
     else
         diagnostics.error(DiagnosticCode::TooFewPoints, scan.headerLine, 0,
-            "no data lines after the header",
-            "at least 2 positions in each dimension, one line per grid point");
+            AXISCOMP_TEXT("Error", "no data lines after the header"),
+            AXISCOMP_TEXT(
+                "Error", "at least 2 positions in each dimension, one line per grid point"));
 }
 
 std::optional<CalibrationData> readData(csv::Scan& scan, const CsvOptions& options,
@@ -58,7 +61,7 @@ void parse(
     std::string_view text, const CsvOptions& options, DiagnosticList& diagnostics, CsvReading& out)
 {
     if (text.size() > maximumBytes(options)) {
-        reportTooLarge(diagnostics, std::to_string(text.size()), maximumBytes(options));
+        reportTooLarge(diagnostics, text.size(), maximumBytes(options));
         return;
     }
     const TextInspection inspection(text, options.stop, diagnostics);
@@ -97,7 +100,8 @@ CsvReading parseCalibrationCsv(std::string_view text, const CsvOptions& options)
         parse(text, options, diagnostics, reading);
     } catch (const std::bad_alloc&) {
         reading.data.reset();
-        diagnostics.error(DiagnosticCode::IoError, 0, 0, "there is not enough memory", "");
+        diagnostics.error(DiagnosticCode::IoError, 0, 0,
+            AXISCOMP_TEXT("Error", "there is not enough memory"), {});
     }
     reading.diagnostics = diagnostics.take();
     reading.suppressed = diagnostics.suppressed();
@@ -112,8 +116,8 @@ CsvReading readCalibrationCsv(const std::filesystem::path& file, const CsvOption
     CsvReading reading;
     DiagnosticList diagnostics(options.maximumDiagnostics);
     const ErrorContext& context = bytes.error().context;
-    if (bytes.error().code == ErrorCode::FileTooLarge)
-        reportTooLarge(diagnostics, context.english("size"), maximumBytes(options));
+    if (const Argument* const size = context.find("size"))
+        reportTooLarge(diagnostics, *size, maximumBytes(options));
     else
         diagnostics.error(
             DiagnosticCode::IoError, 0, 0, Text(AXISCOMP_TEXT("Error", "{reason}"), context), {});

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 namespace axiscomp::csv {
 
@@ -40,6 +41,13 @@ GridLines gridLines(const std::vector<double>& values)
     return lines;
 }
 
+Text inSteps(double position, double distance)
+{
+    return AXISCOMP_TEXT("Error", "{position} (steps of {distance})")
+        .with("position", Quantity{roundedText(position)})
+        .with("distance", Quantity{roundedText(distance)});
+}
+
 /// The spacing of one dimension.
 class AxisReader {
 public:
@@ -61,11 +69,11 @@ private:
     void reportUneven(const EvenSpacing& spacing);
     void reportStep(std::size_t index, double due);
     [[nodiscard]] std::size_t fileLine(std::size_t gridLine) const;
-    [[nodiscard]] std::string text(double position) const
+    [[nodiscard]] Text text(double position) const
     {
         return positionText(m_scan.columns[m_dimension], m_dimension, position);
     }
-    [[nodiscard]] std::string wrongDimensionHint() const;
+    [[nodiscard]] Text withWrongDimensionHint(Text expected) const;
 
     const Scan& m_scan;
     const GridReading& m_reading;
@@ -91,7 +99,8 @@ std::optional<GridAxis> AxisReader::read(bool acceptsUneven)
     }
     if (!std::isfinite(m_positions.back() - m_positions.front())) {
         m_diagnostics.error(DiagnosticCode::NotFinite, fileLine(m_positions.size() - 1),
-            m_dimension + 1, toText(m_positions.back()), "positions with a finite range");
+            m_dimension + 1, Verbatim{toText(m_positions.back())},
+            AXISCOMP_TEXT("Error", "positions with a finite range"));
         return std::nullopt;
     }
     const EvenSpacing spacing =
@@ -112,24 +121,23 @@ std::optional<GridAxis> AxisReader::read(bool acceptsUneven)
     }
     if (!(axis.distance > 0.0) || !std::isfinite(axis.last())) {
         m_diagnostics.error(DiagnosticCode::NotFinite, fileLine(0), m_dimension + 1,
-            toText(m_positions.back()), "positions whose distance a double can hold");
+            Verbatim{toText(m_positions.back())},
+            AXISCOMP_TEXT("Error", "positions whose distance a double can hold"));
         return std::nullopt;
     }
     if (spacing.rounded)
         m_diagnostics.warning(DiagnosticCode::RoundedSpacing, fileLine(spacing.worst),
             m_dimension + 1, text(m_positions[spacing.worst]),
-            roundedText(axis.position(spacing.worst)) + " (steps of " + roundedText(axis.distance)
-                + ")");
+            inSteps(axis.position(spacing.worst), axis.distance));
     return axis;
 }
 
 void AxisReader::reportTooFew()
 {
-    std::string expected = "at least 2 different positions";
-    if (m_dimension > 0)
-        expected += dimensionalityHint(static_cast<int>(m_dimension));
     m_diagnostics.error(DiagnosticCode::TooFewPoints, fileLine(0), m_dimension + 1,
-        "only " + text(m_positions.front()), std::move(expected));
+        AXISCOMP_TEXT("Error", "only {position}").with("position", text(m_positions.front())),
+        withDimensionalityHint(AXISCOMP_TEXT("Error", "at least 2 different positions"),
+            static_cast<int>(m_dimension)));
 }
 
 /// Names the steps that are not like most, or the worst position where none stands out.
@@ -156,18 +164,22 @@ void AxisReader::reportUneven(const EvenSpacing& spacing)
     if (reported == 0)
         m_diagnostics.error(DiagnosticCode::UnevenSpacing, fileLine(spacing.worst), m_dimension + 1,
             text(m_positions[spacing.worst]),
-            roundedText(spacing.start + static_cast<double>(spacing.worst) * spacing.distance)
-                + " on an even line in steps of " + roundedText(spacing.distance)
-                + wrongDimensionHint());
+            withWrongDimensionHint(
+                AXISCOMP_TEXT("Error", "{position} on an even line in steps of {distance}")
+                    .with("position",
+                        Quantity{roundedText(
+                            spacing.start + static_cast<double>(spacing.worst) * spacing.distance)})
+                    .with("distance", Quantity{roundedText(spacing.distance)})));
 }
 
 void AxisReader::reportStep(std::size_t index, double usual)
 {
     const double before = m_positions[index - 1];
     m_diagnostics.error(DiagnosticCode::UnevenSpacing, fileLine(index), m_dimension + 1,
-        text(m_positions[index]) + " next to " + toText(before),
-        roundedText(before + usual) + " (steps of " + roundedText(usual) + ")"
-            + wrongDimensionHint());
+        AXISCOMP_TEXT("Error", "{position} next to {before}")
+            .with("position", text(m_positions[index]))
+            .with("before", Quantity{toText(before)}),
+        withWrongDimensionHint(inSteps(before + usual, usual)));
 }
 
 std::size_t AxisReader::fileLine(std::size_t gridLine) const
@@ -182,11 +194,11 @@ std::size_t AxisReader::fileLine(std::size_t gridLine) const
 }
 
 /// Values scatter; positions repeat. A column of positions in which most rows differ is a table.
-std::string AxisReader::wrongDimensionHint() const
+Text AxisReader::withWrongDimensionHint(Text expected) const
 {
-    return m_dimension > 0 && m_positions.size() > m_scan.rows.size() / 2
-        ? dimensionalityHint(static_cast<int>(m_dimension))
-        : "";
+    return m_positions.size() > m_scan.rows.size() / 2
+        ? withDimensionalityHint(std::move(expected), static_cast<int>(m_dimension))
+        : expected;
 }
 
 constexpr std::uint32_t nowhere = std::numeric_limits<std::uint32_t>::max();
@@ -216,8 +228,8 @@ private:
     void place();
     void reportDuplicates();
     void reportMissing();
-    [[nodiscard]] std::string pointText(std::size_t point) const;
-    [[nodiscard]] std::string fewerDimensionsHint() const;
+    [[nodiscard]] std::vector<Text> pointText(std::size_t point) const;
+    [[nodiscard]] int fewerDimensions() const;
 
     static constexpr std::size_t mostNamed = 3; ///< missing points
     static constexpr std::size_t mostDuplicates = 20;
@@ -292,15 +304,16 @@ void PointReader::reportDuplicates()
             for (std::size_t i = 0; i < m_duplicates.size(); ++i)
                 if (m_points[row] == m_duplicates[i].point)
                     firstRows[i] = std::min(firstRows[i], row);
-    std::string expected = "every position once";
+    Text expected = AXISCOMP_TEXT("Error", "every position once");
     if (m_scan.tables() > 1)
-        expected += dimensionalityHint(m_scan.dimensions + 1);
+        expected = withDimensionalityHint(expected, m_scan.dimensions + 1);
     for (std::size_t i = 0; i < m_duplicates.size(); ++i) {
         const std::size_t line = m_scan.rowLines.lineOf(m_duplicates[i].row);
         m_diagnostics.error(DiagnosticCode::DuplicatePoint, line, 0,
-            pointText(m_duplicates[i].point) + " in line "
-                + std::to_string(m_scan.rowLines.lineOf(firstRows[i])) + " and again in line "
-                + std::to_string(line),
+            AXISCOMP_TEXT("Error", "{point} in line {first} and again in line {second}")
+                .with("point", pointText(m_duplicates[i].point))
+                .with("first", m_scan.rowLines.lineOf(firstRows[i]))
+                .with("second", line),
             expected);
     }
     m_diagnostics.countErrors(m_duplicateCount - m_duplicates.size());
@@ -312,53 +325,64 @@ void PointReader::reportMissing()
     const double missing = m_pointCount - static_cast<double>(m_rows - m_duplicateCount);
     if (missing <= 0.0)
         return;
-    std::string names;
+    Argument points = Verbatim{};
     std::size_t named = 0;
-    for (std::size_t point = 0; point < m_looked && named < mostNamed; ++point) {
-        if (m_occupied[point])
-            continue;
-        names += (named == 0 ? "" : "; ") + pointText(point);
-        ++named;
-    }
-    const bool more = missing > static_cast<double>(named);
+    const auto name = [&](Argument point) {
+        points = named++ == 0 ? std::move(point)
+                              : AXISCOMP_TEXT("Error", "{first}; {next}")
+                                    .with("first", points)
+                                    .with("next", std::move(point));
+    };
+    for (std::size_t point = 0; point < m_looked && named < mostNamed; ++point)
+        if (!m_occupied[point])
+            name(pointText(point));
+    if (missing > static_cast<double>(named))
+        name(Verbatim{"..."});
     m_diagnostics.error(DiagnosticCode::MissingPoint, 0, 0,
-        "no line for " + names + (more ? "; ..." : "") + " (missing: " + roundedText(missing)
-            + " of " + roundedText(m_pointCount) + " points)",
-        "every combination of the positions" + fewerDimensionsHint());
+        AXISCOMP_TEXT("Error", "no line for {points} (missing: {missing} of {all} points)")
+            .with("points", std::move(points))
+            .with("missing", Quantity{roundedText(missing)})
+            .with("all", Quantity{roundedText(m_pointCount)}),
+        withDimensionalityHint(
+            AXISCOMP_TEXT("Error", "every combination of the positions"), fewerDimensions()));
 }
 
-std::string PointReader::pointText(std::size_t point) const
+std::vector<Text> PointReader::pointText(std::size_t point) const
 {
-    std::string text;
+    std::vector<Text> text;
     for (std::size_t d = 0; d < m_dimensions; ++d) {
         const std::vector<double>& positions = m_grid.lines[d].positions;
-        text += (d == 0 ? "" : ", ")
-            + positionText(m_scan.columns[d], d, positions[point % positions.size()]);
+        text.push_back(positionText(m_scan.columns[d], d, positions[point % positions.size()]));
         point /= positions.size();
     }
     return text;
 }
 
-/// A grid of fewer dimensions, when the last columns of positions follow from the ones before.
-std::string PointReader::fewerDimensionsHint() const
+/// Those of a grid of fewer dimensions, when the last columns of positions follow from the ones
+/// before; otherwise 0.
+int PointReader::fewerDimensions() const
 {
     double points = 1.0;
     for (std::size_t d = 0; d + 1 < m_dimensions; ++d) {
         points *= m_sizes[d];
         if (points == static_cast<double>(m_rows))
-            return dimensionalityHint(static_cast<int>(d) + 1);
+            return static_cast<int>(d) + 1;
     }
-    return "";
+    return 0;
 }
 
 } // namespace
 
-std::string positionText(const ColumnName& column, std::size_t dimension, double position)
+Text positionText(const ColumnName& column, std::size_t dimension, double position)
 {
-    std::string text =
-        column.name.empty() ? "position " + std::to_string(dimension + 1) : column.name;
-    text += " = " + toText(position);
-    return column.unit.empty() ? text : text + ' ' + column.unit;
+    const Quantity quantity{toText(position), column.unit};
+    if (column.name.empty())
+        return AXISCOMP_TEXT("Error", "position {number} = {position}")
+            .with("number", dimension + 1)
+            .with("position", quantity);
+    return AXISCOMP_TEXT("Error", "{axis} = {position}")
+        .with("axis", column.name)
+        .with("position", quantity);
 }
 
 GridReading readGrid(const Scan& scan, bool acceptsUneven, DiagnosticList& diagnostics)

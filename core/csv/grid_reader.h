@@ -31,8 +31,7 @@ template <typename Visit> void forEachRow(const Scan& scan, Visit&& visit)
 }
 
 /// "X = 2.5 mm"
-[[nodiscard]] std::string positionText(
-    const ColumnName& column, std::size_t dimension, double position);
+[[nodiscard]] Text positionText(const ColumnName& column, std::size_t dimension, double position);
 
 /// Finds the grid lines and their spacing. Not for an empty scan. Problems go to diagnostics.
 /// acceptsUneven: as in CsvOptions.

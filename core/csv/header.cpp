@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 namespace axiscomp::csv {
 
@@ -47,13 +48,16 @@ void nameTables(std::vector<ColumnName>& columns, std::size_t dimensions)
     }
 }
 
-std::string tooFewHint(std::string_view line, std::size_t count)
+Text withTooFewHint(Text expected, std::string_view line, std::size_t count)
 {
     if (line.find('\t') != std::string_view::npos)
-        return "; separate the columns with , or ; instead of tabs";
+        return AXISCOMP_TEXT(
+            "Error", "{expected}; separate the columns with , or ; instead of tabs")
+            .with("expected", std::move(expected));
     if (count == 1 && line.find('|') != std::string_view::npos)
-        return "; separate the columns with , or ;";
-    return count >= 2 ? dimensionalityHint(static_cast<int>(count) - 1) : "";
+        return AXISCOMP_TEXT("Error", "{expected}; separate the columns with , or ;")
+            .with("expected", std::move(expected));
+    return withDimensionalityHint(std::move(expected), static_cast<int>(count) - 1);
 }
 
 bool checkQuotes(const std::vector<Cell>& cells, std::size_t lineNumber, Encoding encoding,
@@ -63,9 +67,10 @@ bool checkQuotes(const std::vector<Cell>& cells, std::size_t lineNumber, Encodin
         if (cells[i].quoting == Quoting::None || cells[i].quoting == Quoting::Quoted)
             continue;
         diagnostics.error(DiagnosticCode::UnterminatedQuote, lineNumber, i + 1,
-            excerpt(cells[i].text, encoding),
-            cells[i].quoting == Quoting::NotClosed ? "a closing \" in the same line"
-                                                   : "a separator after the closing \"");
+            Verbatim{excerpt(cells[i].text, encoding)},
+            cells[i].quoting == Quoting::NotClosed
+                ? AXISCOMP_TEXT("Error", "a closing \" in the same line")
+                : AXISCOMP_TEXT("Error", "a separator after the closing \""));
         return false;
     }
     return true;
@@ -73,11 +78,13 @@ bool checkQuotes(const std::vector<Cell>& cells, std::size_t lineNumber, Encodin
 
 } // namespace
 
-std::string dimensionalityHint(int dimensions)
+Text withDimensionalityHint(Text expected, int dimensions)
 {
-    return dimensions >= 1 && dimensions <= 3
-        ? " (or is the dimensionality " + std::to_string(dimensions) + "?)"
-        : "";
+    if (dimensions < 1 || dimensions > 3)
+        return expected;
+    return AXISCOMP_TEXT("Error", "{expected} (or is the dimensionality {dimensions}?)")
+        .with("expected", std::move(expected))
+        .with("dimensions", dimensions);
 }
 
 std::optional<Header> readHeader(std::string_view line, std::size_t lineNumber, int dimensions,
@@ -90,22 +97,27 @@ std::optional<Header> readHeader(std::string_view line, std::size_t lineNumber, 
         return std::nullopt;
     if (count > maximumColumns) {
         diagnostics.error(DiagnosticCode::TooLarge, lineNumber, 0,
-            std::to_string(count) + " columns",
-            "at most " + std::to_string(maximumColumns) + " columns");
+            AXISCOMP_COUNTED("Error", "{count} columns", "1 column").with("count", count),
+            AXISCOMP_TEXT("Error", "at most {count} columns").with("count", maximumColumns));
         return std::nullopt;
     }
     if (std::ranges::all_of(cells, isNumber)) {
-        diagnostics.error(DiagnosticCode::NoHeader, lineNumber, 0, excerpt(line, encoding),
-            "the names of the columns, not numbers");
+        diagnostics.error(DiagnosticCode::NoHeader, lineNumber, 0,
+            Verbatim{excerpt(line, encoding)},
+            AXISCOMP_TEXT("Error", "the names of the columns, not numbers"));
         return std::nullopt;
     }
     const auto positions = static_cast<std::size_t>(dimensions);
     if (count < positions + 1) {
         diagnostics.error(DiagnosticCode::TooFewColumns, lineNumber, 0,
-            std::to_string(count) + (count == 1 ? " column" : " columns"),
-            "at least " + std::to_string(positions + 1) + " for dimensionality "
-                + std::to_string(dimensions) + ", " + std::to_string(dimensions)
-                + " of positions and 1 of values" + tooFewHint(line, count));
+            AXISCOMP_COUNTED("Error", "{count} columns", "1 column").with("count", count),
+            withTooFewHint(AXISCOMP_TEXT("Error",
+                               "at least {count} for dimensionality {dimensions}, {positions} of "
+                               "positions and 1 of values")
+                               .with("count", positions + 1)
+                               .with("dimensions", dimensions)
+                               .with("positions", dimensions),
+                line, count));
         return std::nullopt;
     }
     for (const Cell& cell : cells)

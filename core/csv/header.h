@@ -14,7 +14,7 @@ struct Header {
 [[nodiscard]] std::optional<Header> readHeader(std::string_view line, std::size_t lineNumber,
     int dimensions, Encoding encoding, DiagnosticList& diagnostics);
 
-/// " (or is the dimensionality 2?)", nothing when there is no such dimensionality.
-[[nodiscard]] std::string dimensionalityHint(int dimensions);
+/// With " (or is the dimensionality 2?)" behind it when there is such a dimensionality.
+[[nodiscard]] Text withDimensionalityHint(Text expected, int dimensions);
 
 } // namespace axiscomp::csv

@@ -128,9 +128,11 @@ void Scanner::readDataLine(std::string_view line, std::size_t lineNumber)
 {
     if (m_scan.rows.size() >= maximumRows()) {
         m_diagnostics.error(DiagnosticCode::TooLarge, lineNumber, 0,
-            "more than " + std::to_string(maximumRows()) + " data lines of "
-                + std::to_string(m_scan.columns.size()) + " columns",
-            "at most " + std::to_string(m_options.maximumCells) + " cells (lines x columns)");
+            AXISCOMP_TEXT("Error", "more than {rows} data lines of {columns} columns")
+                .with("rows", maximumRows())
+                .with("columns", m_scan.columns.size()),
+            AXISCOMP_TEXT("Error", "at most {cells} cells (lines x columns)")
+                .with("cells", m_options.maximumCells));
         m_stop = true;
         m_scan.complete = false;
         return;
@@ -155,10 +157,11 @@ bool Scanner::checkCells(std::string_view line, std::size_t lineNumber, std::siz
         if (m_cells[i].quoting != Quoting::NotClosed && m_cells[i].quoting != Quoting::TextBehind)
             continue;
         m_diagnostics.error(DiagnosticCode::UnterminatedQuote, lineNumber, i + 1,
-            excerpt(m_cells[i].text, m_encoding),
+            Verbatim{excerpt(m_cells[i].text, m_encoding)},
             m_cells[i].quoting == Quoting::NotClosed
-                ? "a closing \" in the same line"
-                : "a separator or the end of the line after the closing \"");
+                ? AXISCOMP_TEXT("Error", "a closing \" in the same line")
+                : AXISCOMP_TEXT(
+                    "Error", "a separator or the end of the line after the closing \""));
         return false;
     }
     if (count == m_scan.columns.size())
@@ -171,18 +174,28 @@ void Scanner::reportColumnCount(std::string_view line, std::size_t lineNumber, s
 {
     const std::size_t due = m_scan.columns.size();
     const char other = m_format.separator == ',' ? ';' : ',';
-    std::string expected =
-        std::to_string(due) + " as in the header (line " + std::to_string(m_scan.headerLine) + ")";
+    const std::string separator(1, m_format.separator);
+    Text expected = AXISCOMP_TEXT("Error", "{count} as in the header (line {line})")
+                        .with("count", due)
+                        .with("line", m_scan.headerLine);
     if (m_format.separator == ',' && count > due)
-        expected += "; if the commas are decimal commas, separate the columns with ; in every line";
+        expected = AXISCOMP_TEXT("Error",
+            "{expected}; if the commas are decimal commas, separate the columns with ; in every "
+            "line")
+                       .with("expected", expected);
     else if (count < due && line.find(other) != std::string_view::npos)
-        expected += std::string("; the header separates its columns with ") + m_format.separator
-            + ", so every line must";
+        expected = AXISCOMP_TEXT("Error",
+            "{expected}; the header separates its columns with {separator}, so every line must")
+                       .with("expected", expected)
+                       .with("separator", separator);
     else if (count < due && line.find('\t') != std::string_view::npos)
-        expected +=
-            std::string("; separate the columns with ") + m_format.separator + " instead of tabs";
+        expected = AXISCOMP_TEXT(
+            "Error", "{expected}; separate the columns with {separator} instead of tabs")
+                       .with("expected", expected)
+                       .with("separator", separator);
     m_diagnostics.error(DiagnosticCode::ColumnCount, lineNumber, 0,
-        std::to_string(count) + (count == 1 ? " column" : " columns"), std::move(expected));
+        AXISCOMP_COUNTED("Error", "{count} columns", "1 column").with("count", count),
+        std::move(expected));
 }
 
 bool Scanner::readPositions(std::size_t lineNumber, RowStore::Block& block)
@@ -219,8 +232,8 @@ void Scanner::readValues(std::size_t lineNumber, RowStore::Block& block)
             stored = static_cast<float>(number.value);
             if (!std::isfinite(stored))
                 m_diagnostics.error(DiagnosticCode::NotFinite, lineNumber, positions + table + 1,
-                    excerpt(m_cells[positions + table].text, m_encoding),
-                    "a value that fits float32 (below 3.4e38)");
+                    Verbatim{excerpt(m_cells[positions + table].text, m_encoding)},
+                    AXISCOMP_TEXT("Error", "a value that fits float32 (below 3.4e38)"));
             m_scan.ranges[table].add(number.value, stored, m_scan.rows.size());
         }
         block.values[table * m_scan.rows.blockRows() + block.rows] = stored;
@@ -251,11 +264,12 @@ bool Scanner::decideDecimal(std::string_view cell, std::size_t lineNumber, std::
     }
     if (sign == m_format.decimal && !(comma && point))
         return true;
-    const std::string name = m_format.decimal == ',' ? "a decimal comma" : "a decimal point";
+    const TextPattern expected = comma && point
+        ? AXISCOMP_TEXT("Error", "no sign between the thousands")
+        : m_format.decimal == ',' ? AXISCOMP_TEXT("Error", "a decimal comma as in line {line}")
+                                  : AXISCOMP_TEXT("Error", "a decimal point as in line {line}");
     m_diagnostics.error(DiagnosticCode::MixedDecimals, lineNumber, column,
-        excerpt(cell, m_encoding),
-        comma && point ? "no sign between the thousands"
-                       : name + " as in line " + std::to_string(m_decimalLine));
+        Verbatim{excerpt(cell, m_encoding)}, expected.with("line", m_decimalLine));
     return false;
 }
 
@@ -265,16 +279,19 @@ void Scanner::reportFault(NumberFault fault, std::size_t lineNumber, std::size_t
         return;
     const std::string_view cell = m_cells[column - 1].text;
     const std::string example = m_format.decimal == ',' ? "0,5" : "0.5";
-    std::string expected = "a number such as " + example;
+    Text expected = AXISCOMP_TEXT("Error", "a number such as {example}").with("example", example);
     if (fault == NumberFault::NotFinite)
-        expected = "a finite number such as " + example;
+        expected =
+            AXISCOMP_TEXT("Error", "a finite number such as {example}").with("example", example);
     else if (fault == NumberFault::TooSmall)
-        expected = "0 or a number that is not as close to it";
+        expected = AXISCOMP_TEXT("Error", "0 or a number that is not as close to it");
     else if (m_format.separator == ',' && cell.find(',') != std::string_view::npos)
-        expected += "; decimal commas need the separator ; in every line";
+        expected =
+            AXISCOMP_TEXT("Error", "{expected}; decimal commas need the separator ; in every line")
+                .with("expected", expected);
     m_diagnostics.error(
         fault == NumberFault::NotFinite ? DiagnosticCode::NotFinite : DiagnosticCode::NotANumber,
-        lineNumber, column, excerpt(cell, m_encoding), std::move(expected));
+        lineNumber, column, Verbatim{excerpt(cell, m_encoding)}, std::move(expected));
 }
 
 } // namespace

@@ -102,7 +102,11 @@ CompensationTable TableReader::read(const Grid& grid)
     warnOfPrecision(m_scan.ranges[m_index]);
     if (smallest == largest)
         m_diagnostics.warning(DiagnosticCode::ConstantTable, m_scan.headerLine, m_column,
-            toText(smallest) + " at every point of " + table.name, "values that differ");
+
+            AXISCOMP_TEXT("Error", "{value} at every point of {table}")
+                .with("value", Quantity{toText(smallest)})
+                .with("table", table.name),
+            AXISCOMP_TEXT("Error", "values that differ"));
     else
         warnOfGradient(table);
     return table;
@@ -113,8 +117,10 @@ void TableReader::warnOfPrecision(const ValueRange& range)
     if (range.largestError > largestRelativeError * range.largest)
         m_diagnostics.warning(DiagnosticCode::FloatPrecision,
             m_scan.rowLines.lineOf(range.errorRow), m_column,
-            "a change of " + roundedText(range.largestError),
-            "at most a millionth of the largest value, " + toText(range.largest));
+            AXISCOMP_TEXT("Error", "a change of {change}")
+                .with("change", Quantity{roundedText(range.largestError)}),
+            AXISCOMP_TEXT("Error", "at most a millionth of the largest value, {value}")
+                .with("value", Quantity{toText(range.largest)}));
 }
 
 void TableReader::warnOfGradient(const CompensationTable& table)
@@ -126,10 +132,13 @@ void TableReader::warnOfGradient(const CompensationTable& table)
     const auto row = std::ranges::find(m_points, static_cast<std::uint32_t>(step.to));
     m_diagnostics.warning(DiagnosticCode::LargeGradient,
         m_scan.rowLines.lineOf(static_cast<std::size_t>(row - m_points.begin())), m_column,
-        "a step from " + toText(table.values[step.from]) + " to " + toText(table.values[step.to])
-            + " over " + roundedText(axis.distance) + (axis.unit.empty() ? "" : ' ' + axis.unit)
-            + " in dimension " + std::to_string(step.dimension + 1),
-        "at most 0.01 per unit of position");
+        AXISCOMP_TEXT(
+            "Error", "a step from {from} to {to} over {distance} in dimension {dimension}")
+            .with("from", Quantity{toText(table.values[step.from])})
+            .with("to", Quantity{toText(table.values[step.to])})
+            .with("distance", Quantity{roundedText(axis.distance), axis.unit})
+            .with("dimension", step.dimension + 1),
+        AXISCOMP_TEXT("Error", "at most 0.01 per unit of position"));
 }
 
 } // namespace

@@ -61,7 +61,8 @@ private:
     {
         if (m_isLost && m_isEnding)
             return fail(ErrorCode::NotConnected,
-                {{"endpoint", endpoint()}, {"reason", "the program is ending"}});
+                {{"endpoint", endpoint()},
+                    {"reason", AXISCOMP_TEXT("Error", "the program is ending")}});
         auto result = call();
         if (!result && isLinkFailure(result.error().code))
             m_isLost = true;

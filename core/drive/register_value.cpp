@@ -2,6 +2,7 @@
 #include "core/drive/register_value.h"
 
 #include "core/text/number_text.h"
+#include "core/text/utf8.h"
 
 #include <algorithm>
 #include <charconv>
@@ -12,17 +13,21 @@ namespace axiscomp {
 
 namespace {
 
-tl::unexpected<Error> notA(std::string_view type, std::string_view text, std::string_view expected)
+constexpr std::size_t longestQuote = 80;
+
+tl::unexpected<Error> notA(std::string_view type, std::string_view text, Text expected)
 {
     return fail(ErrorCode::InvalidArgument,
         {{"reason",
-            '"' + std::string(text.substr(0, 80)) + "\" is not a value of type " + std::string(type)
-                + "; expected " + std::string(expected)}});
+            AXISCOMP_TEXT("Error", "\"{text}\" is not a value of type {type}; expected {expected}")
+                .with("text", cutAtCharacter(text, longestQuote))
+                .with("type", type)
+                .with("expected", std::move(expected))}});
 }
 
 template <typename T>
 Result<RegisterValue> number(std::string_view type, std::string_view text, std::string_view digits,
-    const std::string& expected, int base = 10)
+    Text expected, int base = 10)
 {
     const char* const end = digits.data() + digits.size();
     T value{};
@@ -32,20 +37,20 @@ Result<RegisterValue> number(std::string_view type, std::string_view text, std::
     else
         result = std::from_chars(digits.data(), end, value, base);
     if (result.ec != std::errc{} || result.ptr != end)
-        return notA(type, text, expected);
+        return notA(type, text, std::move(expected));
     return RegisterValue{value};
 }
 
-template <typename T> std::string integerRange()
+template <typename T> Text integerRange(const TextPattern& pattern)
 {
-    return "a whole number from " + std::to_string(std::numeric_limits<T>::min()) + " to "
-        + std::to_string(std::numeric_limits<T>::max());
+    return pattern.with("least", std::numeric_limits<T>::min())
+        .with("most", std::numeric_limits<T>::max());
 }
 
-template <typename T> std::string floatRange()
+template <typename T> Text floatRange()
 {
-    return "a number such as 12.5, at most " + shortestText(std::numeric_limits<T>::max())
-        + " in magnitude";
+    return AXISCOMP_TEXT("Error", "a number such as 12.5, at most {most} in magnitude")
+        .with("most", Quantity{shortestText(std::numeric_limits<T>::max())});
 }
 
 Result<RegisterValue> boolean(std::string_view text)
@@ -54,12 +59,13 @@ Result<RegisterValue> boolean(std::string_view text)
         return RegisterValue{true};
     if (text == "false" || text == "False" || text == "0")
         return RegisterValue{false};
-    return notA("Boolean", text, "true or false");
+    return notA("Boolean", text, AXISCOMP_TEXT("Error", "true or false"));
 }
 
 Result<RegisterValue> unsignedInteger(std::string_view text)
 {
-    const std::string expected = integerRange<std::uint32_t>() + ", or an address such as 0x1234";
+    const Text expected = integerRange<std::uint32_t>(AXISCOMP_TEXT(
+        "Error", "a whole number from {least} to {most}, or an address such as 0x1234"));
     if (text.starts_with("0x") || text.starts_with("0X"))
         return number<std::uint32_t>("UInt32", text, text.substr(2), expected, 16);
     return number<std::uint32_t>("UInt32", text, text, expected);
@@ -69,7 +75,8 @@ Result<RegisterValue> enumValue(std::string_view type, std::string_view text)
 {
     const auto isGraphic = [](char c) { return c > ' ' && c != '\x7F' && c != '"'; };
     if (type.empty() || text.empty() || !std::ranges::all_of(text, isGraphic))
-        return notA(type.empty() ? "?" : type, text, "the name of an enum value, without blanks");
+        return notA(type.empty() ? "?" : type, text,
+            AXISCOMP_TEXT("Error", "the name of an enum value, without blanks"));
     return RegisterValue{std::string(text)};
 }
 
@@ -109,7 +116,9 @@ Result<RegisterValue> registerValueFromText(std::string_view type, std::string_v
     if (type == "Boolean")
         return boolean(text);
     if (type == "Int32")
-        return number<std::int32_t>(type, text, text, integerRange<std::int32_t>());
+        return number<std::int32_t>(type, text, text,
+            integerRange<std::int32_t>(
+                AXISCOMP_TEXT("Error", "a whole number from {least} to {most}")));
     if (type == "UInt32")
         return unsignedInteger(text);
     if (type == "Single")

@@ -23,7 +23,7 @@ constexpr std::chrono::milliseconds lockPollInterval{10};
 Result<FileLock> FileLock::acquire(const std::filesystem::path& lockFile,
     std::chrono::milliseconds longestWait, const std::filesystem::path& what)
 {
-    const auto failed = [&](const std::string& reason) {
+    const auto failed = [&](const Text& reason) {
         return fail(ErrorCode::FileNotWritable, {{"file", what.string()}, {"reason", reason}});
     };
     const int descriptor =
@@ -35,9 +35,11 @@ Result<FileLock> FileLock::acquire(const std::filesystem::path& lockFile,
     const auto end = std::chrono::steady_clock::now() + longestWait;
     while (::flock(descriptor, LOCK_EX | LOCK_NB) != 0) {
         if (errno != EWOULDBLOCK && errno != EINTR)
-            return failed("it cannot be locked: " + fileErrorReason(errno));
+            return failed(AXISCOMP_TEXT("Error", "it cannot be locked: {reason}")
+                              .with("reason", fileErrorReason(errno)));
         if (std::chrono::steady_clock::now() >= end)
-            return failed("another program is using it; try again when that one has finished");
+            return failed(AXISCOMP_TEXT(
+                "Error", "another program is using it; try again when that one has finished"));
         std::this_thread::sleep_for(lockPollInterval);
     }
     return lock;

@@ -48,10 +48,10 @@ private:
 
 tl::unexpected<Error> notWritable(const std::filesystem::path& file, int errorNumber)
 {
-    std::string reason = fileErrorReason(errorNumber);
+    Text reason = fileErrorReason(errorNumber);
     if (errorNumber == ENOENT)
-        reason = "the folder " + std::filesystem::absolute(file).parent_path().string()
-            + " does not exist";
+        reason = AXISCOMP_TEXT("Error", "the folder {folder} does not exist")
+                     .with("folder", std::filesystem::absolute(file).parent_path().string());
     return fail(ErrorCode::FileNotWritable, {{"file", file.string()}, {"reason", reason}});
 }
 
@@ -187,36 +187,36 @@ bool readAll(int descriptor, std::uint64_t expected, std::uint64_t maximumSize, 
 
 } // namespace
 
-std::string fileErrorReason(int errorNumber)
+Text fileErrorReason(int errorNumber)
 {
     switch (errorNumber) {
     case ENOENT:
-        return "it does not exist";
+        return AXISCOMP_TEXT("Error", "it does not exist");
     case EACCES:
     case EPERM:
-        return "no permission";
+        return AXISCOMP_TEXT("Error", "no permission");
     case ENOSPC:
-        return "the disk is full";
+        return AXISCOMP_TEXT("Error", "the disk is full");
     case EDQUOT:
-        return "the disk quota is used up";
+        return AXISCOMP_TEXT("Error", "the disk quota is used up");
     case EROFS:
-        return "the file system is read-only";
+        return AXISCOMP_TEXT("Error", "the file system is read-only");
     case EISDIR:
-        return "it is a folder";
+        return AXISCOMP_TEXT("Error", "it is a folder");
     case ENOTDIR:
-        return "a part of the path is not a folder";
+        return AXISCOMP_TEXT("Error", "a part of the path is not a folder");
     case ENAMETOOLONG:
-        return "the name is too long";
+        return AXISCOMP_TEXT("Error", "the name is too long");
     case ELOOP:
-        return "its symbolic links lead in a circle";
+        return AXISCOMP_TEXT("Error", "its symbolic links lead in a circle");
     case EFBIG:
-        return "it would be larger than a file may be here";
+        return AXISCOMP_TEXT("Error", "it would be larger than a file may be here");
     case EIO:
-        return "the disk reports an error";
+        return AXISCOMP_TEXT("Error", "the disk reports an error");
     case ENOMEM:
-        return "there is not enough memory";
+        return AXISCOMP_TEXT("Error", "there is not enough memory");
     default:
-        return std::generic_category().message(errorNumber);
+        return Verbatim{std::generic_category().message(errorNumber)};
     }
 }
 
@@ -248,14 +248,14 @@ try {
     if (!descriptor.isOpen() || ::fstat(descriptor.number(), &status) != 0)
         return notReadable(file, errno);
 
-    const auto tooLarge = [&](const std::string& size) {
+    const auto tooLarge = [&](const Argument& size) {
         return fail(ErrorCode::FileTooLarge,
-            {{"file", file.string()}, {"size", size}, {"limit", std::to_string(maximumSize)}});
+            {{"file", file.string()}, {"size", size}, {"limit", maximumSize}});
     };
     const auto expected =
         S_ISREG(status.st_mode) ? static_cast<std::uint64_t>(status.st_size) : std::uint64_t{0};
     if (expected > maximumSize)
-        return tooLarge(std::to_string(expected));
+        return tooLarge(expected);
 
     // One byte more is asked for to see that nothing follows.
     const std::uint64_t readable =
@@ -264,7 +264,7 @@ try {
     if (!readAll(descriptor.number(), expected, readable, bytes))
         return notReadable(file, errno);
     if (bytes.size() > maximumSize)
-        return tooLarge("more than " + std::to_string(maximumSize));
+        return tooLarge(AXISCOMP_TEXT("Error", "more than {size}").with("size", maximumSize));
     return bytes;
 } catch (const std::bad_alloc&) {
     return notReadable(file, ENOMEM);

@@ -27,6 +27,6 @@ namespace axiscomp {
 [[nodiscard]] bool isTemporaryFile(const std::filesystem::path& file);
 
 /// The reason in words, for the context of FileNotReadable and FileNotWritable.
-[[nodiscard]] std::string fileErrorReason(int errorNumber);
+[[nodiscard]] Text fileErrorReason(int errorNumber);
 
 } // namespace axiscomp

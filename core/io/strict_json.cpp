@@ -12,33 +12,36 @@ constexpr int documentVersion = 1;
 
 using nlohmann::json;
 
-std::string lineAndColumn(std::string_view text, std::size_t position)
+Text lineAndColumn(std::string_view text, std::size_t position)
 {
     const std::string_view before = text.substr(0, position);
     const auto line = 1 + std::ranges::count(before, '\n');
     const std::size_t lineStart = before.rfind('\n') + 1; // npos + 1 = 0
-    return "line " + std::to_string(line) + ", column "
-        + std::to_string(before.size() - lineStart + 1);
+    return AXISCOMP_TEXT("Error", "line {line}, column {column}")
+        .with("line", line)
+        .with("column", before.size() - lineStart + 1);
 }
 
-std::string orDocument(const std::string& path)
+Text orDocument(const std::string& path)
 {
-    return path.empty() ? "the document" : path;
+    return path.empty() ? Text(AXISCOMP_TEXT("Error", "the document")) : Verbatim{path};
 }
 
-JsonProblem problemAt(const std::string& path, std::string_view fault)
+JsonProblem problemAt(Text place, Text fault)
 {
-    const std::string place = orDocument(path);
-    return {place + ": " + std::string(fault), place, std::string(fault)};
+    Text reason =
+        AXISCOMP_TEXT("Error", "{place}: {problem}").with("place", place).with("problem", fault);
+    return {std::move(reason), std::move(place), std::move(fault)};
 }
 
-std::string described(const json* value)
+Text described(const json* value)
 {
     if (value->is_structured())
-        return value->is_array() ? "a list" : "an object";
+        return value->is_array() ? AXISCOMP_TEXT("Error", "a list")
+                                 : AXISCOMP_TEXT("Error", "an object");
     constexpr std::size_t longest = 40;
     std::string text = value->dump(-1, ' ', true, json::error_handler_t::replace);
-    return text.size() > longest ? text.substr(0, longest) + "..." : text;
+    return Verbatim{text.size() > longest ? text.substr(0, longest) + "..." : std::move(text)};
 }
 
 /// Builds the document and stops at the first breach of a limit. The library's own parser looks at
@@ -70,18 +73,20 @@ public:
         const auto [member, isNew] = m_open.back()->emplace(name, nullptr);
         m_member = &*member;
         if (!isNew)
-            breach("the member \"" + name + "\" is there twice in one object", path() + name);
+            breach(AXISCOMP_TEXT("Error", "the member \"{name}\" is there twice in one object")
+                       .with("name", name),
+                path() + name);
         return isNew;
     }
     bool parse_error(std::size_t position, const std::string&, const json::exception&) override
     {
-        m_problem =
-            problemAt(lineAndColumn(m_text, position == 0 ? 0 : position - 1), "this is not JSON");
+        m_problem = problemAt(lineAndColumn(m_text, position == 0 ? 0 : position - 1),
+            AXISCOMP_TEXT("Error", "this is not JSON"));
         return false;
     }
 
 private:
-    void breach(const std::string& fault, const std::string& place = {})
+    void breach(const Text& fault, const std::string& place = {})
     {
         m_problem = {fault, orDocument(place), fault};
     }
@@ -108,7 +113,8 @@ private:
     json* put(json&& value)
     {
         if (++m_values > m_limits.values) {
-            breach("it has more than " + std::to_string(m_limits.values) + " values");
+            breach(AXISCOMP_TEXT("Error", "it has more than {count} values")
+                       .with("count", m_limits.values));
             return nullptr;
         }
         json* const target = m_open.empty() ? &m_document
@@ -120,7 +126,8 @@ private:
     bool open(json&& container)
     {
         if (static_cast<int>(m_open.size()) >= m_limits.depth) {
-            breach("it is nested deeper than " + std::to_string(m_limits.depth) + " levels");
+            breach(AXISCOMP_TEXT("Error", "it is nested deeper than {count} levels")
+                       .with("count", m_limits.depth));
             return false;
         }
         m_open.push_back(put(std::move(container)));
@@ -146,8 +153,10 @@ private:
 StrictJson::StrictJson(std::string_view text, const JsonLimits& limits)
 {
     if (text.size() > limits.size) {
-        const std::string fault = "it has " + std::to_string(text.size()) + " bytes, more than the "
-            + std::to_string(limits.size) + " that such a file can have";
+        const Text fault = AXISCOMP_TEXT(
+            "Error", "it has {size} bytes, more than the {limit} that such a file can have")
+                               .with("size", text.size())
+                               .with("limit", limits.size);
         m_problem = JsonProblem{fault, orDocument({}), fault};
         return;
     }
@@ -168,10 +177,10 @@ JsonNode::JsonNode(StrictJson* document, const json* value, std::string path)
 {
 }
 
-void JsonNode::refuse(std::string_view reason) const
+void JsonNode::refuse(Text reason) const
 {
     if (!m_document->m_problem)
-        m_document->m_problem = problemAt(m_path, reason);
+        m_document->m_problem = problemAt(orDocument(m_path), std::move(reason));
 }
 
 std::string JsonNode::pathOf(std::string_view key) const
@@ -184,13 +193,14 @@ JsonNode JsonNode::operator[](std::string_view key) const
     std::string path = pathOf(key);
     const json* member = nullptr;
     if (m_value != nullptr && !m_value->is_object())
-        refuse("an object is expected, not " + described(m_value));
+        refuse(AXISCOMP_TEXT("Error", "an object is expected, not {found}")
+                   .with("found", described(m_value)));
     else if (m_value != nullptr) {
         const auto found = m_value->find(key);
         if (found != m_value->end())
             member = &*found;
         else
-            JsonNode(m_document, nullptr, path).refuse("this is missing");
+            JsonNode(m_document, nullptr, path).refuse(AXISCOMP_TEXT("Error", "this is missing"));
     }
     return {m_document, member, std::move(path)};
 }
@@ -199,7 +209,8 @@ std::vector<JsonNode> JsonNode::items() const
 {
     std::vector<JsonNode> result;
     if (m_value != nullptr && !m_value->is_array())
-        refuse("a list is expected, not " + described(m_value));
+        refuse(AXISCOMP_TEXT("Error", "a list is expected, not {found}")
+                   .with("found", described(m_value)));
     else if (m_value != nullptr)
         for (const json& item : *m_value)
             result.push_back(
@@ -223,8 +234,9 @@ void JsonNode::expectMembers(
         if (m_document->m_problem || std::ranges::find(keys, key) != keys.end()
             || std::ranges::find(optional, key) != optional.end())
             continue;
-        JsonProblem problem = problemAt(m_path, "the member \"" + key + "\" is not known");
-        problem.place = pathOf(key);
+        JsonProblem problem = problemAt(orDocument(m_path),
+            AXISCOMP_TEXT("Error", "the member \"{name}\" is not known").with("name", key));
+        problem.place = Verbatim{pathOf(key)};
         m_document->m_problem = std::move(problem);
     }
 }
@@ -244,7 +256,8 @@ std::string_view JsonNode::textView() const
     if (isText())
         return m_value->get_ref<const std::string&>();
     if (m_value != nullptr)
-        refuse("a text is expected, not " + described(m_value));
+        refuse(AXISCOMP_TEXT("Error", "a text is expected, not {found}")
+                   .with("found", described(m_value)));
     return {};
 }
 
@@ -258,7 +271,8 @@ bool JsonNode::boolean() const
     if (m_value != nullptr && m_value->is_boolean())
         return m_value->get<bool>();
     if (m_value != nullptr)
-        refuse("true or false is expected, not " + described(m_value));
+        refuse(AXISCOMP_TEXT("Error", "true or false is expected, not {found}")
+                   .with("found", described(m_value)));
     return false;
 }
 
@@ -267,7 +281,8 @@ double JsonNode::number() const
     if (m_value != nullptr && m_value->is_number())
         return m_value->get<double>();
     if (m_value != nullptr)
-        refuse("a number is expected, not " + described(m_value));
+        refuse(AXISCOMP_TEXT("Error", "a number is expected, not {found}")
+                   .with("found", described(m_value)));
     return 0.0;
 }
 
@@ -282,8 +297,10 @@ std::int64_t JsonNode::integerWithin(std::int64_t minimum, std::int64_t maximum)
         if (value >= minimum && value <= maximum)
             return value;
     }
-    refuse("a whole number from " + std::to_string(minimum) + " to " + std::to_string(maximum)
-        + " is expected, not " + described(m_value));
+    refuse(AXISCOMP_TEXT("Error", "a whole number from {least} to {most} is expected, not {found}")
+               .with("least", minimum)
+               .with("most", maximum)
+               .with("found", described(m_value)));
     return minimum;
 }
 
@@ -301,11 +318,13 @@ void expectFormat(const JsonNode& document, std::string_view format)
 {
     const JsonNode found = document["format"];
     if (found.textView() != format)
-        found.refuse("\"" + std::string(format) + "\" is expected");
+        found.refuse(AXISCOMP_TEXT("Error", "\"{format}\" is expected").with("format", format));
     const JsonNode foundVersion = document["version"];
     if (foundVersion.integer<int>() != documentVersion)
-        foundVersion.refuse("only version " + std::to_string(documentVersion)
-            + " can be read; a newer version of this program may have written it");
+        foundVersion.refuse(AXISCOMP_TEXT("Error",
+            "only version {version} can be read; a newer version of this program may have written "
+            "it")
+                                .with("version", documentVersion));
 }
 
 } // namespace axiscomp

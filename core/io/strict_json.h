@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/text.h"
+
 #include <nlohmann/json.hpp>
 
 #include <cstdint>
@@ -23,11 +25,11 @@ struct JsonLimits {
 
 /// The first thing that is wrong with a document, in words.
 struct JsonProblem {
-    std::string reason; ///< "axes[0].files[1].crc32: ..." or "line 3, column 5: ..."
+    Text reason; ///< "axes[0].files[1].crc32: ..." or "line 3, column 5: ..."
     /// The same in two parts: "slots[2].maximumSize", "line 3, column 5" or "the document", and the
     /// fault alone.
-    std::string place{};
-    std::string fault{};
+    Text place = {};
+    Text fault = {};
 };
 
 class JsonNode;
@@ -77,7 +79,7 @@ public:
 
     [[nodiscard]] bool isText() const;
     /// Records a problem at this place, unless there is one already.
-    void refuse(std::string_view reason) const;
+    void refuse(Text reason) const;
 
 private:
     friend class StrictJson;

@@ -65,52 +65,63 @@ std::uint32_t largestValue(FieldType type)
     }
 }
 
-tl::unexpected<Error> wrongLayout(std::string path, std::string reason)
+tl::unexpected<Error> wrongLayout(std::string path, Text reason)
 {
     return fail(ErrorCode::InvalidProfile,
-        {{"file", "(table layout)"}, {"path", std::move(path)}, {"reason", std::move(reason)}});
+        {{"file", AXISCOMP_TEXT("Error", "(table layout)")}, {"path", std::move(path)},
+            {"reason", std::move(reason)}});
 }
 
-tl::unexpected<Error> wrongField(TableField field, std::string reason)
+tl::unexpected<Error> wrongField(TableField field, Text reason)
 {
     return wrongLayout("fields." + std::string(tableFieldName(field)), std::move(reason));
 }
 
 /// The fault of a field's type, empty when there is none.
-std::string typeFault(TableField field, FieldType type)
+Text typeFault(TableField field, FieldType type)
 {
-    const std::string found =
-        "it cannot be of type " + std::string(fieldTypeName(type)) + "; expected ";
+    const auto expected = [&](std::string_view types) -> Text {
+        return AXISCOMP_TEXT("Error", "it cannot be of type {type}; expected {types}")
+            .with("type", fieldTypeName(type))
+            .with("types", types);
+    };
     const bool isFloat = type == FieldType::F32 || type == FieldType::F64;
     switch (contentOf(field)) {
     case Holds::Text:
-        return type == FieldType::Char ? "" : found + "char";
+        return type == FieldType::Char ? Text() : expected("char");
     case Holds::Number:
-        return isFloat ? "" : found + "f32 or f64";
+        return isFloat ? Text() : expected("f32, f64");
     case Holds::Checksum:
-        return type == FieldType::U32 ? "" : found + "u32";
+        return type == FieldType::U32 ? Text() : expected("u32");
     case Holds::Integer:
         break;
     }
-    return isFloat || type == FieldType::Char ? found + "u8, u16, u32 or i32" : "";
+    return isFloat || type == FieldType::Char ? expected("u8, u16, u32, i32") : Text();
 }
 
-std::string countFault(TableField field, const FieldPlace& place, const TableLayout& layout)
+Text countFault(TableField field, const FieldPlace& place, const TableLayout& layout)
 {
-    const std::string found = "its count is " + std::to_string(place.count) + ", expected ";
-    if (field == TableField::Magic)
-        return place.count == layout.magic.size() && place.count > 0
-            ? ""
-            : found + "the length of the magic text, " + std::to_string(layout.magic.size())
-                + ", which is at least 1";
-    if (field == TableField::Name)
-        return place.count > 0 ? "" : found + "at least 1";
+    const bool isMagic = field == TableField::Magic;
+    if (isMagic || field == TableField::Name) {
+        if (place.count == 0)
+            return AXISCOMP_TEXT("Error", "its count is 0, expected at least 1");
+        if (!isMagic || place.count == layout.magic.size())
+            return {};
+        return AXISCOMP_TEXT(
+            "Error", "its count is {found}, expected {expected}, the length of the magic text")
+            .with("found", place.count)
+            .with("expected", layout.magic.size());
+    }
     const std::uint32_t expected = isPerDimension(field) ? gridDimensions : 1;
-    return place.count == expected ? "" : found + std::to_string(expected);
+    if (place.count == expected)
+        return {};
+    return AXISCOMP_TEXT("Error", "its count is {found}, expected {expected}")
+        .with("found", place.count)
+        .with("expected", expected);
 }
 
 /// The fault of a constant that the layout wants in a field.
-std::string constantFault(TableField field, FieldType type, const TableLayout& layout)
+Text constantFault(TableField field, FieldType type, const TableLayout& layout)
 {
     std::uint32_t value = 0;
     if (field == TableField::Version)
@@ -120,26 +131,29 @@ std::string constantFault(TableField field, FieldType type, const TableLayout& l
     else if (field == TableField::ElementType)
         value = layout.elementTypeFloat32;
     if (value <= largestValue(type))
-        return "";
-    return "its type " + std::string(fieldTypeName(type)) + " cannot hold " + std::to_string(value);
+        return {};
+    return AXISCOMP_TEXT("Error", "its type {type} cannot hold {value}")
+        .with("type", fieldTypeName(type))
+        .with("value", value);
 }
 
-std::string placeFault(TableField field, const FieldPlace& place, const TableLayout& layout)
+Text placeFault(TableField field, const FieldPlace& place, const TableLayout& layout)
 {
     const std::uint64_t end = std::uint64_t{place.offset} + place.byteCount();
     if (end > layout.headerSize)
-        return "it ends at byte " + std::to_string(end) + ", but the header has only "
-            + std::to_string(layout.headerSize) + " bytes";
+        return AXISCOMP_TEXT("Error", "it ends at byte {end}, but the header has only {size} bytes")
+            .with("end", end)
+            .with("size", layout.headerSize);
     if (field == TableField::HeaderCrc && place.offset == 0)
-        return "it covers the header bytes before it, and there are none";
-    return "";
+        return AXISCOMP_TEXT("Error", "it covers the header bytes before it, and there are none");
+    return {};
 }
 
 Result<void> checkField(TableField field, const FieldPlace& place, const TableLayout& layout)
 {
-    for (const std::string& fault : {typeFault(field, place.type), countFault(field, place, layout),
+    for (const Text& fault : {typeFault(field, place.type), countFault(field, place, layout),
              placeFault(field, place, layout), constantFault(field, place.type, layout)}) {
-        if (!fault.empty())
+        if (!fault.isEmpty())
             return wrongField(field, fault);
     }
     return {};
@@ -163,9 +177,11 @@ Result<void> checkOverlaps(const TableLayout& layout)
         const Extent& before = extents[i - 1];
         if (extents[i].begin < before.end)
             return wrongField(extents[i].field,
-                "it begins at byte " + std::to_string(extents[i].begin) + ", inside "
-                    + std::string(tableFieldName(before.field)) + ", which ends at byte "
-                    + std::to_string(before.end));
+                AXISCOMP_TEXT(
+                    "Error", "it begins at byte {begin}, inside {field}, which ends at byte {end}")
+                    .with("begin", extents[i].begin)
+                    .with("field", tableFieldName(before.field))
+                    .with("end", before.end));
     }
     return {};
 }
@@ -193,11 +209,13 @@ Result<void> checkLayout(const TableLayout& layout)
 {
     if (layout.headerSize == 0 || layout.headerSize > largestHeader)
         return wrongLayout("headerSize",
-            "it is " + std::to_string(layout.headerSize) + ", expected 1 to "
-                + std::to_string(largestHeader) + " bytes");
+            AXISCOMP_TEXT("Error", "it is {size}, expected 1 to {limit} bytes")
+                .with("size", layout.headerSize)
+                .with("limit", largestHeader));
     for (const TableField field : {TableField::Size, TableField::Start, TableField::Distance}) {
         if (!layout.place(field))
-            return wrongField(field, "it is missing; a table cannot be read without it");
+            return wrongField(
+                field, AXISCOMP_TEXT("Error", "it is missing; a table cannot be read without it"));
     }
     for (std::size_t i = 0; i < layout.fields.size(); ++i) {
         if (!layout.fields[i])

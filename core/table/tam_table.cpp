@@ -75,15 +75,21 @@ private:
     [[nodiscard]] CompensationTable table() const;
 
     [[nodiscard]] static tl::unexpected<Error> invalid(
-        std::string field, std::size_t offset, std::string found, std::string expected)
+        Argument field, std::size_t offset, Argument found, Argument expected)
     {
         return fail(ErrorCode::InvalidTable,
-            {{"field", std::move(field)}, {"offset", std::to_string(offset)},
-                {"found", std::move(found)}, {"expected", std::move(expected)}});
+            {{"field", std::move(field)}, {"offset", offset}, {"found", std::move(found)},
+                {"expected", std::move(expected)}});
+    }
+    [[nodiscard]] tl::unexpected<Error> invalidLength(Text expected) const
+    {
+        return invalid(AXISCOMP_TEXT("Error", "file length"), m_file.size(),
+            AXISCOMP_TEXT("Error", "{size} bytes").with("size", m_file.size()),
+            std::move(expected));
     }
     /// The fault of item `index` of a field.
     [[nodiscard]] tl::unexpected<Error> invalidItem(
-        TableField field, std::uint32_t index, std::string found, std::string expected) const
+        TableField field, std::uint32_t index, Argument found, Argument expected) const
     {
         const FieldPlace& place = *m_layout.place(field);
         std::string name(tableFieldName(field));
@@ -104,7 +110,7 @@ Result<void> Decoder::equals(TableField field, std::int64_t expected) const
 {
     if (!m_layout.place(field) || integer(field) == expected)
         return {};
-    return invalidItem(field, 0, std::to_string(integer(field)), std::to_string(expected));
+    return invalidItem(field, 0, integer(field), expected);
 }
 
 Result<void> Decoder::checkMagic()
@@ -130,7 +136,8 @@ Result<void> Decoder::checkConstants()
     if (m_layout.place(TableField::Persistent)) {
         const std::int64_t persistent = integer(TableField::Persistent);
         if (persistent != 0 && persistent != 1)
-            return invalidItem(TableField::Persistent, 0, std::to_string(persistent), "0 or 1");
+            return invalidItem(
+                TableField::Persistent, 0, persistent, AXISCOMP_TEXT("Error", "0 or 1"));
     }
     return {};
 }
@@ -145,7 +152,8 @@ Result<void> Decoder::checkSizes()
     if (tellsDimensions) {
         const std::int64_t dimensions = integer(TableField::Dimensions);
         if (dimensions < 1 || dimensions > tableDimensions)
-            return invalidItem(TableField::Dimensions, 0, std::to_string(dimensions), "1, 2 or 3");
+            return invalidItem(
+                TableField::Dimensions, 0, dimensions, AXISCOMP_TEXT("Error", "1, 2 or 3"));
         m_dimensions = static_cast<std::uint32_t>(dimensions);
     } else {
         while (m_dimensions < tableDimensions && sizes[m_dimensions] > 1)
@@ -155,11 +163,11 @@ Result<void> Decoder::checkSizes()
 
     m_elementCount = 1;
     for (std::uint32_t i = 0; i < tableDimensions; ++i) {
-        const std::string found = std::to_string(sizes[i]);
         if (i < m_dimensions && sizes[i] < 2)
-            return invalidItem(TableField::Size, i, found, "2 or more");
+            return invalidItem(TableField::Size, i, sizes[i], AXISCOMP_TEXT("Error", "2 or more"));
         if (i >= m_dimensions && sizes[i] != 1 && (tellsDimensions || sizes[i] != 0))
-            return invalidItem(TableField::Size, i, found, "1, because this dimension is not used");
+            return invalidItem(TableField::Size, i, sizes[i],
+                AXISCOMP_TEXT("Error", "1, because this dimension is not used"));
         if (i < m_dimensions)
             m_elementCount = saturatedProduct(m_elementCount, static_cast<std::uint64_t>(sizes[i]));
     }
@@ -168,19 +176,20 @@ Result<void> Decoder::checkSizes()
 
 Result<void> Decoder::checkLength()
 {
-    const std::string count = std::to_string(m_elementCount);
     if (m_layout.place(TableField::ElementCount)) {
         const std::int64_t found = integer(TableField::ElementCount);
         if (found < 0 || static_cast<std::uint64_t>(found) != m_elementCount)
-            return invalidItem(TableField::ElementCount, 0, std::to_string(found),
-                count + ", the product of the sizes");
+            return invalidItem(TableField::ElementCount, 0, found,
+                AXISCOMP_TEXT("Error", "{count}, the product of the sizes")
+                    .with("count", m_elementCount));
     }
     const std::size_t available = elements().size();
     if (available % sizeof(float) == 0 && available / sizeof(float) == m_elementCount)
         return {};
-    return invalid("file length", m_file.size(), std::to_string(m_file.size()) + " bytes",
-        std::to_string(m_layout.headerSize) + " for the header and 4 for each of the " + count
-            + " elements");
+    return invalidLength(
+        AXISCOMP_TEXT("Error", "{size} for the header and 4 for each of the {count} elements")
+            .with("size", m_layout.headerSize)
+            .with("count", m_elementCount));
 }
 
 Result<void> Decoder::checkPositions()
@@ -188,18 +197,21 @@ Result<void> Decoder::checkPositions()
     for (std::uint32_t i = 0; i < m_dimensions; ++i) {
         const double start = number(TableField::Start, i);
         if (!std::isfinite(start))
-            return invalidItem(TableField::Start, i, shortestText(start), "a finite number");
+            return invalidItem(TableField::Start, i, Quantity{shortestText(start)},
+                AXISCOMP_TEXT("Error", "a finite number"));
         const double distance = number(TableField::Distance, i);
-        const std::string found = shortestText(distance);
+        const Quantity found{shortestText(distance)};
         if (!(distance > 0.0) || !std::isfinite(distance))
-            return invalidItem(TableField::Distance, i, found, "a finite number above 0");
+            return invalidItem(
+                TableField::Distance, i, found, AXISCOMP_TEXT("Error", "a finite number above 0"));
         const GridAxis stored = axis(i);
         if (!std::isfinite(stored.last()))
-            return invalidItem(
-                TableField::Distance, i, found, "one that leads to a finite last position");
+            return invalidItem(TableField::Distance, i, found,
+                AXISCOMP_TEXT("Error", "one that leads to a finite last position"));
         if (!pointsAreDistinct(stored))
             return invalidItem(TableField::Distance, i, found,
-                "one that tells positions such as " + shortestText(stored.last()) + " apart");
+                AXISCOMP_TEXT("Error", "one that tells positions such as {position} apart")
+                    .with("position", Quantity{shortestText(stored.last())}));
     }
     return {};
 }
@@ -211,14 +223,16 @@ Result<void> Decoder::checkCrcs()
         const std::uint32_t computed = headerCrc(header(), *place, m_layout);
         if (found != computed)
             return invalidItem(TableField::HeaderCrc, 0, hex(found),
-                hex(computed) + ", the CRC of the header before it");
+                AXISCOMP_TEXT("Error", "{crc}, the CRC of the header before it")
+                    .with("crc", hex(computed)));
     }
     if (m_layout.place(TableField::ElementCrc)) {
         const auto found = static_cast<std::uint32_t>(integer(TableField::ElementCrc));
         const std::uint32_t computed = crc32(elements());
         if (found != computed)
-            return invalidItem(
-                TableField::ElementCrc, 0, hex(found), hex(computed) + ", the CRC of the elements");
+            return invalidItem(TableField::ElementCrc, 0, hex(found),
+                AXISCOMP_TEXT("Error", "{crc}, the CRC of the elements")
+                    .with("crc", hex(computed)));
     }
     return {};
 }
@@ -229,8 +243,10 @@ Result<void> Decoder::checkValues()
     for (std::size_t offset = 0; offset < bytes.size(); offset += sizeof(float)) {
         const auto value = loadAt<float>(bytes.subspan(offset), m_layout.littleEndian);
         if (!std::isfinite(value))
-            return invalid("element " + std::to_string(offset / sizeof(float)),
-                m_layout.headerSize + offset, shortestText(value), "a finite number");
+            return invalid(
+                AXISCOMP_TEXT("Error", "element {number}").with("number", offset / sizeof(float)),
+                m_layout.headerSize + offset, Quantity{shortestText(value)},
+                AXISCOMP_TEXT("Error", "a finite number"));
     }
     return {};
 }
@@ -270,8 +286,8 @@ CompensationTable Decoder::table() const
 Result<TamTable> Decoder::decode()
 {
     if (m_file.size() < m_layout.headerSize)
-        return invalid("file length", m_file.size(), std::to_string(m_file.size()) + " bytes",
-            "at least the " + std::to_string(m_layout.headerSize) + " bytes of the header");
+        return invalidLength(AXISCOMP_TEXT("Error", "at least the {size} bytes of the header")
+                                 .with("size", m_layout.headerSize));
     for (const auto check : {&Decoder::checkMagic, &Decoder::checkConstants, &Decoder::checkSizes,
              &Decoder::checkLength, &Decoder::checkPositions, &Decoder::checkCrcs,
              &Decoder::checkValues}) {

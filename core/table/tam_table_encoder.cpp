@@ -16,40 +16,50 @@ namespace {
 /// A grid point may move by this part of the distance when start and distance are rounded to f32.
 constexpr double largestShift = 1e-3;
 
-tl::unexpected<Error> refused(std::string reason)
+tl::unexpected<Error> refused(Text reason)
 {
     return fail(ErrorCode::InvalidArgument, {{"reason", std::move(reason)}});
 }
 
-std::string ofDimension(std::string_view what, std::size_t index)
-{
-    return "the " + std::string(what) + " of dimension " + std::to_string(index + 1);
-}
-
 Result<void> checkAxis(const GridAxis& axis, std::size_t index)
 {
+    const auto wrong = [&](const TextPattern& pattern, Argument value) {
+        return refused(pattern.with("dimension", index + 1).with("value", std::move(value)));
+    };
     if (axis.size < 2)
-        return refused(ofDimension("size", index) + " is " + std::to_string(axis.size)
-            + ", at least 2 is needed");
+        return wrong(AXISCOMP_TEXT("Error",
+                         "the size of dimension {dimension} is {value}, at least 2 is needed"),
+            axis.size);
     if (!std::isfinite(axis.start))
-        return refused(ofDimension("start value", index) + " is " + shortestText(axis.start)
-            + ", a finite number is needed");
+        return wrong(
+            AXISCOMP_TEXT("Error",
+                "the start value of dimension {dimension} is {value}, a finite number is needed"),
+            Quantity{shortestText(axis.start)});
     if (!(axis.distance > 0.0) || !std::isfinite(axis.distance))
-        return refused(ofDimension("distance", index) + " is " + shortestText(axis.distance)
-            + ", a finite number above 0 is needed");
+        return wrong(AXISCOMP_TEXT("Error",
+                         "the distance of dimension {dimension} is {value}, a finite number above "
+                         "0 is needed"),
+            Quantity{shortestText(axis.distance)});
     if (!std::isfinite(axis.last()))
-        return refused(ofDimension("last position", index) + " is too large to be a number");
+        return refused(AXISCOMP_TEXT(
+            "Error", "the last position of dimension {dimension} is too large to be a number")
+                           .with("dimension", index + 1));
     if (!pointsAreDistinct(axis))
-        return refused(ofDimension("distance", index) + " is " + shortestText(axis.distance)
-            + ", too little to tell positions such as " + shortestText(axis.last()) + " apart");
+        return refused(AXISCOMP_TEXT("Error",
+            "the distance of dimension {dimension} is {value}, too little to tell positions such "
+            "as {position} apart")
+                           .with("dimension", index + 1)
+                           .with("value", Quantity{shortestText(axis.distance)})
+                           .with("position", Quantity{shortestText(axis.last())}));
     return {};
 }
 
 Result<void> checkTable(const CompensationTable& table)
 {
     if (table.grid.axes.empty() || table.grid.axes.size() > 3)
-        return refused("the table has " + std::to_string(table.grid.axes.size())
-            + " dimensions, 1 to 3 are possible");
+        return refused(
+            AXISCOMP_TEXT("Error", "the table has {count} dimensions, 1 to 3 are possible")
+                .with("count", table.grid.axes.size()));
     // the product is compared by division, so that it cannot overflow
     std::size_t remaining = table.values.size();
     bool matches = true;
@@ -61,10 +71,11 @@ Result<void> checkTable(const CompensationTable& table)
         remaining /= axis.size;
     }
     if (!matches || remaining != 1)
-        return refused("the table has " + std::to_string(table.values.size())
-            + " values, which is not the product of its sizes");
+        return refused(AXISCOMP_TEXT(
+            "Error", "the table has {count} values, which is not the product of its sizes")
+                           .with("count", table.values.size()));
     if (table.values.size() > std::numeric_limits<std::uint32_t>::max())
-        return refused("the table has more values than a file can count");
+        return refused(AXISCOMP_TEXT("Error", "the table has more values than a file can count"));
     // one pass without a branch: an exponent of all ones is infinite or not a number
     std::uint32_t notFinite = 0;
     for (const float value : table.values)
@@ -73,8 +84,10 @@ Result<void> checkTable(const CompensationTable& table)
     if (notFinite != 0) {
         const auto found = std::ranges::find_if_not(
             table.values, [](float value) { return std::isfinite(value); });
-        return refused("value " + std::to_string(found - table.values.begin() + 1) + " is "
-            + shortestText(static_cast<double>(*found)) + ", a finite number is needed");
+        return refused(
+            AXISCOMP_TEXT("Error", "value {number} is {value}, a finite number is needed")
+                .with("number", found - table.values.begin() + 1)
+                .with("value", Quantity{shortestText(static_cast<double>(*found))}));
     }
     return {};
 }
@@ -92,10 +105,12 @@ public:
     {
         const auto& place = m_layout.place(field);
         if (place && !storeInteger(m_header, *place, index, value, m_layout.littleEndian)
-            && m_fault.empty())
-            m_fault = std::to_string(value) + " does not fit into the field "
-                + std::string(tableFieldName(field)) + ", which is of type "
-                + std::string(fieldTypeName(place->type));
+            && m_fault.isEmpty())
+            m_fault = AXISCOMP_TEXT(
+                "Error", "{value} does not fit into the field {field}, which is of type {type}")
+                          .with("value", value)
+                          .with("field", tableFieldName(field))
+                          .with("type", fieldTypeName(place->type));
     }
 
     void characters(TableField field, std::string_view content)
@@ -112,19 +127,22 @@ public:
         GridAxis stored = axis;
         if (!rounds(stored.start, start.type) || !rounds(stored.distance, distance.type)
             || !isSameGrid(axis, stored)) {
-            if (m_fault.empty())
-                m_fault = ofDimension("grid", index) + ", start " + shortestText(axis.start)
-                    + " and distance " + shortestText(axis.distance)
-                    + ", cannot be held by fields of the types "
-                    + std::string(fieldTypeName(start.type)) + " and "
-                    + std::string(fieldTypeName(distance.type));
+            if (m_fault.isEmpty())
+                m_fault = AXISCOMP_TEXT("Error",
+                    "the grid of dimension {dimension}, start {start} and distance {distance}, "
+                    "cannot be held by fields of the types {first} and {second}")
+                              .with("dimension", index + 1)
+                              .with("start", Quantity{shortestText(axis.start)})
+                              .with("distance", Quantity{shortestText(axis.distance)})
+                              .with("first", fieldTypeName(start.type))
+                              .with("second", fieldTypeName(distance.type));
             return;
         }
         storeNumber(m_header, start, index, stored.start, m_layout.littleEndian);
         storeNumber(m_header, distance, index, stored.distance, m_layout.littleEndian);
     }
 
-    [[nodiscard]] const std::string& fault() const { return m_fault; }
+    [[nodiscard]] const Text& fault() const { return m_fault; }
 
 private:
     static bool rounds(double& value, FieldType type)
@@ -146,7 +164,7 @@ private:
 
     std::span<std::byte> m_header;
     const TableLayout& m_layout;
-    std::string m_fault;
+    Text m_fault;
 };
 
 void writeElements(
@@ -200,8 +218,10 @@ Result<Bytes> encodeTamTable(
     // last, and while Persistent is still 0, which is what the CRC covers
     if (const auto& place = layout.place(TableField::HeaderCrc))
         writer.integer(TableField::HeaderCrc, crc32(header.first(place->offset)));
-    if (!writer.fault().empty())
-        return refused("the table cannot be kept in this drive's table file: " + writer.fault());
+    if (!writer.fault().isEmpty())
+        return refused(
+            AXISCOMP_TEXT("Error", "the table cannot be kept in this drive's table file: {reason}")
+                .with("reason", writer.fault()));
     setPersistent(file, persistent, layout);
     return file;
 }

@@ -94,18 +94,19 @@ void appendUtf8(std::string& text, char16_t code)
 
 struct Format {
     std::string_view magic;
-    std::string_view name;
+    TextPattern name;
 };
 using namespace std::string_view_literals;
+constexpr TextPattern utf16Text = AXISCOMP_TEXT("Error", "UTF-16 text");
 constexpr std::array formats{
-    Format{"\xFF\xFE"sv, "UTF-16 text"sv},
-    Format{"\xFE\xFF"sv, "UTF-16 text"sv},
-    Format{"PK\x03\x04"sv, "a spreadsheet workbook or ZIP archive"sv},
-    Format{"\xD0\xCF\x11\xE0"sv, "an old Excel workbook"sv},
-    Format{"%PDF-"sv, "a PDF document"sv},
-    Format{"\x1F\x8B"sv, "a compressed file (gzip)"sv},
-    Format{"\x89PNG"sv, "a picture"sv},
-    Format{"TAMT\x01\x00"sv, "a TAM table"sv},
+    Format{"\xFF\xFE"sv, utf16Text},
+    Format{"\xFE\xFF"sv, utf16Text},
+    Format{"PK\x03\x04"sv, AXISCOMP_TEXT("Error", "a spreadsheet workbook or ZIP archive")},
+    Format{"\xD0\xCF\x11\xE0"sv, AXISCOMP_TEXT("Error", "an old Excel workbook")},
+    Format{"%PDF-"sv, AXISCOMP_TEXT("Error", "a PDF document")},
+    Format{"\x1F\x8B"sv, AXISCOMP_TEXT("Error", "a compressed file (gzip)")},
+    Format{"\x89PNG"sv, AXISCOMP_TEXT("Error", "a picture")},
+    Format{"TAMT\x01\x00"sv, AXISCOMP_TEXT("Error", "a TAM table")},
 };
 
 } // namespace
@@ -121,9 +122,10 @@ TextInspection::TextInspection(
         decideEncoding();
 }
 
-bool TextInspection::refuse(const std::string& what, std::size_t line)
+bool TextInspection::refuse(const TextPattern& what, std::size_t line)
 {
-    m_diagnostics.error(DiagnosticCode::NotText, line, 0, what, "a text file");
+    m_diagnostics.error(
+        DiagnosticCode::NotText, line, 0, what, AXISCOMP_TEXT("Error", "a text file"));
     return true;
 }
 
@@ -132,10 +134,10 @@ bool TextInspection::refuseForeignFormat(std::string_view text)
     const auto format = std::ranges::find_if(
         formats, [text](const Format& candidate) { return text.starts_with(candidate.magic); });
     if (format != formats.end())
-        return refuse(std::string(format->name));
+        return refuse(format->name);
     if (looksLikeUtf16(m_body))
-        return refuse("UTF-16 text");
-    return looksBinary(m_body) && refuse("a binary file");
+        return refuse(utf16Text);
+    return looksBinary(m_body) && refuse(AXISCOMP_TEXT("Error", "a binary file"));
 }
 
 bool TextInspection::refuseNul(const std::stop_token& stop)
@@ -146,7 +148,7 @@ bool TextInspection::refuseNul(const std::stop_token& stop)
         m_ascii = m_ascii && !kinds.nonAscii;
         const std::size_t nul = kinds.nul ? m_body.find('\0', begin) : std::string_view::npos;
         if (nul != std::string_view::npos)
-            return refuse("a NUL byte", lineAt(m_body, nul));
+            return refuse(AXISCOMP_TEXT("Error", "a NUL byte"), lineAt(m_body, nul));
     }
     return false;
 }
@@ -159,11 +161,11 @@ void TextInspection::decideEncoding()
     m_encoding = Encoding::Windows1252;
     constexpr std::string_view digits = "0123456789ABCDEF";
     const auto byte = static_cast<unsigned char>(m_body[invalid]);
-    std::string found = "the byte 0x";
-    found.append({digits[byte >> 4U], digits[byte & 15U]});
-    found += " (" + toUtf8(m_body.substr(invalid, 1), m_encoding) + ")";
-    m_diagnostics.warning(
-        DiagnosticCode::Encoding, lineAt(m_body, invalid), 0, std::move(found), "UTF-8");
+    m_diagnostics.warning(DiagnosticCode::Encoding, lineAt(m_body, invalid), 0,
+        AXISCOMP_TEXT("Error", "the byte 0x{byte} ({character})")
+            .with("byte", std::string{digits[byte >> 4U], digits[byte & 15U]})
+            .with("character", toUtf8(m_body.substr(invalid, 1), m_encoding)),
+        Verbatim{"UTF-8"});
 }
 
 std::string toUtf8(std::string_view bytes, Encoding encoding)

@@ -23,7 +23,7 @@ public:
     [[nodiscard]] Encoding encoding() const { return m_encoding; }
 
 private:
-    bool refuse(const std::string& what, std::size_t line = 0);
+    bool refuse(const TextPattern& what, std::size_t line = 0);
     bool refuseForeignFormat(std::string_view text);
     bool refuseNul(const std::stop_token& stop);
     void decideEncoding();

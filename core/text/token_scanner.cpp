@@ -9,6 +9,7 @@
 #include <charconv>
 #include <cmath>
 #include <span>
+#include <utility>
 
 namespace axiscomp {
 
@@ -17,9 +18,9 @@ namespace {
 constexpr std::string_view blanks = " \t";
 constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
 
-std::string quoted(const Token& token)
+Verbatim quoted(const Token& token)
 {
-    return excerpt(token.text, Encoding::Utf8);
+    return {excerpt(token.text, Encoding::Utf8)};
 }
 
 char lower(char c)
@@ -98,23 +99,21 @@ std::optional<long> wholeNumberOf(std::string_view text)
     return isWhole ? std::optional(number) : std::nullopt;
 }
 
-std::optional<double> readNumber(
-    const Token& token, std::string_view expected, DiagnosticList& diagnostics)
+std::optional<double> readNumber(const Token& token, Text expected, DiagnosticList& diagnostics)
 {
     const auto number = numberOf(token.text);
     if (!number)
         diagnostics.error(DiagnosticCode::NotANumber, token.line, token.column, quoted(token),
-            std::string(expected));
+            std::move(expected));
     return number;
 }
 
-std::optional<long> readWholeNumber(
-    const Token& token, std::string_view expected, DiagnosticList& diagnostics)
+std::optional<long> readWholeNumber(const Token& token, Text expected, DiagnosticList& diagnostics)
 {
     const auto number = wholeNumberOf(token.text);
     if (!number)
         diagnostics.error(DiagnosticCode::NotANumber, token.line, token.column, quoted(token),
-            std::string(expected));
+            std::move(expected));
     return number;
 }
 
@@ -126,35 +125,44 @@ bool sameLetters(std::string_view a, std::string_view b)
 bool isReadableText(std::string_view text, std::size_t mostBytes, DiagnosticList& diagnostics)
 {
     if (text.size() > mostBytes) {
-        diagnostics.error(DiagnosticCode::TooLarge, 0, 0, std::to_string(text.size()) + " bytes",
-            "at most " + std::to_string(mostBytes) + " bytes");
+        diagnostics.error(DiagnosticCode::TooLarge, 0, 0,
+            AXISCOMP_TEXT("Error", "{size} bytes").with("size", text.size()),
+            AXISCOMP_TEXT("Error", "at most {size} bytes").with("size", mostBytes));
         return false;
     }
     const TextInspection inspection(text, {}, diagnostics);
     if (!diagnostics.hasErrors()
         && inspection.body().find_first_not_of(" \t\r\n") == std::string_view::npos)
-        diagnostics.error(DiagnosticCode::EmptyFile, 0, 0, "", "");
+        diagnostics.error(DiagnosticCode::EmptyFile, 0, 0, {}, {});
     return !diagnostics.hasErrors();
 }
 
-bool checkKnots(std::span<const double> knots, std::span<const std::size_t> lines,
-    std::string_view axis, DiagnosticList& diagnostics)
+bool checkKnots(std::span<const double> knots, std::span<const std::size_t> lines, const Text& axis,
+    DiagnosticList& diagnostics)
 {
     const auto lineOf = [&](std::size_t i) {
         return lines.empty() ? 0 : lines[std::min(i, lines.size() - 1)];
     };
-    const std::string positions = "positions of " + std::string(axis);
     if (knots.size() < 2) {
         diagnostics.error(DiagnosticCode::TooFewPoints, lineOf(0), 0,
-            std::to_string(knots.size()) + " " + positions, "at least 2");
+            (axis.isEmpty() ? AXISCOMP_COUNTED("Error", "{count} positions", "1 position")
+                            : AXISCOMP_COUNTED(
+                                "Error", "{count} positions of {axis}", "1 position of {axis}"))
+                .with("count", knots.size())
+                .with("axis", axis),
+            AXISCOMP_TEXT("Error", "at least 2"));
         return false;
     }
     for (std::size_t i = 1; i < knots.size(); ++i) {
         if (knots[i] > knots[i - 1] && std::isfinite(knots[i] - knots.front()))
             continue;
         diagnostics.error(DiagnosticCode::NotMonotonic, lineOf(i), 0,
-            toText(knots[i]) + " after " + toText(knots[i - 1]),
-            "strictly increasing " + positions);
+            AXISCOMP_TEXT("Error", "{number} after {number2}")
+                .with("number", Quantity{toText(knots[i])})
+                .with("number2", Quantity{toText(knots[i - 1])}),
+            (axis.isEmpty() ? AXISCOMP_TEXT("Error", "strictly increasing positions")
+                            : AXISCOMP_TEXT("Error", "strictly increasing positions of {axis}"))
+                .with("axis", axis));
         return false;
     }
     return true;

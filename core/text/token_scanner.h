@@ -46,9 +46,9 @@ void splitCells(const Token& line, char separator, std::vector<Token>& cells);
 [[nodiscard]] std::optional<long> wholeNumberOf(std::string_view text);
 /// The same; a token that is no finite number becomes an error that says what was expected.
 [[nodiscard]] std::optional<double> readNumber(
-    const Token& token, std::string_view expected, DiagnosticList& diagnostics);
+    const Token& token, Text expected, DiagnosticList& diagnostics);
 [[nodiscard]] std::optional<long> readWholeNumber(
-    const Token& token, std::string_view expected, DiagnosticList& diagnostics);
+    const Token& token, Text expected, DiagnosticList& diagnostics);
 
 /// The same letters, upper or lower case (ASCII).
 [[nodiscard]] bool sameLetters(std::string_view a, std::string_view b);
@@ -59,9 +59,9 @@ void splitCells(const Token& line, char separator, std::vector<Token>& cells);
     std::string_view text, std::size_t mostBytes, DiagnosticList& diagnostics);
 
 /// Knots as a file has them: at least two, finite, strictly ascending; otherwise an error at the
-/// line. lines: of each knot, or one for all, or none.
+/// line. lines: of each knot, or one for all, or none. axis: empty where there is only one.
 [[nodiscard]] bool checkKnots(std::span<const double> knots, std::span<const std::size_t> lines,
-    std::string_view axis, DiagnosticList& diagnostics);
+    const Text& axis, DiagnosticList& diagnostics);
 
 /// start + i * distance, i = 0 .. count - 1.
 [[nodiscard]] std::vector<double> evenKnots(double start, double distance, std::size_t count);

@@ -147,8 +147,9 @@ Result<AxisBackup::File> readSlotFile(
             return file;
     }
     return fail(ErrorCode::ChangedMeanwhile,
-        {{"what", "the table in " + slot.name}, {"before", "CRC " + crcText(crc32(first))},
-            {"now", "CRC " + crcText(crc32(file.bytes))}});
+        {{"what", AXISCOMP_TEXT("Error", "the table in {slot}").with("slot", slot.name)},
+            {"before", AXISCOMP_TEXT("Error", "CRC {crc}").with("crc", crcText(crc32(first)))},
+            {"now", AXISCOMP_TEXT("Error", "CRC {crc}").with("crc", crcText(crc32(file.bytes)))}});
 }
 
 Result<DriveBackup> readBackupOf(
@@ -190,8 +191,7 @@ Result<void> checkRestorable(
     };
     const auto other = [&](const DriveIdentity& kept) {
         return fail(ErrorCode::OtherDrive,
-            {{"expected", std::to_string(kept.serialNumber)},
-                {"found", std::to_string(drive.serialNumber)}});
+            {{"expected", kept.serialNumber}, {"found", drive.serialNumber}});
     };
     if (backup.drive && isOther(*backup.drive))
         return other(*backup.drive);
@@ -200,12 +200,17 @@ Result<void> checkRestorable(
             return other(axis.drive);
         if (axis.axis < 0 || axis.axis >= drive.axes)
             return fail(ErrorCode::AxisNotFound,
-                {{"axis", std::to_string(axis.axis)},
-                    {"known", "0 to " + std::to_string(drive.axes - 1)}});
+                {{"axis", axis.axis},
+                    {"known",
+                        AXISCOMP_TEXT("Error", "{number} to {number2}")
+                            .with("number", 0)
+                            .with("number2", drive.axes - 1)}});
         if (!registerAt(axis, access.axisPath(access.registers().table, axis.axis)))
             return fail(ErrorCode::InvalidBackup,
-                {{"file", "the backup"},
-                    {"reason", "axis " + std::to_string(axis.axis) + " has no Table register"}});
+                {{"file", AXISCOMP_TEXT("Error", "the backup")},
+                    {"reason",
+                        AXISCOMP_TEXT("Error", "axis {axis} has no Table register")
+                            .with("axis", axis.axis)}});
     }
     return {};
 }
@@ -229,8 +234,8 @@ Result<WriteRequest> restoreRequest(const RegisterAccess& access, const AxisBack
     request.sources = sourceTexts(access, backup.registers, backup.axis, request.dimensionality);
     const auto missing = std::ranges::find(request.sources, std::string());
     if (file && missing != request.sources.end())
-        return fail(ErrorCode::SourceMissing,
-            {{"dimension", std::to_string(missing - request.sources.begin() + 1)}});
+        return fail(
+            ErrorCode::SourceMissing, {{"dimension", missing - request.sources.begin() + 1}});
     return request;
 }
 

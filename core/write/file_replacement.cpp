@@ -38,7 +38,7 @@ Result<std::filesystem::path> FileReplacement::run(ByteView bytes, Users users)
     m_old = std::move(*old);
     if (std::ranges::equal(m_old.bytes, bytes))
         return std::filesystem::path();
-    if (users == Users::Refused && !seen->state.otherUser.empty())
+    if (users == Users::Refused && !seen->state.otherUser.isEmpty())
         return fail(ErrorCode::SlotInUse, {{"slot", m_slot.name}, {"user", seen->state.otherUser}});
     // Emptying a slot spends flash when the drive has the table there.
     const bool needsFlash =
@@ -129,8 +129,7 @@ Result<void> FileReplacement::checkUnchanged(const Look& seen) const
         return fail(drive.error());
     if (drive->serialNumber != m_drive.serialNumber)
         return fail(ErrorCode::OtherDrive,
-            {{"expected", std::to_string(m_drive.serialNumber)},
-                {"found", std::to_string(drive->serialNumber)}});
+            {{"expected", m_drive.serialNumber}, {"found", drive->serialNumber}});
     auto now = look();
     if (!now)
         return fail(now.error());
@@ -141,8 +140,8 @@ Result<void> FileReplacement::checkUnchanged(const Look& seen) const
     if (now->state == seen.state && isWhatWasKept)
         return {};
     return fail(ErrorCode::ChangedMeanwhile,
-        {{"what", "slot " + m_slot.name}, {"before", slotStateText(seen.state)},
-            {"now", slotStateText(now->state)}});
+        {{"what", AXISCOMP_TEXT("Error", "slot {slot}").with("slot", m_slot.name)},
+            {"before", slotStateText(seen.state)}, {"now", slotStateText(now->state)}});
 }
 
 /// A reboot must not bring an axis this table with the sources of another.
@@ -156,7 +155,9 @@ Result<void> FileReplacement::checkSavedUse(ByteView bytes) const
         if (use.slot == m_slot.name && use.crc != crc)
             return fail(ErrorCode::SlotInUse,
                 {{"slot", m_slot.name},
-                    {"user", "axis " + std::to_string(use.axis) + " after a reboot"}});
+                    {"user",
+                        AXISCOMP_TEXT("Error", "axis {axis} after a reboot")
+                            .with("axis", use.axis)}});
     return {};
 }
 
@@ -185,7 +186,7 @@ Error FileReplacement::rollBack(const Error& reason) const
     if (restored)
         return reason;
     return Error{ErrorCode::RollbackFailed,
-        {{"reason", sentence(reason)}, {"rollback", sentence(restored.error())},
+        {{"reason", textOf(reason)}, {"rollback", textOf(restored.error())},
             {"backup", m_backup.string()}},
         std::string(errorName(reason.code)) + ": " + reason.detail};
 }

@@ -17,8 +17,7 @@ Result<void> WriteProcedure::checkUnchanged()
         return fail(drive.error());
     if (drive->serialNumber != plan.drive.serialNumber)
         return fail(ErrorCode::OtherDrive,
-            {{"expected", std::to_string(plan.drive.serialNumber)},
-                {"found", std::to_string(drive->serialNumber)}});
+            {{"expected", plan.drive.serialNumber}, {"found", drive->serialNumber}});
     // All of it at one instant, where the profile allows, and nothing is asked after it: who
     // changes something between this reading and the first change cannot be noticed any more.
     auto reading = readStatusWith(m_access, plan.drive, plan.axis, m_sources, lastLookPaths());
@@ -29,7 +28,8 @@ Result<void> WriteProcedure::checkUnchanged()
         return fail(compensationActive(now));
     if (!(now.setup == plan.before))
         return fail(ErrorCode::ChangedMeanwhile,
-            {{"what", "the settings of axis " + std::to_string(plan.axis)},
+            {{"what",
+                 AXISCOMP_TEXT("Error", "the settings of axis {axis}").with("axis", plan.axis)},
                 {"before", setupText(plan.before)}, {"now", setupText(now.setup)}});
     noteEraseCounts(reading->readings);
     if (auto same = checkSlot(reading->readings); !same)
@@ -70,8 +70,8 @@ Result<void> WriteProcedure::checkSlot(const Readings& now) const
     if (state == m_write.slotBefore)
         return {};
     return fail(ErrorCode::ChangedMeanwhile,
-        {{"what", "slot " + slot}, {"before", slotStateText(m_write.slotBefore)},
-            {"now", slotStateText(state)}});
+        {{"what", AXISCOMP_TEXT("Error", "slot {slot}").with("slot", slot)},
+            {"before", slotStateText(m_write.slotBefore)}, {"now", slotStateText(state)}});
 }
 
 /// What was kept is what is there: somebody may have changed it and changed it back.
@@ -91,8 +91,9 @@ Result<void> WriteProcedure::checkBackup(const Readings& now) const
             && (state.isEmpty() || crc32(ByteView(kept.bytes).last(elementBytes)) == state.crc);
         if (!isSame)
             return fail(ErrorCode::ChangedMeanwhile,
-                {{"what", "the table in " + kept.slot},
-                    {"before", std::to_string(kept.bytes.size()) + " bytes"},
+                {{"what", AXISCOMP_TEXT("Error", "the table in {slot}").with("slot", kept.slot)},
+                    {"before",
+                        AXISCOMP_TEXT("Error", "{size} bytes").with("size", kept.bytes.size())},
                     {"now", slotStateText(state)}});
     }
     return {};

@@ -85,7 +85,8 @@ Result<PreviousState> previousState(
     if (problem)
         return fail(*problem);
     return fail(ErrorCode::InvalidArgument,
-        {{"reason", "there is no backup that differs from what the axis has now"}});
+        {{"reason",
+            AXISCOMP_TEXT("Error", "there is no backup that differs from what the axis has now")}});
 }
 
 } // namespace axiscomp

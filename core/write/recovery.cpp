@@ -111,9 +111,9 @@ Result<AxisStatus> WriteProcedure::inspectBeforeRecovery(const UnfinishedWrite& 
     for (const std::string& slot : slots) {
         const SlotState state = slotState(m_access, plan.drive, plan.axis, slot, reading->readings);
         const bool isOld = slot == plan.before.slot;
-        if (isOld && !state.otherUser.empty())
+        if (isOld && !state.otherUser.isEmpty())
             return fail(ErrorCode::SlotInUse, {{"slot", slot}, {"user", state.otherUser}});
-        const bool isTheirs = !state.otherUser.empty() || !unfinished.isKnown(state, slot);
+        const bool isTheirs = !state.otherUser.isEmpty() || !unfinished.isKnown(state, slot);
         if (!isOld && (isTheirs || bytesOf(*present, slot) == bytesOf(m_backup, slot)))
             m_slotTouched = false;
     }

@@ -13,11 +13,11 @@ const AxisBackup::File* WriteProcedure::backupOf(const std::string& slot) const
     return file == m_backup.files.end() ? nullptr : &*file;
 }
 
-Error WriteProcedure::outcome(
-    ErrorCode code, const Error& reason, const std::string& rollback) const
+Error WriteProcedure::outcome(ErrorCode code, const Error& reason, Text rollback) const
 {
     return Error{code,
-        {{"reason", sentence(reason)}, {"rollback", rollback}, {"backup", m_backupFile.string()}},
+        {{"reason", textOf(reason)}, {"rollback", std::move(rollback)},
+            {"backup", m_backupFile.string()}},
         std::string(errorName(reason.code)) + ": " + reason.detail};
 }
 
@@ -38,7 +38,7 @@ Error WriteProcedure::rollBack(const Error& reason)
             return outcome(ErrorCode::OutcomeUnknown, reason, {});
     }
     if (!undone && !hasOldState(access))
-        return outcome(ErrorCode::RollbackFailed, reason, sentence(undone.error()));
+        return outcome(ErrorCode::RollbackFailed, reason, textOf(undone.error()));
     (void)closeJournal();
     return reason;
 }

@@ -10,8 +10,7 @@ namespace {
 tl::unexpected<Error> tooLarge(std::size_t tableBytes, const TableSlot& slot)
 {
     return fail(ErrorCode::TableTooLarge,
-        {{"size", std::to_string(tableBytes)}, {"slot", slot.name},
-            {"largest", std::to_string(slot.maximumSize)}});
+        {{"size", tableBytes}, {"slot", slot.name}, {"largest", slot.maximumSize}});
 }
 
 Result<SlotChoice> namedSlot(
@@ -20,26 +19,29 @@ Result<SlotChoice> namedSlot(
     const auto found = std::ranges::find_if(
         slots, [&](const SlotFacts& facts) { return facts.slot.name == name; });
     if (found == slots.end()) {
-        std::string known;
+        std::vector<std::string> known;
         for (const SlotFacts& facts : slots)
-            known += (known.empty() ? "" : ", ") + facts.slot.name;
+            known.push_back(facts.slot.name);
         return fail(ErrorCode::SlotNotFound, {{"slot", name}, {"known", known}});
     }
     if (tableBytes > found->slot.maximumSize)
         return tooLarge(tableBytes, found->slot);
-    if (!found->otherUser.empty())
+    if (!found->otherUser.isEmpty())
         return fail(ErrorCode::SlotInUse, {{"slot", name}, {"user", found->otherUser}});
     return SlotChoice{
         found->slot, found->isCurrent ? SlotReason::OverwriteOwn : SlotReason::Named, found->state};
 }
 
-std::string whyNot(const SlotFacts& facts, std::size_t tableBytes)
+Text whyNot(const SlotFacts& facts, std::size_t tableBytes)
 {
+    TextPattern pattern = AXISCOMP_TEXT("Error", "{slot} holds a table that is not this axis's");
     if (facts.slot.maximumSize < tableBytes)
-        return facts.slot.name + " holds only " + std::to_string(facts.slot.maximumSize) + " bytes";
-    if (!facts.otherUser.empty())
-        return facts.slot.name + " is used by " + facts.otherUser;
-    return facts.slot.name + " holds a table that is not this axis's";
+        pattern = AXISCOMP_TEXT("Error", "{slot} holds only {size} bytes");
+    else if (!facts.otherUser.isEmpty())
+        pattern = AXISCOMP_TEXT("Error", "{slot} is used by {user}");
+    return pattern.with("slot", facts.slot.name)
+        .with("size", facts.slot.maximumSize)
+        .with("user", facts.otherUser);
 }
 
 } // namespace
@@ -72,7 +74,7 @@ Result<SlotChoice> chooseSlot(std::size_t tableBytes, const std::optional<std::s
     const auto smallest = [&](auto&& isWanted) {
         const SlotFacts* best = nullptr;
         for (const SlotFacts& facts : slots) {
-            const bool fits = facts.slot.maximumSize >= tableBytes && facts.otherUser.empty();
+            const bool fits = facts.slot.maximumSize >= tableBytes && facts.otherUser.isEmpty();
             if (fits && isWanted(facts)
                 && (!best || facts.slot.maximumSize < best->slot.maximumSize))
                 best = &facts;
@@ -96,10 +98,10 @@ Result<SlotChoice> chooseSlot(std::size_t tableBytes, const std::optional<std::s
             return SlotChoice{current->slot, SlotReason::OverwriteOwn, current->state};
     }
 
-    std::string reasons;
+    std::vector<Text> reasons;
     for (const SlotFacts& facts : slots)
-        reasons += (reasons.empty() ? "" : "; ") + whyNot(facts, tableBytes);
-    return fail(ErrorCode::NoFreeSlot, {{"size", std::to_string(tableBytes)}, {"slots", reasons}});
+        reasons.push_back(whyNot(facts, tableBytes));
+    return fail(ErrorCode::NoFreeSlot, {{"size", tableBytes}, {"slots", std::move(reasons)}});
 }
 
 } // namespace axiscomp

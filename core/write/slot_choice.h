@@ -16,7 +16,7 @@ struct SlotFacts {
     /// Flash holds a table of the axis in it that a reboot may bring back: to replace it there, or
     /// to hide it under a volatile one, may leave that table with the sources of another.
     bool isKept = false;
-    std::string otherUser; ///< "axis 1", "the cogging compensation of axis 0"; empty: none
+    Text otherUser; ///< "axis 1", "the cogging compensation of axis 0"; empty: none
     SlotState state{}; ///< read after size
 };
 

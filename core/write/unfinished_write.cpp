@@ -50,7 +50,9 @@ Result<UnfinishedWrite> UnfinishedWrite::load(
     }
     return fail(ErrorCode::InvalidBackup,
         {{"file", entry.backup.string()},
-            {"reason", "it is not of axis " + std::to_string(entry.axis) + " of this drive"}});
+            {"reason",
+                AXISCOMP_TEXT("Error", "it is not of axis {axis} of this drive")
+                    .with("axis", entry.axis)}});
 }
 
 std::string UnfinishedWrite::oldSlot() const
@@ -98,7 +100,7 @@ Result<Bytes> UnfinishedWrite::newFile(const DriveStore& store) const
         return store.keptTable(*m_entry.newTable);
     if (const AxisBackup::File* file = oldFile(); file && !isNewTable())
         return file->bytes;
-    return fail(ErrorCode::TableNotKept, {{"axis", std::to_string(m_entry.axis)}});
+    return fail(ErrorCode::TableNotKept, {{"axis", m_entry.axis}});
 }
 
 /// The slot that the write had chosen, unless somebody else has come to use it.
@@ -114,7 +116,7 @@ Result<std::optional<std::string>> UnfinishedWrite::slotFor(
     if (!saved)
         return fail(saved.error());
     const bool isOurs =
-        state.otherUser.empty() && !saved->otherUser(slot, m_entry.axis) && isKnown(state, slot);
+        state.otherUser.isEmpty() && !saved->otherUser(slot, m_entry.axis) && isKnown(state, slot);
     return isOurs ? std::optional(slot) : std::nullopt;
 }
 
@@ -143,8 +145,7 @@ Result<WriteRequest> UnfinishedWrite::request(DriveStore& store, const DriveIden
     if (!request.withoutTable) {
         const auto missing = std::ranges::find(sources, std::string());
         if (missing != sources.end())
-            return fail(ErrorCode::SourceMissing,
-                {{"dimension", std::to_string(missing - sources.begin() + 1)}});
+            return fail(ErrorCode::SourceMissing, {{"dimension", missing - sources.begin() + 1}});
     }
     request.sources = std::move(sources);
     return request;

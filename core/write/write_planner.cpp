@@ -59,20 +59,33 @@ std::uint32_t elementCrcOf(ByteView file, const CompensationTable& table)
 
 } // namespace
 
-std::string setupText(const CompensationSetup& setup)
+Text setupText(const CompensationSetup& setup)
 {
-    std::string text = setup.slot.empty() ? "no table" : setup.slot;
-    text += " (CRC " + crcText(setup.tableCrc) + "), ";
+    std::vector<std::string> sources;
     for (const DimSource& source : setup.sources) {
         if (source.isSet())
-            text += (source.path.empty() ? hexText(source.address) : source.path) + ", ";
+            sources.push_back(source.path.empty() ? hexText(source.address) : source.path);
     }
-    return text + persistencyText(setup.persistency);
+    TextPattern pattern = sources.empty()
+        ? AXISCOMP_TEXT("Error", "{table} (CRC {crc}), volatile")
+        : AXISCOMP_TEXT("Error", "{table} (CRC {crc}), {sources}, volatile");
+    if (setup.persistency == Persistency::Persistent)
+        pattern = sources.empty()
+            ? AXISCOMP_TEXT("Error", "{table} (CRC {crc}), persistent")
+            : AXISCOMP_TEXT("Error", "{table} (CRC {crc}), {sources}, persistent");
+    return pattern
+        .with("table",
+            setup.slot.empty() ? AXISCOMP_TEXT("Error", "no table") : Text(Verbatim{setup.slot}))
+        .with("crc", crcText(setup.tableCrc))
+        .with("sources", sources);
 }
 
-std::string axisText(int index, const std::string& name)
+Text axisText(int index, const std::string& name)
 {
-    return "axis " + std::to_string(index) + (name.empty() ? "" : " (" + name + ")");
+    return (name.empty() ? AXISCOMP_TEXT("Error", "axis {axis}")
+                         : AXISCOMP_TEXT("Error", "axis {axis} ({name})"))
+        .with("axis", index)
+        .with("name", name);
 }
 
 Result<PreparedWrite> WritePlanner::prepare(int axis, const WriteRequest& request)
@@ -86,7 +99,9 @@ Result<PreparedWrite> WritePlanner::prepare(int axis, const WriteRequest& reques
         return fail(compensationActive(m_status));
     if (request.expected && !(*request.expected == m_status.setup))
         return fail(ErrorCode::ChangedMeanwhile,
-            {{"what", "the settings of " + axisText(axis, m_status.axis.name)},
+            {{"what",
+                 AXISCOMP_TEXT("Error", "the settings of {axis}")
+                     .with("axis", axisText(axis, m_status.axis.name))},
                 {"before", setupText(*request.expected)}, {"now", setupText(m_status.setup)}});
 
     auto saved = m_store.savedState(m_drive.serialNumber);
@@ -122,13 +137,13 @@ Result<void> WritePlanner::decideSources(const WriteRequest& request)
     auto& sources = m_write.plan.after.sources;
     const auto dimensions = static_cast<std::size_t>(request.dimensionality);
     if (dimensions < 1 || dimensions > sources.size())
-        return fail(ErrorCode::InvalidArgument, {{"reason", "the dimensionality is 1, 2 or 3"}});
+        return fail(ErrorCode::InvalidArgument,
+            {{"reason", AXISCOMP_TEXT("Error", "the dimensionality is 1, 2 or 3")}});
     if (!request.sources.empty()) {
         sources = {};
         if (request.sources.size() > dimensions)
             return fail(ErrorCode::SourceSurplus,
-                {{"dimension", std::to_string(dimensions + 1)},
-                    {"dimensions", std::to_string(dimensions)}});
+                {{"dimension", dimensions + 1}, {"dimensions", dimensions}});
         for (std::size_t n = 0; n < request.sources.size(); ++n) {
             if (request.withoutTable && request.sources[n].empty())
                 continue;
@@ -140,16 +155,15 @@ Result<void> WritePlanner::decideSources(const WriteRequest& request)
     }
     for (std::size_t n = 0; n < sources.size(); ++n) {
         if (n < dimensions && !sources[n].isSet() && !request.withoutTable)
-            return fail(ErrorCode::SourceMissing, {{"dimension", std::to_string(n + 1)}});
+            return fail(ErrorCode::SourceMissing, {{"dimension", n + 1}});
         if (n >= dimensions && sources[n].isSet())
-            return fail(ErrorCode::SourceSurplus,
-                {{"dimension", std::to_string(n + 1)}, {"dimensions", std::to_string(dimensions)}});
+            return fail(
+                ErrorCode::SourceSurplus, {{"dimension", n + 1}, {"dimensions", dimensions}});
         const auto first = std::ranges::find(sources, sources[n]);
         if (sources[n].isSet() && first < sources.begin() + static_cast<std::ptrdiff_t>(n))
             return fail(ErrorCode::SourceRepeated,
-                {{"source", sources[n].path},
-                    {"first", std::to_string(first - sources.begin() + 1)},
-                    {"second", std::to_string(n + 1)}});
+                {{"source", sources[n].path}, {"first", first - sources.begin() + 1},
+                    {"second", n + 1}});
     }
     return {};
 }
@@ -180,11 +194,10 @@ Result<void> WritePlanner::decideTable(const WriteRequest& request)
 {
     if (!request.table) {
         if (!m_status.table)
-            return fail(ErrorCode::NoTable, {{"axis", std::to_string(m_axis)}});
+            return fail(ErrorCode::NoTable, {{"axis", m_axis}});
         if (m_status.table->grid.dimensions() != request.dimensionality)
             return fail(ErrorCode::DimensionMismatch,
-                {{"table", std::to_string(m_status.table->grid.dimensions())},
-                    {"chosen", std::to_string(request.dimensionality)}});
+                {{"table", m_status.table->grid.dimensions()}, {"chosen", request.dimensionality}});
         m_write.plan.slotReason = SlotReason::KeepTable;
         m_write.elementCrc = m_status.table->crc;
         m_write.plan.after.persistency = request.persistency.value_or(m_status.setup.persistency);
@@ -193,8 +206,7 @@ Result<void> WritePlanner::decideTable(const WriteRequest& request)
     const CompensationTable& table = *request.table;
     if (table.grid.dimensions() != request.dimensionality)
         return fail(ErrorCode::DimensionMismatch,
-            {{"table", std::to_string(table.grid.dimensions())},
-                {"chosen", std::to_string(request.dimensionality)}});
+            {{"table", table.grid.dimensions()}, {"chosen", request.dimensionality}});
     auto file = encodeTamTable(table, false, m_access.profile().layout);
     if (!file)
         return fail(file.error());
@@ -302,8 +314,9 @@ Result<void> WritePlanner::lookInto(std::vector<SlotFacts>& slots)
         markKept(slots, *own, isPersistent);
     for (SlotFacts& facts : slots) {
         const auto other = m_saved.otherUser(facts.slot.name, m_axis);
-        if (other && facts.otherUser.empty())
-            facts.otherUser = "axis " + std::to_string(*other) + " after a reboot";
+        if (other && facts.otherUser.isEmpty())
+            facts.otherUser =
+                AXISCOMP_TEXT("Error", "axis {axis} after a reboot").with("axis", *other);
         facts.isKept = facts.isKept
             || (isPersistent && m_saved.isInTheWay(facts.slot.name, m_axis, m_write.elementCrc));
     }

@@ -69,8 +69,8 @@ private:
 };
 
 /// For errors: "Small1 (CRC 00c0ffee), Axes[0]/..., volatile"
-[[nodiscard]] std::string setupText(const CompensationSetup& setup);
+[[nodiscard]] Text setupText(const CompensationSetup& setup);
 /// "axis 0 (X)"
-[[nodiscard]] std::string axisText(int index, const std::string& name);
+[[nodiscard]] Text axisText(int index, const std::string& name);
 
 } // namespace axiscomp

@@ -69,8 +69,7 @@ private:
     [[nodiscard]] bool changesPersistency() const;
     [[nodiscard]] std::vector<RegisterWrite> persistencyWrites() const;
     [[nodiscard]] const AxisBackup::File* backupOf(const std::string& slot) const;
-    [[nodiscard]] Error outcome(
-        ErrorCode code, const Error& reason, const std::string& rollback) const;
+    [[nodiscard]] Error outcome(ErrorCode code, const Error& reason, Text rollback) const;
 
     RegisterAccess m_access;
     DriveStore& m_store;

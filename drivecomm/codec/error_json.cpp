@@ -3,6 +3,7 @@
 
 #include "core/text/utf8.h"
 #include "drivecomm/codec/json_parsing.h"
+#include "drivecomm/codec/text_json.h"
 
 #include <nlohmann/json.hpp>
 
@@ -30,9 +31,10 @@ constexpr std::array rows{
 };
 
 constexpr std::size_t longestText = 1000; ///< bytes of what a drive may say in one place
-constexpr std::string_view unnamed = "no reason given";
+/// Room for a text that is deeper than its limit: then the message counts.
+constexpr std::size_t deepestErrorJson = 2 + 2 * textJsonNesting;
 
-std::string textOf(const nlohmann::json& object, const char* key)
+std::string stringOf(const nlohmann::json& object, const char* key)
 {
     const auto place = object.find(key);
     if (place == object.end() || !place->is_string())
@@ -48,16 +50,20 @@ int httpStatus(ErrorCode code)
     return row == rows.end() ? 400 : row->status;
 }
 
-std::string driveMessage(const Error& error)
+Text driveMessage(const Error& error)
 {
     const Argument* const reason = error.context.find("reason");
-    return reason ? reason->english() : sentence(error);
+    if (!reason)
+        return textOf(error);
+    const Text* const text = std::get_if<Text>(&reason->value());
+    return text ? *text : Verbatim{reason->english()};
 }
 
 std::string errorJson(const Error& error)
 {
+    const Text message = driveMessage(error);
     std::string json = "{\"error\":{\"code\":" + jsonString(errorName(error.code))
-        + ",\"message\":" + jsonString(driveMessage(error));
+        + ",\"message\":" + jsonString(message.english()) + ",\"text\":" + textJson(message);
     if (const auto seconds = error.context.integer("seconds"))
         json += ",\"retryAfterSeconds\":" + std::to_string(*seconds);
     for (const char* key : {"path", "nearest"})
@@ -74,20 +80,22 @@ std::optional<ErrorCode> driveErrorNamed(std::string_view name)
 
 std::optional<Error> parseErrorJson(std::string_view json)
 {
-    const nlohmann::json document = parseJson(json);
+    const nlohmann::json document = parseJson(json, deepestErrorJson);
     const auto error = document.is_object() ? document.find("error") : document.end();
     if (!document.is_object() || error == document.end() || !error->is_object())
         return std::nullopt;
-    const std::string code = textOf(*error, "code");
-    const std::string message = textOf(*error, "message");
+    const std::string code = stringOf(*error, "code");
+    const std::string message = stringOf(*error, "message");
     if (code.empty() && message.empty())
         return std::nullopt;
     Error result;
     result.code = driveErrorNamed(code).value_or(ErrorCode::DriveRejected);
+    const auto text = error->find("text");
+    const auto reason = text == error->end() ? std::nullopt : textFromJson(*text);
     result.context.set(
-        "reason", !message.empty() ? message : (code.empty() ? std::string(unnamed) : code));
+        "reason", reason ? *reason : Text(Verbatim{message.empty() ? code : message}));
     for (const char* key : {"path", "nearest"})
-        if (const std::string value = textOf(*error, key); !value.empty())
+        if (const std::string value = stringOf(*error, key); !value.empty())
             result.context.set(key, value);
     const auto wait = error->find("retryAfterSeconds");
     if (wait != error->end() && wait->is_number_unsigned()

@@ -35,7 +35,7 @@ std::size_t nestingDepth(std::string_view text)
 
 } // namespace
 
-std::string quoteOf(std::string_view text)
+Text quoteOf(std::string_view text)
 {
     std::string shown;
     bool blank = false;
@@ -52,11 +52,11 @@ std::string quoteOf(std::string_view text)
         shown += c > ' ' && c < '\x7f' ? c : '.';
     }
     if (text.empty())
-        return "nothing";
-    return '"' + shown + (i < text.size() ? "...\"" : "\"");
+        return AXISCOMP_TEXT("Error", "nothing");
+    return Verbatim{'"' + shown + (i < text.size() ? "...\"" : "\"")};
 }
 
-tl::unexpected<Error> notExpected(std::string expected, std::string_view text)
+tl::unexpected<Error> notExpected(Text expected, std::string_view text)
 {
     return fail(ErrorCode::Protocol, {{"expected", std::move(expected)}, {"quote", quoteOf(text)}});
 }

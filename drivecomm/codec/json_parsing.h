@@ -13,10 +13,10 @@ namespace axiscomp::drivecomm {
 
 /// The first characters of what came, printable and in quotation marks, for the quote of a Protocol
 /// error; "nothing" when it is empty.
-[[nodiscard]] std::string quoteOf(std::string_view text);
+[[nodiscard]] Text quoteOf(std::string_view text);
 
 /// Protocol with expected and the quote of text; the link that asked adds its endpoint.
-[[nodiscard]] tl::unexpected<Error> notExpected(std::string expected, std::string_view text);
+[[nodiscard]] tl::unexpected<Error> notExpected(Text expected, std::string_view text);
 
 /// Parses JSON that a stranger sent: nothing nested deeper than maximumDepth, no exception.
 /// A discarded value when it is not JSON.

@@ -119,7 +119,7 @@ std::optional<RegisterReading> reading(const Json& json)
     return result;
 }
 
-tl::unexpected<Error> malformed(std::string reason)
+tl::unexpected<Error> malformed(Text reason)
 {
     return fail(ErrorCode::DriveRejected, {{"reason", std::move(reason)}});
 }
@@ -156,13 +156,14 @@ Result<std::vector<RegisterReading>> parseReadings(std::string_view json)
 {
     const Json document = parseJson(json);
     if (!document.is_array())
-        return notExpected("a JSON array of registers", json);
+        return notExpected(AXISCOMP_TEXT("Error", "a JSON array of registers"), json);
     std::vector<RegisterReading> readings;
     readings.reserve(document.size());
     for (const Json& each : document) {
         auto parsed = reading(each);
         if (!parsed)
-            return notExpected("a register with path, address, type and a value of that type",
+            return notExpected(AXISCOMP_TEXT("Error",
+                                   "a register with path, address, type and a value of that type"),
                 each.dump(-1, ' ', false, Json::error_handler_t::replace));
         readings.push_back(std::move(*parsed));
     }
@@ -183,23 +184,29 @@ Result<std::vector<RequestedWrite>> parseWrites(std::string_view json)
 {
     const Json document = parseJson(json);
     if (document.is_discarded())
-        return malformed("the body is not JSON");
+        return malformed(AXISCOMP_TEXT("Error", "the body is not JSON"));
     if (!document.is_array())
-        return malformed(R"(the body must be an array, [{"path": ..., "value": ...}, ...])");
+        return malformed(AXISCOMP_TEXT("Error", "the body must be an array, {example}")
+                             .with("example", Verbatim{R"([{"path": ..., "value": ...}, ...])"}));
     std::vector<RequestedWrite> writes;
     writes.reserve(document.size());
     for (std::size_t i = 0; i < document.size(); ++i) {
         const std::string place = "[" + std::to_string(i) + "]";
         const Json& each = document[i];
         if (!each.is_object())
-            return malformed(place + R"( must be an object, {"path": ..., "value": ...})");
+            return malformed(AXISCOMP_TEXT("Error", "{place} must be an object, {example}")
+                                 .with("place", place)
+                                 .with("example", Verbatim{R"({"path": ..., "value": ...})"}));
         const Json* path = member(each, "path");
         if (!path || !path->is_string())
-            return malformed(place + ".path must be a text");
+            return malformed(
+                AXISCOMP_TEXT("Error", "{place}.path must be a text").with("place", place));
         const Json* value = member(each, "value");
         auto plain = value ? scalar(*value) : std::nullopt;
         if (!plain)
-            return malformed(place + ".value must be a number, a text, true, false or null");
+            return malformed(AXISCOMP_TEXT(
+                "Error", "{place}.value must be a number, a text, true, false or null")
+                                 .with("place", place));
         writes.push_back({normalisedPath(path->get_ref<const std::string&>()), std::move(*plain)});
     }
     return writes;
@@ -209,11 +216,12 @@ Result<JsonValue> parseWrittenValue(std::string_view json)
 {
     const Json document = parseJson(json);
     if (document.is_discarded())
-        return malformed("the body is not JSON");
+        return malformed(AXISCOMP_TEXT("Error", "the body is not JSON"));
     const Json* value = document.is_object() ? member(document, "value") : nullptr;
     auto plain = value ? scalar(*value) : std::nullopt;
     if (!plain)
-        return malformed(R"(the body must be {"value": a number, a text, true, false or null})");
+        return malformed(AXISCOMP_TEXT("Error",
+            "the body must be an object with \"value\": a number, a text, true, false or null"));
     return std::move(*plain);
 }
 
@@ -249,7 +257,7 @@ std::string describe(const JsonValue& value)
         std::string operator()(std::int64_t v) const { return std::to_string(v); }
         std::string operator()(std::uint64_t v) const { return std::to_string(v); }
         std::string operator()(double v) const { return realJson(v); }
-        std::string operator()(const std::string& v) const { return quoteOf(v); }
+        std::string operator()(const std::string& v) const { return quoteOf(v).english(); }
     };
     return std::visit(Writer{}, value);
 }

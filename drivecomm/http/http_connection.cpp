@@ -283,7 +283,7 @@ void HttpConnection::notify(std::uint64_t progress, std::uint64_t total)
     m_pending->changed.notify_all();
 }
 
-tl::unexpected<Error> HttpConnection::failed(ErrorCode code, std::string reason) const
+tl::unexpected<Error> HttpConnection::failed(ErrorCode code, Text reason) const
 {
     return fail(code, {{"endpoint", displayText(m_endpoint)}, {"reason", std::move(reason)}},
         m_socket->errorString().toStdString());
@@ -297,20 +297,20 @@ tl::unexpected<Error> HttpConnection::certificateRejected() const
     for (const QSslError& each : m_sslErrors)
         reasons += each.errorString();
     reasons.removeDuplicates();
+    Text reason = Verbatim{reasons.join(QStringLiteral("; ")).toStdString()};
     if (m_trust == CertificateTrust::Changed)
-        reasons = {QStringLiteral("it has CHANGED and is not the one that was trusted")};
+        reason = AXISCOMP_TEXT("Error", "it has CHANGED and is not the one that was trusted");
     const auto day = [](const QDateTime& time) {
         return time.toUTC().date().toString(Qt::ISODate).toStdString();
     };
     Error error{ErrorCode::CertificateRejected,
-        {{"endpoint", displayText(m_endpoint)},
-            {"reason", reasons.join(QStringLiteral("; ")).toStdString()},
+        {{"endpoint", displayText(m_endpoint)}, {"reason", std::move(reason)},
             {"fingerprint", fingerprintOf(certificate)},
             {"subject", nameOf(certificate.subjectDisplayName())},
             {"issuer", nameOf(certificate.issuerDisplayName())},
             {"validFrom", day(certificate.effectiveDate())},
             {"validUntil", day(certificate.expiryDate())},
-            {"hasChanged", m_trust == CertificateTrust::Changed ? "yes" : "no"}},
+            {"hasChanged", Verbatim{m_trust == CertificateTrust::Changed ? "yes" : "no"}}},
         m_socket->errorString().toStdString()};
     return fail(std::move(error));
 }
@@ -320,26 +320,28 @@ Result<HttpReply> HttpConnection::failure(QAbstractSocket::SocketError error) co
     if (m_isReady) {
         const bool wasClosed = error == QAbstractSocket::RemoteHostClosedError;
         return failed(ErrorCode::ConnectionLost,
-            wasClosed ? "it was closed before the reply was complete"
-                      : m_socket->errorString().toStdString());
+            wasClosed ? Text(AXISCOMP_TEXT("Error", "it was closed before the reply was complete"))
+                      : Verbatim{m_socket->errorString().toStdString()});
     }
     if (!m_sslErrors.isEmpty())
         return certificateRejected();
     switch (error) {
     case QAbstractSocket::ConnectionRefusedError:
         return failed(ErrorCode::NotConnected,
-            "nothing listens there; is the drive switched on, and is the address right?");
+            AXISCOMP_TEXT("Error",
+                "nothing listens there; is the drive switched on, and is the address right?"));
     case QAbstractSocket::HostNotFoundError:
-        return failed(
-            ErrorCode::NotConnected, "the network does not know the name " + m_endpoint.host);
+        return failed(ErrorCode::NotConnected,
+            AXISCOMP_TEXT("Error", "the network does not know the name {name}")
+                .with("name", m_endpoint.host));
     case QAbstractSocket::SslHandshakeFailedError:
     case QAbstractSocket::RemoteHostClosedError:
         if (m_isSecure)
-            return failed(
-                ErrorCode::NotConnected, "there is no https; try http://, or another port");
+            return failed(ErrorCode::NotConnected,
+                AXISCOMP_TEXT("Error", "there is no https; try http://, or another port"));
         [[fallthrough]];
     default:
-        return failed(ErrorCode::NotConnected, m_socket->errorString().toStdString());
+        return failed(ErrorCode::NotConnected, Verbatim{m_socket->errorString().toStdString()});
     }
 }
 

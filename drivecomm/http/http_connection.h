@@ -54,7 +54,7 @@ private:
     void notify(std::uint64_t progress, std::uint64_t total);
     [[nodiscard]] std::string head(const HttpRequest& request) const;
     [[nodiscard]] Result<HttpReply> failure(QAbstractSocket::SocketError error) const;
-    [[nodiscard]] tl::unexpected<Error> failed(ErrorCode code, std::string reason) const;
+    [[nodiscard]] tl::unexpected<Error> failed(ErrorCode code, Text reason) const;
     [[nodiscard]] tl::unexpected<Error> certificateRejected() const;
 
     DriveEndpoint m_endpoint;

@@ -27,6 +27,11 @@ std::optional<std::uint64_t> number(std::string_view text, int base)
                                                                     : std::nullopt;
 }
 
+Text atMost(std::uint64_t bytes)
+{
+    return AXISCOMP_TEXT("Error", "at most {size} bytes").with("size", bytes);
+}
+
 /// What a line may begin with, as long as it is not complete.
 bool mayBeStatusLine(std::string_view begun)
 {
@@ -37,7 +42,7 @@ bool mayBeStatusLine(std::string_view begun)
 
 HttpReplyParser::HttpReplyParser(std::uint64_t bodyLimit) : m_bodyLimit(bodyLimit) { }
 
-void HttpReplyParser::fail(std::string expected, std::string_view found)
+void HttpReplyParser::fail(Text expected, std::string_view found)
 {
     m_state = State::Failed;
     m_expected = std::move(expected);
@@ -56,10 +61,10 @@ void HttpReplyParser::feed(std::string_view bytes)
         m_headSize += piece.size() + (end == std::string_view::npos ? 0 : 1);
         m_line += piece.substr(0, mostHead);
         if (m_step == Step::StatusLine && !mayBeStatusLine(m_line))
-            return fail(
-                "an HTTP reply", m_line + std::string(bytes.substr(piece.size(), mostFound)));
+            return fail(AXISCOMP_TEXT("Error", "an HTTP reply"),
+                m_line + std::string(bytes.substr(piece.size(), mostFound)));
         if (m_headSize > mostHead)
-            return fail("a head of at most 64 KiB", m_line);
+            return fail(AXISCOMP_TEXT("Error", "a head of at most 64 KiB"), m_line);
         if (end == std::string_view::npos)
             return;
         bytes.remove_prefix(end + 1);
@@ -83,7 +88,7 @@ void HttpReplyParser::takeLine(std::string_view line)
         return takeChunkSize(line);
     case Step::ChunkEnd:
         m_step = Step::ChunkSize;
-        return line.empty() ? void() : fail("the end of a chunk", line);
+        return line.empty() ? void() : fail(AXISCOMP_TEXT("Error", "the end of a chunk"), line);
     case Step::Trailer:
         if (line.empty())
             m_state = State::Complete;
@@ -102,7 +107,7 @@ void HttpReplyParser::takeStatusLine(std::string_view line)
         && std::ranges::all_of(rest.substr(2, 3), isDigit) && rest[2] != '0'
         && (rest.size() == 5 || rest[5] == ' ');
     if (!isStatusLine)
-        return fail("the status line of an HTTP reply", line);
+        return fail(AXISCOMP_TEXT("Error", "the status line of an HTTP reply"), line);
     m_reply = {};
     m_length.reset();
     m_isChunked = false;
@@ -117,17 +122,17 @@ void HttpReplyParser::takeField(std::string_view line)
         return; // goes on with a field that matters to nobody here, or is given up anyway
     const std::size_t colon = line.find(':');
     if (colon == 0 || colon == std::string_view::npos)
-        return fail("a header field of an HTTP reply", line);
+        return fail(AXISCOMP_TEXT("Error", "a header field of an HTTP reply"), line);
     const std::string name = lowerCase(line.substr(0, colon));
     const std::string_view value = withoutBlanks(line.substr(colon + 1));
     if (name == "content-length") {
         const auto length = number(value, 10);
         if (!length || (m_length && m_length != length))
-            return fail("one Content-Length", line);
+            return fail(AXISCOMP_TEXT("Error", "one Content-Length"), line);
         m_length = length;
     } else if (name == "transfer-encoding") {
         if (lowerCase(value) != "chunked")
-            return fail("no Transfer-Encoding but chunked", line);
+            return fail(AXISCOMP_TEXT("Error", "no Transfer-Encoding but chunked"), line);
         m_isChunked = true;
     } else if (name == "connection") {
         m_keepsConnection =
@@ -157,8 +162,7 @@ void HttpReplyParser::endHead()
     m_reply.hasEnd = hasNoBody || m_isChunked || m_length;
     m_left = m_length.value_or(0);
     if (m_length.value_or(0) > m_bodyLimit && !hasNoBody)
-        return fail("at most " + std::to_string(m_bodyLimit) + " bytes",
-            "Content-Length: " + std::to_string(*m_length));
+        return fail(atMost(m_bodyLimit), "Content-Length: " + std::to_string(*m_length));
     if (hasNoBody || m_length == std::uint64_t{0})
         m_state = State::Complete;
     else
@@ -170,7 +174,7 @@ void HttpReplyParser::takeChunkSize(std::string_view line)
 {
     const auto size = number(withoutBlanks(line.substr(0, line.find(';'))), 16);
     if (!size)
-        return fail("the size of a chunk", line);
+        return fail(AXISCOMP_TEXT("Error", "the size of a chunk"), line);
     m_headSize = 0;
     m_left = *size;
     m_step = *size == 0 ? Step::Trailer : Step::ChunkData;
@@ -183,8 +187,7 @@ std::size_t HttpReplyParser::takeBody(std::string_view bytes)
         ? bytes.size()
         : static_cast<std::size_t>(std::min<std::uint64_t>(bytes.size(), m_left));
     if (count > m_bodyLimit - m_reply.body.size()) {
-        fail("at most " + std::to_string(m_bodyLimit) + " bytes",
-            m_reply.body + std::string(bytes.substr(0, mostFound)));
+        fail(atMost(m_bodyLimit), m_reply.body + std::string(bytes.substr(0, mostFound)));
         return count;
     }
     m_reply.body.append(bytes.substr(0, count));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/text.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -39,7 +41,7 @@ public:
     /// Of a complete reply: the connection can take another request.
     [[nodiscard]] bool keepsConnection() const { return m_keepsConnection && !m_hasSurplus; }
     /// Of a failed one: what was expected, and the beginning of what came instead.
-    [[nodiscard]] const std::string& expected() const { return m_expected; }
+    [[nodiscard]] const Text& expected() const { return m_expected; }
     [[nodiscard]] std::string_view found() const { return m_found; }
 
     /// Of a complete one; leaves the parser empty.
@@ -53,7 +55,7 @@ private:
     void takeChunkSize(std::string_view line);
     void endHead();
     [[nodiscard]] std::size_t takeBody(std::string_view bytes);
-    void fail(std::string expected, std::string_view found);
+    void fail(Text expected, std::string_view found);
 
     std::uint64_t m_bodyLimit;
     State m_state = State::Incomplete;
@@ -67,7 +69,7 @@ private:
     bool m_inBody = false;
     bool m_keepsConnection = true;
     bool m_hasSurplus = false;
-    std::string m_expected;
+    Text m_expected;
     std::string m_found;
 };
 

@@ -8,7 +8,7 @@ namespace axiscomp::drivecomm {
 
 namespace {
 
-tl::unexpected<Error> invalid(const QUrl& url, std::string reason)
+tl::unexpected<Error> invalid(const QUrl& url, Text reason)
 {
     // A password with a slash looks like a port and a path; what follows the last @ is none.
     const QString shown = url.toDisplayString(QUrl::RemoveUserInfo | QUrl::StripTrailingSlash)
@@ -20,15 +20,17 @@ tl::unexpected<Error> invalid(const QUrl& url, std::string reason)
 Result<DriveEndpoint> parseWeb(const QUrl& url, DriveEndpoint::Kind kind)
 {
     if (url.host().isEmpty())
-        return invalid(url, "the host is missing; write http://192.168.1.20 or http://host:8080");
+        return invalid(url,
+            AXISCOMP_TEXT(
+                "Error", "the host is missing; write http://192.168.1.20 or http://host:8080"));
     if (!(url.path().isEmpty() || url.path() == u"/") || url.hasQuery() || url.hasFragment())
-        return invalid(url, "only host and port belong here, no path");
+        return invalid(url, AXISCOMP_TEXT("Error", "only host and port belong here, no path"));
     DriveEndpoint result;
     result.kind = kind;
     result.host = url.host().toStdString();
     const int port = url.port(kind == DriveEndpoint::Kind::Https ? 443 : 80);
     if (port == 0)
-        return invalid(url, "port 0 cannot be reached");
+        return invalid(url, AXISCOMP_TEXT("Error", "port 0 cannot be reached"));
     result.port = static_cast<std::uint16_t>(port);
     result.user = url.userName(QUrl::FullyDecoded).toStdString();
     result.password = url.password(QUrl::FullyDecoded).toStdString();
@@ -41,12 +43,16 @@ Result<DriveEndpoint> parseSerial(const QUrl& url)
     result.kind = DriveEndpoint::Kind::Serial;
     result.device = url.path(QUrl::FullyDecoded).toStdString();
     if (!url.host().isEmpty() || result.device.size() < 2 || result.device.front() != '/')
-        return invalid(url, "the device must be an absolute path such as serial:/dev/ttyUSB0");
+        return invalid(url,
+            AXISCOMP_TEXT(
+                "Error", "the device must be an absolute path such as serial:/dev/ttyUSB0"));
     for (const auto& [key, value] : QUrlQuery(url).queryItems()) {
         bool isNumber = false;
         result.baud = value.toInt(&isNumber);
         if (key != u"baud" || !isNumber || result.baud <= 0)
-            return invalid(url, "the only option is baud, as in serial:/dev/ttyUSB0?baud=115200");
+            return invalid(url,
+                AXISCOMP_TEXT(
+                    "Error", "the only option is baud, as in serial:/dev/ttyUSB0?baud=115200"));
     }
     return result;
 }
@@ -75,7 +81,9 @@ Result<DriveEndpoint> parseEndpoint(std::string_view text)
     return fail(ErrorCode::InvalidEndpoint,
         {{"endpoint", shown.toStdString()},
             {"reason",
-                "write http://host[:port], https://host[:port], serial:/dev/ttyUSB0 or demo:"}});
+                AXISCOMP_TEXT("Error",
+                    "write http://host[:port], https://host[:port], serial:/dev/ttyUSB0 or "
+                    "demo:")}});
 }
 
 std::string displayText(const DriveEndpoint& endpoint)

@@ -12,7 +12,7 @@ tl::unexpected<Error> timeoutError(const std::string& endpoint, const Exchange& 
     const double seconds = static_cast<double>(exchange.timeout.count()) / 1000.0;
     const auto end = std::to_chars(text.data(), text.data() + text.size(), seconds).ptr;
     return fail(
-        ErrorCode::Timeout, {{"endpoint", endpoint}, {"seconds", std::string(text.data(), end)}});
+        ErrorCode::Timeout, {{"endpoint", endpoint}, {"seconds", Quantity{{text.data(), end}}}});
 }
 
 } // namespace axiscomp::drivecomm

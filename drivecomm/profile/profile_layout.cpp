@@ -38,15 +38,17 @@ FieldPlace readPlace(const JsonNode& node)
     const JsonNode type = node["type"];
     const std::string_view typeText = type.textView();
     if (!readType(typeText, place))
-        type.refuse("one of u8, u16, u32, i32, f32, f64 or char is expected, with a count in "
-                    "brackets where there are several: char[32]");
+        type.refuse(AXISCOMP_TEXT("Error",
+            "one of u8, u16, u32, i32, f32, f64 or char is expected, with a count in brackets "
+            "where there are several: char[32]"));
     const bool hasBrackets = typeText.find('[') != typeText.npos;
     if (node.has("count")) {
         place.count = node["count"].integer<std::uint32_t>(1);
         if (hasBrackets)
-            node["count"].refuse("the count is given twice, here and in the type");
+            node["count"].refuse(
+                AXISCOMP_TEXT("Error", "the count is given twice, here and in the type"));
     } else if (place.type == FieldType::Char && !hasBrackets) {
-        type.refuse("the number of characters is missing: char[32]");
+        type.refuse(AXISCOMP_TEXT("Error", "the number of characters is missing: char[32]"));
     }
     return place;
 }
@@ -69,7 +71,8 @@ std::optional<JsonNode> constantOf(
 {
     const bool hasField = layout.place(field).has_value();
     if (node.has(key) && !hasField)
-        node[key].refuse("there is no field " + std::string(tableFieldName(field)) + " to hold it");
+        node[key].refuse(AXISCOMP_TEXT("Error", "there is no field {name} to hold it")
+                             .with("name", tableFieldName(field)));
     if (!hasField)
         return std::nullopt;
     return node[key];
@@ -88,11 +91,12 @@ TableLayout readTableLayout(const JsonNode& node)
     TableLayout layout;
     const std::string byteOrder = node["byteOrder"].text();
     if (byteOrder != "little" && byteOrder != "big")
-        node["byteOrder"].refuse("\"little\" or \"big\" is expected");
+        node["byteOrder"].refuse(AXISCOMP_TEXT("Error", "\"little\" or \"big\" is expected"));
     layout.littleEndian = byteOrder != "big";
     const std::string fastest = node["fastestDimension"].text();
     if (fastest != "first" && fastest != "last")
-        node["fastestDimension"].refuse("\"first\" or \"last\" is expected");
+        node["fastestDimension"].refuse(
+            AXISCOMP_TEXT("Error", "\"first\" or \"last\" is expected"));
     layout.dimension1Fastest = fastest != "last";
     layout.headerSize = node["headerSize"].integer<std::uint32_t>();
 

@@ -29,7 +29,7 @@ bool isGraphic(char c)
     return c > ' ' && c <= '~';
 }
 
-tl::unexpected<Error> invalid(const std::string& file, std::string path, std::string reason)
+tl::unexpected<Error> invalid(const std::string& file, Argument path, Argument reason)
 {
     return fail(ErrorCode::InvalidProfile,
         {{"file", file}, {"path", std::move(path)}, {"reason", std::move(reason)}});
@@ -43,13 +43,14 @@ std::string readFileName(const JsonNode& node)
         return isGraphic(c) && std::string_view("\"\\%?#&*:<>|").find(c) == std::string_view::npos;
     };
     if (name.empty() || name.size() > maximumPathLength || !std::ranges::all_of(name, isAllowed))
-        node.refuse("a file path such as tables/small1.TAMtbl is expected");
+        node.refuse(AXISCOMP_TEXT("Error", "a file path such as tables/small1.TAMtbl is expected"));
     for (std::size_t begin = 0; begin <= name.size();) {
         const std::size_t end = std::min(name.find('/', begin), name.size());
         const std::string_view part = std::string_view(name).substr(begin, end - begin);
         if (part.empty() || part == "." || part == "..")
-            node.refuse("a file path has a name between its slashes, none at its ends, and no "
-                        "\".\" or \"..\"");
+            node.refuse(AXISCOMP_TEXT("Error",
+                "a file path has a name between its slashes, none at its ends, and no \".\" or "
+                "\"..\""));
         begin = end + 1;
     }
     return name;
@@ -60,7 +61,8 @@ std::vector<TableSlot> readSlots(const JsonNode& node, const DriveProfile& profi
     std::vector<TableSlot> slots;
     for (const JsonNode& item : node.items()) {
         if (slots.size() == mostSlots) {
-            item.refuse("there are more than " + std::to_string(mostSlots) + " slots");
+            item.refuse(
+                AXISCOMP_TEXT("Error", "there are more than {most} slots").with("most", mostSlots));
             break;
         }
         item.expectMembers({"name", "file", "maximumSize"});
@@ -70,15 +72,18 @@ std::vector<TableSlot> readSlots(const JsonNode& node, const DriveProfile& profi
         TableSlot slot{readWord(item["name"]), readFileName(item["file"]),
             item["maximumSize"].integer<std::uint32_t>(smallest, largestSlot)};
         if (slot.name == profile.enums.tableDisabled)
-            item["name"].refuse("this is the value that stands for no table, enums.tableDisabled");
+            item["name"].refuse(AXISCOMP_TEXT(
+                "Error", "this is the value that stands for no table, enums.tableDisabled"));
         if (std::ranges::find(slots, slot.name, &TableSlot::name) != slots.end())
-            item["name"].refuse("another slot has the name " + slot.name);
+            item["name"].refuse(
+                AXISCOMP_TEXT("Error", "another slot has the name {name}").with("name", slot.name));
         if (std::ranges::find(slots, slot.file, &TableSlot::file) != slots.end())
-            item["file"].refuse("another slot has the file " + slot.file);
+            item["file"].refuse(
+                AXISCOMP_TEXT("Error", "another slot has the file {file}").with("file", slot.file));
         slots.push_back(std::move(slot));
     }
     if (slots.empty())
-        node.refuse("at least one slot is needed");
+        node.refuse(AXISCOMP_TEXT("Error", "at least one slot is needed"));
     return slots;
 }
 
@@ -92,11 +97,13 @@ std::string readUrlPath(const JsonNode& node, UrlPathEnd end)
     };
     if (path.size() > maximumPathLength || !path.starts_with('/') || path.find("//") != path.npos
         || !std::ranges::all_of(path, isAllowed))
-        node.refuse("the path of a web page is expected, such as /directory");
+        node.refuse(
+            AXISCOMP_TEXT("Error", "the path of a web page is expected, such as /directory"));
     if (end == UrlPathEnd::Slash && !path.ends_with('/'))
-        node.refuse("a slash is needed at the end, because a file path follows");
+        node.refuse(
+            AXISCOMP_TEXT("Error", "a slash is needed at the end, because a file path follows"));
     if (end == UrlPathEnd::NoSlash && path.ends_with('/'))
-        node.refuse("there must be no slash at the end");
+        node.refuse(AXISCOMP_TEXT("Error", "there must be no slash at the end"));
     return path;
 }
 
@@ -110,11 +117,13 @@ WebPaths readWebPaths(const JsonNode& node)
         readUrlPath(node["registers"], UrlPathEnd::NoSlash), readWord(node["transferPathField"]),
         readWord(node["transferFileField"])};
     if (web.transfer == web.directory)
-        node["transfer"].refuse("this is the same page as directory");
+        node["transfer"].refuse(AXISCOMP_TEXT("Error", "this is the same page as directory"));
     if (web.registers == web.directory || web.registers == web.transfer)
-        node["registers"].refuse("this is the same page as directory or transfer");
+        node["registers"].refuse(
+            AXISCOMP_TEXT("Error", "this is the same page as directory or transfer"));
     if (web.transferFileField == web.transferPathField)
-        node["transferFileField"].refuse("this is the same field as transferPathField");
+        node["transferFileField"].refuse(
+            AXISCOMP_TEXT("Error", "this is the same field as transferPathField"));
     return web;
 }
 

@@ -110,49 +110,57 @@ std::size_t occurrences(std::string_view text, std::string_view part)
 }
 
 /// What is wrong with a pattern beside its placeholders, empty when nothing is.
-std::string shapeFault(std::string_view pattern)
+Text shapeFault(std::string_view pattern)
 {
     if (pattern.empty())
-        return "it is empty; a register path is expected";
+        return AXISCOMP_TEXT("Error", "it is empty; a register path is expected");
     if (pattern.size() > maximumPatternLength)
-        return "it has " + std::to_string(pattern.size()) + " characters, at most "
-            + std::to_string(maximumPatternLength) + " are possible";
+        return AXISCOMP_TEXT("Error", "it has {count} characters, at most {most} are possible")
+            .with("count", pattern.size())
+            .with("most", maximumPatternLength);
     if (pattern.front() == '/' || pattern.back() == '/' || pattern.find("//") != pattern.npos)
-        return "a path has one slash between its parts and none at its ends";
+        return AXISCOMP_TEXT(
+            "Error", "a path has one slash between its parts and none at its ends");
     const auto other = std::ranges::find_if_not(pattern, [](char c) {
         return isWordCharacter(c) || std::string_view("/[]{}").find(c) != std::string_view::npos;
     });
     if (other != pattern.end())
-        return "a path is made of letters, digits, '_', '-', '/', '[' and ']'; the character at "
-               "position "
-            + std::to_string(other - pattern.begin() + 1) + " is none of them";
+        return AXISCOMP_TEXT("Error",
+            "a path is made of letters, digits, '_', '-', '/', '[' and ']'; the character at "
+            "position {position} is none of them")
+            .with("position", other - pattern.begin() + 1);
     return {};
 }
 
 /// required: placeholders, one after the other, each of which is there exactly once.
-std::string placeholderFault(std::string_view pattern, std::string_view required)
+Text placeholderFault(std::string_view pattern, std::string_view required)
 {
     std::size_t known = 0;
     for (const std::string_view placeholder : knownPlaceholders) {
         const std::size_t found = occurrences(pattern, placeholder);
         const bool isRequired = required.find(placeholder) != required.npos;
         if (isRequired && found != 1)
-            return "the placeholder " + std::string(placeholder) + " is "
-                + (found == 0 ? "missing" : "there more than once");
+            return (found == 0
+                    ? AXISCOMP_TEXT("Error", "the placeholder {name} is missing")
+                    : AXISCOMP_TEXT("Error", "the placeholder {name} is there more than once"))
+                .with("name", placeholder);
         if (!isRequired && found > 0)
-            return "the placeholder " + std::string(placeholder) + " has no meaning here";
+            return AXISCOMP_TEXT("Error", "the placeholder {name} has no meaning here")
+                .with("name", placeholder);
         known += found;
     }
     if (occurrences(pattern, "{") != known || occurrences(pattern, "}") != known)
-        return "in braces there can only be a placeholder: {axis}, {slot} or {n}";
+        return AXISCOMP_TEXT("Error", "in braces there can only be a placeholder, one of {known}")
+            .with("known",
+                std::vector<std::string>(knownPlaceholders.begin(), knownPlaceholders.end()));
     return {};
 }
 
 std::string readPattern(const JsonNode& node, std::string_view required)
 {
     std::string pattern = node.text();
-    for (const std::string& fault : {shapeFault(pattern), placeholderFault(pattern, required)}) {
-        if (!fault.empty()) {
+    for (const Text& fault : {shapeFault(pattern), placeholderFault(pattern, required)}) {
+        if (!fault.isEmpty()) {
             node.refuse(fault);
             break;
         }
@@ -167,7 +175,7 @@ struct Range {
 };
 
 /// The range "[first..last]" of a shortlist entry; none, or a fault in words.
-std::optional<Range> findRange(std::string_view entry, std::string& fault)
+std::optional<Range> findRange(std::string_view entry, Text& fault)
 {
     const std::size_t dots = entry.find("..");
     if (dots == entry.npos)
@@ -175,7 +183,7 @@ std::optional<Range> findRange(std::string_view entry, std::string& fault)
     const std::size_t open = entry.rfind('[', dots);
     const std::size_t close = entry.find(']', dots);
     if (open == entry.npos || close == entry.npos) {
-        fault = "a range is written in brackets, such as [0..15]";
+        fault = AXISCOMP_TEXT("Error", "a range is written in brackets, such as [0..15]");
         return std::nullopt;
     }
     Range range{std::string(entry.substr(0, open + 1)), std::string(entry.substr(close)), 0, -1};
@@ -184,22 +192,24 @@ std::optional<Range> findRange(std::string_view entry, std::string& fault)
     const auto last = std::from_chars(begin + dots + 2, begin + close, range.last);
     if (first.ptr != begin + dots || last.ptr != begin + close || first.ec != std::errc{}
         || last.ec != std::errc{} || range.first < 0 || range.last < range.first)
-        fault = "a range goes from a whole number up to another one, such as [0..15]";
+        fault = AXISCOMP_TEXT(
+            "Error", "a range goes from a whole number up to another one, such as [0..15]");
     return range;
 }
 
 /// What is wrong with an entry without ranges, empty when nothing is.
-std::string entryFault(const std::string& entry, const std::vector<std::string>& list)
+Text entryFault(const std::string& entry, const std::vector<std::string>& list)
 {
-    if (std::string fault = shapeFault(entry); !fault.empty())
+    if (Text fault = shapeFault(entry); !fault.isEmpty())
         return fault;
     const bool hasAxis = entry.find("{axis}") != std::string::npos;
-    if (std::string fault = placeholderFault(entry, hasAxis ? "{axis}" : ""); !fault.empty())
+    if (Text fault = placeholderFault(entry, hasAxis ? "{axis}" : ""); !fault.isEmpty())
         return fault;
     if (std::ranges::find(list, entry) != list.end())
-        return "the register " + entry + " is there twice";
+        return AXISCOMP_TEXT("Error", "the register {path} is there twice").with("path", entry);
     if (list.size() == longestShortlist)
-        return "the shortlist has more than " + std::to_string(longestShortlist) + " registers";
+        return AXISCOMP_TEXT("Error", "the shortlist has more than {most} registers")
+            .with("most", longestShortlist);
     return {};
 }
 
@@ -207,11 +217,11 @@ std::string entryFault(const std::string& entry, const std::vector<std::string>&
 /// a huge range costs nothing.
 bool appendExpanded(const JsonNode& node, const std::string& entry, std::vector<std::string>& list)
 {
-    std::string fault;
+    Text fault;
     const auto range = findRange(entry, fault);
-    if (fault.empty() && !range)
+    if (fault.isEmpty() && !range)
         fault = entryFault(entry, list);
-    if (!fault.empty()) {
+    if (!fault.isEmpty()) {
         node.refuse(fault);
         return false;
     }
@@ -232,8 +242,9 @@ std::string readWord(const JsonNode& node)
 {
     std::string word = node.text();
     if (word.empty() || word.size() > longestWord || !std::ranges::all_of(word, isWordCharacter))
-        node.refuse("a word of 1 to " + std::to_string(longestWord)
-            + " letters, digits, '_' or '-' is expected");
+        node.refuse(
+            AXISCOMP_TEXT("Error", "a word of 1 to {most} letters, digits, '_' or '-' is expected")
+                .with("most", longestWord));
     return word;
 }
 
@@ -253,7 +264,8 @@ RegisterPaths readRegisterPaths(const JsonNode& node)
         paths.*row.member = readPattern(place, row.placeholders);
         const auto [used, isNew] = usedBy.emplace(paths.*row.member, row.key);
         if (!isNew)
-            place.refuse("this is the same register as " + std::string(used->second));
+            place.refuse(AXISCOMP_TEXT("Error", "this is the same register as {name}")
+                             .with("name", used->second));
     }
     for (const WordCountKey& row : wordCountKeys)
         paths.*row.member = node[row.key].integer<int>(1, mostNameWords);
@@ -278,7 +290,8 @@ RegisterEnums readRegisterEnums(const JsonNode& node)
         const auto [used, isNew] =
             usedBy.emplace(std::pair(row.registerKey, enums.*row.member), row.key);
         if (!isNew)
-            place.refuse("this is the same value as " + std::string(used->second));
+            place.refuse(AXISCOMP_TEXT("Error", "this is the same value as {name}")
+                             .with("name", used->second));
     }
     return enums;
 }
@@ -302,13 +315,15 @@ std::vector<std::string> readSourceTypes(const JsonNode& node)
     for (const JsonNode& item : node.items()) {
         std::string type = item.text();
         if (std::ranges::find(numericTypes, type) == numericTypes.end())
-            item.refuse("a numeric type is expected: Int32, UInt32, Single or Double");
+            item.refuse(AXISCOMP_TEXT(
+                "Error", "a numeric type is expected: Int32, UInt32, Single or Double"));
         else if (std::ranges::find(types, type) != types.end())
-            item.refuse("the type " + type + " is there twice");
+            item.refuse(
+                AXISCOMP_TEXT("Error", "the type {type} is there twice").with("type", type));
         types.push_back(std::move(type));
     }
     if (types.empty())
-        node.refuse("at least one type is needed");
+        node.refuse(AXISCOMP_TEXT("Error", "at least one type is needed"));
     return types;
 }
 

@@ -3,6 +3,7 @@
 
 #include "drivecomm/codec/crc16.h"
 #include "drivecomm/codec/error_json.h"
+#include "drivecomm/codec/text_json.h"
 
 #include <algorithm>
 #include <array>
@@ -16,6 +17,8 @@ namespace {
 constexpr char backspace = '\x08';
 constexpr char rubout = '\x7F';
 constexpr char cancel = '\x18';
+constexpr std::string_view longestFrame = "#65535  *0000";
+constexpr std::string_view textKey = "text=";
 
 bool isPrintable(char c)
 {
@@ -202,11 +205,14 @@ std::string serialError(const Error& error)
     std::string words = "error " + std::string(errorName(error.code));
     if (const auto seconds = error.context.integer("seconds"))
         words += " " + std::to_string(*seconds);
-    words += " " + serialQuoted(driveMessage(error));
+    const Text message = driveMessage(error);
+    words += " " + serialQuoted(message.english());
     for (const char* key : {"path", "nearest"})
         if (const std::string value = error.context.english(key); !value.empty())
             words += " " + serialQuoted(std::string(key) + "=" + value);
-    return words;
+    const std::string text = " " + serialQuoted(std::string(textKey) + textJson(message));
+    const bool fits = words.size() + text.size() + longestFrame.size() <= longestSerialLine;
+    return fits ? words + text : words;
 }
 
 std::optional<Error> parseSerialError(const std::vector<std::string>& words)
@@ -224,10 +230,14 @@ std::optional<Error> parseSerialError(const std::vector<std::string>& words)
         ++next;
     }
     error.context.set("reason", next < words.size() ? words[next] : words[1]);
-    for (++next; next < words.size(); ++next)
+    for (++next; next < words.size(); ++next) {
         for (const std::string key : {"path", "nearest"})
             if (words[next].starts_with(key + "="))
                 error.context.set(key, words[next].substr(key.size() + 1));
+        if (words[next].starts_with(textKey))
+            if (auto text = parseTextJson(std::string_view(words[next]).substr(textKey.size())))
+                error.context.set("reason", *std::move(text));
+    }
     return error;
 }
 

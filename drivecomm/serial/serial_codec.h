@@ -65,7 +65,8 @@ private:
 
 // Replies. parse... want the words after "ok" and give nullopt for anything else.
 
-/// error CODE [SECONDS] "MESSAGE" [path=PATH] [nearest=PATHS]
+/// error CODE [SECONDS] "MESSAGE" [path=PATH] [nearest=PATHS] [text=JSON]; the text (text_json)
+/// only where the line is long enough for it.
 [[nodiscard]] std::string serialError(const Error& error);
 /// An unknown code becomes DriveRejected; detail is the code as it stands.
 [[nodiscard]] std::optional<Error> parseSerialError(const std::vector<std::string>& words);

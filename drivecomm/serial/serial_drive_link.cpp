@@ -70,7 +70,8 @@ Result<DriveIdentity> SerialDriveLink::identify(const Exchange& exchange)
         return fail(reply.error());
     auto identity = parseSerialIdentity(reply->words);
     if (!identity)
-        return m_session.unexpected("name, serial number, axes and profile", reply->words);
+        return m_session.unexpected(
+            AXISCOMP_TEXT("Error", "name, serial number, axes and profile"), reply->words);
     m_session.expect(*identity);
     return *std::move(identity);
 }
@@ -107,13 +108,15 @@ Result<std::vector<RegisterReading>> SerialDriveLink::readOnce(
         return fail(reply.error());
     forgetOtherDrives();
     if (reply->lines.size() != paths.size())
-        return m_session.unexpected(
-            std::to_string(paths.size()) + " register(s)", {std::to_string(reply->lines.size())});
+        return m_session.unexpected(AXISCOMP_COUNTED("Error", "{count} registers", "one register")
+                                        .with("count", paths.size()),
+            {std::to_string(reply->lines.size())});
     std::vector<RegisterReading> readings;
     for (std::size_t i = 0; i < paths.size(); ++i) {
         auto reading = parseSerialReading(reply->lines[i]);
         if (!reading)
-            return m_session.unexpected("a type and a value", reply->lines[i]);
+            return m_session.unexpected(
+                AXISCOMP_TEXT("Error", "a type and a value"), reply->lines[i]);
         reading->path = normalisedPath(paths[i]);
         readings.push_back(*std::move(reading));
     }
@@ -142,13 +145,14 @@ Result<void> SerialDriveLink::learnAddresses(
     if (!reply)
         return fail(reply.error());
     if (reply->lines.size() != unknown.size())
-        return m_session.unexpected(
-            std::to_string(unknown.size()) + " address(es)", {std::to_string(reply->lines.size())});
+        return m_session.unexpected(AXISCOMP_COUNTED("Error", "{count} addresses", "one address")
+                                        .with("count", unknown.size()),
+            {std::to_string(reply->lines.size())});
     for (std::size_t i = 0; i < unknown.size(); ++i) {
         const auto& line = reply->lines[i];
         const auto address = line.size() == 1 ? parseSerialNumber(line[0]) : std::nullopt;
         if (!address)
-            return m_session.unexpected("an address", line);
+            return m_session.unexpected(AXISCOMP_TEXT("Error", "an address"), line);
         m_addresses[unknown[i]] = *address;
     }
     return {};
@@ -169,18 +173,21 @@ Result<std::vector<RegisterReading>> SerialDriveLink::readTree(
         const auto total =
             reply->words.size() == 2 ? parseSerialNumber(reply->words[1]) : std::nullopt;
         if (!total || *total > mostTreeRegisters || *total < all.size() + reply->lines.size())
-            return m_session.unexpected("how many registers there are", reply->words);
+            return m_session.unexpected(
+                AXISCOMP_TEXT("Error", "how many registers there are"), reply->words);
         for (const auto& line : reply->lines) {
             auto reading = parseSerialTreeLine(line);
             if (!reading)
-                return m_session.unexpected("path, address, type and value", line);
+                return m_session.unexpected(
+                    AXISCOMP_TEXT("Error", "path, address, type and value"), line);
             m_addresses[reading->path] = reading->address;
             all.push_back(*std::move(reading));
         }
         if (all.size() == *total)
             return all;
         if (reply->lines.empty())
-            return m_session.unexpected("the rest of the registers", reply->words);
+            return m_session.unexpected(
+                AXISCOMP_TEXT("Error", "the rest of the registers"), reply->words);
     }
 }
 
@@ -196,8 +203,10 @@ Result<void> SerialDriveLink::writeRegisters(
     if (writes.empty() || writes.size() > mostSerialWrites || words.size() > longestSerialLine - 64)
         return fail(ErrorCode::DriveRejected,
             {{"reason",
-                "the serial link writes 1 to " + std::to_string(mostSerialWrites)
-                    + " registers at one instant, not " + std::to_string(writes.size())}});
+                AXISCOMP_TEXT("Error",
+                    "the serial link writes 1 to {most} registers at one instant, not {count}")
+                    .with("most", mostSerialWrites)
+                    .with("count", writes.size())}});
     ExchangeDeadline running(exchange);
     const auto reply = m_session.ask(words, SerialSession::Shape::Words, running);
     if (!reply)
@@ -215,7 +224,8 @@ Result<std::vector<DriveFile>> SerialDriveLink::listFiles(const Exchange& exchan
     for (const auto& line : reply->lines) {
         auto file = parseSerialFile(line);
         if (!file)
-            return m_session.unexpected("path, size and maximum size", line);
+            return m_session.unexpected(
+                AXISCOMP_TEXT("Error", "path, size and maximum size"), line);
         files.push_back(*std::move(file));
     }
     return files;

@@ -35,7 +35,7 @@ SerialPortLine::~SerialPortLine()
     close();
 }
 
-tl::unexpected<Error> SerialPortLine::notConnected(std::string reason, std::string detail)
+tl::unexpected<Error> SerialPortLine::notConnected(Argument reason, std::string detail)
 {
     close();
     return fail(ErrorCode::NotConnected, {{"endpoint", m_name}, {"reason", std::move(reason)}},
@@ -48,7 +48,9 @@ tl::unexpected<Error> SerialPortLine::lost()
     close();
     return fail(ErrorCode::ConnectionLost,
         {{"endpoint", m_name},
-            {"reason", "the serial port is gone; was the cable or the adapter unplugged?"}},
+            {"reason",
+                AXISCOMP_TEXT(
+                    "Error", "the serial port is gone; was the cable or the adapter unplugged?")}},
         detail);
 }
 
@@ -68,11 +70,16 @@ Result<void> SerialPortLine::open()
     if (!port->open(QIODevice::ReadWrite)) {
         const std::string detail = port->errorString().toStdString();
         if (port->error() == QSerialPort::PermissionError)
-            return notConnected("another program is using the port; close it there", detail);
-        return notConnected("this is no serial port (" + detail + ")", detail);
+            return notConnected(
+                AXISCOMP_TEXT("Error", "another program is using the port; close it there"),
+                detail);
+        return notConnected(
+            AXISCOMP_TEXT("Error", "this is no serial port ({reason})").with("reason", detail),
+            detail);
     }
     if (!port->setBaudRate(m_endpoint.baud))
-        return notConnected("the port cannot do " + std::to_string(m_endpoint.baud) + " baud",
+        return notConnected(AXISCOMP_TEXT("Error", "the port cannot do {speed} baud")
+                                .with("speed", m_endpoint.baud),
             port->errorString().toStdString());
     // A lost peer makes Qt 6.4 report an error again and again, for as long as the port is open,
     // and closing it in here would report one more: so it is closed as soon as this has returned,

@@ -41,7 +41,7 @@ public:
     [[nodiscard]] std::chrono::nanoseconds timeFor(std::uint64_t bytes) const;
 
 private:
-    [[nodiscard]] tl::unexpected<Error> notConnected(std::string reason, std::string detail = {});
+    [[nodiscard]] tl::unexpected<Error> notConnected(Argument reason, std::string detail = {});
     [[nodiscard]] tl::unexpected<Error> lost();
     [[nodiscard]] Result<void> check(const ExchangeDeadline& running);
 

@@ -58,14 +58,14 @@ Error SerialSession::failed(Error error)
     return error;
 }
 
-tl::unexpected<Error> SerialSession::lost(std::string reason, std::string detail)
+tl::unexpected<Error> SerialSession::lost(Text reason, std::string detail)
 {
     return fail(failed(
         Error{ErrorCode::ConnectionLost, {{"reason", std::move(reason)}}, std::move(detail)}));
 }
 
 tl::unexpected<Error> SerialSession::unexpected(
-    std::string expected, const std::vector<std::string>& words) const
+    Text expected, const std::vector<std::string>& words) const
 {
     std::string text;
     for (const std::string& word : words)
@@ -116,9 +116,8 @@ Result<void> SerialSession::checkDrive()
         m_expected = m_identity.serialNumber;
     if (*m_expected == m_identity.serialNumber)
         return {};
-    return fail(ErrorCode::OtherDrive,
-        {{"expected", std::to_string(*m_expected)},
-            {"found", std::to_string(m_identity.serialNumber)}});
+    return fail(
+        ErrorCode::OtherDrive, {{"expected", *m_expected}, {"found", m_identity.serialNumber}});
 }
 
 Result<void> SerialSession::find(ExchangeDeadline& running)
@@ -126,7 +125,9 @@ Result<void> SerialSession::find(ExchangeDeadline& running)
     Request request;
     request.words = "identify";
     const auto isNoDrive = [&] {
-        return unexpected("the reply of a drive at " + std::to_string(m_baud) + " baud", {m_heard});
+        return unexpected(
+            AXISCOMP_TEXT("Error", "the reply of a drive at {speed} baud").with("speed", m_baud),
+            {m_heard});
     };
     for (int attempt = 0;; ++attempt) {
         request.number = nextNumber();
@@ -142,7 +143,8 @@ Result<void> SerialSession::find(ExchangeDeadline& running)
         if (*reply) {
             const auto identity = parseSerialIdentity((*reply)->words);
             if (!identity)
-                return unexpected("name, serial number, axes and profile", (*reply)->words);
+                return unexpected(AXISCOMP_TEXT("Error", "name, serial number, axes and profile"),
+                    (*reply)->words);
             m_identity = *identity;
             m_isSynced = true;
             ++m_beginnings;
@@ -231,7 +233,7 @@ Result<std::optional<SerialReply>> SerialSession::collect(
             continue;
         }
         if (line.words.front() == serialBootWord)
-            return lost("the drive rebooted");
+            return lost(AXISCOMP_TEXT("Error", "the drive rebooted"));
         if (line.words.size() > 1 && line.words[0] == "error" && line.words[1] == serialBadCrc) {
             if (isOfAnEarlier(line.number, request.number))
                 continue; // the end of a transfer that was begun anew
@@ -244,13 +246,14 @@ Result<std::optional<SerialReply>> SerialSession::collect(
             return fail(failed(*std::move(error)));
         if (line.words.front() == "ok" || line.words.front() == "ready") {
             if (line.words.front() != request.answer)
-                return unexpected(request.answer, line.words);
+                return unexpected(Verbatim{request.answer}, line.words);
             reply = {{line.words.begin() + 1, line.words.end()}, {}};
             if (!request.hasLines)
                 return reply;
             expectedLines = reply.words.empty() ? std::nullopt : parseSerialNumber(reply.words[0]);
             if (!expectedLines || *expectedLines > mostLines)
-                return unexpected("the number of lines that follow", line.words);
+                return unexpected(
+                    AXISCOMP_TEXT("Error", "the number of lines that follow"), line.words);
         } else if (expectedLines) {
             reply.lines.push_back(std::move(line.words));
         }

@@ -56,7 +56,7 @@ public:
 
     /// Protocol, with what a drive would have said.
     [[nodiscard]] tl::unexpected<Error> unexpected(
-        std::string expected, const std::vector<std::string>& words) const;
+        Text expected, const std::vector<std::string>& words) const;
 
 private:
     struct Request {
@@ -93,7 +93,7 @@ private:
     [[nodiscard]] std::optional<Error> finalError(std::uint16_t number);
     void reportProgress(std::uint64_t done, std::uint64_t total, const ExchangeDeadline& running);
     [[nodiscard]] Error failed(Error error);
-    [[nodiscard]] tl::unexpected<Error> lost(std::string reason, std::string detail = {});
+    [[nodiscard]] tl::unexpected<Error> lost(Text reason, std::string detail = {});
 
     std::string m_name;
     int m_baud;

@@ -14,8 +14,8 @@ constexpr auto cancelTimeout = 1500ms; ///< for the drive to leave a broken tran
 constexpr int attemptsToStart = 6;
 constexpr int attemptsToTransfer = 4;
 
-constexpr std::string_view tooGarbled =
-    "the line garbles too much; check the cable, or try a lower baud rate";
+constexpr TextPattern tooGarbled =
+    AXISCOMP_TEXT("Error", "the line garbles too much; check the cable, or try a lower baud rate");
 
 /// It arrived garbled, and the drive has done nothing.
 bool isGarbled(const Error& error)
@@ -62,7 +62,7 @@ Result<SerialSession::Started> SerialSession::start(
         if (*reply)
             return Started{request.number, **std::move(reply)};
     }
-    return lost(std::string(tooGarbled), "no answer to " + words);
+    return lost(tooGarbled, "no answer to " + words);
 }
 
 template <typename Machine, typename Position>
@@ -159,7 +159,8 @@ Result<void> SerialSession::put(const std::string& path, ByteView bytes, Exchang
             const auto reason = finalError(started->number);
             if (reason && !isGarbled(*reason))
                 return fail(failed(*reason));
-            history += sender.failure() + " / " + (reason ? driveMessage(*reason) : "-") + "; ";
+            history +=
+                sender.failure() + " / " + (reason ? driveMessage(*reason).english() : "-") + "; ";
             continue;
         }
         Request end;
@@ -171,13 +172,13 @@ Result<void> SerialSession::put(const std::string& path, ByteView bytes, Exchang
             return {};
         if (reply.error().code == ErrorCode::Protocol) { // "ready": it has forgotten the transfer
             settle(started->number);
-            return lost("the drive began anew");
+            return lost(AXISCOMP_TEXT("Error", "the drive began anew"));
         }
         if (!isGarbled(reply.error()))
             return fail(reply.error());
-        history += driveMessage(reply.error()) + "; ";
+        history += driveMessage(reply.error()).english() + "; ";
     }
-    return lost(std::string(tooGarbled), history);
+    return lost(tooGarbled, history);
 }
 
 Result<Bytes> SerialSession::take(
@@ -195,7 +196,9 @@ Result<Bytes> SerialSession::take(
         const auto crc = words.size() == 2 ? parseSerialNumber(words[1], 16) : std::nullopt;
         if (!size || !crc || *size > limit) {
             settle(started->number);
-            return unexpected("a size of at most " + std::to_string(limit) + " and a CRC", words);
+            return unexpected(
+                AXISCOMP_TEXT("Error", "a size of at most {most} and a CRC").with("most", limit),
+                words);
         }
         ymodem::Receiver receiver(*size, *size, Clock::now(), patienceWithDrive());
         const auto received = transfer(
@@ -215,9 +218,10 @@ Result<Bytes> SerialSession::take(
         const auto reason = finalError(started->number);
         if (reason && !isGarbled(*reason))
             return fail(failed(*reason));
-        history += receiver.failure() + " / " + (reason ? driveMessage(*reason) : "-") + "; ";
+        history +=
+            receiver.failure() + " / " + (reason ? driveMessage(*reason).english() : "-") + "; ";
     }
-    return lost(std::string(tooGarbled), history);
+    return lost(tooGarbled, history);
 }
 
 } // namespace axiscomp::drivecomm

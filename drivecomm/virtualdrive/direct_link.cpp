@@ -84,7 +84,7 @@ private:
             exchange.progress(size, size);
     }
 
-    [[nodiscard]] tl::unexpected<Error> lost(std::string reason) const
+    [[nodiscard]] tl::unexpected<Error> lost(Text reason) const
     {
         return fail(
             ErrorCode::ConnectionLost, {{"endpoint", endpoint()}, {"reason", std::move(reason)}});
@@ -114,7 +114,7 @@ private:
         if (m_faults == nullptr)
             return call();
         if (isCut(size))
-            return lost("the connection was cut");
+            return lost(AXISCOMP_TEXT("Error", "the connection was cut"));
         const FaultPlan::Decision decision = m_faults->next(isWrite);
         if (decision.rejectCode)
             return fail(errorAskedFor(*decision.rejectCode));
@@ -123,13 +123,14 @@ private:
         auto result = call();
         if (decision.reboot) {
             m_drive.reboot();
-            return lost("the drive rebooted");
+            return lost(AXISCOMP_TEXT("Error", "the drive rebooted"));
         }
         if (decision.noReply || decision.delay >= exchange.timeout)
             return late(exchange);
         if (decision.garble)
             return fail(ErrorCode::Protocol,
-                {{"endpoint", endpoint()}, {"expected", "a reply"}, {"quote", "flipped bytes"}});
+                {{"endpoint", endpoint()}, {"expected", AXISCOMP_TEXT("Error", "a reply")},
+                    {"quote", AXISCOMP_TEXT("Error", "flipped bytes")}});
         return result;
     }
 

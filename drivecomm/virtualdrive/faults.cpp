@@ -36,29 +36,31 @@ constexpr std::array rejections{ErrorCode::DriveRejected, ErrorCode::UnknownRegi
     ErrorCode::UnknownFile, ErrorCode::NotAllowedNow, ErrorCode::TooLargeForSlot,
     ErrorCode::TableRefused, ErrorCode::FlashWear};
 
-tl::unexpected<Error> invalid(std::string reason)
+tl::unexpected<Error> invalid(Text reason)
 {
     return fail(ErrorCode::InvalidArgument, {{"reason", std::move(reason)}});
 }
 
-std::string knownFaults()
+std::vector<std::string> knownFaults()
 {
-    std::string result;
+    std::vector<std::string> result;
     for (const Name& known : names)
-        result += (result.empty() ? "" : ", ") + std::string(known.name) + '='
-            + std::string(known.argument);
+        result.push_back(std::string(known.name) + '=' + std::string(known.argument));
     return result;
 }
 
 Result<FaultSpec> rejectFault(std::string_view code)
 {
-    std::string known;
+    std::vector<std::string> known;
     for (const ErrorCode one : rejections) {
         if (errorName(one) == code)
             return FaultSpec{FaultSpec::Kind::Reject, 0, std::string(code)};
-        known += (known.empty() ? "" : ", ") + std::string(errorName(one));
+        known.emplace_back(errorName(one));
     }
-    return invalid('"' + std::string(code) + "\" is not what a drive can answer: " + known);
+    return invalid(
+        AXISCOMP_TEXT("Error", "\"{code}\" is not what a drive can answer; that is one of {known}")
+            .with("code", code)
+            .with("known", known));
 }
 
 } // namespace
@@ -69,7 +71,9 @@ Result<FaultSpec> parseFault(std::string_view text)
     const std::string_view name = text.substr(0, equals);
     const auto known = std::ranges::find(names, name, &Name::name);
     if (known == names.end() || equals == std::string_view::npos)
-        return invalid('"' + std::string(text) + "\" is not a fault; known are " + knownFaults());
+        return invalid(AXISCOMP_TEXT("Error", "\"{text}\" is not a fault; known are {known}")
+                           .with("text", text)
+                           .with("known", knownFaults()));
     const std::string_view argument = text.substr(equals + 1);
     if (known->most == 0)
         return rejectFault(argument);
@@ -77,14 +81,17 @@ Result<FaultSpec> parseFault(std::string_view text)
     const auto parsed = std::from_chars(argument.data(), argument.data() + argument.size(), number);
     if (parsed.ec != std::errc{} || parsed.ptr != argument.data() + argument.size() || number < 1
         || number > known->most)
-        return invalid('"' + std::string(argument) + "\" is not a whole number from 1 to "
-            + std::to_string(known->most) + ", as " + std::string(known->name) + " needs");
+        return invalid(AXISCOMP_TEXT(
+            "Error", "\"{text}\" is not a whole number from 1 to {most}, as {name} needs")
+                           .with("text", argument)
+                           .with("most", known->most)
+                           .with("name", known->name));
     return FaultSpec{known->kind, number, {}};
 }
 
 Error errorAskedFor(const std::string& code)
 {
-    const std::string reason = "a fault was asked for";
+    const Text reason = AXISCOMP_TEXT("Error", "a fault was asked for");
     return {driveErrorNamed(code).value_or(ErrorCode::DriveRejected),
         {{"reason", reason}, {"path", reason}, {"seconds", 60}}, {}};
 }

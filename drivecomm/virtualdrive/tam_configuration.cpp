@@ -75,13 +75,22 @@ Result<RegisterValue> parseValue(const std::string& type, const std::string& val
             return number;
         if (std::abs(number) > std::numeric_limits<float>::max())
             return fail(ErrorCode::InvalidArgument,
-                {{"reason", '"' + value + "\" is too large for a Single"}});
+                {{"reason",
+                    AXISCOMP_TEXT("Error", "\"{value}\" is too large for a Single")
+                        .with("value", value)}});
         return static_cast<float>(number);
     }
     if (value.size() > longestValue)
         return fail(ErrorCode::InvalidArgument,
-            {{"reason", "the value is longer than any name of an enum"}});
+            {{"reason", AXISCOMP_TEXT("Error", "the value is longer than any name of an enum")}});
     return value;
+}
+
+Text located(std::string_view place, Text problem)
+{
+    return AXISCOMP_TEXT("Error", "{place}: {problem}")
+        .with("place", place)
+        .with("problem", std::move(problem));
 }
 
 class Parser {
@@ -98,9 +107,9 @@ public:
             Result<void> read;
             switch (m_reader.readNext()) {
             case QXmlStreamReader::DTD: // what it could define has no place in such a file
-                return wrong("a document type is not allowed");
+                return wrong(AXISCOMP_TEXT("Error", "a document type is not allowed"));
             case QXmlStreamReader::EntityReference:
-                return wrong("entities are not allowed");
+                return wrong(AXISCOMP_TEXT("Error", "entities are not allowed"));
             case QXmlStreamReader::StartElement:
                 read = startElement();
                 break;
@@ -111,22 +120,22 @@ public:
                 return fail(read.error());
         }
         if (m_reader.hasError())
-            return wrong(text(m_reader.errorString()));
+            return wrong(Verbatim{text(m_reader.errorString())});
         return std::move(m_stations);
     }
 
 private:
-    [[nodiscard]] tl::unexpected<Error> wrong(std::string reason) const
+    [[nodiscard]] tl::unexpected<Error> wrong(Text reason) const
     {
         return fail(ErrorCode::InvalidConfiguration,
-            {{"file", m_fileName}, {"line", std::to_string(m_reader.lineNumber())},
-                {"reason", std::move(reason)}});
+            {{"file", m_fileName}, {"line", m_reader.lineNumber()}, {"reason", std::move(reason)}});
     }
 
     [[nodiscard]] Result<void> startElement()
     {
         if (!m_rootSeen && m_reader.name() != u"TamTopology")
-            return wrong("the root element is " + text(m_reader.name()) + ", expected TamTopology");
+            return wrong(AXISCOMP_TEXT("Error", "the root element is {name}, expected TamTopology")
+                             .with("name", text(m_reader.name())));
         m_rootSeen = true;
         if (m_reader.name() == u"TamStation")
             return station();
@@ -147,7 +156,7 @@ private:
             return {};
         const Result<RegisterValue> number = registerValueFromText("Int32", serial);
         if (!number)
-            return wrong("HardwareSerialNumber: " + sentence(number.error()));
+            return wrong(located("HardwareSerialNumber", textOf(number.error())));
         added.serialNumber = std::get<std::int32_t>(*number);
         return {};
     }
@@ -159,17 +168,20 @@ private:
             text(attributes.value(QLatin1String("Type"))), {}};
         if (read.path.empty() || read.type.empty()
             || !attributes.hasAttribute(QLatin1String("Value")))
-            return wrong("a RegisterComponent needs Address, Type and Value");
+            return wrong(
+                AXISCOMP_TEXT("Error", "a RegisterComponent needs Address, Type and Value"));
         const std::optional<int> axes = axesNeeded(read.path);
         if (!axes)
-            return wrong(
-                read.path + ": the axis index must be from 0 to " + std::to_string(axisLimit - 1));
+            return wrong(located(read.path,
+                AXISCOMP_TEXT("Error", "the axis index must be from 0 to {most}")
+                    .with("most", axisLimit - 1)));
         Result<RegisterValue> value =
             parseValue(read.type, text(attributes.value(QLatin1String("Value"))));
         if (!value)
-            return wrong(read.path + ": " + sentence(value.error()));
+            return wrong(located(read.path, textOf(value.error())));
         if (++m_registers > maximumRegisters)
-            return wrong("there are more than " + std::to_string(maximumRegisters) + " registers");
+            return wrong(AXISCOMP_TEXT("Error", "there are more than {most} registers")
+                             .with("most", maximumRegisters));
         read.value = *std::move(value);
         Station& station = m_stations.back();
         station.axes = std::max(station.axes, *axes);
@@ -296,8 +308,10 @@ Result<std::vector<VirtualDriveOptions>> parseTamConfiguration(
                     .make(firstSerialNumber + static_cast<std::int32_t>(drives.size())));
     if (drives.empty())
         return fail(ErrorCode::InvalidConfiguration,
-            {{"file", fileName}, {"line", "1"},
-                {"reason", "there is no TamStation with registers of an axis in it"}});
+            {{"file", fileName}, {"line", 1},
+                {"reason",
+                    AXISCOMP_TEXT(
+                        "Error", "there is no TamStation with registers of an axis in it")}});
     return drives;
 }
 

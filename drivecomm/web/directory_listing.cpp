@@ -75,18 +75,19 @@ bool isFilePath(std::string_view text)
 }
 
 /// What is wrong with the rows taken together.
-std::optional<std::string> fault(const std::vector<DriveFile>& files)
+std::optional<Text> fault(const std::vector<DriveFile>& files)
 {
     if (files.size() > maximumFiles)
-        return "at most " + std::to_string(maximumFiles) + " files";
+        return AXISCOMP_TEXT("Error", "at most {count} files").with("count", maximumFiles);
     std::set<std::string_view> paths;
     for (const DriveFile& file : files) {
         if (!isFilePath(file.path))
-            return "file paths without blanks";
+            return AXISCOMP_TEXT("Error", "file paths without blanks");
         if (file.size > file.maximumSize)
-            return "an actual size of " + file.path + " up to its maximum size";
+            return AXISCOMP_TEXT("Error", "an actual size of {path} up to its maximum size")
+                .with("path", file.path);
         if (!paths.insert(file.path).second)
-            return "the file " + file.path + " once";
+            return AXISCOMP_TEXT("Error", "the file {path} once").with("path", file.path);
     }
     return std::nullopt;
 }
@@ -137,11 +138,13 @@ Result<std::vector<DriveFile>> filesOf(
     for (std::size_t i = firstRow; i < table.size(); ++i) {
         const HtmlRow& row = table[i];
         if (row.size() <= std::max({columns.file, columns.size, columns.maximumSize}))
-            return notExpected("a file, its size and its maximum size in each row", joined(row));
+            return notExpected(
+                AXISCOMP_TEXT("Error", "a file, its size and its maximum size in each row"),
+                joined(row));
         const auto size = byteCount(row[columns.size]);
         const auto maximumSize = byteCount(row[columns.maximumSize]);
         if (!size || !maximumSize)
-            return notExpected("sizes in bytes", joined(row));
+            return notExpected(AXISCOMP_TEXT("Error", "sizes in bytes"), joined(row));
         files.push_back({row[columns.file], *size, *maximumSize});
     }
     return files;
@@ -183,12 +186,12 @@ Result<std::vector<DriveFile>> parseDirectoryJson(std::string_view json)
 {
     const nlohmann::json document = parseJson(json);
     if (!document.is_array())
-        return notExpected("a JSON array of files", json);
+        return notExpected(AXISCOMP_TEXT("Error", "a JSON array of files"), json);
     std::vector<DriveFile> files;
     for (const nlohmann::json& each : document) {
         auto file = fileOf(each);
         if (!file)
-            return notExpected("a file with path, size and maximumSize",
+            return notExpected(AXISCOMP_TEXT("Error", "a file with path, size and maximumSize"),
                 each.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
         files.push_back(std::move(*file));
     }
@@ -210,12 +213,14 @@ Result<std::vector<DriveFile>> parseDirectoryPage(std::string_view html)
             if (auto expected = fault(*files))
                 return notExpected(std::move(*expected), htmlText(html));
             if (files->empty())
-                return notExpected("at least one file in the table", htmlText(html));
+                return notExpected(
+                    AXISCOMP_TEXT("Error", "at least one file in the table"), htmlText(html));
             return files;
         }
     }
-    return notExpected(
-        "a Directory page with a table of File, actual size and maximum size", htmlText(html));
+    return notExpected(AXISCOMP_TEXT("Error",
+                           "a Directory page with a table of File, actual size and maximum size"),
+        htmlText(html));
 }
 
 } // namespace axiscomp::drivecomm

@@ -23,18 +23,19 @@ std::optional<int> secondsOf(std::string_view retryAfter)
     return isNumber ? std::optional(seconds) : std::nullopt;
 }
 
-std::string statusText(int status)
+Text statusText(int status)
 {
-    return "HTTP status " + std::to_string(status);
+    return AXISCOMP_TEXT("Error", "HTTP status {status}").with("status", status);
 }
 
 tl::unexpected<Error> redirected(const HttpReply& reply)
 {
-    std::string quote = "a redirect to " + quoteOf(reply.location);
-    if (reply.location.starts_with("https://"))
-        quote += "; give its address with https://";
-    return fail(
-        ErrorCode::Protocol, {{"expected", "the answer itself"}, {"quote", std::move(quote)}});
+    const TextPattern quote = reply.location.starts_with("https://")
+        ? AXISCOMP_TEXT("Error", "a redirect to {address}; give its address with https://")
+        : AXISCOMP_TEXT("Error", "a redirect to {address}");
+    return fail(ErrorCode::Protocol,
+        {{"expected", AXISCOMP_TEXT("Error", "the answer itself")},
+            {"quote", quote.with("address", quoteOf(reply.location))}});
 }
 
 /// A refusal as a page or without any body: only its status is certain.
@@ -60,16 +61,22 @@ Error plainError(const HttpReply& reply, const AskedFor& asked)
                                                              : ErrorCode::Protocol;
         }
     }();
-    Error error{code, {}, statusText(reply.status)};
+    Error error{code, {}, statusText(reply.status).english()};
     const std::string text = htmlText(std::string_view(reply.body).substr(0, 4096));
     if (code == ErrorCode::Protocol) {
-        error.context.set("expected", "success or a refusal");
-        error.context.set("quote", statusText(reply.status) + " and " + quoteOf(text));
+        error.context.set("expected", AXISCOMP_TEXT("Error", "success or a refusal"));
+        error.context.set("quote",
+            AXISCOMP_TEXT("Error", "HTTP status {status} and {text}")
+                .with("status", reply.status)
+                .with("text", quoteOf(text)));
     } else if (code == ErrorCode::FlashWear) {
         error.context.set("seconds", *seconds);
     } else {
-        error.context.set(
-            "reason", statusText(reply.status) + (text.empty() ? "" : ", " + quoteOf(text)));
+        error.context.set("reason",
+            text.empty() ? statusText(reply.status)
+                         : AXISCOMP_TEXT("Error", "HTTP status {status}, {text}")
+                               .with("status", reply.status)
+                               .with("text", quoteOf(text)));
     }
     return error;
 }
@@ -93,7 +100,7 @@ Result<void> checkStatus(const HttpReply& reply, const AskedFor& asked)
     return fail(std::move(error));
 }
 
-Result<void> checkJson(const HttpReply& reply, const std::string& expected)
+Result<void> checkJson(const HttpReply& reply, const Text& expected)
 {
     if (reply.contentType == "application/json")
         return {};

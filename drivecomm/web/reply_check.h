@@ -10,7 +10,7 @@ namespace axiscomp::drivecomm {
 /// What a request was about, for the errors that name it.
 struct AskedFor {
     ErrorCode unknown = ErrorCode::DriveRejected; ///< a plain 404: UnknownRegister or UnknownFile
-    std::string path; ///< the register or file, empty when there are several
+    Argument path = Verbatim{}; ///< the register or file, empty when there are several
 };
 
 /// The error that a reply stands for; nothing to say for 2xx. Takes the drive's JSON where there is
@@ -19,7 +19,7 @@ struct AskedFor {
 [[nodiscard]] Result<void> checkStatus(const HttpReply& reply, const AskedFor& asked);
 
 /// Protocol unless the reply is JSON by its type.
-[[nodiscard]] Result<void> checkJson(const HttpReply& reply, const std::string& expected);
+[[nodiscard]] Result<void> checkJson(const HttpReply& reply, const Text& expected);
 
 [[nodiscard]] Error addEndpoint(Error error, const std::string& endpoint);
 

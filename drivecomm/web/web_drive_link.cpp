@@ -23,14 +23,17 @@ constexpr std::size_t longestTarget = 7000; ///< servers take 8 KiB with room fo
 constexpr int mostAxes = 1024;
 
 /// For the error of a drive that does not say which of several registers it lacks.
-std::string nameOf(std::span<const std::string> paths)
+Argument nameOf(std::span<const std::string> paths)
 {
     if (paths.empty())
-        return {};
+        return Verbatim{};
     const std::string first = normalisedPath(paths.front());
-    return paths.size() == 1
-        ? first
-        : first + ", or one of " + std::to_string(paths.size() - 1) + " others asked for with it";
+    if (paths.size() == 1)
+        return first;
+    return AXISCOMP_COUNTED("Error", "{path}, or one of {count} others asked for with it",
+        "{path}, or another one asked for with it")
+        .with("path", first)
+        .with("count", paths.size() - 1);
 }
 
 class WebDriveLink final : public DriveLink {
@@ -119,7 +122,8 @@ Result<std::string> WebDriveLink::readName(const ExchangeDeadline& running, std:
         const auto* word = std::get_if<std::int32_t>(&reading.value);
         if (!word) {
             return failed(notExpected(
-                reading.path + " of type Int32", reading.type + " " + toText(reading.value))
+                AXISCOMP_TEXT("Error", "{path} of type Int32").with("path", reading.path),
+                reading.type + " " + toText(reading.value))
                               .value());
         }
         words.push_back(*word);
@@ -158,7 +162,9 @@ Result<int> WebDriveLink::countAxes(const ExchangeDeadline& running)
         }
         return low;
     }
-    return failed(notExpected("at most 1024 axes", "more").value());
+    return fail(ErrorCode::Protocol,
+        {{"endpoint", m_endpoint}, {"expected", AXISCOMP_TEXT("Error", "at most 1024 axes")},
+            {"quote", AXISCOMP_TEXT("Error", "more")}});
 }
 
 Result<bool> WebDriveLink::hasAxis(int axis, const ExchangeDeadline& running)
@@ -211,7 +217,9 @@ Result<std::vector<RegisterReading>> WebDriveLink::readOnce(
     const auto reply = ask(request, {ErrorCode::UnknownRegister, nameOf(paths)}, running);
     if (!reply)
         return fail(reply.error());
-    const std::string expected = "a JSON array of " + std::to_string(paths.size()) + " register(s)";
+    const Text expected = AXISCOMP_COUNTED(
+        "Error", "a JSON array of {count} registers", "a JSON array of one register")
+                              .with("count", paths.size());
     if (auto json = checkJson(*reply, expected); !json)
         return failed(std::move(json.error()));
     auto readings = parseReadings(reply->body);
@@ -220,7 +228,12 @@ Result<std::vector<RegisterReading>> WebDriveLink::readOnce(
     const bool asAsked = std::ranges::equal(*readings, paths,
         [](const RegisterReading& r, const std::string& p) { return r.path == normalisedPath(p); });
     if (!asAsked)
-        return failed(notExpected(expected + ", in the order asked for", reply->body).value());
+        return failed(notExpected(
+            AXISCOMP_COUNTED("Error", "a JSON array of {count} registers, in the order asked for",
+                "a JSON array of the one register asked for")
+                .with("count", paths.size()),
+            reply->body)
+                          .value());
     return readings;
 }
 
@@ -235,7 +248,7 @@ Result<std::vector<RegisterReading>> WebDriveLink::readTree(
     const auto reply = ask(request, {ErrorCode::UnknownRegister, root}, running);
     if (!reply)
         return fail(reply.error());
-    if (auto json = checkJson(*reply, "a JSON array of registers"); !json)
+    if (auto json = checkJson(*reply, AXISCOMP_TEXT("Error", "a JSON array of registers")); !json)
         return failed(std::move(json.error()));
     auto readings = parseReadings(reply->body);
     if (!readings)
@@ -243,7 +256,9 @@ Result<std::vector<RegisterReading>> WebDriveLink::readTree(
     for (const RegisterReading& each : *readings) {
         const bool isBelow = root.empty() || each.path == root || each.path.starts_with(root + "/");
         if (!isBelow)
-            return failed(notExpected("registers below " + root, each.path).value());
+            return failed(notExpected(
+                AXISCOMP_TEXT("Error", "registers below {path}").with("path", root), each.path)
+                              .value());
     }
     return readings;
 }
@@ -264,7 +279,8 @@ Result<void> WebDriveLink::writeRegisters(
     if (!reply)
         return fail(reply.error());
     if (reply->status != 204 && !reply->body.empty())
-        return failed(notExpected("status 204 without a body", reply->body).value());
+        return failed(
+            notExpected(AXISCOMP_TEXT("Error", "status 204 without a body"), reply->body).value());
     return {};
 }
 
@@ -297,9 +313,13 @@ Result<Bytes> WebDriveLink::download(const std::string& path, const Exchange& ex
     if (!reply)
         return fail(reply.error());
     if (!reply->hasEnd)
-        return failed(notExpected("a file with its Content-Length", reply->body).value());
+        return failed(
+            notExpected(AXISCOMP_TEXT("Error", "a file with its Content-Length"), reply->body)
+                .value());
     if (reply->contentType == "text/html" || reply->contentType == "application/json")
-        return failed(notExpected("the bytes of " + path, reply->body).value());
+        return failed(notExpected(
+            AXISCOMP_TEXT("Error", "the bytes of {path}").with("path", path), reply->body)
+                          .value());
     Bytes bytes(reply->body.size());
     if (!bytes.empty())
         std::memcpy(bytes.data(), reply->body.data(), bytes.size());

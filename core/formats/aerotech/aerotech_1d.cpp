@@ -18,7 +18,8 @@ constexpr std::array<std::string_view, 1> extensions{".cal"};
 constexpr std::array settings{aerotech::rotaryAxes, aerotech::primaryUnit, aerotech::units,
     FormatSetting{.key = "axis",
         .kind = FormatSetting::Kind::WholeNumber,
-        .meaning = "number of the axis, from 1, instead of the table's name for it",
+        .meaning = AXISCOMP_TEXT(
+            "Error", "number of the axis, from 1, instead of the table's name for it"),
         .forWriting = true}};
 
 constexpr std::array<std::string_view, 6> rules{
@@ -46,7 +47,8 @@ std::optional<NeutralTable> tableOf(aerotech::Block& block, const TextReading& r
     const auto axisNumber = wholeNumberOf(block.numbers.empty() ? "" : first.text);
     if (block.numbers.size() != 1 || axisNumber.value_or(0) < 1) {
         diagnostics.error(DiagnosticCode::Syntax, first.line, first.column,
-            excerpt(first.text, Encoding::Utf8), "the number of one axis, from 1, behind :START");
+            Verbatim{excerpt(first.text, Encoding::Utf8)},
+            AXISCOMP_TEXT("Error", "the number of one axis, from 1, behind :START"));
         return std::nullopt;
     }
     const auto distance = aerotech::numberOption(block, "SAMPLEDIST", 0.0, diagnostics);
@@ -54,11 +56,14 @@ std::optional<NeutralTable> tableOf(aerotech::Block& block, const TextReading& r
     const auto positionUnit = aerotech::unitOption(block, "POSUNIT", reading);
     const auto valueUnit = aerotech::unitOption(block, "CORUNIT", reading);
     if (distance && *distance == 0.0)
-        diagnostics.error(DiagnosticCode::Syntax, block.start.line, 0, "",
-            "SAMPLEDIST= and the distance of the corrections, which is not 0");
+        diagnostics.error(DiagnosticCode::Syntax, block.start.line, 0, {},
+            AXISCOMP_TEXT(
+                "Error", "SAMPLEDIST= and the distance of the corrections, which is not 0"));
     if (block.values.size() < 2)
         diagnostics.error(DiagnosticCode::TooFewPoints, block.start.line, 0,
-            std::to_string(block.values.size()) + " corrections", "at least 2");
+            AXISCOMP_COUNTED("Error", "{count} corrections", "1 correction")
+                .with("count", block.values.size()),
+            AXISCOMP_TEXT("Error", "at least 2"));
     if (!distance || !offset || !positionUnit || !valueUnit || diagnostics.hasErrors())
         return std::nullopt;
     aerotech::remarkHome(block, diagnostics);
@@ -71,7 +76,8 @@ std::optional<NeutralTable> tableOf(aerotech::Block& block, const TextReading& r
     axis.unit = positionUnit->of(reading.settings, axis.name);
     axis.knots = sampling.knots(positionUnit->perUnit);
     const std::size_t line = block.start.line;
-    if (!checkKnots(axis.knots, std::span(&line, 1), "axis " + axis.name, diagnostics))
+    if (!checkKnots(axis.knots, std::span(&line, 1),
+            AXISCOMP_TEXT("Error", "axis {number}").with("number", *axisNumber), diagnostics))
         return std::nullopt;
     CompensationColumn& column = table.columns.emplace_back();
     column.target = axis.name;
@@ -132,17 +138,20 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
         const CompensationColumn& column = source.columns.front();
         if (!ownAxis(source, column))
             return cannotHold(format.facts,
-                "it compensates " + column.target + " by the position of "
-                    + source.axes.front().name,
-                "choose a table of an axis for itself");
+                AXISCOMP_TEXT("Error", "it compensates {target} by the position of {axis}")
+                    .with("target", column.target)
+                    .with("axis", source.axes.front().name),
+                AXISCOMP_TEXT("Error", "choose a table of an axis for itself"));
         const auto axis = axisNumber(format.facts, *given, "axis", source.axes.front().name);
         if (!axis)
             return fail(axis.error());
         if (!axes.insert(*axis).second)
             return cannotHold(format.facts,
-                "there are two tables for axis " + std::to_string(*axis)
-                    + ", and the controller adds their corrections",
-                "choose one of them");
+                AXISCOMP_TEXT("Error",
+                    "there are two tables for axis {axis}, and the controller adds their "
+                    "corrections")
+                    .with("axis", *axis),
+                AXISCOMP_TEXT("Error", "choose one of them"));
         auto table = aerotech::inFileUnits(source, *given, written.remarks);
         if (!table)
             return fail(table.error());
@@ -162,22 +171,23 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
 
 const TableFormat& format()
 {
-    static const TableFormat format{.facts = {.name = "aerotech-1d",
-                                        .controller = "Aerotech",
-                                        .description = "calibration file of single axes (:START)",
-                                        .extensions = extensions,
-                                        .knots = KnotRule::Even,
-                                        .mostTables = 0,
-                                        .holdsUnits = true,
-                                        .holdsNotes = true,
-                                        .numbers = "decimal text",
-                                        .sign = SignConvention::Command,
-                                        .signEvidence = Evidence::Published,
-                                        .behaviour = {.outside = Outside::Hold},
-                                        .outsideEvidence = Evidence::Published,
-                                        .settings = settings,
-                                        .rules = rules,
-                                        .assumptions = assumptions},
+    static const TableFormat format{
+        .facts = {.name = "aerotech-1d",
+            .controller = "Aerotech",
+            .description = AXISCOMP_TEXT("Error", "calibration file of single axes (:START)"),
+            .extensions = extensions,
+            .knots = KnotRule::Even,
+            .mostTables = 0,
+            .holdsUnits = true,
+            .holdsNotes = true,
+            .numbers = "decimal text",
+            .sign = SignConvention::Command,
+            .signEvidence = Evidence::Published,
+            .behaviour = {.outside = Outside::Hold},
+            .outsideEvidence = Evidence::Published,
+            .settings = settings,
+            .rules = rules,
+            .assumptions = assumptions},
         .recognise = recognise,
         .read = read,
         .write = write};

@@ -14,7 +14,7 @@ constexpr std::string_view known[] = {"POSUNIT", "CORUNIT", "OFFSETROW", "OFFSET
     "NEGCOR", "SERIALNUMBER", "HOMEDIRECTION", "HOMEOFFSET"};
 constexpr std::size_t mostOutputs = 3;
 
-constexpr FormatSetting axisNumberSetting(std::string_view key, std::string_view meaning)
+constexpr FormatSetting axisNumberSetting(std::string_view key, const TextPattern& meaning)
 {
     return {.key = key,
         .kind = FormatSetting::Kind::WholeNumber,
@@ -23,11 +23,16 @@ constexpr FormatSetting axisNumberSetting(std::string_view key, std::string_view
 }
 constexpr std::array<std::string_view, 1> extensions{".cal"};
 constexpr std::array settings{aerotech::rotaryAxes, aerotech::primaryUnit, aerotech::units,
-    axisNumberSetting("column-axis", "number of the axis that changes along a line, from 1"),
-    axisNumberSetting("row-axis", "number of the axis that changes from line to line, from 1"),
-    axisNumberSetting("output-axis-1", "number of the axis of the first corrections, from 1"),
-    axisNumberSetting("output-axis-2", "number of the axis of the second corrections, from 1"),
-    axisNumberSetting("output-axis-3", "number of the axis of the third corrections, from 1")};
+    axisNumberSetting("column-axis",
+        AXISCOMP_TEXT("Error", "number of the axis that changes along a line, from 1")),
+    axisNumberSetting("row-axis",
+        AXISCOMP_TEXT("Error", "number of the axis that changes from line to line, from 1")),
+    axisNumberSetting("output-axis-1",
+        AXISCOMP_TEXT("Error", "number of the axis of the first corrections, from 1")),
+    axisNumberSetting("output-axis-2",
+        AXISCOMP_TEXT("Error", "number of the axis of the second corrections, from 1")),
+    axisNumberSetting("output-axis-3",
+        AXISCOMP_TEXT("Error", "number of the axis of the third corrections, from 1"))};
 
 constexpr std::array<std::string_view, 7> rules{
     ":START2D ROW COLUMN OUT1 OUT2 distRow distColumn columns begins a table, further :START2D "
@@ -58,11 +63,13 @@ struct Head {
 
 std::optional<long> axisOf(const Token& token, DiagnosticList& diagnostics)
 {
-    const auto number = readWholeNumber(token, "the number of an axis, from 1", diagnostics);
+    const auto number = readWholeNumber(
+        token, AXISCOMP_TEXT("Error", "the number of an axis, from 1"), diagnostics);
     if (!number || *number >= 1)
         return number;
     diagnostics.error(DiagnosticCode::LimitExceeded, token.line, token.column,
-        "axis " + std::to_string(*number), "the number of an axis, from 1");
+        AXISCOMP_TEXT("Error", "axis {number}").with("number", *number),
+        AXISCOMP_TEXT("Error", "the number of an axis, from 1"));
     return std::nullopt;
 }
 
@@ -71,17 +78,21 @@ std::optional<Head> readHead(const aerotech::Block& block, DiagnosticList& diagn
     const std::vector<Token>& numbers = block.numbers;
     if (numbers.size() != 7) {
         diagnostics.error(DiagnosticCode::Syntax, block.start.line, block.start.column,
-            excerpt(block.start.text, Encoding::Utf8),
-            "7 numbers behind :START2D: row axis, column axis, two output axes, distance along "
-            "rows, distance along columns, number of columns");
+            Verbatim{excerpt(block.start.text, Encoding::Utf8)},
+            AXISCOMP_TEXT("Error",
+                "7 numbers behind :START2D: row axis, column axis, two output axes, distance along "
+                "rows, distance along columns, number of columns"));
         return std::nullopt;
     }
     Head head;
     const auto row = axisOf(numbers[0], diagnostics);
     const auto column = axisOf(numbers[1], diagnostics);
-    const auto rowDistance = readNumber(numbers[4], "a distance", diagnostics);
-    const auto columnDistance = readNumber(numbers[5], "a distance", diagnostics);
-    const auto columns = readWholeNumber(numbers[6], "the number of columns", diagnostics);
+    const auto rowDistance =
+        readNumber(numbers[4], AXISCOMP_TEXT("Error", "a distance"), diagnostics);
+    const auto columnDistance =
+        readNumber(numbers[5], AXISCOMP_TEXT("Error", "a distance"), diagnostics);
+    const auto columns =
+        readWholeNumber(numbers[6], AXISCOMP_TEXT("Error", "the number of columns"), diagnostics);
     std::vector<Token> outputs{numbers[2], numbers[3]};
     if (const aerotech::Option* const third = block.option("OUTAXIS3"))
         outputs.push_back(third->value ? third->value : third->key);
@@ -97,13 +108,16 @@ std::optional<Head> readHead(const aerotech::Block& block, DiagnosticList& diagn
     for (std::size_t n = 0; n < 2; ++n)
         if (head.distances[n] == 0.0)
             diagnostics.error(DiagnosticCode::LimitExceeded, numbers[5 - n].line,
-                numbers[5 - n].column, "a distance of 0", "a distance that is not 0");
+                numbers[5 - n].column, AXISCOMP_TEXT("Error", "a distance of 0"),
+                AXISCOMP_TEXT("Error", "a distance that is not 0"));
     if (*columns < 2)
         diagnostics.error(DiagnosticCode::LimitExceeded, numbers[6].line, numbers[6].column,
-            std::to_string(*columns) + " columns", "at least 2");
+            AXISCOMP_COUNTED("Error", "{count} columns", "1 column").with("count", *columns),
+            AXISCOMP_TEXT("Error", "at least 2"));
     if (head.sources[0] == head.sources[1])
         diagnostics.error(DiagnosticCode::Contradiction, numbers[1].line, numbers[1].column,
-            "axis " + std::to_string(*column) + " for rows and columns", "two axes");
+            AXISCOMP_TEXT("Error", "axis {number} for rows and columns").with("number", *column),
+            AXISCOMP_TEXT("Error", "two axes"));
     return head;
 }
 
@@ -119,20 +133,25 @@ std::optional<std::size_t> rowCount(
         if (rows >= 2)
             return rows;
         diagnostics.error(DiagnosticCode::TooFewPoints, block.start.line, 0,
-            std::to_string(rows) + " rows", "at least 2");
+            AXISCOMP_COUNTED("Error", "{count} rows", "1 row").with("count", rows),
+            AXISCOMP_TEXT("Error", "at least 2"));
         return std::nullopt;
     }
-    const std::string expected = std::to_string(head.columns) + " points of "
-        + std::to_string(outputs) + " corrections each in a row";
     const auto odd = std::ranges::find_if(block.lines, [&](const aerotech::Block::Line& line) {
         return line.count % outputs != 0 || line.count / outputs != columns;
     });
     const std::size_t at = odd == block.lines.end() ? block.start.line : odd->line;
     diagnostics.error(DiagnosticCode::ColumnCount, at, 0,
-        odd == block.lines.end() ? std::to_string(block.values.size()) + " corrections"
-                                 : std::to_string(odd->count) + " corrections in this line, "
-                + std::to_string(block.values.size()) + " in all",
-        expected);
+        odd == block.lines.end()
+            ? AXISCOMP_COUNTED("Error", "{count} corrections", "1 correction")
+                  .with("count", block.values.size())
+            : AXISCOMP_COUNTED("Error", "{count} corrections in this line, {all} in all",
+                "1 correction in this line, {all} in all")
+                  .with("count", odd->count)
+                  .with("all", block.values.size()),
+        AXISCOMP_TEXT("Error", "{number} points of {number2} corrections each in a row")
+            .with("number", head.columns)
+            .with("number2", outputs));
     return std::nullopt;
 }
 
@@ -181,7 +200,9 @@ std::optional<NeutralTable> tableOf(aerotech::Block& block, const TextReading& r
         axis.unit = positionUnit->of(reading.settings, axis.name);
         axis.knots = samplings[n].knots(positionUnit->perUnit);
         const std::size_t line = block.start.line;
-        if (!checkKnots(axis.knots, std::span(&line, 1), "axis " + axis.name, diagnostics))
+        if (!checkKnots(axis.knots, std::span(&line, 1),
+                AXISCOMP_TEXT("Error", "axis {number}").with("number", head->sources[n]),
+                diagnostics))
             return std::nullopt;
     }
     const double factor = (block.option("NEGCOR") ? -1.0 : 1.0) * valueUnit->perUnit;
@@ -296,25 +317,26 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
 
 const TableFormat& format()
 {
-    static const TableFormat format{.facts = {.name = "aerotech-2d",
-                                        .controller = "Aerotech",
-                                        .description = "calibration file of two axes (:START2D)",
-                                        .extensions = extensions,
-                                        .fewestDimensions = 2,
-                                        .mostDimensions = 2,
-                                        .knots = KnotRule::Even,
-                                        .mostColumns = mostOutputs,
-                                        .mostTables = 0,
-                                        .holdsUnits = true,
-                                        .holdsNotes = true,
-                                        .numbers = "decimal text",
-                                        .sign = SignConvention::Command,
-                                        .signEvidence = Evidence::Published,
-                                        .behaviour = {.outside = Outside::Hold},
-                                        .outsideEvidence = Evidence::Published,
-                                        .settings = settings,
-                                        .rules = rules,
-                                        .assumptions = assumptions},
+    static const TableFormat format{
+        .facts = {.name = "aerotech-2d",
+            .controller = "Aerotech",
+            .description = AXISCOMP_TEXT("Error", "calibration file of two axes (:START2D)"),
+            .extensions = extensions,
+            .fewestDimensions = 2,
+            .mostDimensions = 2,
+            .knots = KnotRule::Even,
+            .mostColumns = mostOutputs,
+            .mostTables = 0,
+            .holdsUnits = true,
+            .holdsNotes = true,
+            .numbers = "decimal text",
+            .sign = SignConvention::Command,
+            .signEvidence = Evidence::Published,
+            .behaviour = {.outside = Outside::Hold},
+            .outsideEvidence = Evidence::Published,
+            .settings = settings,
+            .rules = rules,
+            .assumptions = assumptions},
         .recognise = recognise,
         .read = read,
         .write = write};

@@ -15,9 +15,9 @@ namespace {
 constexpr std::string_view blanks = " \t,";
 constexpr std::string_view endDirective = ":END";
 
-std::string quoted(std::string_view text)
+Verbatim quoted(std::string_view text)
 {
-    return excerpt(text, Encoding::Utf8);
+    return {excerpt(text, Encoding::Utf8)};
 }
 
 /// The pieces of a directive: words, and keys with their values, also with blanks round '='.
@@ -47,7 +47,7 @@ void takeDirective(const Token& line, Block& block, DiagnosticList& diagnostics)
         const std::size_t stop = std::min(text.find_first_of(blanks, begin), text.size());
         if (!word || begin == stop) {
             diagnostics.error(DiagnosticCode::Syntax, line.line, line.column + at,
-                quoted(text.substr(at)), "KEY=VALUE");
+                quoted(text.substr(at)), AXISCOMP_TEXT("Error", "KEY=VALUE"));
             return;
         }
         block.options.push_back({word, piece(begin, stop)});
@@ -92,7 +92,8 @@ void BlockReader::takeStart(const Token& line)
     const bool isContinued = m_isOpen && m_blocks.back().values.empty() && further.numbers.empty();
     if (m_isOpen && !isContinued) {
         diagnostics.error(DiagnosticCode::Syntax, line.line, line.column, quoted(line.text),
-            ":END of the table that begins in line " + std::to_string(m_blocks.back().start.line));
+            AXISCOMP_TEXT("Error", ":END of the table that begins in line {line}")
+                .with("line", m_blocks.back().start.line));
         m_isOpen = false;
     }
     if (isContinued) {
@@ -110,7 +111,8 @@ void BlockReader::takeEnd(const Token& line)
 {
     if (!m_isOpen)
         m_reading.diagnostics.error(DiagnosticCode::Syntax, line.line, line.column,
-            quoted(line.text), std::string(m_directive) + " before :END");
+            quoted(line.text),
+            AXISCOMP_TEXT("Error", "{directive} before :END").with("directive", m_directive));
     m_isOpen = false;
 }
 
@@ -119,7 +121,8 @@ void BlockReader::takeValues(const Token& line)
     if (!m_isOpen) {
         m_reading.diagnostics.error(DiagnosticCode::Syntax, line.line, line.column,
             quoted(line.text),
-            "a table that begins with " + std::string(m_directive) + " and ends with :END");
+            AXISCOMP_TEXT("Error", "a table that begins with {directive} and ends with :END")
+                .with("directive", m_directive));
         m_isOpen = true; // one such problem is enough
         m_blocks.emplace_back();
         m_blocks.back().start = line;
@@ -128,7 +131,8 @@ void BlockReader::takeValues(const Token& line)
     splitTokens(line, blanks, m_tokens);
     for (const Token& token : m_tokens)
         block.values.push_back(
-            readNumber(token, "a correction", m_reading.diagnostics).value_or(0.0));
+            readNumber(token, AXISCOMP_TEXT("Error", "a correction"), m_reading.diagnostics)
+                .value_or(0.0));
     block.lines.push_back({line.line, m_tokens.size()});
 }
 
@@ -152,19 +156,23 @@ std::vector<Block> BlockReader::read()
         } else if (line.text.front() == ':') {
             m_reading.diagnostics.error(DiagnosticCode::Syntax, line.line, line.column,
                 quoted(word),
-                std::string(m_directive)
-                    + " or :END; tables of one and of two dimensions are in separate files");
+                AXISCOMP_TEXT("Error",
+                    "{directive} or :END; tables of one and of two dimensions are in separate "
+                    "files")
+                    .with("directive", m_directive));
             return {};
         } else {
             takeValues(line);
         }
     }
     if (m_isOpen)
-        m_reading.diagnostics.error(DiagnosticCode::Syntax, 0, 0, "",
-            ":END of the table that begins in line " + std::to_string(m_blocks.back().start.line));
+        m_reading.diagnostics.error(DiagnosticCode::Syntax, 0, 0, {},
+            AXISCOMP_TEXT("Error", ":END of the table that begins in line {line}")
+                .with("line", m_blocks.back().start.line));
     if (m_blocks.empty())
-        m_reading.diagnostics.error(DiagnosticCode::Syntax, 0, 0, "",
-            "a table that begins with " + std::string(m_directive));
+        m_reading.diagnostics.error(DiagnosticCode::Syntax, 0, 0, {},
+            AXISCOMP_TEXT("Error", "a table that begins with {directive}")
+                .with("directive", m_directive));
     return std::move(m_blocks);
 }
 
@@ -190,10 +198,12 @@ void checkOptions(
             known, [&](std::string_view key) { return sameLetters(key, option.key.text); });
         if (!isKnown)
             diagnostics.warning(DiagnosticCode::UnknownKey, option.key.line, option.key.column,
-                quoted(option.key.text), "");
+                quoted(option.key.text), {});
         else if (block.option(option.key.text) != &option)
             diagnostics.error(DiagnosticCode::Contradiction, option.key.line, option.key.column,
-                quoted(option.key.text) + " a second time", "each option once");
+                AXISCOMP_TEXT("Error", "{what} a second time")
+                    .with("what", quoted(option.key.text)),
+                AXISCOMP_TEXT("Error", "each option once"));
     }
 }
 
@@ -221,9 +231,10 @@ std::optional<double> numberOption(
     const Token& place = option->value ? option->value : option->key;
     if (!option->value)
         diagnostics.error(DiagnosticCode::Syntax, place.line, place.column, quoted(place.text),
-            std::string(key) + "= and a number");
+            AXISCOMP_TEXT("Error", "{key}= and a number").with("key", key));
     else
-        return readNumber(place, "the number of " + std::string(key), diagnostics);
+        return readNumber(
+            place, AXISCOMP_TEXT("Error", "the number of {key}").with("key", key), diagnostics);
     return std::nullopt;
 }
 
@@ -233,8 +244,9 @@ void remarkHome(const Block& block, DiagnosticList& diagnostics)
         const Option* const option = block.option(key);
         if (option && numberOf(option->value.text).value_or(1.0) != 0.0)
             diagnostics.warning(DiagnosticCode::Assumption, option->key.line, option->key.column,
-                std::string(key) + ' ' + quoted(option->value.text),
-                "positions in the coordinates of the axis after homing; it is left out");
+                Verbatim{std::string(key) + ' ' + quoted(option->value.text).text},
+                AXISCOMP_TEXT("Error",
+                    "positions in the coordinates of the axis after homing; it is left out"));
     }
 }
 
@@ -252,14 +264,17 @@ std::optional<Unit> unitOption(const Block& block, std::string_view key, const T
 {
     Unit unit;
     unit.name = reading.settings.text("primary-unit");
-    const auto warnOfPrimary = [&](const Token& place, const std::string& found) {
+    const auto warnOfPrimary = [&](const Token& place, const Text& found) {
         if (unit.name.empty())
             reading.diagnostics.warning(DiagnosticCode::UnitNotGiven, place.line, place.column,
-                found, "the setting primary-unit, such as mm, where a unit matters");
+                found,
+                AXISCOMP_TEXT("Error", "the setting {key}, such as mm, where a unit matters")
+                    .with("key", primaryUnit.key));
     };
     const Option* const option = block.option(key);
     if (!option) {
-        warnOfPrimary(block.start, "a table without " + std::string(key));
+        warnOfPrimary(
+            block.start, AXISCOMP_TEXT("Error", "a table without {key}").with("key", key));
         return unit;
     }
     const std::string_view text = option->value.text;
@@ -276,15 +291,16 @@ std::optional<Unit> unitOption(const Block& block, std::string_view key, const T
     if (!(unit.perUnit > 0.0) || (!isUser && !isEnglish && !unit.isMetric)) {
         reading.diagnostics.error(DiagnosticCode::Syntax, option->key.line, option->key.column,
             quoted(text),
-            std::string(key)
-                + "=METRIC, ENGLISH, PRIMARY, SECONDARY or COUNTS, perhaps divided by a number "
-                  "as in METRIC/1000");
+            AXISCOMP_TEXT("Error",
+                "{key}=METRIC, ENGLISH, PRIMARY, SECONDARY or COUNTS, perhaps divided by a number "
+                "as in METRIC/1000")
+                .with("key", key));
         return std::nullopt;
     }
     if (isEnglish)
         unit.name = "inch";
     else if (isUser)
-        warnOfPrimary(option->key, std::string(key) + ' ' + quoted(text));
+        warnOfPrimary(option->key, Verbatim{std::string(key) + ' ' + quoted(text).text});
     return unit;
 }
 
@@ -294,7 +310,8 @@ bool areFinite(const NeutralTable& table, const Block& block, DiagnosticList& di
         for (const double value : column.values)
             if (!std::isfinite(value)) {
                 diagnostics.error(DiagnosticCode::LimitExceeded, block.start.line, 0,
-                    "a correction that is too large for its unit", "another CORUNIT");
+                    AXISCOMP_TEXT("Error", "a correction that is too large for its unit"),
+                    AXISCOMP_TEXT("Error", "another CORUNIT"));
                 return false;
             }
     return true;
@@ -318,7 +335,7 @@ Sampling samplingOf(const SourceAxis& axis)
 }
 
 Result<NeutralTable> inFileUnits(
-    const NeutralTable& table, const SettingValues& settings, std::vector<std::string>& remarks)
+    const NeutralTable& table, const SettingValues& settings, std::vector<Text>& remarks)
 {
     if (settings.text("units") == "metric")
         return inUnits(table, "mm", "deg", remarks);

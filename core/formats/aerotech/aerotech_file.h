@@ -64,15 +64,17 @@ struct Unit {
 
 inline constexpr FormatSetting rotaryAxes{.key = "rotary-axes",
     .kind = FormatSetting::Kind::Text,
-    .meaning = "numbers of the axes for which METRIC means degrees, such as 4,5; all others mm",
+    .meaning = AXISCOMP_TEXT(
+        "Error", "numbers of the axes for which METRIC means degrees, such as 4,5; all others mm"),
     .forReading = true};
 inline constexpr FormatSetting primaryUnit{.key = "primary-unit",
     .kind = FormatSetting::Kind::Text,
-    .meaning = "what PRIMARY, SECONDARY or COUNTS stand for, such as mm",
+    .meaning = AXISCOMP_TEXT("Error", "what PRIMARY, SECONDARY or COUNTS stand for, such as mm"),
     .forReading = true};
 inline constexpr FormatSetting units{.key = "units",
     .kind = FormatSetting::Kind::Choice,
-    .meaning = "METRIC (mm and degrees), or PRIMARY: the table's own units are those of the axes",
+    .meaning = AXISCOMP_TEXT("Error",
+        "METRIC (mm and degrees), or PRIMARY: the table's own units are those of the axes"),
     .choices = "metric, primary",
     .standard = "metric",
     .forWriting = true};
@@ -91,7 +93,7 @@ struct Sampling {
 
 /// The table in the units that the file will say.
 [[nodiscard]] Result<NeutralTable> inFileUnits(
-    const NeutralTable& table, const SettingValues& settings, std::vector<std::string>& remarks);
+    const NeutralTable& table, const SettingValues& settings, std::vector<Text>& remarks);
 /// "METRIC" or "PRIMARY".
 [[nodiscard]] std::string unitWord(const SettingValues& settings);
 /// The settings with which a file says what was written; the names of the tables are those of the

@@ -17,14 +17,16 @@ namespace {
 
 constexpr std::string_view invalidFormat = "4900";
 constexpr std::string_view wrongRange = "4902";
-constexpr std::string_view twoNumbers = "two numbers such as 0.25,0.001: position and offset";
+constexpr TextPattern twoNumbers =
+    AXISCOMP_TEXT("Error", "two numbers such as 0.25,0.001: position and offset");
 constexpr std::string_view wrapKey = "wrap-range";
 
 constexpr std::array<std::string_view, 1> extensions{".csv"};
 constexpr std::array settings{
     FormatSetting{.key = wrapKey,
         .kind = FormatSetting::Kind::Number,
-        .meaning = "of a rotary axis: the range after which its position begins again, such as 360",
+        .meaning = AXISCOMP_TEXT("Error",
+            "of a rotary axis: the range after which its position begins again, such as 360"),
         .forReading = true,
         .forWriting = true},
 };
@@ -84,8 +86,8 @@ void takeRow(const std::vector<Token>& cells, Points& points, TextReading& sourc
     const Token& first = cells.front();
     if (cells.size() != 2) {
         source.error(invalidFormat, DiagnosticCode::ColumnCount, first.line, 0,
-            std::to_string(cells.size()) + (cells.size() == 1 ? " number" : " numbers"),
-            std::string(twoNumbers));
+            AXISCOMP_COUNTED("Error", "{count} numbers", "1 number").with("count", cells.size()),
+            twoNumbers);
         return;
     }
     const auto position = numberOf(cells[0].text);
@@ -93,8 +95,9 @@ void takeRow(const std::vector<Token>& cells, Points& points, TextReading& sourc
     for (const Token& cell : cells)
         if (!numberOf(cell.text))
             source.error(invalidFormat, DiagnosticCode::NotANumber, cell.line, cell.column,
-                excerpt(cell.text, Encoding::Utf8),
-                &cell == &first ? "a position such as 0.25" : "an offset such as 0.001");
+                Verbatim{excerpt(cell.text, Encoding::Utf8)},
+                &cell == &first ? AXISCOMP_TEXT("Error", "a position such as 0.25")
+                                : AXISCOMP_TEXT("Error", "an offset such as 0.001"));
     points.positions.push_back(position.value_or(0.0));
     points.offsets.push_back(offset.value_or(0.0));
     points.lines.push_back(first.line);
@@ -119,14 +122,14 @@ Points pointsOf(TextReading& source)
         else if (!rowInHeader && looksLikeRow(*line))
             rowInHeader = *line;
     }
-    const std::string found = excerpt(rowInHeader.text, Encoding::Utf8);
+    const Verbatim found{excerpt(rowInHeader.text, Encoding::Utf8)};
     if (isInHeader)
         source.error(invalidFormat, DiagnosticCode::Syntax, rowInHeader.line, 0, found,
-            "lines of " + std::string(twoNumbers));
+            AXISCOMP_TEXT("Error", "lines of {expected}").with("expected", twoNumbers));
     else if (rowInHeader)
         source.diagnostics.warning(DiagnosticCode::Assumption, rowInHeader.line, 0,
-            "\"" + found + "\", which is taken to be a header",
-            std::string(twoNumbers) + ", if it is a point");
+            AXISCOMP_TEXT("Error", "\"{line}\", which is taken to be a header").with("line", found),
+            AXISCOMP_TEXT("Error", "{expected}, if it is a point").with("expected", twoNumbers));
     return points;
 }
 
@@ -144,43 +147,44 @@ std::size_t turningPoint(const std::vector<double>& positions, const std::vector
     return 0;
 }
 
-std::string turnText(const std::vector<double>& positions, std::size_t i)
-{
-    return toText(positions[i]) + " after " + toText(positions[i - 1]);
-}
-
-std::string sumTurnText(
+Quantity sumAt(
     const std::vector<double>& positions, const std::vector<double>& offsets, std::size_t i)
 {
-    return "position + offset " + roundedText(positions[i] + offsets[i]) + " after "
-        + roundedText(positions[i - 1] + offsets[i - 1]);
+    return {roundedText(positions[i] + offsets[i])};
 }
 
 bool checkDirection(const Points& points, TextReading& source)
 {
     const auto& [positions, offsets, lines] = points;
     if (positions.size() < 2) {
-        source.error(
-            invalidFormat, DiagnosticCode::TooFewPoints, lines.front(), 0, "1 point", "at least 2");
+        source.error(invalidFormat, DiagnosticCode::TooFewPoints, lines.front(), 0,
+            AXISCOMP_TEXT("Error", "1 point"), AXISCOMP_TEXT("Error", "at least 2"));
         return false;
     }
     const bool isDown = positions[1] < positions[0];
-    const std::string direction = isDown ? "strictly decreasing" : "strictly increasing";
     if (const std::size_t i = turningPoint(positions, {}); i > 0) {
         source.error(invalidFormat, DiagnosticCode::NotMonotonic, lines[i], 0,
-            turnText(positions, i), direction + " positions");
+            AXISCOMP_TEXT("Error", "{number} after {number2}")
+                .with("number", Quantity{toText(positions[i])})
+                .with("number2", Quantity{toText(positions[i - 1])}),
+            isDown ? AXISCOMP_TEXT("Error", "strictly decreasing positions")
+                   : AXISCOMP_TEXT("Error", "strictly increasing positions"));
         return false;
     }
     if (const std::size_t i = turningPoint(positions, offsets); i > 0)
         source.error(invalidFormat, DiagnosticCode::NotMonotonic, lines[i], 0,
-            sumTurnText(positions, offsets, i), direction + " values, as the positions are");
+            AXISCOMP_TEXT("Error", "position + offset {number} after {number2}")
+                .with("number", sumAt(positions, offsets, i))
+                .with("number2", sumAt(positions, offsets, i - 1)),
+            isDown ? AXISCOMP_TEXT("Error", "strictly decreasing values, as the positions are")
+                   : AXISCOMP_TEXT("Error", "strictly increasing values, as the positions are"));
     return true;
 }
 
 /// What is wrong with the table of a rotary axis: found and expected; nothing: it closes.
 struct RangeFault {
-    std::string found;
-    std::string expected;
+    Text found;
+    Text expected;
 };
 std::optional<RangeFault> rangeFault(
     const std::vector<double>& positions, const std::vector<double>& offsets, double wrap)
@@ -188,13 +192,16 @@ std::optional<RangeFault> rangeFault(
     const double span = std::abs(positions.back() - positions.front());
     const double size = std::abs(positions.front()) + std::abs(positions.back());
     if (!(std::abs(span - wrap) <= 1e-12 * size))
-        return RangeFault{
-            "positions from " + toText(positions.front()) + " to " + toText(positions.back()),
-            "a span of exactly " + toText(wrap) + ", the wrap range"};
+        return RangeFault{AXISCOMP_TEXT("Error", "positions from {first} to {last}")
+                              .with("first", Quantity{toText(positions.front())})
+                              .with("last", Quantity{toText(positions.back())}),
+            AXISCOMP_TEXT("Error", "a span of exactly {range}, the wrap range")
+                .with("range", Quantity{toText(wrap)})};
     if (offsets.front() != offsets.back())
-        return RangeFault{"the offsets " + toText(offsets.front()) + " and "
-                + toText(offsets.back()) + " at the ends",
-            "the same offset at both ends, which are one place"};
+        return RangeFault{AXISCOMP_TEXT("Error", "the offsets {first} and {last} at the ends")
+                              .with("first", Quantity{toText(offsets.front())})
+                              .with("last", Quantity{toText(offsets.back())}),
+            AXISCOMP_TEXT("Error", "the same offset at both ends, which are one place")};
     return std::nullopt;
 }
 
@@ -231,7 +238,9 @@ Result<void> checkWrapSetting(const FormatSettings& given)
     if (wrap == given.end() || numberOf(wrap->second).value_or(1.0) > 0.0)
         return {};
     return fail(ErrorCode::InvalidArgument,
-        {{"reason", "the setting wrap-range is " + wrap->second + ", expected more than 0"}});
+        {{"reason",
+            AXISCOMP_TEXT("Error", "the setting wrap-range is {value}, expected more than 0")
+                .with("value", wrap->second)}});
 }
 
 Result<TableReading> read(std::string_view text, const TableReadOptions& options)
@@ -268,7 +277,7 @@ Recognition recognise(std::string_view text)
     return isTable ? Recognition::Possible : Recognition::No;
 }
 
-auto refuse(std::string reason, std::string wayOut)
+auto refuse(Text reason, Text wayOut)
 {
     return cannotHold(icube::format().facts, std::move(reason), std::move(wayOut));
 }
@@ -282,8 +291,10 @@ Result<void> takeWrap(SourceAxis& axis, const SettingValues& values)
     if (axis.wrap && std::abs(*axis.wrap - wrap) > 1e-12 * wrap)
         return fail(ErrorCode::InvalidArgument,
             {{"reason",
-                "the setting wrap-range is " + toText(wrap) + ", and the table repeats after "
-                    + roundedText(*axis.wrap)}});
+                AXISCOMP_TEXT("Error",
+                    "the setting wrap-range is {value}, and the table repeats after {period}")
+                    .with("value", Quantity{toText(wrap)})
+                    .with("period", Quantity{roundedText(*axis.wrap)})}});
     axis.wrap = wrap;
     return {};
 }
@@ -293,15 +304,22 @@ Result<void> checkWritable(const NeutralTable& table)
     const std::vector<double>& positions = table.axes[0].knots;
     const std::vector<double>& offsets = table.columns[0].values;
     if (const std::size_t i = turningPoint(positions, offsets); i > 0)
-        return refuse("at " + toText(positions[i]) + " " + sumTurnText(positions, offsets, i)
-                + " does not increase (error 4900 of the controller)",
-            "check the unit of the values, or smooth them");
+        return refuse(AXISCOMP_TEXT("Error",
+                          "at {position} position + offset {sum} after {before} does not increase "
+                          "(error 4900 of the controller)")
+                          .with("position", Quantity{toText(positions[i])})
+                          .with("sum", sumAt(positions, offsets, i))
+                          .with("before", sumAt(positions, offsets, i - 1)),
+            AXISCOMP_TEXT("Error", "check the unit of the values, or smooth them"));
     if (!table.axes[0].wrap)
         return {};
     if (const auto fault = rangeFault(positions, offsets, *table.axes[0].wrap))
-        return refuse("of a rotary axis it wants " + fault->expected + ", and this table has "
-                + fault->found + " (error 4902 of the controller)",
-            "add the point that closes the revolution");
+        return refuse(AXISCOMP_TEXT("Error",
+                          "of a rotary axis it wants {expected}, and this table has {found} (error "
+                          "4902 of the controller)")
+                          .with("expected", fault->expected)
+                          .with("found", fault->found),
+            AXISCOMP_TEXT("Error", "add the point that closes the revolution"));
     return {};
 }
 
@@ -325,13 +343,19 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
         written.bytes +=
             toText(table->axes[0].knots[i]) + ',' + toText(table->columns[0].values[i]) + '\n';
     if (written.bytes.size() > facts.mostBytes)
-        return refuse(std::to_string(written.bytes.size()) + " bytes are more than the "
-                + std::to_string(facts.mostBytes) + " of a file",
-            "resample it onto a coarser grid");
+        return refuse(AXISCOMP_TEXT("Error", "{size} bytes are more than the {limit} of a file")
+                          .with("size", written.bytes.size())
+                          .with("limit", facts.mostBytes),
+            AXISCOMP_TEXT("Error", "resample it onto a coarser grid"));
     const std::string& name = tables.front().axes[0].name;
-    written.remarks.push_back("the controller looks for the file as "
-        + (name.empty() ? "the name of the axis and " : name)
-        + "PosComp.CSV, unless axis.xml names another one");
+    written.remarks.push_back(
+        (name.empty() ? AXISCOMP_TEXT("Error",
+             "the controller looks for the file as the name of the axis and PosComp.CSV, unless "
+             "axis.xml names another one")
+                      : AXISCOMP_TEXT("Error",
+                          "the controller looks for the file as {name}PosComp.CSV, unless axis.xml "
+                          "names another one"))
+            .with("name", name));
     written.held.push_back(std::move(*table));
     return written;
 }
@@ -340,21 +364,22 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
 
 const TableFormat& format()
 {
-    static const TableFormat format{.facts = {.name = "icube",
-                                        .controller = "Yaskawa iCube Control",
-                                        .description = "CSV file of positions and offsets",
-                                        .extensions = extensions,
-                                        .knots = KnotRule::Any,
-                                        .mostBytes = 999'999,
-                                        .holdsWrap = true,
-                                        .numbers = "decimal text",
-                                        .sign = SignConvention::Command,
-                                        .signEvidence = Evidence::Published,
-                                        .behaviour = {.outside = Outside::Hold},
-                                        .outsideEvidence = Evidence::Published,
-                                        .settings = settings,
-                                        .rules = rules,
-                                        .assumptions = assumptions},
+    static const TableFormat format{
+        .facts = {.name = "icube",
+            .controller = "Yaskawa iCube Control",
+            .description = AXISCOMP_TEXT("Error", "CSV file of positions and offsets"),
+            .extensions = extensions,
+            .knots = KnotRule::Any,
+            .mostBytes = 999'999,
+            .holdsWrap = true,
+            .numbers = "decimal text",
+            .sign = SignConvention::Command,
+            .signEvidence = Evidence::Published,
+            .behaviour = {.outside = Outside::Hold},
+            .outsideEvidence = Evidence::Published,
+            .settings = settings,
+            .rules = rules,
+            .assumptions = assumptions},
         .recognise = recognise,
         .read = read,
         .write = write};

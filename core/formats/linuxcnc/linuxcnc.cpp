@@ -23,12 +23,13 @@ constexpr std::array<std::string_view, 1> extensions{".comp"};
 constexpr std::array settings{
     FormatSetting{.key = typeKey,
         .kind = FormatSetting::Kind::Choice,
-        .meaning = "COMP_FILE_TYPE: 0 for measured positions, 1 for trims; 0 is assumed",
+        .meaning = AXISCOMP_TEXT(
+            "Error", "COMP_FILE_TYPE: 0 for measured positions, 1 for trims; 0 is assumed"),
         .choices = "0, 1",
         .forReading = true},
     FormatSetting{.key = typeKey,
         .kind = FormatSetting::Kind::Choice,
-        .meaning = "COMP_FILE_TYPE: 0 for measured positions, 1 for trims",
+        .meaning = AXISCOMP_TEXT("Error", "COMP_FILE_TYPE: 0 for measured positions, 1 for trims"),
         .choices = "0, 1",
         .standard = "0",
         .forWriting = true},
@@ -81,15 +82,17 @@ void takeLine(
     const auto entry = entryOf(tokens, line.line);
     if (!entry) {
         source.diagnostics.error(DiagnosticCode::Syntax, line.line, 0,
-            excerpt(line.text, Encoding::Utf8),
-            "three numbers: nominal forward reverse; the controller stops reading here without a "
-            "message");
+            Verbatim{excerpt(line.text, Encoding::Utf8)},
+            AXISCOMP_TEXT("Error",
+                "three numbers: nominal forward reverse; the controller stops reading here without "
+                "a message"));
         return;
     }
     if (tokens.size() > 3)
         source.diagnostics.warning(DiagnosticCode::Assumption, line.line, tokens[3].column,
-            excerpt(tokens[3].text, Encoding::Utf8) + " after three numbers",
-            "nothing; it is left out, as the controller does");
+            AXISCOMP_TEXT("Error", "{text} after three numbers")
+                .with("text", excerpt(tokens[3].text, Encoding::Utf8)),
+            AXISCOMP_TEXT("Error", "nothing; it is left out, as the controller does"));
     entries.push_back(*entry);
 }
 
@@ -118,16 +121,15 @@ bool checkEntries(const std::vector<Entry>& entries, TextReading& source)
 {
     if (entries.size() > mostEntries)
         source.diagnostics.error(DiagnosticCode::LimitExceeded, entries[mostEntries].line, 0,
-            std::to_string(entries.size()) + " lines",
-            "at most 256; the controller leaves out the others");
+            AXISCOMP_TEXT("Error", "{number} lines").with("number", entries.size()),
+            AXISCOMP_TEXT("Error", "at most 256; the controller leaves out the others"));
     std::vector<double> nominals;
     std::vector<std::size_t> lines;
     for (const Entry& entry : entries) {
         nominals.push_back(entry.nominal);
         lines.push_back(entry.line);
     }
-    return !source.diagnostics.hasErrors()
-        && checkKnots(nominals, lines, "the joint", source.diagnostics);
+    return !source.diagnostics.hasErrors() && checkKnots(nominals, lines, {}, source.diagnostics);
 }
 
 /// The first line whose measured position is not above the one before; 0: all are.
@@ -148,22 +150,24 @@ void checkType(const std::vector<Entry>& entries, TextReading& source)
     const bool isMeasured = source.settings.text(typeKey) != "1";
     if (!isGiven && falling > 0) {
         source.diagnostics.error(DiagnosticCode::Contradiction, falling, 0,
-            "a measured position that does not increase",
-            "increasing ones; if these are trims, the setting type=1");
+            AXISCOMP_TEXT("Error", "a measured position that does not increase"),
+            AXISCOMP_TEXT("Error", "increasing ones; if these are trims, the setting type=1"));
     } else if (!isGiven) {
         source.diagnostics.warning(DiagnosticCode::Assumption, 0, 0,
-            "measured positions (COMP_FILE_TYPE 0)",
-            "the setting type=0, or type=1 if these are trims");
+            AXISCOMP_TEXT("Error", "measured positions (COMP_FILE_TYPE 0)"),
+            AXISCOMP_TEXT("Error", "the setting type=0, or type=1 if these are trims"));
     } else if (isMeasured && falling > 0) {
         source.diagnostics.warning(DiagnosticCode::Assumption, falling, 0,
-            "a measured position that does not increase",
-            "increasing ones; perhaps these are trims (type=1)");
+            AXISCOMP_TEXT("Error", "a measured position that does not increase"),
+            AXISCOMP_TEXT("Error", "increasing ones; perhaps these are trims (type=1)"));
     } else if (!isMeasured) {
         const double trims = std::abs(entries.back().forward - entries.front().forward);
         if (trims > 0.5 * (entries.back().nominal - entries.front().nominal))
             source.diagnostics.warning(DiagnosticCode::Assumption, 0, 0,
-                "trims that change by " + roundedText(trims),
-                "less than the positions do; perhaps these are measured positions (type=0)");
+                AXISCOMP_TEXT("Error", "trims that change by {change}")
+                    .with("change", Quantity{roundedText(trims)}),
+                AXISCOMP_TEXT("Error",
+                    "less than the positions do; perhaps these are measured positions (type=0)"));
     }
 }
 
@@ -275,8 +279,10 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
                 isMeasured ? measured(nominal, trim) : Written{toText(trim), trim};
             if (!std::isfinite(number.trim))
                 return cannotHold(facts,
-                    "a measured position at " + toText(nominal) + " is beyond what a number can be",
-                    "check the unit of positions and values");
+                    AXISCOMP_TEXT(
+                        "Error", "a measured position at {position} is beyond what a number can be")
+                        .with("position", Quantity{toText(nominal)}),
+                    AXISCOMP_TEXT("Error", "check the unit of positions and values"));
             written.bytes += ' ' + number.text;
             trims[n].push_back(number.trim);
         }
@@ -285,10 +291,16 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
     table->columns =
         columnsOf(std::move(trims[0]), std::move(trims[1]), table->columns.front().unit);
     written.held.push_back(std::move(*table));
-    written.remarks.push_back("in the section [JOINT_n] of the INI file: COMP_FILE = "
-        + (options.fileName.empty() ? "the file" : options.fileName)
-        + " and COMP_FILE_TYPE = " + values->text(typeKey));
-    written.remarks.push_back("BACKLASH of the joint is not used any more");
+    written.remarks.push_back(
+        (options.fileName.empty() ? AXISCOMP_TEXT("Error",
+             "in the section [JOINT_n] of the INI file: COMP_FILE = the file and COMP_FILE_TYPE = "
+             "{type}")
+                                  : AXISCOMP_TEXT("Error",
+                                      "in the section [JOINT_n] of the INI file: COMP_FILE = "
+                                      "{file} and COMP_FILE_TYPE = {type}"))
+            .with("file", options.fileName)
+            .with("type", values->text(typeKey)));
+    written.remarks.push_back(AXISCOMP_TEXT("Error", "BACKLASH of the joint is not used any more"));
     return written;
 }
 
@@ -299,7 +311,8 @@ const TableFormat& format()
     static const TableFormat format{
         .facts = {.name = "linuxcnc",
             .controller = "LinuxCNC",
-            .description = "compensation file of a joint: nominal forward reverse",
+            .description =
+                AXISCOMP_TEXT("Error", "compensation file of a joint: nominal forward reverse"),
             .extensions = extensions,
             .knots = KnotRule::Any,
             .mostPoints = mostEntries,

@@ -20,22 +20,24 @@ constexpr std::array<std::string_view, 1> extensions{".csv"};
 constexpr std::array settings{
     FormatSetting{.key = "counts-per-unit",
         .kind = FormatSetting::Kind::Number,
-        .meaning = "raw counts of the output axis for one unit of the values",
+        .meaning =
+            AXISCOMP_TEXT("Error", "raw counts of the output axis for one unit of the values"),
         .forWriting = true,
         .isNeeded = true},
     FormatSetting{.key = "counts-per-unit",
         .kind = FormatSetting::Kind::Number,
-        .meaning = "the same, where the file does not say it",
+        .meaning = AXISCOMP_TEXT("Error", "the same, where the file does not say it"),
         .forReading = true},
     FormatSetting{.key = "position-unit",
         .kind = FormatSetting::Kind::Text,
-        .meaning = "unit of the positions, the user unit of the input axes",
+        .meaning = AXISCOMP_TEXT("Error", "unit of the positions, the user unit of the input axes"),
         .forReading = true,
         .forWriting = true},
     FormatSetting{.key = "value-unit",
         .kind = FormatSetting::Kind::Text,
-        .meaning = "unit of the values, the user unit of the output axis; otherwise that of the "
-                   "positions",
+        .meaning = AXISCOMP_TEXT("Error",
+            "unit of the values, the user unit of the output axis; otherwise that of the "
+            "positions"),
         .forReading = true,
         .forWriting = true},
 };
@@ -102,10 +104,11 @@ void takeComment(const Token& line, Header& header, TextReading& source)
         header.notes.push_back(oneLine(value.text));
     } else if (!isKnownKey(key.text)) {
         source.diagnostics.warning(DiagnosticCode::UnknownKey, key.line, key.column,
-            excerpt(key.text, Encoding::Utf8), "");
+            Verbatim{excerpt(key.text, Encoding::Utf8)}, {});
     } else if (!header.entries.emplace(std::string(key.text), value).second) {
         source.diagnostics.error(DiagnosticCode::Contradiction, key.line, key.column,
-            "a second " + std::string(key.text), "each entry once");
+            AXISCOMP_TEXT("Error", "a second {key}").with("key", key.text),
+            AXISCOMP_TEXT("Error", "each entry once"));
     }
 }
 
@@ -133,11 +136,13 @@ std::optional<double> numberIn(const Header& header, const std::string& key, Tex
 {
     const Token* const entry = header.find(key);
     if (!entry) {
-        source.diagnostics.error(DiagnosticCode::Syntax, 1, 0, "",
-            "a line \"# " + key + " = NUMBER\" before the counts");
+        source.diagnostics.error(DiagnosticCode::Syntax, 1, 0, {},
+            AXISCOMP_TEXT("Error", "a line \"# {key} = NUMBER\" before the counts")
+                .with("key", key));
         return std::nullopt;
     }
-    return readNumber(*entry, "a number for " + key, source.diagnostics);
+    return readNumber(
+        *entry, AXISCOMP_TEXT("Error", "a number for {key}").with("key", key), source.diagnostics);
 }
 
 std::optional<RapidCodeInput> inputOf(const Header& header, int number, TextReading& source)
@@ -149,22 +154,24 @@ std::optional<RapidCodeInput> inputOf(const Header& header, int number, TextRead
     if (!minimum || !maximum || !delta)
         return std::nullopt;
     const Token& place = *header.find(prefix + "delta");
-    const std::string range =
-        toText(*minimum) + " to " + toText(*maximum) + " by " + toText(*delta);
+    const Text range = AXISCOMP_TEXT("Error", "{number} to {number2} by {number3}")
+                           .with("number", Quantity{toText(*minimum)})
+                           .with("number2", Quantity{toText(*maximum)})
+                           .with("number3", Quantity{toText(*delta)});
     if (!(*delta > 0.0 && *maximum > *minimum)) {
         source.diagnostics.error(DiagnosticCode::Contradiction, place.line, 0, range,
-            "a maximum above the minimum, and a delta above 0");
+            AXISCOMP_TEXT("Error", "a maximum above the minimum, and a delta above 0"));
         return std::nullopt;
     }
     if ((*maximum - *minimum) / *delta >= static_cast<double>(rapidCodeMostPoints)) {
         source.diagnostics.error(DiagnosticCode::LimitExceeded, place.line, 0, range,
-            "at most " + std::to_string(rapidCodeMostPoints) + " points");
+            AXISCOMP_TEXT("Error", "at most {number} points").with("number", rapidCodeMostPoints));
         return std::nullopt;
     }
     const auto points = rapidCodePoints(*minimum, *maximum, *delta);
     if (!points) {
         source.diagnostics.error(DiagnosticCode::Contradiction, place.line, 0, range,
-            "a range that is an integer multiple of the delta");
+            AXISCOMP_TEXT("Error", "a range that is an integer multiple of the delta"));
         return std::nullopt;
     }
     return RapidCodeInput{*minimum, *maximum, *delta, *points};
@@ -178,10 +185,15 @@ std::string agreedUnit(
     const std::string given = source.settings.text(setting);
     if (!said.empty() && !given.empty() && !isSameUnit(said, given))
         source.diagnostics.error(DiagnosticCode::Contradiction, header.find(key)->line, 0,
-            "the unit " + said, given + ", as the setting " + std::string(setting) + " says");
+            AXISCOMP_TEXT("Error", "the unit {unit}").with("unit", said),
+            AXISCOMP_TEXT("Error", "{value}, as the setting {key} says")
+                .with("value", given)
+                .with("key", setting));
     if (said.empty() && given.empty())
-        source.diagnostics.warning(DiagnosticCode::UnitNotGiven, 0, 0, "no " + key,
-            "the setting " + std::string(setting) + ", such as mm, where a unit matters");
+        source.diagnostics.warning(DiagnosticCode::UnitNotGiven, 0, 0,
+            AXISCOMP_TEXT("Error", "no entry {name}").with("name", key),
+            AXISCOMP_TEXT("Error", "the setting {key}, such as mm, where a unit matters")
+                .with("key", setting));
     return said.empty() ? given : said;
 }
 
@@ -192,18 +204,26 @@ std::optional<double> countsPerUnitOf(const Header& header, TextReading& source)
     const bool isSet = source.settings.has("counts-per-unit");
     const double given = source.settings.number("counts-per-unit");
     if (!entry && !isSet) {
-        source.diagnostics.error(DiagnosticCode::UnitNotGiven, 0, 0, "values in counts",
-            "a line \"# output.counts-per-unit = NUMBER\", or the setting counts-per-unit");
+        source.diagnostics.error(DiagnosticCode::UnitNotGiven, 0, 0,
+            AXISCOMP_TEXT("Error", "values in counts"),
+            AXISCOMP_TEXT("Error",
+                "a line \"# output.counts-per-unit = NUMBER\", or the setting counts-per-unit"));
         return std::nullopt;
     }
-    const auto said = entry ? readNumber(*entry, "a number of counts", source.diagnostics) : given;
+    const auto said = entry
+        ? readNumber(*entry, AXISCOMP_TEXT("Error", "a number of counts"), source.diagnostics)
+        : given;
     if (said && isSet && *said != given)
         source.diagnostics.error(DiagnosticCode::Contradiction, entry->line, 0,
-            toText(*said) + " counts per unit",
-            toText(given) + ", as the setting counts-per-unit says");
+            AXISCOMP_TEXT("Error", "{number} counts per unit")
+                .with("number", Quantity{toText(*said)}),
+            AXISCOMP_TEXT("Error", "{value}, as the setting {key} says")
+                .with("value", Quantity{toText(given)})
+                .with("key", std::string_view("counts-per-unit")));
     if (said && *said == 0.0) {
         source.diagnostics.error(DiagnosticCode::Contradiction, entry ? entry->line : 0, 0,
-            "0 counts per unit", "a number other than 0");
+            AXISCOMP_TEXT("Error", "{number} counts per unit").with("number", 0),
+            AXISCOMP_TEXT("Error", "a number other than 0"));
         return std::nullopt;
     }
     return said;
@@ -221,23 +241,27 @@ std::vector<double> countsOf(
         splitCells(line, ',', cells);
         if (cells.size() != columns) {
             source.diagnostics.error(DiagnosticCode::ColumnCount, line.line, 0,
-                std::to_string(cells.size()) + " values",
-                std::to_string(columns) + ", one for each position of the first axis");
+                AXISCOMP_COUNTED("Error", "{count} values", "1 value").with("count", cells.size()),
+                AXISCOMP_TEXT("Error", "{number}, one for each position of the first axis")
+                    .with("number", columns));
             continue;
         }
         for (const Token& cell : cells)
             counts.push_back(
-                readNumber(cell, "a number of counts", source.diagnostics).value_or(0.0));
+                readNumber(cell, AXISCOMP_TEXT("Error", "a number of counts"), source.diagnostics)
+                    .value_or(0.0));
     }
-    const std::string expected = rows == 1
-        ? "one line"
-        : std::to_string(rows) + ", one for each position of the second axis";
+    const Text found = AXISCOMP_COUNTED("Error", "{count} lines of counts", "1 line of counts")
+                           .with("count", contents.rows.size());
+    const Text expected =
+        (rows == 1 ? AXISCOMP_TEXT("Error", "one line")
+                   : AXISCOMP_TEXT("Error", "{number}, one for each position of the second axis"))
+            .with("number", rows);
     if (contents.rows.size() > rows)
-        source.diagnostics.error(DiagnosticCode::Contradiction, contents.rows[rows].line, 0,
-            std::to_string(contents.rows.size()) + " lines of counts", expected);
+        source.diagnostics.error(
+            DiagnosticCode::Contradiction, contents.rows[rows].line, 0, found, expected);
     if (contents.rows.size() < rows)
-        source.diagnostics.error(DiagnosticCode::MissingPoint, 0, 0,
-            std::to_string(contents.rows.size()) + " lines of counts", expected);
+        source.diagnostics.error(DiagnosticCode::MissingPoint, 0, 0, found, expected);
     return counts;
 }
 
@@ -304,7 +328,7 @@ void addEntry(std::string& text, const std::string& key, const std::string& valu
 std::string headerText(const RapidCodeTable& table, const std::vector<std::string>& notes)
 {
     std::string text = std::string(firstLine) + ", the first axis fastest\n";
-    text += "# " + rapidCodeInputAdvice(table) + '\n';
+    text += "# " + rapidCodeInputAdvice(table).english() + '\n';
     addEntry(text, "name", table.held.name);
     for (const std::string& note : notes)
         addEntry(text, "note", note);
@@ -355,7 +379,8 @@ const TableFormat& format()
     static const TableFormat format{
         .facts = {.name = "rapidcode",
             .controller = "RSI RapidCode (RMP)",
-            .description = "CSV file of this program with the table of a compensator",
+            .description =
+                AXISCOMP_TEXT("Error", "CSV file of this program with the table of a compensator"),
             .extensions = extensions,
             .mostDimensions = 2,
             .knots = KnotRule::Even,

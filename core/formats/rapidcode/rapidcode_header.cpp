@@ -14,12 +14,13 @@ constexpr std::array<std::string_view, 1> extensions{".h"};
 constexpr std::array settings{
     FormatSetting{.key = "counts-per-unit",
         .kind = FormatSetting::Kind::Number,
-        .meaning = "raw counts of the output axis for one unit of the values",
+        .meaning =
+            AXISCOMP_TEXT("Error", "raw counts of the output axis for one unit of the values"),
         .forWriting = true,
         .isNeeded = true},
     FormatSetting{.key = "name",
         .kind = FormatSetting::Kind::Text,
-        .meaning = "namespace of the constants, a C++ name",
+        .meaning = AXISCOMP_TEXT("Error", "namespace of the constants, a C++ name"),
         .standard = "compensator",
         .forWriting = true},
 };
@@ -69,7 +70,7 @@ std::string explanation(const RapidCodeTable& table)
     text += "// Input: " + inputs + ".\n";
     text += "// Output: " + quoted(column.target) + " in raw counts, " + toText(table.countsPerUnit)
         + " for 1 " + (column.unit.empty() ? "unit" : oneLine(column.unit)) + ".\n";
-    return text + "// Note: " + rapidCodeInputAdvice(table) + ".\n";
+    return text + "// Note: " + rapidCodeInputAdvice(table).english() + ".\n";
 }
 
 std::string constant(std::string_view type, const std::string& name, const std::string& value)
@@ -102,8 +103,9 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
     if (!isCppName(name))
         return fail(ErrorCode::InvalidArgument,
             {{"reason",
-                "the setting name is \"" + name
-                    + "\", expected a C++ name: letters, digits and _"}});
+                AXISCOMP_TEXT("Error",
+                    "the setting name is \"{name}\", expected a C++ name: letters, digits and _")
+                    .with("name", name)}});
     WrittenTables written;
     auto table = rapidCodeTable(facts, tables.front(), *values, written.remarks);
     if (!table)
@@ -129,21 +131,22 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
 
 const TableFormat& format()
 {
-    static const TableFormat format{.facts = {.name = "rapidcode-header",
-                                        .controller = "RSI RapidCode (RMP)",
-                                        .description = "C++ header with the table of a compensator",
-                                        .extensions = extensions,
-                                        .mostDimensions = 2,
-                                        .knots = KnotRule::Even,
-                                        .mostPoints = rapidCodeMostPoints,
-                                        .numbers = "whole counts of the output axis",
-                                        .sign = SignConvention::Command,
-                                        .signEvidence = Evidence::Published,
-                                        .behaviour = {.outside = Outside::Zero},
-                                        .outsideEvidence = Evidence::Assumed,
-                                        .settings = settings,
-                                        .rules = rules,
-                                        .assumptions = assumptions},
+    static const TableFormat format{
+        .facts = {.name = "rapidcode-header",
+            .controller = "RSI RapidCode (RMP)",
+            .description = AXISCOMP_TEXT("Error", "C++ header with the table of a compensator"),
+            .extensions = extensions,
+            .mostDimensions = 2,
+            .knots = KnotRule::Even,
+            .mostPoints = rapidCodeMostPoints,
+            .numbers = "whole counts of the output axis",
+            .sign = SignConvention::Command,
+            .signEvidence = Evidence::Published,
+            .behaviour = {.outside = Outside::Zero},
+            .outsideEvidence = Evidence::Assumed,
+            .settings = settings,
+            .rules = rules,
+            .assumptions = assumptions},
         .write = write};
     return format;
 }

@@ -25,7 +25,7 @@ std::string usualValueUnit(const NeutralTable& table, const std::string& positio
 }
 
 Result<NeutralTable> withUnits(
-    const NeutralTable& table, const SettingValues& settings, std::vector<std::string>& remarks)
+    const NeutralTable& table, const SettingValues& settings, std::vector<Text>& remarks)
 {
     FormatSettings units;
     const std::string positionUnit = settings.text("position-unit");
@@ -59,9 +59,11 @@ Result<std::vector<std::int64_t>> countsOf(
         const double count = std::round(value * countsPerUnit);
         if (!(std::abs(count) <= largest))
             return cannotHold(facts,
-                "the value " + toText(value) + " is " + toText(count)
-                    + " counts, and at most 2147483647 can be held",
-                "check counts-per-unit and the unit of the values");
+                AXISCOMP_TEXT("Error",
+                    "the value {value} is {count} counts, and at most 2147483647 can be held")
+                    .with("value", Quantity{toText(value)})
+                    .with("count", Quantity{toText(count)}),
+                AXISCOMP_TEXT("Error", "check counts-per-unit and the unit of the values"));
         counts.push_back(static_cast<std::int64_t>(count));
     }
     return counts;
@@ -87,7 +89,7 @@ std::optional<std::size_t> rapidCodePoints(double minimum, double maximum, doubl
 }
 
 Result<RapidCodeTable> rapidCodeTable(const FormatFacts& facts, const NeutralTable& table,
-    const SettingValues& settings, std::vector<std::string>& remarks)
+    const SettingValues& settings, std::vector<Text>& remarks)
 {
     auto converted = withUnits(table, settings, remarks);
     if (!converted)
@@ -96,7 +98,9 @@ Result<RapidCodeTable> rapidCodeTable(const FormatFacts& facts, const NeutralTab
     result.countsPerUnit = settings.number("counts-per-unit");
     if (result.countsPerUnit == 0.0)
         return fail(ErrorCode::InvalidArgument,
-            {{"reason", "the setting counts-per-unit is 0, expected a number of counts"}});
+            {{"reason",
+                AXISCOMP_TEXT(
+                    "Error", "the setting counts-per-unit is 0, expected a number of counts")}});
     CompensationColumn& column = converted->columns.front();
     auto counts = countsOf(facts, column.values, result.countsPerUnit);
     if (!counts)
@@ -116,18 +120,25 @@ Result<RapidCodeTable> rapidCodeTable(const FormatFacts& facts, const NeutralTab
     }
     converted->notes.clear();
     result.held = std::move(*converted);
-    remarks.push_back("counts-per-unit is understood as " + toText(result.countsPerUnit)
-        + " counts for 1 " + (column.unit.empty() ? "unit of the values" : column.unit));
+    remarks.push_back(
+        (column.unit.empty() ? AXISCOMP_TEXT(
+             "Error", "counts-per-unit is understood as {count} counts for 1 unit of the values")
+                             : AXISCOMP_TEXT("Error",
+                                 "counts-per-unit is understood as {count} counts for 1 {unit}"))
+            .with("count", Quantity{toText(result.countsPerUnit)})
+            .with("unit", column.unit));
     remarks.push_back(rapidCodeInputAdvice(result));
     return result;
 }
 
-std::string rapidCodeInputAdvice(const RapidCodeTable& table)
+Text rapidCodeInputAdvice(const RapidCodeTable& table)
 {
     return table.actsOnInput
-        ? "an input axis is the output axis: its command position must be the input, the actual "
-          "position is not possible"
-        : "the inputs are other axes: their command or their actual positions can be the inputs";
+        ? AXISCOMP_TEXT("Error",
+            "an input axis is the output axis: its command position must be the input, the actual "
+            "position is not possible")
+        : AXISCOMP_TEXT("Error",
+            "the inputs are other axes: their command or their actual positions can be the inputs");
 }
 
 std::string oneLine(std::string_view text)

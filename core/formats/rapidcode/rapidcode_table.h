@@ -41,10 +41,10 @@ struct RapidCodeTable {
 /// one of these are in the unit of the first input where they can be. The units are added to
 /// remarks. Errors: InvalidArgument (settings, units), FormatCannotHold.
 [[nodiscard]] Result<RapidCodeTable> rapidCodeTable(const FormatFacts& facts,
-    const NeutralTable& table, const SettingValues& settings, std::vector<std::string>& remarks);
+    const NeutralTable& table, const SettingValues& settings, std::vector<Text>& remarks);
 
 /// "The input is the output axis ...": what the user must choose in the call.
-[[nodiscard]] std::string rapidCodeInputAdvice(const RapidCodeTable& table);
+[[nodiscard]] Text rapidCodeInputAdvice(const RapidCodeTable& table);
 
 /// Text as a comment line can hold it.
 [[nodiscard]] std::string oneLine(std::string_view text);

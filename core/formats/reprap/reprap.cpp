@@ -60,12 +60,16 @@ struct Axis {
 /// Checks that the entries of an axis fit each other, as far as their two decimals tell.
 bool checkAxis(const Axis& axis, std::size_t line, TextReading& source)
 {
-    const std::string found = axis.name + " from " + toText(axis.minimum) + " to "
-        + toText(axis.maximum) + " by " + toText(axis.spacing) + " in "
-        + std::to_string(axis.points) + " points";
+    const Text found =
+        AXISCOMP_TEXT("Error", "{axis} from {number} to {number2} by {number3} in {number4} points")
+            .with("axis", axis.name)
+            .with("number", Quantity{toText(axis.minimum)})
+            .with("number2", Quantity{toText(axis.maximum)})
+            .with("number3", Quantity{toText(axis.spacing)})
+            .with("number4", axis.points);
     if (axis.points < 2) {
-        source.diagnostics.error(
-            DiagnosticCode::TooFewPoints, line, 0, found, "at least 2 along each axis");
+        source.diagnostics.error(DiagnosticCode::TooFewPoints, line, 0, found,
+            AXISCOMP_TEXT("Error", "at least 2 along each axis"));
         return false;
     }
     const double steps = static_cast<double>(axis.points - 1);
@@ -74,7 +78,7 @@ bool checkAxis(const Axis& axis, std::size_t line, TextReading& source)
     if (axis.spacing > 0.0 && rest > -printed && rest < axis.spacing + printed)
         return true;
     source.diagnostics.error(DiagnosticCode::Contradiction, line, 0, found,
-        "as many points as lie between minimum and maximum");
+        AXISCOMP_TEXT("Error", "as many points as lie between minimum and maximum"));
     return false;
 }
 
@@ -88,8 +92,10 @@ std::optional<std::array<Axis, 2>> axesOf(
     splitCells({labels.text, 0, 0}, ',', names);
     if (cells.size() != names.size()) {
         source.diagnostics.error(DiagnosticCode::ColumnCount, line.line, 0,
-            std::to_string(cells.size()) + " entries",
-            std::to_string(names.size()) + ": " + std::string(labels.text));
+            AXISCOMP_COUNTED("Error", "{count} entries", "1 entry").with("count", cells.size()),
+            AXISCOMP_TEXT("Error", "{number}: {names}")
+                .with("number", names.size())
+                .with("names", labels.text));
         return std::nullopt;
     }
     std::array<Axis, 2> axes{Axis{.name = "X"}, Axis{.name = "Y"}};
@@ -99,14 +105,16 @@ std::optional<std::array<Axis, 2>> axesOf(
     std::array<double, 7> numbers{};
     bool isRead = true;
     for (std::size_t n = 0; n < numbers.size(); ++n) {
-        const std::string expected = "a number for " + std::string(names[first + n].text);
-        const auto number = readNumber(cells[first + n], expected, source.diagnostics);
+        const auto number = readNumber(cells[first + n],
+            AXISCOMP_TEXT("Error", "a number for {key}").with("key", names[first + n].text),
+            source.diagnostics);
         isRead = isRead && number.has_value();
         numbers[n] = number.value_or(0.0);
     }
     for (std::size_t n = 0; n < axes.size(); ++n) {
         const Token& cell = cells[first + numbers.size() + n];
-        const auto points = readWholeNumber(cell, "a number of points", source.diagnostics);
+        const auto points =
+            readWholeNumber(cell, AXISCOMP_TEXT("Error", "a number of points"), source.diagnostics);
         isRead = isRead && points.has_value();
         axes[n].minimum = numbers[2 * n];
         axes[n].maximum = numbers[2 * n + 1];
@@ -115,8 +123,10 @@ std::optional<std::array<Axis, 2>> axesOf(
     }
     if (isRead && (axes[0].name.empty() || axes[0].name == axes[1].name)) {
         source.diagnostics.error(DiagnosticCode::Contradiction, line.line, 0,
-            "the axes \"" + axes[0].name + "\" and \"" + axes[1].name + "\"",
-            "two different letters");
+            AXISCOMP_TEXT("Error", "the axes \"{first}\" and \"{second}\"")
+                .with("first", axes[0].name)
+                .with("second", axes[1].name),
+            AXISCOMP_TEXT("Error", "two different letters"));
         return std::nullopt;
     }
     isRead = isRead && checkAxis(axes[0], line.line, source);
@@ -130,23 +140,29 @@ void takeRow(const Token& line, const std::array<Axis, 2>& axes, std::size_t row
     splitCells(line, ',', cells);
     if (static_cast<long>(cells.size()) != axes[0].points) {
         source.diagnostics.error(DiagnosticCode::ColumnCount, line.line, 0,
-            std::to_string(cells.size()) + " heights",
-            std::to_string(axes[0].points) + ", one for each position of " + axes[0].name);
+            AXISCOMP_COUNTED("Error", "{count} heights", "1 height").with("count", cells.size()),
+            AXISCOMP_TEXT("Error", "{number}, one for each position of {axis}")
+                .with("number", axes[0].points)
+                .with("axis", axes[0].name));
         return;
     }
     const auto position = [](const Axis& axis, std::size_t i) {
-        return axis.name + " = "
-            + roundedText(axis.minimum + static_cast<double>(i) * axis.spacing);
+        return AXISCOMP_TEXT("Error", "{axis} = {position}")
+            .with("axis", axis.name)
+            .with("position",
+                Quantity{roundedText(axis.minimum + static_cast<double>(i) * axis.spacing)});
     };
     for (std::size_t i = 0; i < cells.size(); ++i) {
         const bool isProbed = cells[i].text != "0";
         if (!isProbed)
             source.diagnostics.error(DiagnosticCode::MissingPoint, line.line, i + 1,
-                "a point that was not probed at " + position(axes[0], i) + ", "
-                    + position(axes[1], row),
-                "a height with decimals");
+                AXISCOMP_TEXT("Error", "a point that was not probed at {position}, {other}")
+                    .with("position", position(axes[0], i))
+                    .with("other", position(axes[1], row)),
+                AXISCOMP_TEXT("Error", "a height with decimals"));
         heights.push_back(isProbed
-                ? readNumber(cells[i], "a height in mm", source.diagnostics).value_or(0.0)
+                ? readNumber(cells[i], AXISCOMP_TEXT("Error", "a height in mm"), source.diagnostics)
+                      .value_or(0.0)
                 : 0.0);
     }
 }
@@ -163,8 +179,8 @@ std::vector<double> heightsOf(
             continue;
         if (rows == axes[1].points) {
             source.diagnostics.error(DiagnosticCode::Contradiction, line->line, 0,
-                "a further line after " + std::to_string(rows),
-                std::to_string(axes[1].points) + " lines of heights");
+                AXISCOMP_TEXT("Error", "a further line after {number}").with("number", rows),
+                AXISCOMP_TEXT("Error", "{number} lines of heights").with("number", axes[1].points));
             return heights;
         }
         takeRow(*line, axes, static_cast<std::size_t>(rows), heights, source);
@@ -172,8 +188,11 @@ std::vector<double> heightsOf(
     }
     if (rows < axes[1].points)
         source.diagnostics.error(DiagnosticCode::MissingPoint, 0, 0,
-            std::to_string(rows) + " lines of heights",
-            std::to_string(axes[1].points) + ", one for each position of " + axes[1].name);
+            AXISCOMP_COUNTED("Error", "{count} lines of heights", "1 line of heights")
+                .with("count", rows),
+            AXISCOMP_TEXT("Error", "{number}, one for each position of {axis}")
+                .with("number", axes[1].points)
+                .with("axis", axes[1].name));
     return heights;
 }
 
@@ -184,8 +203,10 @@ const Labels* labelsOf(const std::optional<Token>& line, TextReading& source)
         labelLines, [&](const Labels& known) { return text.starts_with(known.text); });
     if (labels != labelLines.end())
         return labels;
-    source.diagnostics.error(DiagnosticCode::Syntax, 2, 0, excerpt(text, Encoding::Utf8),
-        "the line " + std::string(labelLines[0].text) + ", or " + std::string(labelLines[1].text));
+    source.diagnostics.error(DiagnosticCode::Syntax, 2, 0, Verbatim{excerpt(text, Encoding::Utf8)},
+        AXISCOMP_TEXT("Error", "the line {line}, or {other}")
+            .with("line", labelLines[0].text)
+            .with("other", labelLines[1].text));
     return nullptr;
 }
 
@@ -194,8 +215,9 @@ std::vector<NeutralTable> parse(TextReading& source)
     TextLines lines(source.text);
     const Token first = lines.next().value_or(Token{});
     if (!first.text.starts_with(title)) {
-        source.diagnostics.error(DiagnosticCode::Syntax, 1, 0, excerpt(first.text, Encoding::Utf8),
-            "the line " + std::string(title));
+        source.diagnostics.error(DiagnosticCode::Syntax, 1, 0,
+            Verbatim{excerpt(first.text, Encoding::Utf8)},
+            AXISCOMP_TEXT("Error", "the line {line}").with("line", title));
         return {};
     }
     const Labels* const labels = labelsOf(lines.next(), source);
@@ -245,7 +267,7 @@ const TableFormat& format()
     static const TableFormat format{
         .facts = {.name = "reprap",
             .controller = "RepRapFirmware (Duet)",
-            .description = "heightmap.csv, version 2: heights of the bed",
+            .description = AXISCOMP_TEXT("Error", "heightmap.csv, version 2: heights of the bed"),
             .extensions = extensions,
             .fewestDimensions = 2,
             .mostDimensions = 2,

@@ -30,7 +30,9 @@ Result<TableReading> read(std::string_view text, const TableReadOptions& options
         return fail(known.error());
     if (options.dimensions < 1 || options.dimensions > 3)
         return fail(ErrorCode::InvalidArgument,
-            {{"reason", "a calibration file needs the number of its dimensions: 1, 2 or 3"}});
+            {{"reason",
+                AXISCOMP_TEXT(
+                    "Error", "a calibration file needs the number of its dimensions: 1, 2 or 3")}});
     CsvOptions csv;
     csv.dimensions = options.dimensions;
     csv.acceptsUneven = true;
@@ -105,7 +107,8 @@ const TableFormat& format()
     static const TableFormat format{
         .facts = {.name = "csv",
             .controller = "Triamec",
-            .description = "calibration file: reference positions and compensation values",
+            .description = AXISCOMP_TEXT(
+                "Error", "calibration file: reference positions and compensation values"),
             .extensions = extensions,
             .mostDimensions = 3,
             .knots = KnotRule::Even,

@@ -13,7 +13,7 @@ constexpr std::array<std::string_view, 1> extensions{".TAMtbl"};
 constexpr std::array settings{
     FormatSetting{.key = "persistent",
         .kind = FormatSetting::Kind::YesNo,
-        .meaning = "the drive stores the table in its flash",
+        .meaning = AXISCOMP_TEXT("Error", "the drive stores the table in its flash"),
         .standard = "no",
         .forWriting = true},
 };
@@ -30,7 +30,8 @@ Result<const TableLayout*> layoutOf(const TableLayout* layout)
     if (layout != nullptr)
         return layout;
     return fail(ErrorCode::InvalidArgument,
-        {{"reason", "a TAM table needs the table layout of a drive profile"}});
+        {{"reason",
+            AXISCOMP_TEXT("Error", "a TAM table needs the table layout of a drive profile")}});
 }
 
 Result<TableReading> read(std::string_view text, const TableReadOptions& options)
@@ -45,9 +46,8 @@ Result<TableReading> read(std::string_view text, const TableReadOptions& options
         return fail(table.error());
     const int dimensions = table->table.grid.dimensions();
     if (options.dimensions != 0 && options.dimensions != dimensions)
-        return fail(ErrorCode::DimensionMismatch,
-            {{"table", std::to_string(dimensions)},
-                {"chosen", std::to_string(options.dimensions)}});
+        return fail(
+            ErrorCode::DimensionMismatch, {{"table", dimensions}, {"chosen", options.dimensions}});
     TableReading reading;
     CalibrationData data{table->table.grid, {std::move(table->table)}, {}};
     reading.tables.push_back(neutralTable(data));
@@ -82,7 +82,8 @@ const TableFormat& format()
     static const TableFormat format{
         .facts = {.name = "tamtbl",
             .controller = "Triamec",
-            .description = "table file of the drive, laid out as the drive profile says",
+            .description = AXISCOMP_TEXT(
+                "Error", "table file of the drive, laid out as the drive profile says"),
             .extensions = extensions,
             .mostDimensions = 3,
             .knots = KnotRule::Even,

@@ -13,7 +13,7 @@ namespace axiscomp {
 
 namespace {
 
-auto refuse(std::string reason, std::string wayOut)
+auto refuse(Text reason, Text wayOut)
 {
     return cannotHold(calibration_csv::format().facts, std::move(reason), std::move(wayOut));
 }
@@ -49,8 +49,8 @@ Result<std::vector<float>> floatValues(const CompensationColumn& column)
     for (const double value : column.values) {
         values.push_back(static_cast<float>(value));
         if (!std::isfinite(values.back()))
-            return refuse(
-                "a value is beyond what a float32 can be", "check the unit of the values");
+            return refuse(AXISCOMP_TEXT("Error", "a value is beyond what a float32 can be"),
+                AXISCOMP_TEXT("Error", "check the unit of the values"));
     }
     return values;
 }
@@ -90,7 +90,8 @@ NeutralTable neutralTable(
 Result<CalibrationData> calibrationData(const NeutralTable& table)
 {
     if (table.sign != SignConvention::Feedback)
-        return refuse("its values are offsets of the command", "convert the sign");
+        return refuse(AXISCOMP_TEXT("Error", "its values are offsets of the command"),
+            AXISCOMP_TEXT("Error", "convert the sign"));
     const NeutralTable tables[] = {table};
     if (auto fits = checkHolds(calibration_csv::format().facts, tables); !fits)
         return fail(fits.error());

@@ -19,20 +19,24 @@ Result<void> VirtualDrive::Private::openState()
 
 Result<void> VirtualDrive::Private::restore(const SavedDrive& saved)
 {
-    const auto unusable = [&](std::string reason) {
+    const auto unusable = [&](Text reason) {
         return fail(ErrorCode::FileNotReadable,
             {{"file", folder->mainFile().string()}, {"reason", std::move(reason)}});
     };
     if (saved.serialNumber != options.serialNumber)
-        return unusable("it is the state of the drive with serial number "
-            + std::to_string(saved.serialNumber) + ", not of "
-            + std::to_string(options.serialNumber));
+        return unusable(AXISCOMP_TEXT(
+            "Error", "it is the state of the drive with serial number {found}, not of {expected}")
+                            .with("found", saved.serialNumber)
+                            .with("expected", options.serialNumber));
     for (const auto& [name, slot] : saved.slots) {
         const auto found = std::ranges::find(profile.tableSlots, name, &TableSlot::name);
         if (found == profile.tableSlots.end())
-            return unusable("the profile " + profile.name + " has no slot " + name);
+            return unusable(AXISCOMP_TEXT("Error", "the profile {profile} has no slot {slot}")
+                                .with("profile", profile.name)
+                                .with("slot", name));
         if (slot.table && slot.table->size() > found->maximumSize)
-            return unusable("the table in " + name + " is larger than the slot");
+            return unusable(AXISCOMP_TEXT("Error", "the table in {slot} is larger than the slot")
+                                .with("slot", name));
         memory.restore(static_cast<std::size_t>(found - profile.tableSlots.begin()),
             slot.table ? possiblyDamagedTable(*slot.table, profile.layout) : nullptr,
             slot.eraseCount);
@@ -43,7 +47,7 @@ Result<void> VirtualDrive::Private::restore(const SavedDrive& saved)
             continue; // of a configuration with other axes or registers
         Result<RegisterValue> kept = fitted(*target, value);
         if (!kept)
-            return unusable(sentence(kept.error()));
+            return unusable(textOf(kept.error()));
         target->value = target->saved = *std::move(kept);
     }
     const auto off = std::max<std::chrono::nanoseconds>(

@@ -9,16 +9,19 @@ namespace axiscomp::drivecomm {
 
 namespace {
 
-tl::unexpected<Error> refusedWrite(std::string reason)
+tl::unexpected<Error> refusedWrite(Text reason)
 {
     return fail(ErrorCode::DriveRejected, {{"reason", std::move(reason)}});
 }
 
-tl::unexpected<Error> compensationIsOn(const std::string& axis, const std::string& what)
+tl::unexpected<Error> compensationIsOn(const std::string& axis, Argument what)
 {
     return fail(ErrorCode::NotAllowedNow,
         {{"reason",
-            "the compensation of " + axis + " is on, so " + what + " must stay; deactivate it"}});
+            AXISCOMP_TEXT(
+                "Error", "the compensation of {axis} is on, so {what} must stay; deactivate it")
+                .with("axis", axis)
+                .with("what", std::move(what))}});
 }
 
 std::string otherName(const Register& target, const std::string& name)
@@ -66,8 +69,10 @@ bool VirtualDrive::Private::savesParameters(const std::vector<Change>& changes)
 Result<void> VirtualDrive::Private::write(const std::vector<RegisterWrite>& writes)
 {
     if (writes.empty() || writes.size() > DriveLink::maximumWrites)
-        return refusedWrite("a request writes 1 to " + std::to_string(DriveLink::maximumWrites)
-            + " registers, not " + std::to_string(writes.size()));
+        return refusedWrite(
+            AXISCOMP_TEXT("Error", "a request writes 1 to {most} registers, not {count}")
+                .with("most", DriveLink::maximumWrites)
+                .with("count", writes.size()));
     Result<std::vector<Change>> changes = resolve(writes);
     if (!changes)
         return fail(changes.error());
@@ -91,10 +96,12 @@ Result<std::vector<VirtualDrive::Private::Change>> VirtualDrive::Private::resolv
             return fail(ErrorCode::UnknownRegister,
                 {{"path", write.path}, {"nearest", tree.nearest(write.path)}});
         if (std::ranges::find(named, target) != named.end())
-            return refusedWrite(target->path + " is written twice in one request");
+            return refusedWrite(AXISCOMP_TEXT("Error", "{path} is written twice in one request")
+                                    .with("path", target->path));
         named.push_back(target);
         if (target->role == RegisterRole::ReadOnly)
-            return refusedWrite(target->path + " is read-only");
+            return refusedWrite(
+                AXISCOMP_TEXT("Error", "{path} is read-only").with("path", target->path));
         Result<RegisterValue> value = fitted(*target, write.value);
         if (!value)
             return fail(value.error());
@@ -118,13 +125,14 @@ Result<void> VirtualDrive::Private::guard(const Register& target, const Register
         return {};
     case RegisterRole::HomingCommand:
         if (value != target.value && axes[index].compensation.isOn(now))
-            return compensationIsOn(axisName(index), "its homing");
+            return compensationIsOn(axisName(index), AXISCOMP_TEXT("Error", "its homing"));
         return {};
     case RegisterRole::TableCommand:
         if (value == RegisterValue(profile.enums.tableCommandDelete))
             if (const auto user = userOf(index))
-                return compensationIsOn(
-                    axisName(*user), "the table in " + profile.tableSlots[index].name);
+                return compensationIsOn(axisName(*user),
+                    AXISCOMP_TEXT("Error", "the table in {slot}")
+                        .with("slot", profile.tableSlots[index].name));
         return {};
     default:
         return {};
@@ -155,7 +163,8 @@ Result<void> VirtualDrive::Private::takeOver(FlashMemory trial, const std::vecto
     const bool used = trial.operationCount() != memory.operationCount();
     if (folder && (used || savesParameters(changes)))
         if (Result<void> saved = folder->save(snapshot(trial, changes)); !saved)
-            return refusedWrite("the drive's flash failed: " + sentence(saved.error()));
+            return refusedWrite(AXISCOMP_TEXT("Error", "the drive's flash failed: {reason}")
+                                    .with("reason", textOf(saved.error())));
     storeWrong = false;
     memory = std::move(trial);
     for (const Change& change : changes) {
@@ -240,20 +249,22 @@ Result<void> VirtualDrive::Private::upload(const std::string& path, ByteView byt
     if (bytes.size() > slot->maximumSize)
         return fail(ErrorCode::TooLargeForSlot,
             {{"reason",
-                path + " can have " + std::to_string(slot->maximumSize) + " bytes, not "
-                    + std::to_string(bytes.size())}});
+                AXISCOMP_TEXT("Error", "{path} can have {most} bytes, not {size}")
+                    .with("path", path)
+                    .with("most", slot->maximumSize)
+                    .with("size", bytes.size())}});
     if (const auto user = userOf(index))
         return compensationIsOn(axisName(*user), path);
     const Result<TamTable> decoded = decodeTamTable(bytes, profile.layout);
     if (!decoded)
-        return fail(ErrorCode::TableRefused, {{"reason", sentence(decoded.error())}});
+        return fail(ErrorCode::TableRefused, {{"reason", textOf(decoded.error())}});
     Bytes kept(bytes.begin(), bytes.end());
     if (storeWrong)
         if (Result<Bytes> wrong = withWrongValue(*decoded, profile.layout))
             kept = *std::move(wrong);
     Result<std::shared_ptr<const StoredTable>> table = storedTable(std::move(kept), profile.layout);
     if (!table)
-        return fail(ErrorCode::TableRefused, {{"reason", sentence(table.error())}});
+        return fail(ErrorCode::TableRefused, {{"reason", textOf(table.error())}});
     FlashMemory trial = memory;
     const Result<void> changed = trial.upload(index, *std::move(table), decoded->persistent, now);
     return changed ? takeOver(std::move(trial), {}) : noticingWear(changed, trial);

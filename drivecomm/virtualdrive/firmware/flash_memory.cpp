@@ -66,8 +66,8 @@ Result<void> FlashMemory::setPersistent(std::size_t index, bool persistent)
     if (!slot.ram)
         return fail(ErrorCode::DriveRejected,
             {{"reason",
-                "there is no table in " + m_profile->tableSlots[index].name
-                    + " that could be persistent"}});
+                AXISCOMP_TEXT("Error", "there is no table in {slot} that could be persistent")
+                    .with("slot", m_profile->tableSlots[index].name)}});
     Bytes bytes = slot.ram->bytes;
     axiscomp::setPersistent(bytes, persistent, m_profile->layout);
     slot.ram = possiblyDamagedTable(std::move(bytes), m_profile->layout);
@@ -81,8 +81,8 @@ Result<void> FlashMemory::commit(std::size_t index, DriveTime now)
     if (!slot.ram)
         return fail(ErrorCode::DriveRejected,
             {{"reason",
-                "there is no table in " + m_profile->tableSlots[index].name
-                    + " that could be committed"}});
+                AXISCOMP_TEXT("Error", "there is no table in {slot} that could be committed")
+                    .with("slot", m_profile->tableSlots[index].name)}});
     if (!slot.persistent)
         return slot.flash ? useFlash(slot, now).map([&] { slot.flash.reset(); }) : Result<void>{};
     if (slot.flash && sameTable(slot.flash->bytes, slot.ram->bytes, m_profile->layout))

@@ -80,14 +80,16 @@ bool isBelow(std::string_view path, std::string_view prefix)
 
 tl::unexpected<Error> refused(const Register& target, const RegisterValue& value)
 {
-    std::string known;
-    for (const std::string& name : target.enumValues)
-        known += (known.empty() ? ", one of " : ", ") + name;
+    const auto* name = std::get_if<std::string>(&value);
+    const TextPattern reason = target.enumValues.empty()
+        ? AXISCOMP_TEXT("Error", "{path} is of type {type}, and cannot be {value}")
+        : AXISCOMP_TEXT("Error", "{path} is of type {type}, one of {names}, and cannot be {value}");
     return fail(ErrorCode::DriveRejected,
         {{"reason",
-            target.path + " is of type " + target.type + known + ", and cannot be "
-                + (std::holds_alternative<std::string>(value) ? '"' + toText(value) + '"'
-                                                              : toText(value))}});
+            reason.with("path", target.path)
+                .with("type", target.type)
+                .with("names", target.enumValues)
+                .with("value", name ? Argument('"' + *name + '"') : Quantity{toText(value)})}});
 }
 
 /// A number of any type; none for Boolean and enum.

@@ -50,7 +50,7 @@ std::optional<RegisterValue> toValue(const json& value)
 /// Takes typed members out of a JSON object; complaint keeps the first that is not as it must be.
 class Reader {
 public:
-    Reader(const json& object, std::string place, std::string& complaint)
+    Reader(const json& object, std::string place, Text& complaint)
         : m_object(object)
         , m_place(std::move(place))
         , m_complaint(complaint)
@@ -64,12 +64,14 @@ public:
                 && member->get<std::uint64_t>() > static_cast<std::uint64_t>(most))
             || member->get<std::int64_t>() < least || member->get<std::int64_t>() > most) {
             complain(key,
-                "a whole number from " + std::to_string(least) + " to " + std::to_string(most));
+                AXISCOMP_TEXT("Error", "a whole number from {least} to {most}")
+                    .with("least", least)
+                    .with("most", most));
             return least;
         }
         return member->get<std::int64_t>();
     }
-    [[nodiscard]] const json& part(const char* key, json::value_t type, const std::string& expected)
+    [[nodiscard]] const json& part(const char* key, json::value_t type, const Text& expected)
     {
         static const json nothing;
         const auto member = m_object.find(key);
@@ -86,22 +88,26 @@ public:
             return {};
         std::string name = member->is_string() ? member->get<std::string>() : "";
         if (name.empty() || name.find_first_of("/\\") != std::string::npos)
-            complain(key, "the name of a file in the folder " + std::string(flashFolder));
+            complain(key,
+                AXISCOMP_TEXT("Error", "the name of a file in the folder {folder}")
+                    .with("folder", flashFolder));
         return name;
     }
-    void complain(const std::string& key, const std::string& expected)
+    void complain(const std::string& key, const Text& expected)
     {
-        if (m_complaint.empty())
-            m_complaint = m_place + key + " must be " + expected;
+        if (m_complaint.isEmpty())
+            m_complaint = AXISCOMP_TEXT("Error", "{place} must be {expected}")
+                              .with("place", m_place + key)
+                              .with("expected", expected);
     }
 
 private:
     const json& m_object;
     std::string m_place;
-    std::string& m_complaint;
+    Text& m_complaint;
 };
 
-tl::unexpected<Error> unreadable(const std::filesystem::path& file, std::string reason)
+tl::unexpected<Error> unreadable(const std::filesystem::path& file, Text reason)
 {
     return fail(
         ErrorCode::FileNotReadable, {{"file", file.string()}, {"reason", std::move(reason)}});
@@ -112,7 +118,7 @@ struct ParsedSlot {
     std::string file;
 };
 
-std::map<std::string, ParsedSlot> parseSlots(const json& slots, std::string& complaint)
+std::map<std::string, ParsedSlot> parseSlots(const json& slots, Text& complaint)
 {
     std::map<std::string, ParsedSlot> result;
     for (const auto& [name, slot] : slots.items()) {
@@ -126,7 +132,7 @@ std::map<std::string, ParsedSlot> parseSlots(const json& slots, std::string& com
 
 /// Everything but the tables; slots says where they are.
 SavedDrive parseDrive(
-    const json& document, std::map<std::string, ParsedSlot>& slots, std::string& complaint)
+    const json& document, std::map<std::string, ParsedSlot>& slots, Text& complaint)
 {
     Reader reader(document, "", complaint);
     SavedDrive drive;
@@ -135,21 +141,23 @@ SavedDrive parseDrive(
         std::numeric_limits<std::int32_t>::min(), std::numeric_limits<std::int32_t>::max()));
     drive.savedAt = WallTime(std::chrono::duration_cast<WallTime::duration>(
         std::chrono::milliseconds(reader.integer("savedAtMs", 0, std::int64_t{1} << 42))));
-    const std::string ages = "a list of whole numbers, 0 or more";
+    const Text ages = AXISCOMP_TEXT("Error", "a list of whole numbers, 0 or more");
     for (const json& age : reader.part("flashOperationAgesNs", json::value_t::array, ages)) {
         if (!age.is_number_integer() || age.get<std::int64_t>() < 0)
             reader.complain("flashOperationAgesNs", ages);
         else
             drive.operationAges.emplace_back(age.get<std::int64_t>());
     }
+    const Text object = AXISCOMP_TEXT("Error", "an object");
     for (const auto& [path, value] :
-        reader.part("parameters", json::value_t::object, "an object").items()) {
+        reader.part("parameters", json::value_t::object, object).items()) {
         if (const std::optional<RegisterValue> parsed = toValue(value))
             drive.parameters.emplace(path, *parsed);
         else
-            reader.complain("parameters." + path, "a boolean, a number or a text");
+            reader.complain(
+                "parameters." + path, AXISCOMP_TEXT("Error", "a boolean, a number or a text"));
     }
-    slots = parseSlots(reader.part("slots", json::value_t::object, "an object"), complaint);
+    slots = parseSlots(reader.part("slots", json::value_t::object, object), complaint);
     return drive;
 }
 
@@ -198,12 +206,13 @@ Result<std::optional<SavedDrive>> StateFolder::load()
         return fail(bytes.error());
     const json document = parseJson(asText(*bytes));
     if (!document.is_object())
-        return unreadable(mainFile(), "it is not the JSON of a virtual drive's state");
+        return unreadable(
+            mainFile(), AXISCOMP_TEXT("Error", "it is not the JSON of a virtual drive's state"));
 
-    std::string complaint;
+    Text complaint;
     std::map<std::string, ParsedSlot> slots;
     SavedDrive drive = parseDrive(document, slots, complaint);
-    if (!complaint.empty())
+    if (!complaint.isEmpty())
         return unreadable(mainFile(), complaint);
 
     for (const auto& [name, slot] : slots) {

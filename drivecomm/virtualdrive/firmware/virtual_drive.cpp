@@ -55,16 +55,21 @@ Result<std::unique_ptr<VirtualDrive>> VirtualDrive::create(
     if (options.axes.size() > maximumAxes)
         return fail(ErrorCode::InvalidArgument,
             {{"reason",
-                "a virtual drive has at most " + std::to_string(maximumAxes) + " axes, not "
-                    + std::to_string(options.axes.size())}});
+                AXISCOMP_TEXT("Error", "a virtual drive has at most {most} axes, not {count}")
+                    .with("most", maximumAxes)
+                    .with("count", options.axes.size())}});
     for (const VirtualAxis& axis : options.axes)
         if (!(axis.low < axis.high) || !(axis.periodSeconds > 0.0))
             return fail(ErrorCode::InvalidArgument,
-                {{"reason", "an axis needs a range with low below high, and a period above 0 s"}});
+                {{"reason",
+                    AXISCOMP_TEXT("Error",
+                        "an axis needs a range with low below high, and a period above 0 s")}});
     auto made = std::make_unique<Private>(profile, std::move(options));
     if (const Result<void> applied = made->applyParameters(); !applied)
         return fail(ErrorCode::InvalidArgument,
-            {{"reason", "a parameter does not fit: " + sentence(applied.error())}});
+            {{"reason",
+                AXISCOMP_TEXT("Error", "a parameter does not fit: {reason}")
+                    .with("reason", textOf(applied.error()))}});
     if (!made->options.stateFolder.empty())
         if (const Result<void> opened = made->openState(); !opened)
             return fail(opened.error());
@@ -91,8 +96,9 @@ Result<std::vector<RegisterReading>> VirtualDrive::readRegisters(
     if (paths.size() > DriveLink::maximumReads)
         return fail(ErrorCode::DriveRejected,
             {{"reason",
-                "a request reads at most " + std::to_string(DriveLink::maximumReads)
-                    + " registers, not " + std::to_string(paths.size())}});
+                AXISCOMP_TEXT("Error", "a request reads at most {most} registers, not {count}")
+                    .with("most", DriveLink::maximumReads)
+                    .with("count", paths.size())}});
     const std::scoped_lock lock(d->mutex);
     d->advance();
     std::vector<RegisterReading> result;

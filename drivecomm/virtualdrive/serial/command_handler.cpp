@@ -9,7 +9,7 @@ namespace axiscomp::drivecomm {
 
 namespace {
 
-tl::unexpected<Error> wrong(std::string reason)
+tl::unexpected<Error> wrong(Text reason)
 {
     return fail(ErrorCode::DriveRejected, {{"reason", std::move(reason)}});
 }
@@ -36,9 +36,9 @@ SerialReplyLines CommandHandler::refused(const Error& error)
     return {serialError(error)};
 }
 
-SerialReplyLines CommandHandler::rejected(const std::string& reason)
+SerialReplyLines CommandHandler::rejected(Text reason)
 {
-    return refused({ErrorCode::DriveRejected, {{"reason", reason}}, {}});
+    return refused({ErrorCode::DriveRejected, {{"reason", std::move(reason)}}, {}});
 }
 
 SerialReplyLines CommandHandler::garbled(const std::string& message)
@@ -71,16 +71,20 @@ SerialReplyLines CommandHandler::answer(const std::vector<std::string>& words) c
         return linesOf(tree(arguments));
     if (request == "address")
         return linesOf(addresses(arguments));
-    return rejected(request
-        + " is not a request; these are: identify, get PATH..., set PATH VALUE..., list, "
-          "put PATH SIZE CRC32, take PATH, tree PREFIX [FIRST], address PATH...");
+    return rejected(
+        AXISCOMP_TEXT("Error", "{request} is not a request; these are: {known}")
+            .with("request", request)
+            .with("known",
+                std::vector<std::string>{"identify", "get PATH...", "set PATH VALUE...", "list",
+                    "put PATH SIZE CRC32", "take PATH", "tree PREFIX [FIRST]", "address PATH..."}));
 }
 
 Result<std::vector<RegisterReading>> CommandHandler::read(std::span<const std::string> paths) const
 {
     if (paths.empty() || paths.size() > mostSerialReads)
-        return wrong("name 1 to " + std::to_string(mostSerialReads) + " registers, not "
-            + std::to_string(paths.size()));
+        return wrong(AXISCOMP_TEXT("Error", "name 1 to {most} registers, not {count}")
+                         .with("most", mostSerialReads)
+                         .with("count", paths.size()));
     return m_drive.readRegisters({paths.begin(), paths.end()});
 }
 
@@ -109,8 +113,8 @@ Result<SerialReplyLines> CommandHandler::addresses(std::span<const std::string> 
 Result<void> CommandHandler::set(std::span<const std::string> words) const
 {
     if (words.empty() || words.size() % 2 != 0 || words.size() / 2 > mostSerialWrites)
-        return wrong(
-            "name 1 to " + std::to_string(mostSerialWrites) + " registers, each with its value");
+        return wrong(AXISCOMP_TEXT("Error", "name 1 to {most} registers, each with its value")
+                         .with("most", mostSerialWrites));
     std::vector<std::string> paths;
     for (std::size_t i = 0; i < words.size(); i += 2)
         paths.push_back(words[i]);
@@ -122,7 +126,9 @@ Result<void> CommandHandler::set(std::span<const std::string> words) const
         const RegisterReading& reading = (*readings)[i];
         auto value = registerValueFromText(reading.type, words[2 * i + 1]);
         if (!value)
-            return wrong(reading.path + ": " + sentence(value.error()));
+            return wrong(AXISCOMP_TEXT("Error", "{place}: {problem}")
+                             .with("place", reading.path)
+                             .with("problem", textOf(value.error())));
         writes.push_back({reading.path, *std::move(value)});
     }
     return m_drive.writeRegisters(writes);
@@ -141,7 +147,8 @@ Result<SerialReplyLines> CommandHandler::tree(std::span<const std::string> words
 {
     const auto first = words.size() == 2 ? parseSerialNumber(words[1]) : std::optional(0U);
     if (words.empty() || words.size() > 2 || !first)
-        return wrong("write tree PREFIX [FIRST]; \"\" is everything");
+        return wrong(AXISCOMP_TEXT("Error", "write {request}; \"\" is everything")
+                         .with("request", Verbatim{"tree PREFIX [FIRST]"}));
     const auto readings = m_drive.readTree(normalisedPath(words[0]));
     const std::size_t begin = std::min<std::size_t>(*first, readings.size());
     const std::size_t count = std::min(readings.size() - begin, serialTreePage);
@@ -156,7 +163,8 @@ Result<CommandHandler::Put> CommandHandler::beginPut(const std::vector<std::stri
     const auto size = words.size() == 4 ? parseSerialNumber(words[2]) : std::nullopt;
     const auto crc = words.size() == 4 ? parseSerialNumber(words[3], 16) : std::nullopt;
     if (!size || !crc)
-        return wrong("write put PATH SIZE CRC32, the CRC in hexadecimal digits");
+        return wrong(AXISCOMP_TEXT("Error", "write {request}, the CRC in hexadecimal digits")
+                         .with("request", Verbatim{"put PATH SIZE CRC32"}));
     const auto files = m_drive.listFiles();
     const auto file = std::ranges::find(files, words[1], &DriveFile::path);
     if (file == files.end())
@@ -164,8 +172,10 @@ Result<CommandHandler::Put> CommandHandler::beginPut(const std::vector<std::stri
     if (*size > file->maximumSize)
         return fail(ErrorCode::TooLargeForSlot,
             {{"reason",
-                file->path + " holds " + std::to_string(file->maximumSize) + " bytes, not "
-                    + std::to_string(*size)}});
+                AXISCOMP_TEXT("Error", "{path} can have {most} bytes, not {size}")
+                    .with("path", file->path)
+                    .with("most", file->maximumSize)
+                    .with("size", *size)}});
     return Put{file->path, *size, *crc, file->maximumSize};
 }
 
@@ -184,7 +194,8 @@ SerialReplyLines CommandHandler::endPut(const Put& put, ByteView file) const
 Result<Bytes> CommandHandler::take(const std::vector<std::string>& words) const
 {
     if (words.size() != 2)
-        return wrong("write take PATH");
+        return wrong(
+            AXISCOMP_TEXT("Error", "write {request}").with("request", Verbatim{"take PATH"}));
     return m_drive.download(words[1]);
 }
 

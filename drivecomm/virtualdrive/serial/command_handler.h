@@ -39,7 +39,7 @@ public:
 
     [[nodiscard]] static SerialReplyLines garbled(const std::string& message);
     [[nodiscard]] static SerialReplyLines refused(const Error& error);
-    [[nodiscard]] static SerialReplyLines rejected(const std::string& reason);
+    [[nodiscard]] static SerialReplyLines rejected(Text reason);
 
 private:
     [[nodiscard]] Result<SerialReplyLines> get(std::span<const std::string> paths) const;

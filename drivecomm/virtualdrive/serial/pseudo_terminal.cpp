@@ -15,16 +15,20 @@ namespace axiscomp::drivecomm {
 
 namespace {
 
-tl::unexpected<Error> refused(const std::string& link, std::string reason)
+tl::unexpected<Error> refused(const std::string& link, Text reason)
 {
     return fail(ErrorCode::InvalidEndpoint,
-        {{"endpoint", link.empty() ? "a new pseudo-terminal" : link},
+        {{"endpoint",
+             link.empty() ? Argument(AXISCOMP_TEXT("Error", "a new pseudo-terminal")) : link},
             {"reason", std::move(reason)}});
 }
 
-std::string systemReason()
+tl::unexpected<Error> noTerminal(const std::string& link)
 {
-    return std::strerror(errno); // NOLINT(concurrency-mt-unsafe): glibc's is thread-safe
+    // NOLINTNEXTLINE(concurrency-mt-unsafe): glibc's is thread-safe
+    const std::string reason = std::strerror(errno);
+    return refused(
+        link, AXISCOMP_TEXT("Error", "no pseudo-terminal: {reason}").with("reason", reason));
 }
 
 /// No echo, no line editing, no translation: a serial line.
@@ -42,7 +46,8 @@ Result<void> placeLink(const std::string& link, const std::string& device)
     std::error_code error;
     const auto status = std::filesystem::symlink_status(link, error);
     if (std::filesystem::exists(status) && !std::filesystem::is_symlink(status))
-        return refused(link, "there is a file of this name; choose another one");
+        return refused(
+            link, AXISCOMP_TEXT("Error", "there is a file of this name; choose another one"));
     // Renamed, so that a client finds the old port or the new one.
     const std::string fresh = link + ".new";
     std::filesystem::remove(fresh, error);
@@ -50,7 +55,9 @@ Result<void> placeLink(const std::string& link, const std::string& device)
     if (!error)
         std::filesystem::rename(fresh, link, error);
     if (error)
-        return refused(link, "the link cannot be made: " + error.message());
+        return refused(link,
+            AXISCOMP_TEXT("Error", "the link cannot be made: {reason}")
+                .with("reason", error.message()));
     return {};
 }
 
@@ -64,11 +71,11 @@ Result<PseudoTerminal> PseudoTerminal::open(const std::string& link)
     std::array<char, 128> name{};
     if (!terminal.m_master.isOpen() || ::grantpt(master) != 0 || ::unlockpt(master) != 0
         || ::ptsname_r(master, name.data(), name.size()) != 0)
-        return refused(link, "no pseudo-terminal: " + systemReason());
+        return noTerminal(link);
     terminal.m_device = name.data();
     terminal.m_slave = FileDescriptor(::open(name.data(), O_RDWR | O_NOCTTY | O_CLOEXEC));
     if (!terminal.m_slave.isOpen() || !makeRaw(terminal.m_slave))
-        return refused(link, "no pseudo-terminal: " + systemReason());
+        return noTerminal(link);
     if (!link.empty()) {
         if (auto placed = placeLink(link, terminal.m_device); !placed)
             return fail(placed.error());

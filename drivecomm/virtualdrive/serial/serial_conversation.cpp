@@ -97,8 +97,9 @@ void SerialConversation::lineArrived(const std::string& text, Clock::time_point 
         context.number.reset();
         return reply(context,
             CommandHandler::rejected(text.size() > longestSerialLine
-                    ? "the line has more than " + std::to_string(longestSerialLine) + " characters"
-                    : "this is no request; a line is [#n ]words[ *XXXX]"),
+                    ? AXISCOMP_TEXT("Error", "the line has more than {most} characters")
+                          .with("most", longestSerialLine)
+                    : AXISCOMP_TEXT("Error", "this is no request; a line is [#n ]words[ *XXXX]")),
             now);
     }
     // A line that noise has cut in two must not be taken for one without a CRC.
