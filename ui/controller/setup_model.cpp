@@ -10,71 +10,67 @@ EditedSetup asEdited(const CompensationSetup& setup)
     return {setup.dimensionality, setup.sources, {}, setup.persistency};
 }
 
-int sourceIndex(Field field)
-{
-    return static_cast<int>(field) - static_cast<int>(Field::Source1);
-}
-
 bool isSource(Field field)
 {
     return field == Field::Source1 || field == Field::Source2 || field == Field::Source3;
 }
 
-bool sameValue(Field field, const EditedSetup& a, const EditedSetup& b)
+std::size_t sourceIndex(Field field)
+{
+    return static_cast<std::size_t>(field) - static_cast<std::size_t>(Field::Source1);
+}
+
+/// Calls use with the function that gives the field's member of a setup.
+template <typename Use> auto withMember(Field field, const Use& use)
 {
     switch (field) {
     case Field::Dimensionality:
-        return a.dimensionality == b.dimensionality;
+        return use([](auto& setup) -> auto& { return setup.dimensionality; });
     case Field::Table:
-        return a.table == b.table;
+        return use([](auto& setup) -> auto& { return setup.table; });
     case Field::Persistency:
-        return a.persistency == b.persistency;
+        return use([](auto& setup) -> auto& { return setup.persistency; });
     case Field::Source1:
     case Field::Source2:
     case Field::Source3:
         break;
     }
-    const auto index = static_cast<std::size_t>(sourceIndex(field));
-    return a.sources[index] == b.sources[index];
+    return use([n = sourceIndex(field)](auto& setup) -> auto& { return setup.sources[n]; });
+}
+
+bool sameValue(Field field, const EditedSetup& a, const EditedSetup& b)
+{
+    return withMember(field, [&](auto member) { return member(a) == member(b); });
 }
 
 void copyValue(Field field, const EditedSetup& from, EditedSetup& to)
 {
-    switch (field) {
-    case Field::Dimensionality:
-        to.dimensionality = from.dimensionality;
-        return;
-    case Field::Table:
-        to.table = from.table;
-        return;
-    case Field::Persistency:
-        to.persistency = from.persistency;
-        return;
-    case Field::Source1:
-    case Field::Source2:
-    case Field::Source3:
-        break;
-    }
-    const auto index = static_cast<std::size_t>(sourceIndex(field));
-    to.sources[index] = from.sources[index];
+    withMember(field, [&](auto member) { member(to) = member(from); });
+}
+
+QVariant asVariant(int dimensionality)
+{
+    return dimensionality;
+}
+
+QVariant asVariant(const DimSource& source)
+{
+    return source.isSet() ? QString::fromStdString(requestedSource(source)) : QString();
+}
+
+QVariant asVariant(const TableChoice& table)
+{
+    return table.fileTable ? QVariant(*table.fileTable) : QVariant();
+}
+
+QVariant asVariant(Persistency persistency)
+{
+    return persistency == Persistency::Persistent;
 }
 
 QVariant valueOf(Field field, const EditedSetup& setup)
 {
-    switch (field) {
-    case Field::Dimensionality:
-        return setup.dimensionality;
-    case Field::Table:
-        return setup.table.fileTable ? QVariant(*setup.table.fileTable) : QVariant();
-    case Field::Persistency:
-        return setup.persistency == Persistency::Persistent;
-    case Field::Source1:
-    case Field::Source2:
-    case Field::Source3:
-        break;
-    }
-    const DimSource& source = setup.sources[static_cast<std::size_t>(sourceIndex(field))];
-    return source.isSet() ? QString::fromStdString(requestedSource(source)) : QString();
+    return withMember(field, [&](auto member) { return asVariant(member(setup)); });
 }
 
 } // namespace
@@ -198,7 +194,7 @@ bool SetupModel::isDirty(Field field) const
 {
     if (!m_baseline)
         return false;
-    if (isSource(field) && sourceIndex(field) >= m_edited.dimensionality)
+    if (isSource(field) && static_cast<int>(sourceIndex(field)) >= m_edited.dimensionality)
         return false;
     return !sameValue(field, m_edited, asEdited(*m_baseline));
 }
