@@ -5431,21 +5431,6 @@
     </message>
 </context>
 <context>
-    <name>axiscomp::ui::LogModel</name>
-    <message>
-        <source>Time</source>
-        <translation>Zeit</translation>
-    </message>
-    <message>
-        <source>What happened</source>
-        <translation>Ereignis</translation>
-    </message>
-    <message>
-        <source>Details</source>
-        <translation>Details</translation>
-    </message>
-</context>
-<context>
     <name>axiscomp::ui::LogView</name>
     <message>
         <source>Log</source>
@@ -6550,6 +6535,21 @@ B - A: %3</translation>
     <message>
         <source>Wait for the current operation before selecting another axis.</source>
         <translation>Erst nach dem Ende des laufenden Vorgangs kann eine andere Achse gewählt werden.</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::WizardLog</name>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>What happened</source>
+        <translation>Ereignis</translation>
+    </message>
+    <message>
+        <source>Details</source>
+        <translation>Details</translation>
     </message>
 </context>
 <context>

@@ -12,7 +12,7 @@ namespace axiscomp::ui {
 namespace {
 
 /// Where the table is in the file that was read again: by its name, else by its place.
-int placeOf(const CalibrationData& before, int index, const CalibrationData& now)
+int sameTableIn(const CalibrationData& before, int index, const CalibrationData& now)
 {
     const auto& name = before.tables[static_cast<std::size_t>(index)].name;
     const auto found = std::ranges::find(now.tables, name, &CompensationTable::name);
@@ -58,7 +58,7 @@ void TableSelection::followFile(
     else if (!isSameFile || !before || (isOpened && !chosen))
         m_setup.setTable({0});
     else if (chosen && *chosen < static_cast<int>(before->tables.size()))
-        m_setup.setTable({placeOf(*before, *chosen, *now)});
+        m_setup.setTable({sameTableIn(*before, *chosen, *now)});
     if (now)
         m_log.add(LogLine::Kind::Information,
             [path = m_file.file().path, points = now->grid.pointCount(),

@@ -117,7 +117,6 @@ void WizardController::wireOperations()
         &WizardController::multiAxisPlanned);
     connect(&m_parts->actions, &WizardActions::changed, this, &WizardController::actionsChanged);
     connect(&m_parts->outcome, &LastOutcome::changed, this, &WizardController::outcomeChanged);
-    connect(&m_parts->log, &WizardLog::added, this, &WizardController::logged);
 }
 
 void WizardController::setEndpoints(const QStringList& endpoints)
@@ -396,6 +395,11 @@ bool WizardController::isOutcomeAnError() const
     return m_parts->outcome.get().isError;
 }
 
+WizardLog& WizardController::logModel()
+{
+    return m_parts->log;
+}
+
 const std::vector<LogLine>& WizardController::log() const
 {
     return m_parts->log.lines();
@@ -424,6 +428,7 @@ void WizardController::refreshLive()
 void WizardController::retranslate()
 {
     m_parts->outcome.retranslate();
+    m_parts->log.retranslate();
     m_parts->drives.retranslate();
     m_parts->sources.retranslate();
     m_parts->runner.retranslate();

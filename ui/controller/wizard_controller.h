@@ -117,6 +117,7 @@ public:
     [[nodiscard]] QString
     outcome() const; ///< of the last operation, a translated sentence; may be empty
     [[nodiscard]] bool isOutcomeAnError() const;
+    [[nodiscard]] WizardLog& logModel();
     [[nodiscard]] const std::vector<LogLine>& log() const; ///< the newest 1000
     /// Seconds until flash may be written again, 0 now; counts down.
     [[nodiscard]] int flashWaitSeconds() const;
@@ -148,7 +149,6 @@ Q_SIGNALS:
     void multiAxisPlanned();
     void multiAxisWritten();
     void outcomeChanged();
-    void logged();
 
 private:
     void wireDrives();
