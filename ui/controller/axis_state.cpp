@@ -68,6 +68,7 @@ void AxisState::forget()
     m_hasCompensation = true;
     m_readProblem.reset();
     m_liveProblem.reset();
+    m_isChangeExpected = false;
     m_readAgain.stop();
     m_live.watch(nullptr, 0);
 }
@@ -135,6 +136,7 @@ void AxisState::take(const AxisStatus& now, bool isComplete)
     const bool isSame = m_status && sameButLive(*m_status, now);
     if (!isFirst)
         noteChanges(now);
+    m_isChangeExpected = false;
     m_status = now;
     if (!now.unfinishedWrite)
         m_unfinished.reset();
@@ -181,7 +183,7 @@ void AxisState::noteChanges(const AxisStatus& now)
     if (before.driveError != now.driveError && now.hasDriveError)
         m_log.add(LogLine::Kind::Error,
             [error = text(now.driveError)] { return tr("The drive is in error: %1.").arg(error); });
-    if (!m_isPaused && !(before.setup == now.setup))
+    if (!m_isChangeExpected && !(before.setup == now.setup))
         m_log.add(LogLine::Kind::Warning,
             [] { return tr("Another program changed the settings of this axis on the drive."); });
 }

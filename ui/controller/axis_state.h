@@ -47,6 +47,8 @@ public:
     /// read afterwards.
     void pause();
     void resume();
+    /// What the next status has is this window's doing.
+    void expectChange() { m_isChangeExpected = true; }
     /// What somebody else has read, or why it could not be read.
     void take(const Result<AxisReading>& reading);
     /// As far as the drive alone knows. isComplete: what this computer knows about the drive has
@@ -85,6 +87,7 @@ private:
     QTimer m_readAgain;
     int m_reading = 0; ///< the newest one counts
     bool m_isPaused = false;
+    bool m_isChangeExpected = false;
 };
 
 } // namespace axiscomp::ui

@@ -138,6 +138,7 @@ void OperationRunner::run(Task task,
             // An operation that could not even begin has changed nothing, and nothing was read.
             const OperationEnd<T> end =
                 result ? *result : OperationEnd<T>{fail(result.error()), fail(result.error())};
+            m_axis.expectChange();
             take(end);
             m_outcome.show([outcome, end = end.outcome] { return outcome(end); });
             Q_EMIT ended(task);
