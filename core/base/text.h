@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <concepts>
 #include <cstdint>
 #include <initializer_list>
 #include <memory>
@@ -127,9 +126,12 @@ public:
     Argument(std::vector<Text> value)
         : m_value(std::move(value)) { } // NOLINT(google-explicit-constructor)
     Argument(const std::vector<std::string>& names); // NOLINT(google-explicit-constructor)
-    template <std::integral Integer>
-    requires(!std::same_as<Integer, bool> && !std::same_as<Integer, char>)
-        Argument(Integer value) // NOLINT(google-explicit-constructor)
+    template <typename Integer,
+        std::enable_if_t<
+            std::is_integral_v<
+                Integer> && !std::is_same_v<Integer, bool> && !std::is_same_v<Integer, char>,
+            int> = 0>
+    Argument(Integer value) // NOLINT(google-explicit-constructor)
         : m_value(static_cast<std::int64_t>(value))
     {
     }

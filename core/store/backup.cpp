@@ -59,10 +59,11 @@ AxisBackup::File fileFromJson(const JsonNode& node)
     if (auto bytes = fromBase64(node["bytes"].textView()))
         file.bytes = std::move(*bytes);
     else
-        node["bytes"].refuse("this is not base64");
+        node["bytes"].refuse(AXISCOMP_TEXT("Error", "this is not base64"));
     const std::uint32_t crc = crc32(file.bytes);
     if (crcFromJson(node["crc32"]) != crc)
-        node["crc32"].refuse("the bytes have the CRC-32 " + crcText(crc) + ", so they are damaged");
+        node["crc32"].refuse(AXISCOMP_TEXT("Error", "the bytes have the CRC-32 {crc}, so they are damaged")
+                .with("crc", crcText(crc)));
     return file;
 }
 
@@ -73,7 +74,7 @@ std::vector<AxisBackup::File> filesFromJson(const JsonNode& node)
     for (const JsonNode& item : node.items()) {
         files.push_back(fileFromJson(item));
         if (!places.emplace(files.back().slot, files.back().path).second)
-            item["path"].refuse("this file is there twice");
+            item["path"].refuse(AXISCOMP_TEXT("Error", "this file is there twice"));
     }
     return files;
 }
@@ -98,7 +99,7 @@ DriveBackup backupFromJson(const JsonNode& root)
         backup.axes.push_back(axisFromJson(item));
         const AxisBackup& axis = backup.axes.back();
         if (!axes.emplace(axis.drive.serialNumber, axis.axis).second)
-            item["axis"].refuse("this axis of the drive is there twice");
+            item["axis"].refuse(AXISCOMP_TEXT("Error", "this axis of the drive is there twice"));
     }
     backup.otherFiles = filesFromJson(root["otherFiles"]);
     return backup;

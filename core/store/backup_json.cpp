@@ -48,7 +48,7 @@ double numberFromJson(const JsonNode& node)
     if (text == "-Infinity")
         return -std::numeric_limits<double>::infinity();
     if (text != "NaN")
-        node.refuse("a number is expected, or NaN, Infinity, -Infinity as a text");
+        node.refuse(AXISCOMP_TEXT("Error", "a number is expected, or NaN, Infinity, -Infinity as a text"));
     return std::numeric_limits<double>::quiet_NaN();
 }
 
@@ -57,7 +57,7 @@ float singleFromJson(const JsonNode& node)
     const double value = numberFromJson(node);
     const auto single = static_cast<float>(value);
     if (std::isinf(single) && !std::isinf(value))
-        node.refuse("this is too large for a Single");
+        node.refuse(AXISCOMP_TEXT("Error", "this is too large for a Single"));
     return single;
 }
 
@@ -95,7 +95,7 @@ std::vector<RegisterWrite> registersFromJson(const JsonNode& node)
         item.expectMembers({"path", "type", "value"});
         const JsonNode type = item["type"];
         if (std::ranges::find(valueTypeNames, type.textView()) == valueTypeNames.end())
-            type.refuse("one of Boolean, Int32, UInt32, Single, Double, Enum is expected");
+            type.refuse(AXISCOMP_TEXT("Error", "one of Boolean, Int32, UInt32, Single, Double, Enum is expected"));
         RegisterWrite write{item["path"].text(), valueFromJson(item["value"], type.textView())};
         if (write.path.empty() || !paths.insert(write.path).second)
             item["path"].refuse(write.path.empty() ? "this is empty" : "this is there twice");
@@ -108,7 +108,7 @@ WallTime timeFromJson(const JsonNode& node)
 {
     const auto time = utcFromText(node.textView());
     if (!time)
-        node.refuse("a time such as 2026-11-21T08:02:23Z is expected");
+        node.refuse(AXISCOMP_TEXT("Error", "a time such as 2026-11-21T08:02:23Z is expected"));
     return time.value_or(WallTime{});
 }
 
@@ -125,7 +125,7 @@ std::uint32_t crcFromJson(const JsonNode& node)
     std::uint32_t crc = 0;
     std::from_chars(text.data(), text.data() + text.size(), crc, 16);
     if (crcText(crc) != text)
-        node.refuse("a CRC-32 of eight hexadecimal digits such as 1c291ca3 is expected");
+        node.refuse(AXISCOMP_TEXT("Error", "a CRC-32 of eight hexadecimal digits such as 1c291ca3 is expected"));
     return crc;
 }
 

@@ -106,8 +106,9 @@ Result<void> StoreFolder::moveAside(const std::filesystem::path& file)
     return fail(ErrorCode::FileNotWritable,
         {{"file", file.string()},
             {"reason",
-                "it is damaged and cannot be moved aside (" + fileErrorReason(error.value())
-                    + "); delete it"}});
+                AXISCOMP_TEXT(
+                    "Error", "it is damaged and cannot be moved aside ({reason}); delete it")
+                    .with("reason", fileErrorReason(error.value()))}});
 }
 
 } // namespace axiscomp

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace axiscomp {
@@ -80,44 +81,46 @@ tl::unexpected<Error> wrongField(TableField field, Text reason)
 /// The fault of a field's type, empty when there is none.
 Text typeFault(TableField field, FieldType type)
 {
-    const auto expected = [&](std::string_view types) -> Text {
-        return AXISCOMP_TEXT("Error", "it cannot be of type {type}; expected {types}")
+    const auto expected = [&](Argument types) {
+        return AXISCOMP_TEXT("Error", "it cannot be of type {type}; expected {expected}")
             .with("type", fieldTypeName(type))
-            .with("types", types);
+            .with("expected", std::move(types));
     };
     const bool isFloat = type == FieldType::F32 || type == FieldType::F64;
     switch (contentOf(field)) {
     case Holds::Text:
-        return type == FieldType::Char ? Text() : expected("char");
+        return type == FieldType::Char ? Text() : expected(fieldTypeName(FieldType::Char));
     case Holds::Number:
-        return isFloat ? Text() : expected("f32, f64");
+        return isFloat ? Text() : expected(AXISCOMP_TEXT("Error", "f32 or f64"));
     case Holds::Checksum:
-        return type == FieldType::U32 ? Text() : expected("u32");
+        return type == FieldType::U32 ? Text() : expected(fieldTypeName(FieldType::U32));
     case Holds::Integer:
         break;
     }
-    return isFloat || type == FieldType::Char ? expected("u8, u16, u32, i32") : Text();
+    return isFloat || type == FieldType::Char
+        ? expected(AXISCOMP_TEXT("Error", "u8, u16, u32 or i32"))
+        : Text();
 }
 
 Text countFault(TableField field, const FieldPlace& place, const TableLayout& layout)
 {
-    const bool isMagic = field == TableField::Magic;
-    if (isMagic || field == TableField::Name) {
-        if (place.count == 0)
-            return AXISCOMP_TEXT("Error", "its count is 0, expected at least 1");
-        if (!isMagic || place.count == layout.magic.size())
-            return {};
-        return AXISCOMP_TEXT(
-            "Error", "its count is {found}, expected {expected}, the length of the magic text")
-            .with("found", place.count)
-            .with("expected", layout.magic.size());
-    }
+    if (field == TableField::Magic)
+        return place.count == layout.magic.size() && place.count > 0
+            ? Text()
+            : AXISCOMP_TEXT("Error",
+                "its count is {found}, expected the length of the magic text, {expected}, which is "
+                "at least 1")
+                  .with("found", place.count)
+                  .with("expected", layout.magic.size());
+    if (field == TableField::Name)
+        return place.count > 0 ? Text()
+                               : AXISCOMP_TEXT("Error", "its count is 0, expected at least 1");
     const std::uint32_t expected = isPerDimension(field) ? gridDimensions : 1;
-    if (place.count == expected)
-        return {};
-    return AXISCOMP_TEXT("Error", "its count is {found}, expected {expected}")
-        .with("found", place.count)
-        .with("expected", expected);
+    return place.count == expected
+        ? Text()
+        : AXISCOMP_TEXT("Error", "its count is {found}, expected {expected}")
+              .with("found", place.count)
+              .with("expected", expected);
 }
 
 /// The fault of a constant that the layout wants in a field.

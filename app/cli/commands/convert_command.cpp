@@ -134,7 +134,7 @@ Json conversionJson(const TableConversion& table)
             {"largestInside", difference.largestInside}});
     return {{"points", table.result.pointCount()}, {"columns", std::move(columns)},
         {"valueRounding", table.valueRounding}, {"positionRounding", table.positionRounding},
-        {"example", table.example}};
+        {"example", table.example.english()}};
 }
 
 /// Between the formats of two controllers, or with a change of the numbers.

@@ -3,7 +3,7 @@
 
 #include "app/cli/output/environment.h"
 #include "app/common/exit_codes.h"
-#include "core/compensator/axis_compensator.h"
+#include "core/compensator/axis_operations.h"
 #include "drivecomm/link/certificate_check.h"
 
 #include <CLI/App.hpp>

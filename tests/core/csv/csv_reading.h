@@ -19,7 +19,7 @@ inline QByteArray describe(const Diagnostic& diagnostic)
 {
     const std::string text = std::to_string(diagnostic.line) + ':'
         + std::to_string(diagnostic.column) + ' ' + std::string(diagnosticName(diagnostic.code))
-        + ' ' + diagnostic.found + '|' + diagnostic.expected;
+        + ' ' + diagnostic.found.english() + '|' + diagnostic.expected.english();
     return QByteArray::fromStdString(text);
 }
 

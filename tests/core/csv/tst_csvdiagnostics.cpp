@@ -293,8 +293,9 @@ private Q_SLOTS:
         const auto error =
             std::ranges::find(reading.diagnostics, DiagnosticCode::NotANumber, &Diagnostic::code);
         QVERIFY(error != reading.diagnostics.end());
-        QVERIFY(error->found.starts_with("ÿ xxx") && error->found.ends_with("x…"));
-        QVERIFY(error->found.size() < 50);
+        const std::string found = error->found.english();
+        QVERIFY(found.starts_with("ÿ xxx") && found.ends_with("x…"));
+        QVERIFY(found.size() < 50);
     }
 
     void everyCodeHasANameOfItsOwn()
@@ -303,8 +304,8 @@ private Q_SLOTS:
         for (int code = 0; code <= static_cast<int>(DiagnosticCode::Assumption); ++code) {
             Diagnostic diagnostic;
             diagnostic.code = static_cast<DiagnosticCode>(code);
-            diagnostic.found = "this";
-            diagnostic.expected = "that";
+            diagnostic.found = Verbatim{"this"};
+            diagnostic.expected = Verbatim{"that"};
             names.insert(diagnosticName(diagnostic.code));
             const std::string text = message(diagnostic);
             QVERIFY(isSentence(text));
@@ -332,15 +333,16 @@ private Q_SLOTS:
     {
         QFETCH(DiagnosticCode, code);
         QFETCH(QByteArray, wayOut);
-        const std::string text = message({Severity::Error, code, 1, 1, "a", "b"});
+        const std::string text =
+            message({Severity::Error, code, 1, 1, Verbatim{"a"}, Verbatim{"b"}});
         QVERIFY2(text.find(wayOut.toStdString()) != std::string::npos, text.c_str());
     }
 
     void aNumberIsQuotedAsFound()
     {
-        QCOMPARE(message({Severity::Error, DiagnosticCode::NotANumber, 1, 1, "1,5x",
-                     "a number such as 0.5"}),
-            "found \"1,5x\", expected a number such as 0.5 (NotANumber)");
+        QCOMPARE(message({Severity::Error, DiagnosticCode::NotANumber, 1, 1, Verbatim{"1,5x"},
+                     Verbatim{"a number such as 0.5"}}),
+            "this is not a number: found \"1,5x\", expected a number such as 0.5 (NotANumber)");
     }
 };
 

@@ -239,7 +239,7 @@ void TestFileCrash::aFileSystemWithoutRoomIsNamed()
     QCOMPARE(::umount(root.c_str()), 0);
     VERIFY_RESULT(first);
     VERIFY_ERROR(second, ErrorCode::FileNotWritable);
-    QCOMPARE(second.error().context.at("reason"), std::string("the disk is full"));
+    QCOMPARE(second.error().context.english("reason"), std::string("the disk is full"));
     VERIFY_RESULT(there);
     QVERIFY(*there == old);
     QCOMPARE(files, 1);
@@ -249,7 +249,7 @@ void TestFileCrash::aDeviceWithoutRoomIsNamed()
 {
     const auto saved = saveFile("/dev/full", Bytes(10, std::byte{1}));
     VERIFY_ERROR(saved, ErrorCode::FileNotWritable);
-    QCOMPARE(saved.error().context.at("reason"), std::string("the disk is full"));
+    QCOMPARE(saved.error().context.english("reason"), std::string("the disk is full"));
 }
 
 AXISCOMP_TEST(TestFileCrash)

@@ -202,8 +202,8 @@ void TestLocalFile::circleOfLinksIsRefused()
     fs::create_symlink(m_path / "a", m_path / "b");
     const auto saved = saveFile(m_path / "a", asBytes("x"));
     VERIFY_ERROR(saved, ErrorCode::FileNotWritable);
-    QCOMPARE(
-        saved.error().context.at("reason"), std::string("its symbolic links lead in a circle"));
+    QCOMPARE(saved.error().context.english("reason"),
+        std::string("its symbolic links lead in a circle"));
     QCOMPARE(entries(m_path), std::size_t{2});
 }
 
@@ -215,8 +215,8 @@ void TestLocalFile::fullDiskLeavesTheOldFileWhole()
         const test::FileSizeLimit limit{50'000};
         const auto saved = saveFile(m_path / "file", bytes);
         VERIFY_ERROR(saved, ErrorCode::FileNotWritable);
-        QCOMPARE(saved.error().context.at("file"), (m_path / "file").string());
-        QCOMPARE(saved.error().context.at("reason"),
+        QCOMPARE(saved.error().context.english("file"), (m_path / "file").string());
+        QCOMPARE(saved.error().context.english("reason"),
             std::string("it would be larger than a file may be here"));
     }
     QCOMPARE(contentOf(m_path / "file"), std::string("old"));
@@ -227,7 +227,7 @@ void TestLocalFile::missingFolderIsNamed()
 {
     const auto saved = saveFile(m_path / "no" / "such" / "file", asBytes("x"));
     VERIFY_ERROR(saved, ErrorCode::FileNotWritable);
-    QCOMPARE(saved.error().context.at("reason"),
+    QCOMPARE(saved.error().context.english("reason"),
         "the folder " + (m_path / "no" / "such").string() + " does not exist");
     QCOMPARE(entries(m_path), std::size_t{0});
 }
@@ -246,7 +246,7 @@ void TestLocalFile::folderIsRefused()
     fs::create_directory(m_path / "folder");
     const auto saved = saveFile(m_path / name.toStdString(), asBytes("x"));
     VERIFY_ERROR(saved, ErrorCode::FileNotWritable);
-    QCOMPARE(saved.error().context.at("reason"), std::string("it is a folder"));
+    QCOMPARE(saved.error().context.english("reason"), std::string("it is a folder"));
     QCOMPARE(entries(m_path), std::size_t{1});
 }
 
@@ -259,7 +259,7 @@ void TestLocalFile::readOnlyFileIsRefused()
         const NoPrivileges user;
         const auto saved = saveFile(m_path / "file", asBytes("new"));
         VERIFY_ERROR(saved, ErrorCode::FileNotWritable);
-        QCOMPARE(saved.error().context.at("reason"), std::string("no permission"));
+        QCOMPARE(saved.error().context.english("reason"), std::string("no permission"));
     }
     QCOMPARE(contentOf(m_path / "file"), std::string("old"));
 }
@@ -273,7 +273,7 @@ void TestLocalFile::folderWithoutPermissionIsRefused()
         const NoPrivileges user;
         const auto saved = saveFile(m_path / "folder" / "file", asBytes("new"));
         VERIFY_ERROR(saved, ErrorCode::FileNotWritable);
-        QCOMPARE(saved.error().context.at("reason"), std::string("no permission"));
+        QCOMPARE(saved.error().context.english("reason"), std::string("no permission"));
     }
     QCOMPARE(entries(m_path / "folder"), std::size_t{0});
 }
@@ -283,14 +283,15 @@ void TestLocalFile::fileInPlaceOfAFolderIsRefused()
     put(m_path / "file", "old");
     const auto saved = saveFile(m_path / "file" / "inner", asBytes("new"));
     VERIFY_ERROR(saved, ErrorCode::FileNotWritable);
-    QCOMPARE(saved.error().context.at("reason"), std::string("a part of the path is not a folder"));
+    QCOMPARE(
+        saved.error().context.english("reason"), std::string("a part of the path is not a folder"));
 }
 
 void TestLocalFile::tooLongNameIsRefused()
 {
     const auto saved = saveFile(m_path / std::string(300, 'x'), asBytes("new"));
     VERIFY_ERROR(saved, ErrorCode::FileNotWritable);
-    QCOMPARE(saved.error().context.at("reason"), std::string("the name is too long"));
+    QCOMPARE(saved.error().context.english("reason"), std::string("the name is too long"));
     QCOMPARE(entries(m_path), std::size_t{0});
     VERIFY_RESULT(saveFile(m_path / std::string(255, 'x'), asBytes("new")));
 }
@@ -300,7 +301,7 @@ void TestLocalFile::deviceIsWrittenDirectly()
     fs::create_symlink("/dev/full", m_path / "link");
     const auto saved = saveFile(m_path / "link", asBytes("x"));
     VERIFY_ERROR(saved, ErrorCode::FileNotWritable);
-    QCOMPARE(saved.error().context.at("reason"), std::string("the disk is full"));
+    QCOMPARE(saved.error().context.english("reason"), std::string("the disk is full"));
     VERIFY_RESULT(saveFile("/dev/null", asBytes("x")));
     QVERIFY(fs::is_character_file("/dev/null"));
 }
@@ -354,7 +355,7 @@ void TestLocalFile::loadingAFolderIsRefused()
 {
     const auto loaded = loadFile(m_path, 10);
     VERIFY_ERROR(loaded, ErrorCode::FileNotReadable);
-    QCOMPARE(loaded.error().context.at("reason"), std::string("it is a folder"));
+    QCOMPARE(loaded.error().context.english("reason"), std::string("it is a folder"));
 }
 
 void TestLocalFile::limit_data()
@@ -379,8 +380,8 @@ void TestLocalFile::limit()
         QCOMPARE(loaded->size(), std::size_t{10000});
     } else {
         VERIFY_ERROR(loaded, ErrorCode::FileTooLarge);
-        QCOMPARE(loaded.error().context.at("size"), std::string("10000"));
-        QCOMPARE(loaded.error().context.at("limit"), std::to_string(limit));
+        QCOMPARE(loaded.error().context.english("size"), std::string("10000"));
+        QCOMPARE(loaded.error().context.english("limit"), std::to_string(limit));
     }
 }
 

@@ -98,7 +98,7 @@ private Q_SLOTS:
         VERIFY_RESULT(plan);
         QCOMPARE(plan->warnings.size(), warning.isEmpty() ? std::size_t{0} : std::size_t{1});
         if (!warning.isEmpty())
-            QCOMPARE(QByteArray::fromStdString(plan->warnings.front()), warning);
+            QCOMPARE(QByteArray::fromStdString(plan->warnings.front().english()), warning);
     }
 };
 

@@ -227,8 +227,8 @@ private Q_SLOTS:
         change(layout);
         const auto checked = checkLayout(layout);
         VERIFY_ERROR(checked, ErrorCode::InvalidProfile);
-        QCOMPARE(checked.error().context.find("path")->second, path);
-        const std::string found = checked.error().context.find("reason")->second;
+        QCOMPARE(checked.error().context.english("path"), path);
+        const std::string found = checked.error().context.english("reason");
         QVERIFY2(found.find(reason) != std::string::npos, found.c_str());
     }
 };

@@ -53,8 +53,8 @@ private Q_SLOTS:
         for (std::size_t length = 0; length < file.size(); ++length) {
             const auto decoded = decodeTamTable(ByteView(file).first(length), genericTableLayout());
             VERIFY_ERROR(decoded, ErrorCode::InvalidTable);
-            QCOMPARE(decoded.error().context.find("field")->second, "file length");
-            QCOMPARE(decoded.error().context.find("offset")->second, std::to_string(length));
+            QCOMPARE(decoded.error().context.english("field"), std::string("file length"));
+            QCOMPARE(decoded.error().context.english("offset"), std::to_string(length));
         }
         for (int more = 1; more <= 8; ++more) {
             file.push_back(std::byte{0});
@@ -82,7 +82,7 @@ private Q_SLOTS:
             }
             const auto decoded = decodeTamTable(file, wide);
             VERIFY_ERROR(decoded, ErrorCode::InvalidTable);
-            QCOMPARE(decoded.error().context.find("field")->second, "file length");
+            QCOMPARE(decoded.error().context.english("field"), std::string("file length"));
         }
     }
 
@@ -164,11 +164,11 @@ void TestTamTableFaults::aWrongFieldIsNamed()
     const auto decoded = decodeTamTable(file, genericTableLayout());
     VERIFY_ERROR(decoded, ErrorCode::InvalidTable);
     const ErrorContext& context = decoded.error().context;
-    QCOMPARE(context.find("field")->second, field);
-    QCOMPARE(context.find("offset")->second, std::to_string(offset));
-    QCOMPARE(context.find("found")->second, found);
-    QVERIFY2(context.find("expected")->second.starts_with(expected),
-        context.find("expected")->second.c_str());
+    QCOMPARE(context.english("field"), field);
+    QCOMPARE(context.english("offset"), std::to_string(offset));
+    QCOMPARE(context.english("found"), found);
+    const std::string wanted = context.english("expected");
+    QVERIFY2(wanted.starts_with(expected), wanted.c_str());
 }
 
 void TestTamTableFaults::aTableThatIsNoneIsNotWritten_data()
