@@ -12,14 +12,6 @@
         <translation>höchstens {size} Byte</translation>
     </message>
     <message>
-        <source>{count} columns</source>
-        <translation>{count} Spalten</translation>
-    </message>
-    <message>
-        <source>1 column</source>
-        <translation>1 Spalte</translation>
-    </message>
-    <message>
         <source>at most {count} columns</source>
         <translation>höchstens {count} Spalten</translation>
     </message>
@@ -356,10 +348,6 @@
         <translation>{file} hat {size} Byte; höchstens {limit} sind für eine solche Datei möglich</translation>
     </message>
     <message>
-        <source>{file} is not a valid calibration file: {count} problem(s)</source>
-        <translation>{file} ist keine gültige Kalibrierdatei, Anzahl der Fehler: {count}</translation>
-    </message>
-    <message>
         <source>this is not a valid TAM table: {field} at offset {offset} is {found}, expected {expected}</source>
         <translation>keine gültige TAM-Tabelle: {field} bei Byte {offset} ist {found}, erwartet: {expected}</translation>
     </message>
@@ -456,10 +444,6 @@
         <translation>die Quelle der Dimension {dimension} fehlt</translation>
     </message>
     <message>
-        <source>there is a source for dimension {dimension}, but only {dimensions} dimension(s)</source>
-        <translation>für Dimension {dimension} ist eine Quelle angegeben, die Anzahl der Dimensionen ist aber {dimensions}</translation>
-    </message>
-    <message>
         <source>the drive has no register {source}{nearest}</source>
         <translation>der Antrieb hat kein Register {source}{nearest}</translation>
     </message>
@@ -474,10 +458,6 @@
     <message>
         <source>{source} is the source of both dimension {first} and dimension {second}</source>
         <translation>{source} ist Quelle sowohl der Dimension {first} als auch der Dimension {second}</translation>
-    </message>
-    <message>
-        <source>the table has {table} dimension(s), but {chosen} are chosen</source>
-        <translation>die Dimensionszahl der Tabelle ist {table}, gewählt ist {chosen}</translation>
     </message>
     <message>
         <source>the table needs {size} bytes, but the largest slot that may be taken, {slot}, holds {largest}</source>
@@ -600,20 +580,8 @@
         <translation>Sperren nicht möglich: {reason}</translation>
     </message>
     <message>
-        <source>it does not read back as it was written</source>
-        <translation>zurückgelesen wurde etwas anderes als geschrieben</translation>
-    </message>
-    <message>
         <source>it is damaged and cannot be moved aside ({reason}); delete it</source>
         <translation>sie ist beschädigt und lässt sich nicht beiseitelegen ({reason}); bitte löschen</translation>
-    </message>
-    <message>
-        <source>it was kept about a write that did not end, but is damaged ({reason}). Look at what the drive holds, then delete the file</source>
-        <translation>sie gehört zu einem nicht beendeten Schreibvorgang, ist aber beschädigt ({reason}). Den Stand des Antriebs prüfen, dann die Datei löschen</translation>
-    </message>
-    <message>
-        <source>it is about axis {axis} of drive {drive}</source>
-        <translation>sie gehört zu Achse {axis} des Antriebs {drive}</translation>
     </message>
     <message>
         <source>this is not JSON</source>
@@ -686,14 +654,6 @@
     <message>
         <source>this is missing</source>
         <translation>das fehlt</translation>
-    </message>
-    <message>
-        <source>this is empty</source>
-        <translation>das ist leer</translation>
-    </message>
-    <message>
-        <source>this is there twice</source>
-        <translation>das kommt zweimal vor</translation>
     </message>
     <message>
         <source>this is not base64</source>
@@ -832,28 +792,12 @@
         <translation>die Leitung verfälscht zu viel; das Kabel prüfen oder eine niedrigere Baudrate versuchen</translation>
     </message>
     <message>
-        <source>no answer to {request}</source>
-        <translation>keine Antwort auf {request}</translation>
-    </message>
-    <message>
         <source>the drive began anew</source>
         <translation>der Antrieb hat von vorn begonnen</translation>
     </message>
     <message>
         <source>a size of at most {most} and a CRC</source>
         <translation>eine Größe von höchstens {most} und eine CRC</translation>
-    </message>
-    <message>
-        <source>the CRC-32 is wrong;</source>
-        <translation>die CRC-32 ist falsch;</translation>
-    </message>
-    <message>
-        <source>{count} register(s)</source>
-        <translation>{count} Register</translation>
-    </message>
-    <message>
-        <source>{count} address(es)</source>
-        <translation>{count} Adresse(n)</translation>
     </message>
     <message>
         <source>a type and a value</source>
@@ -882,54 +826,6 @@
     <message>
         <source>path, size and maximum size</source>
         <translation>Pfad, Größe und größte Größe</translation>
-    </message>
-    <message>
-        <source>it was cancelled</source>
-        <translation>sie wurde abgebrochen</translation>
-    </message>
-    <message>
-        <source>one block did not arrive in {count} attempts</source>
-        <translation>ein Block kam in {count} Versuchen nicht an</translation>
-    </message>
-    <message>
-        <source>the receiver did not begin</source>
-        <translation>der Empfänger hat nicht begonnen</translation>
-    </message>
-    <message>
-        <source>the receiver does not answer</source>
-        <translation>der Empfänger antwortet nicht</translation>
-    </message>
-    <message>
-        <source>the header of the file makes no sense</source>
-        <translation>der Kopf der Datei ergibt keinen Sinn</translation>
-    </message>
-    <message>
-        <source>more than one file was sent</source>
-        <translation>mehr als eine Datei wurde gesendet</translation>
-    </message>
-    <message>
-        <source>no file was sent</source>
-        <translation>keine Datei wurde gesendet</translation>
-    </message>
-    <message>
-        <source>the file is too large</source>
-        <translation>die Datei ist zu groß</translation>
-    </message>
-    <message>
-        <source>the blocks are out of order</source>
-        <translation>die Reihenfolge der Blöcke stimmt nicht</translation>
-    </message>
-    <message>
-        <source>the sender did not begin</source>
-        <translation>der Sender hat nicht begonnen</translation>
-    </message>
-    <message>
-        <source>the sender does not send any more</source>
-        <translation>der Sender sendet nicht mehr</translation>
-    </message>
-    <message>
-        <source>no reason given</source>
-        <translation>kein Grund angegeben</translation>
     </message>
     <message>
         <source>a redirect to {address}</source>
@@ -1036,24 +932,12 @@
         <translation>ein JSON-Array von Registern</translation>
     </message>
     <message>
-        <source>a JSON array of {count} register(s)</source>
-        <translation>ein JSON-Array mit der Registerzahl {count}</translation>
-    </message>
-    <message>
-        <source>a JSON array of {count} register(s), in the order asked for</source>
-        <translation>ein JSON-Array mit der Registerzahl {count} in der angefragten Reihenfolge</translation>
-    </message>
-    <message>
         <source>a register with path, address, type and a value of that type</source>
         <translation>ein Register mit path, address, type und einem Wert dieses Typs</translation>
     </message>
     <message>
         <source>registers below {path}</source>
         <translation>Register unterhalb von {path}</translation>
-    </message>
-    <message>
-        <source>{path}, or one of {count} others asked for with it</source>
-        <translation>{path} oder eines von {count} weiteren, die zugleich angefragt wurden</translation>
     </message>
     <message>
         <source>at most 1024 axes</source>
@@ -1396,14 +1280,6 @@
         <translation>sie ist nicht von Achse {axis} dieses Antriebs</translation>
     </message>
     <message>
-        <source>it is not the table that was kept there: its size or CRC differs</source>
-        <translation>es ist nicht die Tabelle, die dort aufbewahrt wurde: Größe oder CRC weicht ab</translation>
-    </message>
-    <message>
-        <source>{text} is not the SHA-256 of a certificate</source>
-        <translation>{text} ist nicht der SHA-256 eines Zertifikats</translation>
-    </message>
-    <message>
         <source>{file} can be one of several formats: {candidates}; say which one it is</source>
         <translation>{file} kann eines von mehreren Formaten sein: {candidates}; bitte angeben, welches es ist</translation>
     </message>
@@ -1442,22 +1318,6 @@
     <message>
         <source>{format} holds command values, as you say</source>
         <translation>{format} enthält nach Ihrer Angabe Werte der Sollseite (command)</translation>
-    </message>
-    <message>
-        <source>{from}, {format} holds feedback values</source>
-        <translation>{from}, {format} enthält Werte der Geberseite (feedback)</translation>
-    </message>
-    <message>
-        <source>{from}, {format} holds command values</source>
-        <translation>{from}, {format} enthält Werte der Sollseite (command)</translation>
-    </message>
-    <message>
-        <source>{from}, {format} holds feedback values, as you say</source>
-        <translation>{from}, {format} nach Ihrer Angabe Werte der Geberseite (feedback)</translation>
-    </message>
-    <message>
-        <source>{from}, {format} holds command values, as you say</source>
-        <translation>{from}, {format} nach Ihrer Angabe Werte der Sollseite (command)</translation>
     </message>
     <message>
         <source>{example}: the feedback file says {value}</source>
@@ -1550,10 +1410,6 @@
     <message>
         <source>compared at {count} positions, each by its controller&apos;s rules ({column}): {difference}</source>
         <translation>verglichen an {count} Positionen, jede nach den Regeln ihrer Steuerung ({column}): {difference}</translation>
-    </message>
-    <message>
-        <source>they differ by at most {largest}</source>
-        <translation>sie unterscheiden sich höchstens um {largest}</translation>
     </message>
     <message>
         <source>they differ by at most {largest} at {place}</source>
@@ -1670,14 +1526,6 @@
     <message>
         <source>choose the mean, the positive or the negative direction</source>
         <translation>den Mittelwert, die positive oder die negative Richtung wählen</translation>
-    </message>
-    <message>
-        <source>it has {count} source axis, possible are {range}</source>
-        <translation>sie hat {count} Quellachse, möglich sind {range}</translation>
-    </message>
-    <message>
-        <source>it has {count} source axes, possible are {range}</source>
-        <translation>sie hat {count} Quellachsen, möglich sind {range}</translation>
     </message>
     <message>
         <source>choose another format</source>
@@ -1810,18 +1658,6 @@
     <message>
         <source>whether the compensated axis is linear (mm) or rotary (deg)</source>
         <translation>ob die kompensierte Achse linear (mm) oder rotatorisch (Grad) ist</translation>
-    </message>
-    <message>
-        <source>logical number of master axis {number}, for {key}</source>
-        <translation>logische Nummer der Masterachse {number}, für {key}</translation>
-    </message>
-    <message>
-        <source>whether master axis {number} is linear (mm) or rotary (deg)</source>
-        <translation>ob die Masterachse {number} linear (mm) oder rotatorisch (Grad) ist</translation>
-    </message>
-    <message>
-        <source>master axis {number} is a modulo axis: its ends are one place</source>
-        <translation>die Masterachse {number} ist eine Moduloachse: ihre Enden sind dieselbe Stelle</translation>
     </message>
     <message>
         <source>whether the axis is linear (mm) or rotary (deg)</source>
@@ -2048,10 +1884,6 @@
         <translation>diese Schreibvorgänge kosten zusammen {cost} Flash-Operationen, möglich sind jetzt {left}; flüchtig schreiben oder weniger auf einmal</translation>
     </message>
     <message>
-        <source>together these writes cost {count} flash operations, and {left} are possible now; write them volatile, or fewer at a time</source>
-        <translation>zusammen kosten diese Schreibvorgänge {count} Flash-Vorgänge, und {left} sind jetzt möglich; flüchtig schreiben, oder weniger auf einmal</translation>
-    </message>
-    <message>
         <source>the flash operations that are left would do for the change, but not for putting everything back if it fails; wait {seconds} s, or write volatile</source>
         <translation>die übrigen Flash-Vorgänge reichen für die Änderung, aber nicht, um nach einem Fehlschlag alles zurückzustellen; {seconds} s warten oder flüchtig schreiben</translation>
     </message>
@@ -2092,20 +1924,12 @@
         <translation>Werte für {column}</translation>
     </message>
     <message>
-        <source>values for {axis} to {target}</source>
-        <translation>Werte für {axis} nach {target}</translation>
-    </message>
-    <message>
         <source>{column}, positive</source>
         <translation>{column}, positiv</translation>
     </message>
     <message>
         <source>{column}, negative</source>
         <translation>{column}, negativ</translation>
-    </message>
-    <message>
-        <source>{place}, {axis} = {position}</source>
-        <translation>{place}, {axis} = {position}</translation>
     </message>
     <message>
         <source>table {number} of {count}:</source>
@@ -2168,16 +1992,8 @@
         <translation>die zweite Tabelle hat keine Spalte für {column}</translation>
     </message>
     <message>
-        <source>the second table has no column for {axis} to {target}</source>
-        <translation>die zweite Tabelle hat keine Spalte für {axis} nach {target}</translation>
-    </message>
-    <message>
         <source>a table of {count} source axes cannot be compared with one of {other}</source>
         <translation>eine Tabelle mit {count} Quellachsen lässt sich nicht mit einer mit {other} vergleichen</translation>
-    </message>
-    <message>
-        <source>compared at {count} positions, each by its controller&apos;s rules ({axis} to {target}): {difference}</source>
-        <translation>verglichen an {count} Positionen, jede nach den Regeln ihrer Steuerung ({axis} nach {target}): {difference}</translation>
     </message>
     <message>
         <source>a deviation of {deviation} takes more than {count} points along {axis}; with {most} it is {found}; allow more points or a larger deviation</source>
@@ -2210,10 +2026,6 @@
     <message>
         <source>the values for {column} are too large to be interpolated</source>
         <translation>die Werte für {column} sind zu groß, um interpoliert zu werden</translation>
-    </message>
-    <message>
-        <source>the values for {axis} to {target} are too large to be interpolated</source>
-        <translation>die Werte für {axis} nach {target} sind zu groß, um interpoliert zu werden</translation>
     </message>
     <message>
         <source>grids for {count} axes are given, the table has {axes}</source>
@@ -2396,10 +2208,6 @@
         <translation>Indizes innerhalb der Größe, die die Liste nennt</translation>
     </message>
     <message>
-        <source>no kw.{name}</source>
-        <translation>kein kw.{name}</translation>
-    </message>
-    <message>
         <source>{number} of them; there are {number2}</source>
         <translation>{number} davon; vorhanden sind {number2}</translation>
     </message>
@@ -2482,10 +2290,6 @@
     <message>
         <source>choose fewer tables, or another first-table</source>
         <translation>weniger Tabellen oder ein anderes first-table wählen</translation>
-    </message>
-    <message>
-        <source>table {index} needs $MN_MM_CEC_MAX_POINTS[{same}] (MD18342) of at least {count}; switch it on with $SN_CEC_TABLE_ENABLE[{again}] (SD41300) 1 and $MA_CEC_ENABLE (MD32710) 1 of axis {axis}</source>
-        <translation>Tabelle {index} braucht $MN_MM_CEC_MAX_POINTS[{same}] (MD18342) von mindestens {count}; eingeschaltet wird sie mit $SN_CEC_TABLE_ENABLE[{again}] (SD41300) 1 und $MA_CEC_ENABLE (MD32710) 1 der Achse {axis}</translation>
     </message>
     <message>
         <source>the measuring system, 0 or 1</source>
@@ -2578,10 +2382,6 @@
     <message>
         <source>{number} points, which MIN, MAX and STEP give; there are {number2}</source>
         <translation>{number} Punkte, wie MIN, MAX und STEP ergeben; vorhanden sind {number2}</translation>
-    </message>
-    <message>
-        <source>no ${variable} of {curve}</source>
-        <translation>kein ${variable} ({curve})</translation>
     </message>
     <message>
         <source>{number} at MAX of {curve}</source>
@@ -2700,14 +2500,6 @@
         <translation>ein Offset in mm</translation>
     </message>
     <message>
-        <source>{number} lines of points</source>
-        <translation>{number} Zeilen mit Punkten</translation>
-    </message>
-    <message>
-        <source>max_{maximum} after min_{minimum}</source>
-        <translation>max_{maximum} nach min_{minimum}</translation>
-    </message>
-    <message>
         <source>a maximum above the minimum</source>
         <translation>ein Maximum über dem Minimum</translation>
     </message>
@@ -2768,10 +2560,6 @@
         <translation>SAMPLEDIST= und der Abstand der Korrekturen, der nicht 0 ist</translation>
     </message>
     <message>
-        <source>{number} corrections</source>
-        <translation>{number} Korrekturen</translation>
-    </message>
-    <message>
         <source>choose a table of an axis for itself</source>
         <translation>eine Tabelle wählen, die eine Achse für sich korrigiert</translation>
     </message>
@@ -2814,10 +2602,6 @@
     <message>
         <source>{number} points of {number2} corrections each in a row</source>
         <translation>{number} Punkte mit je {number2} Korrekturen in einer Zeile</translation>
-    </message>
-    <message>
-        <source>{number} corrections in this line, {number2} in all</source>
-        <translation>{number} Korrekturen in dieser Zeile, insgesamt {number2}</translation>
     </message>
     <message>
         <source>KEY=VALUE</source>
@@ -2874,10 +2658,6 @@
     <message>
         <source>two numbers such as 0.25,0.001: position and offset</source>
         <translation>zwei Zahlen wie 0.25,0.001: Position und Offset</translation>
-    </message>
-    <message>
-        <source>1 number</source>
-        <translation>1 Zahl</translation>
     </message>
     <message>
         <source>a position such as 0.25</source>
@@ -3136,14 +2916,6 @@
         <translation>die Einheit {unit}</translation>
     </message>
     <message>
-        <source>no input.{name}</source>
-        <translation>kein input.{name}</translation>
-    </message>
-    <message>
-        <source>no output.{name}</source>
-        <translation>kein output.{name}</translation>
-    </message>
-    <message>
         <source>values in counts</source>
         <translation>Werte in Inkrementen</translation>
     </message>
@@ -3174,10 +2946,6 @@
     <message>
         <source>one line</source>
         <translation>eine Zeile</translation>
-    </message>
-    <message>
-        <source>{number} lines of counts</source>
-        <translation>{number} Zeilen mit Inkrementen</translation>
     </message>
     <message>
         <source>the setting name is &quot;{name}&quot;, expected a C++ name: letters, digits and _</source>
@@ -3212,14 +2980,6 @@
         <translation>die Anzahl der Quellachsen, 1 bis 3</translation>
     </message>
     <message>
-        <source>{number} source axes</source>
-        <translation>{number} Quellachsen</translation>
-    </message>
-    <message>
-        <source>{number} sizes</source>
-        <translation>{number} Größen</translation>
-    </message>
-    <message>
         <source>{number}, one for each source axis</source>
         <translation>{number}, je Quellachse eine</translation>
     </message>
@@ -3230,10 +2990,6 @@
     <message>
         <source>at least 2, and at most {number} rows in all</source>
         <translation>mindestens 2, und insgesamt höchstens {number} Zeilen</translation>
-    </message>
-    <message>
-        <source>{number} positions and at least one correction</source>
-        <translation>{number} Positionen und mindestens eine Korrektur</translation>
     </message>
     <message>
         <source>{number}, as in the first row</source>
@@ -3280,32 +3036,12 @@
         <translation>die Tabelle {name} muss im Programm mit {count} Punkten definiert sein, die erste Quelle am schnellsten, und darf nicht in Gebrauch sein (CompActive = 0), während die Zeilen laufen</translation>
     </message>
     <message>
-        <source>{number} positions of {axis}</source>
-        <translation>{number} Positionen von {axis}</translation>
-    </message>
-    <message>
-        <source>{number} positions of the points</source>
-        <translation>{number} Positionen der Punkte</translation>
-    </message>
-    <message>
-        <source>{number} positions of the joint</source>
-        <translation>{number} Positionen des Gelenks (joint)</translation>
-    </message>
-    <message>
         <source>{number} after {number2}</source>
         <translation>{number} nach {number2}</translation>
     </message>
     <message>
         <source>strictly increasing positions of {axis}</source>
         <translation>streng steigende Positionen von {axis}</translation>
-    </message>
-    <message>
-        <source>strictly increasing positions of the points</source>
-        <translation>streng steigende Positionen der Punkte</translation>
-    </message>
-    <message>
-        <source>strictly increasing positions of the joint</source>
-        <translation>streng steigende Positionen des Gelenks (joint)</translation>
     </message>
     <message>
         <source>positions of {axis}</source>
@@ -3340,10 +3076,6 @@
         <translation>Quelle {number}</translation>
     </message>
     <message>
-        <source>{axes}, source {number}</source>
-        <translation>{axes}, Quelle {number}</translation>
-    </message>
-    <message>
         <source>table {number}</source>
         <translation>Tabelle {number}</translation>
     </message>
@@ -3356,36 +3088,12 @@
         <translation>{number} bis {number2}</translation>
     </message>
     <message>
-        <source>{number} points</source>
-        <translation>{number} Punkte</translation>
-    </message>
-    <message>
         <source>at most {number} points</source>
         <translation>höchstens {number} Punkte</translation>
     </message>
     <message>
-        <source>{number} rows</source>
-        <translation>{number} Zeilen</translation>
-    </message>
-    <message>
-        <source>{number} numbers</source>
-        <translation>{number} Zahlen</translation>
-    </message>
-    <message>
-        <source>{number} values</source>
-        <translation>{number} Werte</translation>
-    </message>
-    <message>
         <source>{number} lines</source>
         <translation>{number} Zeilen</translation>
-    </message>
-    <message>
-        <source>{number} entries</source>
-        <translation>{number} Einträge</translation>
-    </message>
-    <message>
-        <source>{number} heights</source>
-        <translation>{number} Höhen</translation>
     </message>
     <message>
         <source>a number</source>
@@ -3640,40 +3348,8 @@
         <translation>eine Kalibrierdatei braucht die Anzahl ihrer Dimensionen: 1, 2 oder 3</translation>
     </message>
     <message>
-        <source>{problem}: found &quot;{found}&quot;</source>
-        <translation>{problem}: gefunden &quot;{found}&quot;</translation>
-    </message>
-    <message>
-        <source>{problem}: found {found}</source>
-        <translation>{problem}: gefunden {found}</translation>
-    </message>
-    <message>
-        <source>{problem}, expected {expected}</source>
-        <translation>{problem}, erwartet {expected}</translation>
-    </message>
-    <message>
-        <source>{problem}; {wayOut} ({name})</source>
-        <translation>{problem}; {wayOut} ({name})</translation>
-    </message>
-    <message>
-        <source>{problem} ({name})</source>
-        <translation>{problem} ({name})</translation>
-    </message>
-    <message>
-        <source>{problem} ({name}, error {number} of the controller)</source>
-        <translation>{problem} ({name}, Fehler {number} der Steuerung)</translation>
-    </message>
-    <message>
-        <source>found an empty cell</source>
-        <translation>die Zelle ist leer</translation>
-    </message>
-    <message>
         <source>a table kw.{name} besides kw.{other}</source>
         <translation>eine Tabelle kw.{name} neben kw.{other}</translation>
-    </message>
-    <message>
-        <source>the format isg-{format} to read it; it is left out here</source>
-        <translation>das Format isg-{format}, um sie zu lesen; hier wird sie ausgelassen</translation>
     </message>
     <message>
         <source>a point kw.{point} with one index</source>
@@ -3696,8 +3372,680 @@
         <translation>die Angabe {key}, zum Beispiel um, wenn es auf die Einheit ankommt</translation>
     </message>
     <message>
-        <source>this line does not have the columns of the header</source>
-        <translation>diese Zeile hat nicht die Spalten der Kopfzeile</translation>
+        <source>byte {value}</source>
+        <translation>Byte {value}</translation>
+    </message>
+    <message numerus="yes">
+        <source>{file} is not a valid calibration file: {count} problems</source>
+        <comment>{file} is not a valid calibration file: one problem</comment>
+        <translation>
+            <numerusform>{file} ist keine gültige Kalibrierdatei: 1 Problem</numerusform>
+            <numerusform>{file} ist keine gültige Kalibrierdatei: {count} Probleme</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>there is a source for dimension {dimension}, but the table is {dimensions}D</source>
+        <translation>es gibt eine Quelle für Dimension {dimension}, aber die Tabelle ist {dimensions}D</translation>
+    </message>
+    <message>
+        <source>the table is {table}D, but {chosen}D is chosen</source>
+        <translation>die Tabelle ist {table}D, gewählt ist aber {chosen}D</translation>
+    </message>
+    <message>
+        <source>{time} ({step})</source>
+        <translation>{time} ({step})</translation>
+    </message>
+    <message>
+        <source>sign: {from}, {to}; {example}</source>
+        <translation>Vorzeichen: {from}, {to}; {example}</translation>
+    </message>
+    <message>
+        <source>positive</source>
+        <translation>positiv</translation>
+    </message>
+    <message>
+        <source>negative</source>
+        <translation>negativ</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>Mittelwert</translation>
+    </message>
+    <message>
+        <source>{first}; {next}</source>
+        <translation>{first}; {next}</translation>
+    </message>
+    <message>
+        <source>position {number} = {position}</source>
+        <translation>Position {number} = {position}</translation>
+    </message>
+    <message numerus="yes">
+        <source>{count} columns</source>
+        <comment>1 column</comment>
+        <translation>
+            <numerusform>1 Spalte</numerusform>
+            <numerusform>{count} Spalten</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>&quot;{text}&quot; is not a value of type {type}; expected {expected}</source>
+        <translation>&quot;{text}&quot; ist kein Wert vom Typ {type}; erwartet {expected}</translation>
+    </message>
+    <message>
+        <source>a number such as 12.5, at most {most} in magnitude</source>
+        <translation>eine Zahl wie 12.5, vom Betrag höchstens {most}</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true oder false</translation>
+    </message>
+    <message>
+        <source>a whole number from {least} to {most}, or an address such as 0x1234</source>
+        <translation>eine ganze Zahl von {least} bis {most} oder eine Adresse wie 0x1234</translation>
+    </message>
+    <message>
+        <source>the name of an enum value, without blanks</source>
+        <translation>der Name eines Enum-Werts ohne Leerzeichen</translation>
+    </message>
+    <message>
+        <source>a whole number from {least} to {most}</source>
+        <translation>eine ganze Zahl von {least} bis {most}</translation>
+    </message>
+    <message numerus="yes">
+        <source>{count} corrections</source>
+        <comment>1 correction</comment>
+        <translation>
+            <numerusform>1 Korrektur</numerusform>
+            <numerusform>{count} Korrekturen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>{count} rows</source>
+        <comment>1 row</comment>
+        <translation>
+            <numerusform>1 Zeile</numerusform>
+            <numerusform>{count} Zeilen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>{count} corrections in this line, {all} in all</source>
+        <comment>1 correction in this line, {all} in all</comment>
+        <translation>
+            <numerusform>1 Korrektur in dieser Zeile, insgesamt {all}</numerusform>
+            <numerusform>{count} Korrekturen in dieser Zeile, insgesamt {all}</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>it has {count} source axes, possible are {range}</source>
+        <comment>it has 1 source axis, possible are {range}</comment>
+        <translation>
+            <numerusform>sie hat 1 Quellachse, möglich sind {range}</numerusform>
+            <numerusform>sie hat {count} Quellachsen, möglich sind {range}</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>{count} numbers</source>
+        <comment>1 number</comment>
+        <translation>
+            <numerusform>1 Zahl</numerusform>
+            <numerusform>{count} Zahlen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>logical number of master axis 1, for master1_ax_nr</source>
+        <translation>logische Nummer der Masterachse 1, für master1_ax_nr</translation>
+    </message>
+    <message>
+        <source>logical number of master axis 2, for master2_ax_nr</source>
+        <translation>logische Nummer der Masterachse 2, für master2_ax_nr</translation>
+    </message>
+    <message>
+        <source>whether master axis 1 is linear (mm) or rotary (deg)</source>
+        <translation>ob die Masterachse 1 linear (mm) oder rotatorisch (deg) ist</translation>
+    </message>
+    <message>
+        <source>whether master axis 2 is linear (mm) or rotary (deg)</source>
+        <translation>ob die Masterachse 2 linear (mm) oder rotatorisch (deg) ist</translation>
+    </message>
+    <message>
+        <source>master axis 1 is a modulo axis: its ends are one place</source>
+        <translation>Masterachse 1 ist eine Moduloachse: ihre Enden sind derselbe Ort</translation>
+    </message>
+    <message>
+        <source>master axis 2 is a modulo axis: its ends are one place</source>
+        <translation>Masterachse 2 ist eine Moduloachse: ihre Enden sind derselbe Ort</translation>
+    </message>
+    <message numerus="yes">
+        <source>{count} points</source>
+        <comment>1 point</comment>
+        <translation>
+            <numerusform>1 Punkt</numerusform>
+            <numerusform>{count} Punkte</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>no {name}</source>
+        <translation>{name} fehlt</translation>
+    </message>
+    <message numerus="yes">
+        <source>{count} heights</source>
+        <comment>1 height</comment>
+        <translation>
+            <numerusform>1 Höhe</numerusform>
+            <numerusform>{count} Höhen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>{count} lines of points</source>
+        <comment>1 line of points</comment>
+        <translation>
+            <numerusform>1 Zeile mit Punkten</numerusform>
+            <numerusform>{count} Zeilen mit Punkten</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>{count} entries</source>
+        <comment>1 entry</comment>
+        <translation>
+            <numerusform>1 Eintrag</numerusform>
+            <numerusform>{count} Einträge</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>{count} values</source>
+        <comment>1 value</comment>
+        <translation>
+            <numerusform>1 Wert</numerusform>
+            <numerusform>{count} Werte</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>{count} lines of counts</source>
+        <comment>1 line of counts</comment>
+        <translation>
+            <numerusform>1 Zeile mit Inkrementen</numerusform>
+            <numerusform>{count} Zeilen mit Inkrementen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>{number}: {names}</source>
+        <translation>{number}: {names}</translation>
+    </message>
+    <message numerus="yes">
+        <source>{count} lines of heights</source>
+        <comment>1 line of heights</comment>
+        <translation>
+            <numerusform>1 Zeile mit Höhen</numerusform>
+            <numerusform>{count} Zeilen mit Höhen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>table {index} needs $MN_MM_CEC_MAX_POINTS[{index}] (MD18342) of at least {count}; switch it on with $SN_CEC_TABLE_ENABLE[{index}] (SD41300) 1 and $MA_CEC_ENABLE (MD32710) 1 of axis {axis}</source>
+        <translation>Tabelle {index} braucht $MN_MM_CEC_MAX_POINTS[{index}] (MD18342) von mindestens {count}; eingeschaltet wird sie mit $SN_CEC_TABLE_ENABLE[{index}] (SD41300) 1 und $MA_CEC_ENABLE (MD32710) 1 der Achse {axis}</translation>
+    </message>
+    <message>
+        <source>no {variable} of {curve}</source>
+        <translation>{variable} fehlt für {curve}</translation>
+    </message>
+    <message numerus="yes">
+        <source>{count} source axes</source>
+        <comment>1 source axis</comment>
+        <translation>
+            <numerusform>1 Quellachse</numerusform>
+            <numerusform>{count} Quellachsen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>{count} sizes</source>
+        <comment>1 size</comment>
+        <translation>
+            <numerusform>1 Größe</numerusform>
+            <numerusform>{count} Größen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>{count} positions and at least one correction</source>
+        <comment>1 position and at least one correction</comment>
+        <translation>
+            <numerusform>1 Position und mindestens eine Korrektur</numerusform>
+            <numerusform>{count} Positionen und mindestens eine Korrektur</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>{axes}</source>
+        <translation>{axes}</translation>
+    </message>
+    <message>
+        <source>{axes} to {target}</source>
+        <translation>{axes} nach {target}</translation>
+    </message>
+    <message>
+        <source>(table layout)</source>
+        <translation>(Tabellenlayout)</translation>
+    </message>
+    <message>
+        <source>it cannot be of type {type}; expected {expected}</source>
+        <translation>der Typ kann nicht {type} sein; erwartet wird {expected}</translation>
+    </message>
+    <message>
+        <source>f32 or f64</source>
+        <translation>f32 oder f64</translation>
+    </message>
+    <message>
+        <source>u8, u16, u32 or i32</source>
+        <translation>u8, u16, u32 oder i32</translation>
+    </message>
+    <message>
+        <source>its count is {found}, expected the length of the magic text, {expected}, which is at least 1</source>
+        <translation>die Anzahl ist {found}, erwartet wird die Länge der Kennung (magic), {expected}, und mindestens 1</translation>
+    </message>
+    <message>
+        <source>its count is 0, expected at least 1</source>
+        <translation>die Anzahl ist 0, erwartet wird mindestens 1</translation>
+    </message>
+    <message>
+        <source>its count is {found}, expected {expected}</source>
+        <translation>die Anzahl ist {found}, erwartet wird {expected}</translation>
+    </message>
+    <message>
+        <source>its type {type} cannot hold {value}</source>
+        <translation>der Typ {type} kann {value} nicht aufnehmen</translation>
+    </message>
+    <message>
+        <source>it ends at byte {end}, but the header has only {size} bytes</source>
+        <translation>das Feld endet bei Byte {end}, der Kopf hat aber nur {size} Bytes</translation>
+    </message>
+    <message>
+        <source>it covers the header bytes before it, and there are none</source>
+        <translation>es gilt für die Bytes des Kopfes davor, und davor sind keine</translation>
+    </message>
+    <message>
+        <source>it begins at byte {begin}, inside {field}, which ends at byte {end}</source>
+        <translation>das Feld beginnt bei Byte {begin}, innerhalb von {field}, das bei Byte {end} endet</translation>
+    </message>
+    <message>
+        <source>it is {size}, expected 1 to {limit} bytes</source>
+        <translation>die Größe ist {size}, erwartet werden 1 bis {limit} Bytes</translation>
+    </message>
+    <message>
+        <source>it is missing; a table cannot be read without it</source>
+        <translation>das Feld fehlt; ohne es kann keine Tabelle gelesen werden</translation>
+    </message>
+    <message numerus="yes">
+        <source>{count} positions</source>
+        <comment>1 position</comment>
+        <translation>
+            <numerusform>1 Position</numerusform>
+            <numerusform>{count} Positionen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>{count} positions of {axis}</source>
+        <comment>1 position of {axis}</comment>
+        <translation>
+            <numerusform>1 Position von {axis}</numerusform>
+            <numerusform>{count} Positionen von {axis}</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>CRC {crc}</source>
+        <translation>CRC {crc}</translation>
+    </message>
+    <message>
+        <source>the body is not JSON</source>
+        <translation>der Inhalt ist kein JSON</translation>
+    </message>
+    <message>
+        <source>the body must be an array, {example}</source>
+        <translation>der Inhalt muss ein Array sein, {example}</translation>
+    </message>
+    <message>
+        <source>{place} must be an object, {example}</source>
+        <translation>{place} muss ein Objekt sein, {example}</translation>
+    </message>
+    <message>
+        <source>{place}.path must be a text</source>
+        <translation>{place}.path muss ein Text sein</translation>
+    </message>
+    <message>
+        <source>{place}.value must be a number, a text, true, false or null</source>
+        <translation>{place}.value muss eine Zahl, ein Text, true, false oder null sein</translation>
+    </message>
+    <message>
+        <source>the body must be an object with &quot;value&quot;: a number, a text, true, false or null</source>
+        <translation>der Inhalt muss ein Objekt mit &quot;value&quot; sein: eine Zahl, ein Text, true, false oder null</translation>
+    </message>
+    <message>
+        <source>one of u8, u16, u32, i32, f32, f64 or char is expected, with a count in brackets where there are several: char[32]</source>
+        <translation>erwartet wird u8, u16, u32, i32, f32, f64 oder char, bei mehreren mit der Anzahl in Klammern: char[32]</translation>
+    </message>
+    <message>
+        <source>the count is given twice, here and in the type</source>
+        <translation>die Anzahl steht zweimal da, hier und im Typ</translation>
+    </message>
+    <message>
+        <source>the number of characters is missing: char[32]</source>
+        <translation>die Zahl der Zeichen fehlt: char[32]</translation>
+    </message>
+    <message>
+        <source>there is no field {name} to hold it</source>
+        <translation>es gibt kein Feld {name} dafür</translation>
+    </message>
+    <message>
+        <source>&quot;little&quot; or &quot;big&quot; is expected</source>
+        <translation>erwartet wird &quot;little&quot; oder &quot;big&quot;</translation>
+    </message>
+    <message>
+        <source>&quot;first&quot; or &quot;last&quot; is expected</source>
+        <translation>erwartet wird &quot;first&quot; oder &quot;last&quot;</translation>
+    </message>
+    <message>
+        <source>a file path such as tables/small1.TAMtbl is expected</source>
+        <translation>erwartet wird ein Dateipfad wie tables/small1.TAMtbl</translation>
+    </message>
+    <message>
+        <source>a file path has a name between its slashes, none at its ends, and no &quot;.&quot; or &quot;..&quot;</source>
+        <translation>ein Dateipfad hat Namen zwischen den Schrägstrichen, keinen Schrägstrich an den Enden und kein &quot;.&quot; oder &quot;..&quot;</translation>
+    </message>
+    <message>
+        <source>there are more than {most} slots</source>
+        <translation>es sind mehr als {most} Tabellenplätze</translation>
+    </message>
+    <message>
+        <source>this is the value that stands for no table, enums.tableDisabled</source>
+        <translation>das ist der Wert für keine Tabelle, enums.tableDisabled</translation>
+    </message>
+    <message>
+        <source>another slot has the name {name}</source>
+        <translation>ein anderer Tabellenplatz heißt {name}</translation>
+    </message>
+    <message>
+        <source>another slot has the file {file}</source>
+        <translation>ein anderer Tabellenplatz hat die Datei {file}</translation>
+    </message>
+    <message>
+        <source>at least one slot is needed</source>
+        <translation>mindestens ein Tabellenplatz ist nötig</translation>
+    </message>
+    <message>
+        <source>the path of a web page is expected, such as /directory</source>
+        <translation>erwartet wird der Pfad einer Webseite, etwa /directory</translation>
+    </message>
+    <message>
+        <source>a slash is needed at the end, because a file path follows</source>
+        <translation>am Ende ist ein Schrägstrich nötig, weil ein Dateipfad folgt</translation>
+    </message>
+    <message>
+        <source>there must be no slash at the end</source>
+        <translation>am Ende darf kein Schrägstrich stehen</translation>
+    </message>
+    <message>
+        <source>this is the same page as directory</source>
+        <translation>das ist dieselbe Seite wie directory</translation>
+    </message>
+    <message>
+        <source>this is the same page as directory or transfer</source>
+        <translation>das ist dieselbe Seite wie directory oder transfer</translation>
+    </message>
+    <message>
+        <source>this is the same field as transferPathField</source>
+        <translation>das ist dasselbe Feld wie transferPathField</translation>
+    </message>
+    <message>
+        <source>it is empty; a register path is expected</source>
+        <translation>das ist leer; erwartet wird ein Registerpfad</translation>
+    </message>
+    <message>
+        <source>it has {count} characters, at most {most} are possible</source>
+        <translation>{count} Zeichen, möglich sind höchstens {most}</translation>
+    </message>
+    <message>
+        <source>a path has one slash between its parts and none at its ends</source>
+        <translation>ein Pfad hat einen Schrägstrich zwischen seinen Teilen und keinen an den Enden</translation>
+    </message>
+    <message>
+        <source>a path is made of letters, digits, &apos;_&apos;, &apos;-&apos;, &apos;/&apos;, &apos;[&apos; and &apos;]&apos;; the character at position {position} is none of them</source>
+        <translation>ein Pfad besteht aus Buchstaben, Ziffern, &apos;_&apos;, &apos;-&apos;, &apos;/&apos;, &apos;[&apos; und &apos;]&apos;; das Zeichen an Stelle {position} gehört nicht dazu</translation>
+    </message>
+    <message>
+        <source>the placeholder {name} is missing</source>
+        <translation>der Platzhalter {name} fehlt</translation>
+    </message>
+    <message>
+        <source>the placeholder {name} is there more than once</source>
+        <translation>der Platzhalter {name} steht mehrfach da</translation>
+    </message>
+    <message>
+        <source>the placeholder {name} has no meaning here</source>
+        <translation>der Platzhalter {name} hat hier keine Bedeutung</translation>
+    </message>
+    <message>
+        <source>in braces there can only be a placeholder, one of {known}</source>
+        <translation>in geschweiften Klammern kann nur ein Platzhalter stehen: {known}</translation>
+    </message>
+    <message>
+        <source>a range is written in brackets, such as [0..15]</source>
+        <translation>ein Bereich steht in Klammern, etwa [0..15]</translation>
+    </message>
+    <message>
+        <source>a range goes from a whole number up to another one, such as [0..15]</source>
+        <translation>ein Bereich geht von einer ganzen Zahl zu einer größeren, etwa [0..15]</translation>
+    </message>
+    <message>
+        <source>the register {path} is there twice</source>
+        <translation>das Register {path} steht zweimal da</translation>
+    </message>
+    <message>
+        <source>the shortlist has more than {most} registers</source>
+        <translation>die Auswahlliste hat mehr als {most} Register</translation>
+    </message>
+    <message>
+        <source>a word of 1 to {most} letters, digits, &apos;_&apos; or &apos;-&apos; is expected</source>
+        <translation>erwartet wird ein Wort aus 1 bis {most} Buchstaben, Ziffern, &apos;_&apos; oder &apos;-&apos;</translation>
+    </message>
+    <message>
+        <source>this is the same register as {name}</source>
+        <translation>das ist dasselbe Register wie {name}</translation>
+    </message>
+    <message>
+        <source>this is the same value as {name}</source>
+        <translation>das ist derselbe Wert wie {name}</translation>
+    </message>
+    <message>
+        <source>a numeric type is expected: Int32, UInt32, Single or Double</source>
+        <translation>erwartet wird ein Zahlentyp: Int32, UInt32, Single oder Double</translation>
+    </message>
+    <message>
+        <source>the type {type} is there twice</source>
+        <translation>der Typ {type} steht zweimal da</translation>
+    </message>
+    <message>
+        <source>at least one type is needed</source>
+        <translation>mindestens ein Typ ist nötig</translation>
+    </message>
+    <message numerus="yes">
+        <source>{count} registers</source>
+        <comment>one register</comment>
+        <translation>
+            <numerusform>1 Register</numerusform>
+            <numerusform>{count} Register</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>{count} addresses</source>
+        <comment>one address</comment>
+        <translation>
+            <numerusform>1 Adresse</numerusform>
+            <numerusform>{count} Adressen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>&quot;{code}&quot; is not what a drive can answer; that is one of {known}</source>
+        <translation>&quot;{code}&quot; kann kein Antrieb antworten; möglich sind {known}</translation>
+    </message>
+    <message>
+        <source>&quot;{text}&quot; is not a fault; known are {known}</source>
+        <translation>&quot;{text}&quot; ist kein Fehler; bekannt sind {known}</translation>
+    </message>
+    <message>
+        <source>&quot;{text}&quot; is not a whole number from 1 to {most}, as {name} needs</source>
+        <translation>&quot;{text}&quot; ist keine ganze Zahl von 1 bis {most}, wie sie {name} braucht</translation>
+    </message>
+    <message>
+        <source>a fault was asked for</source>
+        <translation>ein Fehler wurde verlangt</translation>
+    </message>
+    <message>
+        <source>it is the state of the drive with serial number {found}, not of {expected}</source>
+        <translation>das ist der Zustand des Antriebs mit Seriennummer {found}, nicht von {expected}</translation>
+    </message>
+    <message>
+        <source>the profile {profile} has no slot {slot}</source>
+        <translation>das Profil {profile} hat keinen Tabellenplatz {slot}</translation>
+    </message>
+    <message>
+        <source>the table in {slot} is larger than the slot</source>
+        <translation>die Tabelle in {slot} ist größer als der Tabellenplatz</translation>
+    </message>
+    <message>
+        <source>the name of a file in the folder {folder}</source>
+        <translation>der Name einer Datei im Ordner {folder}</translation>
+    </message>
+    <message>
+        <source>{place} must be {expected}</source>
+        <translation>{place} muss {expected} sein</translation>
+    </message>
+    <message>
+        <source>a list of whole numbers, 0 or more</source>
+        <translation>eine Liste ganzer Zahlen ab 0</translation>
+    </message>
+    <message>
+        <source>a boolean, a number or a text</source>
+        <translation>ein Wahrheitswert, eine Zahl oder ein Text</translation>
+    </message>
+    <message>
+        <source>it is not the JSON of a virtual drive&apos;s state</source>
+        <translation>das ist nicht das JSON vom Zustand eines virtuellen Antriebs</translation>
+    </message>
+    <message>
+        <source>a virtual drive has at most {most} axes, not {count}</source>
+        <translation>ein virtueller Antrieb hat höchstens {most} Achsen, nicht {count}</translation>
+    </message>
+    <message>
+        <source>an axis needs a range with low below high, and a period above 0 s</source>
+        <translation>eine Achse braucht einen Bereich, dessen Anfang unter dem Ende liegt, und eine Periode über 0 s</translation>
+    </message>
+    <message>
+        <source>a parameter does not fit: {reason}</source>
+        <translation>ein Parameter passt nicht: {reason}</translation>
+    </message>
+    <message>
+        <source>{request} is not a request; these are: {known}</source>
+        <translation>{request} ist keine Anfrage; es gibt: {known}</translation>
+    </message>
+    <message>
+        <source>name 1 to {most} registers, not {count}</source>
+        <translation>1 bis {most} Register nennen, nicht {count}</translation>
+    </message>
+    <message>
+        <source>name 1 to {most} registers, each with its value</source>
+        <translation>1 bis {most} Register nennen, jedes mit seinem Wert</translation>
+    </message>
+    <message>
+        <source>write {request}; &quot;&quot; is everything</source>
+        <translation>{request} schreiben; &quot;&quot; steht für alles</translation>
+    </message>
+    <message>
+        <source>write {request}, the CRC in hexadecimal digits</source>
+        <translation>{request} schreiben, die CRC mit hexadezimalen Ziffern</translation>
+    </message>
+    <message>
+        <source>write {request}</source>
+        <translation>{request} schreiben</translation>
+    </message>
+    <message>
+        <source>a new pseudo-terminal</source>
+        <translation>ein neues Pseudoterminal</translation>
+    </message>
+    <message>
+        <source>no pseudo-terminal: {reason}</source>
+        <translation>kein Pseudoterminal: {reason}</translation>
+    </message>
+    <message>
+        <source>there is a file of this name; choose another one</source>
+        <translation>es gibt schon eine Datei dieses Namens; einen anderen wählen</translation>
+    </message>
+    <message>
+        <source>the link cannot be made: {reason}</source>
+        <translation>die Verknüpfung kann nicht angelegt werden: {reason}</translation>
+    </message>
+    <message>
+        <source>the line has more than {most} characters</source>
+        <translation>die Zeile hat mehr als {most} Zeichen</translation>
+    </message>
+    <message>
+        <source>this is no request; a line is [#n ]words[ *XXXX]</source>
+        <translation>das ist keine Anfrage; eine Zeile ist [#n ]Wörter[ *XXXX]</translation>
+    </message>
+    <message>
+        <source>&quot;{value}&quot; is too large for a Single</source>
+        <translation>&quot;{value}&quot; ist zu groß für einen Single</translation>
+    </message>
+    <message>
+        <source>the value is longer than any name of an enum</source>
+        <translation>der Wert ist länger als jeder Name eines Enums</translation>
+    </message>
+    <message>
+        <source>a document type is not allowed</source>
+        <translation>ein Dokumenttyp ist nicht erlaubt</translation>
+    </message>
+    <message>
+        <source>entities are not allowed</source>
+        <translation>Entitäten sind nicht erlaubt</translation>
+    </message>
+    <message>
+        <source>the root element is {name}, expected TamTopology</source>
+        <translation>das Wurzelelement ist {name}, erwartet TamTopology</translation>
+    </message>
+    <message>
+        <source>a RegisterComponent needs Address, Type and Value</source>
+        <translation>ein RegisterComponent braucht Address, Type und Value</translation>
+    </message>
+    <message>
+        <source>the axis index must be from 0 to {most}</source>
+        <translation>der Index der Achse muss von 0 bis {most} sein</translation>
+    </message>
+    <message>
+        <source>there are more than {most} registers</source>
+        <translation>es sind mehr als {most} Register</translation>
+    </message>
+    <message>
+        <source>there is no TamStation with registers of an axis in it</source>
+        <translation>es enthält keine TamStation mit Registern einer Achse</translation>
+    </message>
+    <message numerus="yes">
+        <source>{path}, or one of {count} others asked for with it</source>
+        <comment>{path}, or another one asked for with it</comment>
+        <translation>
+            <numerusform>{path} oder ein anderes, das mit abgefragt wurde</numerusform>
+            <numerusform>{path} oder eines von {count} anderen, die mit abgefragt wurden</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>a JSON array of {count} registers</source>
+        <comment>a JSON array of one register</comment>
+        <translation>
+            <numerusform>ein JSON-Array mit einem Register</numerusform>
+            <numerusform>ein JSON-Array mit {count} Registern</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>a JSON array of {count} registers, in the order asked for</source>
+        <comment>a JSON array of the one register asked for</comment>
+        <translation>
+            <numerusform>ein JSON-Array mit dem abgefragten Register</numerusform>
+            <numerusform>ein JSON-Array mit {count} Registern in der abgefragten Reihenfolge</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -3854,18 +4202,6 @@
         <translation>die Zelle ist leer</translation>
     </message>
     <message>
-        <source>found &quot;%1&quot;</source>
-        <translation>gefunden &quot;%1&quot;</translation>
-    </message>
-    <message>
-        <source>found %1</source>
-        <translation>gefunden %1</translation>
-    </message>
-    <message>
-        <source>, expected %1</source>
-        <translation>, erwartet %1</translation>
-    </message>
-    <message>
         <source>this is not written as the format demands</source>
         <translation>das ist nicht so geschrieben, wie das Format es verlangt</translation>
     </message>
@@ -3900,6 +4236,26 @@
     <message>
         <source> (error %1 of the controller)</source>
         <translation> (Fehler %1 der Steuerung)</translation>
+    </message>
+    <message>
+        <source>found &quot;{found}&quot;</source>
+        <translation>gefunden &quot;{found}&quot;</translation>
+    </message>
+    <message>
+        <source>found {found}</source>
+        <translation>gefunden {found}</translation>
+    </message>
+    <message>
+        <source>{problem}: {found}</source>
+        <translation>{problem}: {found}</translation>
+    </message>
+    <message>
+        <source>{problem}, expected {expected}</source>
+        <translation>{problem}, erwartet {expected}</translation>
+    </message>
+    <message>
+        <source>{problem}; {wayOut}</source>
+        <translation>{problem}; {wayOut}</translation>
     </message>
 </context>
 <context>

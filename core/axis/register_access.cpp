@@ -104,14 +104,7 @@ Result<void> RegisterAccess::write(const std::vector<RegisterWrite>& writes) con
 
 bool isUncertain(ErrorCode code)
 {
-    return code == ErrorCode::ConnectionLost || code == ErrorCode::Timeout
-        || code == ErrorCode::Protocol || code == ErrorCode::Cancelled;
-}
-
-bool isUnreachable(ErrorCode code)
-{
-    return code == ErrorCode::ConnectionLost || code == ErrorCode::Timeout
-        || code == ErrorCode::NotConnected || code == ErrorCode::Protocol;
+    return mayHaveArrived(code) || code == ErrorCode::Cancelled;
 }
 
 double numberAt(const Readings& readings, const std::string& path)

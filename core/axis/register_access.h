@@ -67,8 +67,6 @@ private:
 
 /// The request may have been carried out although it failed.
 [[nodiscard]] bool isUncertain(ErrorCode code);
-/// The drive cannot be reached (any more).
-[[nodiscard]] bool isUnreachable(ErrorCode code);
 
 /// NaN or "" when the register is not among the readings.
 [[nodiscard]] double numberAt(const Readings& readings, const std::string& path);

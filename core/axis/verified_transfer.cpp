@@ -34,11 +34,6 @@ Text byteText(ByteView bytes, std::ptrdiff_t offset)
     return AXISCOMP_TEXT("Error", "byte {value}").with("value", std::to_integer<int>(bytes[at]));
 }
 
-bool mayHaveArrived(const Error& error)
-{
-    return isUncertain(error.code) && error.code != ErrorCode::Cancelled;
-}
-
 } // namespace
 
 Result<void> compareRegisters(
@@ -79,7 +74,7 @@ Result<void> writeVerified(const RegisterAccess& access, const std::vector<Regis
     std::vector<RegisterWrite> all = values;
     all.insert(all.end(), commands.begin(), commands.end());
     auto written = writeInOrder(access, all);
-    if (written || !mayHaveArrived(written.error()))
+    if (written || !mayHaveArrived(written.error().code))
         return written;
     if (commands.empty() && compareRegisters(access, values))
         return {};
@@ -99,7 +94,7 @@ Result<void> uploadVerified(const RegisterAccess& access, const std::string& pat
         return exchange;
     };
     auto uploaded = access.link().upload(path, bytes, exchangeFor("upload", 0.0));
-    if (!uploaded && !mayHaveArrived(uploaded.error()))
+    if (!uploaded && !mayHaveArrived(uploaded.error().code))
         return uploaded;
     auto found = access.link().download(path, exchangeFor("verify", 0.5));
     if (!found)

@@ -193,11 +193,11 @@ void LinkContract::namesTheRegisterThatIsUnknown()
     const std::vector<std::string> paths{tableOfX, "Axes[0]/Nix", "Axes[9]/Nix"};
     const auto readings = link().readRegisters(paths, {});
     VERIFY_ERROR(readings, ErrorCode::UnknownRegister);
-    QCOMPARE(readings.error().context.at("path"), std::string("Axes[0]/Nix"));
+    QCOMPARE(readings.error().context.english("path"), std::string("Axes[0]/Nix"));
     const std::vector<std::string> misspelt{"Axes[0]/Signals/Homing/Stat"};
     const auto other = link().readRegisters(misspelt, {});
     VERIFY_ERROR(other, ErrorCode::UnknownRegister);
-    QVERIFY(other.error().context.at("nearest").starts_with("Axes[0]/Signals/Homing/State"));
+    QVERIFY(other.error().context.english("nearest").starts_with("Axes[0]/Signals/Homing/State"));
 }
 
 void LinkContract::readsATreeByItsPrefix_data()
@@ -364,9 +364,9 @@ void LinkContract::refusesAFile()
         asBytes({bytes.constData(), static_cast<std::size_t>(bytes.size())}), {});
     VERIFY_ERROR(result, code);
     if (code == ErrorCode::UnknownFile)
-        QCOMPARE(result.error().context.at("path"), path.toStdString());
+        QCOMPARE(result.error().context.english("path"), path.toStdString());
     else
-        QVERIFY(!result.error().context.at("reason").empty());
+        QVERIFY(!result.error().context.english("reason").empty());
     QVERIFY(drive().download(small1).value() == before);
     if (code == ErrorCode::UnknownFile)
         VERIFY_ERROR(link().download(path.toStdString(), {}), ErrorCode::UnknownFile);
@@ -377,7 +377,7 @@ void LinkContract::refusesWhileTheCompensationIsActive()
     VERIFY_RESULT(useAndActivate(drive()));
     const auto upload = link().upload(small1, tableFile(60), {});
     VERIFY_ERROR(upload, ErrorCode::NotAllowedNow);
-    QVERIFY(!upload.error().context.at("reason").empty());
+    QVERIFY(!upload.error().context.english("reason").empty());
     const std::vector<RegisterWrite> writes{{tableOfX, "Small2"}};
     VERIFY_ERROR(link().writeRegisters(writes, {}), ErrorCode::NotAllowedNow);
     QCOMPARE(valueOf(drive(), tableOfX), RegisterValue("Small1"));
@@ -390,7 +390,7 @@ void LinkContract::saysHowLongFlashWearLasts()
         VERIFY_RESULT(drive().upload(small1, tableFile(50, true, static_cast<float>(i + 1))));
     const auto result = link().upload(small1, tableFile(50, true, 0.5F), {});
     VERIFY_ERROR(result, ErrorCode::FlashWear);
-    const int seconds = std::stoi(result.error().context.at("seconds"));
+    const int seconds = std::stoi(result.error().context.english("seconds"));
     QVERIFY(seconds > 0 && seconds <= genericProfile().flashWear.window.count());
 }
 

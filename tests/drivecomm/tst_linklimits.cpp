@@ -60,7 +60,7 @@ void LinkLimitsTest::takesAThousandFiles()
     const RawResponder bad(json(directoryJson(manyFiles(1001))));
     const auto refused = webLinkTo(bad.url())->listFiles(within(60s));
     VERIFY_ERROR(refused, ErrorCode::Protocol);
-    QCOMPARE(refused.error().context.at("expected"), std::string("at most 1000 files"));
+    QCOMPARE(refused.error().context.english("expected"), std::string("at most 1000 files"));
 }
 
 void LinkLimitsTest::takesAMebibyteOfRegisters()
@@ -77,11 +77,11 @@ void LinkLimitsTest::takesSixteenMebibytesOfATree()
     const auto all = webLinkTo(good.url())->readTree("Axes", within(60s));
     // The index is a part of the name: both are read, and found to be somewhere else.
     VERIFY_ERROR(all, ErrorCode::Protocol);
-    QCOMPARE(all.error().context.at("expected"), std::string("registers below Axes"));
+    QCOMPARE(all.error().context.english("expected"), std::string("registers below Axes"));
     const RawResponder bad(json(registersOfSize(16 * mebibyte + 1)));
     const auto refused = webLinkTo(bad.url())->readTree("Axes[0]", within(60s));
     VERIFY_ERROR(refused, ErrorCode::Protocol);
-    QCOMPARE(refused.error().context.at("expected"), std::string("at most 16777216 bytes"));
+    QCOMPARE(refused.error().context.english("expected"), std::string("at most 16777216 bytes"));
 }
 
 void LinkLimitsTest::takesSixteenMebibytesOfAFileItDoesNotKnow()
@@ -106,7 +106,7 @@ void LinkLimitsTest::countsAThousandAxes()
     const RawResponder bad(driveWithAxes(1'000'000, Missing::Named));
     const auto refused = webLinkTo(bad.url())->identify(within(60s));
     VERIFY_ERROR(refused, ErrorCode::Protocol);
-    QCOMPARE(refused.error().context.at("expected"), std::string("at most 1024 axes"));
+    QCOMPARE(refused.error().context.english("expected"), std::string("at most 1024 axes"));
 }
 
 void LinkLimitsTest::cutsALongReason_data()
@@ -128,7 +128,7 @@ void LinkLimitsTest::cutsALongReason()
         always(httpReply("409 Conflict", type.toStdString(), body.toStdString())));
     const auto refused = webLinkTo(drive.url())->writeRegisters(oneWrite, within(60s));
     VERIFY_ERROR(refused, ErrorCode::NotAllowedNow);
-    const std::string reason = refused.error().context.at("reason");
+    const std::string reason = refused.error().context.english("reason");
     QVERIFY2(reason.size() <= 1000, std::to_string(reason.size()).c_str());
     QVERIFY(!reason.empty());
     QVERIFY(!QString::fromStdString(reason).contains(QChar::ReplacementCharacter));

@@ -27,8 +27,8 @@ void expectUsable(const std::vector<DriveFile>& files)
 void expectProtocol(const Error& error)
 {
     FUZZ_EXPECT(error.code == ErrorCode::Protocol);
-    const std::string& quote = error.context.at("quote");
-    FUZZ_EXPECT(!quote.empty() && quote.size() < 100 && !error.context.at("expected").empty());
+    const std::string& quote = error.context.english("quote");
+    FUZZ_EXPECT(!quote.empty() && quote.size() < 100 && !error.context.english("expected").empty());
     for (const char c : quote)
         FUZZ_EXPECT(c >= ' ' && c < '\x7f');
 }

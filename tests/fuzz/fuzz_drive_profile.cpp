@@ -57,7 +57,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         return 0;
     }
     FUZZ_EXPECT(profile.error().code == ErrorCode::InvalidProfile);
-    FUZZ_EXPECT(!profile.error().context.find("path")->second.empty());
-    FUZZ_EXPECT(!profile.error().context.find("reason")->second.empty());
+    FUZZ_EXPECT(!profile.error().context.english("path").empty());
+    FUZZ_EXPECT(!profile.error().context.english("reason").empty());
     return 0;
 }

@@ -36,7 +36,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     FUZZ_EXPECT(whole.expected() == pieces.expected());
     FUZZ_EXPECT(whole.status() == pieces.status());
     if (whole.state() == HttpReplyParser::State::Failed)
-        FUZZ_EXPECT(!whole.expected().empty() && whole.found().size() <= 256);
+        FUZZ_EXPECT(!whole.expected().isEmpty() && whole.found().size() <= 256);
     if (whole.state() != HttpReplyParser::State::Complete)
         return 0;
     FUZZ_EXPECT(whole.keepsConnection() == pieces.keepsConnection());

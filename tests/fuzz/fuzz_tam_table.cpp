@@ -96,7 +96,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (!decoded) {
         FUZZ_EXPECT(decoded.error().code == ErrorCode::InvalidTable);
         FUZZ_EXPECT(sentence(decoded.error()).find('?') == std::string::npos
-            || decoded.error().context.size() == 4);
+            || decoded.error().context.all().size() == 4);
         return 0;
     }
     expectUsable(*decoded, layout);

@@ -122,15 +122,17 @@ private:
 
     static tl::unexpected<Error> lost()
     {
-        return fail(ErrorCode::ConnectionLost, {{"endpoint", "test:"}, {"reason", "cut"}});
+        return fail(ErrorCode::ConnectionLost,
+            {{"endpoint", Verbatim{"test:"}}, {"reason", Verbatim{"cut"}}});
     }
     static tl::unexpected<Error> gone()
     {
-        return fail(ErrorCode::NotConnected, {{"endpoint", "test:"}, {"reason", "no drive"}});
+        return fail(ErrorCode::NotConnected,
+            {{"endpoint", Verbatim{"test:"}}, {"reason", Verbatim{"no drive"}}});
     }
     static tl::unexpected<Error> late()
     {
-        return fail(ErrorCode::Timeout, {{"endpoint", "test:"}, {"seconds", "0"}});
+        return fail(ErrorCode::Timeout, {{"endpoint", Verbatim{"test:"}}, {"seconds", 0}});
     }
 
     /// call owns what it needs: it may have to outlive the exchange.
@@ -164,9 +166,10 @@ private:
         case LinkFault::ReplyGarbled:
             (void)call(exchange);
             return fail(ErrorCode::Protocol,
-                {{"endpoint", "test:"}, {"expected", "an answer"}, {"quote", "%$!"}});
+                {{"endpoint", Verbatim{"test:"}}, {"expected", Verbatim{"an answer"}},
+                    {"quote", Verbatim{"%$!"}}});
         case LinkFault::Refused:
-            return fail(ErrorCode::DriveRejected, {{"reason", "no"}});
+            return fail(ErrorCode::DriveRejected, {{"reason", Verbatim{"no"}}});
         case LinkFault::DriveGone:
             m_isGone = true;
             return gone();

@@ -46,7 +46,7 @@ private:
     tl::unexpected<Error> refused()
     {
         ++m_otherRequests;
-        return fail(ErrorCode::DriveRejected, {{"reason", "not now"}});
+        return fail(ErrorCode::DriveRejected, {{"reason", Verbatim{"not now"}}});
     }
 
     std::string m_endpoint;

@@ -98,11 +98,13 @@ std::optional<std::size_t> VirtualDrive::Private::userOf(std::size_t slot) const
     return static_cast<std::size_t>(user - axes.begin());
 }
 
-std::string VirtualDrive::Private::axisName(std::size_t index) const
+Text VirtualDrive::Private::axisName(std::size_t index) const
 {
     const std::string& name = options.axes.at(index).name;
-    const std::string number = "axis " + std::to_string(index);
-    return name.empty() ? number : number + " (" + name + ")";
+    return (name.empty() ? AXISCOMP_TEXT("Error", "axis {axis}")
+                         : AXISCOMP_TEXT("Error", "axis {axis} ({name})"))
+        .with("axis", index)
+        .with("name", name);
 }
 
 /// What an axis in Evaluating relies on may be taken away; what one relies on whose compensation is

@@ -14,13 +14,13 @@ tl::unexpected<Error> refusedWrite(Text reason)
     return fail(ErrorCode::DriveRejected, {{"reason", std::move(reason)}});
 }
 
-tl::unexpected<Error> compensationIsOn(const std::string& axis, Argument what)
+tl::unexpected<Error> compensationIsOn(Text axis, Argument what)
 {
     return fail(ErrorCode::NotAllowedNow,
         {{"reason",
             AXISCOMP_TEXT(
                 "Error", "the compensation of {axis} is on, so {what} must stay; deactivate it")
-                .with("axis", axis)
+                .with("axis", std::move(axis))
                 .with("what", std::move(what))}});
 }
 

@@ -56,7 +56,7 @@ struct VirtualDrive::Private {
     [[nodiscard]] float index(const Axis& axis, int dimension) const;
     /// The axis whose compensation is on with this slot.
     [[nodiscard]] std::optional<std::size_t> userOf(std::size_t slot) const;
-    [[nodiscard]] std::string axisName(std::size_t index) const; ///< "X (axis 0)", "axis 1"
+    [[nodiscard]] Text axisName(std::size_t index) const; ///< "axis 0 (X)", "axis 1"
     void recheckEvaluating();
 
     // drive_writes.cpp: writes and uploads, all or none

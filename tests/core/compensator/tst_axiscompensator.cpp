@@ -437,7 +437,7 @@ private Q_SLOTS:
         const auto report = f.compensator.write(0, exampleRequest(1, Persistency::Persistent));
         VERIFY_RESULT(report);
         QCOMPARE(report->plan.warnings.size(), std::size_t{1});
-        QVERIFY(report->plan.warnings[0].find("axis 1 (Y)") != std::string::npos);
+        QVERIFY(report->plan.warnings[0].english().find("axis 1 (Y)") != std::string::npos);
     }
 
     void plainFilesAreVerifiedAndPutBackWhenTheyDiffer()

@@ -56,7 +56,7 @@ private Q_SLOTS:
         const std::vector<AxisWrite> writes{{0, exampleRequest(1)}, {1, wrong}};
         const auto plans = planMultiAxis(fixture.compensator, writes);
         VERIFY_ERROR(plans, ErrorCode::SourceMissing);
-        QCOMPARE(plans.error().context.at("ofAxis"), std::string("1"));
+        QCOMPARE(plans.error().context.english("ofAxis"), std::string("1"));
     }
 
     void theFlashOperationsOfAllAreCountedTogether()

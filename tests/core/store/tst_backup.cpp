@@ -362,8 +362,8 @@ void TestAxisBackup::faultIsNamedByItsPath()
     const auto backup =
         readBackup(changed(exampleText(), from.toStdString(), to.toStdString()), "b.json");
     VERIFY_ERROR(backup, ErrorCode::InvalidBackup);
-    QCOMPARE(backup.error().context.at("file"), std::string("b.json"));
-    const QString found = QString::fromStdString(backup.error().context.at("reason"));
+    QCOMPARE(backup.error().context.english("file"), std::string("b.json"));
+    const QString found = QString::fromStdString(backup.error().context.english("reason"));
     QVERIFY2(found.startsWith(reason), qPrintable(found));
 }
 
@@ -386,7 +386,7 @@ void TestAxisBackup::everyMissingMemberIsNamed()
         const std::string name = text.substr(begin, place - begin);
         const auto backup = readBackup(std::string(text).replace(begin, name.size(), "other"), "b");
         VERIFY_ERROR(backup, ErrorCode::InvalidBackup);
-        const std::string reason = backup.error().context.at("reason");
+        const std::string reason = backup.error().context.english("reason");
         QVERIFY2(reason.find(name + ": this is missing") != std::string::npos, reason.c_str());
         ++members;
     }
@@ -405,7 +405,7 @@ void TestAxisBackup::depthIsLimited()
     QFETCH(QByteArray, begin);
     const auto backup = readBackup(begin.repeated(1'000'000).toStdString(), "b.json");
     VERIFY_ERROR(backup, ErrorCode::InvalidBackup);
-    QCOMPARE(backup.error().context.at("reason"), std::string("it is nested deeper than 8 levels"));
+    QCOMPARE(backup.error().context.english("reason"), std::string("it is nested deeper than 8 levels"));
 }
 
 void TestAxisBackup::numberOfValuesIsLimited()
@@ -415,7 +415,7 @@ void TestAxisBackup::numberOfValuesIsLimited()
         text += ",0";
     const auto backup = readBackup(text + "]", "b.json");
     VERIFY_ERROR(backup, ErrorCode::InvalidBackup);
-    QCOMPARE(backup.error().context.at("reason"), std::string("it has more than 100000 values"));
+    QCOMPARE(backup.error().context.english("reason"), std::string("it has more than 100000 values"));
 }
 
 void TestAxisBackup::sizeIsLimited()
@@ -423,7 +423,7 @@ void TestAxisBackup::sizeIsLimited()
     const std::string blanks(maximumBackupSize + 1, ' ');
     const auto backup = readBackup(blanks, "b.json");
     VERIFY_ERROR(backup, ErrorCode::InvalidBackup);
-    QCOMPARE(backup.error().context.at("reason"),
+    QCOMPARE(backup.error().context.english("reason"),
         std::string("it has 134217729 bytes, more than the 134217728 that such a file can have"));
 }
 

@@ -341,8 +341,8 @@ void TestDriveStore::brokenJournalSaysWhatToDo()
     put(file, text.toStdString());
     const auto journal = m_store->journal(serial, 0);
     VERIFY_ERROR(journal, ErrorCode::FileNotReadable);
-    QCOMPARE(journal.error().context.at("file"), file.string());
-    const std::string reason = journal.error().context.at("reason");
+    QCOMPARE(journal.error().context.english("file"), file.string());
+    const std::string reason = journal.error().context.english("reason");
     QVERIFY2(reason.find("then delete the file") != std::string::npos, reason.c_str());
     QCOMPARE(contentOf(file), text.toStdString());
 }
@@ -353,7 +353,7 @@ void TestDriveStore::journalOfAnotherAxisIsNotTaken()
     fs::rename(m_folder / "journal-axis1.json", m_folder / "journal-axis0.json");
     const auto journal = m_store->journal(serial, 0);
     VERIFY_ERROR(journal, ErrorCode::FileNotReadable);
-    QVERIFY(journal.error().context.at("reason").find("axis 1 of drive 1559") != std::string::npos);
+    QVERIFY(journal.error().context.english("reason").find("axis 1 of drive 1559") != std::string::npos);
 }
 
 void TestDriveStore::aNewEntryReplacesABrokenJournal()
@@ -521,8 +521,8 @@ void TestDriveStore::anotherProgramIsWaitedForAndNamed()
         VERIFY_RESULT(held);
         const auto recorded = m_store->recordFlash(serial, start, 1);
         VERIFY_ERROR(recorded, ErrorCode::FileNotWritable);
-        QCOMPARE(recorded.error().context.at("file"), m_folder.string());
-        QVERIFY(recorded.error().context.at("reason").starts_with("another program is using it"));
+        QCOMPARE(recorded.error().context.english("file"), m_folder.string());
+        QVERIFY(recorded.error().context.english("reason").starts_with("another program is using it"));
         VERIFY_ERROR(m_store->saveBackup(backupAt(start)), ErrorCode::FileNotWritable);
         VERIFY_ERROR(m_store->openJournal(entryFor(0)), ErrorCode::FileNotWritable);
         VERIFY_RESULT(m_store->flashHistory(serial)); // reading needs no lock
@@ -581,9 +581,9 @@ void TestDriveStore::unwritableRootIsNamed()
     VERIFY_ERROR(m_store->openJournal(entryFor(0)), ErrorCode::FileNotWritable);
     const auto recorded = m_store->recordFlash(serial, start, 1);
     VERIFY_ERROR(recorded, ErrorCode::FileNotWritable);
-    QCOMPARE(recorded.error().context.at("file"), m_folder.string());
+    QCOMPARE(recorded.error().context.english("file"), m_folder.string());
     QCOMPARE(
-        recorded.error().context.at("reason"), std::string("a part of the path is not a folder"));
+        recorded.error().context.english("reason"), std::string("a part of the path is not a folder"));
 }
 
 void TestDriveStore::sourceUriNamesTheDrive()

@@ -133,7 +133,7 @@ private Q_SLOTS:
             const bool isForReserve =
                 sentence(refused.error()).find("putting everything back") != std::string::npos;
             QCOMPARE(isForReserve, kind.needed > 1);
-            f.pass(std::chrono::seconds(std::stoi(refused.error().context.at("seconds"))));
+            f.pass(std::chrono::seconds(std::stoi(refused.error().context.english("seconds"))));
         } else {
             leave(f, 0);
         }
@@ -186,8 +186,8 @@ private Q_SLOTS:
         const Bytes next = *encodeTamTable(exampleTable(1, 2), true, layout);
         const auto refused = f.compensator.upload(path, next);
         VERIFY_ERROR(refused, ErrorCode::FlashWear);
-        QCOMPARE(refused.error().context.at("reserve"), std::string("1"));
-        f.pass(std::chrono::seconds(std::stoi(refused.error().context.at("seconds"))));
+        QCOMPARE(refused.error().context.english("reserve"), std::string("1"));
+        f.pass(std::chrono::seconds(std::stoi(refused.error().context.english("seconds"))));
         VERIFY_RESULT(f.compensator.upload(path, next));
     }
 };

@@ -68,10 +68,10 @@ CompensatorFixture::State rebooted(const std::function<void(CompensatorFixture&)
     return f.state();
 }
 
-bool contains(const std::vector<std::string>& texts, const std::string& part)
+bool contains(const std::vector<Text>& texts, const std::string& part)
 {
     return std::ranges::any_of(
-        texts, [&](const std::string& text) { return text.find(part) != std::string::npos; });
+        texts, [&](const Text& text) { return text.english().find(part) != std::string::npos; });
 }
 
 } // namespace
@@ -219,7 +219,7 @@ private Q_SLOTS:
         VERIFY_RESULT(f.compensator.write(1, into(swapped(3, Persistency::Volatile), "Small3")));
         const auto named = f.compensator.write(0, into(exampleRequest(4), "Small1"));
         VERIFY_ERROR(named, ErrorCode::SlotInUse);
-        QCOMPARE(named.error().context.at("user"), std::string("axis 1 after a reboot"));
+        QCOMPARE(named.error().context.english("user"), std::string("axis 1 after a reboot"));
         const auto chosen = f.compensator.write(0, exampleRequest(4));
         VERIFY_RESULT(chosen);
         QVERIFY(chosen->now.setup.slot != "Small1");
@@ -268,7 +268,7 @@ private Q_SLOTS:
         files.axes.clear();
         const auto restored = f.compensator.restore(files, false);
         VERIFY_ERROR(restored, ErrorCode::SlotInUse);
-        QCOMPARE(restored.error().context.at("user"), std::string("axis 0 after a reboot"));
+        QCOMPARE(restored.error().context.english("user"), std::string("axis 0 after a reboot"));
         f.drive.reboot();
         const CompensatorFixture::State now = f.state();
         CompensatorFixture saved;

@@ -202,8 +202,8 @@ private Q_SLOTS:
                 QVERIFY2(now == others, where + "; but something was changed");
                 if (outcome.error().code == ErrorCode::ChangedMeanwhile) {
                     QVERIFY2(said.find('?') == std::string::npos, where);
-                    QVERIFY2(
-                        outcome.error().context.at("before") != outcome.error().context.at("now"),
+                    QVERIFY2(outcome.error().context.english("before")
+                            != outcome.error().context.english("now"),
                         where);
                 }
                 continue;

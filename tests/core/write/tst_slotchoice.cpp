@@ -92,7 +92,7 @@ private Q_SLOTS:
     void aSlotThatSomethingElseUsesIsRefusedEvenWhenNamed()
     {
         SlotFacts used = small("Small1", 700);
-        used.otherUser = "the cogging compensation of axis 1";
+        used.otherUser = Verbatim{"the cogging compensation of axis 1"};
         const auto choice = chooseSlot(500, "Small1", {used, small("Small2")});
         VERIFY_ERROR(choice, ErrorCode::SlotInUse);
         QCOMPARE(sentence(choice.error()),
@@ -103,7 +103,7 @@ private Q_SLOTS:
     {
         SlotFacts shared = small("Small1", 700);
         shared.isCurrent = true;
-        shared.otherUser = "axis 1";
+        shared.otherUser = Verbatim{"axis 1"};
         VERIFY_ERROR(chooseSlot(500, {}, {shared}), ErrorCode::NoFreeSlot);
     }
 

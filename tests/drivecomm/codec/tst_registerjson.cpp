@@ -159,7 +159,7 @@ void RegisterJsonTest::namesThePlaceOfAFault()
     QFETCH(QString, place);
     const auto writes = parseWrites(json.toStdString());
     VERIFY_ERROR(writes, ErrorCode::DriveRejected);
-    QVERIFY(QString::fromStdString(writes.error().context.at("reason")).contains(place));
+    QVERIFY(QString::fromStdString(writes.error().context.english("reason")).contains(place));
 }
 
 void RegisterJsonTest::bringsErrorsAcross_data()
@@ -181,8 +181,10 @@ void RegisterJsonTest::bringsErrorsAcross()
     QFETCH(ErrorCode, code);
     QFETCH(int, status);
     QCOMPARE(httpStatus(code), status);
-    const ErrorContext context{{"reason", "because \"of\" this"}, {"path", "Axes[0]/Nix"},
-        {"nearest", "Axes[0]/Nx"}, {"seconds", "583"}};
+    const Text reason = AXISCOMP_TEXT("Error", "because \"of\" {this}")
+                            .with("this", AXISCOMP_TEXT("Error", "that"));
+    const ErrorContext context{{"reason", reason}, {"path", Verbatim{"Axes[0]/Nix"}},
+        {"nearest", Verbatim{"Axes[0]/Nx"}}, {"seconds", 583}};
     const auto error = parseErrorJson(errorJson({code, context, {}}));
     QVERIFY(error);
     QCOMPARE(error->code, code);
@@ -199,6 +201,10 @@ void RegisterJsonTest::takesUnknownErrorsAsRefusals()
     const auto claimed = parseErrorJson(R"({"error":{"code":"VerifyMismatch","message":"x"}})");
     QVERIFY(claimed);
     QCOMPARE(claimed->code, ErrorCode::DriveRejected);
+    // Nor a text that cannot be read: then the message counts.
+    const auto odd = parseErrorJson(R"({"error":{"message":"hot","text":{"words":"cold"}}})");
+    QVERIFY(odd);
+    QCOMPARE(odd->context.find("reason")->value(), Argument(Text(Verbatim{"hot"})).value());
     for (const char* other : {"", "[]", "{}", "null", R"({"error":"x"})", R"({"error":{}})"})
         QVERIFY(!parseErrorJson(other));
 }

@@ -141,7 +141,7 @@ void DriveEndpointTest::refusesWhatIsNoAddress()
     QFETCH(QString, reason);
     const auto endpoint = parseEndpoint(text.toStdString());
     VERIFY_ERROR(endpoint, ErrorCode::InvalidEndpoint);
-    const QString said = QString::fromStdString(endpoint.error().context.at("reason"));
+    const QString said = QString::fromStdString(endpoint.error().context.english("reason"));
     QVERIFY2(said.contains(reason), qPrintable(said));
 }
 

@@ -48,9 +48,9 @@ inline void verifyInvalid(const Result<DriveProfile>& profile, const std::string
 {
     VERIFY_ERROR(profile, ErrorCode::InvalidProfile);
     const ErrorContext& context = profile.error().context;
-    QCOMPARE(context.find("file")->second, file);
-    QCOMPARE(context.find("path")->second, path);
-    const std::string found = context.find("reason")->second;
+    QCOMPARE(context.english("file"), file);
+    QCOMPARE(context.english("path"), path);
+    const std::string found = context.english("reason");
     QVERIFY2(found.find(reason) != std::string::npos, found.c_str());
 }
 

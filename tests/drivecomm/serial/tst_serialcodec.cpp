@@ -42,6 +42,8 @@ private Q_SLOTS:
     void doesNotGrowWithoutEnd();
     void takesNoLineThatWasCutOffForAWhole();
     void keepsErrors();
+    void keepsTheReasonAsAValue();
+    void leavesTheValueOutOfALineThatIsTooLong();
     void readsErrorsAsTheSpecificationWritesThem();
     void keepsIdentityFileAndReadings();
     void refusesWhatIsNoReply();
@@ -222,34 +224,64 @@ void SerialCodecTest::takesNoLineThatWasCutOffForAWhole()
 void SerialCodecTest::keepsErrors()
 {
     const Error unknown{ErrorCode::UnknownRegister,
-        {{"path", "Axes[0]/Nix"}, {"nearest", "Axes[0]/A, Axes[0]/B"}}, {}};
+        {{"path", Verbatim{"Axes[0]/Nix"}}, {"nearest", Verbatim{"Axes[0]/A, Axes[0]/B"}}}, {}};
     const auto first = parseSerialError(wordsOf(serialError(unknown)));
     QVERIFY(first.has_value());
     QCOMPARE(first->code, ErrorCode::UnknownRegister);
-    QCOMPARE(first->context.at("path"), std::string("Axes[0]/Nix"));
-    QCOMPARE(first->context.at("nearest"), std::string("Axes[0]/A, Axes[0]/B"));
-    const Error wear{ErrorCode::FlashWear, {{"seconds", "583"}}, {}};
+    QCOMPARE(first->context.english("path"), std::string("Axes[0]/Nix"));
+    QCOMPARE(first->context.english("nearest"), std::string("Axes[0]/A, Axes[0]/B"));
+    const Error wear{ErrorCode::FlashWear, {{"seconds", 583}}, {}};
     const auto second = parseSerialError(wordsOf(serialError(wear)));
     QVERIFY(second.has_value());
     QCOMPARE(second->code, ErrorCode::FlashWear);
-    QCOMPARE(second->context.at("seconds"), std::string("583"));
-    const Error refused{ErrorCode::TableRefused, {{"reason", "say \"no\"\nµ"}}, {}};
+    QCOMPARE(second->context.english("seconds"), std::string("583"));
+    const Error refused{ErrorCode::TableRefused, {{"reason", Verbatim{"say \"no\"\nµ"}}}, {}};
     const auto third = parseSerialError(wordsOf(serialError(refused)));
     QVERIFY(third.has_value());
-    QCOMPARE(third->context.at("reason"), std::string("say \"no\"\nµ"));
+    QCOMPARE(third->context.english("reason"), std::string("say \"no\"\nµ"));
+}
+
+void SerialCodecTest::keepsTheReasonAsAValue()
+{
+    const Text reason =
+        AXISCOMP_TEXT("Error", "{path} is \"read-only\"").with("path", Verbatim{"µ\n"});
+    const Error error{ErrorCode::DriveRejected, {{"reason", reason}}, {}};
+    const std::string line = serialError(error);
+    QVERIFY(line.find(" \"text={") != std::string::npos);
+    const auto parsed = parseSerialError(wordsOf(line));
+    QVERIFY(parsed.has_value());
+    QVERIFY(*parsed->context.find("reason") == Argument(reason));
+    const auto odd = parseSerialError(wordsOf(R"(error DriveRejected "no" "text={\"words\":1}")"));
+    QVERIFY(odd.has_value());
+    QCOMPARE(odd->context.english("reason"), std::string("no"));
+}
+
+void SerialCodecTest::leavesTheValueOutOfALineThatIsTooLong()
+{
+    constexpr std::size_t longest = 1'981; // with which the line has 4096 characters
+    for (const std::size_t size : {std::size_t{100}, longest, longest + 1, std::size_t{3'000}}) {
+        const Text reason =
+            AXISCOMP_TEXT("Error", "no {path}").with("path", std::string(size, 'x'));
+        const std::string words = serialError({ErrorCode::DriveRejected, {{"reason", reason}}, {}});
+        QVERIFY(serialLine(65535, words, true).size() <= longestSerialLine);
+        QCOMPARE(words.find("text=") != std::string::npos, size <= longest);
+        const auto parsed = parseSerialError(wordsOf(words));
+        QVERIFY(parsed.has_value());
+        QVERIFY(parsed->context.english("reason").starts_with("no xxx"));
+    }
 }
 
 void SerialCodecTest::readsErrorsAsTheSpecificationWritesThem()
 {
     const auto number = parseSerialError(wordsOf("error FlashWear 12 \"wait\""));
-    QCOMPARE(number->context.at("seconds"), std::string("12"));
-    QCOMPARE(number->context.at("reason"), std::string("wait"));
+    QCOMPARE(number->context.english("seconds"), std::string("12"));
+    QCOMPARE(number->context.english("reason"), std::string("wait"));
     const auto spelled = parseSerialError(wordsOf("error FlashWear retry 12 \"wait\""));
-    QCOMPARE(spelled->context.at("seconds"), std::string("12"));
+    QCOMPARE(spelled->context.english("seconds"), std::string("12"));
     const auto strange = parseSerialError(wordsOf("error Overheated \"too hot\""));
     QCOMPARE(strange->code, ErrorCode::DriveRejected);
     QCOMPARE(strange->detail, std::string("Overheated"));
-    QCOMPARE(strange->context.at("reason"), std::string("too hot"));
+    QCOMPARE(strange->context.english("reason"), std::string("too hot"));
     QVERIFY(!parseSerialError(wordsOf("ok error")));
     QVERIFY(!parseSerialError(wordsOf("error")));
 }

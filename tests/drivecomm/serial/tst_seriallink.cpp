@@ -28,8 +28,7 @@ namespace {
 
 std::string reasonOf(const Result<DriveIdentity>& result)
 {
-    const auto reason = result.error().context.find("reason");
-    return reason == result.error().context.end() ? std::string() : reason->second;
+    return result.error().context.english("reason");
 }
 
 /// Root may do everything: for a while this is somebody else.
@@ -89,7 +88,7 @@ void SerialLinkTest::saysThatThereIsNoSuchPort()
 {
     const auto result = serialLinkTo("serial:/dev/no-such-port")->identify({});
     VERIFY_ERROR(result, ErrorCode::NotConnected);
-    QCOMPARE(result.error().context.at("endpoint"), std::string("serial:/dev/no-such-port"));
+    QCOMPARE(result.error().context.english("endpoint"), std::string("serial:/dev/no-such-port"));
     QVERIFY2(reasonOf(result).find("no such port") != std::string::npos, reasonOf(result).c_str());
 }
 
@@ -182,8 +181,8 @@ void SerialLinkTest::saysThatSomethingElseAnswers()
     });
     const auto result = serialLinkTo(stranger.url())->identify({});
     VERIFY_ERROR(result, ErrorCode::Protocol);
-    QVERIFY(QString::fromStdString(result.error().context.at("quote")).contains(quote));
-    QVERIFY(result.error().context.at("expected").find("115200 baud") != std::string::npos);
+    QVERIFY(QString::fromStdString(result.error().context.english("quote")).contains(quote));
+    QVERIFY(result.error().context.english("expected").find("115200 baud") != std::string::npos);
 }
 
 void SerialLinkTest::saysThatNothingAnswers()
@@ -191,8 +190,8 @@ void SerialLinkTest::saysThatNothingAnswers()
     const SerialStranger stranger([](const std::string&) { return std::string(); });
     const auto result = serialLinkTo(stranger.url())->identify(within(300ms));
     VERIFY_ERROR(result, ErrorCode::Timeout);
-    QCOMPARE(result.error().context.at("seconds"), std::string("0.3"));
-    QCOMPARE(result.error().context.at("endpoint"), stranger.url());
+    QCOMPARE(result.error().context.english("seconds"), std::string("0.3"));
+    QCOMPARE(result.error().context.english("endpoint"), stranger.url());
 }
 
 void SerialLinkTest::sendsNothingButIdentifyToAStranger()
@@ -233,7 +232,7 @@ void SerialLinkTest::isUnpluggedInMidWrite()
     exchange.progress = [&served](auto, auto) { served.server.reset(); };
     const auto result = link->upload(small1, fullTable(), exchange);
     VERIFY_ERROR(result, ErrorCode::ConnectionLost);
-    QVERIFY(result.error().context.at("reason").find("unplugged") != std::string::npos);
+    QVERIFY(result.error().context.english("reason").find("unplugged") != std::string::npos);
     QVERIFY(served.file(small1).empty());
     VERIFY_ERROR(link->identify({}), ErrorCode::NotConnected);
 }
@@ -408,7 +407,7 @@ void SerialLinkTest::writesNothingToAnotherDrive()
     const std::vector<RegisterWrite> writes{{variable0, 1.0F}};
     const auto refused = link->writeRegisters(writes, {});
     VERIFY_ERROR(refused, ErrorCode::OtherDrive);
-    QCOMPARE(refused.error().context.at("found"), std::string("1560"));
+    QCOMPARE(refused.error().context.english("found"), std::string("1560"));
     QCOMPARE(drive.readRegisters({variable0})->front().value, RegisterValue(0.0F));
     VERIFY_RESULT(link->identify({})); // whoever asks who it is knows
     VERIFY_RESULT(link->writeRegisters(writes, {}));

@@ -189,7 +189,7 @@ void TestDriveFlash::refusesTheNinthOperationInTenMinutes()
     COMPARE_TEXT(bench.text(driveError), "None");
     const Result<void> refused = run();
     VERIFY_ERROR(refused, ErrorCode::FlashWear);
-    COMPARE_TEXT(refused.error().context.at("seconds"), "500");
+    COMPARE_TEXT(refused.error().context.english("seconds"), "500");
     COMPARE_TEXT(bench.text(driveError), "FlashWear");
     QVERIFY(bench.file("Small1") == small1 && bench.file("Small2") == small2);
 
@@ -202,7 +202,7 @@ void TestDriveFlash::refusesTheNinthOperationInTenMinutes()
     // the next is possible when the second of the eight is ten minutes old
     const Result<void> next = bench.upload("Small3", evenTable(1), true);
     VERIFY_ERROR(next, ErrorCode::FlashWear);
-    COMPARE_TEXT(next.error().context.at("seconds"), "10");
+    COMPARE_TEXT(next.error().context.english("seconds"), "10");
     QVERIFY(bench.file("Small3").empty());
 }
 
@@ -289,7 +289,7 @@ void TestDriveFlash::keepsTheWearAcrossRuns()
     bench.start();
     const auto refused = bench.upload("Small2", evenTable(1), true);
     VERIFY_ERROR(refused, ErrorCode::FlashWear);
-    COMPARE_TEXT(refused.error().context.at("seconds"), "473"); // 600 - 7 - 120
+    COMPARE_TEXT(refused.error().context.english("seconds"), "473"); // 600 - 7 - 120
     COMPARE_TEXT(bench.text(driveError), "FlashWear");
     bench.time = 473s;
     VERIFY_RESULT(bench.upload("Small2", evenTable(1), true));

@@ -185,8 +185,8 @@ void TestDriveRegisters::namesTheNearestPaths()
     DriveFixture bench;
     const auto read = bench.drive->readRegisters({path.toStdString()});
     VERIFY_ERROR(read, ErrorCode::UnknownRegister);
-    COMPARE_TEXT(read.error().context.at("path"), path.toStdString());
-    const QString nearest = QString::fromStdString(read.error().context.at("nearest"));
+    COMPARE_TEXT(read.error().context.english("path"), path.toStdString());
+    const QString nearest = QString::fromStdString(read.error().context.english("nearest"));
     QCOMPARE(nearest.section(u',', 0, 0), first);
     QCOMPARE(nearest.count(u','), first.isEmpty() ? 0 : 2);
     VERIFY_ERROR(bench.set(path.toStdString(), true), ErrorCode::UnknownRegister);
@@ -281,7 +281,7 @@ void TestDriveRegisters::refusesValuesThatDoNotFit()
     const RegisterReading before = bench.reading(path.toStdString());
     const auto written = bench.set(path.toStdString(), value);
     VERIFY_ERROR(written, ErrorCode::DriveRejected);
-    QVERIFY(!written.error().context.at("reason").empty());
+    QVERIFY(!written.error().context.english("reason").empty());
     QVERIFY(bench.reading(path.toStdString()) == before);
 }
 

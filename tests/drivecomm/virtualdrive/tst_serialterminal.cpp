@@ -295,7 +295,7 @@ void SerialTerminalTest::keepsAFileThatIsNoLink()
     FaultPlan faults;
     const auto refused = SerialServer::start(drive, faults, options);
     VERIFY_ERROR(refused, ErrorCode::InvalidEndpoint);
-    QCOMPARE(refused.error().context.at("endpoint"), options.link);
+    QCOMPARE(refused.error().context.english("endpoint"), options.link);
     QVERIFY(contentOf(path) == someFile(5));
     QVERIFY(QFile::remove(path));
     {

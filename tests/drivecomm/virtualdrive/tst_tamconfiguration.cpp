@@ -216,11 +216,11 @@ void TestTamConfiguration::refusesWithTheLine()
     const auto drives = parseTamConfiguration(xml.toStdString(), "machine.TAMcfg");
     VERIFY_ERROR(drives, ErrorCode::InvalidConfiguration);
     const ErrorContext& context = drives.error().context;
-    COMPARE_TEXT(context.at("file"), "machine.TAMcfg");
-    COMPARE_TEXT(context.at("line"), std::to_string(line));
-    QVERIFY2(context.at("reason").find(reason.toStdString()) != std::string::npos,
-        context.at("reason").c_str());
-    QVERIFY(!context.at("reason").empty());
+    COMPARE_TEXT(context.english("file"), "machine.TAMcfg");
+    COMPARE_TEXT(context.english("line"), std::to_string(line));
+    QVERIFY2(context.english("reason").find(reason.toStdString()) != std::string::npos,
+        context.english("reason").c_str());
+    QVERIFY(!context.english("reason").empty());
 }
 
 void TestTamConfiguration::refusesDocumentTypes()
@@ -233,7 +233,7 @@ void TestTamConfiguration::refusesDocumentTypes()
     bomb += "]>\n" + withRegisters("&a19;");
     const auto drives = parseTamConfiguration(bomb, "f");
     VERIFY_ERROR(drives, ErrorCode::InvalidConfiguration);
-    QVERIFY(drives.error().context.at("reason").find("document type") != std::string::npos);
+    QVERIFY(drives.error().context.english("reason").find("document type") != std::string::npos);
     const auto external =
         parseTamConfiguration("<!DOCTYPE b SYSTEM 'file:///etc/passwd'>" + withRegisters(""), "f");
     VERIFY_ERROR(external, ErrorCode::InvalidConfiguration);
@@ -246,7 +246,7 @@ void TestTamConfiguration::refusesEndlessRegisters()
         many += component("Axes[0]/A[" + std::to_string(n) + "]", "Int32", "1") + '\n';
     const auto drives = parseTamConfiguration(withRegisters(many), "f");
     VERIFY_ERROR(drives, ErrorCode::InvalidConfiguration);
-    QVERIFY(drives.error().context.at("reason").find("100000") != std::string::npos);
+    QVERIFY(drives.error().context.english("reason").find("100000") != std::string::npos);
 }
 
 void TestTamConfiguration::readsOtherEncodings()

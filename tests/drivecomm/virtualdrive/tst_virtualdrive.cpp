@@ -435,7 +435,7 @@ void TestVirtualDrive::refusesChangesWhileOn()
     const auto refused = [&](const std::string& path, const RegisterValue& value) {
         const auto written = bench.set(path, value);
         VERIFY_ERROR(written, ErrorCode::NotAllowedNow);
-        const std::string& reason = written.error().context.at("reason");
+        const std::string reason = written.error().context.english("reason");
         QVERIFY2(reason.find("axis 0 (X)") != std::string::npos, reason.c_str());
     };
     refused(tableOf0, "Small2");
@@ -521,8 +521,8 @@ void TestVirtualDrive::takesAFileWholeOrNotAtAll()
         bytes.resize(bench.profile.slotNamed("Small1")->maximumSize + 1);
     const auto uploaded = bench.drive->upload(path.toStdString(), bytes);
     VERIFY_ERROR(uploaded, static_cast<ErrorCode>(code));
-    for (const auto& [key, value] : uploaded.error().context)
-        QVERIFY2(!value.empty() || path.isEmpty(), key.c_str());
+    for (const auto& [key, value] : uploaded.error().context.all())
+        QVERIFY2(!value.english().empty() || path.isEmpty(), key.c_str());
     QVERIFY(bench.file("Small1") == before);
     QCOMPARE(bench.drive->listFiles().size(), bench.profile.tableSlots.size());
     QCOMPARE(bench.drive->listFiles().front().size, static_cast<std::uint32_t>(before.size()));

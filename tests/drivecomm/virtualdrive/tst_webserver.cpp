@@ -122,7 +122,7 @@ void WebFrontTest::refuses()
     const auto error = parseErrorJson(reply->body);
     QVERIFY2(error, reply->body.c_str());
     QCOMPARE(error->detail, code.toStdString());
-    QVERIFY(!error->context.at("reason").empty());
+    QVERIFY(!error->context.english("reason").empty());
     QCOMPARE(reply->has_header("Allow"), status == 405);
     QVERIFY(site.drive.download(small1)->empty());
     QCOMPARE(site.value(variable0), RegisterValue(0.0F));

@@ -111,9 +111,9 @@ void DirectoryListingTest::rejectsWhatIsNoDirectory()
     QFETCH(QString, expected);
     const auto files = parseDirectoryPage(html.toStdString());
     VERIFY_ERROR(files, ErrorCode::Protocol);
-    const QString said = QString::fromStdString(files.error().context.at("expected"));
+    const QString said = QString::fromStdString(files.error().context.english("expected"));
     QVERIFY2(said.contains(expected), qPrintable(said));
-    QVERIFY(!files.error().context.at("quote").empty());
+    QVERIFY(!files.error().context.english("quote").empty());
 }
 
 void DirectoryListingTest::bringsAListAcrossAsJson()

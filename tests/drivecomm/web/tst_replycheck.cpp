@@ -81,9 +81,9 @@ void WebAnswersTest::rejectsNonsenseForRegisters()
     const RawResponder responder(answer);
     const auto result = webLinkTo(responder.url())->readRegisters(twoStates, {});
     VERIFY_ERROR(result, ErrorCode::Protocol);
-    QCOMPARE(result.error().context.at("endpoint"), responder.url());
-    QVERIFY(!result.error().context.at("expected").empty());
-    const QString shown = QString::fromStdString(result.error().context.at("quote"));
+    QCOMPARE(result.error().context.english("endpoint"), responder.url());
+    QVERIFY(!result.error().context.english("expected").empty());
+    const QString shown = QString::fromStdString(result.error().context.english("quote"));
     QVERIFY2(shown.contains(quote), qPrintable(shown));
     QVERIFY(!shown.isEmpty() && shown.size() < 200);
 }
@@ -143,7 +143,7 @@ void WebAnswersTest::endsAtTheDeadline()
     const RawResponder responder(answer);
     const auto result = webLinkTo(responder.url())->readRegisters(twoStates, within(250ms));
     VERIFY_ERROR(result, ErrorCode::Timeout);
-    QCOMPARE(result.error().context.at("seconds"), std::string("0.25"));
+    QCOMPARE(result.error().context.english("seconds"), std::string("0.25"));
 }
 
 void WebAnswersTest::limitsWhatItTakes_data()
@@ -180,7 +180,7 @@ void WebAnswersTest::limitsWhatItTakes()
     VERIFY_ERROR(registers, ErrorCode::Protocol);
     const auto file = link->download("tables/small1.TAMtbl", within(60s));
     VERIFY_ERROR(file, ErrorCode::Protocol);
-    QCOMPARE(file.error().context.at("expected"), std::string("at most 63360 bytes"));
+    QCOMPARE(file.error().context.english("expected"), std::string("at most 63360 bytes"));
 }
 
 void WebAnswersTest::readsAgainAfterALostConnection()
@@ -329,8 +329,8 @@ void WebAnswersTest::rejectsAnotherDirectoryPage()
         always(httpReply("200 OK", type.toStdString(), body.toStdString())));
     const auto files = webLinkTo(responder.url())->listFiles({});
     VERIFY_ERROR(files, ErrorCode::Protocol);
-    QCOMPARE(files.error().context.at("endpoint"), responder.url());
-    QVERIFY(files.error().context.at("quote").size() > 2);
+    QCOMPARE(files.error().context.english("endpoint"), responder.url());
+    QVERIFY(files.error().context.english("quote").size() > 2);
 }
 
 void WebAnswersTest::rejectsATransferThatIsNoFile_data()

@@ -182,7 +182,7 @@ void WebConnectionsTest::refusesAnAddressInUse()
     options.port = site.server->port();
     const auto second = WebServer::start(drive, genericProfile(), faults, options);
     VERIFY_ERROR(second, ErrorCode::InvalidEndpoint);
-    QCOMPARE(second.error().context.at("endpoint"), site.server->url());
+    QCOMPARE(second.error().context.english("endpoint"), site.server->url());
     options.host = "not an address";
     VERIFY_ERROR(
         WebServer::start(drive, genericProfile(), faults, options), ErrorCode::InvalidEndpoint);

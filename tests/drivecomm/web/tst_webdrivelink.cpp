@@ -78,7 +78,7 @@ void WebDriveLinkTest::reportsWhyThereIsNoConnection()
     QFETCH(QString, reason);
     const auto result = webLinkTo(url.toStdString())->identify({});
     VERIFY_ERROR(result, ErrorCode::NotConnected);
-    QCOMPARE(result.error().context.at("endpoint"), url.toStdString());
+    QCOMPARE(result.error().context.english("endpoint"), url.toStdString());
     QVERIFY(QString::fromStdString(sentence(result.error())).contains(reason));
 }
 
@@ -92,8 +92,8 @@ void WebDriveLinkTest::keepsThePasswordOutOfErrors()
         "http://anna:s3cret@127.0.0.1:" + std::to_string(served.server->port());
     const auto result = webLinkTo(wrong)->identify({});
     VERIFY_ERROR(result, ErrorCode::Unauthorized);
-    for (const auto& [key, value] : result.error().context)
-        QVERIFY(value.find("s3cret") == std::string::npos);
+    for (const auto& [key, value] : result.error().context.all())
+        QVERIFY(value.english().find("s3cret") == std::string::npos);
     QVERIFY(describe(result.error()).find("s3cret") == std::string::npos);
     VERIFY_ERROR(served.link->identify({}), ErrorCode::Unauthorized);
 }

@@ -105,8 +105,8 @@ void WebHttpsTest::rejectsACertificateThatNobodyVouchesFor()
     const SecureDrive secure(QStringLiteral("IP:127.0.0.1"));
     const auto identity = webLinkTo(secure.server->url())->identify({});
     VERIFY_ERROR(identity, ErrorCode::CertificateRejected);
-    QCOMPARE(identity.error().context.at("endpoint"), secure.server->url());
-    const QString reason = QString::fromStdString(identity.error().context.at("reason"));
+    QCOMPARE(identity.error().context.english("endpoint"), secure.server->url());
+    const QString reason = QString::fromStdString(identity.error().context.english("reason"));
     QVERIFY2(reason.contains(QStringLiteral("self-signed")), qPrintable(reason));
 }
 
@@ -116,7 +116,7 @@ void WebHttpsTest::rejectsTheCertificateOfAnotherHost()
     const Trusted trusted(secure.certificate);
     const auto identity = webLinkTo(secure.server->url())->identify({});
     VERIFY_ERROR(identity, ErrorCode::CertificateRejected);
-    QVERIFY(identity.error().context.at("reason").find("host name") != std::string::npos);
+    QVERIFY(identity.error().context.english("reason").find("host name") != std::string::npos);
 }
 
 void WebHttpsTest::tellsWhatThereIsToDecide()
@@ -131,22 +131,23 @@ void WebHttpsTest::tellsWhatThereIsToDecide()
     const auto identity = link->identify({});
     VERIFY_ERROR(identity, ErrorCode::CertificateRejected);
     const ErrorContext& context = identity.error().context;
-    QCOMPARE(asked, secure.server->url() + " " + context.at("fingerprint"));
+    QCOMPARE(asked, secure.server->url() + " " + context.english("fingerprint"));
     QFile file(secure.certificate.certificateFile());
     QVERIFY(file.open(QIODevice::ReadOnly));
     const QByteArray digest = QSslCertificate(&file).digest(QCryptographicHash::Sha256).toHex();
-    QCOMPARE(sha256Fingerprint(digest.toStdString()), std::optional(context.at("fingerprint")));
-    QCOMPARE(context.at("subject"), std::string("axiscomp test"));
-    QCOMPARE(context.at("issuer"), std::string("axiscomp test"));
-    QCOMPARE(context.at("hasChanged"), std::string("no"));
+    QCOMPARE(
+        sha256Fingerprint(digest.toStdString()), std::optional(context.english("fingerprint")));
+    QCOMPARE(context.english("subject"), std::string("axiscomp test"));
+    QCOMPARE(context.english("issuer"), std::string("axiscomp test"));
+    QCOMPARE(context.english("hasChanged"), std::string("no"));
     const QDate today = QDateTime::currentDateTimeUtc().date();
     const auto dayOf = [&](const char* key) {
-        return QDate::fromString(QString::fromStdString(context.at(key)), Qt::ISODate);
+        return QDate::fromString(QString::fromStdString(context.english(key)), Qt::ISODate);
     };
     QVERIFY(dayOf("validFrom").isValid() && dayOf("validFrom") <= today);
     QVERIFY(dayOf("validUntil") > today);
     const std::string said = sentence(identity.error());
-    QVERIFY2(said.find(context.at("fingerprint")) != std::string::npos, said.c_str());
+    QVERIFY2(said.find(context.english("fingerprint")) != std::string::npos, said.c_str());
     QVERIFY2(said.find("--trust-certificate") != std::string::npos, said.c_str());
 }
 
@@ -185,9 +186,9 @@ void WebHttpsTest::refusesACertificateThatHasChanged()
         [](const std::string&, const std::string&) { return CertificateTrust::Changed; });
     const auto written = link->writeRegisters(oneWrite, {});
     VERIFY_ERROR(written, ErrorCode::CertificateRejected);
-    QCOMPARE(written.error().context.at("hasChanged"), std::string("yes"));
-    QVERIFY(written.error().context.at("reason").find("CHANGED") != std::string::npos);
-    QVERIFY(!written.error().context.at("fingerprint").empty());
+    QCOMPARE(written.error().context.english("hasChanged"), std::string("yes"));
+    QVERIFY(written.error().context.english("reason").find("CHANGED") != std::string::npos);
+    QVERIFY(!written.error().context.english("fingerprint").empty());
 }
 
 void WebHttpsTest::saysThatThereIsNoHttps()
@@ -198,7 +199,7 @@ void WebHttpsTest::saysThatThereIsNoHttps()
     });
     const auto identity = webLinkTo("https" + plain.url().substr(4))->identify({});
     VERIFY_ERROR(identity, ErrorCode::NotConnected);
-    QVERIFY(identity.error().context.at("reason").find("http://") != std::string::npos);
+    QVERIFY(identity.error().context.english("reason").find("http://") != std::string::npos);
 }
 
 void WebHttpsTest::doesNotTalkHttpToAnHttpsServer()

@@ -39,11 +39,11 @@ ImportChoices onGrid(ResamplingChoice::Kind kind, double number)
     return choices;
 }
 
-std::string joined(const std::vector<std::string>& lines)
+std::string joined(const std::vector<Text>& lines)
 {
     std::string text;
-    for (const std::string& line : lines)
-        text += line + '\n';
+    for (const Text& line : lines)
+        text += line.english() + '\n';
     return text;
 }
 
