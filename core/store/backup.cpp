@@ -62,7 +62,8 @@ AxisBackup::File fileFromJson(const JsonNode& node)
         node["bytes"].refuse(AXISCOMP_TEXT("Error", "this is not base64"));
     const std::uint32_t crc = crc32(file.bytes);
     if (crcFromJson(node["crc32"]) != crc)
-        node["crc32"].refuse(AXISCOMP_TEXT("Error", "the bytes have the CRC-32 {crc}, so they are damaged")
+        node["crc32"].refuse(
+            AXISCOMP_TEXT("Error", "the bytes have the CRC-32 {crc}, so they are damaged")
                 .with("crc", crcText(crc)));
     return file;
 }

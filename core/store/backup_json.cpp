@@ -48,7 +48,8 @@ double numberFromJson(const JsonNode& node)
     if (text == "-Infinity")
         return -std::numeric_limits<double>::infinity();
     if (text != "NaN")
-        node.refuse(AXISCOMP_TEXT("Error", "a number is expected, or NaN, Infinity, -Infinity as a text"));
+        node.refuse(
+            AXISCOMP_TEXT("Error", "a number is expected, or NaN, Infinity, -Infinity as a text"));
     return std::numeric_limits<double>::quiet_NaN();
 }
 
@@ -95,7 +96,8 @@ std::vector<RegisterWrite> registersFromJson(const JsonNode& node)
         item.expectMembers({"path", "type", "value"});
         const JsonNode type = item["type"];
         if (std::ranges::find(valueTypeNames, type.textView()) == valueTypeNames.end())
-            type.refuse(AXISCOMP_TEXT("Error", "one of Boolean, Int32, UInt32, Single, Double, Enum is expected"));
+            type.refuse(AXISCOMP_TEXT(
+                "Error", "one of Boolean, Int32, UInt32, Single, Double, Enum is expected"));
         RegisterWrite write{item["path"].text(), valueFromJson(item["value"], type.textView())};
         if (write.path.empty() || !paths.insert(write.path).second)
             item["path"].refuse(write.path.empty() ? "this is empty" : "this is there twice");
@@ -125,7 +127,8 @@ std::uint32_t crcFromJson(const JsonNode& node)
     std::uint32_t crc = 0;
     std::from_chars(text.data(), text.data() + text.size(), crc, 16);
     if (crcText(crc) != text)
-        node.refuse(AXISCOMP_TEXT("Error", "a CRC-32 of eight hexadecimal digits such as 1c291ca3 is expected"));
+        node.refuse(AXISCOMP_TEXT(
+            "Error", "a CRC-32 of eight hexadecimal digits such as 1c291ca3 is expected"));
     return crc;
 }
 

@@ -35,7 +35,8 @@ JournalEntry::KeptTable keptTableFromJson(const JsonNode& node, const std::files
     node.expectMembers({"file", "size", "crc32"});
     const std::filesystem::path name = node["file"].text();
     if (name.empty() || name != name.filename() || name == "." || name == "..")
-        node["file"].refuse(AXISCOMP_TEXT("Error", "the name of a file beside the journal is expected"));
+        node["file"].refuse(
+            AXISCOMP_TEXT("Error", "the name of a file beside the journal is expected"));
     return {folder / name, static_cast<std::uint64_t>(node["size"].integer<std::int64_t>(0)),
         crcFromJson(node["crc32"])};
 }

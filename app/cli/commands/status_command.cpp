@@ -20,7 +20,8 @@ Result<ExitCode> runStatus(Environment& environment, CommandSession& session, in
 
     Json json = toJson(settled->status);
     json["flash"] = toJson(*flash);
-    json["isBeingWritten"] = settled->isBeingWritten;
+    if (settled->isBeingWritten)
+        json["isBeingWritten"] = true;
     if (settled->settled)
         json["unfinishedWrite"] =
             unfinishedToJson(settled->settled->entry, settled->settled->outcome);

@@ -85,7 +85,8 @@ private Q_SLOTS:
         // sign.
         QTest::newRow("numbers in a .csv")
             << "x.csv" << QByteArray("0,0\n100,0.01\n200,0.02\n") << "icube";
-        QTest::newRow("numbers in a .txt") << "x.txt" << softmcTable << "softmc";
+        QTest::newRow("numbers in a .txt")
+            << "x.txt" << QByteArray("0,0\n100,0.01\n200,0.02\n") << "icube";
     }
     void aDoubtfulFileIsRefusedUntilSomebodySaysWhatItIs()
     {
@@ -94,9 +95,8 @@ private Q_SLOTS:
         QFETCH(const QString, from);
         const Sandbox box;
         box.file(name, content);
-        for (const QStringList& command :
-            {QStringList{"inspect", name}, QStringList{"convert", name, "y.csv"},
-                QStringList{"lookup", name, "--at", "50"}}) {
+        for (const QStringList& command : {QStringList{"inspect", name},
+                 QStringList{"convert", name, "y.csv"}, QStringList{"lookup", name, "50"}}) {
             const ProgramRun run = box.run(command);
             VERIFY_CODE(run, 2);
             QVERIFY2(run.err.contains("FormatAmbiguous") && run.err.contains(from.toUtf8()),

@@ -360,7 +360,7 @@ private Q_SLOTS:
             << ErrorCode::SourceNotFound << "0xfffffff0";
         QTest::newRow("a table of other dimensions")
             << with([](WriteRequest& r) { r.table = exampleTable(1); })
-            << ErrorCode::DimensionMismatch << "1 dimension";
+            << ErrorCode::DimensionMismatch << "the table is 1D, but 2D is chosen";
         QTest::newRow("a table that fits no slot")
             << with([](WriteRequest& r) { r.table = exampleTable(2, 1, 725); })
             << ErrorCode::TableTooLarge << "2096976";

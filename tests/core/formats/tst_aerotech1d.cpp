@@ -108,7 +108,7 @@ void describe(test::FormatSample& sample)
     row("twice", with("OFFSET=10", "OFFSET=10 OFFSET=11"),
         "3:18 Contradiction OFFSET a second time|each option once");
     row("a value that is none", with("-4", "-4x"), "5:3 NotANumber -4x|a correction");
-    row("one value", ":START 1 SAMPLEDIST=5\n7\n:END\n", "1:0 TooFewPoints 1 corrections|");
+    row("one value", ":START 1 SAMPLEDIST=5\n7\n:END\n", "1:0 TooFewPoints 1 correction|");
     row("values beyond a double", with("METRIC/1000", "METRIC/1e-310"),
         "2:0 LimitExceeded a correction that is too large");
     row("positions beyond a double", with("SAMPLEDIST=5", "SAMPLEDIST=1e308"),

@@ -98,12 +98,12 @@ void describe(test::FormatSample& sample)
     row("axis 0", with("2 1 1 2", "2 1 0 2"), "2:14 LimitExceeded axis 0|the number of an axis");
     row("one axis twice", with("2 1 1 2", "1 1 1 2"), "2:12 Contradiction axis 1 for rows and");
     row("distance 0", with("10 5 3", "10 0 3"), "2:21 LimitExceeded a distance of 0|");
-    row("one column", with("10 5 3", "10 5 1"), "2:23 LimitExceeded 1 columns|at least 2");
+    row("one column", with("10 5 3", "10 5 1"), "2:23 LimitExceeded 1 column|at least 2");
     row("absurd columns", with("10 5 3", "10 5 1000000000"),
         "5:0 ColumnCount 6 corrections in this line, 12 in all|1000000000 points of 2");
     row("columns not whole", with("10 5 3", "10 5 2.5"),
         "2:23 NotANumber 2.5|the number of columns");
-    row("one row", with("4 -4  5 -5  6 -6\n", ""), "2:0 TooFewPoints 1 rows|at least 2");
+    row("one row", with("4 -4  5 -5  6 -6\n", ""), "2:0 TooFewPoints 1 row|at least 2");
     row("no values", with("1 -1  2 -2  3 -3\n4 -4  5 -5  6 -6\n", ""),
         "2:0 TooFewPoints 0 rows|at least 2");
     row("a value is missing", with("5 -5", "5"),

@@ -136,7 +136,7 @@ void describe(test::FormatSample& sample)
     row("decimal commas", "0,0 1,0 1,0\n", "1:0 Syntax 0,0 1,0 1,0|three numbers");
     row("not finite", "0 1 1\n1 nan 1\n", "2:0 Syntax 1 nan 1|three numbers");
     row("cut off", "0 1 1\n1 1 1\n2 1", "3:0 Syntax 2 1|three numbers");
-    row("one line", "0 1 1\n", "1:0 TooFewPoints 1 positions of the joint|at least 2");
+    row("one line", "0 1 1\n", "1:0 TooFewPoints 1 position|at least 2");
     row("not increasing", "0 1 1\n2 1 1\n1 1 1\n", "3:0 NotMonotonic 1 after 2|strictly");
     row("duplicate", "0 1 1\n0 1 1\n1 1 1\n", "2:0 NotMonotonic 0 after 0|strictly");
     row("decreasing", "2 1 1\n1 1 1\n0 1 1\n", "2:0 NotMonotonic 1 after 2|strictly");

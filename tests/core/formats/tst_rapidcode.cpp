@@ -61,8 +61,8 @@ void describe(test::FormatSample& sample)
     sample.warning("an unknown entry, and no units",
         "# RapidCode compensator table\n" + grid
             + "# imput.2.axis = Y\n# for people\n# output.counts-per-unit = 1\n1,2,3,4\n",
-        {"5:3 UnknownKey imput.2.axis|", "0:0 UnitNotGiven no input.1.unit|",
-            "0:0 UnitNotGiven no output.unit|"});
+        {"5:3 UnknownKey imput.2.axis|", "0:0 UnitNotGiven no entry input.1.unit|",
+            "0:0 UnitNotGiven no entry output.unit|"});
 
     NeutralTable fine = twoAxes();
     fine.axes[0] = test::evenAxis("X", "mm", -0.3, 0.1, 7);

@@ -43,7 +43,7 @@ void describe(test::FormatSample& sample)
         "1:0 Syntax RepRapFirmware height map file v1|the line");
     row("title only", title, "2:0 Syntax |the line xmin");
     row("other labels", title + "xmin,xmax\n1,2\n", "2:0 Syntax xmin,xmax|the line xmin");
-    row("no parameters", title + oldLabels, "3:0 ColumnCount 1 entries|9: xmin");
+    row("no parameters", title + oldLabels, "3:0 ColumnCount 1 entry|9: xmin");
     row("parameters cut off", title + oldLabels + "10.00,115.00,2",
         "3:0 ColumnCount 3 entries|9: xmin");
     row("the other header's parameters", title + newLabels + parameters + '\n' + heights,
@@ -79,7 +79,7 @@ void describe(test::FormatSample& sample)
     row("height is missing", oldFile(parameters, "0.1,,0.3\n0.1,0.2,0.3\n"),
         "4:5 NotANumber |a height in mm");
     row("too few lines", oldFile(parameters, "0.1,0.2,0.3\n"),
-        "0:0 MissingPoint 1 lines of heights|2, one for each position of Y");
+        "0:0 MissingPoint 1 line of heights|2, one for each position of Y");
     row("too many lines", oldFile(parameters, heights + "0.1,0.2,0.3\n"),
         "6:0 Contradiction a further line after 2|2 lines of heights");
 }

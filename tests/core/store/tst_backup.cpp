@@ -405,7 +405,8 @@ void TestAxisBackup::depthIsLimited()
     QFETCH(QByteArray, begin);
     const auto backup = readBackup(begin.repeated(1'000'000).toStdString(), "b.json");
     VERIFY_ERROR(backup, ErrorCode::InvalidBackup);
-    QCOMPARE(backup.error().context.english("reason"), std::string("it is nested deeper than 8 levels"));
+    QCOMPARE(
+        backup.error().context.english("reason"), std::string("it is nested deeper than 8 levels"));
 }
 
 void TestAxisBackup::numberOfValuesIsLimited()
@@ -415,7 +416,8 @@ void TestAxisBackup::numberOfValuesIsLimited()
         text += ",0";
     const auto backup = readBackup(text + "]", "b.json");
     VERIFY_ERROR(backup, ErrorCode::InvalidBackup);
-    QCOMPARE(backup.error().context.english("reason"), std::string("it has more than 100000 values"));
+    QCOMPARE(
+        backup.error().context.english("reason"), std::string("it has more than 100000 values"));
 }
 
 void TestAxisBackup::sizeIsLimited()

@@ -353,7 +353,8 @@ void TestDriveStore::journalOfAnotherAxisIsNotTaken()
     fs::rename(m_folder / "journal-axis1.json", m_folder / "journal-axis0.json");
     const auto journal = m_store->journal(serial, 0);
     VERIFY_ERROR(journal, ErrorCode::FileNotReadable);
-    QVERIFY(journal.error().context.english("reason").find("axis 1 of drive 1559") != std::string::npos);
+    QVERIFY(journal.error().context.english("reason").find("axis 1 of drive 1559")
+        != std::string::npos);
 }
 
 void TestDriveStore::aNewEntryReplacesABrokenJournal()
@@ -522,7 +523,8 @@ void TestDriveStore::anotherProgramIsWaitedForAndNamed()
         const auto recorded = m_store->recordFlash(serial, start, 1);
         VERIFY_ERROR(recorded, ErrorCode::FileNotWritable);
         QCOMPARE(recorded.error().context.english("file"), m_folder.string());
-        QVERIFY(recorded.error().context.english("reason").starts_with("another program is using it"));
+        QVERIFY(
+            recorded.error().context.english("reason").starts_with("another program is using it"));
         VERIFY_ERROR(m_store->saveBackup(backupAt(start)), ErrorCode::FileNotWritable);
         VERIFY_ERROR(m_store->openJournal(entryFor(0)), ErrorCode::FileNotWritable);
         VERIFY_RESULT(m_store->flashHistory(serial)); // reading needs no lock
@@ -582,8 +584,8 @@ void TestDriveStore::unwritableRootIsNamed()
     const auto recorded = m_store->recordFlash(serial, start, 1);
     VERIFY_ERROR(recorded, ErrorCode::FileNotWritable);
     QCOMPARE(recorded.error().context.english("file"), m_folder.string());
-    QCOMPARE(
-        recorded.error().context.english("reason"), std::string("a part of the path is not a folder"));
+    QCOMPARE(recorded.error().context.english("reason"),
+        std::string("a part of the path is not a folder"));
 }
 
 void TestDriveStore::sourceUriNamesTheDrive()

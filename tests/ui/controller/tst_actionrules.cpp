@@ -200,7 +200,7 @@ void TestActionRules::reasons_data()
     row("write: not connected", changed(), Action::Write, "The drive is not connected.",
         [](S& s) { s.isConnected = false; });
     row("write: flash wear", changed(), Action::Write,
-        "To spare the flash, wait 3:12, or write volatile.", [](S& s) {
+        "To spare the flash, wait 3:12 or write volatile.", [](S& s) {
             s.isPersistent = true;
             s.flashOperationsNeeded = 1;
             s.flashOperationsLeft = 0;
@@ -286,7 +286,7 @@ void TestActionRules::consequences_data()
     now.flashOperationsNeeded = 1;
     now.flashOperationsLeft = 7;
     row("write persistent", Action::Write,
-        "Writes to the drive and stores in flash: 1 of 7 flash operations that are possible now.");
+        "Writes to the drive and stores in flash; uses 1 of the 7 flash operations available now.");
     now.isReadingFile = true;
     row("cancel reading", Action::Cancel, "Stops reading the file.");
     now = ready();

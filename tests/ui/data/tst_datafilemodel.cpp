@@ -144,7 +144,9 @@ private Q_SLOTS:
         bench->openData(path);
         QVERIFY(bench.fileRead());
         QVERIFY2(bench->dataFile().problems.empty(),
-            bench->dataFile().problems.empty() ? "" : bench->dataFile().problems[0].found.english().c_str());
+            bench->dataFile().problems.empty()
+                ? ""
+                : bench->dataFile().problems[0].found.english().c_str());
         QCOMPARE(bench->selectedTable()->grid.dimensions(), 3);
         QCOMPARE(bench->action(Action::Write).reason,
             QStringLiteral("The table has 3 dimensions, but 1D is chosen."));
