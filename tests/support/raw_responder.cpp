@@ -25,6 +25,8 @@ std::size_t contentLength(const std::string& head)
     return 0;
 }
 
+enum class Waited { Ready, TimeIsOver, ResponderEnds };
+
 } // namespace
 
 struct RawResponder::Private {
@@ -34,11 +36,13 @@ struct RawResponder::Private {
     std::atomic<int> requests = 0;
     std::thread thread;
 
-    /// False when the responder ends or time is over.
-    bool waitFor(int socket, short events, int milliseconds = -1) const
+    Waited waitFor(int socket, short events, int milliseconds = -1) const
     {
         pollfd polled[] = {{socket, events, 0}, {ending, POLLIN, 0}};
-        return ::poll(polled, 2, milliseconds) > 0 && polled[1].revents == 0;
+        const int count = ::poll(polled, 2, milliseconds);
+        if (count == 0)
+            return Waited::TimeIsOver;
+        return count > 0 && polled[1].revents == 0 ? Waited::Ready : Waited::ResponderEnds;
     }
     void run();
 };
@@ -47,7 +51,7 @@ namespace {
 
 class Connection final : public RawConnection {
 public:
-    using Wait = std::function<bool(int, short, int)>;
+    using Wait = std::function<Waited(int, short, int)>;
     Connection(int socket, Wait wait, std::atomic<int>& requests)
         : m_socket(socket)
         , m_wait(std::move(wait))
@@ -77,7 +81,7 @@ public:
     bool send(std::string_view bytes) override
     {
         while (!bytes.empty()) {
-            if (!m_wait(m_socket, POLLOUT, -1))
+            if (m_wait(m_socket, POLLOUT, -1) != Waited::Ready)
                 return false;
             const ssize_t sent =
                 ::send(m_socket, bytes.data(), bytes.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
@@ -90,7 +94,7 @@ public:
 
     bool isStillThereAfter(std::chrono::milliseconds time) override
     {
-        return !m_wait(m_socket, POLLIN, static_cast<int>(time.count()));
+        return m_wait(m_socket, POLLIN, static_cast<int>(time.count())) == Waited::TimeIsOver;
     }
 
     void waitUntilGone() override
@@ -108,7 +112,7 @@ public:
 private:
     bool receive(int milliseconds)
     {
-        if (!m_wait(m_socket, POLLIN, milliseconds))
+        if (m_wait(m_socket, POLLIN, milliseconds) != Waited::Ready)
             return false;
         char buffer[65536];
         const ssize_t count = ::recv(m_socket, buffer, sizeof buffer, 0);
@@ -128,7 +132,7 @@ private:
 
 void RawResponder::Private::run()
 {
-    while (waitFor(listener, POLLIN)) {
+    while (waitFor(listener, POLLIN) == Waited::Ready) {
         const int socket = ::accept4(listener, nullptr, nullptr, SOCK_CLOEXEC);
         if (socket < 0)
             continue;

@@ -4,8 +4,11 @@
 #include "tests/drivecomm/web/web_link_fixture.h"
 #include "tests/support/test_registry.h"
 
+#include <QHostAddress>
+#include <QTcpSocket>
 #include <QTest>
 
+#include <semaphore>
 #include <thread>
 
 namespace tst_webdrivelink {
@@ -60,6 +63,7 @@ private Q_SLOTS:
     void worksOnAnyThread();
     void servesSeveralLinksAtOnce();
     void makesLinksFromEndpoints();
+    void theResponderEndsWithAConnectionOpen();
 };
 
 void WebDriveLinkTest::reportsWhyThereIsNoConnection_data()
@@ -219,6 +223,24 @@ void WebDriveLinkTest::makesLinksFromEndpoints()
     VERIFY_RESULT(identity);
     QCOMPARE(identity->axes, 2);
     VERIFY_RESULT((*demo)->listFiles({}));
+}
+
+/// What these tests stand on: a responder that waited on would keep its test from ending.
+void WebDriveLinkTest::theResponderEndsWithAConnectionOpen()
+{
+    std::binary_semaphore isServing{0};
+    QTcpSocket client;
+    {
+        const RawResponder responder([&isServing](RawConnection& c) {
+            isServing.release();
+            while (c.isStillThereAfter(1ms))
+                continue;
+        });
+        client.connectToHost(QHostAddress::LocalHost, responder.port());
+        QVERIFY(client.waitForConnected(patienceMs));
+        isServing.acquire();
+    }
+    QVERIFY(client.waitForDisconnected(patienceMs));
 }
 
 AXISCOMP_TEST(WebDriveLinkTest)
