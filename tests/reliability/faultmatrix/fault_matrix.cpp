@@ -38,10 +38,12 @@ MatrixFault whileRequested(
         [fault = std::move(fault), untilNext](WriteTrial& trial, int at) {
             trial.requested = [&trial, fault, untilNext, at, request = 0](bool) mutable {
                 ++request;
-                if (request == at)
-                    trial.faults.add(fault);
-                else if (untilNext && request == at + 1)
-                    trial.faults.clear();
+                trial.changeFaults([&](drivecomm::FaultPlan& faults) {
+                    if (request == at)
+                        faults.add(fault);
+                    else if (untilNext && request == at + 1)
+                        faults.clear();
+                });
             };
         }};
 }

@@ -128,10 +128,21 @@ Result<WriteReport> WriteTrial::write()
     return compensator.write(0, m_request, options);
 }
 
+void WriteTrial::changeFaults(const std::function<void(drivecomm::FaultPlan&)>& change)
+{
+    const std::scoped_lock lock(m_healing);
+    if (!m_hasHealed)
+        change(faults);
+}
+
 void WriteTrial::heal()
 {
     link.heal();
-    faults.clear();
+    {
+        const std::scoped_lock lock(m_healing);
+        m_hasHealed = true;
+        faults.clear();
+    }
     // A value still to be stored wrong meets a register that nobody uses.
     (void)drive.writeRegisters({{"Application/Variables/Floats[255]", 1.0F}});
 }

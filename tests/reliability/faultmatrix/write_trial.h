@@ -3,6 +3,8 @@
 
 #include "tests/support/compensator_fixture.h"
 
+#include <functional>
+#include <mutex>
 #include <span>
 #include <string>
 #include <vector>
@@ -57,6 +59,8 @@ public:
     /// Why the old state could not be made.
     [[nodiscard]] const std::string& unready() const { return m_unready; }
     [[nodiscard]] Result<WriteReport> write();
+    /// For a request that is being served: makes the faults others, unless the trial has healed.
+    void changeFaults(const std::function<void(drivecomm::FaultPlan&)>& change);
     /// No more faults; what was on its way arrives.
     void heal();
 
@@ -94,6 +98,8 @@ private:
     std::string m_unready;
     WriteRequest m_request;
     std::stop_source m_stop;
+    std::mutex m_healing;
+    bool m_hasHealed = false;
 };
 
 [[nodiscard]] HeldStates heldStatesOf(const WriteScenario& scenario, std::uint32_t points = 6);
