@@ -58,10 +58,25 @@ public:
             arguments.set(cut(name), *std::move(read));
         }
         --m_depth;
-        return Text::withWords(*context, *words, *one, std::move(arguments));
+        Text text = Text::withWords(*context, *words, *one, std::move(arguments));
+        if (!isShort(text))
+            return std::nullopt;
+        return text;
     }
 
 private:
+    /// In both of its forms. Texts that are filled into others more than once would grow without
+    /// limit; as each of them is looked at by itself, none of these lengths is long to find out.
+    [[nodiscard]] static bool isShort(const Text& text)
+    {
+        const auto fits = [&](const char* words) {
+            const Text form(TextPattern{"", words, nullptr}, text.arguments());
+            return form.english().size() <= longestTextJsonString;
+        };
+        const TextPattern& pattern = text.pattern();
+        return fits(pattern.words) && (pattern.one == nullptr || fits(pattern.one));
+    }
+
     [[nodiscard]] static std::string cut(std::string_view text)
     {
         return std::string(cutAtCharacter(text, longestTextJsonString));

@@ -15,7 +15,7 @@ namespace axiscomp::drivecomm {
 /// Limits of what a drive may send (docs/protocol.md, "Errors"). Longer strings are cut off.
 constexpr int deepestTextJson = 8; ///< texts in each other
 constexpr std::size_t mostTextJsonArguments = 64; ///< and items of lists, of all texts together
-constexpr std::size_t longestTextJsonString = 1000; ///< bytes
+constexpr std::size_t longestTextJsonString = 1000; ///< bytes, also of each text when it is filled
 /// Objects and lists in each other that a text of that depth can take.
 constexpr std::size_t textJsonNesting = 4 * deepestTextJson;
 

@@ -25,6 +25,7 @@ private Q_SLOTS:
     void keepsBytesThatAreNoText();
     void readsTextsInEachOtherUpToALimit();
     void readsArgumentsUpToALimit();
+    void refusesTextsThatGrowWhenTheyAreFilled();
     void cutsLongStringsAtACharacter();
     void refusesAnythingElse_data();
     void refusesAnythingElse();
@@ -123,6 +124,20 @@ void TextJsonTest::readsArgumentsUpToALimit()
         many = std::move(many).with("a" + std::to_string(n), n);
     QVERIFY(parseTextJson(textJson(many)));
     QVERIFY(!parseTextJson(textJson(std::move(many).with("more", 1))));
+}
+
+void TextJsonTest::refusesTextsThatGrowWhenTheyAreFilled()
+{
+    const auto doubled = [](int times) {
+        Text text = Verbatim{std::string(100, 'x')};
+        for (int n = 0; n < times; ++n)
+            text = AXISCOMP_TEXT("Error", "{part}{part}").with("part", std::move(text));
+        return text;
+    };
+    const auto read = parseTextJson(textJson(doubled(3)));
+    QVERIFY(read);
+    QCOMPARE(read->english(), std::string(800, 'x'));
+    QVERIFY2(!parseTextJson(textJson(doubled(4))), "1600 bytes");
 }
 
 void TextJsonTest::cutsLongStringsAtACharacter()
