@@ -215,6 +215,13 @@ std::string serialError(const Error& error)
     return fits ? words + text : words;
 }
 
+std::string withoutSerialText(std::string line)
+{
+    // It is the last word; a quotation mark within another word is escaped.
+    const std::size_t place = line.rfind(" \"" + std::string(textKey));
+    return place == std::string::npos ? line : line.substr(0, place);
+}
+
 std::optional<Error> parseSerialError(const std::vector<std::string>& words)
 {
     if (words.size() < 2 || words.front() != "error")

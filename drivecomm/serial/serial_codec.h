@@ -68,6 +68,8 @@ private:
 /// error CODE [SECONDS] "MESSAGE" [path=PATH] [nearest=PATHS] [text=JSON]; the text (text_json)
 /// only where the line is long enough for it.
 [[nodiscard]] std::string serialError(const Error& error);
+/// The line without that text, which only programs can read.
+[[nodiscard]] std::string withoutSerialText(std::string line);
 /// An unknown code becomes DriveRejected; detail is the code as it stands.
 [[nodiscard]] std::optional<Error> parseSerialError(const std::vector<std::string>& words);
 

@@ -238,7 +238,10 @@ std::string SerialConversation::written(const Context& context, const SerialRepl
 {
     std::string text;
     for (const std::string& line : lines)
-        text += serialLine(context.number, line, context.hasCrc) + std::string(serialLineEnd);
+        // Programs number their lines; who does not is a person at a terminal.
+        text += serialLine(
+                    context.number, context.number ? line : withoutSerialText(line), context.hasCrc)
+            + std::string(serialLineEnd);
     return text;
 }
 
