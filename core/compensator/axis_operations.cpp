@@ -24,16 +24,11 @@ OperationOptions quietly(const OperationOptions& options)
 Result<SettledWrite> settle(
     AxisCompensator& compensator, const JournalEntry& entry, const OperationOptions& options)
 {
-    const auto outcome = compensator.settleUnfinished(entry, options);
-    if (!outcome)
-        return fail(outcome.error());
-    SettledWrite settled{entry, *outcome, {}};
-    if (*outcome == AxisCompensator::UnfinishedOutcome::New)
-        return settled;
-    auto recovery = compensator.recovery(entry, options);
-    if (!recovery)
-        return fail(recovery.error());
-    settled.recovery = std::move(*recovery);
+    AXISCOMP_TRY(const auto outcome, compensator.settleUnfinished(entry, options));
+    SettledWrite settled{entry, outcome, {}};
+    if (outcome != AxisCompensator::UnfinishedOutcome::New) {
+        AXISCOMP_TRY(settled.recovery, compensator.recovery(entry, options));
+    }
     return settled;
 }
 
@@ -60,42 +55,37 @@ Result<DriveFindings> exploreDrive(AxisCompensator& compensator, const Operation
 Result<SettledStatus> settledStatus(AxisCompensator& compensator,
     const std::filesystem::path& storeRoot, int axis, const OperationOptions& options)
 {
-    auto status = compensator.status(axis, options);
-    if (!status)
-        return fail(status.error());
-    SettledStatus now{std::move(*status), std::nullopt, false};
+    SettledStatus now;
+    AXISCOMP_TRY(now.status, compensator.status(axis, options));
     if (!now.status.unfinishedWrite)
         return now;
-    const auto lock = DriveStore(storeRoot, std::chrono::milliseconds{0})
-                          .lockWrites(now.status.drive.serialNumber);
-    if (!lock) {
-        now.status.unfinishedWrite.reset();
+    auto lock = DriveStore(storeRoot).tryLockWrites(now.status.drive.serialNumber);
+    if (lock && !*lock) {
         now.isBeingWritten = true;
         return now;
     }
-    // The other program may have ended its write between the first look and the lock.
-    status = compensator.status(axis, options);
-    if (!status)
-        return fail(status.error());
-    now.status = std::move(*status);
+    // The other program may have ended its write between the first look and the lock. Where there
+    // can be no lock, nobody can write either.
+    AXISCOMP_TRY(now.status, compensator.status(axis, options));
     if (!now.status.unfinishedWrite)
         return now;
     auto settled = settle(compensator, *now.status.unfinishedWrite, options);
-    if (!settled)
-        return fail(settled.error());
+    if (!settled) {
+        now.settlingProblem = std::move(settled).error();
+        return now;
+    }
     if (settled->outcome == AxisCompensator::UnfinishedOutcome::New)
         now.status.unfinishedWrite.reset();
-    now.settled = std::move(*settled);
+    now.settled = *std::move(settled);
     return now;
 }
 
 Result<AxisReading> readAxis(AxisCompensator& compensator, const std::filesystem::path& storeRoot,
     int axis, const OperationOptions& options)
 {
-    auto settled = settledStatus(compensator, storeRoot, axis, options);
-    if (!settled)
-        return fail(settled.error());
-    AxisReading reading{std::move(*settled), {}, std::nullopt, false};
+    AxisReading reading;
+    AXISCOMP_TRY(
+        static_cast<SettledStatus&>(reading), settledStatus(compensator, storeRoot, axis, options));
 
     // Without its memory the program knows less, but the drive can be used all the same.
     DriveStore store(storeRoot);

@@ -30,14 +30,14 @@ struct SettledWrite {
 
 /// An axis on the drive, and what became of a write to it that did not end.
 struct SettledStatus {
-    AxisStatus status; ///< unfinishedWrite: only of a write that nobody is doing any more
-    std::optional<SettledWrite> settled; ///< there was such a write
-    bool isBeingWritten = false; ///< by another program, at this moment
+    AxisStatus status;
+    std::optional<SettledWrite> settled; ///< none while another program is writing
+    bool isBeingWritten = false; ///< by another program: its write has not failed, it is going on
+    std::optional<Error> settlingProblem; ///< why a write that did not end could not be settled
 };
 
-/// Reads an axis and settles a write that did not end, both under the drive's write lock: while
-/// another program holds it a write has not failed, it is going on. Errors: those of
-/// AxisCompensator::status, settleUnfinished and recovery.
+/// Reads an axis and settles a write that did not end, both under the drive's write lock. Errors:
+/// those of AxisCompensator::status; what goes wrong while settling is settlingProblem.
 [[nodiscard]] Result<SettledStatus> settledStatus(AxisCompensator& compensator,
     const std::filesystem::path& storeRoot, int axis, const OperationOptions& options);
 
@@ -48,7 +48,8 @@ struct AxisReading : SettledStatus {
     bool hasBackup = false;
 };
 
-/// Reads an axis. What this computer remembers may be missing. Errors: those of settledStatus.
+/// Reads an axis. What this computer remembers may be missing. Errors: those of settledStatus and,
+/// of the link, of flashUse.
 [[nodiscard]] Result<AxisReading> readAxis(AxisCompensator& compensator,
     const std::filesystem::path& storeRoot, int axis, const OperationOptions& options);
 

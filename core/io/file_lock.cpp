@@ -18,31 +18,46 @@ namespace {
 // flock has no time-out of its own; a store operation takes a few milliseconds.
 constexpr std::chrono::milliseconds lockPollInterval{10};
 
+tl::unexpected<Error> notLocked(const std::filesystem::path& what, const Text& reason)
+{
+    return fail(ErrorCode::FileNotWritable, {{"file", what.string()}, {"reason", reason}});
+}
+
 } // namespace
+
+Result<std::optional<FileLock>> FileLock::tryAcquire(
+    const std::filesystem::path& lockFile, const std::filesystem::path& what)
+{
+    const int descriptor =
+        ::open(lockFile.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0600);
+    if (descriptor < 0)
+        return notLocked(what, fileErrorReason(errno));
+    FileLock lock{descriptor};
+    while (::flock(descriptor, LOCK_EX | LOCK_NB) != 0) {
+        if (errno == EWOULDBLOCK)
+            return std::nullopt;
+        if (errno != EINTR)
+            return notLocked(what,
+                AXISCOMP_TEXT("Error", "it cannot be locked: {reason}")
+                    .with("reason", fileErrorReason(errno)));
+    }
+    return lock;
+}
 
 Result<FileLock> FileLock::acquire(const std::filesystem::path& lockFile,
     std::chrono::milliseconds longestWait, const std::filesystem::path& what)
 {
-    const auto failed = [&](const Text& reason) {
-        return fail(ErrorCode::FileNotWritable, {{"file", what.string()}, {"reason", reason}});
-    };
-    const int descriptor =
-        ::open(lockFile.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0600);
-    if (descriptor < 0)
-        return failed(fileErrorReason(errno));
-    FileLock lock{descriptor};
-
     const auto end = std::chrono::steady_clock::now() + longestWait;
-    while (::flock(descriptor, LOCK_EX | LOCK_NB) != 0) {
-        if (errno != EWOULDBLOCK && errno != EINTR)
-            return failed(AXISCOMP_TEXT("Error", "it cannot be locked: {reason}")
-                              .with("reason", fileErrorReason(errno)));
+    while (true) {
+        AXISCOMP_TRY(auto lock, tryAcquire(lockFile, what));
+        if (lock)
+            return *std::move(lock);
         if (std::chrono::steady_clock::now() >= end)
-            return failed(AXISCOMP_TEXT(
-                "Error", "another program is using it; try again when that one has finished"));
+            return notLocked(what,
+                AXISCOMP_TEXT(
+                    "Error", "another program is using it; try again when that one has finished"));
         std::this_thread::sleep_for(lockPollInterval);
     }
-    return lock;
 }
 
 FileLock::FileLock(FileLock&& other) noexcept : m_descriptor(std::exchange(other.m_descriptor, -1))

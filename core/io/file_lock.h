@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <filesystem>
+#include <optional>
 
 namespace axiscomp {
 
@@ -17,6 +18,10 @@ public:
     /// names. Errors: FileNotWritable.
     [[nodiscard]] static Result<FileLock> acquire(const std::filesystem::path& lockFile,
         std::chrono::milliseconds longestWait, const std::filesystem::path& what);
+
+    /// Without waiting; nullopt while somebody else holds it. Errors: FileNotWritable.
+    [[nodiscard]] static Result<std::optional<FileLock>> tryAcquire(
+        const std::filesystem::path& lockFile, const std::filesystem::path& what);
 
     FileLock(FileLock&& other) noexcept;
     FileLock& operator=(FileLock&& other) noexcept;

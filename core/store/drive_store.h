@@ -107,6 +107,8 @@ public:
     /// For the time of a whole write: keeps two programs from writing to one drive at once. None of
     /// the functions above waits for it.
     [[nodiscard]] Result<FileLock> lockWrites(std::int32_t serialNumber);
+    /// The same without waiting; nullopt while another program is writing.
+    [[nodiscard]] Result<std::optional<FileLock>> tryLockWrites(std::int32_t serialNumber);
 
 private:
     template <typename Change>

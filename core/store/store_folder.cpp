@@ -81,6 +81,12 @@ Result<FileLock> StoreFolder::lock(const char* name) const
     return FileLock::acquire(m_path / name, m_lockWait, m_path);
 }
 
+Result<std::optional<FileLock>> StoreFolder::tryLock(const char* name) const
+{
+    AXISCOMP_CHECK(makePrivateFolder(m_path));
+    return FileLock::tryAcquire(m_path / name, m_path);
+}
+
 /// nullopt: there is something that can never be one of the store's files.
 Result<std::optional<Bytes>> StoreFolder::load(const std::filesystem::path& file)
 {

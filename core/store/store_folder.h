@@ -43,6 +43,7 @@ public:
 
     /// Makes the folder too.
     [[nodiscard]] Result<FileLock> lock(const char* name = "lock") const;
+    [[nodiscard]] Result<std::optional<FileLock>> tryLock(const char* name) const;
 
     /// What parse makes of the file; T{} when there is none; a broken one is moved aside and counts
     /// as none. To be called under the lock.

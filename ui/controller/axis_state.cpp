@@ -52,8 +52,6 @@ void WizardController::Private::takeReading(const AxisReading& now)
     takeFlash(now);
     noteUnfinished(now);
     takeStatus(now.status, true);
-    if (now.isBeingWritten && !readAgain.isActive())
-        readAgain.start();
 }
 
 /// isComplete: beside the drive, what this computer knows about it has been read too.
@@ -85,7 +83,7 @@ void WizardController::Private::takeStatus(const AxisStatus& now, bool isComplet
         Q_EMIT q.statusChanged();
     Q_EMIT q.liveChanged();
     update();
-    // The journal of a write that has begun or ended in between.
+    // A write of another program that has ended in between, or is going on.
     if (now.unfinishedWrite && !unfinished && !readAgain.isActive())
         readAgain.start();
 }

@@ -45,11 +45,18 @@ std::string recoveryText(const Recovery& recovery)
             "Undo:   ", "--undo", "brings the complete old state back", recovery.undoObstacle);
 }
 
+/// With nothing unfinished and nothing done.
+Json recoverDocument()
+{
+    return {{"unfinishedWrite", nullptr}, {"finishObstacle", nullptr}, {"undoObstacle", nullptr},
+        {"report", nullptr}};
+}
+
 /// Only says what there is and what is possible.
 ExitCode explain(Environment& environment, const SettledWrite& settled)
 {
-    Json json = {{"unfinishedWrite", unfinishedToJson(settled.entry, settled.outcome)},
-        {"finishObstacle", nullptr}, {"undoObstacle", nullptr}, {"report", nullptr}};
+    Json json = recoverDocument();
+    json["unfinishedWrite"] = unfinishedToJson(settled.entry, settled.outcome);
     std::string text = outcomeSentence(settled.entry, settled.outcome);
     text.front() = 'A';
     environment.print(text + ".\n");
@@ -83,37 +90,53 @@ Result<WriteReport> carryOut(
     return report;
 }
 
+ExitCode nothingUnfinished(Environment& environment, int axis)
+{
+    environment.print(sentence({ErrorCode::NothingUnfinished, {{"axis", axis}}, {}}) + "\n");
+    environment.document(recoverDocument());
+    return ExitCode::Done;
+}
+
+Result<ExitCode> explainUnfinished(Environment& environment, CommandSession& session, int axis)
+{
+    AXISCOMP_TRY(const auto now,
+        axiscomp::settledStatus(
+            session.compensator(), session.storeRoot(), axis, session.operation()));
+    if (now.settlingProblem)
+        return fail(*now.settlingProblem);
+    if (now.isBeingWritten) {
+        environment.print(beingWritten(now.status.axis) + "\n");
+        environment.document(recoverDocument());
+        return ExitCode::Done;
+    }
+    return now.settled ? explain(environment, *now.settled) : nothingUnfinished(environment, axis);
+}
+
+/// Waits for a program that is writing, and is refused when that one has ended its write.
+Result<ExitCode> recoverUnfinished(
+    Environment& environment, CommandSession& session, int axis, bool finishes)
+{
+    AXISCOMP_TRY(const auto status, session.compensator().status(axis, session.operation()));
+    if (!status.unfinishedWrite)
+        return nothingUnfinished(environment, axis);
+    AXISCOMP_TRY(
+        const auto report, carryOut(environment, session, *status.unfinishedWrite, finishes));
+    environment.print(std::string(finishes ? "\nFinished: the drive holds the complete new state"
+                                           : "\nUndone: the drive holds the complete old state")
+        + ", read back and compared.\nBackup of what there was before: " + report.backup.string()
+        + "\n");
+    Json document = recoverDocument();
+    document["report"] = toJson(report);
+    environment.document(document);
+    return ExitCode::Done;
+}
+
 Result<ExitCode> runRecover(
     Environment& environment, CommandSession& session, int axis, const RecoverOptions& options)
 {
-    const auto now = axiscomp::settledStatus(
-        session.compensator(), session.storeRoot(), axis, session.operation());
-    if (!now)
-        return fail(now.error());
-    if (!now->settled) {
-        const Error nothing{ErrorCode::NothingUnfinished, {{"axis", axis}}, {}};
-        environment.print(
-            (now->isBeingWritten ? "another program is writing to this axis at this moment"
-                                 : sentence(nothing))
-            + "\n");
-        environment.document({{"unfinishedWrite", nullptr}, {"finishObstacle", nullptr},
-            {"undoObstacle", nullptr}, {"report", nullptr}});
-        return ExitCode::Done;
-    }
-    const bool isComplete = now->settled->outcome == Outcome::New;
-    if (isComplete || (!options.finishes && !options.undoes))
-        return explain(environment, *now->settled);
-    const auto report = carryOut(environment, session, now->settled->entry, options.finishes);
-    if (!report)
-        return fail(report.error());
-    environment.print(
-        std::string(options.finishes ? "\nFinished: the drive holds the complete new state"
-                                     : "\nUndone: the drive holds the complete old state")
-        + ", read back and compared.\nBackup of what there was before: " + report->backup.string()
-        + "\n");
-    environment.document({{"unfinishedWrite", nullptr}, {"finishObstacle", nullptr},
-        {"undoObstacle", nullptr}, {"report", toJson(*report)}});
-    return ExitCode::Done;
+    return options.finishes || options.undoes
+        ? recoverUnfinished(environment, session, axis, options.finishes)
+        : explainUnfinished(environment, session, axis);
 }
 
 } // namespace

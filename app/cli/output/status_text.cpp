@@ -195,6 +195,11 @@ std::string_view outcomeName(AxisCompensator::UnfinishedOutcome outcome)
     return "";
 }
 
+std::string beingWritten(const AxisInfo& axis)
+{
+    return "another program is writing to " + axisWords(axis) + " at this moment";
+}
+
 std::string outcomeSentence(const JournalEntry& entry, AxisCompensator::UnfinishedOutcome outcome)
 {
     const std::string head = "a write to axis " + std::to_string(entry.axis) + " that began at "

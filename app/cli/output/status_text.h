@@ -26,6 +26,8 @@ namespace axiscomp::app {
 
 /// "Old", "New", "NewUnsaved", "Neither"
 [[nodiscard]] std::string_view outcomeName(AxisCompensator::UnfinishedOutcome outcome);
+/// "another program is writing to axis 0 (X) at this moment"
+[[nodiscard]] std::string beingWritten(const AxisInfo& axis);
 /// Sentences for people about it, and about what can be done.
 [[nodiscard]] std::string outcomeSentence(
     const JournalEntry& entry, AxisCompensator::UnfinishedOutcome outcome);

@@ -200,9 +200,11 @@ Result<SettledStatus> settledStatus(Environment& environment, CommandSession& se
 {
     auto now = axiscomp::settledStatus(
         session.compensator(), session.storeRoot(), axis, session.operation());
+    if (now && now->settlingProblem)
+        return fail(*now->settlingProblem);
     if (now && now->isBeingWritten)
-        environment.warn("another program is writing to " + axisWords(now->status.axis)
-            + " at this moment; what is shown may already have changed");
+        environment.warn(
+            beingWritten(now->status.axis) + "; what is shown may already have changed");
     if (now && now->settled)
         environment.warn(outcomeSentence(now->settled->entry, now->settled->outcome));
     return now;

@@ -38,6 +38,17 @@ AxisState stateOf(const QJsonObject& status)
         status.value("sources").toArray().at(0).toString(), status.value("persistent").toBool()};
 }
 
+/// The same drive with the same flash at the same address, quick or slow.
+QStringList driveOptions(const QString& url, const char* fault)
+{
+    QStringList options{"--state", "flash"};
+    if (!url.isEmpty())
+        options << "--http" << QStringLiteral("127.0.0.1:%1").arg(QUrl(url).port());
+    if (fault)
+        options << "--fault" << fault;
+    return options;
+}
+
 /// An axis with an old, stored table and a slow drive, so that a write can be met in the middle.
 struct Fixture {
     Sandbox box;
@@ -50,14 +61,18 @@ struct Fixture {
         box.file("new.csv", newTable);
     }
 
-    /// Learns how the axis looks before and after, and leaves it in the old state.
-    [[nodiscard]] bool prepare(const QString& url)
+    /// Learns on a quick drive how the axis looks before and after, and leaves it in the old state.
+    /// The drive's address; empty when that failed.
+    [[nodiscard]] QString prepare()
     {
+        const VirtualDriveProcess quick(box, driveOptions({}, nullptr));
+        const QString url = quick.url();
         const bool isNew = write(url, "new.csv", newSource).code == 0;
         after = stateOf(status(url).json());
         const bool isOld = write(url, "old.csv", test::positionSource(0)).code == 0;
         before = stateOf(status(url).json());
-        return isNew && isOld && before.crc != after.crc && before.source != after.source;
+        const bool isChanged = before.crc != after.crc && before.source != after.source;
+        return isNew && isOld && isChanged ? url : QString();
     }
 
     [[nodiscard]] static QStringList writeArguments(
@@ -87,17 +102,6 @@ struct Fixture {
     }
 };
 
-/// The same drive with the same flash at the same address, quick or slow.
-QStringList driveOptions(const QString& url, const char* fault)
-{
-    QStringList options{"--state", "flash"};
-    if (!url.isEmpty())
-        options << "--http" << QStringLiteral("127.0.0.1:%1").arg(QUrl(url).port());
-    if (fault)
-        options << "--fault" << fault;
-    return options;
-}
-
 void addSteps()
 {
     QTest::addColumn<int>("steps");
@@ -122,12 +126,8 @@ private Q_SLOTS:
     {
         QFETCH(const int, steps);
         Fixture bench;
-        QString url;
-        {
-            const VirtualDriveProcess quick(bench.box, driveOptions({}, nullptr));
-            url = quick.url();
-            QVERIFY(bench.prepare(url));
-        }
+        const QString url = bench.prepare();
+        QVERIFY(!url.isEmpty());
         const VirtualDriveProcess slow(bench.box, driveOptions(url, "slow=15"));
         QVERIFY(slow.isReady());
         const auto process = bench.startWrite(url, steps);
@@ -156,12 +156,8 @@ private Q_SLOTS:
     void aWriteThatAnotherProgramIsDoingIsNotCalledUnfinished()
     {
         Fixture bench;
-        QString url;
-        {
-            const VirtualDriveProcess quick(bench.box, driveOptions({}, nullptr));
-            url = quick.url();
-            QVERIFY(bench.prepare(url));
-        }
+        const QString url = bench.prepare();
+        QVERIFY(!url.isEmpty());
         const VirtualDriveProcess slow(bench.box, driveOptions(url, "slow=15"));
         QVERIFY(slow.isReady());
         const auto process = bench.startWrite(url, 3);
@@ -191,12 +187,8 @@ private Q_SLOTS:
     {
         QFETCH(const int, steps);
         Fixture bench;
-        QString url;
-        {
-            const VirtualDriveProcess quick(bench.box, driveOptions({}, nullptr));
-            url = quick.url();
-            QVERIFY(bench.prepare(url));
-        }
+        const QString url = bench.prepare();
+        QVERIFY(!url.isEmpty());
         const VirtualDriveProcess slow(bench.box, driveOptions(url, "slow=15"));
         QVERIFY(slow.isReady());
         const auto process = bench.startWrite(url, steps);
@@ -219,12 +211,8 @@ private Q_SLOTS:
         QFETCH(const int, steps);
         QFETCH(const QString, option);
         Fixture bench;
-        QString url;
-        {
-            const VirtualDriveProcess quick(bench.box, driveOptions({}, nullptr));
-            url = quick.url();
-            QVERIFY(bench.prepare(url));
-        }
+        const QString url = bench.prepare();
+        QVERIFY(!url.isEmpty());
         const VirtualDriveProcess slow(bench.box, driveOptions(url, "slow=15"));
         QVERIFY(slow.isReady());
         const auto process = bench.startWrite(url, steps);
@@ -255,12 +243,8 @@ private Q_SLOTS:
     {
         QFETCH(const int, steps);
         Fixture bench;
-        QString url;
-        {
-            const VirtualDriveProcess quick(bench.box, driveOptions({}, nullptr));
-            url = quick.url();
-            QVERIFY(bench.prepare(url));
-        }
+        const QString url = bench.prepare();
+        QVERIFY(!url.isEmpty());
         int code = -1;
         QByteArray err;
         {
