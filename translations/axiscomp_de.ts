@@ -4047,6 +4047,38 @@
             <numerusform>ein JSON-Array mit {count} Registern in der abgefragten Reihenfolge</numerusform>
         </translation>
     </message>
+    <message>
+        <source>this is empty</source>
+        <translation>das ist leer</translation>
+    </message>
+    <message>
+        <source>this is there twice</source>
+        <translation>das kommt zweimal vor</translation>
+    </message>
+    <message>
+        <source>it does not read back as it was written</source>
+        <translation>zurückgelesen wurde etwas anderes als geschrieben</translation>
+    </message>
+    <message>
+        <source>it is not the table that was kept there: its size or CRC differs</source>
+        <translation>es ist nicht die Tabelle, die dort aufbewahrt wurde: Größe oder CRC weicht ab</translation>
+    </message>
+    <message>
+        <source>it was kept about a write that did not end, but is damaged ({reason}). Look at what the drive holds, then delete the file</source>
+        <translation>sie gehört zu einem nicht beendeten Schreibvorgang, ist aber beschädigt ({reason}). Den Stand des Antriebs prüfen, dann die Datei löschen</translation>
+    </message>
+    <message>
+        <source>it is about axis {axis} of drive {drive}</source>
+        <translation>sie gehört zu Achse {axis} des Antriebs {drive}</translation>
+    </message>
+    <message>
+        <source>user name or password is missing or wrong</source>
+        <translation>Benutzername oder Passwort fehlt oder ist falsch</translation>
+    </message>
+    <message>
+        <source>the request has more bytes than the largest that the drive takes</source>
+        <translation>die Anfrage hat mehr Bytes, als der Antrieb höchstens annimmt</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>

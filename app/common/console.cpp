@@ -143,7 +143,8 @@ Result<void> Console::flush()
     send();
     if (m_outputError != 0 && m_outputError != EPIPE)
         return fail(ErrorCode::FileNotWritable,
-            {{"file", "standard output"}, {"reason", std::strerror(m_outputError)}});
+            {{"file", Verbatim{"standard output"}},
+                {"reason", Verbatim{std::strerror(m_outputError)}}});
     return {};
 }
 

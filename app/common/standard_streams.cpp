@@ -34,7 +34,7 @@ Result<bool> readMore(int descriptor, Interrupt& interrupt, std::string& text)
     text.resize(before + static_cast<std::size_t>(count < 0 ? 0 : count));
     if (count < 0)
         return fail(ErrorCode::FileNotReadable,
-            {{"file", "standard input"}, {"reason", std::strerror(reason)}});
+            {{"file", Verbatim{"standard input"}}, {"reason", Verbatim{std::strerror(reason)}}});
     return count > 0;
 }
 
@@ -49,7 +49,8 @@ Result<std::string> readStandardInput(Interrupt& interrupt, std::uint64_t maximu
             return text;
         if (text.size() > maximumSize)
             return fail(ErrorCode::FileTooLarge,
-                {{"file", "standard input"}, {"size", "more than " + std::to_string(maximumSize)},
+                {{"file", Verbatim{"standard input"}},
+                    {"size", "more than " + std::to_string(maximumSize)},
                     {"limit", std::to_string(maximumSize)}});
     }
 }

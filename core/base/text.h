@@ -86,9 +86,6 @@ public:
     {
     }
     Text(Verbatim text); // NOLINT(google-explicit-constructor)
-    Text(std::string text)
-        : Text(Verbatim{std::move(text)}) { } // NOLINT(google-explicit-constructor)
-    Text(const char* text) : Text(Verbatim{text}) { } // NOLINT(google-explicit-constructor)
 
     /// With words that were read at run time, such as those of the virtual drive's answers.
     [[nodiscard]] static Text withWords(
@@ -141,8 +138,7 @@ public:
     Argument(std::string_view value)
         : m_value(Verbatim{std::string(value)}) { } // NOLINT(google-explicit-constructor)
     /// Words in the source are a sentence (AXISCOMP_TEXT), or are said to be none (Verbatim).
-    Argument(const char* words)
-        : m_value(Verbatim{words}) { } // NOLINT(google-explicit-constructor)
+    Argument(const char*) = delete;
 
     [[nodiscard]] const Value& value() const { return m_value; }
     [[nodiscard]] std::string english() const;

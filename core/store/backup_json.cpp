@@ -100,7 +100,8 @@ std::vector<RegisterWrite> registersFromJson(const JsonNode& node)
                 "Error", "one of Boolean, Int32, UInt32, Single, Double, Enum is expected"));
         RegisterWrite write{item["path"].text(), valueFromJson(item["value"], type.textView())};
         if (write.path.empty() || !paths.insert(write.path).second)
-            item["path"].refuse(write.path.empty() ? "this is empty" : "this is there twice");
+            item["path"].refuse(write.path.empty() ? AXISCOMP_TEXT("Error", "this is empty")
+                                                   : AXISCOMP_TEXT("Error", "this is there twice"));
         registers.push_back(std::move(write));
     }
     return registers;

@@ -19,6 +19,7 @@ namespace {
 
 constexpr std::size_t keptFlashOperations = 1000;
 constexpr std::ptrdiff_t keptTablesPerSlot = 4;
+constexpr const char* writeLock = "write.lock";
 
 /// Whether the file holds the backup that was written as this text.
 Result<void> checkBackup(const std::filesystem::path& file, const std::string& text)
@@ -32,7 +33,8 @@ Result<void> checkBackup(const std::filesystem::path& file, const std::string& t
     // As texts, because a register may hold NaN, which differs from itself.
     if (writeBackup(*readBack) != text)
         return fail(ErrorCode::FileNotWritable,
-            {{"file", file.string()}, {"reason", "it does not read back as it was written"}});
+            {{"file", file.string()},
+                {"reason", AXISCOMP_TEXT("Error", "it does not read back as it was written")}});
     return {};
 }
 
@@ -130,7 +132,9 @@ Result<Bytes> DriveStore::keptTable(const JournalEntry::KeptTable& table) const
     if (bytes && (bytes->size() != table.size || crc32(*bytes) != table.crc))
         return fail(ErrorCode::FileNotReadable,
             {{"file", table.file.string()},
-                {"reason", "it is not the table that was kept there: its size or CRC differs"}});
+                {"reason",
+                    AXISCOMP_TEXT("Error",
+                        "it is not the table that was kept there: its size or CRC differs")}});
     return bytes;
 }
 
@@ -162,12 +166,14 @@ Result<std::optional<JournalEntry>> DriveStore::journal(std::int32_t serialNumbe
 {
     const StoreFolder folder{m_root, serialNumber, m_lockWait};
     const std::filesystem::path file = folder.journal(axis);
-    const auto broken = [&](const std::string& why) {
+    const auto broken = [&](const Text& why) {
         return fail(ErrorCode::FileNotReadable,
             {{"file", file.string()},
                 {"reason",
-                    "it was kept about a write that did not end, but is damaged (" + why
-                        + "). Look at what the drive holds, then delete the file"}});
+                    AXISCOMP_TEXT("Error",
+                        "it was kept about a write that did not end, but is damaged ({reason}). "
+                        "Look at what the drive holds, then delete the file")
+                        .with("reason", why)}});
     };
     if (isMissing(file))
         return std::nullopt;
@@ -175,13 +181,14 @@ Result<std::optional<JournalEntry>> DriveStore::journal(std::int32_t serialNumbe
     if (!bytes && isMissing(file)) // closed by another program just now
         return std::nullopt;
     if (!bytes)
-        return broken(sentence(bytes.error()));
+        return broken(textOf(bytes.error()));
     auto entry = readJournal(asText(*bytes), folder.path());
     if (!entry)
         return broken(entry.error());
     if (entry->serialNumber != serialNumber || entry->axis != axis)
-        return broken("it is about axis " + std::to_string(entry->axis) + " of drive "
-            + std::to_string(entry->serialNumber));
+        return broken(AXISCOMP_TEXT("Error", "it is about axis {axis} of drive {drive}")
+                          .with("axis", entry->axis)
+                          .with("drive", entry->serialNumber));
     return *std::move(entry);
 }
 
@@ -325,7 +332,12 @@ Result<void> DriveStore::recordCovered(
 
 Result<FileLock> DriveStore::lockWrites(std::int32_t serialNumber)
 {
-    return StoreFolder{m_root, serialNumber, m_lockWait}.lock("write.lock");
+    return StoreFolder{m_root, serialNumber, m_lockWait}.lock(writeLock);
+}
+
+Result<std::optional<FileLock>> DriveStore::tryLockWrites(std::int32_t serialNumber)
+{
+    return StoreFolder{m_root, serialNumber, m_lockWait}.tryLock(writeLock);
 }
 
 } // namespace axiscomp

@@ -20,7 +20,7 @@ constexpr JsonLimits storeLimits{.size = maximumDocumentSize, .depth = 8, .value
 template <typename T> DocumentResult<T> resultOf(const StrictJson& document, T value)
 {
     if (document.problem())
-        return tl::unexpected(document.problem()->reason.english());
+        return tl::unexpected(document.problem()->reason);
     return value;
 }
 

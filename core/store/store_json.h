@@ -12,7 +12,7 @@
 namespace axiscomp {
 
 /// Why a file of the store cannot be understood: "newCrc: this is missing".
-using DocumentFault = std::string;
+using DocumentFault = Text;
 template <typename T> using DocumentResult = tl::expected<T, DocumentFault>;
 
 /// Bytes that such a file may have.

@@ -4,6 +4,9 @@
 #include <QCoreApplication>
 #include <QLocale>
 
+#include <algorithm>
+#include <limits>
+
 namespace axiscomp::ui {
 
 namespace {
@@ -12,9 +15,11 @@ QString translatedWords(const TextPattern& pattern, const Arguments& arguments)
 {
     if (pattern.one == nullptr)
         return QCoreApplication::translate(pattern.context, pattern.words);
-    const int count = static_cast<int>(arguments.integer("count").value_or(0));
+    const std::int64_t count = arguments.integer("count").value_or(0);
+    const auto form =
+        static_cast<int>(std::clamp<std::int64_t>(count, 0, std::numeric_limits<int>::max()));
     const QString words =
-        QCoreApplication::translate(pattern.context, pattern.words, pattern.one, count);
+        QCoreApplication::translate(pattern.context, pattern.words, pattern.one, form);
     const bool isEnglish = words == QString::fromUtf8(pattern.words);
     return isEnglish && count == 1 ? QString::fromUtf8(pattern.one) : words;
 }

@@ -52,8 +52,8 @@ public:
         const int descriptor =
             isStandardInput ? STDIN_FILENO : ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
         if (descriptor < 0)
-            return fail(
-                ErrorCode::FileNotReadable, {{"file", file}, {"reason", std::strerror(errno)}});
+            return fail(ErrorCode::FileNotReadable,
+                {{"file", file}, {"reason", Verbatim{std::strerror(errno)}}});
         auto answered = answerAll(descriptor, results);
         if (!isStandardInput)
             ::close(descriptor);
@@ -127,7 +127,7 @@ private:
         const std::string what =
             expected.empty() ? found : "found " + found + ", expected " + expected;
         m_environment.diagnose(m_name, m_line, column, "InvalidPosition", what);
-        return fail(ErrorCode::InvalidCalibration, {{"file", m_name}, {"count", "1"}});
+        return fail(ErrorCode::InvalidCalibration, {{"file", m_name}, {"count", 1}});
     }
 
     Environment& m_environment;

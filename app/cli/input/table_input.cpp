@@ -137,9 +137,8 @@ Result<TableInput> inspectTamTable(Environment& environment, const TableInputOpt
         return fail(table.error());
     const int dimensions = table->table.grid.dimensions();
     if (options.dimensions != 0 && options.dimensions != dimensions)
-        return fail(ErrorCode::DimensionMismatch,
-            {{"table", std::to_string(dimensions)},
-                {"chosen", std::to_string(options.dimensions)}});
+        return fail(
+            ErrorCode::DimensionMismatch, {{"table", dimensions}, {"chosen", options.dimensions}});
     TableInput input;
     input.format = &tam_table::format();
     input.persistent = table->persistent;
@@ -181,8 +180,7 @@ Result<TableInput> inspectOther(
     if (options.dimensions != 0 && input.isValid()
         && static_cast<int>(input.tables.front().axes.size()) != options.dimensions)
         return fail(ErrorCode::DimensionMismatch,
-            {{"table", std::to_string(input.tables.front().axes.size())},
-                {"chosen", std::to_string(options.dimensions)}});
+            {{"table", input.tables.front().axes.size()}, {"chosen", options.dimensions}});
     return input;
 }
 
@@ -257,7 +255,7 @@ Result<TableInput> readInput(Environment& environment, const TableInputOptions& 
         std::ranges::count(input->diagnostics, Severity::Error, &Diagnostic::severity);
     return fail(ErrorCode::InvalidCalibration,
         {{"file", displayName(options.file)},
-            {"count", std::to_string(static_cast<std::size_t>(errors) + input->suppressed)}});
+            {"count", static_cast<std::size_t>(errors) + input->suppressed}});
 }
 
 Result<FormatSettings> settingsOf(const std::vector<std::string>& pairs, const std::string& command)

@@ -66,7 +66,7 @@ Result<std::vector<DriveSighting>> lookForDrives(
     if (std::ranges::none_of(
             sightings, [](const auto& sighting) { return sighting.drive.has_value(); }))
         return fail(ErrorCode::NotConnected,
-            {{"endpoint", "any drive"},
+            {{"endpoint", Verbatim{"any drive"}},
                 {"reason",
                     places.empty() ? "this computer has no serial port, and no address was given"
                                    : "none of the places looked at ("

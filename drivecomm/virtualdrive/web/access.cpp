@@ -51,7 +51,8 @@ std::optional<WebAccess::Denial> WebAccess::denial(const WebRequest& request) co
     if (!m_authorization.empty() && !sameSecret(request.authorization, m_authorization))
         return Denial{401,
             Error{ErrorCode::Unauthorized,
-                {{"reason", "user name or password is missing or wrong"}}, {}}};
+                {{"reason", AXISCOMP_TEXT("Error", "user name or password is missing or wrong")}},
+                {}}};
     return std::nullopt;
 }
 

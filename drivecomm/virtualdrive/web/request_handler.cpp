@@ -89,7 +89,9 @@ WebReply RequestHandler::answer(const WebRequest& request) const
     if (request.isTooLarge)
         return refusal(request,
             {ErrorCode::TooLargeForSlot,
-                {{"reason", "the request has more bytes than the largest that the drive takes"}},
+                {{"reason",
+                    AXISCOMP_TEXT("Error",
+                        "the request has more bytes than the largest that the drive takes")}},
                 {}});
     if (request.isMalformed)
         return refusal(request, rejected("the body is not what its Content-Type says"), 400);

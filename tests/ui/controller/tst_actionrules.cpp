@@ -48,7 +48,7 @@ ActionSnapshot changed()
 }
 
 const Error damagedTable{ErrorCode::CompensationError,
-    {{"axis", "0"}, {"error", "TableBad"}, {"hint", "write it again"}}, {}};
+    {{"axis", 0}, {"error", Verbatim{"TableBad"}}, {"hint", Verbatim{"write it again"}}}, {}};
 const Error damagedJournal{ErrorCode::FileNotReadable,
     {{"file", Verbatim{"journal.json"}}, {"reason", Verbatim{"the disk reports an error"}}}, {}};
 

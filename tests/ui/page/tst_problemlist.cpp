@@ -173,8 +173,9 @@ private Q_SLOTS:
     {
         ProblemList list;
         list.setProblems(QStringLiteral("/bad.csv"),
-            {{Severity::Error, DiagnosticCode::NotANumber, 3, 2, "two", "a number"},
-                {Severity::Warning, DiagnosticCode::ConstantTable, 0, 2, "", ""}},
+            {{Severity::Error, DiagnosticCode::NotANumber, 3, 2, Verbatim{"two"},
+                 Verbatim{"a number"}},
+                {Severity::Warning, DiagnosticCode::ConstantTable, 0, 2, {}, {}}},
             0);
         list.resize(500, 300);
         list.show();

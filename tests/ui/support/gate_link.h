@@ -119,7 +119,7 @@ public:
         if (ended)
             return {};
         ++m_timeouts;
-        return fail(ErrorCode::Timeout, {{"endpoint", Verbatim{"test:"}}, {"seconds", "1"}});
+        return fail(ErrorCode::Timeout, {{"endpoint", Verbatim{"test:"}}, {"seconds", 1}});
     }
     [[nodiscard]] Result<void> passUpload(const Exchange& exchange)
     {

@@ -98,7 +98,7 @@ private:
     QTemporaryDir m_folder;
     drivecomm::VirtualDrive m_drive;
     DriveGate m_gate{Error{ErrorCode::ConnectionLost,
-        {{"endpoint", address}, {"reason", Verbatim{"Connection closed"}}}, {}}};
+        {{"endpoint", Verbatim{address}}, {"reason", Verbatim{"Connection closed"}}}, {}}};
 };
 
 } // namespace axiscomp::test

@@ -220,6 +220,28 @@ private Q_SLOTS:
         QCOMPARE(sentences.untranslated(), QStringList());
     }
 
+    void whatTheDialogsSayAboutFormatsIsTranslated()
+    {
+        Sentences sentences;
+        QStringList untranslated;
+        for (const TableFormat* format : tableFormats()) {
+            sentences.add(Text(format->facts.description));
+            for (const FormatSetting& setting : format->facts.settings) {
+                sentences.add(Text(setting.meaning));
+                QStringList words =
+                    text(setting.choices).split(QStringLiteral(", "), Qt::SkipEmptyParts);
+                words += text(setting.key).replace(u'-', u' ');
+                for (const QString& word : words)
+                    if (word[0].isLetter()
+                        && QCoreApplication::translate("Setting", word.toUtf8().constData())
+                            == word)
+                        untranslated += word;
+            }
+        }
+        QCOMPARE(sentences.untranslated(), QStringList());
+        QVERIFY2(untranslated.isEmpty(), qPrintable(untranslated.join(u'\n')));
+    }
+
     void problemsOfDamagedFilesAreTranslated_data()
     {
         addFormats([](const TableFormat& f) { return f.read != nullptr && f.facts.isText; });
