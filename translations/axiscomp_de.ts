@@ -4919,6 +4919,29 @@
     </message>
 </context>
 <context>
+    <name>axiscomp::ui::AxisState</name>
+    <message>
+        <source>Compensation: %1.</source>
+        <translation>Kompensation: %1.</translation>
+    </message>
+    <message>
+        <source>Homing: %1.</source>
+        <translation>Referenzierung: %1.</translation>
+    </message>
+    <message>
+        <source>The compensation is in error: %1.</source>
+        <translation>Die Kompensation meldet einen Fehler: %1.</translation>
+    </message>
+    <message>
+        <source>The drive is in error: %1.</source>
+        <translation>Der Antrieb meldet einen Fehler: %1.</translation>
+    </message>
+    <message>
+        <source>Another program changed the settings of this axis on the drive.</source>
+        <translation>Ein anderes Programm hat die Einstellungen dieser Achse im Antrieb geändert.</translation>
+    </message>
+</context>
+<context>
     <name>axiscomp::ui::CertificateButton</name>
     <message>
         <source>Forget Cert&amp;ificate</source>
@@ -5541,6 +5564,17 @@
     </message>
 </context>
 <context>
+    <name>axiscomp::ui::DriveList</name>
+    <message>
+        <source>Connected to %1 (%2).</source>
+        <translation>Verbunden mit %1 (%2).</translation>
+    </message>
+    <message>
+        <source>A different drive now answers at %1: %2. Unwritten changes were discarded.</source>
+        <translation>Unter %1 antwortet jetzt ein anderer Antrieb: %2. Nicht geschriebene Änderungen wurden verworfen.</translation>
+    </message>
+</context>
+<context>
     <name>axiscomp::ui::DropFrame</name>
     <message>
         <source>Drop to open %1</source>
@@ -5785,21 +5819,6 @@
     </message>
 </context>
 <context>
-    <name>axiscomp::ui::LogModel</name>
-    <message>
-        <source>Time</source>
-        <translation>Zeit</translation>
-    </message>
-    <message>
-        <source>What happened</source>
-        <translation>Ereignis</translation>
-    </message>
-    <message>
-        <source>Details</source>
-        <translation>Details</translation>
-    </message>
-</context>
-<context>
     <name>axiscomp::ui::LogView</name>
     <message>
         <source>Log</source>
@@ -5866,6 +5885,13 @@
     <message>
         <source>Close this message</source>
         <translation>Meldung schließen</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::MultiAxisController</name>
+    <message>
+        <source>The writes have not been planned yet.</source>
+        <translation>Die Schreibvorgänge sind noch nicht geplant.</translation>
     </message>
 </context>
 <context>
@@ -6069,6 +6095,43 @@
     <message>
         <source>Flash operations: %1 used, %2 left right after.</source>
         <translation>Flash-Vorgänge: %1 verbraucht, gleich danach noch %2 übrig.</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::OperationRunner</name>
+    <message>
+        <source>Begin: %1, %2.</source>
+        <comment>task and drive</comment>
+        <translation>Beginn: %1, %2.</translation>
+    </message>
+    <message>
+        <source>Begin: %1 %2.</source>
+        <translation>Beginn: %1 %2.</translation>
+    </message>
+    <message>
+        <source>%1: %2, %3</source>
+        <comment>task, axis and step</comment>
+        <translation>%1: %2, %3</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1: stopping</source>
+        <translation>%1: wird gestoppt</translation>
+    </message>
+    <message>
+        <source>The fields were changed while the write was planned: write again.</source>
+        <translation>Während der Planung wurden Felder geändert: neu schreiben.</translation>
+    </message>
+    <message>
+        <source>The drive or the fields have changed since the write was planned: write again.</source>
+        <translation>Antrieb oder Felder haben sich seit der Planung geändert: neu schreiben.</translation>
+    </message>
+    <message>
+        <source>Stopped by the user.</source>
+        <translation>Vom Benutzer abgebrochen.</translation>
     </message>
 </context>
 <context>
@@ -6599,6 +6662,13 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
     </message>
 </context>
 <context>
+    <name>axiscomp::ui::SourceCheck</name>
+    <message>
+        <source>The drive is not connected: the source cannot be checked.</source>
+        <translation>Der Antrieb ist nicht verbunden: die Quelle lässt sich nicht prüfen.</translation>
+    </message>
+</context>
+<context>
     <name>axiscomp::ui::StatusStrip</name>
     <message>
         <source>compensation off</source>
@@ -6750,6 +6820,17 @@ B - A: %3</translation>
     </message>
 </context>
 <context>
+    <name>axiscomp::ui::TableSelection</name>
+    <message>
+        <source>%1 has been read: %2 points, tables: %3.</source>
+        <translation>%1 wurde gelesen: %2 Stützstellen, Tabellen: %3.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be used: %2 problems.</source>
+        <translation>%1 ist nicht verwendbar, Anzahl der Fehler: %2.</translation>
+    </message>
+</context>
+<context>
     <name>axiscomp::ui::TableViewModel</name>
     <message>
         <source>No table</source>
@@ -6840,86 +6921,23 @@ B - A: %3</translation>
 <context>
     <name>axiscomp::ui::WizardController</name>
     <message>
-        <source>Compensation: %1.</source>
-        <translation>Kompensation: %1.</translation>
-    </message>
-    <message>
-        <source>Homing: %1.</source>
-        <translation>Referenzierung: %1.</translation>
-    </message>
-    <message>
-        <source>The compensation is in error: %1.</source>
-        <translation>Die Kompensation meldet einen Fehler: %1.</translation>
-    </message>
-    <message>
-        <source>The drive is in error: %1.</source>
-        <translation>Der Antrieb meldet einen Fehler: %1.</translation>
-    </message>
-    <message>
-        <source>Another program changed the settings of this axis on the drive.</source>
-        <translation>Ein anderes Programm hat die Einstellungen dieser Achse im Antrieb geändert.</translation>
-    </message>
-    <message>
         <source>Wait for the current operation before selecting another axis.</source>
         <translation>Erst nach dem Ende des laufenden Vorgangs kann eine andere Achse gewählt werden.</translation>
     </message>
+</context>
+<context>
+    <name>axiscomp::ui::WizardLog</name>
     <message>
-        <source>Connected to %1 (%2).</source>
-        <translation>Verbunden mit %1 (%2).</translation>
+        <source>Time</source>
+        <translation>Zeit</translation>
     </message>
     <message>
-        <source>A different drive now answers at %1: %2. Unwritten changes were discarded.</source>
-        <translation>Unter %1 antwortet jetzt ein anderer Antrieb: %2. Nicht geschriebene Änderungen wurden verworfen.</translation>
+        <source>What happened</source>
+        <translation>Ereignis</translation>
     </message>
     <message>
-        <source>Begin: %1 %2.</source>
-        <translation>Beginn: %1 %2.</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
-    </message>
-    <message>
-        <source>The fields were changed while the write was planned: write again.</source>
-        <translation>Während der Planung wurden Felder geändert: neu schreiben.</translation>
-    </message>
-    <message>
-        <source>The drive or the fields have changed since the write was planned: write again.</source>
-        <translation>Antrieb oder Felder haben sich seit der Planung geändert: neu schreiben.</translation>
-    </message>
-    <message>
-        <source>%1: stopping</source>
-        <translation>%1: wird gestoppt</translation>
-    </message>
-    <message>
-        <source>Stopped by the user.</source>
-        <translation>Vom Benutzer abgebrochen.</translation>
-    </message>
-    <message>
-        <source>The drive is not connected: the source cannot be checked.</source>
-        <translation>Der Antrieb ist nicht verbunden: die Quelle lässt sich nicht prüfen.</translation>
-    </message>
-    <message>
-        <source>%1 has been read: %2 points, tables: %3.</source>
-        <translation>%1 wurde gelesen: %2 Stützstellen, Tabellen: %3.</translation>
-    </message>
-    <message>
-        <source>%1 cannot be used: %2 problems.</source>
-        <translation>%1 ist nicht verwendbar, Anzahl der Fehler: %2.</translation>
-    </message>
-    <message>
-        <source>Begin: %1, %2.</source>
-        <comment>task and drive</comment>
-        <translation>Beginn: %1, %2.</translation>
-    </message>
-    <message>
-        <source>%1: %2, %3</source>
-        <comment>task, axis and step</comment>
-        <translation>%1: %2, %3</translation>
-    </message>
-    <message>
-        <source>The writes have not been planned yet.</source>
-        <translation>Die Schreibvorgänge sind noch nicht geplant.</translation>
+        <source>Details</source>
+        <translation>Details</translation>
     </message>
 </context>
 <context>

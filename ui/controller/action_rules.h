@@ -49,6 +49,14 @@ enum class Task {
     Undo,
 };
 
+/// What a busy page shows.
+struct BusyState {
+    bool isBusy = false;
+    QString step; ///< translated: "writing: verifying table"
+    double fraction = 0.0;
+    bool canCancel = false;
+};
+
 /// "writing", translated.
 [[nodiscard]] QString taskText(Task task);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/base/error.h"
-#include "ui/controller/wizard_controller_p.h"
+#include "ui/controller/axis_state.h"
+
+#include "ui/async/background_job.h"
 #include "ui/text/message_text.h"
 
 namespace axiscomp::ui {
@@ -22,155 +23,213 @@ bool sameButLive(const AxisStatus& a, const AxisStatus& b)
 
 } // namespace
 
-void WizardController::Private::readAxisNow()
+AxisState::AxisState(const WizardOptions& options, const DriveList& drives, SetupModel& setup,
+    WizardLog& log, LastOutcome& outcome)
+    : m_profile(*options.profile)
+    , m_drives(drives)
+    , m_setup(setup)
+    , m_log(log)
+    , m_outcome(outcome)
+    , m_flash(m_profile.flashWear)
+    , m_live(options.liveInterval)
 {
-    DriveConnection* drive = connection();
-    if (!drive || !drive->isConnected() || !hasCompensation || task)
+    connect(&m_live, &LiveMonitor::read, this, [this](const AxisStatus& now) {
+        m_liveProblem.reset();
+        take(now, false);
+    });
+    connect(&m_live, &LiveMonitor::failed, this, &AxisState::takeLiveFailure);
+    m_readAgain.setSingleShot(true);
+    m_readAgain.setInterval(options.reconnectInterval);
+    connect(&m_readAgain, &QTimer::timeout, this, &AxisState::readNow);
+}
+
+FlashBudget AxisState::flashBudget() const
+{
+    return m_flash.budget(std::chrono::system_clock::now());
+}
+
+void AxisState::begin(bool isAnother)
+{
+    if (isAnother) {
+        m_hasCompensation = m_drives.currentEntry().axis.hasCompensation();
+        m_live.watch(m_drives.connection(), m_drives.currentAxis());
+        Q_EMIT statusChanged();
+    }
+    readNow();
+}
+
+void AxisState::forget()
+{
+    ++m_reading;
+    m_status.reset();
+    m_unfinished.reset();
+    m_flashUse.reset();
+    m_hasBackup = false;
+    m_hasCompensation = true;
+    m_readProblem.reset();
+    m_liveProblem.reset();
+    m_isChangeExpected = false;
+    m_readAgain.stop();
+    m_live.watch(nullptr, 0);
+}
+
+void AxisState::readNow()
+{
+    DriveConnection* drive = m_drives.connection();
+    if (!drive || !drive->isConnected() || !m_hasCompensation || m_isPaused)
         return;
-    readAgain.stop();
-    const auto read = [axis = current->axis, store = drive->session().storeRoot()](
+    m_readAgain.stop();
+    const auto read = [axis = m_drives.currentAxis(), store = drive->session().storeRoot()](
                           AxisCompensator& compensator, const OperationOptions& operation) {
         OperationOptions quiet = operation;
         quiet.progress = {};
         return readAxis(compensator, store, axis, quiet);
     };
-    whenDone(drive->session().run<AxisReading>(read), &q,
-        [this, number = ++reading](const Result<AxisReading>& result) {
-            if (number != reading)
-                return;
-            if (result)
-                takeReading(*result);
-            else
-                axisFailed(result.error());
+    whenDone(drive->session().run<AxisReading>(read), this,
+        [this, number = ++m_reading](const Result<AxisReading>& reading) {
+            if (number == m_reading)
+                take(reading);
         });
 }
 
-void WizardController::Private::takeReading(const AxisReading& now)
+void AxisState::pause()
 {
-    readProblem.reset();
-    hasBackup = now.hasBackup;
-    takeFlash(now);
-    noteUnfinished(now);
-    takeStatus(now.status, true);
+    m_isPaused = true;
+    ++m_reading;
+    m_live.pause();
 }
 
-/// isComplete: beside the drive, what this computer knows about it has been read too.
-void WizardController::Private::takeStatus(const AxisStatus& now, bool isComplete)
+void AxisState::resume()
 {
-    DriveConnection* drive = connection();
-    if (!drive || !drive->findings() || now.axis.index != current->axis)
+    m_isPaused = false;
+    m_live.resume();
+}
+
+void AxisState::take(const Result<AxisReading>& reading)
+{
+    if (!reading) {
+        takeFailure(reading.error());
+        return;
+    }
+    m_readProblem.reset();
+    m_hasBackup = reading->hasBackup;
+    // A refusal by the drive is in the store too, whichever program it was that ran into it.
+    m_flash = wearGuard(m_profile.flashWear, reading->flashHistory);
+    if (reading->flashUse)
+        m_flashUse = reading->flashUse;
+    noteUnfinished(*reading);
+    take(reading->status, true);
+}
+
+void AxisState::take(const AxisStatus& now, bool isComplete)
+{
+    DriveConnection* drive = m_drives.connection();
+    if (!drive || !drive->findings() || now.axis.index != m_drives.currentAxis())
         return;
     if (now.drive.serialNumber != drive->findings()->drive.serialNumber) {
         drive->explore(); // another drive answers: it is looked at from the beginning
         return;
     }
-    const bool isFirst = !status;
-    const bool isSame = status && sameButLive(*status, now);
+    const bool isFirst = !m_status;
+    const bool isSame = m_status && sameButLive(*m_status, now);
     if (!isFirst)
-        noteChanges(*status, now);
-    status = now;
+        noteChanges(now);
+    m_isChangeExpected = false;
+    m_status = now;
     if (!now.unfinishedWrite)
-        unfinished.reset();
+        m_unfinished.reset();
     if (isFirst) {
         // A table that was chosen while the drive was not there yet stays chosen.
-        setup.reset(now.setup, setup.edited().table);
-    } else if (!(setup.baseline() == now.setup)) {
-        setup.setBaseline(now.setup);
+        m_setup.reset(now.setup, m_setup.edited().table);
+    } else if (!(m_setup.baseline() == now.setup)) {
+        m_setup.setBaseline(now.setup);
     }
-    driveTable.follow(*drive, now, isComplete);
-    noteSelectedTable();
+    Q_EMIT taken(isComplete);
     if (!isSame)
-        Q_EMIT q.statusChanged();
-    Q_EMIT q.liveChanged();
-    update();
+        Q_EMIT statusChanged();
+    Q_EMIT liveChanged();
     // A write of another program that has ended in between, or is going on.
-    if (now.unfinishedWrite && !unfinished && !readAgain.isActive())
-        readAgain.start();
+    if (now.unfinishedWrite && !m_unfinished)
+        readAgainLater();
+}
+
+void AxisState::readAgainLater()
+{
+    if (!m_readAgain.isActive())
+        m_readAgain.start();
 }
 
 /// What the drive did without being asked by this window.
-void WizardController::Private::noteChanges(const AxisStatus& before, const AxisStatus& now)
+void AxisState::noteChanges(const AxisStatus& now)
 {
+    const AxisStatus& before = *m_status;
     const auto text = [](const std::string& name) { return QString::fromStdString(name); };
     if (before.axis.stateWord != now.axis.stateWord)
-        log(
+        m_log.add(
             LogLine::Kind::Information,
             [state = text(now.axis.stateWord)] { return tr("Compensation: %1.").arg(state); },
             text(before.axis.stateWord + " -> " + now.axis.stateWord));
     if (before.axis.homingWord != now.axis.homingWord)
-        log(
+        m_log.add(
             LogLine::Kind::Information,
             [homing = text(now.axis.homingWord)] { return tr("Homing: %1.").arg(homing); },
             text(before.axis.homingWord + " -> " + now.axis.homingWord));
     if (before.error != now.error && now.fault != CompensationFault::None)
-        log(LogLine::Kind::Error, [error = text(now.error)] {
+        m_log.add(LogLine::Kind::Error, [error = text(now.error)] {
             return tr("The compensation is in error: %1.").arg(error);
         });
     if (before.driveError != now.driveError && now.hasDriveError)
-        log(LogLine::Kind::Error,
+        m_log.add(LogLine::Kind::Error,
             [error = text(now.driveError)] { return tr("The drive is in error: %1.").arg(error); });
-    if (!task && !(before.setup == now.setup))
-        log(LogLine::Kind::Warning,
+    if (!m_isChangeExpected && !(before.setup == now.setup))
+        m_log.add(LogLine::Kind::Warning,
             [] { return tr("Another program changed the settings of this axis on the drive."); });
 }
 
-void WizardController::Private::noteUnfinished(const AxisReading& now)
+void AxisState::noteUnfinished(const AxisReading& now)
 {
     if (!now.settled) {
         if (!now.status.unfinishedWrite)
-            unfinished.reset();
+            m_unfinished.reset();
         return;
     }
-    const bool isNews = !unfinished || unfinished->outcome != now.settled->outcome;
-    unfinished = now.settled;
+    const bool isNews = !m_unfinished || m_unfinished->outcome != now.settled->outcome;
+    m_unfinished = now.settled;
     if (isNews)
-        show([settled = *now.settled] { return settledOutcome(settled); });
+        m_outcome.show([settled = *now.settled] { return settledOutcome(settled); });
 }
 
-void WizardController::Private::axisFailed(const Error& error)
+void AxisState::takeFailure(const Error& error)
 {
     if (isLinkFailure(error.code)) {
-        if (DriveConnection* drive = connection())
+        if (DriveConnection* drive = m_drives.connection())
             drive->lose(error);
         return;
     }
     if (error.code == ErrorCode::NoCompensation || error.code == ErrorCode::AxisNotFound)
-        hasCompensation = false;
+        m_hasCompensation = false;
     else
-        readAgain.start();
-    if (!readProblem || !saysTheSame(*readProblem, error)) {
-        readProblem = error;
-        logError(error);
+        m_readAgain.start();
+    if (!m_readProblem || !saysTheSame(*m_readProblem, error)) {
+        m_readProblem = error;
+        m_log.add(error);
     }
-    update();
+    Q_EMIT failed();
 }
 
-void WizardController::Private::liveFailed(const Error& error)
+void AxisState::takeLiveFailure(const Error& error)
 {
     if (error.code == ErrorCode::Cancelled)
         return;
     if (isLinkFailure(error.code)) {
-        if (DriveConnection* drive = connection())
+        if (DriveConnection* drive = m_drives.connection())
             drive->lose(error);
         return;
     }
-    if (liveProblem && saysTheSame(*liveProblem, error))
+    if (m_liveProblem && saysTheSame(*m_liveProblem, error))
         return;
-    liveProblem = error;
-    logError(error);
-}
-
-/// A refusal by the drive is in the store too, whichever program it was that ran into it.
-void WizardController::Private::takeFlash(const AxisReading& now)
-{
-    flash = wearGuard(profile.flashWear, now.flashHistory);
-    if (now.flashUse)
-        flashUse = now.flashUse;
-}
-
-FlashBudget WizardController::Private::flashBudget() const
-{
-    return flash.budget(std::chrono::system_clock::now());
+    m_liveProblem = error;
+    m_log.add(error);
 }
 
 } // namespace axiscomp::ui

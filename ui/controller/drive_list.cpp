@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/controller/wizard_controller_p.h"
+#include "ui/controller/drive_list.h"
+
 #include "ui/session/axis_list.h"
 #include "ui/text/endpoint_text.h"
 #include "ui/text/message_text.h"
@@ -29,193 +30,223 @@ QStringList cleaned(const QStringList& endpoints)
 
 } // namespace
 
-void WizardController::Private::setEndpoints(const QStringList& wanted)
+DriveList::DriveList(const WizardOptions& options, WizardLog& log, LastOutcome& outcome)
+    : m_options(options)
+    , m_log(log)
+    , m_outcome(outcome)
+{
+}
+
+DriveList::~DriveList()
+{
+    const auto all = findChildren<DriveConnection*>(QString(), Qt::FindDirectChildrenOnly);
+    for (DriveConnection* connection : all) {
+        connection->disconnect(this);
+        connection->close();
+    }
+    for (DriveConnection* connection : all)
+        delete connection;
+}
+
+void DriveList::setEndpoints(const QStringList& wanted)
 {
     const QStringList endpoints = cleaned(wanted);
-    const std::vector<DriveConnection*> before = connections;
+    const std::vector<DriveConnection*> before = m_connections;
     for (DriveConnection* connection : before) {
         if (!endpoints.contains(connection->endpointAsGiven()))
-            removeConnection(connection);
+            remove(connection);
     }
     std::vector<DriveConnection*> ordered;
     for (const QString& endpoint : endpoints) {
-        const auto known = std::ranges::find(
-            connections, endpoint, [](const DriveConnection* c) { return c->endpointAsGiven(); });
-        ordered.push_back(known == connections.end() ? addConnection(endpoint) : *known);
+        const auto known =
+            std::ranges::find(m_connections, endpoint, &DriveConnection::endpointAsGiven);
+        ordered.push_back(known == m_connections.end() ? add(endpoint) : *known);
     }
-    connections = std::move(ordered);
+    m_connections = std::move(ordered);
     listDrives();
     listAxes();
 }
 
-DriveConnection* WizardController::Private::addConnection(const QString& endpoint)
+QStringList DriveList::endpoints() const
 {
-    auto* added = new DriveConnection(endpoint, options.linkFactory, profile, options.storeRoot,
-        options.timeout, options.reconnectInterval, &q);
-    connect(added, &DriveConnection::stateChanged, &q, [this] {
+    QStringList endpoints;
+    for (const DriveConnection* connection : m_connections)
+        endpoints.append(connection->endpointAsGiven());
+    return endpoints;
+}
+
+void DriveList::refresh()
+{
+    for (DriveConnection* connection : m_connections)
+        connection->explore();
+}
+
+DriveConnection* DriveList::add(const QString& endpoint)
+{
+    auto* added = new DriveConnection(endpoint, m_options.linkFactory, *m_options.profile,
+        m_options.storeRoot, m_options.timeout, m_options.reconnectInterval, this);
+    connect(added, &DriveConnection::stateChanged, this, [this] {
         listDrives();
         listAxes();
     });
-    connect(added, &DriveConnection::found, &q,
-        [this, added](bool wasAnother) { driveFound(added, wasAnother); });
-    connect(added, &DriveConnection::lost, &q,
-        [this, added](const Error& error) { driveLost(added, error); });
-    connect(&added->session(), &DriveSession::progressed, &q,
+    connect(added, &DriveConnection::found, this,
+        [this, added](bool wasAnother) { take(added, wasAnother); });
+    connect(added, &DriveConnection::lost, this, [this, added](const Error& error) {
+        m_log.add(
+            LogLine::Kind::Error, [error] { return errorText(error); },
+            added->endpoint() + QStringLiteral(": ") + errorOutcome(error).detail);
+    });
+    connect(&added->session(), &DriveSession::progressed, this,
         [this, added](
-            const QString& step, double fraction) { showProgress(added, step, fraction); });
+            const QString& step, double fraction) { Q_EMIT progressed(added, step, fraction); });
     added->explore();
     return added;
 }
 
-void WizardController::Private::removeConnection(DriveConnection* removed)
+void DriveList::remove(DriveConnection* connection)
 {
-    std::erase(connections, removed);
-    if (taskConnection == removed) {
-        taskConnection.clear();
-        taskStop.request_stop();
-        endTask();
-    }
-    if (current && current->endpoint == removed->endpoint())
-        leaveAxis();
-    removed->retire();
+    std::erase(m_connections, connection);
+    Q_EMIT removed(connection);
+    if (m_current && m_current->endpoint == connection->endpoint())
+        leave();
+    connection->retire();
 }
 
-/// Nothing is chosen any more.
-void WizardController::Private::leaveAxis()
+void DriveList::leave()
 {
-    current.reset();
-    currentIndex = -1;
-    ++reading;
-    status.reset();
-    unfinished.reset();
-    flashUse.reset();
-    hasBackup = false;
-    hasCompensation = true;
-    readProblem.reset();
-    liveProblem.reset();
-    plan.reset();
-    proof.reset();
-    readAgain.stop();
-    live.watch(nullptr, 0);
-    driveTable.clear();
-    isLeaving = true;
-    setup.clear();
-    isLeaving = false;
-    forgetSourceProblems();
+    m_current.reset();
+    m_currentIndex = -1;
+    Q_EMIT axisLeft();
 }
 
-void WizardController::Private::listDrives()
+void DriveList::listDrives()
 {
     std::vector<DriveState> now;
-    for (const DriveConnection* connection : connections)
+    for (const DriveConnection* connection : m_connections)
         now.push_back(connection->state());
-    if (now == drives)
+    if (now == m_drives)
         return;
-    drives = std::move(now);
-    Q_EMIT q.drivesChanged();
-    update();
+    m_drives = std::move(now);
+    Q_EMIT drivesChanged();
 }
 
-void WizardController::Private::nameAxes()
+void DriveList::nameAxes()
 {
     std::vector<DriveAxes> found;
-    for (const DriveConnection* connection : connections)
+    for (const DriveConnection* connection : m_connections)
         found.push_back(connection->axes());
-    axes = axisEntries(found);
+    m_axes = axisEntries(found);
 }
 
 /// The entries may have moved: the current axis is found again by its drive and index.
-void WizardController::Private::listAxes()
+void DriveList::listAxes()
 {
     nameAxes();
-    const auto position = std::ranges::find_if(axes, [this](const AxisEntry& entry) {
-        return current == AxisKey{entry.endpoint, entry.axis.index};
-    });
-    const int before = currentIndex;
-    currentIndex = position == axes.end() ? -1 : static_cast<int>(position - axes.begin());
-    if (current && currentIndex < 0)
-        leaveAxis();
-    Q_EMIT q.axesChanged();
-    if (!current) {
-        const auto usable = std::ranges::find_if(axes, &AxisEntry::isUsable);
-        if (usable != axes.end()) {
-            select(*usable);
+    const int before = m_currentIndex;
+    m_currentIndex = m_current ? indexOf(*m_current) : -1;
+    if (m_current && m_currentIndex < 0)
+        leave();
+    Q_EMIT axesChanged();
+    if (!m_current) {
+        const auto usable = std::ranges::find_if(m_axes, &AxisEntry::isUsable);
+        if (usable != m_axes.end()) {
+            choose(keyOf(*usable));
             return;
         }
     }
-    if (currentIndex != before)
-        Q_EMIT q.currentAxisChanged();
-    update();
+    if (m_currentIndex != before)
+        Q_EMIT currentAxisChanged();
 }
 
-void WizardController::Private::select(const AxisEntry& entry)
+DriveList::AxisKey DriveList::keyOf(const AxisEntry& entry)
+{
+    return {entry.endpoint, entry.axis.index};
+}
+
+int DriveList::indexOf(const AxisKey& key) const
+{
+    const auto position = std::ranges::find(m_axes, key, keyOf);
+    return position == m_axes.end() ? -1 : static_cast<int>(position - m_axes.begin());
+}
+
+void DriveList::select(int index)
+{
+    choose(keyOf(m_axes.at(static_cast<std::size_t>(index))));
+}
+
+void DriveList::choose(const AxisKey& key)
 {
     // Before the first axis a file can be open, and one of its tables chosen.
-    if (current)
-        leaveAxis();
-    else
-        forgetSourceProblems();
-    const AxisKey key{entry.endpoint, entry.axis.index};
-    current = key;
-    const auto position = std::ranges::find_if(axes, [&key](const AxisEntry& other) {
-        return AxisKey{other.endpoint, other.axis.index} == key;
+    if (m_current)
+        leave();
+    m_current = key;
+    m_currentIndex = indexOf(key);
+    m_outcome.dismiss();
+    Q_EMIT currentAxisChanged();
+    Q_EMIT axisReady(true);
+}
+
+const AxisEntry& DriveList::currentEntry() const
+{
+    return m_axes.at(static_cast<std::size_t>(m_currentIndex));
+}
+
+DriveConnection* DriveList::connection() const
+{
+    if (!m_current)
+        return nullptr;
+    const auto found =
+        std::ranges::find(m_connections, m_current->endpoint, &DriveConnection::endpoint);
+    return found == m_connections.end() ? nullptr : *found;
+}
+
+std::vector<AxisEntry> DriveList::usableAxes() const
+{
+    std::vector<AxisEntry> usable;
+    if (!m_current)
+        return usable;
+    std::ranges::copy_if(m_axes, std::back_inserter(usable), [this](const AxisEntry& entry) {
+        return entry.isUsable && entry.endpoint == m_current->endpoint;
     });
-    currentIndex = static_cast<int>(position - axes.begin());
-    hasCompensation = position->axis.hasCompensation();
-    dismissOutcome();
-    live.watch(connection(), key.axis);
-    Q_EMIT q.currentAxisChanged();
-    Q_EMIT q.statusChanged();
-    readAxisNow();
-    noteSelectedTable();
-    update();
+    return usable;
 }
 
-DriveConnection* WizardController::Private::connectionOf(const QString& endpoint) const
+const std::vector<DimSource>& DriveList::sourceShortlist() const
 {
-    const auto found = std::ranges::find(
-        connections, endpoint, [](const DriveConnection* c) { return c->endpoint(); });
-    return found == connections.end() ? nullptr : *found;
+    static const std::vector<DimSource> none;
+    const DriveConnection* drive = connection();
+    return drive && drive->findings() ? drive->findings()->sources : none;
 }
 
-DriveConnection* WizardController::Private::connection() const
-{
-    return current ? connectionOf(current->endpoint) : nullptr;
-}
-
-void WizardController::Private::driveFound(DriveConnection* found, bool wasAnother)
+void DriveList::take(DriveConnection* found, bool wasAnother)
 {
     const QString name = found->name();
     const QString endpoint = found->endpoint();
-    log(LogLine::Kind::Information,
+    m_log.add(LogLine::Kind::Information,
         [name, endpoint] { return tr("Connected to %1 (%2).").arg(name, endpoint); });
     if (found != connection())
         return;
     if (wasAnother) {
         // Changes were made for another machine.
-        const AxisKey key = *current;
-        leaveAxis();
-        current = key;
+        const AxisKey key = *m_current;
+        leave();
+        m_current = key;
         listAxes();
-        if (current != key)
+        if (m_current != key)
             return;
-        hasCompensation = axes[static_cast<std::size_t>(currentIndex)].axis.hasCompensation();
-        live.watch(found, key.axis);
-        refuse([name, endpoint] {
+        m_outcome.refuse([name, endpoint] {
             return tr("A different drive now answers at %1: %2. Unwritten changes were discarded.")
                 .arg(endpoint, name);
         });
-        Q_EMIT q.statusChanged();
     }
-    readAxisNow();
+    Q_EMIT axisReady(wasAnother);
 }
 
-void WizardController::Private::driveLost(DriveConnection* lost, const Error& error)
+void DriveList::retranslate()
 {
-    log(
-        LogLine::Kind::Error, [error] { return errorText(error); },
-        lost->endpoint() + QStringLiteral(": ") + errorOutcome(error).detail);
-    update();
+    listDrives();
+    nameAxes();
+    Q_EMIT axesChanged();
 }
 
 } // namespace axiscomp::ui

@@ -1,21 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/base/error.h"
+#include "ui/controller/multi_axis_controller.h"
+
+#include "ui/async/background_job.h"
 #include "ui/controller/multi_axis_outcome.h"
-#include "ui/controller/wizard_controller_p.h"
+#include "ui/session/axis_list.h"
 
 #include <algorithm>
+#include <atomic>
 
 namespace axiscomp::ui {
 
-std::vector<AxisEntry> WizardController::usableAxes() const
+MultiAxisController::MultiAxisController(const DriveList& drives, AxisState& axis,
+    SetupModel& setup, const TableSelection& tables, OperationRunner& runner, LastOutcome& outcome)
+    : m_drives(drives)
+    , m_axis(axis)
+    , m_setup(setup)
+    , m_tables(tables)
+    , m_runner(runner)
+    , m_outcome(outcome)
 {
-    return d->usableAxes();
 }
 
-std::vector<DimSource> WizardController::sourcesForSeveral() const
+std::vector<DimSource> MultiAxisController::sources() const
 {
-    const auto& data = d->file.file().data;
-    const EditedSetup& edited = d->setup.edited();
+    const auto& data = m_tables.file().file().data;
+    const EditedSetup& edited = m_setup.edited();
     std::vector<DimSource> sources;
     const auto count = data ? static_cast<std::size_t>(data->grid.dimensions()) : 0;
     for (std::size_t n = 0; n < count; ++n) {
@@ -26,86 +35,55 @@ std::vector<DimSource> WizardController::sourcesForSeveral() const
     return sources;
 }
 
-bool WizardController::planMultiAxis(const std::vector<ColumnForAxis>& columns, bool keepsSources)
+void MultiAxisController::plan(const std::vector<ColumnForAxis>& columns, bool keepsSources)
 {
-    d->update();
-    if (!action(Action::WriteSeveral).isEnabled)
-        return false;
-    dropSeveral();
-    d->planMultiAxis(columns, keepsSources);
-    return true;
-}
-
-void WizardController::dropSeveral()
-{
-    d->multiAxis.stop.request_stop();
-    ++d->multiAxis.number;
-    d->multiAxis.tables.clear();
-    d->multiAxis.plans.reset();
-}
-
-const std::optional<Result<std::vector<WritePlan>>>& WizardController::multiAxisPlans() const
-{
-    return d->multiAxis.plans;
-}
-
-void WizardController::writeMultiAxis()
-{
-    d->writeMultiAxis();
-}
-
-std::vector<AxisEntry> WizardController::Private::usableAxes() const
-{
-    std::vector<AxisEntry> usable;
-    if (!current)
-        return usable;
-    std::ranges::copy_if(axes, std::back_inserter(usable), [this](const AxisEntry& entry) {
-        return entry.isUsable && entry.endpoint == current->endpoint;
-    });
-    return usable;
-}
-
-void WizardController::Private::planMultiAxis(
-    const std::vector<ColumnForAxis>& columns, bool keepsSources)
-{
+    drop();
     WriteRequest common;
-    common.dimensionality = file.file().data->grid.dimensions();
-    common.persistency = setup.edited().persistency;
+    common.dimensionality = m_tables.file().file().data->grid.dimensions();
+    common.persistency = m_setup.edited().persistency;
     if (!keepsSources) {
-        for (const DimSource& source : q.sourcesForSeveral())
+        for (const DimSource& source : sources())
             common.sources.push_back(requestedSource(source));
     }
     for (const ColumnForAxis& column : columns)
-        multiAxis.tables.push_back({column.axis, file.table(column.column), common});
-    multiAxis.stop = std::stop_source();
-    const auto ask = [tables = multiAxis.tables](
-                         AxisCompensator& compensator, const OperationOptions& operation) {
-        return planTables(compensator, tables, operation);
+        m_asked.push_back({column.axis, m_tables.file().table(column.column), common});
+    m_stop = std::stop_source();
+    const auto ask = [tables = m_asked](
+                         AxisCompensator& compensator, const OperationOptions& options) {
+        return planTables(compensator, tables, options);
     };
-    whenDone(connection()->session().run<std::vector<WritePlan>>(ask, multiAxis.stop.get_token()),
-        &q, [this, number = multiAxis.number](const Result<std::vector<WritePlan>>& plans) {
-            if (number == multiAxis.number)
-                multiAxisPlanned(plans);
+    whenDone(m_drives.connection()->session().run<std::vector<WritePlan>>(ask, m_stop.get_token()),
+        this, [this, number = m_number](const Result<std::vector<WritePlan>>& plans) {
+            if (number == m_number)
+                take(plans);
         });
 }
 
-void WizardController::Private::multiAxisPlanned(const Result<std::vector<WritePlan>>& plans)
+void MultiAxisController::drop()
 {
-    multiAxis.plans = plans;
-    if (!plans && isLinkFailure(plans.error().code))
-        axisFailed(plans.error());
-    // What has been shown is what is written: a drive that has changed since refuses it.
-    for (std::size_t n = 0; plans && n < multiAxis.tables.size(); ++n)
-        multiAxis.tables[n].request.expected = plans->at(n).before;
-    Q_EMIT q.multiAxisPlanned();
+    m_stop.request_stop();
+    ++m_number;
+    m_asked.clear();
+    m_plans.reset();
 }
 
-/// Of the tables, in their order.
-std::vector<AxisEntry> WizardController::Private::multiAxisAxes() const
+void MultiAxisController::take(const Result<std::vector<WritePlan>>& plans)
 {
-    const std::vector<AxisEntry> usable = usableAxes();
+    m_plans = plans;
+    if (!plans && isLinkFailure(plans.error().code))
+        m_axis.take(fail(plans.error()));
+    // What has been shown is what is written: a drive that has changed since refuses it.
+    for (std::size_t n = 0; plans && n < m_asked.size(); ++n)
+        m_asked[n].request.expected = plans->at(n).before;
+    Q_EMIT planned();
+}
+
+/// In their order.
+std::vector<AxisEntry> MultiAxisController::axesOfTables() const
+{
+    const std::vector<AxisEntry> usable = m_drives.usableAxes();
     std::vector<AxisEntry> asked;
-    for (const AxisTable& table : multiAxis.tables) {
+    for (const AxisTable& table : m_asked) {
         const auto entry = std::ranges::find_if(
             usable, [&](const AxisEntry& candidate) { return candidate.axis.index == table.axis; });
         asked.push_back(entry == usable.end() ? AxisEntry() : *entry);
@@ -114,24 +92,42 @@ std::vector<AxisEntry> WizardController::Private::multiAxisAxes() const
     return asked;
 }
 
-void WizardController::Private::multiAxisWritten(const Result<MultiAxisReport>& report)
+void MultiAxisController::write()
 {
-    q.dropSeveral();
-    show([axes = multiAxis.axes, isPersistent = multiAxis.isPersistent, report] {
-        return multiAxisOutcome(axes, isPersistent, report);
-    });
-    Q_EMIT q.multiAxisWritten();
+    if (m_asked.empty() || !m_plans || !*m_plans) {
+        m_outcome.refuse([] { return tr("The writes have not been planned yet."); });
+        return;
+    }
+    const std::vector<AxisEntry> axes = axesOfTables();
+    const bool isPersistent = m_asked.front().request.persistency == Persistency::Persistent;
+    const auto turn = std::make_shared<std::atomic<std::size_t>>(0);
+    m_runner.run<MultiAxisReport>(
+        Task::WriteSeveral,
+        [shown = m_drives.currentAxis(), tables = m_asked, turn](
+            auto& compensator, const auto& store, const auto& options) {
+            return writeTables(compensator, store, shown, tables, *turn, options);
+        },
+        [this, tables = m_asked](const OperationEnd<MultiAxisReport>& end) { take(tables, end); },
+        [axes, isPersistent](const Result<MultiAxisReport>& report) {
+            return multiAxisOutcome(axes, isPersistent, report);
+        },
+        [axes, turn] { return axisNameOnDrive(axes.at(std::min(turn->load(), axes.size() - 1))); });
 }
 
-/// The table of the shown axis when it is among those that were written.
-std::optional<LoadedTable> WizardController::Private::writtenToShownAxis(
-    const Result<MultiAxisReport>& report) const
+void MultiAxisController::take(
+    const std::vector<AxisTable>& tables, const OperationEnd<MultiAxisReport>& end)
 {
-    for (std::size_t n = 0; report && n < report->writes.size(); ++n) {
-        if (multiAxis.tables[n].axis == current->axis && holdsNewState(report->writes[n]))
-            return multiAxis.tables[n].table;
+    bool isShownAxisWritten = false;
+    for (std::size_t n = 0; end.outcome && n < end.outcome->writes.size(); ++n) {
+        if (tables[n].axis != m_drives.currentAxis() || !holdsNewState(end.outcome->writes[n]))
+            continue;
+        isShownAxisWritten = true;
+        m_runner.expect(tables[n].table);
     }
-    return {};
+    m_axis.take(end.now);
+    if (isShownAxisWritten)
+        m_setup.setTable({}); // the drive has it now
+    drop();
 }
 
 } // namespace axiscomp::ui

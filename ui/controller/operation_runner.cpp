@@ -1,20 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/base/error.h"
-#include "ui/controller/wizard_controller_p.h"
+#include "ui/controller/operation_runner.h"
+
 #include "ui/session/axis_list.h"
 #include "ui/text/message_text.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace axiscomp::ui {
-
-std::string requestedSource(const DimSource& source)
-{
-    return source.path.empty()
-        ? QStringLiteral("0x%1").arg(source.address, 8, 16, QChar(u'0')).toStdString()
-        : source.path;
-}
 
 namespace {
 
@@ -38,307 +30,232 @@ WriteRequest withTable(WriteRequest request, const std::shared_ptr<const Compens
     return request;
 }
 
+Task taskOf(Switch wanted)
+{
+    return wanted == Switch::Activate ? Task::Activate
+        : wanted == Switch::Evaluate  ? Task::Evaluate
+                                      : Task::Deactivate;
+}
+
 } // namespace
 
-template <typename T>
-void WizardController::Private::begin(
-    Task started, DriveSession::Operation<T> operation, std::function<void(const Result<T>&)> end)
+OperationRunner::OperationRunner(const DriveProfile& profile, const DriveList& drives,
+    AxisState& axis, SetupModel& setup, TableSelection& tables, WizardLog& log,
+    LastOutcome& outcome)
+    : m_profile(profile)
+    , m_drives(drives)
+    , m_axis(axis)
+    , m_setup(setup)
+    , m_tables(tables)
+    , m_log(log)
+    , m_outcome(outcome)
 {
-    DriveConnection* drive = connection();
-    startTask(started);
-    taskConnection = drive;
-    taskStop = std::stop_source();
-    whenDone(drive->session().run<T>(std::move(operation), taskStop.get_token()), &q,
-        [this, drive, end = std::move(end)](const Result<T>& result) {
-            if (taskConnection != drive)
-                return; // its drive has been removed meanwhile
-            endTask();
-            end(result);
-            update();
+}
+
+void OperationRunner::start(Task task, const Wording& place)
+{
+    m_task = task;
+    m_axis.pause();
+    m_tables.driveTable().interrupt();
+    m_step.clear();
+    m_place = place;
+    m_busy = {true, busyText(), 0.0, true};
+    m_log.add(LogLine::Kind::Information,
+        [task, isOnDrive = static_cast<bool>(place), entry = m_drives.currentEntry()] {
+            return isOnDrive
+                ? tr("Begin: %1, %2.", "task and drive").arg(taskText(task), entry.driveName)
+                : tr("Begin: %1 %2.").arg(taskText(task), axisLabel(entry));
         });
-    update();
+    m_outcome.dismiss();
+    Q_EMIT busyChanged();
 }
 
-void WizardController::Private::startTask(Task started)
+void OperationRunner::end()
 {
-    task = started;
-    // What was read before would arrive as if it were read afterwards.
-    ++reading;
-    live.pause();
-    driveTable.interrupt();
-    taskStep.clear();
-    busy = {true, busyText(), 0.0, true};
-    log(LogLine::Kind::Information,
-        [started, entry = axes.at(static_cast<std::size_t>(currentIndex))] {
-            return started == Task::WriteSeveral
-                ? tr("Begin: %1, %2.", "task and drive").arg(taskText(started), entry.driveName)
-                : tr("Begin: %1 %2.").arg(taskText(started), axisLabel(entry));
-        });
-    dismissOutcome();
-    Q_EMIT q.busyChanged();
+    m_task.reset();
+    m_connection.clear();
+    m_busy = {};
+    m_axis.resume();
+    Q_EMIT busyChanged();
 }
 
-void WizardController::Private::endTask()
+void OperationRunner::abandon(const DriveConnection* connection)
 {
-    task.reset();
-    taskConnection.clear();
-    busy = {};
-    live.resume();
-    Q_EMIT q.busyChanged();
-    update();
-}
-
-void WizardController::Private::showProgress(
-    DriveConnection* of, const QString& step, double fraction)
-{
-    if (!task || taskConnection != of)
+    if (!m_task || m_connection != connection)
         return;
-    taskStep = step;
-    busy.step = busyText();
-    busy.fraction = fraction;
-    Q_EMIT q.busyChanged();
+    m_stop.request_stop();
+    end();
 }
 
-QString WizardController::Private::busyText() const
+void OperationRunner::showProgress(const DriveConnection* of, const QString& step, double fraction)
 {
-    if (!taskStep.isEmpty() && task == Task::WriteSeveral)
-        return tr("%1: %2, %3", "task, axis and step")
-            .arg(taskText(*task),
-                axisNameOnDrive(
-                    multiAxis.axes.at(std::min(multiAxis.turn->load(), multiAxis.axes.size() - 1))),
-                stepText(taskStep));
-    if (!taskStep.isEmpty())
-        return tr("%1: %2").arg(taskText(*task), stepText(taskStep));
-    const bool isStopping = busy.isBusy && !busy.canCancel;
-    return isStopping ? tr("%1: stopping").arg(taskText(*task)) : taskText(*task);
-}
-
-/// Who asks for what cannot be done now is told why.
-bool WizardController::Private::mayStart(Action action)
-{
-    update();
-    const bool may = decision[action].isEnabled;
-    if (!may)
-        refuse([now = snapshot(), action] { return decideActions(now)[action].reason; });
-    return may;
-}
-
-void WizardController::Private::planWrite()
-{
-    if (!mayStart(Action::Write))
+    if (!m_task || m_connection != of)
         return;
-    plan.reset();
-    const EditedSetup& edited = setup.edited();
-    plannedSetup = edited;
-    request = requestFor(edited, setup.baseline());
-    requestTable = edited.table.fileTable ? file.table(*edited.table.fileTable) : LoadedTable{};
-    if (!setup.isDirty()) {
+    m_step = step;
+    m_busy.step = busyText();
+    m_busy.fraction = fraction;
+    Q_EMIT busyChanged();
+}
+
+QString OperationRunner::busyText() const
+{
+    const QString task = taskText(*m_task);
+    if (!m_step.isEmpty() && m_place)
+        return tr("%1: %2, %3", "task, axis and step").arg(task, m_place(), stepText(m_step));
+    if (!m_step.isEmpty())
+        return tr("%1: %2").arg(task, stepText(m_step));
+    const bool isStopping = m_busy.isBusy && !m_busy.canCancel;
+    return isStopping ? tr("%1: stopping").arg(task) : task;
+}
+
+void OperationRunner::retranslate()
+{
+    if (!m_task)
+        return;
+    m_busy.step = busyText();
+    Q_EMIT busyChanged();
+}
+
+void OperationRunner::planWrite()
+{
+    m_plan.reset();
+    const EditedSetup& edited = m_setup.edited();
+    m_plannedSetup = edited;
+    m_request = requestFor(edited, m_setup.baseline());
+    m_requestTable = edited.table.fileTable ? m_tables.selected() : LoadedTable{};
+    if (!m_setup.isDirty()) {
         // Only an earlier write is finished: its parameters are saved.
-        request.sources.clear();
-        request.persistency = Persistency::Persistent;
+        m_request.sources.clear();
+        m_request.persistency = Persistency::Persistent;
     }
     begin<WritePlan>(
         Task::Plan,
-        [axis = current->axis, asked = request, table = requestTable.table](
-            AxisCompensator& compensator, const OperationOptions& operation) {
-            return compensator.plan(axis, withTable(asked, table), operation);
+        [axis = m_drives.currentAxis(), asked = m_request, table = m_requestTable.table](
+            AxisCompensator& compensator, const OperationOptions& options) {
+            return compensator.plan(axis, withTable(asked, table), options);
         },
         [this](const Result<WritePlan>& result) { planned(result); });
 }
 
-void WizardController::Private::planned(const Result<WritePlan>& result)
+void OperationRunner::planned(const Result<WritePlan>& result)
 {
     if (!result) {
-        show([error = result.error()] { return errorOutcome(error); });
+        m_outcome.show([error = result.error()] { return errorOutcome(error); });
         if (isLinkFailure(result.error().code))
-            axisFailed(result.error());
+            m_axis.take(fail(result.error()));
         else
-            readAxisNow();
+            m_axis.readNow();
         return;
     }
-    if (!(setup.edited() == plannedSetup)) {
-        refuse(
+    if (!(m_setup.edited() == m_plannedSetup)) {
+        m_outcome.refuse(
             [] { return tr("The fields were changed while the write was planned: write again."); });
         return;
     }
-    plan = *result;
-    Q_EMIT q.planReady();
+    m_plan = *result;
+    Q_EMIT planReady();
 }
 
-void WizardController::Private::write()
+void OperationRunner::dropPlan()
 {
-    if (!mayStart(Action::Write))
-        return;
-    if (!plan) {
-        refuse([] {
+    if (m_task != Task::Write)
+        m_plan.reset();
+}
+
+void OperationRunner::forget()
+{
+    m_plan.reset();
+    m_proof.reset();
+}
+
+void OperationRunner::write()
+{
+    if (!m_plan) {
+        m_outcome.refuse([] {
             return tr(
                 "The drive or the fields have changed since the write was planned: write again.");
         });
         return;
     }
-    begin<OperationEnd<WriteReport>>(
+    run<WriteReport>(
         Task::Write,
-        [axis = current->axis, asked = request, table = requestTable.table,
-            store = connection()->session().storeRoot()](AxisCompensator& compensator,
-            const OperationOptions& operation) -> Result<OperationEnd<WriteReport>> {
-            return writeAxis(compensator, store, axis, withTable(asked, table), operation);
+        [axis = m_drives.currentAxis(), asked = m_request, table = m_requestTable.table](
+            auto& compensator, const auto& store, const auto& options) {
+            return writeAxis(compensator, store, axis, withTable(asked, table), options);
         },
-        [this](const Result<OperationEnd<WriteReport>>& end) { written(end); });
-}
-
-void WizardController::Private::written(const Result<OperationEnd<WriteReport>>& end)
-{
-    plan.reset();
-    if (!end) {
-        show([error = end.error()] { return writeOutcome(fail(error)); });
-        axisFailed(end.error());
-        return;
-    }
-    if (end->outcome) {
-        proof.reset();
-        driveTable.expect(requestTable);
-        if (!end->now)
-            takeStatus(end->outcome->now, false); // that was read back too
-    }
-    takeEnd(*end);
-    if (end->outcome)
-        setup.setTable({}); // the drive has it now
-    requestTable = {};
-    show([result = end->outcome] { return writeOutcome(result); });
-}
-
-void WizardController::Private::writeMultiAxis()
-{
-    if (!mayStart(Action::WriteSeveral))
-        return;
-    if (multiAxis.tables.empty() || !multiAxis.plans || !*multiAxis.plans) {
-        refuse([] { return tr("The writes have not been planned yet."); });
-        return;
-    }
-    multiAxis.axes = multiAxisAxes();
-    multiAxis.turn = std::make_shared<std::atomic<std::size_t>>(0);
-    multiAxis.isPersistent =
-        multiAxis.tables.front().request.persistency == Persistency::Persistent;
-    begin<OperationEnd<MultiAxisReport>>(
-        Task::WriteSeveral,
-        [shown = current->axis, tables = multiAxis.tables, turn = multiAxis.turn,
-            store = connection()->session().storeRoot()](AxisCompensator& compensator,
-            const OperationOptions& operation) -> Result<OperationEnd<MultiAxisReport>> {
-            return writeTables(compensator, store, shown, tables, *turn, operation);
+        [this](const OperationEnd<WriteReport>& end) {
+            m_plan.reset();
+            if (end.outcome) {
+                expect(m_requestTable);
+                if (!end.now)
+                    m_axis.take(end.outcome->now, false); // that was read back too
+            }
+            m_axis.take(end.now);
+            if (end.outcome)
+                m_setup.setTable({}); // the drive has it now
+            m_requestTable = {};
         },
-        [this](const Result<OperationEnd<MultiAxisReport>>& end) {
-            if (!end) {
-                axisFailed(end.error());
-                multiAxisWritten(fail(end.error()));
-                return;
-            }
-            const auto written = writtenToShownAxis(end->outcome);
-            if (written) {
-                proof.reset();
-                driveTable.expect(*written);
-            }
-            takeEnd(*end);
-            if (written)
-                setup.setTable({}); // the drive has it now
-            multiAxisWritten(end->outcome);
-        });
+        writeOutcome);
 }
 
-/// Whatever happened: what the drive says afterwards is what is shown.
-template <typename T> void WizardController::Private::takeEnd(const OperationEnd<T>& end)
+void OperationRunner::expect(const LoadedTable& written)
 {
-    if (end.now)
-        takeReading(*end.now);
-    else
-        axisFailed(end.now.error());
+    m_proof.reset();
+    m_tables.driveTable().expect(written);
 }
 
-void WizardController::Private::switchTo(Task wantedTask, Action action, Switch wanted)
+void OperationRunner::switchTo(Switch wanted)
 {
-    if (!mayStart(action))
-        return;
-    begin<OperationEnd<Activation>>(
-        wantedTask,
-        [axis = current->axis, wanted, store = connection()->session().storeRoot()](
-            AxisCompensator& compensator,
-            const OperationOptions& operation) -> Result<OperationEnd<Activation>> {
-            return switchAxis(compensator, store, axis, wanted, operation);
+    run<Activation>(
+        taskOf(wanted),
+        [axis = m_drives.currentAxis(), wanted](auto& compensator, const auto& store,
+            const auto& options) { return switchAxis(compensator, store, axis, wanted, options); },
+        [this](const OperationEnd<Activation>& end) {
+            m_proof.reset();
+            if (end.outcome && end.outcome->proof && *end.outcome->proof)
+                m_proof = **end.outcome->proof;
+            m_axis.take(end.now);
         },
-        [this, wanted](const Result<OperationEnd<Activation>>& end) {
-            if (!end) {
-                show([error = end.error()] { return errorOutcome(error); });
-                axisFailed(end.error());
-                return;
-            }
-            proof.reset();
-            if (end->outcome && end->outcome->proof && *end->outcome->proof)
-                proof = **end->outcome->proof;
-            takeEnd(*end);
-            show([wanted, result = end->outcome] { return activationOutcome(wanted, result); });
-        });
+        [wanted](const Result<Activation>& result) { return activationOutcome(wanted, result); });
 }
 
-void WizardController::Private::restorePrevious()
+void OperationRunner::restorePrevious()
 {
-    if (!mayStart(Action::RestorePrevious))
-        return;
-    begin<OperationEnd<Restoration>>(
+    run<Restoration>(
         Task::Restore,
-        [axis = current->axis, store = connection()->session().storeRoot(), &drive = profile](
-            AxisCompensator& compensator,
-            const OperationOptions& operation) -> Result<OperationEnd<Restoration>> {
-            return restoreAxis(compensator, drive, store, axis, operation);
+        [axis = m_drives.currentAxis(), &profile = m_profile](
+            auto& compensator, const auto& store, const auto& options) {
+            return restoreAxis(compensator, profile, store, axis, options);
         },
-        [this](const Result<OperationEnd<Restoration>>& end) {
-            if (!end) {
-                show([error = end.error()] { return restorationOutcome(fail(error)); });
-                axisFailed(end.error());
-                return;
-            }
-            if (end->outcome)
-                setup.revert(); // going back means the changes too
-            takeEnd(*end);
-            show([result = end->outcome] { return restorationOutcome(result); });
-        });
+        [this](const OperationEnd<Restoration>& end) {
+            if (end.outcome)
+                m_setup.revert(); // going back means the changes too
+            m_axis.take(end.now);
+        },
+        restorationOutcome);
 }
 
-void WizardController::Private::recover(bool finishes)
+void OperationRunner::recover(bool finishes)
 {
-    if (!mayStart(finishes ? Action::FinishWrite : Action::UndoWrite))
-        return;
-    begin<OperationEnd<WriteReport>>(
+    run<WriteReport>(
         finishes ? Task::Finish : Task::Undo,
-        [entry = unfinished->entry, finishes, store = connection()->session().storeRoot()](
-            AxisCompensator& compensator,
-            const OperationOptions& operation) -> Result<OperationEnd<WriteReport>> {
-            return recoverAxis(compensator, store, entry, finishes, operation);
+        [entry = m_axis.unfinished()->entry, finishes](
+            auto& compensator, const auto& store, const auto& options) {
+            return recoverAxis(compensator, store, entry, finishes, options);
         },
-        [this, finishes](const Result<OperationEnd<WriteReport>>& end) {
-            if (!end) {
-                show([finishes, error = end.error()] {
-                    return recoveryOutcome(finishes, fail(error));
-                });
-                axisFailed(end.error());
-                return;
-            }
-            takeEnd(*end);
-            show([finishes, result = end->outcome] { return recoveryOutcome(finishes, result); });
-        });
+        [this](const OperationEnd<WriteReport>& end) { m_axis.take(end.now); },
+        [finishes](
+            const Result<WriteReport>& result) { return recoveryOutcome(finishes, result); });
 }
 
-void WizardController::Private::cancel()
+void OperationRunner::cancel()
 {
-    if (!task) {
-        file.cancelReading();
-        return;
-    }
-    taskStop.request_stop();
-    busy.canCancel = false;
-    taskStep.clear();
-    busy.step = busyText();
-    log(LogLine::Kind::Information, [] { return tr("Stopped by the user."); });
-    Q_EMIT q.busyChanged();
-    update();
+    m_stop.request_stop();
+    m_busy.canCancel = false;
+    m_step.clear();
+    m_busy.step = busyText();
+    m_log.add(LogLine::Kind::Information, [] { return tr("Stopped by the user."); });
+    Q_EMIT busyChanged();
 }
 
 } // namespace axiscomp::ui

@@ -10,73 +10,114 @@ EditedSetup asEdited(const CompensationSetup& setup)
     return {setup.dimensionality, setup.sources, {}, setup.persistency};
 }
 
-int sourceIndex(Field field)
-{
-    return static_cast<int>(field) - static_cast<int>(Field::Source1);
-}
-
 bool isSource(Field field)
 {
     return field == Field::Source1 || field == Field::Source2 || field == Field::Source3;
 }
 
-bool sameValue(Field field, const EditedSetup& a, const EditedSetup& b)
+std::size_t sourceIndex(Field field)
+{
+    return static_cast<std::size_t>(field) - static_cast<std::size_t>(Field::Source1);
+}
+
+/// Calls use with the function that gives the field's member of a setup.
+template <typename Use> auto withMember(Field field, const Use& use)
 {
     switch (field) {
     case Field::Dimensionality:
-        return a.dimensionality == b.dimensionality;
+        return use([](auto& setup) -> auto& { return setup.dimensionality; });
     case Field::Table:
-        return a.table == b.table;
+        return use([](auto& setup) -> auto& { return setup.table; });
     case Field::Persistency:
-        return a.persistency == b.persistency;
+        return use([](auto& setup) -> auto& { return setup.persistency; });
     case Field::Source1:
     case Field::Source2:
     case Field::Source3:
         break;
     }
-    const auto index = static_cast<std::size_t>(sourceIndex(field));
-    return a.sources[index] == b.sources[index];
+    return use([n = sourceIndex(field)](auto& setup) -> auto& { return setup.sources[n]; });
+}
+
+bool sameValue(Field field, const EditedSetup& a, const EditedSetup& b)
+{
+    return withMember(field, [&](auto member) { return member(a) == member(b); });
 }
 
 void copyValue(Field field, const EditedSetup& from, EditedSetup& to)
 {
-    switch (field) {
-    case Field::Dimensionality:
-        to.dimensionality = from.dimensionality;
-        return;
-    case Field::Table:
-        to.table = from.table;
-        return;
-    case Field::Persistency:
-        to.persistency = from.persistency;
-        return;
-    case Field::Source1:
-    case Field::Source2:
-    case Field::Source3:
-        break;
-    }
-    const auto index = static_cast<std::size_t>(sourceIndex(field));
-    to.sources[index] = from.sources[index];
+    withMember(field, [&](auto member) { member(to) = member(from); });
+}
+
+QVariant asVariant(int dimensionality)
+{
+    return dimensionality;
+}
+
+QVariant asVariant(const DimSource& source)
+{
+    return source.isSet() ? QString::fromStdString(requestedSource(source)) : QString();
+}
+
+QVariant asVariant(const TableChoice& table)
+{
+    return table.fileTable ? QVariant(*table.fileTable) : QVariant();
+}
+
+QVariant asVariant(Persistency persistency)
+{
+    return persistency == Persistency::Persistent;
+}
+
+QVariant valueOf(Field field, const EditedSetup& setup)
+{
+    return withMember(field, [&](auto member) { return asVariant(member(setup)); });
 }
 
 } // namespace
 
-SetupModel::SetupModel(QObject* parent) : QObject(parent) { }
-
-bool SetupModel::hasBaseline() const
+std::string requestedSource(const DimSource& source)
 {
-    return m_baseline.has_value();
+    return source.path.empty()
+        ? QStringLiteral("0x%1").arg(source.address, 8, 16, QChar(u'0')).toStdString()
+        : source.path;
+}
+
+SetupModel::SetupModel(QObject* parent) : QAbstractTableModel(parent) { }
+
+int SetupModel::rowCount(const QModelIndex& parent) const
+{
+    return parent.isValid() ? 0 : static_cast<int>(allFields.size());
+}
+
+int SetupModel::columnCount(const QModelIndex& parent) const
+{
+    return parent.isValid() ? 0 : 1;
+}
+
+QVariant SetupModel::data(const QModelIndex& index, int role) const
+{
+    if (!index.isValid())
+        return {};
+    const Field field = allFields.at(static_cast<std::size_t>(index.row()));
+    switch (role) {
+    case Qt::DisplayRole:
+    case Qt::EditRole:
+        return valueOf(field, m_edited);
+    case DriveValueRole:
+        return m_baseline ? valueOf(field, asEdited(*m_baseline)) : QVariant();
+    case DirtyRole:
+        return isDirty(field);
+    case ProblemRole:
+        return problem(field);
+    default:
+        return {};
+    }
 }
 
 const CompensationSetup& SetupModel::baseline() const
 {
     static const CompensationSetup none;
     return m_baseline ? *m_baseline : none;
-}
-
-const EditedSetup& SetupModel::edited() const
-{
-    return m_edited;
 }
 
 /// Changes the values and announces every field that looks different afterwards.
@@ -90,9 +131,12 @@ template <typename Change> void SetupModel::apply(const Change& change)
     change();
     for (std::size_t i = 0; i < allFields.size(); ++i) {
         const Field field = allFields[i];
-        if (!sameValue(field, before, m_edited) || wasDirty[i] != isDirty(field)
-            || baselineBefore != m_baseline)
-            Q_EMIT fieldChanged(field);
+        if (sameValue(field, before, m_edited) && wasDirty[i] == isDirty(field)
+            && baselineBefore == m_baseline)
+            continue;
+        const QModelIndex row = index(static_cast<int>(i), 0);
+        Q_EMIT dataChanged(row, row, {Qt::DisplayRole, Qt::EditRole, DriveValueRole, DirtyRole});
+        Q_EMIT fieldChanged(field);
     }
 }
 
@@ -150,7 +194,7 @@ bool SetupModel::isDirty(Field field) const
 {
     if (!m_baseline)
         return false;
-    if (isSource(field) && sourceIndex(field) >= m_edited.dimensionality)
+    if (isSource(field) && static_cast<int>(sourceIndex(field)) >= m_edited.dimensionality)
         return false;
     return !sameValue(field, m_edited, asEdited(*m_baseline));
 }
@@ -174,6 +218,19 @@ void SetupModel::revert()
 {
     if (m_baseline)
         apply([&] { m_edited = asEdited(*m_baseline); });
+}
+
+QString SetupModel::problem(Field field) const
+{
+    const Wording& problem = m_problems[static_cast<std::size_t>(field)];
+    return problem ? problem() : QString();
+}
+
+void SetupModel::setProblem(Field field, const Wording& problem)
+{
+    m_problems[static_cast<std::size_t>(field)] = problem;
+    const QModelIndex row = index(static_cast<int>(field), 0);
+    Q_EMIT dataChanged(row, row, {ProblemRole});
 }
 
 } // namespace axiscomp::ui

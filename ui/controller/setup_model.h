@@ -2,8 +2,9 @@
 #pragma once
 
 #include "core/drive/compensation_setup.h"
+#include "ui/text/language.h"
 
-#include <QObject>
+#include <QAbstractTableModel>
 
 #include <array>
 #include <optional>
@@ -14,6 +15,11 @@ namespace axiscomp::ui {
 enum class Field { Dimensionality, Source1, Source2, Source3, Table, Persistency };
 inline constexpr std::array allFields{Field::Dimensionality, Field::Source1, Field::Source2,
     Field::Source3, Field::Table, Field::Persistency};
+/// dimension 1, 2, 3
+[[nodiscard]] constexpr Field sourceField(int dimension)
+{
+    return static_cast<Field>(static_cast<int>(Field::Source1) + dimension - 1);
+}
 
 /// Which table the axis shall have: the one on the drive, or one of the open file's.
 struct TableChoice {
@@ -30,17 +36,33 @@ struct EditedSetup {
     friend bool operator==(const EditedSetup&, const EditedSetup&) = default;
 };
 
+/// As a request names it: by its path, by its address when it has none.
+[[nodiscard]] std::string requestedSource(const DimSource& source);
+
 /// Two plain values, the baseline (only ever what was read back from the drive) and the edited one.
-/// A field is changed when they differ; nothing is stored about it.
-class SetupModel : public QObject {
+/// A field is changed when they differ; nothing is stored about it. As a table it has a row per
+/// field, in the order of allFields, and one column.
+class SetupModel : public QAbstractTableModel {
     Q_OBJECT
 
 public:
+    /// The value that is edited is Qt::EditRole: the number of dimensions, a source's path, the
+    /// index of a file's table (none: the one on the drive), whether it is persistent.
+    enum Role {
+        DriveValueRole = Qt::UserRole, ///< the baseline's value, none without a baseline
+        DirtyRole, ///< isDirty(Field)
+        ProblemRole, ///< problem(), empty when there is none
+    };
+
     explicit SetupModel(QObject* parent = nullptr);
 
-    [[nodiscard]] bool hasBaseline() const;
+    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
+    [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
+    [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
+
+    [[nodiscard]] bool hasBaseline() const { return m_baseline.has_value(); }
     [[nodiscard]] const CompensationSetup& baseline() const;
-    [[nodiscard]] const EditedSetup& edited() const;
+    [[nodiscard]] const EditedSetup& edited() const { return m_edited; }
 
     /// What the drive now has. Fields that are not changed follow it; changed ones keep the user's
     /// value.
@@ -58,7 +80,12 @@ public:
     [[nodiscard]] bool isDirty(Field field) const;
     [[nodiscard]] bool isDirty() const;
     void revert(Field field);
-    void revert();
+    void revert() override;
+
+    /// Why the field did not get the value that was last entered, a translated sentence; it keeps
+    /// its old value. Empty: there is nothing wrong.
+    [[nodiscard]] QString problem(Field field) const;
+    void setProblem(Field field, const Wording& problem);
 
 Q_SIGNALS:
     /// A value of the field, or whether it is changed, is different now.
@@ -69,6 +96,7 @@ private:
 
     std::optional<CompensationSetup> m_baseline;
     EditedSetup m_edited;
+    std::array<Wording, allFields.size()> m_problems; ///< none: nothing is wrong with it
 };
 
 } // namespace axiscomp::ui

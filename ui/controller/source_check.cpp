@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/base/error.h"
-#include "ui/controller/wizard_controller_p.h"
+#include "ui/controller/source_check.h"
+
+#include "ui/async/background_job.h"
 #include "ui/text/message_text.h"
+
+#include <QPointer>
 
 #include <algorithm>
 
@@ -20,104 +23,113 @@ bool isWrittenAs(const DimSource& source, const std::string& drive, const QStrin
 
 } // namespace
 
-WizardController::Private::SourceField& WizardController::Private::sourceField(int dimension)
+SourceCheck::SourceCheck(const DriveList& drives, SetupModel& setup, WizardLog& log)
+    : m_drives(drives)
+    , m_setup(setup)
+    , m_log(log)
 {
-    return sourceFields.at(static_cast<std::size_t>(dimension - 1));
 }
 
-void WizardController::Private::chooseSource(int dimension, const QString& text)
+SourceCheck::Pending& SourceCheck::pending(int dimension)
 {
-    SourceField& field = sourceField(dimension);
-    ++field.check;
-    field.isBeingChecked = false;
-    field.problem = nullptr;
+    return m_pending.at(static_cast<std::size_t>(dimension - 1));
+}
+
+bool SourceCheck::isBeingChecked(int dimension) const
+{
+    return m_pending.at(static_cast<std::size_t>(dimension - 1)).isBeingChecked;
+}
+
+void SourceCheck::choose(int dimension, const QString& text)
+{
+    const int number = ++pending(dimension).number;
     const QString wanted = text.trimmed();
-    DriveConnection* drive = connection();
-    const auto notConnected = [] {
-        return tr("The drive is not connected: the source cannot be checked.");
-    };
     if (wanted.isEmpty()) {
-        acceptSource(dimension, {});
+        accept(dimension, {});
         return;
     }
-    if (!drive || !drive->findings()) {
-        refuseSource(dimension, notConnected);
+    DriveConnection* drive = m_drives.connection();
+    if (drive && drive->findings()) {
+        const DriveFindings& findings = *drive->findings();
+        const auto known = std::ranges::find_if(findings.sources, [&](const DimSource& source) {
+            return isWrittenAs(source, findings.drive.name, wanted);
+        });
+        if (known != findings.sources.end()) {
+            accept(dimension, *known);
+            return;
+        }
+    }
+    if (!drive || !drive->findings() || !drive->isConnected()) {
+        refuse(dimension,
+            [] { return tr("The drive is not connected: the source cannot be checked."); });
         return;
     }
-    const DriveFindings& findings = *drive->findings();
-    const auto known = std::ranges::find_if(findings.sources,
-        [&](const DimSource& source) { return isWrittenAs(source, findings.drive.name, wanted); });
-    if (known != findings.sources.end()) {
-        acceptSource(dimension, *known);
-        return;
-    }
-    if (!drive->isConnected()) {
-        refuseSource(dimension, notConnected);
-        return;
-    }
-    field.isBeingChecked = true;
+    pending(dimension).isBeingChecked = true;
+    m_setup.setProblem(sourceField(dimension), nullptr);
     const auto resolve = [source = wanted.toStdString()](
                              AxisCompensator& compensator, const OperationOptions& operation) {
         return compensator.resolveSource(source, operation);
     };
-    whenDone(drive->session().run<DimSource>(resolve), &q,
-        [this, dimension, check = field.check, drive = QPointer<DriveConnection>(drive)](
+    whenDone(drive->session().run<DimSource>(resolve), this,
+        [this, dimension, number, drive = QPointer<DriveConnection>(drive)](
             const Result<DimSource>& source) {
             if (!source && isLinkFailure(source.error().code) && drive)
                 drive->lose(source.error());
-            if (check != sourceField(dimension).check)
+            if (number != pending(dimension).number)
                 return;
             if (source)
-                acceptSource(dimension, *source);
+                accept(dimension, *source);
             else
-                refuseSource(dimension, [error = source.error()] { return errorText(error); });
+                refuse(dimension, [error = source.error()] { return errorText(error); });
         });
-    Q_EMIT q.sourceChecked(dimension);
-    update();
+    Q_EMIT checked(dimension);
 }
 
-void WizardController::Private::acceptSource(int dimension, const DimSource& source)
+void SourceCheck::accept(int dimension, const DimSource& source)
 {
-    const EditedSetup& edited = setup.edited();
+    const EditedSetup& edited = m_setup.edited();
     for (int other = 1; other <= edited.dimensionality && source.isSet(); ++other) {
         if (other == dimension || !(edited.sources[static_cast<std::size_t>(other - 1)] == source))
             continue;
         const auto [first, second] = std::minmax(dimension, other);
         const Error error{ErrorCode::SourceRepeated,
-            {{"source", source.path}, {"first", std::to_string(first)},
-                {"second", std::to_string(second)}},
-            {}};
-        refuseSource(dimension, [error] { return errorText(error); });
+            {{"source", source.path}, {"first", first}, {"second", second}}, {}};
+        refuse(dimension, [error] { return errorText(error); });
         return;
     }
-    SourceField& field = sourceField(dimension);
-    field.isBeingChecked = false;
-    field.problem = nullptr;
-    setup.setSource(dimension, source);
-    Q_EMIT q.sourceChecked(dimension);
-    update();
+    pending(dimension).isBeingChecked = false;
+    m_setup.setProblem(sourceField(dimension), nullptr);
+    m_setup.setSource(dimension, source);
+    Q_EMIT checked(dimension);
 }
 
-void WizardController::Private::refuseSource(int dimension, const Wording& problem)
+void SourceCheck::refuse(int dimension, const Wording& problem)
 {
-    SourceField& field = sourceField(dimension);
-    field.isBeingChecked = false;
-    field.problem = problem;
-    log(LogLine::Kind::Warning, problem);
-    Q_EMIT q.sourceChecked(dimension);
-    update();
+    pending(dimension).isBeingChecked = false;
+    m_setup.setProblem(sourceField(dimension), problem);
+    m_log.add(LogLine::Kind::Warning, problem);
+    Q_EMIT checked(dimension);
 }
 
-void WizardController::Private::forgetSourceProblems()
+void SourceCheck::forget()
 {
     for (int dimension = 1; dimension <= 3; ++dimension) {
-        SourceField& field = sourceField(dimension);
-        const bool isNews = field.isBeingChecked || field.problem;
-        ++field.check;
-        field.isBeingChecked = false;
-        field.problem = nullptr;
+        Pending& check = pending(dimension);
+        const Field field = sourceField(dimension);
+        const bool isNews = check.isBeingChecked || !m_setup.problem(field).isEmpty();
+        ++check.number;
+        check.isBeingChecked = false;
+        m_setup.setProblem(field, nullptr);
         if (isNews)
-            Q_EMIT q.sourceChecked(dimension);
+            Q_EMIT checked(dimension);
+    }
+}
+
+void SourceCheck::retranslate()
+{
+    for (int dimension = 1; dimension <= 3; ++dimension) {
+        if (!m_setup.problem(sourceField(dimension)).isEmpty())
+            Q_EMIT checked(dimension);
     }
 }
 

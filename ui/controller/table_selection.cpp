@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/controller/table_selection.h"
+
 #include "core/table/tam_table.h"
-#include "ui/controller/wizard_controller_p.h"
 #include "ui/text/message_text.h"
-#include "ui/text/sign_sentence.h"
 
 #include <algorithm>
 #include <utility>
@@ -12,7 +12,7 @@ namespace axiscomp::ui {
 namespace {
 
 /// Where the table is in the file that was read again: by its name, else by its place.
-int placeOf(const CalibrationData& before, int index, const CalibrationData& now)
+int sameTableIn(const CalibrationData& before, int index, const CalibrationData& now)
 {
     const auto& name = before.tables[static_cast<std::size_t>(index)].name;
     const auto found = std::ranges::find(now.tables, name, &CompensationTable::name);
@@ -23,80 +23,96 @@ int placeOf(const CalibrationData& before, int index, const CalibrationData& now
 
 } // namespace
 
-void WizardController::Private::fileReplaced(
+TableSelection::TableSelection(const TableLayout& layout, SetupModel& setup, WizardLog& log)
+    : m_layout(layout)
+    , m_setup(setup)
+    , m_log(log)
+    , m_file(layout)
+{
+    connect(&m_file, &DataFileModel::dataReplaced, this, &TableSelection::followFile);
+    connect(&m_file, &DataFileModel::failed, this, &TableSelection::noteFailure);
+    connect(&m_driveTable, &DriveTable::changed, this, &TableSelection::noteSelected);
+    connect(&m_setup, &SetupModel::fieldChanged, this, &TableSelection::followField);
+}
+
+void TableSelection::open(const QString& path, const ImportChoices& choices)
+{
+    m_isOpening = true;
+    m_file.open(path, m_setup.edited().dimensionality, choices);
+}
+
+void TableSelection::readAgain()
+{
+    const QString path = m_file.file().path;
+    m_file.open(path, m_setup.edited().dimensionality, m_file.choicesFor(path));
+}
+
+void TableSelection::followFile(
     const std::shared_ptr<const CalibrationData>& before, bool isSameFile)
 {
-    const auto& now = file.file().data;
-    const std::optional<int> chosen = setup.edited().table.fileTable;
-    const bool isOpened = std::exchange(isOpening, false);
+    const auto& now = m_file.file().data;
+    const std::optional<int> chosen = m_setup.edited().table.fileTable;
+    const bool isOpened = std::exchange(m_isOpening, false);
     if (!now)
-        setup.setTable({});
+        m_setup.setTable({});
     else if (!isSameFile || !before || (isOpened && !chosen))
-        setup.setTable({0});
+        m_setup.setTable({0});
     else if (chosen && *chosen < static_cast<int>(before->tables.size()))
-        setup.setTable({placeOf(*before, *chosen, *now)});
+        m_setup.setTable({sameTableIn(*before, *chosen, *now)});
     if (now)
-        log(LogLine::Kind::Information,
-            [path = file.file().path, points = now->grid.pointCount(),
+        m_log.add(LogLine::Kind::Information,
+            [path = m_file.file().path, points = now->grid.pointCount(),
                 tables = now->tables.size()] {
                 return tr("%1 has been read: %2 points, tables: %3.")
                     .arg(path)
                     .arg(points)
                     .arg(tables);
             });
-    for (const Text& line : file.file().report)
-        log(LogLine::Kind::Information, [line] { return sentenceText(line); });
-    noteSelectedTable();
+    for (const Text& remark : m_file.file().report)
+        m_log.add(LogLine::Kind::Information, [remark] { return sentenceText(remark); });
+    noteSelected();
 }
 
-void WizardController::Private::fileFailed(const LoadedFile& failed)
+/// Without an axis the fields are only being emptied: no reason to read the file in another way.
+void TableSelection::followField(Field field)
 {
-    isOpening = false;
+    if (field == Field::Dimensionality && m_setup.hasBaseline())
+        m_file.setDimensions(m_setup.edited().dimensionality);
+    if (field == Field::Table)
+        noteSelected();
+}
+
+void TableSelection::noteFailure(const LoadedFile& failed)
+{
+    m_isOpening = false;
     const auto problems =
         std::ranges::count(failed.problems, Severity::Error, &Diagnostic::severity);
-    log(LogLine::Kind::Error,
+    m_log.add(LogLine::Kind::Error,
         [path = failed.path,
             count = static_cast<qulonglong>(problems) + failed.suppressedProblems] {
             return tr("%1 cannot be used: %2 problems.").arg(path).arg(count);
         });
 }
 
-LoadedTable WizardController::Private::selectedTable() const
+LoadedTable TableSelection::selected() const
 {
-    const std::optional<int> chosen = setup.edited().table.fileTable;
-    return chosen ? file.table(*chosen) : driveTable.table();
+    const std::optional<int> chosen = m_setup.edited().table.fileTable;
+    return chosen ? m_file.table(*chosen) : m_driveTable.table();
 }
 
-std::size_t WizardController::Private::selectedTableBytes() const
+std::size_t TableSelection::selectedBytes() const
 {
-    const auto table = selectedTable().table;
-    return table ? tamTableSize(table->grid, profile.layout) : 0;
+    const auto table = selected().table;
+    return table ? tamTableSize(table->grid, m_layout) : 0;
 }
 
-void WizardController::Private::noteSelectedTable()
+void TableSelection::noteSelected()
 {
-    auto now = selectedTable().table;
-    if (now == shownTable)
+    auto now = selected().table;
+    if (now == m_announced)
         return;
-    shownTable = std::move(now);
-    Q_EMIT q.selectedTableChanged();
-}
-
-void WizardController::Private::fieldChanged(Field field)
-{
-    if (task != Task::Write)
-        plan.reset();
-    if (field == Field::Dimensionality && !isLeaving)
-        file.setDimensions(setup.edited().dimensionality);
-    if (field == Field::Table)
-        noteSelectedTable();
-    update();
-}
-
-QString WizardController::signSentence() const
-{
-    const AxisInfo axis = d->status ? d->status->axis : AxisInfo{};
-    return signSentenceFor(d->selectedTable(), axis, d->setup.edited().sources);
+    m_announced = std::move(now);
+    Q_EMIT changed();
 }
 
 } // namespace axiscomp::ui

@@ -1,155 +1,201 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/controller/wizard_controller.h"
 
-#include "ui/controller/wizard_controller_p.h"
+#include "ui/controller/multi_axis_controller.h"
+#include "ui/controller/wizard_actions.h"
+#include "ui/text/sign_sentence.h"
 
 namespace axiscomp::ui {
 
-WizardController::Private::Private(WizardController& controller, WizardOptions wizardOptions)
-    : q(controller)
-    , options(std::move(wizardOptions))
-    , profile(*options.profile)
-    , flash(profile.flashWear)
-    , live(options.liveInterval)
-    , file(profile.layout)
-{
-    connect(&setup, &SetupModel::fieldChanged, &q, [this](Field field) { fieldChanged(field); });
-    connect(&live, &LiveMonitor::read, &q, [this](const AxisStatus& now) {
-        liveProblem.reset();
-        takeStatus(now, false);
-    });
-    connect(&live, &LiveMonitor::failed, &q, [this](const Error& error) { liveFailed(error); });
-    connect(&driveTable, &DriveTable::changed, &q, [this] {
-        noteSelectedTable();
-        Q_EMIT q.statusChanged();
-    });
-    connect(
-        &driveTable, &DriveTable::failed, &q, [this](const Error& error) { liveFailed(error); });
-    connect(&file, &DataFileModel::dataReplaced, &q,
-        [this](const std::shared_ptr<const CalibrationData>& before, bool isSameFile) {
-            fileReplaced(before, isSameFile);
-        });
-    connect(&file, &DataFileModel::failed, &q,
-        [this](const LoadedFile& failed) { fileFailed(failed); });
-    connect(&file, &DataFileModel::choiceNeeded, &q, &WizardController::importChoiceNeeded);
-    connect(&file, &DataFileModel::changed, &q, [this] {
-        Q_EMIT q.dataFileChanged();
-        update();
-    });
-    countdown.setInterval(std::chrono::seconds{1});
-    connect(&countdown, &QTimer::timeout, &q, [this] { update(); });
-    readAgain.setSingleShot(true);
-    readAgain.setInterval(options.reconnectInterval);
-    connect(&readAgain, &QTimer::timeout, &q, [this] { readAxisNow(); });
-    update();
-}
-
-WizardController::Private::~Private()
-{
-    // All sessions end at the same time: together they take no longer than one.
-    const auto all = q.findChildren<DriveConnection*>(QString(), Qt::FindDirectChildrenOnly);
-    for (DriveConnection* connection : all) {
-        connection->disconnect(&q);
-        connection->close();
+/// Each knows only parts above it; what these have to learn from it are signals, which
+/// WizardController connects.
+struct WizardController::Parts {
+    explicit Parts(const WizardOptions& options)
+        : drives(options, log, outcome)
+        , axis(options, drives, setup, log, outcome)
+        , sources(drives, setup, log)
+        , tables(options.profile->layout, setup, log)
+        , runner(*options.profile, drives, axis, setup, tables, log, outcome)
+        , multiAxis(drives, axis, setup, tables, runner, outcome)
+        , actions(*options.profile, drives, axis, setup, sources, tables, runner, outcome)
+    {
     }
-    for (DriveConnection* connection : all)
-        delete connection;
-}
+
+    WizardLog log;
+    LastOutcome outcome{log};
+    SetupModel setup;
+    DriveList drives;
+    AxisState axis;
+    SourceCheck sources;
+    TableSelection tables;
+    OperationRunner runner;
+    MultiAxisController multiAxis;
+    WizardActions actions;
+};
 
 WizardController::WizardController(WizardOptions options, QObject* parent)
     : QObject(parent)
-    , d(std::make_unique<Private>(*this, std::move(options)))
+    , m_parts(std::make_unique<Parts>(options))
 {
+    wireDrives();
+    wireAxis();
+    wireTables();
+    wireOperations();
+    m_parts->actions.update();
 }
 
 WizardController::~WizardController() = default;
 
+void WizardController::wireDrives()
+{
+    const DriveList* drives = &m_parts->drives;
+    connect(drives, &DriveList::drivesChanged, this, &WizardController::drivesChanged);
+    connect(drives, &DriveList::axesChanged, this, &WizardController::axesChanged);
+    connect(drives, &DriveList::currentAxisChanged, this, &WizardController::currentAxisChanged);
+    connect(drives, &DriveList::axisLeft, this, [this] {
+        m_parts->axis.forget();
+        m_parts->runner.forget();
+        m_parts->tables.driveTable().clear();
+        m_parts->setup.clear();
+        m_parts->sources.forget();
+    });
+    connect(drives, &DriveList::axisReady, this, [this](bool isAnother) {
+        if (isAnother)
+            m_parts->sources.forget();
+        m_parts->axis.begin(isAnother);
+    });
+    connect(drives, &DriveList::progressed, &m_parts->runner, &OperationRunner::showProgress);
+    connect(drives, &DriveList::removed, &m_parts->runner, &OperationRunner::abandon);
+    for (const auto changed :
+        {&DriveList::drivesChanged, &DriveList::axesChanged, &DriveList::currentAxisChanged})
+        connect(drives, changed, &m_parts->actions, &WizardActions::update);
+}
+
+void WizardController::wireAxis()
+{
+    const AxisState* axis = &m_parts->axis;
+    connect(axis, &AxisState::taken, this, [this](bool isComplete) {
+        m_parts->tables.driveTable().follow(
+            *m_parts->drives.connection(), *m_parts->axis.status(), isComplete);
+    });
+    connect(axis, &AxisState::statusChanged, this, &WizardController::statusChanged);
+    connect(axis, &AxisState::liveChanged, this, &WizardController::liveChanged);
+    for (const auto changed :
+        {&AxisState::statusChanged, &AxisState::liveChanged, &AxisState::failed})
+        connect(axis, changed, &m_parts->actions, &WizardActions::update);
+    connect(&m_parts->sources, &SourceCheck::checked, this, &WizardController::sourceChecked);
+    connect(&m_parts->sources, &SourceCheck::checked, &m_parts->actions, &WizardActions::update);
+    connect(
+        &m_parts->setup, &SetupModel::fieldChanged, &m_parts->runner, &OperationRunner::dropPlan);
+    connect(&m_parts->setup, &SetupModel::fieldChanged, &m_parts->actions, &WizardActions::update);
+}
+
+void WizardController::wireTables()
+{
+    const DataFileModel* file = &m_parts->tables.file();
+    const DriveTable* driveTable = &m_parts->tables.driveTable();
+    connect(
+        &m_parts->tables, &TableSelection::changed, this, &WizardController::selectedTableChanged);
+    connect(driveTable, &DriveTable::changed, this, &WizardController::statusChanged);
+    connect(driveTable, &DriveTable::failed, &m_parts->axis, &AxisState::takeLiveFailure);
+    connect(file, &DataFileModel::choiceNeeded, this, &WizardController::importChoiceNeeded);
+    connect(file, &DataFileModel::changed, this, &WizardController::dataFileChanged);
+    connect(file, &DataFileModel::changed, &m_parts->actions, &WizardActions::update);
+}
+
+void WizardController::wireOperations()
+{
+    const OperationRunner* runner = &m_parts->runner;
+    connect(runner, &OperationRunner::busyChanged, this, &WizardController::busyChanged);
+    connect(runner, &OperationRunner::busyChanged, &m_parts->actions, &WizardActions::update);
+    connect(runner, &OperationRunner::planReady, this, &WizardController::planReady);
+    connect(runner, &OperationRunner::ended, this, [this](Task task) {
+        if (task == Task::WriteSeveral)
+            Q_EMIT multiAxisWritten();
+    });
+    connect(&m_parts->multiAxis, &MultiAxisController::planned, this,
+        &WizardController::multiAxisPlanned);
+    connect(&m_parts->actions, &WizardActions::changed, this, &WizardController::actionsChanged);
+    connect(&m_parts->outcome, &LastOutcome::changed, this, &WizardController::outcomeChanged);
+}
+
 void WizardController::setEndpoints(const QStringList& endpoints)
 {
-    d->setEndpoints(endpoints);
+    m_parts->drives.setEndpoints(endpoints);
 }
 
 QStringList WizardController::endpoints() const
 {
-    QStringList endpoints;
-    for (const DriveConnection* connection : d->connections)
-        endpoints.append(connection->endpointAsGiven());
-    return endpoints;
+    return m_parts->drives.endpoints();
 }
 
 const std::vector<DriveState>& WizardController::drives() const
 {
-    return d->drives;
+    return m_parts->drives.drives();
 }
 
 const std::vector<AxisEntry>& WizardController::axes() const
 {
-    return d->axes;
+    return m_parts->drives.axes();
 }
 
 int WizardController::currentAxis() const
 {
-    return d->currentIndex;
+    return m_parts->drives.currentIndex();
 }
 
 void WizardController::selectAxis(int index)
 {
-    const bool isOne = index >= 0 && index < static_cast<int>(d->axes.size());
-    if (!isOne || index == d->currentIndex)
+    if (index < 0 || index >= static_cast<int>(axes().size()) || index == currentAxis())
         return;
-    if (d->task) {
+    if (m_parts->runner.task()) {
         // What runs belongs to the axis that is shown; the field goes back to it.
-        d->refuse(
+        m_parts->outcome.refuse(
             [] { return tr("Wait for the current operation before selecting another axis."); });
         Q_EMIT currentAxisChanged();
         return;
     }
-    const AxisEntry entry = d->axes[static_cast<std::size_t>(index)];
-    d->select(entry);
+    m_parts->drives.select(index);
 }
 
 void WizardController::refresh()
 {
-    for (DriveConnection* connection : d->connections)
-        connection->explore();
+    m_parts->drives.refresh();
 }
 
 SetupModel& WizardController::setup()
 {
-    return d->setup;
+    return m_parts->setup;
 }
 
 const SetupModel& WizardController::setup() const
 {
-    return d->setup;
+    return m_parts->setup;
 }
 
 const std::optional<AxisStatus>& WizardController::status() const
 {
-    return d->status;
+    return m_parts->axis.status();
 }
 
 const std::vector<DimSource>& WizardController::sourceShortlist() const
 {
-    static const std::vector<DimSource> none;
-    const DriveConnection* drive = d->connection();
-    return drive && drive->findings() ? drive->findings()->sources : none;
+    return m_parts->drives.sourceShortlist();
 }
 
 void WizardController::chooseSource(int dimension, const QString& text)
 {
-    d->chooseSource(dimension, text);
+    m_parts->sources.choose(dimension, text);
 }
 
 QString WizardController::sourceProblem(int dimension) const
 {
-    const Wording& problem = d->sourceField(dimension).problem;
-    return problem ? problem() : QString();
+    return m_parts->setup.problem(sourceField(dimension));
 }
 
 bool WizardController::isSourceBeingChecked(int dimension) const
 {
-    return d->sourceField(dimension).isBeingChecked;
+    return m_parts->sources.isBeingChecked(dimension);
 }
 
 void WizardController::openData(const QString& path)
@@ -159,174 +205,234 @@ void WizardController::openData(const QString& path)
 
 void WizardController::importData(const QString& path, const ImportChoices& choices)
 {
-    if (!d->mayStart(Action::OpenData))
-        return;
-    d->isOpening = true;
-    d->file.open(path, d->setup.edited().dimensionality, choices);
+    if (m_parts->actions.mayStart(Action::OpenData))
+        m_parts->tables.open(path, choices);
 }
 
 ImportChoices WizardController::importChoices(const QString& path) const
 {
-    return d->file.choicesFor(path);
+    return m_parts->tables.file().choicesFor(path);
 }
 
 void WizardController::readDataAgain()
 {
-    const QString path = d->file.file().path;
-    if (!path.isEmpty() && d->mayStart(Action::OpenData))
-        d->file.open(path, d->setup.edited().dimensionality, d->file.choicesFor(path));
+    if (!dataFile().path.isEmpty() && m_parts->actions.mayStart(Action::OpenData))
+        m_parts->tables.readAgain();
 }
 
 void WizardController::closeData()
 {
-    d->file.close();
+    m_parts->tables.file().close();
 }
 
 void WizardController::cancelReading()
 {
-    d->file.cancelReading();
+    m_parts->tables.file().cancelReading();
 }
 
 const DataFile& WizardController::dataFile() const
 {
-    return d->file.file();
+    return m_parts->tables.file().file();
 }
 
 std::shared_ptr<const CompensationTable> WizardController::selectedTable() const
 {
-    return d->selectedTable().table;
+    return m_parts->tables.selected().table;
 }
 
 std::shared_ptr<const CompensationTable> WizardController::driveTable() const
 {
-    return d->driveTable.table().table;
+    return m_parts->tables.driveTable().table().table;
 }
 
 std::size_t WizardController::selectedTableBytes() const
 {
-    return d->selectedTableBytes();
+    return m_parts->tables.selectedBytes();
+}
+
+QString WizardController::signSentence() const
+{
+    const AxisInfo axis = status() ? status()->axis : AxisInfo{};
+    return signSentenceFor(m_parts->tables.selected(), axis, setup().edited().sources);
 }
 
 ActionState WizardController::action(Action action) const
 {
-    return d->decision[action];
+    return m_parts->actions.states()[action];
 }
 
 QString WizardController::hint() const
 {
-    return d->decision.hint;
+    return m_parts->actions.states().hint;
 }
 
 void WizardController::planWrite()
 {
-    d->planWrite();
+    if (m_parts->actions.mayStart(Action::Write))
+        m_parts->runner.planWrite();
 }
 
 void WizardController::write()
 {
-    d->write();
+    if (m_parts->actions.mayStart(Action::Write))
+        m_parts->runner.write();
 }
 
 void WizardController::activate()
 {
-    d->switchTo(Task::Activate, Action::Activate, Switch::Activate);
+    if (m_parts->actions.mayStart(Action::Activate))
+        m_parts->runner.switchTo(Switch::Activate);
 }
 
 void WizardController::evaluate()
 {
-    d->switchTo(Task::Evaluate, Action::Evaluate, Switch::Evaluate);
+    if (m_parts->actions.mayStart(Action::Evaluate))
+        m_parts->runner.switchTo(Switch::Evaluate);
 }
 
 void WizardController::deactivate()
 {
-    d->switchTo(Task::Deactivate, Action::Deactivate, Switch::Deactivate);
+    if (m_parts->actions.mayStart(Action::Deactivate))
+        m_parts->runner.switchTo(Switch::Deactivate);
 }
 
 void WizardController::restorePrevious()
 {
-    d->restorePrevious();
+    if (m_parts->actions.mayStart(Action::RestorePrevious))
+        m_parts->runner.restorePrevious();
 }
 
 QString WizardController::unfinishedWrite() const
 {
+    const auto& unfinished = m_parts->axis.unfinished();
     const bool isThere =
-        d->unfinished && d->unfinished->outcome != AxisCompensator::UnfinishedOutcome::New;
-    return isThere ? settledOutcome(*d->unfinished).text : QString();
+        unfinished && unfinished->outcome != AxisCompensator::UnfinishedOutcome::New;
+    return isThere ? settledOutcome(*unfinished).text : QString();
 }
 
 void WizardController::finishWrite()
 {
-    d->recover(true);
+    if (m_parts->actions.mayStart(Action::FinishWrite))
+        m_parts->runner.recover(true);
 }
 
 void WizardController::undoWrite()
 {
-    d->recover(false);
+    if (m_parts->actions.mayStart(Action::UndoWrite))
+        m_parts->runner.recover(false);
+}
+
+std::vector<AxisEntry> WizardController::usableAxes() const
+{
+    return m_parts->drives.usableAxes();
+}
+
+std::vector<DimSource> WizardController::sourcesForSeveral() const
+{
+    return m_parts->multiAxis.sources();
+}
+
+bool WizardController::planMultiAxis(const std::vector<ColumnForAxis>& columns, bool keepsSources)
+{
+    m_parts->actions.update();
+    const bool may = action(Action::WriteSeveral).isEnabled;
+    if (may)
+        m_parts->multiAxis.plan(columns, keepsSources);
+    return may;
+}
+
+void WizardController::dropSeveral()
+{
+    m_parts->multiAxis.drop();
+}
+
+const std::optional<Result<std::vector<WritePlan>>>& WizardController::multiAxisPlans() const
+{
+    return m_parts->multiAxis.plans();
+}
+
+void WizardController::writeMultiAxis()
+{
+    if (m_parts->actions.mayStart(Action::WriteSeveral))
+        m_parts->multiAxis.write();
 }
 
 void WizardController::cancel()
 {
-    d->cancel();
+    if (m_parts->runner.task())
+        m_parts->runner.cancel();
+    else
+        cancelReading();
 }
 
 const BusyState& WizardController::busy() const
 {
-    return d->busy;
+    return m_parts->runner.busy();
 }
 
 bool WizardController::isWriting() const
 {
-    return d->task && isWrite(*d->task);
+    return m_parts->runner.task() && isWrite(*m_parts->runner.task());
 }
 
 const std::optional<WritePlan>& WizardController::plan() const
 {
-    return d->plan;
+    return m_parts->runner.plan();
 }
 
 const std::optional<Proof>& WizardController::proof() const
 {
-    return d->proof;
+    return m_parts->runner.proof();
 }
 
 QString WizardController::outcome() const
 {
-    return d->outcome.text;
+    return m_parts->outcome.get().text;
 }
 
 bool WizardController::isOutcomeAnError() const
 {
-    return d->outcome.isError;
+    return m_parts->outcome.get().isError;
+}
+
+WizardLog& WizardController::logModel()
+{
+    return m_parts->log;
 }
 
 const std::vector<LogLine>& WizardController::log() const
 {
-    return d->logLines.lines();
+    return m_parts->log.lines();
 }
 
 int WizardController::flashWaitSeconds() const
 {
-    return static_cast<int>(d->flashBudget().wait.count());
-}
-
-const std::optional<FlashUse>& WizardController::flashUse() const
-{
-    return d->flashUse;
+    return static_cast<int>(m_parts->axis.flashBudget().wait.count());
 }
 
 int WizardController::flashOperationsLeft() const
 {
-    return d->flashBudget().left;
+    return m_parts->axis.flashBudget().left;
+}
+
+const std::optional<FlashUse>& WizardController::flashUse() const
+{
+    return m_parts->axis.flashUse();
 }
 
 void WizardController::refreshLive()
 {
-    d->live.readNow();
+    m_parts->axis.readLiveNow();
 }
 
 void WizardController::retranslate()
 {
-    d->retranslate();
+    m_parts->outcome.retranslate();
+    m_parts->log.retranslate();
+    m_parts->drives.retranslate();
+    m_parts->sources.retranslate();
+    m_parts->runner.retranslate();
+    m_parts->actions.update();
 }
 
 } // namespace axiscomp::ui

@@ -21,14 +21,6 @@
 
 namespace axiscomp::ui {
 
-/// What a busy page shows.
-struct BusyState {
-    bool isBusy = false;
-    QString step; ///< translated: "writing: verifying table"
-    double fraction = 0.0;
-    bool canCancel = false;
-};
-
 /// Everything of the wizard but its widgets: which drives and axes there are, the setup of the
 /// chosen axis, the open file, what runs, and each action with its reason. Never blocks: drives are
 /// talked to on their sessions' threads, files are parsed on a thread of their own. Owns no widget.
@@ -125,6 +117,7 @@ public:
     [[nodiscard]] QString
     outcome() const; ///< of the last operation, a translated sentence; may be empty
     [[nodiscard]] bool isOutcomeAnError() const;
+    [[nodiscard]] WizardLog& logModel();
     [[nodiscard]] const std::vector<LogLine>& log() const; ///< the newest 1000
     /// Seconds until flash may be written again, 0 now; counts down.
     [[nodiscard]] int flashWaitSeconds() const;
@@ -156,11 +149,15 @@ Q_SIGNALS:
     void multiAxisPlanned();
     void multiAxisWritten();
     void outcomeChanged();
-    void logged();
 
 private:
-    struct Private;
-    std::unique_ptr<Private> d;
+    void wireDrives();
+    void wireAxis();
+    void wireTables();
+    void wireOperations();
+
+    struct Parts;
+    std::unique_ptr<Parts> m_parts;
 };
 
 } // namespace axiscomp::ui

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/error.h"
 #include "core/base/wall_time.h"
 #include "ui/text/language.h"
 
+#include <QAbstractTableModel>
 #include <QString>
 
 #include <vector>
@@ -12,29 +14,38 @@ namespace axiscomp::ui {
 
 /// What happened once.
 struct LogLine {
-    int number = 0; ///< of all lines that there have been, from 1
     WallTime time;
     enum class Kind { Information, Warning, Error } kind = Kind::Information;
     Wording text;
     QString detail; ///< for experts, in English
 };
 
-/// What happened, in order; only the newest lines are kept.
-class WizardLog {
+/// What happened, in order: time, sentence, details. Only the newest lines are kept.
+class WizardLog : public QAbstractTableModel {
+    Q_OBJECT
+
 public:
     static constexpr std::size_t capacity = 1000;
+    enum Column { Time, Text, Detail, ColumnCount };
 
-    void add(LogLine::Kind kind, const Wording& text, const QString& detail = {})
-    {
-        if (m_lines.size() == capacity)
-            m_lines.erase(m_lines.begin());
-        m_lines.push_back({++m_count, std::chrono::system_clock::now(), kind, text, detail});
-    }
+    void add(LogLine::Kind kind, const Wording& text, const QString& detail = {});
+    void add(const Error& error);
     [[nodiscard]] const std::vector<LogLine>& lines() const { return m_lines; }
+
+    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
+    [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
+    [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
+    [[nodiscard]] QVariant headerData(
+        int section, Qt::Orientation orientation, int role) const override;
+
+    /// The lines as they are kept in a file: UTC time, kind, text, detail.
+    [[nodiscard]] QString text() const;
+    [[nodiscard]] QString text(const QModelIndexList& rows) const;
+    /// Announces the sentences in another language.
+    void retranslate();
 
 private:
     std::vector<LogLine> m_lines;
-    int m_count = 0;
 };
 
 } // namespace axiscomp::ui

@@ -57,8 +57,7 @@ void FieldBinder::bind(FieldRow& row, SourceCombo& combo, int dimension,
     const auto driveText = [index, name](const CompensationSetup& drive) {
         return name(drive.sources.at(index));
     };
-    const auto field = static_cast<Field>(static_cast<int>(Field::Source1) + dimension - 1);
-    add({field, &row, show, driveText});
+    add({sourceField(dimension), &row, show, driveText});
 }
 
 void FieldBinder::refresh()

@@ -143,7 +143,7 @@ void SetupPanel::showSource(int dimension)
     if (!isBeingChecked && !problem.isEmpty())
         m_sources[index]->refuse();
     else if (!isBeingChecked)
-        m_binder->refresh(static_cast<Field>(static_cast<int>(Field::Source1) + dimension - 1));
+        m_binder->refresh(sourceField(dimension));
     showSourceValues();
 }
 

@@ -41,7 +41,7 @@ WizardPage::WizardPage(WizardController& controller, const DriveProfile& profile
     , setup(new SetupPanel(controller, profile, style))
     , actions(new ActionPanel(controller))
     , preview(new PreviewPanel(controller, profile))
-    , log(new LogView(controller))
+    , log(new LogView(controller.logModel()))
     , status(new StatusStrip(controller))
     , m_columns(new QSplitter(Qt::Horizontal))
     , m_rows(new QSplitter(Qt::Vertical))

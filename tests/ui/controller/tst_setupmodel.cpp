@@ -3,6 +3,7 @@
 #include "tests/support/verify.h"
 #include "ui/controller/setup_model.h"
 
+#include <QAbstractItemModelTester>
 #include <QSignalSpy>
 #include <QTest>
 
@@ -171,6 +172,49 @@ private Q_SLOTS:
         QCOMPARE(sent, (std::set<Field>{Field::Dimensionality, Field::Source2}));
     }
 
+    void asATableItHasARowPerField()
+    {
+        SetupModel model;
+        const auto value = [&](Field field, int role) {
+            return model.data(model.index(static_cast<int>(field), 0), role);
+        };
+        QCOMPARE(model.rowCount(), static_cast<int>(allFields.size()));
+        QVERIFY(!value(Field::Dimensionality, SetupModel::DriveValueRole).isValid());
+        model.reset(twoDimensions());
+        model.setSource(2, {0xbeef, {}});
+        model.setTable({1});
+        QCOMPARE(value(Field::Dimensionality, Qt::EditRole), QVariant(2));
+        QCOMPARE(value(Field::Source1, Qt::EditRole), QVariant(QString::fromStdString(x.path)));
+        QCOMPARE(value(Field::Source2, Qt::EditRole), QVariant(QStringLiteral("0x0000beef")));
+        QCOMPARE(value(Field::Source2, SetupModel::DriveValueRole),
+            QVariant(QString::fromStdString(y.path)));
+        QCOMPARE(value(Field::Source2, SetupModel::DirtyRole), QVariant(true));
+        QCOMPARE(value(Field::Source3, Qt::EditRole), QVariant(QString()));
+        QCOMPARE(value(Field::Table, Qt::EditRole), QVariant(1));
+        QVERIFY(!value(Field::Table, SetupModel::DriveValueRole).isValid());
+        QCOMPARE(value(Field::Persistency, Qt::EditRole), QVariant(true));
+        QCOMPARE(value(Field::Persistency, SetupModel::DirtyRole), QVariant(false));
+        QVERIFY(!model.data({}, Qt::EditRole).isValid());
+    }
+
+    void aProblemIsAnnouncedButIsNoChange()
+    {
+        SetupModel model;
+        model.reset(twoDimensions());
+        const QSignalSpy changed(&model, &SetupModel::fieldChanged);
+        const QSignalSpy data(&model, &SetupModel::dataChanged);
+        model.setProblem(Field::Source2, [] { return QStringLiteral("No such register."); });
+        QCOMPARE(model.problem(Field::Source2), QStringLiteral("No such register."));
+        QCOMPARE(model.data(model.index(2, 0), SetupModel::ProblemRole).toString(),
+            QStringLiteral("No such register."));
+        QVERIFY(model.problem(Field::Source1).isEmpty());
+        QVERIFY(!model.isDirty());
+        QCOMPARE(data.count(), 1);
+        QCOMPARE(changed.count(), 0);
+        model.setProblem(Field::Source2, nullptr);
+        QVERIFY(model.problem(Field::Source2).isEmpty());
+    }
+
     void theChangedFieldsAreThoseThatDifferWhateverIsDone()
     {
         std::mt19937 random(20261121);
@@ -179,6 +223,8 @@ private Q_SLOTS:
         };
         const std::array sources{x, y, temperature, DimSource{}};
         SetupModel model;
+        const QAbstractItemModelTester tester(&model);
+        const QSignalSpy dataChanged(&model, &SetupModel::dataChanged);
         model.reset(twoDimensions());
         for (int step = 0; step < 10'000; ++step) {
             const EditedSetup before = model.edited();
@@ -186,6 +232,7 @@ private Q_SLOTS:
             for (std::size_t i = 0; i < allFields.size(); ++i)
                 wasDirty[i] = model.isDirty(allFields[i]);
             std::set<Field> sent;
+            const qsizetype rowsBefore = dataChanged.count();
             const auto connection = connect(
                 &model, &SetupModel::fieldChanged, this, [&](Field field) { sent.insert(field); });
             randomChange(model, below, sources);
@@ -200,6 +247,7 @@ private Q_SLOTS:
             }
             QCOMPARE(model.isDirty(), isAnyDirty);
             QVERIFY(!sent.empty() || before == model.edited());
+            QCOMPARE(dataChanged.count() - rowsBefore, static_cast<qsizetype>(sent.size()));
         }
     }
 

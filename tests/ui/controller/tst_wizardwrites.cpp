@@ -157,6 +157,26 @@ private Q_SLOTS:
         QVERIFY(bench->setup().edited().table.fileTable.has_value());
     }
 
+    void onlyWhatAnotherProgramChangesIsLoggedAsSuch()
+    {
+        ControllerFixture bench;
+        QVERIFY(bench.connect());
+        QVERIFY(bench.prepare2D());
+        const auto foreignChanges = [&] {
+            return std::ranges::count_if(bench->log(), [](const LogLine& line) {
+                return line.text().startsWith(QStringLiteral("Another program changed"));
+            });
+        };
+        QVERIFY(bench.planAndWrite());
+        QVERIFY2(bench->outcome().startsWith(written), qPrintable(bench->outcome()));
+        QVERIFY(bench.readLive());
+        QCOMPARE(foreignChanges(), 0);
+        const auto y = bench.drive().drive.readRegisters({test::masterY});
+        bench.drive().set("Axes[0]/Parameters/Compensations/Axis/Dim1Source", y->front().address);
+        QVERIFY(bench.readLive());
+        QCOMPARE(foreignChanges(), 1);
+    }
+
     void aWriteThatIsCancelledLeavesTheOldState()
     {
         ControllerFixture bench;

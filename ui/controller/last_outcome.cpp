@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/controller/last_outcome.h"
+
+#include <utility>
+
+namespace axiscomp::ui {
+
+void LastOutcome::show(const std::function<Outcome()>& make)
+{
+    const Outcome shown = make();
+    m_log.add(
+        shown.isError ? LogLine::Kind::Error : LogLine::Kind::Information,
+        [make] { return make().text; }, shown.detail);
+    m_make = make;
+    if (shown.text == m_outcome.text && shown.isError == m_outcome.isError)
+        return;
+    m_outcome = shown;
+    Q_EMIT changed();
+}
+
+void LastOutcome::refuse(const Wording& reason)
+{
+    show([reason] { return Outcome{reason(), true, {}}; });
+}
+
+void LastOutcome::dismiss()
+{
+    if (!std::exchange(m_make, nullptr))
+        return;
+    m_outcome = {};
+    Q_EMIT changed();
+}
+
+void LastOutcome::retranslate()
+{
+    if (m_make)
+        m_outcome = m_make();
+}
+
+} // namespace axiscomp::ui

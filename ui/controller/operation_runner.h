@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/async/background_job.h"
+#include "ui/controller/action_rules.h"
+#include "ui/controller/axis_state.h"
+#include "ui/controller/table_selection.h"
+
+#include <QObject>
+#include <QPointer>
+
+#include <functional>
+#include <optional>
+#include <stop_token>
+
+namespace axiscomp::ui {
+
+/// Runs one operation at a time on the current axis's drive, and sees to it that afterwards the
+/// state that the drive says is what is shown, whatever happened. Who calls has asked before
+/// whether the operation is possible now.
+class OperationRunner : public QObject {
+    Q_OBJECT
+
+public:
+    /// All of these must outlive the runner.
+    OperationRunner(const DriveProfile& profile, const DriveList& drives, AxisState& axis,
+        SetupModel& setup, TableSelection& tables, WizardLog& log, LastOutcome& outcome);
+
+    [[nodiscard]] std::optional<Task> task() const { return m_task; }
+    [[nodiscard]] const BusyState& busy() const { return m_busy; }
+    /// Of the setup as it is; none: it has to be made.
+    [[nodiscard]] const std::optional<WritePlan>& plan() const { return m_plan; }
+    /// Of the last activation.
+    [[nodiscard]] const std::optional<Proof>& proof() const { return m_proof; }
+
+    /// Asks the drive what a write would change; planReady() follows, or an outcome that says why
+    /// not.
+    void planWrite();
+    /// Carries out plan().
+    void write();
+    /// Ends with the end-to-end proof, but for Deactivate.
+    void switchTo(Switch wanted);
+    void restorePrevious();
+    /// Finishes or undoes the write that did not end.
+    void recover(bool finishes);
+    void cancel();
+
+    /// Runs something that changes the drive. take gets what became of it, and gives it to whom it
+    /// concerns; then the outcome is shown and ended() emitted. place: which axis it is at, when it
+    /// is about the whole drive.
+    template <typename T>
+    void run(Task task,
+        std::function<OperationEnd<T>(
+            AxisCompensator&, const std::filesystem::path& store, const OperationOptions&)>
+            operation,
+        std::function<void(const OperationEnd<T>&)> take,
+        std::function<Outcome(const Result<T>&)> outcome, const Wording& place = {});
+    /// The axis has this table now, and nobody has proved it; call it before the state is taken.
+    void expect(const LoadedTable& written);
+
+    /// The setup is another one: its plan has no use, unless it is being carried out.
+    void dropPlan();
+    /// There is no current axis.
+    void forget();
+    /// The operation on this drive, if there is one, is of no interest any more.
+    void abandon(const DriveConnection* connection);
+    void showProgress(const DriveConnection* of, const QString& step, double fraction);
+    /// Says what runs in another language.
+    void retranslate();
+
+Q_SIGNALS:
+    void busyChanged();
+    void planReady();
+    void ended(axiscomp::ui::Task task);
+
+private:
+    template <typename T>
+    void begin(Task task, DriveSession::Operation<T> operation,
+        std::function<void(const Result<T>&)> end, const Wording& place = {});
+    void start(Task task, const Wording& place);
+    void end();
+    [[nodiscard]] QString busyText() const;
+    void planned(const Result<WritePlan>& plan);
+
+    const DriveProfile& m_profile;
+    const DriveList& m_drives;
+    AxisState& m_axis;
+    SetupModel& m_setup;
+    TableSelection& m_tables;
+    WizardLog& m_log;
+    LastOutcome& m_outcome;
+
+    std::optional<Task> m_task;
+    BusyState m_busy;
+    QString m_step; ///< of core, as last reported; empty: none yet
+    Wording m_place;
+    QPointer<DriveConnection> m_connection; ///< on which the task runs
+    std::stop_source m_stop;
+    std::optional<WritePlan> m_plan;
+    EditedSetup m_plannedSetup; ///< that the plan is of
+    WriteRequest m_request; ///< the same as a request, without its table
+    LoadedTable m_requestTable;
+    std::optional<Proof> m_proof;
+};
+
+template <typename T>
+void OperationRunner::begin(Task task, DriveSession::Operation<T> operation,
+    std::function<void(const Result<T>&)> end, const Wording& place)
+{
+    DriveConnection* drive = m_drives.connection();
+    start(task, place);
+    m_connection = drive;
+    m_stop = std::stop_source();
+    whenDone(drive->session().run<T>(std::move(operation), m_stop.get_token()), this,
+        [this, drive, end = std::move(end)](const Result<T>& result) {
+            if (m_connection != drive)
+                return; // its drive has been removed meanwhile
+            this->end();
+            end(result);
+        });
+}
+
+template <typename T>
+void OperationRunner::run(Task task,
+    std::function<OperationEnd<T>(
+        AxisCompensator&, const std::filesystem::path& store, const OperationOptions&)>
+        operation,
+    std::function<void(const OperationEnd<T>&)> take,
+    std::function<Outcome(const Result<T>&)> outcome, const Wording& place)
+{
+    begin<OperationEnd<T>>(
+        task,
+        [operation = std::move(operation), store = m_drives.connection()->session().storeRoot()](
+            AxisCompensator& compensator, const OperationOptions& options)
+            -> Result<OperationEnd<T>> { return operation(compensator, store, options); },
+        [this, task, take = std::move(take), outcome = std::move(outcome)](
+            const Result<OperationEnd<T>>& result) {
+            // An operation that could not even begin has changed nothing, and nothing was read.
+            const OperationEnd<T> end =
+                result ? *result : OperationEnd<T>{fail(result.error()), fail(result.error())};
+            m_axis.expectChange();
+            take(end);
+            m_outcome.show([outcome, end = end.outcome] { return outcome(end); });
+            Q_EMIT ended(task);
+        },
+        place);
+}
+
+} // namespace axiscomp::ui

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/controller/setup_model.h"
+#include "ui/controller/wizard_log.h"
+#include "ui/data/data_file_model.h"
+#include "ui/data/drive_table.h"
+
+#include <QObject>
+
+namespace axiscomp::ui {
+
+/// The open file of compensation data, the table on the drive, and which of their tables is
+/// selected: what the setup says about its table follows the file.
+class TableSelection : public QObject {
+    Q_OBJECT
+
+public:
+    /// All of these must outlive the selection.
+    TableSelection(const TableLayout& layout, SetupModel& setup, WizardLog& log);
+
+    /// The file's first table is selected, unless another one of the same file is.
+    void open(const QString& path, const ImportChoices& choices);
+    /// The open file, which may have changed; what was selected stays selected.
+    void readAgain();
+    [[nodiscard]] DataFileModel& file() { return m_file; }
+    [[nodiscard]] const DataFileModel& file() const { return m_file; }
+    [[nodiscard]] DriveTable& driveTable() { return m_driveTable; }
+    [[nodiscard]] const DriveTable& driveTable() const { return m_driveTable; }
+    /// None: the one on the drive, which has not been downloaded yet.
+    [[nodiscard]] LoadedTable selected() const;
+    [[nodiscard]] std::size_t selectedBytes() const; ///< as a file on the drive; 0 without a table
+
+Q_SIGNALS:
+    void changed(); ///< selected()
+
+private:
+    void followFile(const std::shared_ptr<const CalibrationData>& before, bool isSameFile);
+    void followField(Field field);
+    void noteFailure(const LoadedFile& failed);
+    void noteSelected();
+
+    const TableLayout& m_layout;
+    SetupModel& m_setup;
+    WizardLog& m_log;
+    DataFileModel m_file;
+    DriveTable m_driveTable;
+    bool m_isOpening = false; ///< somebody wants a table of the file that is being read
+    std::shared_ptr<const CompensationTable> m_announced;
+};
+
+} // namespace axiscomp::ui
