@@ -219,8 +219,8 @@ Result<void> serve(const VirtualDriveArguments& arguments, Console& console, Int
 int run(int argc, char** argv, Console& console)
 {
     VirtualDriveArguments arguments;
-    CLI::App app("A drive that exists only in this computer, with the pages, registers and habits "
-                 "of a real one.",
+    CLI::App app(
+        "A servo drive in software, with the web pages, registers and behaviour of a real one.",
         programName);
     setHelpStyle(app);
     app.set_version_flag(

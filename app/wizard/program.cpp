@@ -128,8 +128,8 @@ int run(int argc, char** argv, Console& console)
 {
     FirstPaint paint;
     WizardArguments arguments;
-    CLI::App app("Brings measured errors of machine axes into their drives: a window for one axis "
-                 "after the other.",
+    CLI::App app(
+        "Writes compensation tables for measured axis errors to servo drives, in a window.",
         programName);
     setHelpStyle(app);
     app.set_version_flag(

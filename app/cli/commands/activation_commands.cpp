@@ -79,13 +79,12 @@ void addActivation(CommandLine& line, const std::string& name, const std::string
 
 void addActivationCommands(CommandLine& line)
 {
-    addActivation(line, "evaluate",
-        "Let the drive check table and sources and look up without adding anything",
+    addActivation(line, "evaluate", "Let the drive look up the table without adding its values",
         Activation::Evaluate);
     addActivation(line, "activate",
-        "Switch the compensation on, and prove that the drive adds what the table says",
+        "Activate the compensation, and compare the drive's output with the table",
         Activation::Activate);
-    addActivation(line, "deactivate", "Switch the compensation off", Activation::Deactivate);
+    addActivation(line, "deactivate", "Deactivate the compensation", Activation::Deactivate);
 }
 
 } // namespace axiscomp::app

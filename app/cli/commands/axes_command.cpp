@@ -164,11 +164,11 @@ void addAxesCommand(CommandLine& line)
         [options](Environment& environment) { return runAxes(environment, *options); });
     addDriveOptions(*command, options->drives, DriveCount::Several);
     CLI::Option* find = command->add_flag("--find", options->find,
-        "Look for drives at the serial ports of this computer too; without --drive also at the "
-        "connections of the window");
+        "Also try all serial ports of this computer; without --drive, the connections of the "
+        "window too");
     command
-        ->add_flag("--any-baud", options->anyBaudRate,
-            "Try the usual baud rates at every serial port, not only the given one")
+        ->add_flag(
+            "--any-baud", options->anyBaudRate, "Try the usual baud rates at every serial port")
         ->needs(find);
 }
 

@@ -86,7 +86,7 @@ void addBackupCommands(CommandLine& line)
     auto saving = std::make_shared<BackupOptions>();
     saving->drive.command = commandName("backup");
     CLI::App* backup = line.add("backup", driveCommands,
-        "Keep everything that this program can change on a drive in one file",
+        "Save everything that this program can change on a drive to one file",
         [saving](Environment& environment) { return runBackup(environment, *saving); });
     addDriveOptions(*backup, saving->drive);
     backup
@@ -97,7 +97,7 @@ void addBackupCommands(CommandLine& line)
     auto restoring = std::make_shared<BackupOptions>();
     restoring->drive.command = commandName("restore");
     CLI::App* restore = line.add("restore", driveCommands,
-        "Bring a drive back to what a backup file holds, by normal verified writes",
+        "Restore a drive from a backup file, with verified writes",
         [restoring](Environment& environment) { return runRestore(environment, *restoring); });
     restore->add_option("FILE", restoring->file, "File that `axiscomp backup` wrote")->required();
     addDriveOptions(*restore, restoring->drive);

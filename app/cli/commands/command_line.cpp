@@ -6,8 +6,8 @@
 namespace axiscomp::app {
 
 CommandLine::CommandLine()
-    : m_parser("Brings measured axis errors into a servo drive: reads a calibration file, writes "
-               "the compensation table, switches it on and proves that it works.",
+    : m_parser("Writes compensation tables for measured axis errors to a servo drive, activates "
+               "them, and checks the drive's output against the table.",
         "axiscomp")
 {
     setHelpStyle(m_parser);

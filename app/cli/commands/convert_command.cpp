@@ -209,7 +209,7 @@ void addConvertCommand(CommandLine& line)
 {
     auto options = std::make_shared<ConvertOptions>();
     options->input.command = commandName("convert");
-    CLI::App* command = line.add("convert", fileCommands, "Turn a table file into another format",
+    CLI::App* command = line.add("convert", fileCommands, "Convert a table file to another format",
         [options](Environment& environment) { return runConvert(environment, *options); });
     command->add_option("IN", options->input.file, "File to read; - for standard input")
         ->required();
@@ -220,7 +220,7 @@ void addConvertCommand(CommandLine& line)
     addDimensionsOption(*command, options->input);
     addTableOption(*command, options->input);
     addFromOption(*command, options->input);
-    command->add_option("--to", options->to, "Format of the output, if its name does not tell")
+    command->add_option("--to", options->to, "Format of the output, if its name leaves it open")
         ->option_text("FORMAT");
     CLI::Option* persistent = command->add_flag(
         "--persistent", options->persistent, "Mark the table persistent: the drive stores it");

@@ -82,7 +82,7 @@ void addFormatsCommand(CommandLine& line)
 {
     auto options = std::make_shared<FormatsOptions>();
     CLI::App* command = line.add("formats", fileCommands,
-        "List the table formats, or say what one of them can hold and what is known about it",
+        "List the table formats, or describe one: its limits, rules and settings",
         [options](Environment& environment) { return runFormats(environment, *options); });
     command->add_option("NAME", options->name, "One format: its rules, limits and settings");
     command->add_flag("--markdown", options->markdown, "All of them, as the page docs/formats.md");

@@ -167,7 +167,7 @@ void addInspectCommand(CommandLine& line)
     auto options = std::make_shared<TableInputOptions>();
     options->command = commandName("inspect");
     CLI::App* command = line.add("inspect", fileCommands,
-        "Check a file and report its grid, its tables and what is wrong with it",
+        "Check a file and report its format, grid, tables and problems",
         [options](Environment& environment) { return runInspect(environment, *options); });
     command->add_option("FILE", options->file, "Calibration file or table; - for standard input")
         ->required();

@@ -187,18 +187,18 @@ void addLookupCommand(CommandLine& line)
     addTableOption(*command, options->input);
     command
         ->add_option("--points", options->points,
-            "File with one position per line (- for standard input): one result line each")
+            "File with one position per line, - for standard input; prints one result per line")
         ->option_text("FILE");
     command
         ->add_option("--outside", options->outside,
-            "Outside of the table: hold (as the drive does; the default), zero, wrap, extrapolate "
-            "or error")
+            "Value outside the table: hold (as the drive does; the default), zero, wrap, "
+            "extrapolate or error")
         ->option_text("RULE")
         ->check(CLI::IsMember(
             std::vector<std::string>{"hold", "zero", "wrap", "extrapolate", "error"}));
     command
         ->add_option("--as", options->as,
-            "The value that the controller of this format applies, after a conversion")
+            "Print the value that the controller of this format would apply, after conversion")
         ->option_text("FORMAT");
     addFromOption(*command, options->input);
     options->conversion.command = options->input.command;

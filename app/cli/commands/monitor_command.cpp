@@ -149,7 +149,7 @@ void addMonitorCommand(CommandLine& line)
     auto options = std::make_shared<MonitorOptions>();
     options->drive.command = commandName("monitor");
     CLI::App* command = line.add("monitor", driveCommands,
-        "Print output, indices and sources of an axis as CSV lines until stopped",
+        "Print output, indices and sources of an axis as CSV until stopped",
         [options](Environment& environment) {
             return withAxis(environment, options->drive,
                 [&](Environment& sameEnvironment, CommandSession& session, int axis) {

@@ -146,7 +146,7 @@ void addReadCommand(CommandLine& line)
             "File to write, .csv, .TAMtbl or that of another controller; CSV on standard output "
             "without it")
         ->option_text("FILE");
-    command->add_option("--to", options->to, "Format of the output, if its name does not tell")
+    command->add_option("--to", options->to, "Format of the output, if its name leaves it open")
         ->option_text("FORMAT");
     options->conversion.command = options->drive.command;
     addResamplingOptions(*command, options->conversion);

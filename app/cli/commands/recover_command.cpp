@@ -146,7 +146,7 @@ void addRecoverCommand(CommandLine& line)
     auto options = std::make_shared<RecoverOptions>();
     options->drive.command = commandName("recover");
     CLI::App* command = line.add("recover", driveCommands,
-        "Finish or undo a write that did not end; without an option, say what can be done",
+        "Finish or undo an interrupted write; without an option, say which is possible",
         [options](Environment& environment) {
             return withAxis(environment, options->drive,
                 [options](Environment& sameEnvironment, CommandSession& session, int axis) {

@@ -38,7 +38,7 @@ void addStatusCommand(CommandLine& line)
     auto options = std::make_shared<DriveOptions>();
     options->command = commandName("status");
     CLI::App* command = line.add("status", driveCommands,
-        "Show the compensation of an axis, and what became of a write that was interrupted",
+        "Show the compensation of an axis, and the outcome of an interrupted write",
         [options](Environment& environment) { return withAxis(environment, *options, runStatus); });
     addDriveOptions(*command, *options);
     addAxisOption(*command, *options);

@@ -103,7 +103,7 @@ void addTransferCommands(CommandLine& line)
     auto sending = std::make_shared<TransferOptions>();
     sending->drive.command = commandName("upload");
     CLI::App* upload = line.add("upload", driveCommands,
-        "Send a file to a drive as it is, and verify it (for drive programs that use tables)",
+        "Upload a file unchanged and verify it, for drive programs that use tables",
         [sending](Environment& environment) { return runUpload(environment, *sending); });
     upload->add_option("FILE", sending->file, "File on this computer")->required();
     upload->add_option("--to", sending->path, "Path in the drive, such as tables/small1.TAMtbl")
@@ -113,7 +113,7 @@ void addTransferCommands(CommandLine& line)
 
     auto fetching = std::make_shared<TransferOptions>();
     fetching->drive.command = commandName("download");
-    CLI::App* download = line.add("download", driveCommands, "Get a file from a drive as it is",
+    CLI::App* download = line.add("download", driveCommands, "Download a file unchanged",
         [fetching](Environment& environment) { return runDownload(environment, *fetching); });
     download->add_option("PATH", fetching->path, "Path in the drive, such as tables/small1.TAMtbl")
         ->required();

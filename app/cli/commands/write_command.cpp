@@ -211,7 +211,7 @@ void addSourceOptions(CLI::App& command, WriteOptions& options)
         const std::string number = std::to_string(n + 1);
         command
             .add_option("--source" + number, options.sources[n],
-                "Register that looks up dimension " + number
+                "Register that supplies the position of dimension " + number
                     + ": path, tam:// URI or address (0x1234)")
             ->option_text("REG");
     }
@@ -243,7 +243,7 @@ void addWriteCommand(CommandLine& line)
     addResamplingOptions(*command, options->conversion);
     addSourceOptions(*command, *options);
     CLI::Option* persistent = command->add_flag("--persistent", options->persistent,
-        "Keep the table in the drive's flash: it survives a reboot");
+        "Store the table in the drive's flash, so that it survives a reboot");
     command
         ->add_flag("--volatile", options->isVolatile,
             "Keep the table in memory until the next reboot (the default for a new table)")
@@ -253,14 +253,15 @@ void addWriteCommand(CommandLine& line)
     slot->option_text("SLOT");
     command
         ->add_option("--map", options->map,
-            "A column of the file (name or number) and the axis that it is for; given several "
-            "times, several axes are written one after the other, once all are found possible")
+            "Write this column of the file (name or number) to this axis; may be given several "
+            "times. Nothing is written unless all of the writes are possible")
         ->option_text("COLUMN=AXIS")
         ->allow_extra_args(false)
         ->excludes(axis)
         ->excludes(table)
         ->excludes(slot);
-    command->add_flag("--dry-run", options->isDryRun, "Show what would be written, write nothing");
+    command->add_flag(
+        "--dry-run", options->isDryRun, "Show what would be written without writing it");
     command->footer(
         "Without --source1 the axis keeps its sources. The compensation stays off:\n"
         "`axiscomp activate` switches it on.\n\n"
@@ -280,9 +281,10 @@ void addPersistencyCommands(CommandLine& line)
         Persistency persistency;
     };
     for (const Row& row :
-        {Row{"persist", "Store the axis's table in the drive's flash: it survives a reboot",
+        {Row{"persist", "Store the axis's table in the drive's flash, so that it survives a reboot",
              Persistency::Persistent},
-            Row{"unpersist", "Make the axis's table volatile: gone after the next reboot",
+            Row{"unpersist",
+                "Make the axis's table volatile, so that it is lost at the next reboot",
                 Persistency::Volatile}}) {
         auto options = std::make_shared<DriveOptions>();
         options->command = commandName(row.name);

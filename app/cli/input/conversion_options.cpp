@@ -69,18 +69,19 @@ void addConversionOptions(CLI::App& command, ConversionOptions& options)
     const std::string group = "Conversion";
     command
         .add_option("--sign", options.sign,
-            "What the values of the input are: feedback (added to the encoder position) or command "
-            "(added to the commanded position); without it as its format says")
+            "Convention of the input: feedback (added to the encoder position) or command (added "
+            "to the commanded position); by default that of its format")
         ->option_text("SIDE")
         ->check(CLI::IsMember(std::vector<std::string>{"feedback", "command"}))
         ->group(group);
     command
         .add_option("--direction", options.direction,
-            "One table for both directions of motion: mean, positive or negative")
+            "Which values to use if the file has both directions of motion: mean, positive or "
+            "negative")
         ->option_text("CHOICE")
         ->check(CLI::IsMember(std::vector<std::string>{"mean", "positive", "negative"}))
         ->group(group);
-    command.add_flag("--no-wrap", options.dropsWrap, "A modulo axis becomes a plain one")
+    command.add_flag("--no-wrap", options.dropsWrap, "Treat a modulo axis as a linear one")
         ->group(group);
 }
 
@@ -90,35 +91,34 @@ void addResamplingOptions(CLI::App& command, ConversionOptions& options)
     CLI::Option* const points =
         command
             .add_option("--points", options.points,
-                "Resample onto an even grid of so many points, for each source or for all")
+                "Resample onto an even grid with N points, for each source or for all")
             ->option_text("N[,N[,N]]")
             ->delimiter(',')
             ->group(group);
     CLI::Option* const distance =
         command
             .add_option("--distance", options.distances,
-                "Resample onto an even grid with this distance, for each source or for all")
+                "Resample onto an even grid with spacing D, for each source or for all")
             ->option_text("D[,D[,D]]")
             ->delimiter(',')
             ->excludes(points)
             ->group(group);
     command
         .add_option("--within", options.within,
-            "Resample onto the coarsest even grid that keeps this deviation, in the unit of the "
-            "values")
+            "Resample onto the coarsest even grid within this deviation, in the unit of the values")
         ->option_text("DEVIATION")
         ->excludes(points)
         ->excludes(distance)
         ->group(group);
     command
         .add_option("--method", options.method,
-            "Between the points: linear (the default) or cubic (monotone)")
+            "Interpolation between points: linear (the default) or cubic (monotone)")
         ->option_text("METHOD")
         ->check(CLI::IsMember(std::vector<std::string>{"linear", "cubic"}))
         ->group(group);
     command
         .add_flag("--hold", options.holdsEnds,
-            "The even grid may go beyond the data, where the end values are held")
+            "Let the even grid extend beyond the data, where the end values are held")
         ->group(group);
 }
 
@@ -127,14 +127,13 @@ void addOutputOptions(CLI::App& command, ConversionOptions& options)
     const std::string group = "Conversion";
     command
         .add_option("--to-sign", options.toSign,
-            "What the values of the output shall be: feedback or command; without it as its format "
-            "says")
+            "Convention of the output: feedback or command; by default that of its format")
         ->option_text("SIDE")
         ->check(CLI::IsMember(std::vector<std::string>{"feedback", "command"}))
         ->group(group);
     command
         .add_option("--set-out", options.settings,
-            "What the other format needs to know, see `axiscomp formats NAME`")
+            "Setting that the output format needs; `axiscomp formats NAME` lists them")
         ->option_text("KEY=VALUE")
         ->group(group);
 }

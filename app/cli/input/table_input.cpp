@@ -198,11 +198,12 @@ void addDimensionsOption(CLI::App& command, TableInputOptions& options)
 void addFromOption(CLI::App& command, TableInputOptions& options)
 {
     command
-        .add_option("--from", options.from, "Format of the input, if content and name do not tell")
+        .add_option(
+            "--from", options.from, "Format of the input, if content and name leave it open")
         ->option_text("FORMAT");
     command
         .add_option("--set-in", options.settings,
-            "What a file of another controller does not say, see `axiscomp formats NAME`")
+            "Setting that the file leaves open; `axiscomp formats NAME` lists them")
         ->option_text("KEY=VALUE");
 }
 
@@ -210,7 +211,7 @@ CLI::Option* addTableOption(CLI::App& command, TableInputOptions& options)
 {
     return command
         .add_option("--table", options.table,
-            "Which table of the file, by name or by number from 1; not needed for a single one")
+            "Table of the file, by name or by number from 1; not needed if there is only one")
         ->option_text("TABLE");
 }
 

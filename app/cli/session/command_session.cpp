@@ -39,8 +39,8 @@ void addDriveOptions(CLI::App& command, DriveOptions& options, DriveCount count)
     addProfileOption(command, options.profile);
     command
         .add_option("--trust-certificate", options.trustedFingerprint,
-            "Trust the https certificate with this fingerprint, now and later; any other one is "
-            "refused then")
+            "Trust the https certificate with this fingerprint from now on; any other one is "
+            "refused")
         ->option_text("SHA256")
         ->check(CLI::Validator(
             [](const std::string& text) {
@@ -50,7 +50,7 @@ void addDriveOptions(CLI::App& command, DriveOptions& options, DriveCount count)
             ""));
     command
         .add_option("--timeout", options.timeoutSeconds,
-            "How long one exchange with the drive may take (5 unless given)")
+            "Time limit for one exchange with the drive (5 unless given)")
         ->option_text("SECONDS")
         ->check(CLI::Range(shortestTimeoutSeconds, longestTimeoutSeconds));
 }
@@ -72,8 +72,8 @@ drivecomm::CertificateCheck certificateCheck(const DriveOptions& options)
 CLI::Option* addAxisOption(CLI::App& command, DriveOptions& options)
 {
     return command
-        .add_option(
-            "--axis", options.axis, "Index or name of the axis; not needed when the drive has one")
+        .add_option("--axis", options.axis,
+            "Index or name of the axis; not needed if the drive has only one")
         ->option_text("AXIS");
 }
 
