@@ -26,10 +26,8 @@ LinkFactory linkFactory(const DriveProfile& profile, CertificateCheck certificat
 {
     return [&profile, certificateCheck = std::move(certificateCheck)](
                const std::string& text) -> Result<std::unique_ptr<DriveLink>> {
-        const auto endpoint = parseEndpoint(text);
-        if (!endpoint)
-            return fail(endpoint.error());
-        return makeLink(*endpoint, profile, certificateCheck);
+        AXISCOMP_TRY(const auto endpoint, parseEndpoint(text));
+        return makeLink(endpoint, profile, certificateCheck);
     };
 }
 

@@ -42,10 +42,8 @@ Result<std::string> readStandardInput(Interrupt& interrupt, std::uint64_t maximu
 {
     std::string text;
     while (true) {
-        const auto more = readMore(STDIN_FILENO, interrupt, text);
+        AXISCOMP_TRY(const auto more, readMore(STDIN_FILENO, interrupt, text));
         if (!more)
-            return fail(more.error());
-        if (!*more)
             return text;
         if (text.size() > maximumSize)
             return fail(ErrorCode::FileTooLarge,

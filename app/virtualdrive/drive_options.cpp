@@ -85,10 +85,8 @@ Result<std::vector<VirtualDriveOptions>> drivesOf(const VirtualDriveArguments& a
 {
     std::vector<VirtualDriveOptions> drives(1);
     if (!arguments.configuration.empty()) {
-        auto loaded = drivecomm::loadTamConfiguration(arguments.configuration);
-        if (!loaded)
-            return fail(loaded.error());
-        drives = std::move(*loaded);
+        AXISCOMP_TRY(auto loaded, drivecomm::loadTamConfiguration(arguments.configuration));
+        drives = std::move(loaded);
     }
     if (drives.size() > 1 && !arguments.name.empty())
         return fail(ErrorCode::InvalidArgument,

@@ -99,19 +99,16 @@ Result<void> checkArguments(const VirtualDriveArguments& arguments)
 Result<drivecomm::WebServerOptions> webOptions(const VirtualDriveArguments& arguments)
 {
     drivecomm::WebServerOptions options;
-    const auto address = parseHostAndPort(arguments.http.empty() ? "127.0.0.1:0" : arguments.http);
-    if (!address)
-        return fail(address.error());
-    options.host = address->host;
-    options.port = address->port;
+    AXISCOMP_TRY(const auto address,
+        parseHostAndPort(arguments.http.empty() ? "127.0.0.1:0" : arguments.http));
+    options.host = address.host;
+    options.port = address.port;
     options.user = arguments.user;
     options.certificateFile = arguments.certificate;
     options.privateKeyFile = arguments.key;
     if (!arguments.passwordFile.empty()) {
-        const auto bytes = loadFile(arguments.passwordFile, longestPasswordFile);
-        if (!bytes)
-            return fail(bytes.error());
-        const std::string_view text = asText(*bytes);
+        AXISCOMP_TRY(const auto bytes, loadFile(arguments.passwordFile, longestPasswordFile));
+        const std::string_view text = asText(bytes);
         options.password = text.substr(0, text.find_first_of("\r\n"));
         if (options.password.empty())
             return wrongUsage(arguments.passwordFile + " holds no password", programName);
@@ -123,10 +120,8 @@ Result<std::vector<drivecomm::FaultSpec>> faultsOf(const VirtualDriveArguments& 
 {
     std::vector<drivecomm::FaultSpec> faults;
     for (const std::string& text : arguments.faults) {
-        auto fault = drivecomm::parseFault(text);
-        if (!fault)
-            return fail(fault.error());
-        faults.push_back(std::move(*fault));
+        AXISCOMP_TRY(auto fault, drivecomm::parseFault(text));
+        faults.push_back(std::move(fault));
     }
     return faults;
 }
@@ -144,47 +139,36 @@ Result<void> serveDrive(RunningDrive& drive, std::size_t index,
     const drivecomm::WebServerOptions& webOptions)
 {
     if (!arguments.http.empty() || arguments.serial.empty()) {
-        auto web = drivecomm::WebServer::start(*drive.drive, profile, *drive.faults, webOptions);
-        if (!web)
-            return fail(web.error());
-        drive.web = std::move(*web);
+        AXISCOMP_TRY(auto web,
+            drivecomm::WebServer::start(*drive.drive, profile, *drive.faults, webOptions));
+        drive.web = std::move(web);
     }
     if (arguments.serial.empty())
         return {};
-    auto serial = drivecomm::SerialServer::start(
-        *drive.drive, *drive.faults, {serialLinkOf(arguments.serial, index), arguments.baud});
-    if (!serial)
-        return fail(serial.error());
-    drive.serial = std::move(*serial);
+    AXISCOMP_TRY(auto serial,
+        drivecomm::SerialServer::start(
+            *drive.drive, *drive.faults, {serialLinkOf(arguments.serial, index), arguments.baud}));
+    drive.serial = std::move(serial);
     return {};
 }
 
 Result<std::vector<RunningDrive>> startAll(
     const VirtualDriveArguments& arguments, const DriveProfile& profile)
 {
-    auto drives = drivesOf(arguments);
-    if (!drives)
-        return fail(drives.error());
-    auto web = webOptions(arguments);
-    if (!web)
-        return fail(web.error());
-    const auto faults = faultsOf(arguments);
-    if (!faults)
-        return fail(faults.error());
+    AXISCOMP_TRY(auto drives, drivesOf(arguments));
+    AXISCOMP_TRY(auto web, webOptions(arguments));
+    AXISCOMP_TRY(const auto faults, faultsOf(arguments));
     std::vector<RunningDrive> running;
-    for (drivecomm::VirtualDriveOptions& options : *drives) {
+    for (drivecomm::VirtualDriveOptions& options : drives) {
         RunningDrive drive;
         drive.name = options.name;
         options.clock = simulatedClock(arguments.speed);
-        auto created = drivecomm::VirtualDrive::create(profile, std::move(options));
-        if (!created)
-            return fail(created.error());
-        drive.drive = std::move(*created);
-        drive.faults = std::make_unique<drivecomm::FaultPlan>(*faults);
-        if (auto served = serveDrive(drive, running.size(), arguments, profile, *web); !served)
-            return fail(served.error());
-        if (web->port != 0)
-            ++web->port;
+        AXISCOMP_TRY(auto created, drivecomm::VirtualDrive::create(profile, std::move(options)));
+        drive.drive = std::move(created);
+        drive.faults = std::make_unique<drivecomm::FaultPlan>(faults);
+        AXISCOMP_CHECK(serveDrive(drive, running.size(), arguments, profile, web));
+        if (web.port != 0)
+            ++web.port;
         running.push_back(std::move(drive));
     }
     return running;
@@ -194,19 +178,16 @@ Result<void> serve(const VirtualDriveArguments& arguments, Console& console, Int
 {
     if (auto checked = checkArguments(arguments); !checked)
         return checked;
-    auto profile = arguments.profile.empty() ? Result<DriveProfile>(drivecomm::genericProfile())
-                                             : drivecomm::loadProfile(arguments.profile);
-    if (!profile)
-        return fail(profile.error());
-    const auto running = startAll(arguments, *profile);
-    if (!running)
-        return fail(running.error());
-    const bool isReachable = std::ranges::any_of(*running,
+    AXISCOMP_TRY(auto profile,
+        arguments.profile.empty() ? Result<DriveProfile>(drivecomm::genericProfile())
+                                  : drivecomm::loadProfile(arguments.profile));
+    AXISCOMP_TRY(const auto running, startAll(arguments, profile));
+    const bool isReachable = std::ranges::any_of(running,
         [](const RunningDrive& each) { return each.web && !each.web->isOnLoopbackOnly(); });
     if (isReachable)
         console.note("warning: the virtual drive can be reached from other computers; write --http "
                      "127.0.0.1:PORT to keep it to this one");
-    for (const RunningDrive& drive : *running)
+    for (const RunningDrive& drive : running)
         console.print("ready" + (drive.web ? " http=" + drive.web->url() : "")
             + (drive.serial ? " serial=" + drive.serial->device() : "")
             + " drive=" + singleLine(drive.name) + "\n");

@@ -59,8 +59,7 @@ Result<QStringList> endpointsOf(const WizardArguments& arguments)
 {
     QStringList endpoints;
     for (const std::string& text : arguments.drives) {
-        if (const auto endpoint = drivecomm::parseEndpoint(text); !endpoint)
-            return fail(endpoint.error());
+        AXISCOMP_CHECK(drivecomm::parseEndpoint(text));
         endpoints += QString::fromStdString(text);
     }
     return endpoints;
@@ -88,14 +87,9 @@ ui::WizardOptions wizardOptions(const WizardArguments& arguments, const DrivePro
 Result<int> showWindow(
     int argc, char** argv, const WizardArguments& arguments, Console& console, FirstPaint& paint)
 {
-    const auto profile = profileOf(arguments);
-    if (!profile)
-        return fail(profile.error());
-    const auto endpoints = endpointsOf(arguments);
-    if (!endpoints)
-        return fail(endpoints.error());
-    if (auto flushed = console.flush(); !flushed)
-        return fail(flushed.error());
+    AXISCOMP_TRY(const auto profile, profileOf(arguments));
+    AXISCOMP_TRY(const auto endpoints, endpointsOf(arguments));
+    AXISCOMP_CHECK(console.flush());
 
     Interrupt interrupt; // before any other thread
     QApplication application(argc, argv);
@@ -105,7 +99,7 @@ Result<int> showWindow(
     QApplication::setDesktopFileName(QString::fromLatin1(programName));
     QApplication::setWindowIcon(ui::wizardIcon());
     QSettings settings;
-    WizardWindow window(wizardOptions(arguments, *profile), settings);
+    WizardWindow window(wizardOptions(arguments, profile), settings);
     const auto close = [&window] {
         QMetaObject::invokeMethod(
             &window, [&window] { window.wizard().closeNow(); }, Qt::QueuedConnection);
@@ -113,8 +107,8 @@ Result<int> showWindow(
     interrupt.setListener([&close](int) { close(); });
     if (interrupt.stopped()) // before there was a window
         close();
-    if (!endpoints->isEmpty())
-        window.wizard().controller().setEndpoints(*endpoints);
+    if (!endpoints.isEmpty())
+        window.wizard().controller().setEndpoints(endpoints);
     if (!arguments.data.empty())
         window.wizard().openData(QString::fromStdString(arguments.data));
     paint.watch(window, console);

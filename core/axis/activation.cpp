@@ -56,10 +56,8 @@ Result<AxisStatus> waitForState(const RegisterAccess& access, const DriveIdentit
     };
     const auto deadline = Clock::now() + access.options().timeout;
     while (true) {
-        auto readings = access.read({path, request});
-        if (!readings)
-            return fail(readings.error());
-        const std::string state = textAt(*readings, path);
+        AXISCOMP_TRY(auto readings, access.read({path, request}));
+        const std::string state = textAt(readings, path);
         const bool isError = compensationState(access.enums(), state) == CompensationState::Error;
         if (state == wanted || isError) {
             auto status = readStatus(access, drive, axis, sources);
@@ -67,23 +65,21 @@ Result<AxisStatus> waitForState(const RegisterAccess& access, const DriveIdentit
                 return fail(compensationError(*status));
             return status;
         }
-        if (textAt(*readings, request) != activation)
+        if (textAt(readings, request) != activation)
             return notReached(state,
                 AXISCOMP_TEXT("Error",
                     "the drive has restarted, or somebody else has switched the compensation"));
         if (Clock::now() >= deadline)
             return notReached(state,
                 AXISCOMP_TEXT("Error", "it did not become {state} in time").with("state", wanted));
-        if (auto paused = access.pause(statePollInterval); !paused)
-            return fail(paused.error());
+        AXISCOMP_CHECK(access.pause(statePollInterval));
     }
 }
 
 Result<AxisStatus> requestAndWait(const RegisterAccess& access, const AxisStatus& status,
     SourceDirectory& sources, const std::string& activation, const std::string& wanted)
 {
-    if (auto requested = requestActivation(access, status, activation); !requested)
-        return fail(requested.error());
+    AXISCOMP_CHECK(requestActivation(access, status, activation));
     return waitForState(access, status.drive, status.axis.index, sources, activation, wanted);
 }
 

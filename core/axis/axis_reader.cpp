@@ -107,10 +107,8 @@ Result<Wiring> wiringFrom(
         wiring.slot = table;
     for (int n = 0; n < sourceCount; ++n) {
         const std::string path = access.axisPath(access.registers().source, axis, n + 1);
-        auto source = sources.sourceAt(access, unsignedAt(readings, path));
-        if (!source)
-            return fail(source.error());
-        wiring.sources[static_cast<std::size_t>(n)] = *source;
+        AXISCOMP_TRY(auto source, sources.sourceAt(access, unsignedAt(readings, path)));
+        wiring.sources[static_cast<std::size_t>(n)] = source;
     }
     return wiring;
 }
@@ -173,11 +171,9 @@ Result<std::vector<AxisInfo>> readAxes(const RegisterAccess& access, const Drive
         std::vector<std::string> paths;
         for (int axis = first; axis < last; ++axis)
             append(paths, infoPaths(access, axis));
-        auto readings = access.readAvailable(paths);
-        if (!readings)
-            return fail(readings.error());
+        AXISCOMP_TRY(auto readings, access.readAvailable(paths));
         for (int axis = first; axis < last; ++axis)
-            axes.push_back(infoFrom(access, *readings, axis));
+            axes.push_back(infoFrom(access, readings, axis));
     }
     return axes;
 }
@@ -185,10 +181,8 @@ Result<std::vector<AxisInfo>> readAxes(const RegisterAccess& access, const Drive
 Result<AxisStatus> readStatus(
     const RegisterAccess& access, const DriveIdentity& drive, int axis, SourceDirectory& sources)
 {
-    auto reading = readStatusWith(access, drive, axis, sources, {});
-    if (!reading)
-        return fail(reading.error());
-    return std::move(reading->status);
+    AXISCOMP_TRY(auto reading, readStatusWith(access, drive, axis, sources, {}));
+    return std::move(reading.status);
 }
 
 CompensationState compensationState(const RegisterEnums& enums, std::string_view word)
@@ -230,29 +224,25 @@ Error compensationActive(const AxisStatus& status)
 Result<StatusReading> readStatusWith(const RegisterAccess& access, const DriveIdentity& drive,
     int axis, SourceDirectory& sources, const std::vector<std::string>& more)
 {
-    auto first = access.readAvailable(statusPaths(access, axis));
-    if (!first)
-        return fail(first.error());
-    if (!first->contains(access.axisPath(access.registers().table, axis))
-        || !first->contains(access.axisPath(access.registers().state, axis)))
+    AXISCOMP_TRY(auto first, access.readAvailable(statusPaths(access, axis)));
+    if (!first.contains(access.axisPath(access.registers().table, axis))
+        || !first.contains(access.axisPath(access.registers().state, axis)))
         return fail(ErrorCode::NoCompensation, {{"axis", axis}});
-    auto wiring = wiringFrom(access, *first, axis, sources);
+    auto wiring = wiringFrom(access, first, axis, sources);
     if (!wiring)
         return fail(wiring.error());
     Wiring known = *wiring;
     for (int attempt = 0; attempt < mostAttempts; ++attempt) {
         // Once more with the table's header and the sources' values, so that all belongs to one
         // instant; and again when the axis was changed before that instant.
-        auto readings = readWired(access, axis, known, more);
-        if (!readings)
-            return fail(readings.error());
-        wiring = wiringFrom(access, *readings, axis, sources);
+        AXISCOMP_TRY(auto readings, readWired(access, axis, known, more));
+        wiring = wiringFrom(access, readings, axis, sources);
         if (!wiring)
             return fail(wiring.error());
         if (*wiring == known) {
-            AxisStatus status = statusFrom(access, *readings, axis, known);
+            AxisStatus status = statusFrom(access, readings, axis, known);
             status.drive = drive;
-            return StatusReading{std::move(status), std::move(*readings)};
+            return StatusReading{std::move(status), std::move(readings)};
         }
         std::swap(known, *wiring);
     }
@@ -264,11 +254,9 @@ Result<StatusReading> readStatusWith(const RegisterAccess& access, const DriveId
 Result<std::vector<RegisterWrite>> readAxisRegisters(const RegisterAccess& access, int axis)
 {
     const std::vector<std::string> paths = axisRegisterPaths(access, axis);
-    auto readings = access.link().readRegisters(paths, access.exchange());
-    if (!readings)
-        return fail(readings.error());
+    AXISCOMP_TRY(auto readings, access.link().readRegisters(paths, access.exchange()));
     std::vector<RegisterWrite> registers;
-    for (RegisterReading& reading : *readings)
+    for (RegisterReading& reading : readings)
         registers.push_back({std::move(reading.path), std::move(reading.value)});
     return registers;
 }

@@ -43,11 +43,9 @@ public:
     {
         for (int i = 0; i < samples; ++i) {
             if (i > 0) {
-                if (auto paused = m_access.pause(sampleInterval); !paused)
-                    return fail(paused.error());
+                AXISCOMP_CHECK(m_access.pause(sampleInterval));
             }
-            if (auto sampled = sample(); !sampled)
-                return fail(sampled.error());
+            AXISCOMP_CHECK(sample());
         }
         return m_proof;
     }
@@ -80,17 +78,15 @@ private:
             if (std::ranges::find(paths, source) == paths.end())
                 paths.push_back(source);
         }
-        auto readings = m_access.read(paths);
-        if (!readings)
-            return fail(readings.error());
+        AXISCOMP_TRY(auto readings, m_access.read(paths));
 
         Proof::Sample sample;
         for (std::size_t n = 0; n < dimensions(); ++n) {
-            sample.sources[n] = numberAt(*readings, m_status.setup.sources[n].path);
-            sample.indices[n] = numberAt(*readings, indexPaths[n]);
+            sample.sources[n] = numberAt(readings, m_status.setup.sources[n].path);
+            sample.indices[n] = numberAt(readings, indexPaths[n]);
             sample.expectedIndices[n] = m_lookup.index(static_cast<int>(n), sample.sources[n]);
         }
-        const std::string state = textAt(*readings, statePath);
+        const std::string state = textAt(readings, statePath);
         const bool isActive = state == m_access.enums().stateActive;
         if (!isActive && state != m_access.enums().stateEvaluating)
             return fail(ErrorCode::CompensationError,
@@ -98,17 +94,15 @@ private:
                     {"hint",
                         AXISCOMP_TEXT("Error",
                             "only an active or an evaluating compensation can be proved")}});
-        sample.output = numberAt(*readings, outputPath);
+        sample.output = numberAt(readings, outputPath);
         // While evaluating, the drive looks up but adds nothing.
         sample.expected = isActive
             ? m_lookup.at(std::span<const double>(sample.sources.data(), dimensions()))
             : 0.0;
         Motion motion;
         if (!m_access.profile().readsAtOneInstant) {
-            auto moved = motionSince(sample);
-            if (!moved)
-                return fail(moved.error());
-            motion = *moved;
+            AXISCOMP_TRY(auto moved, motionSince(sample));
+            motion = moved;
         }
         return compare(sample, motion);
     }
@@ -121,13 +115,11 @@ private:
 
     Result<Motion> motionSince(const Proof::Sample& sample)
     {
-        auto readings = m_access.read(sourcePaths());
-        if (!readings)
-            return fail(readings.error());
+        AXISCOMP_TRY(auto readings, m_access.read(sourcePaths()));
         std::array<double, 3> sources{};
         Motion motion;
         for (std::size_t n = 0; n < dimensions(); ++n) {
-            sources[n] = numberAt(*readings, m_status.setup.sources[n].path);
+            sources[n] = numberAt(readings, m_status.setup.sources[n].path);
             motion.indices[n] = std::abs(
                 m_lookup.index(static_cast<int>(n), sources[n]) - sample.expectedIndices[n]);
         }

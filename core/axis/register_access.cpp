@@ -70,11 +70,9 @@ std::vector<std::string> RegisterAccess::axisPaths(
 
 Result<Readings> RegisterAccess::read(const std::vector<std::string>& paths) const
 {
-    auto answer = m_link.readRegisters(paths, exchange());
-    if (!answer)
-        return fail(answer.error());
+    AXISCOMP_TRY(auto answer, m_link.readRegisters(paths, exchange()));
     Readings readings;
-    for (RegisterReading& reading : *answer) {
+    for (RegisterReading& reading : answer) {
         std::string path = reading.path;
         readings.insert_or_assign(std::move(path), std::move(reading));
     }

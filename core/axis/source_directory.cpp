@@ -114,8 +114,7 @@ Result<DimSource> SourceDirectory::sourceAt(const RegisterAccess& access, std::u
         return DimSource{};
     const auto known = [&] { return m_registers.find(address); };
     if (known() == m_registers.end()) {
-        if (auto loaded = loadShortlist(access); !loaded)
-            return fail(loaded.error());
+        AXISCOMP_CHECK(loadShortlist(access));
     }
     if (known() == m_registers.end()) {
         if (auto loaded = loadTree(access); !loaded && isUncertain(loaded.error().code))
@@ -126,8 +125,7 @@ Result<DimSource> SourceDirectory::sourceAt(const RegisterAccess& access, std::u
 
 Result<std::vector<DimSource>> SourceDirectory::shortlist(const RegisterAccess& access)
 {
-    if (auto loaded = loadShortlist(access); !loaded)
-        return fail(loaded.error());
+    AXISCOMP_CHECK(loadShortlist(access));
     return m_shortlist;
 }
 
@@ -144,12 +142,10 @@ Result<void> SourceDirectory::loadShortlist(const RegisterAccess& access)
         for (int axis = 0; axis < m_drive.axes; ++axis)
             paths.push_back(access.axisPath(pattern, axis));
     }
-    auto readings = access.readAvailable(paths);
-    if (!readings)
-        return fail(readings.error());
+    AXISCOMP_TRY(auto readings, access.readAvailable(paths));
     for (const std::string& path : paths) {
-        const auto reading = readings->find(path);
-        if (reading == readings->end())
+        const auto reading = readings.find(path);
+        if (reading == readings.end())
             continue;
         remember(reading->second);
         if (isAllowed(access.profile(), reading->second.type))
@@ -163,10 +159,8 @@ Result<void> SourceDirectory::loadTree(const RegisterAccess& access)
 {
     if (m_treeLoaded)
         return {};
-    auto tree = access.link().readTree("", access.exchange());
-    if (!tree)
-        return fail(tree.error());
-    for (const RegisterReading& reading : *tree)
+    AXISCOMP_TRY(auto tree, access.link().readTree("", access.exchange()));
+    for (const RegisterReading& reading : tree)
         remember(reading);
     m_treeLoaded = true;
     return {};

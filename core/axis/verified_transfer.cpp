@@ -42,13 +42,11 @@ Result<void> compareRegisters(
     std::vector<std::string> paths;
     for (const RegisterWrite& write : wanted)
         paths.push_back(write.path);
-    auto readings = access.link().readRegisters(paths, access.exchange());
-    if (!readings)
-        return fail(readings.error());
+    AXISCOMP_TRY(auto readings, access.link().readRegisters(paths, access.exchange()));
     for (std::size_t i = 0; i < wanted.size(); ++i) {
-        if (!sameValue((*readings)[i].value, wanted[i].value))
+        if (!sameValue(readings[i].value, wanted[i].value))
             return fail(ErrorCode::VerifyMismatch,
-                {{"what", wanted[i].path}, {"found", toText((*readings)[i].value)},
+                {{"what", wanted[i].path}, {"found", toText(readings[i].value)},
                     {"expected", toText(wanted[i].value)}});
     }
     return {};

@@ -31,27 +31,23 @@ Result<DriveIdentity> AxisCompensator::identify(const OperationOptions& options)
 Result<std::vector<AxisInfo>> AxisCompensator::axes(const OperationOptions& options)
 {
     const RegisterAccess access = d->access(options);
-    auto drive = d->identify(access);
-    if (!drive)
-        return fail(drive.error());
-    return readAxes(access, *drive);
+    AXISCOMP_TRY(auto drive, d->identify(access));
+    return readAxes(access, drive);
 }
 
 Result<int> AxisCompensator::findAxis(
     const std::string& indexOrName, const OperationOptions& options)
 {
-    auto all = axes(options);
-    if (!all)
-        return fail(all.error());
+    AXISCOMP_TRY(auto all, axes(options));
     int index = -1;
     const char* end = indexOrName.data() + indexOrName.size();
     const auto parsed = std::from_chars(indexOrName.data(), end, index);
     if (parsed.ec == std::errc{} && parsed.ptr == end && index >= 0
-        && index < static_cast<int>(all->size()))
+        && index < static_cast<int>(all.size()))
         return index;
     std::vector<Text> known;
     std::vector<std::string> matches;
-    for (const AxisInfo& info : *all) {
+    for (const AxisInfo& info : all) {
         known.push_back(axisText(info.index, info.name));
         if (info.name != indexOrName)
             continue;
@@ -68,16 +64,12 @@ Result<int> AxisCompensator::findAxis(
 Result<AxisStatus> AxisCompensator::status(int axis, const OperationOptions& options)
 {
     const RegisterAccess access = d->access(options);
-    auto drive = d->identify(access, axis);
-    if (!drive)
-        return fail(drive.error());
-    auto status = readStatus(access, *drive, axis, d->sources);
+    AXISCOMP_TRY(auto drive, d->identify(access, axis));
+    auto status = readStatus(access, drive, axis, d->sources);
     if (!status)
         return status;
-    auto journal = d->store.journal(drive->serialNumber, axis);
-    if (!journal)
-        return fail(journal.error());
-    status->unfinishedWrite = *journal;
+    AXISCOMP_TRY(auto journal, d->store.journal(drive.serialNumber, axis));
+    status->unfinishedWrite = journal;
     return status;
 }
 
@@ -104,14 +96,10 @@ Result<WritePlan> AxisCompensator::plan(
     int axis, const WriteRequest& request, const OperationOptions& options)
 {
     const RegisterAccess access = d->access(options);
-    auto drive = d->identify(access, axis);
-    if (!drive)
-        return fail(drive.error());
-    auto prepared =
-        WritePlanner(access, d->store, d->sources, *drive, d->clock()).prepare(axis, request);
-    if (!prepared)
-        return fail(prepared.error());
-    return prepared->plan;
+    AXISCOMP_TRY(auto drive, d->identify(access, axis));
+    AXISCOMP_TRY(auto prepared,
+        WritePlanner(access, d->store, d->sources, drive, d->clock()).prepare(axis, request));
+    return prepared.plan;
 }
 
 Result<WriteReport> AxisCompensator::write(
@@ -119,44 +107,36 @@ Result<WriteReport> AxisCompensator::write(
 {
     const RegisterAccess access = d->access(options);
     access.report("plan", 0.0);
-    auto drive = d->identify(access, axis);
-    if (!drive)
-        return fail(drive.error());
-    auto lock = d->store.lockWrites(drive->serialNumber);
+    AXISCOMP_TRY(auto drive, d->identify(access, axis));
+    auto lock = d->store.lockWrites(drive.serialNumber);
     if (!lock)
         return fail(lock.error());
-    return d->write(access, *drive, axis, request);
+    return d->write(access, drive, axis, request);
 }
 
 Result<WriteReport> AxisCompensator::Private::write(
     const RegisterAccess& access, const DriveIdentity& drive, int axis, const WriteRequest& request)
 {
-    auto prepared = WritePlanner(access, store, sources, drive, clock()).prepare(axis, request);
-    if (!prepared)
-        return fail(prepared.error());
+    AXISCOMP_TRY(
+        auto prepared, WritePlanner(access, store, sources, drive, clock()).prepare(axis, request));
     // A persistent table whose parameters may not have been saved yet still has to be.
     const bool onlySaves =
         !request.table && request.sources.empty() && request.persistency == Persistency::Persistent;
-    auto unfinished = store.journal(drive.serialNumber, axis);
-    if (!unfinished)
-        return fail(unfinished.error());
-    if (prepared->plan.changes.empty() && !onlySaves && !*unfinished)
+    AXISCOMP_TRY(auto unfinished, store.journal(drive.serialNumber, axis));
+    if (prepared.plan.changes.empty() && !onlySaves && !unfinished)
         return fail(ErrorCode::NothingToWrite, {{"axis", axis}});
-    return WriteProcedure(
-        access, store, sources, clock, std::move(*prepared), std::move(*unfinished))
+    return WriteProcedure(access, store, sources, clock, std::move(prepared), std::move(unfinished))
         .run();
 }
 
 Result<WriteReport> AxisCompensator::setPersistency(
     int axis, Persistency persistency, const OperationOptions& options)
 {
-    auto now = status(axis, options);
-    if (!now)
-        return fail(now.error());
-    if (!now->table)
+    AXISCOMP_TRY(auto now, status(axis, options));
+    if (!now.table)
         return fail(ErrorCode::NoTable, {{"axis", axis}});
     WriteRequest request;
-    request.dimensionality = now->setup.dimensionality;
+    request.dimensionality = now.setup.dimensionality;
     request.persistency = persistency;
     return write(axis, request, options);
 }
@@ -164,56 +144,40 @@ Result<WriteReport> AxisCompensator::setPersistency(
 Result<AxisStatus> AxisCompensator::evaluate(int axis, const OperationOptions& options)
 {
     const RegisterAccess access = d->access(options);
-    auto drive = d->identify(access, axis);
-    if (!drive)
-        return fail(drive.error());
-    return evaluateAxis(access, *drive, axis, d->sources);
+    AXISCOMP_TRY(auto drive, d->identify(access, axis));
+    return evaluateAxis(access, drive, axis, d->sources);
 }
 
 Result<AxisStatus> AxisCompensator::activate(int axis, const OperationOptions& options)
 {
     const RegisterAccess access = d->access(options);
-    auto drive = d->identify(access, axis);
-    if (!drive)
-        return fail(drive.error());
-    return activateAxis(access, *drive, axis, d->sources);
+    AXISCOMP_TRY(auto drive, d->identify(access, axis));
+    return activateAxis(access, drive, axis, d->sources);
 }
 
 Result<AxisStatus> AxisCompensator::deactivate(int axis, const OperationOptions& options)
 {
     const RegisterAccess access = d->access(options);
-    auto drive = d->identify(access, axis);
-    if (!drive)
-        return fail(drive.error());
-    return deactivateAxis(access, *drive, axis, d->sources);
+    AXISCOMP_TRY(auto drive, d->identify(access, axis));
+    return deactivateAxis(access, drive, axis, d->sources);
 }
 
 Result<Proof> AxisCompensator::prove(int axis, int samples, const OperationOptions& options)
 {
-    auto now = status(axis, options);
-    if (!now)
-        return fail(now.error());
-    auto table = readTable(axis, options);
-    if (!table)
-        return fail(table.error());
-    return proveAxis(d->access(options), *now, *table, samples);
+    AXISCOMP_TRY(auto now, status(axis, options));
+    AXISCOMP_TRY(auto table, readTable(axis, options));
+    return proveAxis(d->access(options), now, table, samples);
 }
 
 Result<CompensationTable> AxisCompensator::readTable(int axis, const OperationOptions& options)
 {
-    auto now = status(axis, options);
-    if (!now)
-        return fail(now.error());
-    const TableSlot* slot = d->profile.slotNamed(now->setup.slot);
-    if (!slot || !now->table)
+    AXISCOMP_TRY(auto now, status(axis, options));
+    const TableSlot* slot = d->profile.slotNamed(now.setup.slot);
+    if (!slot || !now.table)
         return fail(ErrorCode::NoTable, {{"axis", axis}});
-    auto bytes = download(slot->file, options);
-    if (!bytes)
-        return fail(bytes.error());
-    auto decoded = decodeTamTable(*bytes, d->profile.layout);
-    if (!decoded)
-        return fail(decoded.error());
-    return std::move(decoded->table);
+    AXISCOMP_TRY(auto bytes, download(slot->file, options));
+    AXISCOMP_TRY(auto decoded, decodeTamTable(bytes, d->profile.layout));
+    return std::move(decoded.table);
 }
 
 } // namespace axiscomp

@@ -23,11 +23,9 @@ Result<Bytes> AxisCompensator::download(const std::string& path, const Operation
             access.report("download", static_cast<double>(done) / static_cast<double>(total));
     };
     if (const TableSlot* slot = d->profile.slotOfFile(path)) {
-        auto file = readSlotFile(access, *slot, exchange);
-        if (!file)
-            return fail(file.error());
-        if (!file->bytes.empty())
-            return std::move(file->bytes);
+        AXISCOMP_TRY(auto file, readSlotFile(access, *slot, exchange));
+        if (!file.bytes.empty())
+            return std::move(file.bytes);
     }
     return d->link.download(path, exchange); // of an empty slot: what the drive says
 }
@@ -36,72 +34,58 @@ Result<std::filesystem::path> AxisCompensator::upload(
     const std::string& path, ByteView bytes, const OperationOptions& options)
 {
     const RegisterAccess access = d->access(options);
-    auto drive = d->identify(access);
-    if (!drive)
-        return fail(drive.error());
-    auto lock = d->store.lockWrites(drive->serialNumber);
+    AXISCOMP_TRY(auto drive, d->identify(access));
+    auto lock = d->store.lockWrites(drive.serialNumber);
     if (!lock)
         return fail(lock.error());
     const TableSlot* slot = d->profile.slotOfFile(path);
     if (!slot)
         return fail(ErrorCode::UnknownFile, {{"path", path}});
-    return FileReplacement(access, d->store, *drive, d->clock, *slot)
+    return FileReplacement(access, d->store, drive, d->clock, *slot)
         .run(bytes, FileReplacement::Users::Allowed);
 }
 
 Result<FlashUse> AxisCompensator::flashUse(const OperationOptions& options)
 {
     const RegisterAccess access = d->access(options);
-    auto drive = d->identify(access);
-    if (!drive)
-        return fail(drive.error());
-    return readFlashUse(access, d->store, *drive, d->clock());
+    AXISCOMP_TRY(auto drive, d->identify(access));
+    return readFlashUse(access, d->store, drive, d->clock());
 }
 
 Result<DriveBackup> AxisCompensator::backup(const OperationOptions& options)
 {
     const RegisterAccess access = d->access(options);
-    auto drive = d->identify(access);
-    if (!drive)
-        return fail(drive.error());
-    return readBackupOf(access, *drive, d->clock());
+    AXISCOMP_TRY(auto drive, d->identify(access));
+    return readBackupOf(access, drive, d->clock());
 }
 
 Result<std::vector<WriteReport>> AxisCompensator::restore(
     const DriveBackup& backup, bool force, const OperationOptions& options)
 {
     const RegisterAccess access = d->access(options);
-    auto drive = d->identify(access);
-    if (!drive)
-        return fail(drive.error());
-    if (auto allowed = checkRestorable(access, backup, *drive, force); !allowed)
-        return fail(allowed.error());
-    auto lock = d->store.lockWrites(drive->serialNumber);
+    AXISCOMP_TRY(auto drive, d->identify(access));
+    AXISCOMP_CHECK(checkRestorable(access, backup, drive, force));
+    auto lock = d->store.lockWrites(drive.serialNumber);
     if (!lock)
         return fail(lock.error());
     std::vector<WriteReport> reports;
     std::vector<AxisStatus> restored;
     for (const AxisBackup& axis : backup.axes) {
-        auto request = restoreRequest(access, axis);
-        if (!request)
-            return fail(request.error());
-        auto report = d->write(access, *drive, axis.axis, *request);
+        AXISCOMP_TRY(auto request, restoreRequest(access, axis));
+        auto report = d->write(access, drive, axis.axis, request);
         const bool isThere = !report && report.error().code == ErrorCode::NothingToWrite;
         if (!report && !isThere)
             return fail(report.error());
-        auto now = isThere ? readStatus(access, *drive, axis.axis, d->sources) : report->now;
-        if (!now)
-            return fail(now.error());
-        restored.push_back(std::move(*now));
+        AXISCOMP_TRY(
+            auto now, isThere ? readStatus(access, drive, axis.axis, d->sources) : report->now);
+        restored.push_back(std::move(now));
         if (report)
             reports.push_back(std::move(*report));
     }
     for (const AxisBackup::File& file : backup.otherFiles) {
-        if (auto done = d->restoreFile(access, *drive, file); !done)
-            return fail(done.error());
+        AXISCOMP_CHECK(d->restoreFile(access, drive, file));
     }
-    if (auto same = d->checkRestored(access, *drive, restored, backup.otherFiles); !same)
-        return fail(same.error());
+    AXISCOMP_CHECK(d->checkRestored(access, drive, restored, backup.otherFiles));
     return reports;
 }
 
@@ -112,19 +96,15 @@ Result<void> AxisCompensator::Private::checkRestored(const RegisterAccess& acces
     const std::vector<AxisBackup::File>& files)
 {
     for (const AxisStatus& wanted : axes) {
-        auto now = readStatus(access, drive, wanted.axis.index, sources);
-        if (!now)
-            return fail(now.error());
-        if (!(now->setup == wanted.setup))
+        AXISCOMP_TRY(auto now, readStatus(access, drive, wanted.axis.index, sources));
+        if (!(now.setup == wanted.setup))
             return fail(ErrorCode::VerifyMismatch,
                 {{"what", axisText(wanted.axis.index, wanted.axis.name)},
-                    {"found", setupText(now->setup)}, {"expected", setupText(wanted.setup)}});
+                    {"found", setupText(now.setup)}, {"expected", setupText(wanted.setup)}});
     }
     for (const AxisBackup::File& wanted : files) {
-        auto now = readSlotFile(access, *profile.slotNamed(wanted.slot));
-        if (!now)
-            return fail(now.error());
-        if (auto same = compareFiles(wanted.path, now->bytes, wanted.bytes); !same)
+        AXISCOMP_TRY(auto now, readSlotFile(access, *profile.slotNamed(wanted.slot)));
+        if (auto same = compareFiles(wanted.path, now.bytes, wanted.bytes); !same)
             return same;
     }
     return {};

@@ -20,18 +20,16 @@ Text journalText(const JournalEntry& entry)
 /// Another program may have finished it, or begun the next one.
 Result<void> checkJournal(DriveStore& store, const JournalEntry& entry)
 {
-    auto now = store.journal(entry.serialNumber, entry.axis);
+    AXISCOMP_TRY(auto now, store.journal(entry.serialNumber, entry.axis));
     if (!now)
-        return fail(now.error());
-    if (!*now)
         return fail(ErrorCode::NothingUnfinished, {{"axis", entry.axis}});
-    if (**now == entry)
+    if (*now == entry)
         return {};
     return fail(ErrorCode::ChangedMeanwhile,
         {{"what",
              AXISCOMP_TEXT("Error", "the unfinished write to axis {axis}")
                  .with("axis", entry.axis)},
-            {"before", journalText(entry)}, {"now", journalText(**now)}});
+            {"before", journalText(entry)}, {"now", journalText(*now)}});
 }
 
 } // namespace
@@ -55,31 +53,21 @@ Result<DriveIdentity> AxisCompensator::Private::identify(
 Result<AxisCompensator::Private::ResumedWrite> AxisCompensator::Private::resume(
     const RegisterAccess& access, const JournalEntry& entry)
 {
-    auto drive = identify(access, entry);
-    if (!drive)
-        return fail(drive.error());
-    auto lock = store.lockWrites(drive->serialNumber);
-    if (!lock)
-        return fail(lock.error());
-    if (auto same = checkJournal(store, entry); !same)
-        return fail(same.error());
-    auto unfinished = UnfinishedWrite::load(access, entry);
-    if (!unfinished)
-        return fail(unfinished.error());
-    return ResumedWrite{std::move(*drive), std::move(*lock), std::move(*unfinished)};
+    AXISCOMP_TRY(auto drive, identify(access, entry));
+    AXISCOMP_TRY(auto lock, store.lockWrites(drive.serialNumber));
+    AXISCOMP_CHECK(checkJournal(store, entry));
+    AXISCOMP_TRY(auto unfinished, UnfinishedWrite::load(access, entry));
+    return ResumedWrite{std::move(drive), std::move(lock), std::move(unfinished)};
 }
 
 Result<AxisCompensator::UnfinishedOutcome> AxisCompensator::settleUnfinished(
     const JournalEntry& entry, const OperationOptions& options)
 {
     const RegisterAccess access = d->access(options);
-    auto drive = d->identify(access, entry);
-    if (!drive)
-        return fail(drive.error());
-    auto outcome = unfinishedOutcome(access, *drive, entry, d->sources);
+    AXISCOMP_TRY(auto drive, d->identify(access, entry));
+    auto outcome = unfinishedOutcome(access, drive, entry, d->sources);
     if (outcome && *outcome == UnfinishedOutcome::New) {
-        if (auto closed = d->store.closeJournal(entry.serialNumber, entry.axis); !closed)
-            return fail(closed.error());
+        AXISCOMP_CHECK(d->store.closeJournal(entry.serialNumber, entry.axis));
     }
     return outcome;
 }
@@ -88,12 +76,8 @@ Result<AxisCompensator::Recovery> AxisCompensator::recovery(
     const JournalEntry& entry, const OperationOptions& options)
 {
     const RegisterAccess access = d->access(options);
-    auto drive = d->identify(access, entry);
-    if (!drive)
-        return fail(drive.error());
-    auto status = readStatus(access, *drive, entry.axis, d->sources);
-    if (!status)
-        return fail(status.error());
+    AXISCOMP_TRY(auto drive, d->identify(access, entry));
+    AXISCOMP_TRY(auto status, readStatus(access, drive, entry.axis, d->sources));
 
     Recovery recovery;
     auto unfinished = UnfinishedWrite::load(access, entry);
@@ -101,9 +85,9 @@ Result<AxisCompensator::Recovery> AxisCompensator::recovery(
         recovery.finishObstacle = recovery.undoObstacle = unfinished.error();
         return recovery;
     }
-    if (status->isOn())
-        recovery.undoObstacle = compensationActive(*status);
-    auto prepared = d->prepareFinish(access, *drive, *unfinished);
+    if (status.isOn())
+        recovery.undoObstacle = compensationActive(status);
+    auto prepared = d->prepareFinish(access, drive, *unfinished);
     if (!prepared && isUnreachable(prepared.error().code))
         return fail(prepared.error());
     if (prepared)
@@ -116,11 +100,9 @@ Result<AxisCompensator::Recovery> AxisCompensator::recovery(
 Result<PreparedWrite> AxisCompensator::Private::prepareFinish(
     const RegisterAccess& access, const DriveIdentity& drive, const UnfinishedWrite& unfinished)
 {
-    auto request = unfinished.request(store, drive);
-    if (!request)
-        return fail(request.error());
+    AXISCOMP_TRY(auto request, unfinished.request(store, drive));
     return WritePlanner(access, store, sources, drive, clock())
-        .prepare(unfinished.entry().axis, *request);
+        .prepare(unfinished.entry().axis, request);
 }
 
 Result<WriteReport> AxisCompensator::finishUnfinished(
@@ -128,17 +110,12 @@ Result<WriteReport> AxisCompensator::finishUnfinished(
 {
     const RegisterAccess access = d->access(options);
     access.report("plan", 0.0);
-    auto taken = d->resume(access, entry);
-    if (!taken)
-        return fail(taken.error());
-    auto prepared = d->prepareFinish(access, taken->drive, taken->unfinished);
-    if (!prepared)
-        return fail(prepared.error());
-    auto report =
-        WriteProcedure(access, d->store, d->sources, d->clock, std::move(*prepared), entry)
-            .finishEarlier();
+    AXISCOMP_TRY(auto taken, d->resume(access, entry));
+    AXISCOMP_TRY(auto prepared, d->prepareFinish(access, taken.drive, taken.unfinished));
+    auto report = WriteProcedure(access, d->store, d->sources, d->clock, std::move(prepared), entry)
+                      .finishEarlier();
     // As after a write that was not interrupted: the next one may take the old table's slot.
-    const UnfinishedWrite& unfinished = taken->unfinished;
+    const UnfinishedWrite& unfinished = taken.unfinished;
     if (report && unfinished.oldFile() && unfinished.oldSlot() != report->now.setup.slot)
         (void)d->store.recordOwnTable(
             entry.serialNumber, entry.axis, {unfinished.oldSlot(), unfinished.oldCrc()});
@@ -150,12 +127,10 @@ Result<WriteReport> AxisCompensator::undoUnfinished(
 {
     const RegisterAccess access = d->access(options);
     access.report("plan", 0.0);
-    auto taken = d->resume(access, entry);
-    if (!taken)
-        return fail(taken.error());
+    AXISCOMP_TRY(auto taken, d->resume(access, entry));
     return WriteProcedure(
-        access, d->store, d->sources, d->clock, taken->unfinished.prepared(taken->drive), entry)
-        .recoverOldState(taken->unfinished);
+        access, d->store, d->sources, d->clock, taken.unfinished.prepared(taken.drive), entry)
+        .recoverOldState(taken.unfinished);
 }
 
 } // namespace axiscomp

@@ -37,18 +37,12 @@ Result<SettledWrite> settle(
 Result<DriveFindings> exploreDrive(AxisCompensator& compensator, const OperationOptions& options)
 {
     DriveFindings findings;
-    auto drive = compensator.identify(options);
-    if (!drive)
-        return fail(drive.error());
-    findings.drive = std::move(*drive);
-    auto axes = compensator.axes(options);
-    if (!axes)
-        return fail(axes.error());
-    findings.axes = std::move(*axes);
-    auto sources = compensator.sourceShortlist(options);
-    if (!sources)
-        return fail(sources.error());
-    findings.sources = std::move(*sources);
+    AXISCOMP_TRY(auto drive, compensator.identify(options));
+    findings.drive = std::move(drive);
+    AXISCOMP_TRY(auto axes, compensator.axes(options));
+    findings.axes = std::move(axes);
+    AXISCOMP_TRY(auto sources, compensator.sourceShortlist(options));
+    findings.sources = std::move(sources);
     return findings;
 }
 
@@ -140,19 +134,15 @@ OperationEnd<Restoration> restoreAxis(AxisCompensator& compensator, const DriveP
     const std::filesystem::path& storeRoot, int axis, const OperationOptions& options)
 {
     const auto restore = [&]() -> Result<Restoration> {
-        auto status = compensator.status(axis, options);
-        if (!status)
-            return fail(status.error());
+        AXISCOMP_TRY(auto status, compensator.status(axis, options));
         DriveStore store(storeRoot);
-        auto previous = previousState(store, profile, *status);
-        if (!previous)
-            return fail(previous.error());
+        AXISCOMP_TRY(auto previous, previousState(store, profile, status));
         DriveBackup backup;
-        backup.axes = {previous->backup};
+        backup.axes = {previous.backup};
         auto reports = compensator.restore(backup, false, options);
         if (!reports)
             return fail(reports.error());
-        return Restoration{previous->backup.time, previous->file};
+        return Restoration{previous.backup.time, previous.file};
     };
     auto outcome = restore();
     return {std::move(outcome), readAxis(compensator, storeRoot, axis, quietly(options))};
@@ -170,13 +160,11 @@ OperationEnd<WriteReport> recoverAxis(AxisCompensator& compensator,
 Result<LoadedTable> downloadTable(AxisCompensator& compensator, int axis,
     const LoadedTable& expected, const OperationOptions& options)
 {
-    auto table = compensator.readTable(axis, options);
-    if (!table)
-        return fail(table.error());
-    if (expected.table && sameSpans(expected.table->grid, table->grid)
-        && expected.table->values == table->values)
+    AXISCOMP_TRY(auto table, compensator.readTable(axis, options));
+    if (expected.table && sameSpans(expected.table->grid, table.grid)
+        && expected.table->values == table.values)
         return expected;
-    return loaded(std::make_shared<const CompensationTable>(std::move(*table)));
+    return loaded(std::make_shared<const CompensationTable>(std::move(table)));
 }
 
 } // namespace axiscomp

@@ -28,8 +28,7 @@ Result<MultiAxisReport> writeAll(AxisCompensator& compensator, std::span<const A
     std::atomic<std::size_t>& turn, const OperationOptions& options)
 {
     const std::vector<AxisWrite> writes = axisWrites(tables);
-    if (const auto plans = planMultiAxis(compensator, writes, options); !plans)
-        return fail(plans.error());
+    AXISCOMP_CHECK(planMultiAxis(compensator, writes, options));
     MultiAxisReport report;
     for (std::size_t n = 0; n < writes.size(); ++n) {
         turn = n;

@@ -244,12 +244,10 @@ Result<double> GridSearch::deviationOf(const Sizes& sizes) const
         const SourceAxis& axis = m_table.axes[n];
         plan.push_back(planPoints(axis, axis.knots.front(), endOf(axis), sizes[n]));
     }
-    const auto resampled = resampleOnto(m_table, plan, m_method);
-    if (!resampled)
-        return fail(resampled.error());
+    AXISCOMP_TRY(const auto resampled, resampleOnto(m_table, plan, m_method));
     double largest = 0.0;
     for (std::size_t i = 0; i < m_factors.size(); ++i)
-        largest = std::max(largest, m_factors[i] * resampled->report.columns[i].largest);
+        largest = std::max(largest, m_factors[i] * resampled.report.columns[i].largest);
     return largest;
 }
 
@@ -292,11 +290,9 @@ Result<CoarsestGrid> GridSearch::refined(const Sizes& fewest) const
         }
         if (countOf(next) > static_cast<double>(m_limits.mostPoints))
             break;
-        const auto deviation = deviationOf(next);
-        if (!deviation)
-            return fail(deviation.error());
-        grid = {next, *deviation};
-        if (*deviation <= m_wanted * roundedUp)
+        AXISCOMP_TRY(const auto deviation, deviationOf(next));
+        grid = {next, deviation};
+        if (deviation <= m_wanted * roundedUp)
             return grid;
         if (isLast)
             break;
@@ -327,12 +323,10 @@ Result<CoarsestGrid> GridSearch::reduced(CoarsestGrid grid) const
             while (grid.points[axis] > 2) {
                 Sizes fewer = grid.points;
                 --fewer[axis];
-                const auto deviation = deviationOf(fewer);
-                if (!deviation)
-                    return fail(deviation.error());
-                if (*deviation > m_wanted * roundedUp)
+                AXISCOMP_TRY(const auto deviation, deviationOf(fewer));
+                if (deviation > m_wanted * roundedUp)
                     break;
-                grid = {fewer, *deviation};
+                grid = {fewer, deviation};
                 isReduced = true;
             }
         }
@@ -342,19 +336,13 @@ Result<CoarsestGrid> GridSearch::reduced(CoarsestGrid grid) const
 
 Result<CoarsestGrid> GridSearch::run()
 {
-    const auto fewest = fewestAlone();
-    if (!fewest)
-        return fail(fewest.error());
-    if (fewest->size() == 1) {
-        const auto deviation = deviationOf(*fewest);
-        if (!deviation)
-            return fail(deviation.error());
-        return CoarsestGrid{*fewest, *deviation};
+    AXISCOMP_TRY(const auto fewest, fewestAlone());
+    if (fewest.size() == 1) {
+        AXISCOMP_TRY(const auto deviation, deviationOf(fewest));
+        return CoarsestGrid{fewest, deviation};
     }
-    auto grid = refined(*fewest);
-    if (!grid)
-        return fail(grid.error());
-    return reduced(std::move(*grid));
+    AXISCOMP_TRY(auto grid, refined(fewest));
+    return reduced(std::move(grid));
 }
 
 } // namespace
@@ -362,8 +350,7 @@ Result<CoarsestGrid> GridSearch::run()
 Result<CoarsestGrid> coarsestGrid(
     const NeutralTable& table, double deviation, ResamplingMethod method, const GridLimits& limits)
 {
-    if (auto fine = checkResamplable(table); !fine)
-        return fail(fine.error());
+    AXISCOMP_CHECK(checkResamplable(table));
     if (!std::isfinite(deviation) || deviation < 0.0)
         return invalidArgument(
             AXISCOMP_TEXT("Error", "the wanted deviation must be a number of 0 or more"));

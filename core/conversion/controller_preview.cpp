@@ -46,11 +46,9 @@ Result<CompensationTable> tableAsAppliedBy(const CompensationTable& table, const
 {
     NeutralTable neutral = neutralTable(CalibrationData{table.grid, {table}, {}});
     if (facts.sign != neutral.sign) {
-        auto converted =
-            convertSign(neutral, facts.sign, calibration_csv::format().facts.behaviour);
-        if (!converted)
-            return fail(converted.error());
-        neutral = std::move(converted->table);
+        AXISCOMP_TRY(auto converted,
+            convertSign(neutral, facts.sign, calibration_csv::format().facts.behaviour));
+        neutral = std::move(converted.table);
     }
     CompensationTable applied{table.name, table.unit, widened(table.grid), {}};
     applied.values = valuesAt(applied.grid, ControllerLookup(neutral, 0, facts.behaviour));

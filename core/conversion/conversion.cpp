@@ -89,11 +89,9 @@ Result<NeutralTable> Converter::merged(NeutralTable table, TableConversion& conv
         [](const CompensationColumn& column) { return column.direction != Direction::Both; });
     if (!m_request.direction || !hasDirections)
         return table;
-    auto merge = mergeDirections(table, *m_request.direction);
-    if (!merge)
-        return fail(merge.error());
-    conversion.directionLosses = std::move(merge->losses);
-    return std::move(merge->table);
+    AXISCOMP_TRY(auto merge, mergeDirections(table, *m_request.direction));
+    conversion.directionLosses = std::move(merge.losses);
+    return std::move(merge.table);
 }
 
 Result<NeutralTable> Converter::resampled(NeutralTable table, TableConversion& conversion) const
@@ -105,22 +103,19 @@ Result<NeutralTable> Converter::resampled(NeutralTable table, TableConversion& c
         GridLimits limits;
         if (m_request.to->facts.mostPoints > 0)
             limits.mostPoints = m_request.to->facts.mostPoints;
-        const auto coarsest = coarsestGrid(table, wanted->deviation, wanted->method, limits);
-        if (!coarsest)
-            return fail(coarsest.error());
+        AXISCOMP_TRY(
+            const auto coarsest, coarsestGrid(table, wanted->deviation, wanted->method, limits));
         request.method = wanted->method;
-        for (const std::size_t points : coarsest->points)
+        for (const std::size_t points : coarsest.points)
             request.axes.push_back({.points = points, .distance = 0.0, .start = {}, .end = {}});
     } else {
         return table;
     }
-    auto resampled = resample(table, request);
-    if (!resampled)
-        return fail(resampled.error());
-    for (const Text& remark : resampled->report.remarks)
+    AXISCOMP_TRY(auto resampled, resample(table, request));
+    for (const Text& remark : resampled.report.remarks)
         remarkOnce(m_remarks, remark);
-    conversion.resampling = std::move(resampled->report);
-    return std::move(resampled->table);
+    conversion.resampling = std::move(resampled.report);
+    return std::move(resampled.table);
 }
 
 Result<NeutralTable> Converter::signConverted(NeutralTable table, TableConversion& conversion) const
@@ -129,22 +124,19 @@ Result<NeutralTable> Converter::signConverted(NeutralTable table, TableConversio
         conversion.example = examplePoint(table);
         return table;
     }
-    auto converted = convertSign(table, targetSign(), m_request.from->facts.behaviour);
-    if (!converted)
-        return fail(converted.error());
-    conversion.example = std::move(converted->example);
-    if (converted->usesHeldEnds)
+    AXISCOMP_TRY(auto converted, convertSign(table, targetSign(), m_request.from->facts.behaviour));
+    conversion.example = std::move(converted.example);
+    if (converted.usesHeldEnds)
         remarkOnce(m_remarks,
             AXISCOMP_TEXT("Error",
                 "at the ends of the table the sign was converted with the end values held, where "
                 "the controller of the source applies nothing"));
-    return std::move(converted->table);
+    return std::move(converted.table);
 }
 
 Result<NeutralTable> Converter::prepare(NeutralTable table, TableConversion& conversion)
 {
-    if (auto fine = checkConsistent(table); !fine)
-        return fail(fine.error());
+    AXISCOMP_CHECK(checkConsistent(table));
     table.sign = m_request.sourceSign.value_or(table.sign);
     conversion.source = table;
     if (m_request.dropsWrap)
@@ -170,11 +162,10 @@ Result<void> Converter::finish(
     if (m_request.direction)
         if (auto merge = mergeDirections(source, *m_request.direction))
             source = std::move(merge->table);
-    auto difference = conversionDifference(
-        source, m_request.from->facts.behaviour, held, m_request.to->facts.behaviour);
-    if (!difference)
-        return fail(difference.error());
-    conversion.difference = *std::move(difference);
+    AXISCOMP_TRY(auto difference,
+        conversionDifference(
+            source, m_request.from->facts.behaviour, held, m_request.to->facts.behaviour));
+    conversion.difference = std::move(difference);
     noteRounding(prepared, held, conversion);
     conversion.result = std::move(held);
     return {};
@@ -209,23 +200,16 @@ Result<Conversion> convertTables(
     std::vector<NeutralTable> prepared;
     for (const NeutralTable& table : tables) {
         conversion.tables.emplace_back();
-        auto result = converter.prepare(table, conversion.tables.back());
-        if (!result)
-            return fail(result.error());
-        prepared.push_back(*std::move(result));
+        AXISCOMP_TRY(auto result, converter.prepare(table, conversion.tables.back()));
+        prepared.push_back(std::move(result));
     }
-    if (auto fits = checkHolds(request.to->facts, prepared); !fits)
-        return fail(fits.error());
-    auto written = request.to->write(prepared, request.writing);
-    if (!written)
-        return fail(written.error());
-    conversion.written = *std::move(written);
+    AXISCOMP_CHECK(checkHolds(request.to->facts, prepared));
+    AXISCOMP_TRY(auto written, request.to->write(prepared, request.writing));
+    conversion.written = std::move(written);
     const std::size_t count = std::min(prepared.size(), conversion.written.held.size());
     for (std::size_t n = 0; n < count; ++n)
-        if (auto done =
-                converter.finish(prepared[n], conversion.written.held[n], conversion.tables[n]);
-            !done)
-            return fail(done.error());
+        AXISCOMP_CHECK(
+            converter.finish(prepared[n], conversion.written.held[n], conversion.tables[n]));
     remarkOnSigns(request, conversion.remarks);
     for (const Text& remark : conversion.written.remarks)
         remarkOnce(conversion.remarks, remark);

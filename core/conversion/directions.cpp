@@ -83,12 +83,9 @@ public:
 
     [[nodiscard]] Result<MergedDirections> run()
     {
-        const auto groups = groupsOf(m_table);
-        if (!groups)
-            return fail(groups.error());
-        for (const Group& group : *groups)
-            if (auto done = merge(group); !done)
-                return fail(done.error());
+        AXISCOMP_TRY(const auto groups, groupsOf(m_table));
+        for (const Group& group : groups)
+            AXISCOMP_CHECK(merge(group));
         return std::move(m_result);
     }
 
@@ -197,8 +194,7 @@ TextPattern choiceText(DirectionChoice choice)
 
 Result<MergedDirections> mergeDirections(const NeutralTable& table, DirectionChoice choice)
 {
-    if (auto fine = checkConsistent(table); !fine)
-        return fail(fine.error());
+    AXISCOMP_CHECK(checkConsistent(table));
     return Merger(table, choice).run();
 }
 

@@ -51,10 +51,8 @@ Result<decltype(ConversionRequest::resampling)> resamplingRequest(
         return invalidArgument(AXISCOMP_TEXT(
             "Error", "the even grid needs one number, or one for each of the {count} source axes")
                                    .with("count", dimensions));
-    auto request = gridRequest(choice, dimensions);
-    if (!request)
-        return fail(request.error());
-    return Answer{*std::move(request)};
+    AXISCOMP_TRY(auto request, gridRequest(choice, dimensions));
+    return Answer{std::move(request)};
 }
 
 } // namespace axiscomp

@@ -171,8 +171,7 @@ Result<SlopeMatrix> checkContraction(const NeutralTable& table, const std::vecto
     std::size_t row = 0;
     for (const Mover& mover : movers) {
         for (const Mover& moved : movers) {
-            if (auto fine = checkClosed(table, mover, moved.axis); !fine)
-                return fail(fine.error());
+            AXISCOMP_CHECK(checkClosed(table, mover, moved.axis));
             const Slope slope = largestSlope(table, mover, moved.axis);
             slopes[mover.axis][moved.axis] = slope.size;
             if (!(slope.size <= steepest.size)) {

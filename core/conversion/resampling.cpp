@@ -203,8 +203,7 @@ Result<ResampledTable> resampleOnto(
 
 Result<ResampledTable> resample(const NeutralTable& table, const ResamplingRequest& request)
 {
-    if (auto fine = checkResamplable(table); !fine)
-        return fail(fine.error());
+    AXISCOMP_CHECK(checkResamplable(table));
     if (request.axes.size() != table.axes.size())
         return invalidArgument(
             AXISCOMP_TEXT("Error", "grids for {count} axes are given, the table has {axes}")
@@ -213,11 +212,9 @@ Result<ResampledTable> resample(const NeutralTable& table, const ResamplingReque
     std::vector<PlannedAxis> plan;
     double points = 1.0;
     for (std::size_t n = 0; n < table.axes.size(); ++n) {
-        auto planned = planAxis(table, n, request.axes[n], request.holdsEnds);
-        if (!planned)
-            return fail(planned.error());
-        points *= static_cast<double>(planned->grid.size);
-        plan.push_back(std::move(*planned));
+        AXISCOMP_TRY(auto planned, planAxis(table, n, request.axes[n], request.holdsEnds));
+        points *= static_cast<double>(planned.grid.size);
+        plan.push_back(std::move(planned));
     }
     if (points > static_cast<double>(mostGridPoints))
         return resamplingImpossible(AXISCOMP_TEXT(

@@ -46,12 +46,10 @@ public:
 
     [[nodiscard]] Result<PlannedAxis> plan(bool holdsEnds) const
     {
-        if (auto fine = checkRequest(); !fine)
-            return fail(fine.error());
+        AXISCOMP_CHECK(checkRequest());
         if (m_request.points == 0 && m_request.distance == 0.0)
             return kept();
-        if (auto fine = checkRange(holdsEnds); !fine)
-            return fail(fine.error());
+        AXISCOMP_CHECK(checkRange(holdsEnds));
         auto planned = m_request.points > 0
             ? Result<PlannedAxis>(planPoints(m_axis, m_from, m_to, m_request.points))
             : byDistance(holdsEnds);

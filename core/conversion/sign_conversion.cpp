@@ -46,20 +46,16 @@ private:
 
 Result<SignConversion> SignConverter::run(SignConvention to)
 {
-    if (auto fine = checkConsistent(m_source); !fine)
-        return fail(fine.error());
+    AXISCOMP_CHECK(checkConsistent(m_source));
     if (m_source.sign == to) {
         m_result.example = examplePoint(m_source);
         return std::move(m_result);
     }
     for (const Direction direction : {Direction::Both, Direction::Positive, Direction::Negative})
-        if (auto done = convert(direction); !done)
-            return fail(done.error());
+        AXISCOMP_CHECK(convert(direction));
     m_result.table.sign = to;
-    const auto residual = largestResidual();
-    if (!residual)
-        return fail(residual.error());
-    m_result.residual = *residual;
+    AXISCOMP_TRY(const auto residual, largestResidual());
+    m_result.residual = residual;
     const bool toCommand = to == SignConvention::Command;
     m_result.example =
         examplePoint(toCommand ? m_source : m_result.table, toCommand ? m_result.table : m_source);
@@ -72,23 +68,21 @@ Result<void> SignConverter::convert(Direction direction)
     for (std::size_t i = 0; i < m_source.columns.size(); ++i)
         if (m_source.columns[i].direction == direction)
             columns.push_back(i);
-    const auto movers = moversOf(m_source, ownAxesOf(m_source), direction);
-    if (!movers)
-        return fail(movers.error());
+    AXISCOMP_TRY(const auto movers, moversOf(m_source, ownAxesOf(m_source), direction));
     if (columns.empty())
         return {};
-    if (movers->empty()) {
+    if (movers.empty()) {
         negate(columns);
         return {};
     }
     for (const std::size_t column : columns)
         m_result.table.columns[column].step = 0.0;
-    for (const Mover& mover : *movers)
+    for (const Mover& mover : movers)
         if (auto fine = checkInvertible(m_source, mover); !fine)
             return fine;
-    if (movers->size() > 1)
-        return convertJointly(*movers, columns);
-    convertLines(movers->front(), columns);
+    if (movers.size() > 1)
+        return convertJointly(movers, columns);
+    convertLines(movers.front(), columns);
     return {};
 }
 
@@ -164,22 +158,18 @@ Result<Position> SignConverter::fixedPoint(
 Result<void> SignConverter::convertJointly(
     const std::vector<Mover>& movers, const std::vector<std::size_t>& columns)
 {
-    const auto slopes = checkContraction(m_source, movers);
-    if (!slopes)
-        return fail(slopes.error());
+    AXISCOMP_TRY(const auto slopes, checkContraction(m_source, movers));
     const Motion motion(m_source, heldEnds, movers);
     std::vector<ControllerLookup> applied;
     for (const std::size_t column : columns)
         applied.emplace_back(m_source, column, heldEnds);
     for (std::size_t index = 0; index < m_source.pointCount(); ++index) {
-        const auto place = fixedPoint(motion, *slopes, knotPosition(m_source, index));
-        if (!place)
-            return fail(place.error());
+        AXISCOMP_TRY(const auto place, fixedPoint(motion, slopes, knotPosition(m_source, index)));
         for (const Mover& mover : movers)
-            noteEnds(mover.axis, (*place)[mover.axis]);
+            noteEnds(mover.axis, place[mover.axis]);
         for (std::size_t i = 0; i < columns.size(); ++i)
             m_result.table.columns[columns[i]].values[index] =
-                0.0 - applied[i].at(std::span(*place).first(m_source.axes.size()));
+                0.0 - applied[i].at(std::span(place).first(m_source.axes.size()));
     }
     return {};
 }
@@ -191,13 +181,11 @@ Result<double> SignConverter::largestResidual() const
     const OwnAxes ownAxes = ownAxesOf(m_source);
     double largest = 0.0;
     for (std::size_t i = 0; i < table.columns.size(); ++i) {
-        const auto movers = moversOf(m_source, ownAxes, table.columns[i].direction);
-        if (!movers)
-            return fail(movers.error());
+        AXISCOMP_TRY(const auto movers, moversOf(m_source, ownAxes, table.columns[i].direction));
         const ControllerLookup applied(m_source, i, heldEnds);
         for (std::size_t index = 0; index < table.pointCount(); ++index) {
             Position place = knotPosition(table, index);
-            for (const Mover& mover : *movers)
+            for (const Mover& mover : movers)
                 for (const Mover::Part& part : mover.parts)
                     place[mover.axis] += part.factor * table.columns[part.column].values[index];
             const double residual = table.columns[i].values[index]

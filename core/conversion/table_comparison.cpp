@@ -48,11 +48,11 @@ Result<std::vector<ColumnPair>> pairsOf(const NeutralTable& a, const NeutralTabl
     }
     for (ColumnPair& pair : pairs) {
         const CompensationColumn& column = a.columns[pair.a];
-        const auto factor = factorBetween(b.columns[pair.b].unit, column.unit,
-            AXISCOMP_TEXT("Error", "values for {column}").with("column", columnText(a, column)));
-        if (!factor)
-            return fail(factor.error());
-        pair.factor = *factor;
+        AXISCOMP_TRY(const auto factor,
+            factorBetween(b.columns[pair.b].unit, column.unit,
+                AXISCOMP_TEXT("Error", "values for {column}")
+                    .with("column", columnText(a, column))));
+        pair.factor = factor;
     }
     return pairs;
 }
@@ -228,17 +228,14 @@ Result<void> Comparison::prepare()
                                    .with("count", a.axes.size())
                                    .with("other", b.axes.size()));
     for (std::size_t n = 0; n < a.axes.size(); ++n) {
-        const auto factor = factorBetween(a.axes[n].unit, b.axes[n].unit,
-            AXISCOMP_TEXT("Error", "positions of {axis}").with("axis", axisText(a, n)));
-        if (!factor)
-            return fail(factor.error());
+        AXISCOMP_TRY(const auto factor,
+            factorBetween(a.axes[n].unit, b.axes[n].unit,
+                AXISCOMP_TEXT("Error", "positions of {axis}").with("axis", axisText(a, n))));
         m_a.factors[n] = 1.0;
-        m_b.factors[n] = *factor;
+        m_b.factors[n] = factor;
     }
-    auto pairs = pairsOf(a, b);
-    if (!pairs)
-        return fail(pairs.error());
-    m_pairs = std::move(*pairs);
+    AXISCOMP_TRY(auto pairs, pairsOf(a, b));
+    m_pairs = std::move(pairs);
     return {};
 }
 
@@ -257,22 +254,18 @@ OwnAxes Comparison::rolesOf(const Side& side) const
 
 Result<Motion> Comparison::motionOf(const Side& side, Direction direction) const
 {
-    const auto movers = moversOf(side.table, rolesOf(side), direction);
-    if (!movers)
-        return fail(movers.error());
-    return Motion(side.table, side.behaviour, *movers);
+    AXISCOMP_TRY(const auto movers, moversOf(side.table, rolesOf(side), direction));
+    return Motion(side.table, side.behaviour, movers);
 }
 
 Result<void> Comparison::addMetKnots(AxisPositions& positions) const
 {
     const double factor = feedback().factors[0] / command().factors[0];
     for (const Direction direction : {Direction::Positive, Direction::Negative}) {
-        const auto movers = moversOf(command().table, rolesOf(command()), direction);
-        if (!movers)
-            return fail(movers.error());
-        if (movers->empty())
+        AXISCOMP_TRY(const auto movers, moversOf(command().table, rolesOf(command()), direction));
+        if (movers.empty())
             continue;
-        const LineInversion line(command().table, movers->front(), 0);
+        const LineInversion line(command().table, movers.front(), 0);
         if (line.fault())
             continue;
         for (const double knot : feedback().table.axes.front().knots)
@@ -288,8 +281,7 @@ Result<AxisLists> Comparison::positions(ConversionDifference& result, std::size_
     for (std::size_t n = 0; n < m_a.table.axes.size(); ++n) {
         AxisPositions positions(m_a.table.axes[n], m_b.table.axes[n], m_b.factors[n]);
         if (isMixed() && m_a.table.axes.size() == 1)
-            if (auto done = addMetKnots(positions); !done)
-                return fail(done.error());
+            AXISCOMP_CHECK(addMetKnots(positions));
         axes.push_back(positions.all());
         count *= static_cast<double>(axes.back().size());
     }
@@ -332,15 +324,13 @@ Result<ColumnDifference> Comparison::compare(const ColumnPair& pair, const AxisL
     const Direction direction = m_a.table.columns[pair.a].direction == Direction::Both
         ? m_b.table.columns[pair.b].direction
         : m_a.table.columns[pair.a].direction;
-    const auto motion = motionOf(command(), direction);
-    if (!motion)
-        return fail(motion.error());
+    AXISCOMP_TRY(const auto motion, motionOf(command(), direction));
     const ControllerLookup a(m_a.table, pair.a, m_a.behaviour);
     const ControllerLookup b(m_b.table, pair.b, m_b.behaviour);
     const double factor = isMixed() ? pair.factor : -pair.factor;
     ColumnDifference result{pair.a, pair.b, 0.0, {}, 0.0, {}};
     forEachPosition(axes, [&](const Position& x) {
-        const Places places = placesOf(x, *motion);
+        const Places places = placesOf(x, motion);
         const double size = std::abs(a.at(m_a.used(places.a)) + factor * b.at(m_b.used(places.b)));
         const auto end = x.begin() + static_cast<std::ptrdiff_t>(axes.size());
         if (size > result.largest) {
@@ -358,17 +348,13 @@ Result<ColumnDifference> Comparison::compare(const ColumnPair& pair, const AxisL
 Result<ConversionDifference> Comparison::run(std::size_t mostPositions)
 {
     ConversionDifference result;
-    const auto axes = positions(result, mostPositions);
-    if (!axes)
-        return fail(axes.error());
+    AXISCOMP_TRY(const auto axes, positions(result, mostPositions));
     result.positions = 1;
-    for (const std::vector<double>& axis : *axes)
+    for (const std::vector<double>& axis : axes)
         result.positions *= axis.size();
     for (const ColumnPair& pair : m_pairs) {
-        auto difference = compare(pair, *axes);
-        if (!difference)
-            return fail(difference.error());
-        result.columns.push_back(std::move(*difference));
+        AXISCOMP_TRY(auto difference, compare(pair, axes));
+        result.columns.push_back(std::move(difference));
     }
     return result;
 }
@@ -380,8 +366,7 @@ Result<ConversionDifference> conversionDifference(const NeutralTable& a,
     std::size_t mostPositions)
 {
     Comparison comparison({a, behaviourA, {}}, {b, behaviourB, {}});
-    if (auto fine = comparison.prepare(); !fine)
-        return fail(fine.error());
+    AXISCOMP_CHECK(comparison.prepare());
     return comparison.run(mostPositions);
 }
 

@@ -17,15 +17,11 @@ Result<TableExport> exportTable(const CompensationTable& table, const ImportChoi
     request.writing.layout = &layout;
     request.writing.settings = choices.settings;
     request.writing.fileName = fileName;
-    auto resampling = resamplingRequest(choices.resampling, source.axes.size());
-    if (!resampling)
-        return fail(resampling.error());
-    request.resampling = *std::move(resampling);
-    auto conversion = convertTables(std::span(&source, 1), request);
-    if (!conversion)
-        return fail(conversion.error());
-    std::vector<Text> report = conversionReport(*conversion, request);
-    return TableExport{std::move(conversion->written.bytes), std::move(report)};
+    AXISCOMP_TRY(auto resampling, resamplingRequest(choices.resampling, source.axes.size()));
+    request.resampling = std::move(resampling);
+    AXISCOMP_TRY(auto conversion, convertTables(std::span(&source, 1), request));
+    std::vector<Text> report = conversionReport(conversion, request);
+    return TableExport{std::move(conversion.written.bytes), std::move(report)};
 }
 
 } // namespace axiscomp

@@ -218,21 +218,15 @@ Result<CompensationTable> Import::converted(const NeutralTable& column)
     request.sourceSign = choices.sign;
     request.direction = choices.direction;
     request.dropsWrap = choices.dropsWrap;
-    auto resampling = resamplingRequest(choices.resampling, column.axes.size());
-    if (!resampling)
-        return fail(resampling.error());
-    request.resampling = *std::move(resampling);
-    const auto conversion = convertTables(std::span(&column, 1), request);
-    if (!conversion)
-        return fail(conversion.error());
-    auto data = calibrationData(conversion->written.held.front());
-    if (!data)
-        return fail(data.error());
-    CompensationTable& table = data->tables.front();
+    AXISCOMP_TRY(auto resampling, resamplingRequest(choices.resampling, column.axes.size()));
+    request.resampling = std::move(resampling);
+    AXISCOMP_TRY(const auto conversion, convertTables(std::span(&column, 1), request));
+    AXISCOMP_TRY(auto data, calibrationData(conversion.written.held.front()));
+    CompensationTable& table = data.tables.front();
     keepName(table);
     if (m_isOneOfSeveral)
         m_result.report.emplace_back(Verbatim{table.name + ':'});
-    std::ranges::move(conversionReport(*conversion, request), std::back_inserter(m_result.report));
+    std::ranges::move(conversionReport(conversion, request), std::back_inserter(m_result.report));
     return std::move(table);
 }
 

@@ -19,10 +19,8 @@ Result<DriveIdentity> ask(
 {
     if (search.stop.stop_requested())
         return fail(ErrorCode::Cancelled);
-    const auto link = search.linkFactory(endpoint);
-    if (!link)
-        return fail(link.error());
-    return (*link)->identify({.timeout = timeout, .stop = search.stop, .progress = {}});
+    AXISCOMP_TRY(const auto link, search.linkFactory(endpoint));
+    return link->identify({.timeout = timeout, .stop = search.stop, .progress = {}});
 }
 
 /// Whether the port may still answer at another speed: it is there and may be used, but what came

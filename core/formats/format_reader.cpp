@@ -51,13 +51,11 @@ void TextReading::error(std::string_view number, DiagnosticCode code, std::size_
 Result<TableReading> readText(const FormatFacts& facts, std::string_view text,
     const TableReadOptions& options, std::vector<NeutralTable> (*parse)(TextReading&))
 {
-    const auto settings = SettingValues::of(facts, options.settings, false);
-    if (!settings)
-        return fail(settings.error());
+    AXISCOMP_TRY(const auto settings, SettingValues::of(facts, options.settings, false));
     TableReading reading;
     DiagnosticList diagnostics(options.maximumDiagnostics);
     if (isReadableText(text, facts.mostBytes, diagnostics)) {
-        TextReading source{text, options, *settings, diagnostics};
+        TextReading source{text, options, settings, diagnostics};
         reading.tables = parse(source);
         if (!diagnostics.hasErrors())
             for (const NeutralTable& table : reading.tables)

@@ -180,14 +180,12 @@ Result<std::vector<NeutralTable>> readBack(
 {
     TableReadOptions options;
     options.settings = std::move(settings);
-    auto reading = format.read(bytes, options);
-    if (!reading)
-        return fail(reading.error());
-    for (const Diagnostic& diagnostic : reading->diagnostics)
+    AXISCOMP_TRY(auto reading, format.read(bytes, options));
+    for (const Diagnostic& diagnostic : reading.diagnostics)
         if (diagnostic.severity == Severity::Error)
             return cannotHold(
                 format.facts, textOf(diagnostic), AXISCOMP_TEXT("Error", "choose another format"));
-    return std::move(reading->tables);
+    return std::move(reading.tables);
 }
 
 } // namespace axiscomp

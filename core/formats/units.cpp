@@ -47,25 +47,21 @@ Result<Factor> factorBetween(const std::string& from, const std::string& to)
 
 Result<void> convertAxis(SourceAxis& axis, const std::string& unit)
 {
-    const auto factor = factorBetween(axis.unit, unit);
-    if (!factor)
-        return fail(factor.error());
-    scale(axis.knots, *factor);
+    AXISCOMP_TRY(const auto factor, factorBetween(axis.unit, unit));
+    scale(axis.knots, factor);
     if (axis.wrap)
-        axis.wrap = (*factor)(*axis.wrap);
+        axis.wrap = (factor)(*axis.wrap);
     axis.unit = unit;
-    axis.step = (*factor)(axis.step);
+    axis.step = (factor)(axis.step);
     return {};
 }
 
 Result<void> convertColumn(CompensationColumn& column, const std::string& unit)
 {
-    const auto factor = factorBetween(column.unit, unit);
-    if (!factor)
-        return fail(factor.error());
-    scale(column.values, *factor);
+    AXISCOMP_TRY(const auto factor, factorBetween(column.unit, unit));
+    scale(column.values, factor);
     column.unit = unit;
-    column.step = (*factor)(column.step);
+    column.step = (factor)(column.step);
     return {};
 }
 
@@ -125,14 +121,12 @@ Result<NeutralTable> inUnits(const NeutralTable& table, std::string_view lengthU
     };
     for (SourceAxis& axis : converted.axes) {
         assume(axis.unit, AXISCOMP_TEXT("Error", "positions"));
-        if (auto done = convertAxis(axis, fittingUnit(axis.unit, lengthUnit, angleUnit)); !done)
-            return fail(done.error());
+        AXISCOMP_CHECK(convertAxis(axis, fittingUnit(axis.unit, lengthUnit, angleUnit)));
     }
     for (CompensationColumn& column : converted.columns) {
         assume(column.unit, AXISCOMP_TEXT("Error", "values"));
         const std::string unit = fittingUnit(column.unit, lengthUnit, angleUnit);
-        if (auto done = convertColumn(column, unit); !done)
-            return fail(done.error());
+        AXISCOMP_CHECK(convertColumn(column, unit));
     }
     return converted;
 }
@@ -148,8 +142,7 @@ Result<NeutralTable> inSettingUnits(
             continue;
         if (axis.unit.empty())
             axis.unit = positionUnit;
-        if (auto done = convertAxis(axis, positionUnit); !done)
-            return fail(done.error());
+        AXISCOMP_CHECK(convertAxis(axis, positionUnit));
     }
     for (CompensationColumn& column : converted.columns) {
         const auto own = ownAxis(converted, column);
@@ -159,8 +152,7 @@ Result<NeutralTable> inSettingUnits(
             continue;
         if (column.unit.empty())
             column.unit = wanted;
-        if (auto done = convertColumn(column, wanted); !done)
-            return fail(done.error());
+        AXISCOMP_CHECK(convertColumn(column, wanted));
     }
     for (const SourceAxis& axis : converted.axes)
         remarkOnce(remarks,
@@ -188,8 +180,7 @@ Result<NeutralTable> inPositionUnits(const NeutralTable& table, std::vector<Text
         if (isSameUnit(column.unit, unit))
             continue;
         const std::string before = column.unit;
-        if (auto done = convertColumn(column, unit); !done)
-            return fail(done.error());
+        AXISCOMP_CHECK(convertColumn(column, unit));
         remarkOnce(remarks,
             AXISCOMP_TEXT("Error",
                 "the values were in {before} and are now in {unit}, the unit of the positions")

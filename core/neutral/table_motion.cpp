@@ -170,12 +170,11 @@ Result<std::vector<Mover>> moversOf(
             const CompensationColumn& column = table.columns[i];
             if (ownAxes[i] != axis || !overlap(column.direction, direction))
                 continue;
-            const auto factor = factorBetween(column.unit, table.axes[axis].unit,
-                AXISCOMP_TEXT("Error", "values for {column}")
-                    .with("column", columnText(table, column)));
-            if (!factor)
-                return fail(factor.error());
-            mover.parts.push_back({i, *factor});
+            AXISCOMP_TRY(const auto factor,
+                factorBetween(column.unit, table.axes[axis].unit,
+                    AXISCOMP_TEXT("Error", "values for {column}")
+                        .with("column", columnText(table, column))));
+            mover.parts.push_back({i, factor});
         }
         for (Mover::Part& part : mover.parts)
             part.factor /= static_cast<double>(mover.parts.size());

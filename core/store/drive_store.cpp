@@ -24,14 +24,10 @@ constexpr const char* writeLock = "write.lock";
 /// Whether the file holds the backup that was written as this text.
 Result<void> checkBackup(const std::filesystem::path& file, const std::string& text)
 {
-    auto bytes = loadFile(file, maximumBackupSize);
-    if (!bytes)
-        return fail(bytes.error());
-    auto readBack = readBackup(asText(*bytes), file.string());
-    if (!readBack)
-        return fail(readBack.error());
+    AXISCOMP_TRY(auto bytes, loadFile(file, maximumBackupSize));
+    AXISCOMP_TRY(auto readBack, readBackup(asText(bytes), file.string()));
     // As texts, because a register may hold NaN, which differs from itself.
-    if (writeBackup(*readBack) != text)
+    if (writeBackup(readBack) != text)
         return fail(ErrorCode::FileNotWritable,
             {{"file", file.string()},
                 {"reason", AXISCOMP_TEXT("Error", "it does not read back as it was written")}});
@@ -44,13 +40,11 @@ Result<std::filesystem::path> keepBackup(
     auto lock = folder.lock();
     if (!lock)
         return fail(lock.error());
-    if (auto made = makePrivateFolder(folder.backups()); !made)
-        return fail(made.error());
+    AXISCOMP_CHECK(makePrivateFolder(folder.backups()));
 
     const std::filesystem::path file = newBackupFile(folder, time, axis);
     const std::string text = writeBackup(backup);
-    if (auto saved = saveFile(file, asBytes(text)); !saved)
-        return fail(saved.error());
+    AXISCOMP_CHECK(saveFile(file, asBytes(text)));
     if (auto same = checkBackup(file, text); !same) {
         (void)removeFile(file);
         return fail(same.error());
@@ -121,8 +115,7 @@ Result<JournalEntry::KeptTable> DriveStore::keepTable(
     JournalEntry::KeptTable table{{}, bytes.size(), crc32(bytes)};
     // Named after its content, so that the table of an entry that is still there stays.
     table.file = folder.keptTable(axis, table.crc);
-    if (auto saved = saveFile(table.file, bytes); !saved)
-        return fail(saved.error());
+    AXISCOMP_CHECK(saveFile(table.file, bytes));
     return table;
 }
 
@@ -205,11 +198,9 @@ Result<void> DriveStore::changeFlashHistory(std::int32_t serialNumber, const Cha
     auto lock = folder.lock();
     if (!lock)
         return fail(lock.error());
-    auto history = folder.take<FlashHistory>(folder.flashHistory(), readFlashHistory);
-    if (!history)
-        return fail(history.error());
-    change(*history);
-    return saveFile(folder.flashHistory(), asBytes(writeFlashHistory(*history)));
+    AXISCOMP_TRY(auto history, folder.take<FlashHistory>(folder.flashHistory(), readFlashHistory));
+    change(history);
+    return saveFile(folder.flashHistory(), asBytes(writeFlashHistory(history)));
 }
 
 Result<void> DriveStore::recordFlash(std::int32_t serialNumber, WallTime now, int operations)
@@ -247,11 +238,9 @@ FlashWearGuard wearGuard(const FlashWearLimits& limits, const DriveStore::FlashH
 Result<std::vector<DriveStore::OwnTable>> DriveStore::ownTables(std::int32_t serialNumber, int axis)
 {
     const StoreFolder folder{m_root, serialNumber, m_lockWait};
-    auto written = folder.look<std::vector<WrittenTable>>(folder.tables(), readTables);
-    if (!written)
-        return fail(written.error());
+    AXISCOMP_TRY(auto written, folder.look<std::vector<WrittenTable>>(folder.tables(), readTables));
     std::vector<OwnTable> own;
-    for (const WrittenTable& table : *written)
+    for (const WrittenTable& table : written)
         if (table.axis == axis)
             own.push_back(table.table);
     return own;
@@ -263,12 +252,10 @@ Result<void> DriveStore::recordOwnTable(std::int32_t serialNumber, int axis, con
     auto lock = folder.lock();
     if (!lock)
         return fail(lock.error());
-    auto written = folder.take<std::vector<WrittenTable>>(folder.tables(), readTables);
-    if (!written)
-        return fail(written.error());
+    AXISCOMP_TRY(auto written, folder.take<std::vector<WrittenTable>>(folder.tables(), readTables));
 
     std::vector<WrittenTable> tables{{axis, table}};
-    for (const WrittenTable& older : *written) {
+    for (const WrittenTable& older : written) {
         const bool isSame = older.table == table;
         const auto ofSlot = std::ranges::count(
             tables, older.table.slot, [](const WrittenTable& kept) { return kept.table.slot; });
@@ -291,14 +278,12 @@ Result<void> DriveStore::changeSavedState(std::int32_t serialNumber, const Chang
     auto lock = folder.lock();
     if (!lock)
         return fail(lock.error());
-    auto state = folder.take<SavedState>(folder.saved(), readSavedState);
-    if (!state)
-        return fail(state.error());
-    const SavedState before = *state;
-    change(*state);
-    if (*state == before)
+    AXISCOMP_TRY(auto state, folder.take<SavedState>(folder.saved(), readSavedState));
+    const SavedState before = state;
+    change(state);
+    if (state == before)
         return {};
-    return saveFile(folder.saved(), asBytes(writeSavedState(*state)));
+    return saveFile(folder.saved(), asBytes(writeSavedState(state)));
 }
 
 Result<void> DriveStore::recordSaving(

@@ -76,8 +76,7 @@ std::vector<std::filesystem::path> StoreFolder::keptTables(int axis) const
 
 Result<FileLock> StoreFolder::lock(const char* name) const
 {
-    if (auto made = makePrivateFolder(m_path); !made)
-        return fail(made.error());
+    AXISCOMP_CHECK(makePrivateFolder(m_path));
     return FileLock::acquire(m_path / name, m_lockWait, m_path);
 }
 

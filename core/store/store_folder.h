@@ -69,24 +69,19 @@ private:
 template <typename T, typename Parse>
 Result<T> StoreFolder::take(const std::filesystem::path& file, const Parse& parse) const
 {
-    auto value = read<T>(file, parse);
-    if (!value)
-        return fail(value.error());
-    if (*value)
-        return **std::move(value);
-    if (auto moved = moveAside(file); !moved)
-        return fail(moved.error());
+    AXISCOMP_TRY(auto value, read<T>(file, parse));
+    if (value)
+        return *std::move(value);
+    AXISCOMP_CHECK(moveAside(file));
     return T{};
 }
 
 template <typename T, typename Parse>
 Result<T> StoreFolder::look(const std::filesystem::path& file, const Parse& parse) const
 {
-    auto value = read<T>(file, parse);
-    if (!value)
-        return fail(value.error());
-    if (*value)
-        return **std::move(value);
+    AXISCOMP_TRY(auto value, read<T>(file, parse));
+    if (value)
+        return *std::move(value);
     auto held = lock();
     if (!held)
         return fail(held.error());

@@ -132,8 +132,7 @@ Result<void> TrustedCertificates::forget(const std::string& endpoint)
 Result<void> TrustedCertificates::change(
     const std::string& endpoint, const std::optional<std::string>& fingerprint)
 {
-    if (auto made = makePrivateFolder(m_root); !made)
-        return fail(made.error());
+    AXISCOMP_CHECK(makePrivateFolder(m_root));
     const auto lock = FileLock::acquire(m_root / "certificates.lock", m_lockWait, fileIn(m_root));
     if (!lock)
         return fail(lock.error());

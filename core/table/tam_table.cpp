@@ -291,8 +291,7 @@ Result<TamTable> Decoder::decode()
     for (const auto check : {&Decoder::checkMagic, &Decoder::checkConstants, &Decoder::checkSizes,
              &Decoder::checkLength, &Decoder::checkPositions, &Decoder::checkCrcs,
              &Decoder::checkValues}) {
-        if (auto checked = (this->*check)(); !checked)
-            return fail(checked.error());
+        AXISCOMP_CHECK((this->*check)());
     }
     const bool persistent =
         m_layout.place(TableField::Persistent).has_value() && integer(TableField::Persistent) == 1;
@@ -308,8 +307,7 @@ bool holds(std::size_t fileSize, const FieldPlace& place)
 
 Result<TamTable> decodeTamTable(ByteView bytes, const TableLayout& layout)
 {
-    if (auto checked = checkLayout(layout); !checked)
-        return fail(checked.error());
+    AXISCOMP_CHECK(checkLayout(layout));
     return Decoder(bytes, layout).decode();
 }
 

@@ -190,10 +190,8 @@ void writeElements(
 Result<Bytes> encodeTamTable(
     const CompensationTable& table, bool persistent, const TableLayout& layout)
 {
-    if (auto checked = checkLayout(layout); !checked)
-        return fail(checked.error());
-    if (auto checked = checkTable(table); !checked)
-        return fail(checked.error());
+    AXISCOMP_CHECK(checkLayout(layout));
+    AXISCOMP_CHECK(checkTable(table));
 
     Bytes file(tamTableSize(table.grid, layout));
     writeElements(file, table, layout);

@@ -58,17 +58,13 @@ Result<AxisBackup> readAxisBackup(
     backup.axis = info.index;
     backup.axisName = info.name;
     backup.time = now;
-    auto registers = readAxisRegisters(access, info.index);
-    if (!registers)
-        return fail(registers.error());
-    backup.registers = std::move(*registers);
+    AXISCOMP_TRY(auto registers, readAxisRegisters(access, info.index));
+    backup.registers = std::move(registers);
     const TableSlot* slot = access.profile().slotNamed(toText(backup.registers.front().value));
     if (!slot)
         return backup;
-    auto file = readSlotFile(access, *slot);
-    if (!file)
-        return fail(file.error());
-    backup.files.push_back(std::move(*file));
+    AXISCOMP_TRY(auto file, readSlotFile(access, *slot));
+    backup.files.push_back(std::move(file));
     // Another program may have written in between: registers and file must be of one state.
     auto same = compareRegisters(access, backup.registers);
     if (!same && same.error().code == ErrorCode::VerifyMismatch) {
@@ -136,14 +132,13 @@ Result<AxisBackup::File> readSlotFile(
         file.persistent = false;
         if (file.bytes.empty())
             return file;
-        auto readings = access.readAvailable({access.slotPath(registers.tablePersistent, slot.name),
-            access.slotPath(registers.tableElements, slot.name),
-            access.slotPath(registers.tableCrc, slot.name)});
-        if (!readings)
-            return fail(readings.error());
+        AXISCOMP_TRY(auto readings,
+            access.readAvailable({access.slotPath(registers.tablePersistent, slot.name),
+                access.slotPath(registers.tableElements, slot.name),
+                access.slotPath(registers.tableCrc, slot.name)}));
         file.persistent =
-            numberAt(*readings, access.slotPath(registers.tablePersistent, slot.name)) == 1.0;
-        if (isSame || hasElements(access, *readings, slot, file.bytes))
+            numberAt(readings, access.slotPath(registers.tablePersistent, slot.name)) == 1.0;
+        if (isSame || hasElements(access, readings, slot, file.bytes))
             return file;
     }
     return fail(ErrorCode::ChangedMeanwhile,
@@ -155,30 +150,24 @@ Result<AxisBackup::File> readSlotFile(
 Result<DriveBackup> readBackupOf(
     const RegisterAccess& access, const DriveIdentity& drive, WallTime now)
 {
-    auto axes = readAxes(access, drive);
-    if (!axes)
-        return fail(axes.error());
+    AXISCOMP_TRY(auto axes, readAxes(access, drive));
     DriveBackup backup;
-    for (const AxisInfo& info : *axes) {
+    for (const AxisInfo& info : axes) {
         if (info.stateWord.empty())
             continue;
         access.report("backup",
             static_cast<double>(info.index) / static_cast<double>(std::max(drive.axes, 1)));
-        auto axis = readAxisBackup(access, drive, info, now);
-        if (!axis)
-            return fail(axis.error());
-        backup.axes.push_back(std::move(*axis));
+        AXISCOMP_TRY(auto axis, readAxisBackup(access, drive, info, now));
+        backup.axes.push_back(std::move(axis));
     }
     if (backup.axes.empty())
         backup.drive = drive;
     for (const TableSlot& slot : access.profile().tableSlots) {
         if (isUsedBy(backup, slot.name))
             continue;
-        auto file = readSlotFile(access, slot);
-        if (!file)
-            return fail(file.error());
-        if (!file->bytes.empty())
-            backup.otherFiles.push_back(std::move(*file));
+        AXISCOMP_TRY(auto file, readSlotFile(access, slot));
+        if (!file.bytes.empty())
+            backup.otherFiles.push_back(std::move(file));
     }
     return backup;
 }
@@ -220,11 +209,9 @@ Result<WriteRequest> restoreRequest(const RegisterAccess& access, const AxisBack
     WriteRequest request;
     const AxisBackup::File* file = usedFile(access, backup);
     if (file) {
-        auto decoded = decodeTamTable(file->bytes, access.profile().layout);
-        if (!decoded)
-            return fail(decoded.error());
-        request.dimensionality = decoded->table.grid.dimensions();
-        request.table = std::move(decoded->table);
+        AXISCOMP_TRY(auto decoded, decodeTamTable(file->bytes, access.profile().layout));
+        request.dimensionality = decoded.table.grid.dimensions();
+        request.table = std::move(decoded.table);
         request.persistency = file->persistent ? Persistency::Persistent : Persistency::Volatile;
     } else {
         // The slot that the axis named held nothing, and may hold somebody else's table by now.
@@ -254,32 +241,22 @@ Result<UnfinishedOutcome> unfinishedOutcome(const RegisterAccess& access,
     const DriveIdentity& drive, const JournalEntry& entry, SourceDirectory& sources)
 {
     using Outcome = UnfinishedOutcome;
-    auto status = readStatus(access, drive, entry.axis, sources);
-    if (!status)
-        return fail(status.error());
-    const bool hasNewTable = status->setup.slot == entry.newSlot
-        && status->setup.tableCrc == entry.newCrc
-        && (status->setup.persistency == Persistency::Persistent) == entry.persistent;
-    auto hasNewRegisters = holdsRegisters(access, entry.newRegisters);
-    if (!hasNewRegisters)
-        return fail(hasNewRegisters.error());
-    if (hasNewTable && *hasNewRegisters)
+    AXISCOMP_TRY(auto status, readStatus(access, drive, entry.axis, sources));
+    const bool hasNewTable = status.setup.slot == entry.newSlot
+        && status.setup.tableCrc == entry.newCrc
+        && (status.setup.persistency == Persistency::Persistent) == entry.persistent;
+    AXISCOMP_TRY(auto hasNewRegisters, holdsRegisters(access, entry.newRegisters));
+    if (hasNewTable && hasNewRegisters)
         return entry.persistent ? Outcome::NewUnsaved : Outcome::New;
 
-    auto text = loadFile(entry.backup, maximumBackupSize);
-    if (!text)
-        return fail(text.error());
-    auto backup = readBackup(asText(*text), entry.backup.string());
-    if (!backup)
-        return fail(backup.error());
-    if (backup->axes.empty())
+    AXISCOMP_TRY(auto text, loadFile(entry.backup, maximumBackupSize));
+    AXISCOMP_TRY(auto backup, readBackup(asText(text), entry.backup.string()));
+    if (backup.axes.empty())
         return Outcome::Neither;
-    auto hasOldRegisters = holdsRegisters(access, backup->axes.front().registers);
+    AXISCOMP_TRY(auto hasOldRegisters, holdsRegisters(access, backup.axes.front().registers));
     if (!hasOldRegisters)
-        return fail(hasOldRegisters.error());
-    if (!*hasOldRegisters)
         return Outcome::Neither;
-    const AxisBackup::File* old = usedFile(access, backup->axes.front());
+    const AxisBackup::File* old = usedFile(access, backup.axes.front());
     if (!old)
         return Outcome::Old;
     auto bytes = access.link().download(old->path, access.exchange());

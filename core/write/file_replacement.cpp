@@ -29,38 +29,29 @@ std::uint32_t elementCrc(ByteView file, const TableLayout& layout)
 
 Result<std::filesystem::path> FileReplacement::run(ByteView bytes, Users users)
 {
-    auto seen = look();
-    if (!seen)
-        return fail(seen.error());
-    auto old = readSlotFile(m_access, m_slot);
-    if (!old)
-        return fail(old.error());
-    m_old = std::move(*old);
+    AXISCOMP_TRY(auto seen, look());
+    AXISCOMP_TRY(auto old, readSlotFile(m_access, m_slot));
+    m_old = std::move(old);
     if (std::ranges::equal(m_old.bytes, bytes))
         return std::filesystem::path();
-    if (users == Users::Refused && !seen->state.otherUser.isEmpty())
-        return fail(ErrorCode::SlotInUse, {{"slot", m_slot.name}, {"user", seen->state.otherUser}});
+    if (users == Users::Refused && !seen.state.otherUser.isEmpty())
+        return fail(ErrorCode::SlotInUse, {{"slot", m_slot.name}, {"user", seen.state.otherUser}});
     // Emptying a slot spends flash when the drive has the table there.
     const bool needsFlash =
         bytes.empty() ? m_old.persistent : isPersistent(bytes, m_access.profile().layout);
     if (users == Users::Refused && needsFlash) {
-        if (auto out = checkSavedUse(bytes); !out)
-            return fail(out.error());
+        AXISCOMP_CHECK(checkSavedUse(bytes));
     }
     if (needsFlash) {
         // Putting back deletes the new file from flash, or stores the old one again.
         const int reserve = m_old.bytes.empty() || m_old.persistent ? 1 : 0;
-        if (auto possible = checkBudget(1, reserve); !possible)
-            return fail(possible.error());
+        AXISCOMP_CHECK(checkBudget(1, reserve));
     }
-    if (auto kept = keepOldFile(*seen); !kept)
-        return fail(kept.error());
-    if (auto same = checkUnchanged(*seen); !same)
-        return fail(same.error());
+    AXISCOMP_CHECK(keepOldFile(seen));
+    AXISCOMP_CHECK(checkUnchanged(seen));
 
     if (m_old.persistent && !needsFlash) {
-        if (auto noted = m_store.recordCovered(m_drive.serialNumber, m_slot.name, true); !noted)
-            return fail(noted.error());
+        AXISCOMP_CHECK(m_store.recordCovered(m_drive.serialNumber, m_slot.name, true));
     }
     auto done = put(m_access, bytes);
     const bool isRefused =
@@ -73,7 +64,7 @@ Result<std::filesystem::path> FileReplacement::run(ByteView bytes, Users users)
         outcome = fail(isRefused ? done.error() : rollBack(done.error()));
     if (!isRefused || mayHaveSpentFlash(done.error())) {
         const auto counts = readEraseCounts(m_access.withoutStop(), {m_slot.name});
-        account.record(seen->counts, counts.value_or(EraseCounts{}), needsFlash ? 1 : 0);
+        account.record(seen.counts, counts.value_or(EraseCounts{}), needsFlash ? 1 : 0);
     }
     return outcome;
 }
@@ -83,16 +74,14 @@ Result<FileReplacement::Look> FileReplacement::look() const
     std::vector<std::string> paths = slotStatePaths(m_access, m_drive, noAxis, m_slot.name);
     const std::string count = m_access.slotPath(m_access.registers().tableEraseCount, m_slot.name);
     paths.push_back(count);
-    auto readings = m_access.readAvailable(std::move(paths));
-    if (!readings)
-        return fail(readings.error());
+    AXISCOMP_TRY(auto readings, m_access.readAvailable(std::move(paths)));
     Look seen;
-    seen.state = slotState(m_access, m_drive, noAxis, m_slot.name, *readings);
-    if (readings->contains(count))
-        seen.counts[m_slot.name] = unsignedAt(*readings, count);
+    seen.state = slotState(m_access, m_drive, noAxis, m_slot.name, readings);
+    if (readings.contains(count))
+        seen.counts[m_slot.name] = unsignedAt(readings, count);
     for (int axis = m_drive.axes - 1; axis >= 0; --axis) {
         const std::string table = m_access.axisPath(m_access.registers().table, axis);
-        if (textAt(*readings, table) == m_slot.name)
+        if (textAt(readings, table) == m_slot.name)
             seen.user = axis;
     }
     return seen;
@@ -102,56 +91,44 @@ Result<void> FileReplacement::keepOldFile(const Look& seen)
 {
     const WallTime now = m_clock();
     if (seen.user == noAxis) {
-        auto saved = m_store.saveBackup(m_drive, now, m_old);
-        if (!saved)
-            return fail(saved.error());
-        m_backup = std::move(*saved);
+        AXISCOMP_TRY(auto saved, m_store.saveBackup(m_drive, now, m_old));
+        m_backup = std::move(saved);
         return {};
     }
     // The file is the axis's table: restoring it must bring that axis back.
     AxisBackup backup{m_drive, seen.user, {}, now, {}, {m_old}};
-    auto registers = readAxisRegisters(m_access, seen.user);
-    if (!registers)
-        return fail(registers.error());
-    backup.registers = std::move(*registers);
-    auto saved = m_store.saveBackup(backup);
-    if (!saved)
-        return fail(saved.error());
-    m_backup = std::move(*saved);
+    AXISCOMP_TRY(auto registers, readAxisRegisters(m_access, seen.user));
+    backup.registers = std::move(registers);
+    AXISCOMP_TRY(auto saved, m_store.saveBackup(backup));
+    m_backup = std::move(saved);
     return {};
 }
 
 /// The last question before the change, as in a write.
 Result<void> FileReplacement::checkUnchanged(const Look& seen) const
 {
-    auto drive = m_access.link().identify(m_access.exchange());
-    if (!drive)
-        return fail(drive.error());
-    if (drive->serialNumber != m_drive.serialNumber)
+    AXISCOMP_TRY(auto drive, m_access.link().identify(m_access.exchange()));
+    if (drive.serialNumber != m_drive.serialNumber)
         return fail(ErrorCode::OtherDrive,
-            {{"expected", m_drive.serialNumber}, {"found", drive->serialNumber}});
-    auto now = look();
-    if (!now)
-        return fail(now.error());
-    const std::size_t elementBytes = now->state.elements * sizeof(float);
+            {{"expected", m_drive.serialNumber}, {"found", drive.serialNumber}});
+    AXISCOMP_TRY(auto now, look());
+    const std::size_t elementBytes = now.state.elements * sizeof(float);
     const bool isWhatWasKept = m_old.bytes.size() >= elementBytes
-        && (now->state.isEmpty()
-            || crc32(ByteView(m_old.bytes).last(elementBytes)) == now->state.crc);
-    if (now->state == seen.state && isWhatWasKept)
+        && (now.state.isEmpty()
+            || crc32(ByteView(m_old.bytes).last(elementBytes)) == now.state.crc);
+    if (now.state == seen.state && isWhatWasKept)
         return {};
     return fail(ErrorCode::ChangedMeanwhile,
         {{"what", AXISCOMP_TEXT("Error", "slot {slot}").with("slot", m_slot.name)},
-            {"before", slotStateText(seen.state)}, {"now", slotStateText(now->state)}});
+            {"before", slotStateText(seen.state)}, {"now", slotStateText(now.state)}});
 }
 
 /// A reboot must not bring an axis this table with the sources of another.
 Result<void> FileReplacement::checkSavedUse(ByteView bytes) const
 {
-    auto saved = m_store.savedState(m_drive.serialNumber);
-    if (!saved)
-        return fail(saved.error());
+    AXISCOMP_TRY(auto saved, m_store.savedState(m_drive.serialNumber));
     const std::uint32_t crc = elementCrc(bytes, m_access.profile().layout);
-    for (const SavedState::Use& use : saved->uses)
+    for (const SavedState::Use& use : saved.uses)
         if (use.slot == m_slot.name && use.crc != crc)
             return fail(ErrorCode::SlotInUse,
                 {{"slot", m_slot.name},
@@ -164,11 +141,9 @@ Result<void> FileReplacement::checkSavedUse(ByteView bytes) const
 /// The cost, and what putting back may cost beyond that.
 Result<void> FileReplacement::checkBudget(int cost, int reserve) const
 {
-    auto history = m_store.flashHistory(m_drive.serialNumber);
-    if (!history)
-        return fail(history.error());
+    AXISCOMP_TRY(auto history, m_store.flashHistory(m_drive.serialNumber));
     return checkFlashBudget(
-        wearGuard(m_access.profile().flashWear, *history), m_clock(), cost, reserve);
+        wearGuard(m_access.profile().flashWear, history), m_clock(), cost, reserve);
 }
 
 Result<void> FileReplacement::put(const RegisterAccess& access, ByteView bytes) const

@@ -12,18 +12,15 @@ namespace axiscomp {
 Result<void> WriteProcedure::checkUnchanged()
 {
     const WritePlan& plan = m_write.plan;
-    auto drive = m_access.link().identify(m_access.exchange());
-    if (!drive)
-        return fail(drive.error());
-    if (drive->serialNumber != plan.drive.serialNumber)
+    AXISCOMP_TRY(auto drive, m_access.link().identify(m_access.exchange()));
+    if (drive.serialNumber != plan.drive.serialNumber)
         return fail(ErrorCode::OtherDrive,
-            {{"expected", plan.drive.serialNumber}, {"found", drive->serialNumber}});
+            {{"expected", plan.drive.serialNumber}, {"found", drive.serialNumber}});
     // All of it at one instant, where the profile allows, and nothing is asked after it: who
     // changes something between this reading and the first change cannot be noticed any more.
-    auto reading = readStatusWith(m_access, plan.drive, plan.axis, m_sources, lastLookPaths());
-    if (!reading)
-        return fail(reading.error());
-    const AxisStatus& now = reading->status;
+    AXISCOMP_TRY(
+        auto reading, readStatusWith(m_access, plan.drive, plan.axis, m_sources, lastLookPaths()));
+    const AxisStatus& now = reading.status;
     if (now.isOn())
         return fail(compensationActive(now));
     if (!(now.setup == plan.before))
@@ -31,10 +28,10 @@ Result<void> WriteProcedure::checkUnchanged()
             {{"what",
                  AXISCOMP_TEXT("Error", "the settings of axis {axis}").with("axis", plan.axis)},
                 {"before", setupText(plan.before)}, {"now", setupText(now.setup)}});
-    noteEraseCounts(reading->readings);
-    if (auto same = checkSlot(reading->readings); !same)
+    noteEraseCounts(reading.readings);
+    if (auto same = checkSlot(reading.readings); !same)
         return same;
-    return checkBackup(reading->readings);
+    return checkBackup(reading.readings);
 }
 
 /// The touched slots, their users and their flash cycles.

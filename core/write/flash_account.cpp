@@ -15,13 +15,11 @@ Result<EraseCounts> readEraseCounts(
     std::vector<std::string> paths;
     for (const std::string& slot : slots)
         paths.push_back(access.slotPath(access.registers().tableEraseCount, slot));
-    auto readings = access.readAvailable(paths);
-    if (!readings)
-        return fail(readings.error());
+    AXISCOMP_TRY(auto readings, access.readAvailable(paths));
     EraseCounts counts;
     for (std::size_t n = 0; n < slots.size(); ++n) {
-        if (readings->contains(paths[n]))
-            counts[slots[n]] = unsignedAt(*readings, paths[n]);
+        if (readings.contains(paths[n]))
+            counts[slots[n]] = unsignedAt(readings, paths[n]);
     }
     return counts;
 }
@@ -29,23 +27,19 @@ Result<EraseCounts> readEraseCounts(
 Result<FlashUse> readFlashUse(
     const RegisterAccess& access, DriveStore& store, const DriveIdentity& drive, WallTime now)
 {
-    auto history = store.flashHistory(drive.serialNumber);
-    if (!history)
-        return fail(history.error());
+    AXISCOMP_TRY(auto history, store.flashHistory(drive.serialNumber));
     std::vector<std::string> slots;
     for (const TableSlot& slot : access.profile().tableSlots)
         slots.push_back(slot.name);
-    auto counts = readEraseCounts(access, slots);
-    if (!counts)
-        return fail(counts.error());
+    AXISCOMP_TRY(auto counts, readEraseCounts(access, slots));
     const FlashWearLimits& limits = access.profile().flashWear;
     FlashUse use;
-    use.budget = wearGuard(limits, *history).budget(now);
-    use.operationsRecorded = history->total;
+    use.budget = wearGuard(limits, history).budget(now);
+    use.operationsRecorded = history.total;
     use.ratedCycles = limits.ratedCycles;
     for (const std::string& slot : slots) { // the first of several with the same count
-        const auto count = counts->find(slot);
-        if (count == counts->end())
+        const auto count = counts.find(slot);
+        if (count == counts.end())
             continue;
         use.allCycles += count->second;
         if (use.mostUsedSlot.empty() || count->second > use.mostCycles) {

@@ -8,11 +8,9 @@ namespace axiscomp {
 
 Result<void> WritePlanner::decideFlash()
 {
-    auto history = m_store.flashHistory(m_drive.serialNumber);
-    if (!history)
-        return fail(history.error());
+    AXISCOMP_TRY(auto history, m_store.flashHistory(m_drive.serialNumber));
     WritePlan& plan = m_write.plan;
-    const FlashWearGuard guard = wearGuard(m_access.profile().flashWear, *history);
+    const FlashWearGuard guard = wearGuard(m_access.profile().flashWear, history);
     plan.flashBudget = guard.budget(m_now);
     if (plan.after.slot.empty())
         return {};

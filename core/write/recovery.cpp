@@ -26,21 +26,16 @@ Result<WriteReport> WriteProcedure::recoverOldState(const UnfinishedWrite& unfin
     m_slotTouched = isNewTable() && step >= stepRank("upload");
     m_flashTouched = changesPersistency() && step >= stepRank(isNewTable() ? "commit" : "switch");
     m_savedTouched = step >= stepRank("save") || (overwritesOwn() && wantsPersistent());
-    auto saved = m_store.savedState(m_write.plan.drive.serialNumber);
-    if (!saved)
-        return fail(saved.error());
+    AXISCOMP_TRY(auto saved, m_store.savedState(m_write.plan.drive.serialNumber));
     // It is switched off in the saved parameters as well, by this write or by the next of another
     // axis.
-    const bool isSavedOff = saved->isKnown
-        && std::ranges::find(saved->uses, m_write.plan.axis, &SavedState::Use::axis)
-            == saved->uses.end();
+    const bool isSavedOff = saved.isKnown
+        && std::ranges::find(saved.uses, m_write.plan.axis, &SavedState::Use::axis)
+            == saved.uses.end();
     const bool wasPersistent = unfinished.oldFile() && unfinished.oldFile()->persistent;
     m_savedTouched = m_savedTouched || (isSavedOff && (m_flashTouched || wasPersistent));
-    if (auto possible = checkFlash(); !possible)
-        return fail(possible.error());
-    auto status = inspectBeforeRecovery(unfinished);
-    if (!status)
-        return fail(status.error());
+    AXISCOMP_CHECK(checkFlash());
+    AXISCOMP_TRY(auto status, inspectBeforeRecovery(unfinished));
 
     // Half of the way back is no better than half of the way there: it cannot be stopped.
     const RegisterAccess access = m_access.withoutStop();
@@ -53,18 +48,14 @@ Result<WriteReport> WriteProcedure::recoverOldState(const UnfinishedWrite& unfin
     if (!undone && !hasOldState(access))
         return fail(undone.error());
     WritePlan& plan = m_write.plan;
-    plan.before = status->setup;
-    auto now = readStatus(access, plan.drive, plan.axis, m_sources);
-    if (!now)
-        return fail(now.error());
-    plan.after = now->setup;
+    plan.before = status.setup;
+    AXISCOMP_TRY(auto now, readStatus(access, plan.drive, plan.axis, m_sources));
+    plan.after = now.setup;
     plan.flashOperations = m_flash.recorded();
-    if (auto same = compareRegisters(access, m_backup.registers); !same)
-        return fail(same.error());
-    if (auto closed = m_store.closeJournal(plan.drive.serialNumber, plan.axis); !closed)
-        return fail(closed.error());
+    AXISCOMP_CHECK(compareRegisters(access, m_backup.registers));
+    AXISCOMP_CHECK(m_store.closeJournal(plan.drive.serialNumber, plan.axis));
     access.report("done", 1.0);
-    return WriteReport{plan, std::move(*now), m_backupFile};
+    return WriteReport{plan, std::move(now), m_backupFile};
 }
 
 /// What reached flash has to leave it again: better not to begin than to stop half-way, with the
@@ -73,24 +64,18 @@ Result<void> WriteProcedure::checkFlash()
 {
     int operations = m_flashTouched ? 1 : 0;
     if (m_savedTouched) {
-        auto cost = costOfSaving(m_access, m_store, m_write.plan.drive);
-        if (!cost)
-            return fail(cost.error());
-        operations += *cost;
+        AXISCOMP_TRY(auto cost, costOfSaving(m_access, m_store, m_write.plan.drive));
+        operations += cost;
     }
     // Then the axis has its volatile table again, which is saved as well.
     const std::string& slot = m_write.plan.before.slot;
     const AxisBackup::File* old = backupOf(slot);
-    auto saved = m_store.savedState(m_write.plan.drive.serialNumber);
-    if (!saved)
-        return fail(saved.error());
-    if (m_savedTouched && !overwritesOwn() && old && !old->persistent && saved->isCovered(slot))
+    AXISCOMP_TRY(auto saved, m_store.savedState(m_write.plan.drive.serialNumber));
+    if (m_savedTouched && !overwritesOwn() && old && !old->persistent && saved.isCovered(slot))
         ++operations;
-    auto history = m_store.flashHistory(m_write.plan.drive.serialNumber);
-    if (!history)
-        return fail(history.error());
+    AXISCOMP_TRY(auto history, m_store.flashHistory(m_write.plan.drive.serialNumber));
     return checkFlashBudget(
-        wearGuard(m_access.profile().flashWear, *history), m_clock(), operations);
+        wearGuard(m_access.profile().flashWear, history), m_clock(), operations);
 }
 
 /// Keeps what there is now, and looks who uses the slots: what somebody else has put there
@@ -99,25 +84,22 @@ Result<AxisStatus> WriteProcedure::inspectBeforeRecovery(const UnfinishedWrite& 
 {
     const WritePlan& plan = m_write.plan;
     const std::vector<std::string> slots = touchedSlots();
-    auto present = keepPresent(slots);
-    if (!present)
-        return fail(present.error());
-    auto reading = readStatusWith(m_access, plan.drive, plan.axis, m_sources, lastLookPaths());
-    if (!reading)
-        return fail(reading.error());
-    if (reading->status.isOn())
-        return fail(compensationActive(reading->status));
-    noteEraseCounts(reading->readings);
+    AXISCOMP_TRY(auto present, keepPresent(slots));
+    AXISCOMP_TRY(
+        auto reading, readStatusWith(m_access, plan.drive, plan.axis, m_sources, lastLookPaths()));
+    if (reading.status.isOn())
+        return fail(compensationActive(reading.status));
+    noteEraseCounts(reading.readings);
     for (const std::string& slot : slots) {
-        const SlotState state = slotState(m_access, plan.drive, plan.axis, slot, reading->readings);
+        const SlotState state = slotState(m_access, plan.drive, plan.axis, slot, reading.readings);
         const bool isOld = slot == plan.before.slot;
         if (isOld && !state.otherUser.isEmpty())
             return fail(ErrorCode::SlotInUse, {{"slot", slot}, {"user", state.otherUser}});
         const bool isTheirs = !state.otherUser.isEmpty() || !unfinished.isKnown(state, slot);
-        if (!isOld && (isTheirs || bytesOf(*present, slot) == bytesOf(m_backup, slot)))
+        if (!isOld && (isTheirs || bytesOf(present, slot) == bytesOf(m_backup, slot)))
             m_slotTouched = false;
     }
-    return std::move(reading->status);
+    return std::move(reading.status);
 }
 
 /// The slots' tables, and that of the axis where a reboot has given it another one.
@@ -125,10 +107,8 @@ Result<AxisBackup> WriteProcedure::keepPresent(std::vector<std::string> slots)
 {
     m_access.report("backup", 0.05);
     AxisBackup present{m_write.plan.drive, m_write.plan.axis, {}, m_clock(), {}, {}};
-    auto registers = readAxisRegisters(m_access, present.axis);
-    if (!registers)
-        return fail(registers.error());
-    present.registers = std::move(*registers);
+    AXISCOMP_TRY(auto registers, readAxisRegisters(m_access, present.axis));
+    present.registers = std::move(registers);
     const std::string used = toText(present.registers.front().value);
     if (std::ranges::find(slots, used) == slots.end())
         slots.push_back(used);
@@ -136,15 +116,11 @@ Result<AxisBackup> WriteProcedure::keepPresent(std::vector<std::string> slots)
         const TableSlot* slot = m_access.profile().slotNamed(name);
         if (!slot)
             continue;
-        auto file = readSlotFile(m_access, *slot);
-        if (!file)
-            return fail(file.error());
-        present.files.push_back(std::move(*file));
+        AXISCOMP_TRY(auto file, readSlotFile(m_access, *slot));
+        present.files.push_back(std::move(file));
     }
-    auto saved = m_store.saveBackup(present);
-    if (!saved)
-        return fail(saved.error());
-    m_backupFile = std::move(*saved);
+    AXISCOMP_TRY(auto saved, m_store.saveBackup(present));
+    m_backupFile = std::move(saved);
     return present;
 }
 

@@ -35,14 +35,10 @@ int stepRank(std::string_view step)
 Result<UnfinishedWrite> UnfinishedWrite::load(
     const RegisterAccess& access, const JournalEntry& entry)
 {
-    auto text = loadFile(entry.backup, maximumBackupSize);
-    if (!text)
-        return fail(text.error());
-    auto backup = readBackup(asText(*text), entry.backup.string());
-    if (!backup)
-        return fail(backup.error());
+    AXISCOMP_TRY(auto text, loadFile(entry.backup, maximumBackupSize));
+    AXISCOMP_TRY(auto backup, readBackup(asText(text), entry.backup.string()));
     UnfinishedWrite write(access, entry);
-    for (AxisBackup& axis : backup->axes) {
+    for (AxisBackup& axis : backup.axes) {
         if (axis.axis != entry.axis || axis.drive.serialNumber != entry.serialNumber)
             continue;
         write.m_before = std::move(axis);
@@ -108,15 +104,12 @@ Result<std::optional<std::string>> UnfinishedWrite::slotFor(
     DriveStore& store, const DriveIdentity& drive) const
 {
     const std::string& slot = m_entry.newSlot;
-    auto readings = m_access.readAvailable(slotStatePaths(m_access, drive, m_entry.axis, slot));
-    if (!readings)
-        return fail(readings.error());
-    const SlotState state = slotState(m_access, drive, m_entry.axis, slot, *readings);
-    auto saved = store.savedState(drive.serialNumber);
-    if (!saved)
-        return fail(saved.error());
+    AXISCOMP_TRY(
+        auto readings, m_access.readAvailable(slotStatePaths(m_access, drive, m_entry.axis, slot)));
+    const SlotState state = slotState(m_access, drive, m_entry.axis, slot, readings);
+    AXISCOMP_TRY(auto saved, store.savedState(drive.serialNumber));
     const bool isOurs =
-        state.otherUser.isEmpty() && !saved->otherUser(slot, m_entry.axis) && isKnown(state, slot);
+        state.otherUser.isEmpty() && !saved.otherUser(slot, m_entry.axis) && isKnown(state, slot);
     return isOurs ? std::optional(slot) : std::nullopt;
 }
 
@@ -126,19 +119,13 @@ Result<WriteRequest> UnfinishedWrite::request(DriveStore& store, const DriveIden
     request.withoutTable = m_entry.newSlot.empty();
     request.dimensionality = 3;
     if (!request.withoutTable) {
-        auto file = newFile(store);
-        if (!file)
-            return fail(file.error());
-        auto decoded = decodeTamTable(*file, m_access.profile().layout);
-        if (!decoded)
-            return fail(decoded.error());
-        request.dimensionality = decoded->table.grid.dimensions();
-        request.table = std::move(decoded->table);
+        AXISCOMP_TRY(auto file, newFile(store));
+        AXISCOMP_TRY(auto decoded, decodeTamTable(file, m_access.profile().layout));
+        request.dimensionality = decoded.table.grid.dimensions();
+        request.table = std::move(decoded.table);
         request.persistency = m_entry.persistent ? Persistency::Persistent : Persistency::Volatile;
-        auto slot = slotFor(store, drive);
-        if (!slot)
-            return fail(slot.error());
-        request.slot = std::move(*slot);
+        AXISCOMP_TRY(auto slot, slotFor(store, drive));
+        request.slot = std::move(slot);
     }
     auto sources =
         sourceTexts(m_access, m_entry.newRegisters, m_entry.axis, request.dimensionality);

@@ -91,10 +91,8 @@ Text axisText(int index, const std::string& name)
 Result<PreparedWrite> WritePlanner::prepare(int axis, const WriteRequest& request)
 {
     m_axis = axis;
-    auto status = readStatus(m_access, m_drive, axis, m_sources);
-    if (!status)
-        return fail(status.error());
-    m_status = *status;
+    AXISCOMP_TRY(auto status, readStatus(m_access, m_drive, axis, m_sources));
+    m_status = status;
     if (m_status.isOn())
         return fail(compensationActive(m_status));
     if (request.expected && !(*request.expected == m_status.setup))
@@ -104,10 +102,8 @@ Result<PreparedWrite> WritePlanner::prepare(int axis, const WriteRequest& reques
                      .with("axis", axisText(axis, m_status.axis.name))},
                 {"before", setupText(*request.expected)}, {"now", setupText(m_status.setup)}});
 
-    auto saved = m_store.savedState(m_drive.serialNumber);
-    if (!saved)
-        return fail(saved.error());
-    m_saved = std::move(*saved);
+    AXISCOMP_TRY(auto saved, m_store.savedState(m_drive.serialNumber));
+    m_saved = std::move(saved);
     m_write = {};
     WritePlan& plan = m_write.plan;
     plan.drive = m_drive;
@@ -147,10 +143,8 @@ Result<void> WritePlanner::decideSources(const WriteRequest& request)
         for (std::size_t n = 0; n < request.sources.size(); ++n) {
             if (request.withoutTable && request.sources[n].empty())
                 continue;
-            auto source = m_sources.resolve(m_access, request.sources[n]);
-            if (!source)
-                return fail(source.error());
-            sources[n] = *source;
+            AXISCOMP_TRY(auto source, m_sources.resolve(m_access, request.sources[n]));
+            sources[n] = source;
         }
     }
     for (std::size_t n = 0; n < sources.size(); ++n) {
@@ -207,11 +201,9 @@ Result<void> WritePlanner::decideTable(const WriteRequest& request)
     if (table.grid.dimensions() != request.dimensionality)
         return fail(ErrorCode::DimensionMismatch,
             {{"table", table.grid.dimensions()}, {"chosen", request.dimensionality}});
-    auto file = encodeTamTable(table, false, m_access.profile().layout);
-    if (!file)
-        return fail(file.error());
-    m_write.elementCrc = elementCrcOf(*file, table);
-    m_write.plan.tableBytes = file->size();
+    AXISCOMP_TRY(auto file, encodeTamTable(table, false, m_access.profile().layout));
+    m_write.elementCrc = elementCrcOf(file, table);
+    m_write.plan.tableBytes = file.size();
     m_write.plan.after.tableCrc = m_write.elementCrc;
     m_write.plan.after.persistency = request.persistency.value_or(Persistency::Volatile);
     const bool alreadyThere = m_status.table && m_status.table->crc == m_write.elementCrc
@@ -222,24 +214,20 @@ Result<void> WritePlanner::decideTable(const WriteRequest& request)
         m_write.plan.after.persistency = request.persistency.value_or(m_status.setup.persistency);
         return {};
     }
-    return decideNewTable(request, std::move(*file));
+    return decideNewTable(request, std::move(file));
 }
 
 Result<void> WritePlanner::decideNewTable(const WriteRequest& request, Bytes file)
 {
-    auto slots = slotFacts();
-    if (!slots)
-        return fail(slots.error());
-    auto choice = chooseSlot(file.size(), request.slot, *slots);
-    if (!choice)
-        return fail(choice.error());
-    m_write.slot = choice->slot;
-    m_write.slotBefore = choice->state;
+    AXISCOMP_TRY(auto slots, slotFacts());
+    AXISCOMP_TRY(auto choice, chooseSlot(file.size(), request.slot, slots));
+    m_write.slot = choice.slot;
+    m_write.slotBefore = choice.state;
     m_write.file = std::move(file);
-    m_write.plan.slotReason = choice->reason;
-    m_write.plan.after.slot = choice->slot.name;
+    m_write.plan.slotReason = choice.reason;
+    m_write.plan.after.slot = choice.slot.name;
     m_write.plan.changes.push_back({"Table", currentTable(),
-        tableText(choice->slot.name, request.table->grid, m_write.elementCrc)});
+        tableText(choice.slot.name, request.table->grid, m_write.elementCrc)});
     return noteStored(request.table->grid);
 }
 
@@ -249,10 +237,8 @@ Result<void> WritePlanner::noteStored(const Grid& grid)
     const SlotState& there = m_write.slotBefore;
     if (!there.persistent || there.elements != grid.pointCount() || there.crc != m_write.elementCrc)
         return {};
-    auto readings = m_access.readAvailable(headerPaths(m_access, m_write.slot.name));
-    if (!readings)
-        return fail(readings.error());
-    const auto header = headerFrom(m_access, *readings, m_write.slot.name);
+    AXISCOMP_TRY(auto readings, m_access.readAvailable(headerPaths(m_access, m_write.slot.name)));
+    const auto header = headerFrom(m_access, readings, m_write.slot.name);
     m_isStored = header && header->persistent && header->crc == m_write.elementCrc
         && sameSpans(header->grid, grid);
     return {};
@@ -260,11 +246,9 @@ Result<void> WritePlanner::noteStored(const Grid& grid)
 
 Result<std::vector<SlotFacts>> WritePlanner::slotFacts()
 {
-    auto files = m_access.link().listFiles(m_access.exchange());
-    if (!files)
-        return fail(files.error());
+    AXISCOMP_TRY(auto files, m_access.link().listFiles(m_access.exchange()));
     std::vector<SlotFacts> slots;
-    for (const DriveFile& file : *files) {
+    for (const DriveFile& file : files) {
         const TableSlot* slot = m_access.profile().slotOfFile(file.path);
         if (!slot)
             continue;
@@ -277,33 +261,28 @@ Result<std::vector<SlotFacts>> WritePlanner::slotFacts()
         facts.isCurrent = slot->name == m_status.setup.slot;
         slots.push_back(facts);
     }
-    if (auto looked = lookInto(slots); !looked)
-        return fail(looked.error());
+    AXISCOMP_CHECK(lookInto(slots));
     return slots;
 }
 
 /// Contents and users of all slots, at one instant where the profile allows.
 Result<void> WritePlanner::lookInto(std::vector<SlotFacts>& slots)
 {
-    auto own = m_store.ownTables(m_drive.serialNumber, m_axis);
-    if (!own)
-        return fail(own.error());
+    AXISCOMP_TRY(auto own, m_store.ownTables(m_drive.serialNumber, m_axis));
     std::vector<std::string> paths;
     for (const SlotFacts& facts : slots) {
         const auto more = slotStatePaths(m_access, m_drive, m_axis, facts.slot.name);
         paths.insert(paths.end(), more.begin(), more.end());
     }
-    auto readings = m_access.readAvailable(std::move(paths));
-    if (!readings)
-        return fail(readings.error());
+    AXISCOMP_TRY(auto readings, m_access.readAvailable(std::move(paths)));
     for (SlotFacts& facts : slots) {
-        facts.state = slotState(m_access, m_drive, m_axis, facts.slot.name, *readings);
+        facts.state = slotState(m_access, m_drive, m_axis, facts.slot.name, readings);
         facts.otherUser = facts.state.otherUser;
         // Filled since the directory was read.
         if (facts.size == 0 && !facts.state.isEmpty())
             facts.size = facts.slot.maximumSize;
         facts.isOwnPrevious =
-            facts.size > 0 && std::ranges::any_of(*own, [&](const DriveStore::OwnTable& table) {
+            facts.size > 0 && std::ranges::any_of(own, [&](const DriveStore::OwnTable& table) {
                 return table.slot == facts.slot.name && table.crc == facts.state.crc;
             });
     }
@@ -311,7 +290,7 @@ Result<void> WritePlanner::lookInto(std::vector<SlotFacts>& slots)
     const bool usesSaved = m_status.table && m_status.table->persistent;
     // Otherwise it is known what the saved parameters name, or that they name the table in use.
     if (!isPersistent || !(usesSaved || m_saved.isKnown))
-        markKept(slots, *own, isPersistent);
+        markKept(slots, own, isPersistent);
     for (SlotFacts& facts : slots) {
         const auto other = m_saved.otherUser(facts.slot.name, m_axis);
         if (other && facts.otherUser.isEmpty())

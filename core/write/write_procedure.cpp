@@ -65,10 +65,8 @@ Result<WriteReport> WriteProcedure::finishEarlier()
 
 Result<WriteReport> WriteProcedure::run()
 {
-    if (auto kept = keepOldState(); !kept)
-        return fail(kept.error());
-    if (auto same = checkUnchanged(); !same)
-        return fail(same.error());
+    AXISCOMP_CHECK(keepOldState());
+    AXISCOMP_CHECK(checkUnchanged());
     if (auto changed = change(); !changed)
         return fail(rollBack(changed.error()));
     auto now = confirm();
@@ -83,13 +81,11 @@ Result<void> WriteProcedure::keepOldState()
 {
     m_access.report("backup", 0.05);
     const WritePlan& plan = m_write.plan;
-    auto registers = readAxisRegisters(m_access, plan.axis);
-    if (!registers)
-        return fail(registers.error());
+    AXISCOMP_TRY(auto registers, readAxisRegisters(m_access, plan.axis));
     m_backup.drive = plan.drive;
     m_backup.axis = plan.axis;
     m_backup.time = m_clock();
-    m_backup.registers = std::move(*registers);
+    m_backup.registers = std::move(registers);
 
     std::vector<const TableSlot*> slots{m_access.profile().slotNamed(plan.before.slot)};
     if (isNewTable() && !overwritesOwn())
@@ -97,15 +93,11 @@ Result<void> WriteProcedure::keepOldState()
     for (const TableSlot* slot : slots) {
         if (!slot)
             continue;
-        auto file = readSlotFile(m_access, *slot);
-        if (!file)
-            return fail(file.error());
-        m_backup.files.push_back(std::move(*file));
+        AXISCOMP_TRY(auto file, readSlotFile(m_access, *slot));
+        m_backup.files.push_back(std::move(file));
     }
-    auto saved = m_store.saveBackup(m_backup);
-    if (!saved)
-        return fail(saved.error());
-    m_backupFile = *saved;
+    AXISCOMP_TRY(auto saved, m_store.saveBackup(m_backup));
+    m_backupFile = saved;
 
     m_journal.serialNumber = plan.drive.serialNumber;
     m_journal.axis = plan.axis;
@@ -132,10 +124,9 @@ Result<void> WriteProcedure::note(const std::string& step, double progress)
     if (!m_finishesEarlier || stepRank(step) > stepRank(m_journal.step))
         m_journal.step = step;
     if (isNewTable() && !m_journal.newTable) {
-        auto kept = m_store.keepTable(m_journal.serialNumber, m_journal.axis, m_write.file);
-        if (!kept)
-            return fail(kept.error());
-        m_journal.newTable = std::move(*kept);
+        AXISCOMP_TRY(
+            auto kept, m_store.keepTable(m_journal.serialNumber, m_journal.axis, m_write.file));
+        m_journal.newTable = std::move(kept);
     }
     return m_store.openJournal(m_journal);
 }
@@ -285,11 +276,9 @@ Result<void> WriteProcedure::reachFlash(const std::vector<RegisterWrite>& values
     isCommitted = true;
     if (auto same = compareRegisters(m_access, values); !same)
         return same;
-    auto after = readEraseCounts(m_access, {slot});
-    if (!after)
-        return fail(after.error());
+    AXISCOMP_TRY(auto after, readEraseCounts(m_access, {slot}));
     const auto before = m_eraseCounts.find(slot);
-    if (before == m_eraseCounts.end() || (*after)[slot] != before->second)
+    if (before == m_eraseCounts.end() || after[slot] != before->second)
         return {};
     return writeVerified(m_access, {}, commit);
 }
@@ -356,8 +345,7 @@ Result<WriteReport> WriteProcedure::finish(AxisStatus now)
     if (!plan.before.slot.empty() && plan.before.slot != plan.after.slot)
         (void)m_store.recordOwnTable(
             plan.drive.serialNumber, plan.axis, {plan.before.slot, plan.before.tableCrc});
-    if (auto closed = m_store.closeJournal(plan.drive.serialNumber, plan.axis); !closed)
-        return fail(closed.error());
+    AXISCOMP_CHECK(m_store.closeJournal(plan.drive.serialNumber, plan.axis));
     m_access.report("done", 1.0);
     return WriteReport{plan, std::move(now), m_backupFile};
 }

@@ -60,18 +60,15 @@ Result<DriveIdentity> SerialDriveLink::identify(const Exchange& exchange)
     ExchangeDeadline running(exchange);
     const int before = m_session.beginnings();
     m_session.expectAnyDrive();
-    if (auto begun = m_session.begin(running); !begun)
-        return fail(begun.error());
+    AXISCOMP_CHECK(m_session.begin(running));
     m_addresses.clear(); // somebody may have plugged the cable into another drive
     if (m_session.beginnings() != before) // which has just identified it
         return m_session.identity();
-    const auto reply = m_session.ask("identify", SerialSession::Shape::Words, running);
-    if (!reply)
-        return fail(reply.error());
-    auto identity = parseSerialIdentity(reply->words);
+    AXISCOMP_TRY(const auto reply, m_session.ask("identify", SerialSession::Shape::Words, running));
+    auto identity = parseSerialIdentity(reply.words);
     if (!identity)
         return m_session.unexpected(
-            AXISCOMP_TEXT("Error", "name, serial number, axes and profile"), reply->words);
+            AXISCOMP_TEXT("Error", "name, serial number, axes and profile"), reply.words);
     m_session.expect(*identity);
     return *std::move(identity);
 }
@@ -103,25 +100,22 @@ Result<std::vector<RegisterReading>> SerialDriveLink::readOnce(
     std::string words = "get";
     for (const std::string& path : paths)
         words += " " + serialWord(normalisedPath(path));
-    const auto reply = m_session.ask(words, SerialSession::Shape::Lines, running);
-    if (!reply)
-        return fail(reply.error());
+    AXISCOMP_TRY(const auto reply, m_session.ask(words, SerialSession::Shape::Lines, running));
     forgetOtherDrives();
-    if (reply->lines.size() != paths.size())
+    if (reply.lines.size() != paths.size())
         return m_session.unexpected(AXISCOMP_COUNTED("Error", "{count} registers", "one register")
                                         .with("count", paths.size()),
-            {std::to_string(reply->lines.size())});
+            {std::to_string(reply.lines.size())});
     std::vector<RegisterReading> readings;
     for (std::size_t i = 0; i < paths.size(); ++i) {
-        auto reading = parseSerialReading(reply->lines[i]);
+        auto reading = parseSerialReading(reply.lines[i]);
         if (!reading)
             return m_session.unexpected(
-                AXISCOMP_TEXT("Error", "a type and a value"), reply->lines[i]);
+                AXISCOMP_TEXT("Error", "a type and a value"), reply.lines[i]);
         reading->path = normalisedPath(paths[i]);
         readings.push_back(*std::move(reading));
     }
-    if (auto learnt = learnAddresses(readings, running); !learnt)
-        return fail(learnt.error());
+    AXISCOMP_CHECK(learnAddresses(readings, running));
     for (RegisterReading& reading : readings)
         reading.address = m_addresses.find(reading.path)->second;
     return readings;
@@ -141,15 +135,13 @@ Result<void> SerialDriveLink::learnAddresses(
     }
     if (unknown.empty())
         return {};
-    const auto reply = m_session.ask(words, SerialSession::Shape::Lines, running);
-    if (!reply)
-        return fail(reply.error());
-    if (reply->lines.size() != unknown.size())
+    AXISCOMP_TRY(const auto reply, m_session.ask(words, SerialSession::Shape::Lines, running));
+    if (reply.lines.size() != unknown.size())
         return m_session.unexpected(AXISCOMP_COUNTED("Error", "{count} addresses", "one address")
                                         .with("count", unknown.size()),
-            {std::to_string(reply->lines.size())});
+            {std::to_string(reply.lines.size())});
     for (std::size_t i = 0; i < unknown.size(); ++i) {
-        const auto& line = reply->lines[i];
+        const auto& line = reply.lines[i];
         const auto address = line.size() == 1 ? parseSerialNumber(line[0]) : std::nullopt;
         if (!address)
             return m_session.unexpected(AXISCOMP_TEXT("Error", "an address"), line);
@@ -166,16 +158,14 @@ Result<std::vector<RegisterReading>> SerialDriveLink::readTree(
     while (true) {
         const std::string words =
             "tree " + serialWord(normalisedPath(prefix)) + " " + std::to_string(all.size());
-        const auto reply = m_session.ask(words, SerialSession::Shape::Lines, running);
-        if (!reply)
-            return fail(reply.error());
+        AXISCOMP_TRY(const auto reply, m_session.ask(words, SerialSession::Shape::Lines, running));
         forgetOtherDrives();
         const auto total =
-            reply->words.size() == 2 ? parseSerialNumber(reply->words[1]) : std::nullopt;
-        if (!total || *total > mostTreeRegisters || *total < all.size() + reply->lines.size())
+            reply.words.size() == 2 ? parseSerialNumber(reply.words[1]) : std::nullopt;
+        if (!total || *total > mostTreeRegisters || *total < all.size() + reply.lines.size())
             return m_session.unexpected(
-                AXISCOMP_TEXT("Error", "how many registers there are"), reply->words);
-        for (const auto& line : reply->lines) {
+                AXISCOMP_TEXT("Error", "how many registers there are"), reply.words);
+        for (const auto& line : reply.lines) {
             auto reading = parseSerialTreeLine(line);
             if (!reading)
                 return m_session.unexpected(
@@ -185,9 +175,9 @@ Result<std::vector<RegisterReading>> SerialDriveLink::readTree(
         }
         if (all.size() == *total)
             return all;
-        if (reply->lines.empty())
+        if (reply.lines.empty())
             return m_session.unexpected(
-                AXISCOMP_TEXT("Error", "the rest of the registers"), reply->words);
+                AXISCOMP_TEXT("Error", "the rest of the registers"), reply.words);
     }
 }
 
@@ -217,11 +207,9 @@ Result<void> SerialDriveLink::writeRegisters(
 Result<std::vector<DriveFile>> SerialDriveLink::listFiles(const Exchange& exchange)
 {
     ExchangeDeadline running(exchange);
-    const auto reply = m_session.ask("list", SerialSession::Shape::Lines, running);
-    if (!reply)
-        return fail(reply.error());
+    AXISCOMP_TRY(const auto reply, m_session.ask("list", SerialSession::Shape::Lines, running));
     std::vector<DriveFile> files;
-    for (const auto& line : reply->lines) {
+    for (const auto& line : reply.lines) {
         auto file = parseSerialFile(line);
         if (!file)
             return m_session.unexpected(

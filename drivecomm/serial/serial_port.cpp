@@ -148,8 +148,7 @@ Result<void> SerialPortLine::write(ByteView bytes, const ExchangeDeadline& runni
 Result<Bytes> SerialPortLine::read(Clock::time_point until, const ExchangeDeadline& running)
 {
     while (true) {
-        if (auto usable = check(running); !usable)
-            return fail(usable.error());
+        AXISCOMP_CHECK(check(running));
         if (m_port->bytesAvailable() > 0) {
             Bytes bytes(static_cast<std::size_t>(m_port->bytesAvailable()));
             const qint64 count = m_port->read(

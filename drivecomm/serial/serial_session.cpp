@@ -201,12 +201,10 @@ Result<std::string> SerialSession::nextLine(
             }
         }
         m_input.clear();
-        const auto bytes = receive(until, running);
-        if (!bytes)
-            return fail(bytes.error());
-        if (bytes->empty())
+        AXISCOMP_TRY(const auto bytes, receive(until, running));
+        if (bytes.empty())
             return std::string();
-        m_input = asText(*bytes);
+        m_input = asText(bytes);
     }
 }
 
@@ -219,15 +217,13 @@ Result<std::optional<SerialReply>> SerialSession::collect(
     bool isGarbledReply = false;
     auto lastHeard = Clock::now() + m_line.timeFor(request.words.size());
     while (true) {
-        const auto text =
-            nextLine(lastHeard + (isGarbledReply ? garbledPatience : patience), running);
-        if (!text)
-            return fail(text.error());
-        if (text->empty())
+        AXISCOMP_TRY(const auto text,
+            nextLine(lastHeard + (isGarbledReply ? garbledPatience : patience), running));
+        if (text.empty())
             return std::nullopt;
         lastHeard = Clock::now();
-        running.deadline += m_line.timeFor(text->size());
-        SerialLine line = parseSerialLine(*text);
+        running.deadline += m_line.timeFor(text.size());
+        SerialLine line = parseSerialLine(text);
         if (line.state != SerialLine::State::Good || !line.hasCrc) {
             isGarbledReply = true;
             continue;
@@ -284,8 +280,7 @@ Result<SerialReply> SerialSession::repeatUntilAnswered(
 Result<SerialReply> SerialSession::ask(
     const std::string& words, Shape shape, ExchangeDeadline& running)
 {
-    if (auto begun = begin(running); !begun)
-        return fail(begun.error());
+    AXISCOMP_CHECK(begin(running));
     Request request;
     request.number = nextNumber();
     request.words = words;

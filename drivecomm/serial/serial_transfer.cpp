@@ -145,18 +145,16 @@ Result<void> SerialSession::put(const std::string& path, ByteView bytes, Exchang
         + serialCrc32(crc32(bytes));
     std::string history;
     for (int attempt = 0; attempt < attemptsToTransfer; ++attempt) {
-        const auto started = start(words, running);
-        if (!started)
-            return fail(started.error());
+        AXISCOMP_TRY(const auto started, start(words, running));
         ymodem::Sender sender(fileNameOf(path), bytes, Clock::now(), patienceWithDrive());
         const auto sent = transfer(
             sender, [&] { return sender.acknowledged(); }, bytes.size(), running);
         if (!sent) {
-            settle(started->number);
+            settle(started.number);
             return fail(failed(sent.error()));
         }
         if (sender.state() != ymodem::State::Done) {
-            const auto reason = finalError(started->number);
+            const auto reason = finalError(started.number);
             if (reason && !isGarbled(*reason))
                 return fail(failed(*reason));
             history +=
@@ -164,14 +162,14 @@ Result<void> SerialSession::put(const std::string& path, ByteView bytes, Exchang
             continue;
         }
         Request end;
-        end.number = started->number;
+        end.number = started.number;
         end.words = words;
         end.endsTransfer = true;
         const auto reply = repeatUntilAnswered(end, true, running);
         if (reply)
             return {};
         if (reply.error().code == ErrorCode::Protocol) { // "ready": it has forgotten the transfer
-            settle(started->number);
+            settle(started.number);
             return lost(AXISCOMP_TEXT("Error", "the drive began anew"));
         }
         if (!isGarbled(reply.error()))
@@ -184,18 +182,15 @@ Result<void> SerialSession::put(const std::string& path, ByteView bytes, Exchang
 Result<Bytes> SerialSession::take(
     const std::string& path, std::uint64_t limit, ExchangeDeadline& running)
 {
-    if (auto begun = begin(running); !begun)
-        return fail(begun.error());
+    AXISCOMP_CHECK(begin(running));
     std::string history;
     for (int attempt = 0; attempt < attemptsToTransfer; ++attempt) {
-        const auto started = start("take " + serialWord(path), running);
-        if (!started)
-            return fail(started.error());
-        const auto& words = started->reply.words;
+        AXISCOMP_TRY(const auto started, start("take " + serialWord(path), running));
+        const auto& words = started.reply.words;
         const auto size = words.size() == 2 ? parseSerialNumber(words[0]) : std::nullopt;
         const auto crc = words.size() == 2 ? parseSerialNumber(words[1], 16) : std::nullopt;
         if (!size || !crc || *size > limit) {
-            settle(started->number);
+            settle(started.number);
             return unexpected(
                 AXISCOMP_TEXT("Error", "a size of at most {most} and a CRC").with("most", limit),
                 words);
@@ -204,7 +199,7 @@ Result<Bytes> SerialSession::take(
         const auto received = transfer(
             receiver, [&] { return receiver.received(); }, *size, running);
         if (!received) {
-            settle(started->number);
+            settle(started.number);
             return fail(failed(received.error()));
         }
         if (receiver.state() == ymodem::State::Done) {
@@ -215,7 +210,7 @@ Result<Bytes> SerialSession::take(
             history += "the CRC-32 is wrong; ";
             continue;
         }
-        const auto reason = finalError(started->number);
+        const auto reason = finalError(started.number);
         if (reason && !isGarbled(*reason))
             return fail(failed(*reason));
         history +=

@@ -112,13 +112,12 @@ Result<void> loadDemoState(VirtualDrive& drive)
         return fail(file.error());
     if (Result<void> uploaded = drive.upload(slot.file, *file); !uploaded)
         return uploaded;
-    const auto sources = drive.readRegisters({expandPath(registers::masterPosition, {.axis = 0}),
-        expandPath(registers::masterPosition, {.axis = 1})});
-    if (!sources)
-        return fail(sources.error());
+    AXISCOMP_TRY(const auto sources,
+        drive.readRegisters({expandPath(registers::masterPosition, {.axis = 0}),
+            expandPath(registers::masterPosition, {.axis = 1})}));
     const auto source = [&](int n) {
         return RegisterWrite{expandPath(paths.source, {.axis = 0, .n = n + 1}),
-            sources->at(static_cast<std::size_t>(n)).address};
+            sources.at(static_cast<std::size_t>(n)).address};
     };
     return drive.writeRegisters({{expandPath(paths.table, {.axis = 0}), slot.name}, source(0),
         source(1), {paths.saveParameters, profile.enums.saveParametersSave},

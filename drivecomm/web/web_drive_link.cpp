@@ -102,10 +102,8 @@ Result<DriveIdentity> WebDriveLink::identify(const Exchange& exchange)
     if (!name)
         return fail(std::move(name.error()));
     identity.name = std::move(*name);
-    const auto axes = countAxes(running);
-    if (!axes)
-        return fail(axes.error());
-    identity.axes = *axes;
+    AXISCOMP_TRY(const auto axes, countAxes(running));
+    identity.axes = axes;
     return identity;
 }
 
@@ -114,11 +112,9 @@ Result<std::string> WebDriveLink::readName(const ExchangeDeadline& running, std:
     std::vector<std::string> paths{m_profile.registers.serialNumber};
     for (int n = 0; n < m_profile.registers.deviceNameWords; ++n)
         paths.push_back(expandPath(m_profile.registers.deviceName, {{}, {}, n}));
-    const auto readings = read(paths, running);
-    if (!readings)
-        return fail(readings.error());
+    AXISCOMP_TRY(const auto readings, read(paths, running));
     std::vector<std::int32_t> words;
-    for (const RegisterReading& reading : *readings) {
+    for (const RegisterReading& reading : readings) {
         const auto* word = std::get_if<std::int32_t>(&reading.value);
         if (!word) {
             return failed(notExpected(
@@ -155,10 +151,8 @@ Result<int> WebDriveLink::countAxes(const ExchangeDeadline& running)
         int high = first + static_cast<int>(maximumReads);
         while (low < high) {
             const int middle = low + (high - low) / 2;
-            const auto found = hasAxis(middle, running);
-            if (!found)
-                return fail(found.error());
-            (*found ? low : high) = *found ? middle + 1 : middle;
+            AXISCOMP_TRY(const auto found, hasAxis(middle, running));
+            (found ? low : high) = found ? middle + 1 : middle;
         }
         return low;
     }
@@ -214,15 +208,14 @@ Result<std::vector<RegisterReading>> WebDriveLink::readOnce(
         request.target += request.target.find('?') == std::string::npos ? "?path=" : "&path=";
         request.target += percentEncoded(normalisedPath(path));
     }
-    const auto reply = ask(request, {ErrorCode::UnknownRegister, nameOf(paths)}, running);
-    if (!reply)
-        return fail(reply.error());
+    AXISCOMP_TRY(
+        const auto reply, ask(request, {ErrorCode::UnknownRegister, nameOf(paths)}, running));
     const Text expected = AXISCOMP_COUNTED(
         "Error", "a JSON array of {count} registers", "a JSON array of one register")
                               .with("count", paths.size());
-    if (auto json = checkJson(*reply, expected); !json)
+    if (auto json = checkJson(reply, expected); !json)
         return failed(std::move(json.error()));
-    auto readings = parseReadings(reply->body);
+    auto readings = parseReadings(reply.body);
     if (!readings)
         return failed(std::move(readings.error()));
     const bool asAsked = std::ranges::equal(*readings, paths,
@@ -232,7 +225,7 @@ Result<std::vector<RegisterReading>> WebDriveLink::readOnce(
             AXISCOMP_COUNTED("Error", "a JSON array of {count} registers, in the order asked for",
                 "a JSON array of the one register asked for")
                 .with("count", paths.size()),
-            reply->body)
+            reply.body)
                           .value());
     return readings;
 }
@@ -245,12 +238,10 @@ Result<std::vector<RegisterReading>> WebDriveLink::readTree(
     HttpRequest request;
     request.target = m_profile.web.registers + "?prefix=" + percentEncoded(root);
     request.replyLimit = largestTree;
-    const auto reply = ask(request, {ErrorCode::UnknownRegister, root}, running);
-    if (!reply)
-        return fail(reply.error());
-    if (auto json = checkJson(*reply, AXISCOMP_TEXT("Error", "a JSON array of registers")); !json)
+    AXISCOMP_TRY(const auto reply, ask(request, {ErrorCode::UnknownRegister, root}, running));
+    if (auto json = checkJson(reply, AXISCOMP_TEXT("Error", "a JSON array of registers")); !json)
         return failed(std::move(json.error()));
-    auto readings = parseReadings(reply->body);
+    auto readings = parseReadings(reply.body);
     if (!readings)
         return failed(std::move(readings.error()));
     for (const RegisterReading& each : *readings) {
@@ -275,12 +266,11 @@ Result<void> WebDriveLink::writeRegisters(
     request.target = m_profile.web.registers;
     request.contentType = "application/json";
     request.body = {asBytes(json)};
-    const auto reply = ask(request, {ErrorCode::UnknownRegister, nameOf(paths)}, running);
-    if (!reply)
-        return fail(reply.error());
-    if (reply->status != 204 && !reply->body.empty())
+    AXISCOMP_TRY(
+        const auto reply, ask(request, {ErrorCode::UnknownRegister, nameOf(paths)}, running));
+    if (reply.status != 204 && !reply.body.empty())
         return failed(
-            notExpected(AXISCOMP_TEXT("Error", "status 204 without a body"), reply->body).value());
+            notExpected(AXISCOMP_TEXT("Error", "status 204 without a body"), reply.body).value());
     return {};
 }
 
@@ -290,11 +280,9 @@ Result<std::vector<DriveFile>> WebDriveLink::listFiles(const Exchange& exchange)
     HttpRequest request;
     request.target = m_profile.web.directory;
     request.accept = "application/json, text/html;q=0.5";
-    const auto reply = ask(request, {}, running);
-    if (!reply)
-        return fail(reply.error());
-    auto files = reply->contentType == "application/json" ? parseDirectoryJson(reply->body)
-                                                          : parseDirectoryPage(reply->body);
+    AXISCOMP_TRY(const auto reply, ask(request, {}, running));
+    auto files = reply.contentType == "application/json" ? parseDirectoryJson(reply.body)
+                                                         : parseDirectoryPage(reply.body);
     if (!files)
         return failed(std::move(files.error()));
     return files;
@@ -309,20 +297,18 @@ Result<Bytes> WebDriveLink::download(const std::string& path, const Exchange& ex
     request.accept = "application/octet-stream, application/json;q=0.5";
     request.replyLimit = slot ? slot->maximumSize : maximumDownload;
     request.reportsProgress = true;
-    const auto reply = ask(request, {ErrorCode::UnknownFile, path}, running);
-    if (!reply)
-        return fail(reply.error());
-    if (!reply->hasEnd)
+    AXISCOMP_TRY(const auto reply, ask(request, {ErrorCode::UnknownFile, path}, running));
+    if (!reply.hasEnd)
         return failed(
-            notExpected(AXISCOMP_TEXT("Error", "a file with its Content-Length"), reply->body)
+            notExpected(AXISCOMP_TEXT("Error", "a file with its Content-Length"), reply.body)
                 .value());
-    if (reply->contentType == "text/html" || reply->contentType == "application/json")
+    if (reply.contentType == "text/html" || reply.contentType == "application/json")
         return failed(notExpected(
-            AXISCOMP_TEXT("Error", "the bytes of {path}").with("path", path), reply->body)
+            AXISCOMP_TEXT("Error", "the bytes of {path}").with("path", path), reply.body)
                           .value());
-    Bytes bytes(reply->body.size());
+    Bytes bytes(reply.body.size());
     if (!bytes.empty())
-        std::memcpy(bytes.data(), reply->body.data(), bytes.size());
+        std::memcpy(bytes.data(), reply.body.data(), bytes.size());
     return bytes;
 }
 

@@ -128,10 +128,8 @@ void FileActions::saveExport(const QString& path,
         return;
     report(inBackground<Result<void>>([path, table, choices, layout = m_layout]() -> Result<void> {
         const std::string name = QFileInfo(path).fileName().toStdString();
-        const auto exported = axiscomp::exportTable(*table, choices, name, layout);
-        if (!exported)
-            return fail(exported.error());
-        return saveFile(QFileInfo(path).filesystemAbsoluteFilePath(), bytesOf(exported->bytes));
+        AXISCOMP_TRY(const auto exported, axiscomp::exportTable(*table, choices, name, layout));
+        return saveFile(QFileInfo(path).filesystemAbsoluteFilePath(), bytesOf(exported.bytes));
     }));
 }
 

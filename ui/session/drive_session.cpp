@@ -92,10 +92,8 @@ private:
     {
         if (m_compensator)
             return m_compensator.get();
-        auto link = m_factory(m_endpoint);
-        if (!link)
-            return fail(link.error());
-        m_link = std::make_unique<GuardedLink>(std::move(*link), m_shared->isEnding);
+        AXISCOMP_TRY(auto link, m_factory(m_endpoint));
+        m_link = std::make_unique<GuardedLink>(std::move(link), m_shared->isEnding);
         m_compensator = std::make_unique<AxisCompensator>(*m_link, m_profile, m_store);
         return m_compensator.get();
     }

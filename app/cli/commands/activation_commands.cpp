@@ -32,12 +32,10 @@ Result<ExitCode> runActivation(
     const auto before = settledStatus(environment, session, axis);
     if (!before)
         return fail(before.error());
-    auto status = carryOut(session, activation, axis);
-    if (!status)
-        return fail(status.error());
-    environment.print("The compensation of " + axisWords(status->axis) + " of "
-        + driveWords(status->drive) + " is " + status->axis.stateWord + ".\n");
-    Json json = {{"status", toJson(*status)}};
+    AXISCOMP_TRY(auto status, carryOut(session, activation, axis));
+    environment.print("The compensation of " + axisWords(status.axis) + " of "
+        + driveWords(status.drive) + " is " + status.axis.stateWord + ".\n");
+    Json json = {{"status", toJson(status)}};
     if (activation != Activation::Deactivate) {
         const auto proof = session.compensator().prove(axis, proofSamples, session.operation());
         if (!proof && activation == Activation::Activate)
@@ -47,13 +45,13 @@ Result<ExitCode> runActivation(
         if (!proof)
             return fail(proof.error());
         // Output and indices of a moment in which the compensation works.
-        const int dimensions = status->table ? status->table->grid.dimensions() : 0;
+        const int dimensions = status.table ? status.table->grid.dimensions() : 0;
         json["proof"] = toJson(*proof, dimensions);
         environment.print(activation == Activation::Activate
                 ? "\nProof: what the drive adds is what the table says.\n"
                 : "\nProof: the drive looks up where it should; it adds nothing while it "
                   "evaluates.\n");
-        environment.print(proofText(*proof, *status));
+        environment.print(proofText(*proof, status));
     }
     environment.document(json);
     return ExitCode::Done;

@@ -132,13 +132,12 @@ Result<ExitCode> runAxes(Environment& environment, const AxesOptions& options)
     drives.endpoints = namedDrives(options);
     const QtRuntime runtime;
     if (options.find) {
-        const auto sightings = lookForDrives(environment, drives,
-            options.anyBaudRate ? drivecomm::BaudRates::Usual : drivecomm::BaudRates::AsGiven);
-        if (!sightings)
-            return fail(sightings.error());
+        AXISCOMP_TRY(const auto sightings,
+            lookForDrives(environment, drives,
+                options.anyBaudRate ? drivecomm::BaudRates::Usual : drivecomm::BaudRates::AsGiven));
         drives.endpoints.clear();
         std::vector<DriveAnswer> silent;
-        for (const DriveSighting& sighting : *sightings) {
+        for (const DriveSighting& sighting : sightings) {
             if (sighting.drive)
                 drives.endpoints.push_back(sighting.endpoint);
             else

@@ -30,39 +30,31 @@ std::size_t fileCount(const DriveBackup& backup)
 Result<ExitCode> runBackup(Environment& environment, const BackupOptions& options)
 {
     const Output output{options.file, options.drive.command};
-    if (auto possible = checkOutput(environment, output, true); !possible)
-        return fail(possible.error());
+    AXISCOMP_CHECK(checkOutput(environment, output, true));
     return withDrive(
         environment, options.drive, [&](Environment&, CommandSession& session) -> Result<ExitCode> {
-            const auto backup = session.compensator().backup(session.operation());
-            if (!backup)
-                return fail(backup.error());
-            const std::string text = writeBackup(*backup);
-            if (auto written = writeOutput(environment, output, asBytes(text)); !written)
-                return fail(written.error());
-            environment.document({{"output", options.file}, {"axes", backup->axes.size()},
-                {"tables", fileCount(*backup)}, {"bytes", text.size()}});
+            AXISCOMP_TRY(const auto backup, session.compensator().backup(session.operation()));
+            const std::string text = writeBackup(backup);
+            AXISCOMP_CHECK(writeOutput(environment, output, asBytes(text)));
+            environment.document({{"output", options.file}, {"axes", backup.axes.size()},
+                {"tables", fileCount(backup)}, {"bytes", text.size()}});
             if (!output.isStandardOutput())
                 environment.print("Wrote " + options.file + ": "
-                    + plural(backup->axes.size(), "axis", "axes") + ", "
-                    + plural(fileCount(*backup), "table", "tables") + ".\n");
+                    + plural(backup.axes.size(), "axis", "axes") + ", "
+                    + plural(fileCount(backup), "table", "tables") + ".\n");
             return ExitCode::Done;
         });
 }
 
 Result<ExitCode> runRestore(Environment& environment, const BackupOptions& options)
 {
-    const auto bytes = loadFile(options.file, maximumBackupSize);
-    if (!bytes)
-        return fail(bytes.error());
-    const auto backup = readBackup(asText(*bytes), options.file);
-    if (!backup)
-        return fail(backup.error());
+    AXISCOMP_TRY(const auto bytes, loadFile(options.file, maximumBackupSize));
+    AXISCOMP_TRY(const auto backup, readBackup(asText(bytes), options.file));
     return withDrive(
         environment, options.drive, [&](Environment&, CommandSession& session) -> Result<ExitCode> {
             const WriteInterruption interruption(environment);
             const auto reports =
-                session.compensator().restore(*backup, options.force, session.operation());
+                session.compensator().restore(backup, options.force, session.operation());
             environment.console().clearProgress();
             if (!reports)
                 return fail(reports.error());

@@ -33,10 +33,8 @@ Result<CalibrationData> chosenTables(
     const bool wantsAll =
         to.mostColumns != 1 && options.input.table.empty() && options.name.empty();
     if (!wantsAll) {
-        const auto index = chooseTable(data, options.input);
-        if (!index)
-            return fail(index.error());
-        CompensationTable chosen = std::move(data.tables[*index]);
+        AXISCOMP_TRY(const auto index, chooseTable(data, options.input));
+        CompensationTable chosen = std::move(data.tables[index]);
         data.tables.clear();
         data.tables.push_back(std::move(chosen));
     }
@@ -48,17 +46,15 @@ Result<CalibrationData> chosenTables(
 Result<Bytes> encodeTable(Environment& environment, const ConvertOptions& options,
     const CompensationTable& table, bool persistent)
 {
-    auto profile = profileOf(options.input.profile);
-    if (!profile)
-        return fail(profile.error());
-    const auto& place = profile->layout.place(TableField::Name);
+    AXISCOMP_TRY(auto profile, profileOf(options.input.profile));
+    const auto& place = profile.layout.place(TableField::Name);
     if (!options.name.empty() && !place)
-        environment.warn("the table layout of profile " + profile->name
+        environment.warn("the table layout of profile " + profile.name
             + " has no room for a name: it is left out");
     else if (place && table.name.size() > place->byteCount())
         environment.warn("the name of the table is cut to " + std::to_string(place->byteCount())
             + " bytes: " + table.name);
-    return encodeTamTable(table, persistent, profile->layout);
+    return encodeTamTable(table, persistent, profile.layout);
 }
 
 Result<Bytes> encodeAs(Environment& environment, const ConvertOptions& options,
@@ -76,29 +72,24 @@ Result<ExitCode> convertOwn(Environment& environment, const ConvertOptions& opti
     const TableFormat& to, TableInput input)
 {
     const Output output{options.output, options.input.command};
-    auto data = chosenTables(std::move(*input.data), options, to.facts);
-    if (!data)
-        return fail(data.error());
+    AXISCOMP_TRY(auto data, chosenTables(std::move(*input.data), options, to.facts));
     const bool persistent = options.persistent || (input.persistent && !options.isVolatile);
-    auto bytes = encodeAs(environment, options, to, *data, persistent);
-    if (!bytes)
-        return fail(bytes.error());
-    if (auto written = writeOutput(environment, output, *bytes); !written)
-        return fail(written.error());
+    AXISCOMP_TRY(auto bytes, encodeAs(environment, options, to, data, persistent));
+    AXISCOMP_CHECK(writeOutput(environment, output, bytes));
 
     Json tables = Json::array();
-    for (const CompensationTable& table : data->tables)
+    for (const CompensationTable& table : data.tables)
         tables.push_back(toJson(table));
     environment.document({{"input", options.input.file}, {"output", options.output},
         {"from", input.format->facts.name}, {"to", to.facts.name},
-        {"dimensions", data->grid.dimensions()}, {"axes", toJson(data->grid)},
+        {"dimensions", data.grid.dimensions()}, {"axes", toJson(data.grid)},
         {"tables", std::move(tables)}, {"persistent", persistent && to.facts.holdsPersistency},
-        {"bytes", bytes->size()}});
+        {"bytes", bytes.size()}});
     if (!output.isStandardOutput())
         environment.print("Wrote " + options.output + ": " + std::string(to.facts.name) + ", "
-            + plural(data->tables.size(), "table", "tables") + ", "
-            + plural(data->grid.pointCount(), "point", "points") + ", "
-            + plural(bytes->size(), "byte", "bytes") + ".\n");
+            + plural(data.tables.size(), "table", "tables") + ", "
+            + plural(data.grid.pointCount(), "point", "points") + ", "
+            + plural(bytes.size(), "byte", "bytes") + ".\n");
     return ExitCode::Done;
 }
 
@@ -114,10 +105,8 @@ Result<std::vector<NeutralTable>> chosenColumns(
     const bool holdsAll = (to.mostColumns != 1 || columns.size() == whole.size())
         && (to.mostTables != 1 || whole.size() == 1);
     if (!holdsAll || !options.input.table.empty()) {
-        const auto index = chooseColumn(columns, options.input);
-        if (!index)
-            return fail(index.error());
-        whole = {columns[*index]};
+        AXISCOMP_TRY(const auto index, chooseColumn(columns, options.input));
+        whole = {columns[index]};
     }
     if (!options.name.empty()) {
         whole.front().name = options.name;
@@ -142,31 +131,22 @@ Result<ExitCode> convertOther(Environment& environment, const ConvertOptions& op
     const TableFormat& to, const TableInput& input)
 {
     const Output output{options.output, options.input.command};
-    const auto tables = chosenColumns(input, options, to.facts);
-    if (!tables)
-        return fail(tables.error());
-    auto request =
-        conversionRequest(options.conversion, *input.format, to, tables->front().axes.size());
-    if (!request)
-        return fail(request.error());
-    auto profile = profileOf(options.input.profile);
-    if (!profile)
-        return fail(profile.error());
-    request->writing.layout = &profile->layout;
-    request->writing.fileName = std::filesystem::path(options.output).filename().string();
+    AXISCOMP_TRY(const auto tables, chosenColumns(input, options, to.facts));
+    AXISCOMP_TRY(auto request,
+        conversionRequest(options.conversion, *input.format, to, tables.front().axes.size()));
+    AXISCOMP_TRY(auto profile, profileOf(options.input.profile));
+    request.writing.layout = &profile.layout;
+    request.writing.fileName = std::filesystem::path(options.output).filename().string();
     if (to.facts.holdsPersistency
         && (options.persistent || (input.persistent && !options.isVolatile)))
-        request->writing.settings["persistent"] = "yes";
-    const auto conversion = convertTables(*tables, *request);
-    if (!conversion)
-        return fail(conversion.error());
-    const ByteView bytes = asBytes(conversion->written.bytes);
-    if (auto written = writeOutput(environment, output, bytes); !written)
-        return fail(written.error());
+        request.writing.settings["persistent"] = "yes";
+    AXISCOMP_TRY(const auto conversion, convertTables(tables, request));
+    const ByteView bytes = asBytes(conversion.written.bytes);
+    AXISCOMP_CHECK(writeOutput(environment, output, bytes));
 
-    const std::vector<std::string> report = englishOf(conversionReport(*conversion, *request));
+    const std::vector<std::string> report = englishOf(conversionReport(conversion, request));
     Json results = Json::array();
-    for (const TableConversion& table : conversion->tables)
+    for (const TableConversion& table : conversion.tables)
         results.push_back(conversionJson(table));
     environment.document({{"input", options.input.file}, {"output", options.output},
         {"from", input.format->facts.name}, {"to", to.facts.name}, {"tables", std::move(results)},
@@ -174,7 +154,7 @@ Result<ExitCode> convertOther(Environment& environment, const ConvertOptions& op
     if (output.isStandardOutput())
         return ExitCode::Done;
     environment.print("Wrote " + options.output + ": " + std::string(to.facts.name) + ", "
-        + plural(conversion->tables.size(), "table", "tables") + ", "
+        + plural(conversion.tables.size(), "table", "tables") + ", "
         + plural(bytes.size(), "byte", "bytes") + ".\n");
     for (const std::string& line : report)
         environment.print("  " + line + "\n");
@@ -184,23 +164,18 @@ Result<ExitCode> convertOther(Environment& environment, const ConvertOptions& op
 Result<ExitCode> runConvert(Environment& environment, const ConvertOptions& options)
 {
     const Output output{options.output, options.input.command};
-    const auto to = outputFormat(options.output, options.to);
-    if (!to)
-        return fail(to.error());
-    const FormatFacts& format = (*to)->facts;
-    if (auto possible = checkOutput(environment, output, format.isText); !possible)
-        return fail(possible.error());
+    AXISCOMP_TRY(const auto to, outputFormat(options.output, options.to));
+    const FormatFacts& format = to->facts;
+    AXISCOMP_CHECK(checkOutput(environment, output, format.isText));
     if ((options.persistent || options.isVolatile) && !format.holdsPersistency)
         return wrongUsage(std::string(format.name) + " cannot say whether a table is persistent",
             options.input.command);
     TableInputOptions inputOptions = options.input;
     inputOptions.acceptsUneven = options.conversion.resamples() || format.knots == KnotRule::Any;
-    auto input = readInput(environment, inputOptions);
-    if (!input)
-        return fail(input.error());
-    if (!input->data || !isTriamec(**to) || options.conversion.isAnything())
-        return convertOther(environment, options, **to, *input);
-    return convertOwn(environment, options, **to, *std::move(input));
+    AXISCOMP_TRY(auto input, readInput(environment, inputOptions));
+    if (!input.data || !isTriamec(*to) || options.conversion.isAnything())
+        return convertOther(environment, options, *to, input);
+    return convertOwn(environment, options, *to, std::move(input));
 }
 
 } // namespace

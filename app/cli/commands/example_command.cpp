@@ -18,11 +18,9 @@ struct ExampleOptions {
 Result<ExitCode> runExample(Environment& environment, const ExampleOptions& options)
 {
     const Output output{options.output, commandName("example")};
-    if (auto possible = checkOutput(environment, output, true); !possible)
-        return fail(possible.error());
+    AXISCOMP_CHECK(checkOutput(environment, output, true));
     const std::string text = exampleCalibrationCsv(options.dimensions, options.tables);
-    if (auto written = writeOutput(environment, output, asBytes(text)); !written)
-        return fail(written.error());
+    AXISCOMP_CHECK(writeOutput(environment, output, asBytes(text)));
     if (!output.isStandardOutput())
         environment.print("Wrote " + options.output + ".\n");
     environment.document({{"output", options.output}, {"dimensions", options.dimensions},

@@ -61,11 +61,9 @@ std::string listText()
 Result<ExitCode> runFormats(Environment& environment, const FormatsOptions& options)
 {
     if (!options.name.empty()) {
-        const auto format = formatNamed(options.name);
-        if (!format)
-            return fail(format.error());
-        environment.print(formatText(**format));
-        environment.document(formatJson(**format));
+        AXISCOMP_TRY(const auto format, formatNamed(options.name));
+        environment.print(formatText(*format));
+        environment.document(formatJson(*format));
         return ExitCode::Done;
     }
     Json list = Json::array();

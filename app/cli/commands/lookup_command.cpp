@@ -87,14 +87,10 @@ Result<ExitCode> answer(Environment& environment, const LookupOptions& options,
         if (!answered)
             return fail(answered.error());
     } else {
-        const auto position = positionOf(options, evaluation.dimensions);
-        if (!position)
-            return fail(position.error());
-        const auto value = evaluation.at(*position);
-        if (!value)
-            return fail(value.error());
-        environment.print(floatText(*value) + "\n");
-        results.push_back({{"position", *position}, {"value", *value}});
+        AXISCOMP_TRY(const auto position, positionOf(options, evaluation.dimensions));
+        AXISCOMP_TRY(const auto value, evaluation.at(position));
+        environment.print(floatText(value) + "\n");
+        results.push_back({{"position", position}, {"value", value}});
     }
     described["results"] = std::move(results);
     environment.document(described);
@@ -104,10 +100,8 @@ Result<ExitCode> answer(Environment& environment, const LookupOptions& options,
 Result<ExitCode> lookUpForDrive(
     Environment& environment, const LookupOptions& options, const CalibrationData& data)
 {
-    const auto index = chooseTable(data, options.input);
-    if (!index)
-        return fail(index.error());
-    const CompensationTable& table = data.tables[*index];
+    AXISCOMP_TRY(const auto index, chooseTable(data, options.input));
+    const CompensationTable& table = data.tables[index];
     const std::string outside = options.outside.empty() ? "hold" : options.outside;
     return answer(environment, options, driveEvaluation(table, outsideNames.at(outside)),
         {{"file", options.input.file}, {"table", toJson(table)}, {"outside", outside}});
@@ -117,32 +111,24 @@ Result<ExitCode> lookUpForDrive(
 Result<ExitCode> lookUpForController(
     Environment& environment, const LookupOptions& options, const TableInput& input)
 {
-    const auto as =
-        options.as.empty() ? Result<const TableFormat*>(input.format) : formatNamed(options.as);
-    if (!as)
-        return fail(as.error());
+    AXISCOMP_TRY(const auto as,
+        options.as.empty() ? Result<const TableFormat*>(input.format) : formatNamed(options.as));
     const std::vector<NeutralTable> columns = neutralColumns(input);
-    const auto index = chooseColumn(columns, options.input);
-    if (!index)
-        return fail(index.error());
-    NeutralTable table = columns[*index];
-    if (*as != input.format || options.conversion.isAnything()) {
-        const auto request =
-            conversionRequest(options.conversion, *input.format, **as, table.axes.size());
-        if (!request)
-            return fail(request.error());
+    AXISCOMP_TRY(const auto index, chooseColumn(columns, options.input));
+    NeutralTable table = columns[index];
+    if (as != input.format || options.conversion.isAnything()) {
+        AXISCOMP_TRY(const auto request,
+            conversionRequest(options.conversion, *input.format, *as, table.axes.size()));
         const NeutralTable tables[] = {table};
-        auto conversion = convertTables(tables, *request);
-        if (!conversion)
-            return fail(conversion.error());
-        table = std::move(conversion->written.held.front());
+        AXISCOMP_TRY(auto conversion, convertTables(tables, request));
+        table = std::move(conversion.written.held.front());
     }
     if (table.columns.size() > 1)
         return wrongUsage("the table has a value for each direction of motion: choose one with "
                           "--direction positive or negative, or mean",
             options.input.command);
-    return answer(environment, options, controllerEvaluation(table, (*as)->facts.behaviour),
-        {{"file", options.input.file}, {"as", (*as)->facts.name}, {"sign", signName(table.sign)},
+    return answer(environment, options, controllerEvaluation(table, as->facts.behaviour),
+        {{"file", options.input.file}, {"as", as->facts.name}, {"sign", signName(table.sign)},
             {"column", columnText(table, table.columns.front()).english()},
             {"unit", table.columns.front().unit}});
 }

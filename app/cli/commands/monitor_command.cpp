@@ -136,10 +136,8 @@ private:
 Result<ExitCode> runMonitor(
     Environment& environment, CommandSession& session, int axis, const MonitorOptions& options)
 {
-    const auto status = session.compensator().status(axis, session.operation());
-    if (!status)
-        return fail(status.error());
-    return Monitor(environment, session, *status).run(options);
+    AXISCOMP_TRY(const auto status, session.compensator().status(axis, session.operation()));
+    return Monitor(environment, session, status).run(options);
 }
 
 } // namespace

@@ -37,59 +37,49 @@ Result<ReadTable> readAsTamTable(CommandSession& session, const AxisStatus& stat
     const TableSlot* const slot = session.profile().slotNamed(status.setup.slot);
     if (!slot || !status.table)
         return fail(ErrorCode::NoTable, {{"axis", std::to_string(status.axis.index)}});
-    auto bytes = session.compensator().download(slot->file, session.operation());
-    if (!bytes)
-        return fail(bytes.error());
-    auto decoded = decodeTamTable(*bytes, session.profile().layout);
-    if (!decoded)
-        return fail(decoded.error());
-    return ReadTable{std::move(decoded->table), std::move(*bytes)};
+    AXISCOMP_TRY(auto bytes, session.compensator().download(slot->file, session.operation()));
+    AXISCOMP_TRY(auto decoded, decodeTamTable(bytes, session.profile().layout));
+    return ReadTable{std::move(decoded.table), std::move(bytes)};
 }
 
 Result<ReadTable> readAsCsv(CommandSession& session, const AxisStatus& status)
 {
-    auto table = session.compensator().readTable(status.axis.index, session.operation());
-    if (!table)
-        return fail(table.error());
+    AXISCOMP_TRY(
+        auto table, session.compensator().readTable(status.axis.index, session.operation()));
     // A table file has no names, but a CSV file is read by people.
-    for (std::size_t n = 0; n < table->grid.axes.size(); ++n)
-        table->grid.axes[n].name = "Dim " + std::to_string(n + 1);
-    if (table->name.empty())
-        table->name = "Table";
-    CalibrationData data{table->grid, {*table}, {}};
+    for (std::size_t n = 0; n < table.grid.axes.size(); ++n)
+        table.grid.axes[n].name = "Dim " + std::to_string(n + 1);
+    if (table.name.empty())
+        table.name = "Table";
+    CalibrationData data{table.grid, {table}, {}};
     data.notes.push_back("read from " + driveWords(status.drive) + ", " + axisWords(status.axis)
         + ", slot " + status.setup.slot);
     const std::string text = writeCalibrationCsv(data);
     const ByteView view = asBytes(text);
-    return ReadTable{std::move(*table), Bytes(view.begin(), view.end())};
+    return ReadTable{std::move(table), Bytes(view.begin(), view.end())};
 }
 
 /// For another controller: what the axis uses, converted; the report goes to standard error.
 Result<ReadTable> readAsOther(Environment& environment, CommandSession& session,
     const AxisStatus& status, const ReadOptions& options, const TableFormat& to)
 {
-    auto table = session.compensator().readTable(status.axis.index, session.operation());
-    if (!table)
-        return fail(table.error());
+    AXISCOMP_TRY(
+        auto table, session.compensator().readTable(status.axis.index, session.operation()));
     const std::string unit = unitSymbol(status.axis.unit);
-    NeutralTable neutral = neutralTable({table->grid, {*table}, {}});
+    NeutralTable neutral = neutralTable({table.grid, {table}, {}});
     neutral.columns.front().unit = unit;
     if (neutral.axes.size() == 1)
         neutral.axes.front().unit = unit;
-    auto request =
-        conversionRequest(options.conversion, tam_table::format(), to, neutral.axes.size());
-    if (!request)
-        return fail(request.error());
-    request->writing.layout = &session.profile().layout;
-    request->writing.fileName = std::filesystem::path(options.output).filename().string();
+    AXISCOMP_TRY(auto request,
+        conversionRequest(options.conversion, tam_table::format(), to, neutral.axes.size()));
+    request.writing.layout = &session.profile().layout;
+    request.writing.fileName = std::filesystem::path(options.output).filename().string();
     const NeutralTable tables[] = {std::move(neutral)};
-    const auto conversion = convertTables(tables, *request);
-    if (!conversion)
-        return fail(conversion.error());
-    for (const Text& line : conversionReport(*conversion, *request))
+    AXISCOMP_TRY(const auto conversion, convertTables(tables, request));
+    for (const Text& line : conversionReport(conversion, request))
         environment.console().note(options.output + ": " + line.english());
-    const ByteView view = asBytes(conversion->written.bytes);
-    return ReadTable{*std::move(table), Bytes(view.begin(), view.end())};
+    const ByteView view = asBytes(conversion.written.bytes);
+    return ReadTable{std::move(table), Bytes(view.begin(), view.end())};
 }
 
 Result<ExitCode> runRead(Environment& environment, const ReadOptions& options)
@@ -101,31 +91,26 @@ Result<ExitCode> runRead(Environment& environment, const ReadOptions& options)
     if (!format)
         return fail(format.error());
     const FormatFacts& info = (*format)->facts;
-    if (auto possible = checkOutput(environment, output, info.isText); !possible)
-        return fail(possible.error());
+    AXISCOMP_CHECK(checkOutput(environment, output, info.isText));
     const bool isOther = !isTriamec(**format);
     if (!isOther && options.conversion.isAnything())
         return wrongUsage("the table is handed out as the drive has it: convert it afterwards",
             options.drive.command);
     const auto read = [&](Environment& same, CommandSession& session,
                           int axis) -> Result<ExitCode> {
-        const auto status = session.compensator().status(axis, session.operation());
-        if (!status)
-            return fail(status.error());
-        auto table = isOther ? readAsOther(same, session, *status, options, **format)
-            : *format == &tam_table::format() ? readAsTamTable(session, *status)
-                                              : readAsCsv(session, *status);
-        if (!table)
-            return fail(table.error());
-        if (auto written = writeOutput(environment, output, table->file); !written)
-            return fail(written.error());
+        AXISCOMP_TRY(const auto status, session.compensator().status(axis, session.operation()));
+        AXISCOMP_TRY(auto table,
+            isOther ? readAsOther(same, session, status, options, **format)
+                : *format == &tam_table::format() ? readAsTamTable(session, status)
+                                                  : readAsCsv(session, status));
+        AXISCOMP_CHECK(writeOutput(environment, output, table.file));
         environment.document({{"output", options.output}, {"format", info.name},
-            {"bytes", table->file.size()}, {"axes", toJson(table->table.grid)},
-            {"table", toJson(table->table)}, {"status", toJson(*status)}});
+            {"bytes", table.file.size()}, {"axes", toJson(table.table.grid)},
+            {"table", toJson(table.table)}, {"status", toJson(status)}});
         if (!output.isStandardOutput())
-            environment.print("Wrote " + options.output + ": the table of "
-                + axisWords(status->axis) + " in " + status->setup.slot + ", "
-                + plural(table->table.values.size(), "value", "values") + ".\n");
+            environment.print("Wrote " + options.output + ": the table of " + axisWords(status.axis)
+                + " in " + status.setup.slot + ", "
+                + plural(table.table.values.size(), "value", "values") + ".\n");
         return ExitCode::Done;
     };
     return withAxis(environment, options.drive, read);

@@ -11,23 +11,19 @@ namespace {
 
 Result<ExitCode> runStatus(Environment& environment, CommandSession& session, int axis)
 {
-    const auto settled = settledStatus(environment, session, axis);
-    if (!settled)
-        return fail(settled.error());
-    const auto flash = session.compensator().flashUse(session.operation());
-    if (!flash)
-        return fail(flash.error());
+    AXISCOMP_TRY(const auto settled, settledStatus(environment, session, axis));
+    AXISCOMP_TRY(const auto flash, session.compensator().flashUse(session.operation()));
 
-    Json json = toJson(settled->status);
-    json["flash"] = toJson(*flash);
-    if (settled->isBeingWritten)
+    Json json = toJson(settled.status);
+    json["flash"] = toJson(flash);
+    if (settled.isBeingWritten)
         json["isBeingWritten"] = true;
-    if (settled->settled)
+    if (settled.settled)
         json["unfinishedWrite"] =
-            unfinishedToJson(settled->settled->entry, settled->settled->outcome);
+            unfinishedToJson(settled.settled->entry, settled.settled->outcome);
     environment.document(json);
-    environment.print(statusText(settled->status, session.profile()));
-    environment.print("\n" + flashText(*flash));
+    environment.print(statusText(settled.status, session.profile()));
+    environment.print("\n" + flashText(flash));
     return ExitCode::Done;
 }
 

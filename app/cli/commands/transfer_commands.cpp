@@ -29,12 +29,10 @@ std::string slotOf(const CommandSession& session, const std::string& path)
 
 Result<ExitCode> runFiles(Environment& environment, CommandSession& session)
 {
-    const auto files = session.compensator().files(session.operation());
-    if (!files)
-        return fail(files.error());
+    AXISCOMP_TRY(const auto files, session.compensator().files(session.operation()));
     TextTable table({"file", "slot", ">size", ">maximum size"});
     Json list = Json::array();
-    for (const DriveFile& file : *files) {
+    for (const DriveFile& file : files) {
         table.add({file.path, slotOf(session, file.path),
             file.size == 0 ? "empty" : countText(file.size), countText(file.maximumSize)});
         list.push_back(toJson(file));
@@ -46,25 +44,22 @@ Result<ExitCode> runFiles(Environment& environment, CommandSession& session)
 
 Result<ExitCode> runUpload(Environment& environment, const TransferOptions& options)
 {
-    const auto bytes = loadFile(options.file, maximumUpload);
-    if (!bytes)
-        return fail(bytes.error());
+    AXISCOMP_TRY(const auto bytes, loadFile(options.file, maximumUpload));
     return withDrive(
         environment, options.drive, [&](Environment&, CommandSession& session) -> Result<ExitCode> {
             const WriteInterruption interruption(environment);
-            auto uploaded = session.compensator().upload(options.path, *bytes, session.operation());
-            if (!uploaded)
-                return fail(uploaded.error());
+            AXISCOMP_TRY(auto uploaded,
+                session.compensator().upload(options.path, bytes, session.operation()));
             environment.document({{"input", options.file}, {"path", options.path},
-                {"bytes", bytes->size()}, {"verified", true}, {"backup", uploaded->string()}});
-            if (uploaded->empty())
+                {"bytes", bytes.size()}, {"verified", true}, {"backup", uploaded.string()}});
+            if (uploaded.empty())
                 environment.print(
                     options.path + " holds exactly this already: nothing was sent.\n");
             else
                 environment.print("Uploaded " + options.file + " to " + options.path + ": "
-                    + plural(bytes->size(), "byte", "bytes")
+                    + plural(bytes.size(), "byte", "bytes")
                     + ", every one read back and compared.\nBackup of the old file: "
-                    + uploaded->string() + "\n");
+                    + uploaded.string() + "\n");
             return ExitCode::Done;
         });
 }
@@ -72,20 +67,17 @@ Result<ExitCode> runUpload(Environment& environment, const TransferOptions& opti
 Result<ExitCode> runDownload(Environment& environment, const TransferOptions& options)
 {
     const Output output{options.file, options.drive.command};
-    if (auto possible = checkOutput(environment, output, false); !possible)
-        return fail(possible.error());
+    AXISCOMP_CHECK(checkOutput(environment, output, false));
     return withDrive(
         environment, options.drive, [&](Environment&, CommandSession& session) -> Result<ExitCode> {
-            const auto bytes = session.compensator().download(options.path, session.operation());
-            if (!bytes)
-                return fail(bytes.error());
-            if (auto written = writeOutput(environment, output, *bytes); !written)
-                return fail(written.error());
+            AXISCOMP_TRY(const auto bytes,
+                session.compensator().download(options.path, session.operation()));
+            AXISCOMP_CHECK(writeOutput(environment, output, bytes));
             environment.document(
-                {{"path", options.path}, {"output", options.file}, {"bytes", bytes->size()}});
+                {{"path", options.path}, {"output", options.file}, {"bytes", bytes.size()}});
             if (!output.isStandardOutput())
                 environment.print("Wrote " + options.file + ": " + options.path + ", "
-                    + plural(bytes->size(), "byte", "bytes") + ".\n");
+                    + plural(bytes.size(), "byte", "bytes") + ".\n");
             return ExitCode::Done;
         });
 }

@@ -55,10 +55,8 @@ Result<std::vector<std::string>> givenSources(const WriteOptions& options)
 Result<WriteRequest> requestWithoutTable(const WriteOptions& options)
 {
     WriteRequest request;
-    auto sources = givenSources(options);
-    if (!sources)
-        return fail(sources.error());
-    request.sources = std::move(*sources);
+    AXISCOMP_TRY(auto sources, givenSources(options));
+    request.sources = std::move(sources);
     if (options.persistent || options.isVolatile)
         request.persistency = options.persistent ? Persistency::Persistent : Persistency::Volatile;
     return request;
@@ -86,13 +84,9 @@ Result<WriteRequest> requestOf(Environment& environment, const WriteOptions& opt
         return request;
     }
     TableInputOptions inputOptions;
-    auto input = readData(environment, options, inputOptions);
-    if (!input)
-        return fail(input.error());
-    auto table = driveTable(environment, *input, inputOptions, options.conversion);
-    if (!table)
-        return fail(table.error());
-    request->table = *std::move(table);
+    AXISCOMP_TRY(auto input, readData(environment, options, inputOptions));
+    AXISCOMP_TRY(auto table, driveTable(environment, input, inputOptions, options.conversion));
+    request->table = std::move(table);
     request->dimensionality = request->table->grid.dimensions();
     return request;
 }
@@ -107,24 +101,18 @@ Result<std::vector<MappedColumn>> mappedColumns(
     Environment& environment, const WriteOptions& options)
 {
     TableInputOptions inputOptions;
-    const auto input = readData(environment, options, inputOptions);
-    if (!input)
-        return fail(input.error());
+    AXISCOMP_TRY(const auto input, readData(environment, options, inputOptions));
     std::vector<MappedColumn> columns;
     for (const std::string& pair : options.map) {
         const std::size_t equals = pair.rfind('=');
         if (equals == std::string::npos || equals == 0 || equals + 1 == pair.size())
             return wrongUsage("\"" + pair + "\" is no COLUMN=AXIS", options.drive.command);
         inputOptions.table = pair.substr(0, equals);
-        auto table = driveTable(environment, *input, inputOptions, options.conversion);
-        if (!table)
-            return fail(table.error());
-        auto request = requestWithoutTable(options);
-        if (!request)
-            return fail(request.error());
-        request->dimensionality = table->grid.dimensions();
-        request->table = *std::move(table);
-        columns.push_back({pair.substr(equals + 1), *std::move(request)});
+        AXISCOMP_TRY(auto table, driveTable(environment, input, inputOptions, options.conversion));
+        AXISCOMP_TRY(auto request, requestWithoutTable(options));
+        request.dimensionality = table.grid.dimensions();
+        request.table = std::move(table);
+        columns.push_back({pair.substr(equals + 1), std::move(request)});
     }
     return columns;
 }
@@ -143,14 +131,11 @@ Result<ExitCode> writeMapped(Environment& environment, CommandSession& session,
 {
     std::vector<AxisWrite> writes;
     for (const MappedColumn& column : columns) {
-        const auto axis = session.compensator().findAxis(column.axis, session.operation());
-        if (!axis)
-            return fail(axis.error());
-        writes.push_back({*axis, column.request});
+        AXISCOMP_TRY(
+            const auto axis, session.compensator().findAxis(column.axis, session.operation()));
+        writes.push_back({axis, column.request});
     }
-    if (const auto plans = planMultiAxis(session.compensator(), writes, session.operation());
-        !plans)
-        return fail(plans.error());
+    AXISCOMP_CHECK(planMultiAxis(session.compensator(), writes, session.operation()));
     Json documents = Json::array();
     for (std::size_t n = 0; n < writes.size(); ++n) {
         if (n > 0)
@@ -175,11 +160,9 @@ Result<ExitCode> runMapped(Environment& environment, const WriteOptions& options
     if (options.input.file.empty())
         return wrongUsage("--map says which column of --data FILE is for which axis: give --data",
             options.drive.command);
-    const auto columns = mappedColumns(environment, options);
-    if (!columns)
-        return fail(columns.error());
+    AXISCOMP_TRY(const auto columns, mappedColumns(environment, options));
     return withDrive(environment, options.drive, [&](Environment& same, CommandSession& session) {
-        return writeMapped(same, session, *columns, options.isDryRun);
+        return writeMapped(same, session, columns, options.isDryRun);
     });
 }
 
@@ -188,20 +171,17 @@ Result<ExitCode> runWriteCommand(Environment& environment, const WriteOptions& o
     if (!options.map.empty())
         return runMapped(environment, options);
     // The file first: a bad one is said even when no drive is there.
-    auto request = requestOf(environment, options);
-    if (!request)
-        return fail(request.error());
+    AXISCOMP_TRY(auto request, requestOf(environment, options));
     return withAxis(environment, options.drive,
         [&](Environment& sameEnvironment, CommandSession& session, int axis) -> Result<ExitCode> {
             if (!options.slot.empty())
-                request->slot = slotName(session.profile(), options.slot);
-            if (request->dimensionality == 0) {
-                const auto now = session.compensator().status(axis, session.operation());
-                if (!now)
-                    return fail(now.error());
-                request->dimensionality = now->setup.dimensionality;
+                request.slot = slotName(session.profile(), options.slot);
+            if (request.dimensionality == 0) {
+                AXISCOMP_TRY(
+                    const auto now, session.compensator().status(axis, session.operation()));
+                request.dimensionality = now.setup.dimensionality;
             }
-            return runWrite(sameEnvironment, session, axis, *request, options.isDryRun);
+            return runWrite(sameEnvironment, session, axis, request, options.isDryRun);
         });
 }
 
@@ -294,13 +274,12 @@ void addPersistencyCommands(CommandLine& line)
                 return withAxis(environment, *options,
                     [persistency](Environment& sameEnvironment, CommandSession& session,
                         int axis) -> Result<ExitCode> {
-                        const auto now = session.compensator().status(axis, session.operation());
-                        if (!now)
-                            return fail(now.error());
-                        if (!now->table)
+                        AXISCOMP_TRY(const auto now,
+                            session.compensator().status(axis, session.operation()));
+                        if (!now.table)
                             return fail(ErrorCode::NoTable, {{"axis", std::to_string(axis)}});
                         WriteRequest request;
-                        request.dimensionality = now->setup.dimensionality;
+                        request.dimensionality = now.setup.dimensionality;
                         request.persistency = persistency;
                         return runWrite(sameEnvironment, session, axis, request, false);
                     });

@@ -47,18 +47,16 @@ Result<ResamplingRequest> gridRequest(const ConversionOptions& options, std::siz
     request.holdsEnds = options.holdsEnds;
     request.axes.resize(dimensions);
     if (!options.points.empty()) {
-        const auto points = perAxis(options.points, dimensions, "--points", options.command);
-        if (!points)
-            return fail(points.error());
+        AXISCOMP_TRY(
+            const auto points, perAxis(options.points, dimensions, "--points", options.command));
         for (std::size_t n = 0; n < dimensions; ++n)
-            request.axes[n].points = (*points)[n];
+            request.axes[n].points = points[n];
         return request;
     }
-    const auto distances = perAxis(options.distances, dimensions, "--distance", options.command);
-    if (!distances)
-        return fail(distances.error());
+    AXISCOMP_TRY(const auto distances,
+        perAxis(options.distances, dimensions, "--distance", options.command));
     for (std::size_t n = 0; n < dimensions; ++n)
-        request.axes[n].distance = (*distances)[n];
+        request.axes[n].distance = distances[n];
     return request;
 }
 
@@ -153,15 +151,11 @@ Result<ConversionRequest> conversionRequest(const ConversionOptions& options,
         request.resampling = WantedDeviation{
             *options.within, isCubic ? ResamplingMethod::MonotoneCubic : ResamplingMethod::Linear};
     } else if (options.resamples()) {
-        auto grid = gridRequest(options, dimensions);
-        if (!grid)
-            return fail(grid.error());
-        request.resampling = *std::move(grid);
+        AXISCOMP_TRY(auto grid, gridRequest(options, dimensions));
+        request.resampling = std::move(grid);
     }
-    auto settings = settingsOf(options.settings, options.command);
-    if (!settings)
-        return fail(settings.error());
-    request.writing.settings = *std::move(settings);
+    AXISCOMP_TRY(auto settings, settingsOf(options.settings, options.command));
+    request.writing.settings = std::move(settings);
     return request;
 }
 
@@ -169,28 +163,20 @@ Result<CompensationTable> driveTable(Environment& environment, const TableInput&
     const TableInputOptions& inputOptions, const ConversionOptions& options)
 {
     if (input.data && !options.isAnything()) {
-        const auto index = chooseTable(*input.data, inputOptions);
-        if (!index)
-            return fail(index.error());
-        return input.data->tables[*index];
+        AXISCOMP_TRY(const auto index, chooseTable(*input.data, inputOptions));
+        return input.data->tables[index];
     }
     const std::vector<NeutralTable> columns = neutralColumns(input);
-    const auto index = chooseColumn(columns, inputOptions);
-    if (!index)
-        return fail(index.error());
-    const auto request = conversionRequest(
-        options, *input.format, calibration_csv::format(), columns[*index].axes.size());
-    if (!request)
-        return fail(request.error());
-    const auto conversion = convertTables(std::span(columns).subspan(*index, 1), *request);
-    if (!conversion)
-        return fail(conversion.error());
-    for (const Text& line : conversionReport(*conversion, *request))
+    AXISCOMP_TRY(const auto index, chooseColumn(columns, inputOptions));
+    AXISCOMP_TRY(const auto request,
+        conversionRequest(
+            options, *input.format, calibration_csv::format(), columns[index].axes.size()));
+    AXISCOMP_TRY(
+        const auto conversion, convertTables(std::span(columns).subspan(index, 1), request));
+    for (const Text& line : conversionReport(conversion, request))
         environment.console().note(displayName(inputOptions.file) + ": " + line.english());
-    auto data = calibrationData(conversion->written.held.front());
-    if (!data)
-        return fail(data.error());
-    return std::move(data->tables.front());
+    AXISCOMP_TRY(auto data, calibrationData(conversion.written.held.front()));
+    return std::move(data.tables.front());
 }
 
 } // namespace axiscomp::app

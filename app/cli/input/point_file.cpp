@@ -65,14 +65,12 @@ private:
     {
         std::string text;
         while (true) {
-            const auto more = readMore(descriptor, m_environment.interrupt(), text);
-            if (!more)
-                return fail(more.error());
-            if (!*more && !text.empty())
+            AXISCOMP_TRY(const auto more, readMore(descriptor, m_environment.interrupt(), text));
+            if (!more && !text.empty())
                 text.push_back('\n');
             if (auto answered = answerLines(text, results); !answered)
                 return answered;
-            if (!*more || m_environment.console().readerGone())
+            if (!more || m_environment.console().readerGone())
                 return {};
             if (text.size() > longestLine) {
                 ++m_line;

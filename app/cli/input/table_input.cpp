@@ -47,10 +47,8 @@ Result<std::string> wholeInput(Environment& environment, const std::string& file
 {
     if (file == standardStream)
         return readStandardInput(environment.interrupt(), maximumTableFile);
-    auto bytes = loadFile(file, maximumTableFile);
-    if (!bytes)
-        return fail(bytes.error());
-    return std::string(asText(*bytes));
+    AXISCOMP_TRY(auto bytes, loadFile(file, maximumTableFile));
+    return std::string(asText(bytes));
 }
 
 Result<const TableFormat*> formatOf(Environment& environment, const TableInputOptions& options)
@@ -96,87 +94,72 @@ Result<TableInput> inspectCsv(Environment& environment, const TableInputOptions&
 {
     std::optional<std::string> text;
     if (options.file == standardStream) {
-        auto all = readStandardInput(environment.interrupt(), CsvOptions{}.maximumBytes);
-        if (!all)
-            return fail(all.error());
-        text = std::move(*all);
+        AXISCOMP_TRY(
+            auto all, readStandardInput(environment.interrupt(), CsvOptions{}.maximumBytes));
+        text = std::move(all);
     }
-    auto reading = options.dimensions == 0
-        ? refuseWithoutDimensions(environment, options, text)
-        : Result<CsvReading>(readCsv(environment, options, text, options.dimensions));
-    if (!reading)
-        return fail(reading.error());
-    if (reading->cancelled)
+    AXISCOMP_TRY(auto reading,
+        options.dimensions == 0
+            ? refuseWithoutDimensions(environment, options, text)
+            : Result<CsvReading>(readCsv(environment, options, text, options.dimensions)));
+    if (reading.cancelled)
         return fail(ErrorCode::Cancelled);
-    environment.diagnose(displayName(options.file), reading->diagnostics);
-    if (reading->suppressed > 0)
+    environment.diagnose(displayName(options.file), reading.diagnostics);
+    if (reading.suppressed > 0)
         environment.console().note(displayName(options.file) + ": "
-            + plural(reading->suppressed, "further error is", "further errors are")
-            + " not listed");
+            + plural(reading.suppressed, "further error is", "further errors are") + " not listed");
     TableInput input;
     input.format = &calibration_csv::format();
-    input.diagnostics = std::move(reading->diagnostics);
-    input.suppressed = reading->suppressed;
-    if (!reading->hasErrors()) {
-        input.data = std::move(reading->data);
-        input.knots = std::move(reading->knots);
+    input.diagnostics = std::move(reading.diagnostics);
+    input.suppressed = reading.suppressed;
+    if (!reading.hasErrors()) {
+        input.data = std::move(reading.data);
+        input.knots = std::move(reading.knots);
     }
     return input;
 }
 
 Result<TableInput> inspectTamTable(Environment& environment, const TableInputOptions& options)
 {
-    auto profile = profileOf(options.profile);
-    if (!profile)
-        return fail(profile.error());
-    const auto text = wholeInput(environment, options.file);
-    if (!text)
-        return fail(text.error());
-    auto table = decodeTamTable(asBytes(*text), profile->layout);
-    if (!table)
-        return fail(table.error());
-    const int dimensions = table->table.grid.dimensions();
+    AXISCOMP_TRY(auto profile, profileOf(options.profile));
+    AXISCOMP_TRY(const auto text, wholeInput(environment, options.file));
+    AXISCOMP_TRY(auto table, decodeTamTable(asBytes(text), profile.layout));
+    const int dimensions = table.table.grid.dimensions();
     if (options.dimensions != 0 && options.dimensions != dimensions)
         return fail(
             ErrorCode::DimensionMismatch, {{"table", dimensions}, {"chosen", options.dimensions}});
     TableInput input;
     input.format = &tam_table::format();
-    input.persistent = table->persistent;
-    input.bytes = text->size();
-    input.data = CalibrationData{table->table.grid, {}, {}};
-    input.data->tables.push_back(std::move(table->table));
+    input.persistent = table.persistent;
+    input.bytes = text.size();
+    input.data = CalibrationData{table.table.grid, {}, {}};
+    input.data->tables.push_back(std::move(table.table));
     return input;
 }
 
 Result<TableInput> inspectOther(
     Environment& environment, const TableFormat& format, const TableInputOptions& options)
 {
-    const auto settings = settingsOf(options.settings, options.command);
-    if (!settings)
-        return fail(settings.error());
+    AXISCOMP_TRY(const auto settings, settingsOf(options.settings, options.command));
     if (format.read == nullptr)
         return wrongUsage(
             "the format " + std::string(format.facts.name) + " can be written, not read",
             options.command);
-    const auto text = wholeInput(environment, options.file);
-    if (!text)
-        return fail(text.error());
+    AXISCOMP_TRY(const auto text, wholeInput(environment, options.file));
     TableReadOptions readOptions;
     readOptions.dimensions = options.dimensions;
-    readOptions.settings = *settings;
+    readOptions.settings = settings;
     readOptions.stop = environment.stopToken();
-    auto reading = format.read(*text, readOptions);
-    if (!reading)
-        return fail(reading.error());
-    if (reading->cancelled)
+    AXISCOMP_TRY(auto reading, format.read(text, readOptions));
+    if (reading.cancelled)
         return fail(ErrorCode::Cancelled);
-    environment.diagnose(displayName(options.file), reading->diagnostics);
+    environment.diagnose(displayName(options.file), reading.diagnostics);
     TableInput input;
     input.format = &format;
-    input.bytes = text->size();
-    input.diagnostics = std::move(reading->diagnostics);
-    input.suppressed = reading->suppressed;
-    input.tables = std::move(reading->tables);
+    input.bytes = text.size();
+    input.diagnostics = std::move(reading.diagnostics);
+    input.suppressed = reading.suppressed;
+    input.tables = std::move(reading.tables);
     if (options.dimensions != 0 && input.isValid()
         && static_cast<int>(input.tables.front().axes.size()) != options.dimensions)
         return fail(ErrorCode::DimensionMismatch,

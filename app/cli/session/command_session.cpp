@@ -127,26 +127,19 @@ CommandSession::CommandSession(Environment& environment, DriveOptions options, D
 Result<std::unique_ptr<CommandSession>> CommandSession::open(
     Environment& environment, const DriveOptions& options, const std::string& endpoint)
 {
-    const auto parsed = drivecomm::parseEndpoint(endpoint);
-    if (!parsed)
-        return fail(parsed.error());
-    auto profile = profileOf(options.profile);
-    if (!profile)
-        return fail(profile.error());
+    AXISCOMP_TRY(const auto parsed, drivecomm::parseEndpoint(endpoint));
+    AXISCOMP_TRY(auto profile, profileOf(options.profile));
     // What is remembered of a drive must not outlive it: the next demo is another drive.
     std::optional<TemporaryFolder> demoState;
-    if (parsed->kind == drivecomm::DriveEndpoint::Kind::Demo) {
-        auto folder = TemporaryFolder::make();
-        if (!folder)
-            return fail(folder.error());
-        demoState = std::move(*folder);
+    if (parsed.kind == drivecomm::DriveEndpoint::Kind::Demo) {
+        AXISCOMP_TRY(auto folder, TemporaryFolder::make());
+        demoState = std::move(folder);
     }
     std::unique_ptr<CommandSession> session(
-        new CommandSession(environment, options, std::move(*profile), std::move(demoState)));
-    auto link = drivecomm::makeLink(*parsed, session->m_profile, certificateCheck(options));
-    if (!link)
-        return fail(link.error());
-    session->m_link = std::move(*link);
+        new CommandSession(environment, options, std::move(profile), std::move(demoState)));
+    AXISCOMP_TRY(
+        auto link, drivecomm::makeLink(parsed, session->m_profile, certificateCheck(options)));
+    session->m_link = std::move(link);
     session->m_compensator =
         std::make_unique<AxisCompensator>(*session->m_link, session->m_profile, session->m_store);
     return session;
@@ -187,13 +180,11 @@ Result<int> CommandSession::axis()
 {
     if (!m_options.axis.empty())
         return m_compensator->findAxis(m_options.axis, operation());
-    const auto axes = m_compensator->axes(operation());
-    if (!axes)
-        return fail(axes.error());
-    if (axes->size() == 1)
-        return axes->front().index;
-    return wrongUsage("the drive has several axes: choose one with --axis: " + listAxes(*axes),
-        m_options.command);
+    AXISCOMP_TRY(const auto axes, m_compensator->axes(operation()));
+    if (axes.size() == 1)
+        return axes.front().index;
+    return wrongUsage(
+        "the drive has several axes: choose one with --axis: " + listAxes(axes), m_options.command);
 }
 
 Result<SettledStatus> settledStatus(Environment& environment, CommandSession& session, int axis)
@@ -214,10 +205,8 @@ Result<ExitCode> withDrive(
     Environment& environment, const DriveOptions& options, const DriveFunction& function)
 {
     const QtRuntime runtime;
-    auto session = CommandSession::open(environment, options);
-    if (!session)
-        return fail(session.error());
-    auto outcome = function(environment, **session);
+    AXISCOMP_TRY(auto session, CommandSession::open(environment, options));
+    auto outcome = function(environment, *session);
     environment.console().clearProgress();
     return outcome;
 }

@@ -47,13 +47,11 @@ std::string shownEndpoint(const std::string& endpoint)
 Result<std::vector<DriveSighting>> lookForDrives(
     Environment& environment, const DriveOptions& options, drivecomm::BaudRates rates)
 {
-    const auto profile = profileOf(options.profile);
-    if (!profile)
-        return fail(profile.error());
+    AXISCOMP_TRY(const auto profile, profileOf(options.profile));
     const std::vector<DriveCandidate> places = candidates(options, rates);
     DriveSearch search;
     search.stop = environment.stopToken();
-    search.linkFactory = drivecomm::linkFactory(*profile, certificateCheck(options));
+    search.linkFactory = drivecomm::linkFactory(profile, certificateCheck(options));
     std::vector<DriveSighting> sightings = findDrives(places, search);
     TextTable table({"address", "port", "answer"});
     for (const DriveSighting& sighting : sightings)

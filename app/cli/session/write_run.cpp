@@ -98,14 +98,12 @@ void StepLog::end(const char* outcome)
 Result<Json> writeAndReport(Environment& environment, CommandSession& session, int axis,
     const WriteRequest& request, bool isDryRun)
 {
-    const auto before = settledStatus(environment, session, axis);
-    if (!before)
-        return fail(before.error());
+    AXISCOMP_TRY(const auto before, settledStatus(environment, session, axis));
     const auto plan = session.compensator().plan(axis, request, session.operation());
     environment.console().clearProgress();
     if (!plan)
         return fail(plan.error());
-    environment.print(planText(*plan, before->status.axis, request.table));
+    environment.print(planText(*plan, before.status.axis, request.table));
     for (const Text& warning : plan->warnings)
         environment.warn(warning.english());
     Json json = {{"plan", toJson(*plan)}, {"report", nullptr}};
@@ -132,10 +130,9 @@ Result<Json> writeAndReport(Environment& environment, CommandSession& session, i
 Result<ExitCode> runWrite(Environment& environment, CommandSession& session, int axis,
     const WriteRequest& request, bool isDryRun)
 {
-    const auto document = writeAndReport(environment, session, axis, request, isDryRun);
-    if (!document)
-        return fail(document.error());
-    environment.document(*document);
+    AXISCOMP_TRY(
+        const auto document, writeAndReport(environment, session, axis, request, isDryRun));
+    environment.document(document);
     return ExitCode::Done;
 }
 

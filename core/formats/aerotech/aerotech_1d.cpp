@@ -128,9 +128,7 @@ std::string tableText(const NeutralTable& table, const std::string& unit)
 Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWriteOptions& options)
 {
     const TableFormat& format = aerotech_1d::format();
-    const auto given = SettingValues::of(format.facts, options.settings, true);
-    if (!given)
-        return fail(given.error());
+    AXISCOMP_TRY(const auto given, SettingValues::of(format.facts, options.settings, true));
     WrittenTables written;
     std::vector<NeutralTable> prepared;
     std::set<long> axes;
@@ -142,28 +140,24 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
                     .with("target", column.target)
                     .with("axis", source.axes.front().name),
                 AXISCOMP_TEXT("Error", "choose a table of an axis for itself"));
-        const auto axis = axisNumber(format.facts, *given, "axis", source.axes.front().name);
-        if (!axis)
-            return fail(axis.error());
-        if (!axes.insert(*axis).second)
+        AXISCOMP_TRY(
+            const auto axis, axisNumber(format.facts, given, "axis", source.axes.front().name));
+        if (!axes.insert(axis).second)
             return cannotHold(format.facts,
                 AXISCOMP_TEXT("Error",
                     "there are two tables for axis {axis}, and the controller adds their "
                     "corrections")
-                    .with("axis", *axis),
+                    .with("axis", axis),
                 AXISCOMP_TEXT("Error", "choose one of them"));
-        auto table = aerotech::inFileUnits(source, *given, written.remarks);
-        if (!table)
-            return fail(table.error());
-        table->axes[0].name = std::to_string(*axis);
-        table->columns[0].target = table->axes[0].name;
-        written.bytes += tableText(*table, aerotech::unitWord(*given));
-        prepared.push_back(std::move(*table));
+        AXISCOMP_TRY(auto table, aerotech::inFileUnits(source, given, written.remarks));
+        table.axes[0].name = std::to_string(axis);
+        table.columns[0].target = table.axes[0].name;
+        written.bytes += tableText(table, aerotech::unitWord(given));
+        prepared.push_back(std::move(table));
     }
-    auto held = readBack(format, written.bytes, aerotech::readingSettings(prepared, *given));
-    if (!held)
-        return fail(held.error());
-    written.held = std::move(*held);
+    AXISCOMP_TRY(
+        auto held, readBack(format, written.bytes, aerotech::readingSettings(prepared, given)));
+    written.held = std::move(held);
     return written;
 }
 

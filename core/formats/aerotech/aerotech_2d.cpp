@@ -241,19 +241,16 @@ Result<NeutralTable> numbered(const NeutralTable& source, const SettingValues& g
     NeutralTable table = source;
     constexpr std::array<std::string_view, 2> sourceKeys{"column-axis", "row-axis"};
     for (std::size_t n = 0; n < 2; ++n) {
-        const auto axis = axisNumber(facts, given, sourceKeys[n], source.axes[n].name);
-        if (!axis)
-            return fail(axis.error());
-        table.axes[n].name = std::to_string(*axis);
+        AXISCOMP_TRY(const auto axis, axisNumber(facts, given, sourceKeys[n], source.axes[n].name));
+        table.axes[n].name = std::to_string(axis);
     }
     for (std::size_t n = 0; n < table.columns.size(); ++n) {
         // A target that is one of the sources has the number of that source.
         const auto own = ownAxis(source, source.columns[n]);
         const std::string name = own ? table.axes[*own].name : source.columns[n].target;
-        const auto axis = axisNumber(facts, given, "output-axis-" + std::to_string(n + 1), name);
-        if (!axis)
-            return fail(axis.error());
-        table.columns[n].target = std::to_string(*axis);
+        AXISCOMP_TRY(const auto axis,
+            axisNumber(facts, given, "output-axis-" + std::to_string(n + 1), name));
+        table.columns[n].target = std::to_string(axis);
     }
     if (table.columns.size() > 1)
         return table;
@@ -291,25 +288,18 @@ std::string tableText(const NeutralTable& table, const std::string& unit)
 Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWriteOptions& options)
 {
     const TableFormat& format = aerotech_2d::format();
-    const auto given = SettingValues::of(format.facts, options.settings, true);
-    if (!given)
-        return fail(given.error());
+    AXISCOMP_TRY(const auto given, SettingValues::of(format.facts, options.settings, true));
     WrittenTables written;
     std::vector<NeutralTable> prepared;
     for (const NeutralTable& source : tables) {
-        auto named = numbered(source, *given);
-        if (!named)
-            return fail(named.error());
-        auto table = aerotech::inFileUnits(*named, *given, written.remarks);
-        if (!table)
-            return fail(table.error());
-        written.bytes += tableText(*table, aerotech::unitWord(*given));
-        prepared.push_back(std::move(*table));
+        AXISCOMP_TRY(auto named, numbered(source, given));
+        AXISCOMP_TRY(auto table, aerotech::inFileUnits(named, given, written.remarks));
+        written.bytes += tableText(table, aerotech::unitWord(given));
+        prepared.push_back(std::move(table));
     }
-    auto held = readBack(format, written.bytes, aerotech::readingSettings(prepared, *given));
-    if (!held)
-        return fail(held.error());
-    written.held = std::move(*held);
+    AXISCOMP_TRY(
+        auto held, readBack(format, written.bytes, aerotech::readingSettings(prepared, given)));
+    written.held = std::move(held);
     return written;
 }
 

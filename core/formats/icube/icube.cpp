@@ -245,8 +245,7 @@ Result<void> checkWrapSetting(const FormatSettings& given)
 
 Result<TableReading> read(std::string_view text, const TableReadOptions& options)
 {
-    if (auto checked = checkWrapSetting(options.settings); !checked)
-        return fail(checked.error());
+    AXISCOMP_CHECK(checkWrapSetting(options.settings));
     return readText(icube::format().facts, text, options, parse);
 }
 
@@ -326,22 +325,15 @@ Result<void> checkWritable(const NeutralTable& table)
 Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWriteOptions& options)
 {
     const FormatFacts& facts = icube::format().facts;
-    if (auto checked = checkWrapSetting(options.settings); !checked)
-        return fail(checked.error());
-    const auto values = SettingValues::of(facts, options.settings, true);
-    if (!values)
-        return fail(values.error());
+    AXISCOMP_CHECK(checkWrapSetting(options.settings));
+    AXISCOMP_TRY(const auto values, SettingValues::of(facts, options.settings, true));
     WrittenTables written;
-    auto table = asOwnAxisTable(facts, tables.front(), *values, written.remarks);
-    if (!table)
-        return fail(table.error());
-    if (auto taken = takeWrap(table->axes[0], *values); !taken)
-        return fail(taken.error());
-    if (auto fits = checkWritable(*table); !fits)
-        return fail(fits.error());
-    for (std::size_t i = 0; i < table->pointCount(); ++i)
+    AXISCOMP_TRY(auto table, asOwnAxisTable(facts, tables.front(), values, written.remarks));
+    AXISCOMP_CHECK(takeWrap(table.axes[0], values));
+    AXISCOMP_CHECK(checkWritable(table));
+    for (std::size_t i = 0; i < table.pointCount(); ++i)
         written.bytes +=
-            toText(table->axes[0].knots[i]) + ',' + toText(table->columns[0].values[i]) + '\n';
+            toText(table.axes[0].knots[i]) + ',' + toText(table.columns[0].values[i]) + '\n';
     if (written.bytes.size() > facts.mostBytes)
         return refuse(AXISCOMP_TEXT("Error", "{size} bytes are more than the {limit} of a file")
                           .with("size", written.bytes.size())
@@ -356,7 +348,7 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
                           "the controller looks for the file as {name}PosComp.CSV, unless axis.xml "
                           "names another one"))
             .with("name", name));
-    written.held.push_back(std::move(*table));
+    written.held.push_back(std::move(table));
     return written;
 }
 

@@ -130,39 +130,34 @@ Recognition recognise(std::string_view text)
 Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWriteOptions& options)
 {
     const FormatFacts& facts = isg_crosscomp::format().facts;
-    const auto given = SettingValues::of(facts, options.settings, true);
-    if (!given)
-        return fail(given.error());
+    AXISCOMP_TRY(const auto given, SettingValues::of(facts, options.settings, true));
     const NeutralTable& source = tables.front();
-    const auto axis = axisNumber(facts, *given, "axis", source.columns.front().target);
-    const auto master = axisNumber(facts, *given, "master-axis", source.axes.front().name);
+    const auto axis = axisNumber(facts, given, "axis", source.columns.front().target);
+    const auto master = axisNumber(facts, given, "master-axis", source.axes.front().name);
     if (!axis || !master)
         return fail(axis ? master.error() : axis.error());
     std::vector<Text> remarks;
-    auto draft = isg::beginDraft(section, source, *given, *axis, remarks);
-    if (!draft)
-        return fail(draft.error());
-    const NeutralTable& table = draft->table;
-    const auto knots = isg::inFile(facts, *draft, table.axes[0].knots, isg::Numbers::Positions);
-    auto values = isg::inFile(facts, *draft, table.columns[0].values, isg::Numbers::Values);
+    AXISCOMP_TRY(auto draft, isg::beginDraft(section, source, given, *axis, remarks));
+    const NeutralTable& table = draft.table;
+    const auto knots = isg::inFile(facts, draft, table.axes[0].knots, isg::Numbers::Positions);
+    auto values = isg::inFile(facts, draft, table.columns[0].values, isg::Numbers::Values);
     if (!knots || !values)
         return fail(knots ? values.error() : knots.error());
     for (std::size_t i = 1; i < knots->size(); ++i)
         if ((*knots)[i] <= (*knots)[i - 1])
             return isg::roundedTogether(facts, table.axes[0].knots[i]);
     if (table.axes[0].wrap) {
-        if (auto fits = checkOnePeriod(facts, table, 0, 0.5 / draft->scale.numbers.perUnit); !fits)
-            return fail(fits.error());
+        AXISCOMP_CHECK(checkOnePeriod(facts, table, 0, 0.5 / draft.scale.numbers.perUnit));
         values->back() = values->front(); // also when they are rounded apart
     }
-    draft->add("last_index", knots->size() - 1);
-    draft->add("master_ax_nr", static_cast<std::size_t>(*master));
-    if (given->has("n-cycles"))
-        draft->add("n_cycles", given->text("n-cycles"));
+    draft.add("last_index", knots->size() - 1);
+    draft.add("master_ax_nr", static_cast<std::size_t>(*master));
+    if (given.has("n-cycles"))
+        draft.add("n_cycles", given.text("n-cycles"));
     for (std::size_t i = 0; i < knots->size(); ++i) {
         const std::string index = '[' + std::to_string(i) + ']';
-        draft->addPoint(index, "setpoint", (*knots)[i]);
-        draft->addPoint(index, "correction", (*values)[i]);
+        draft.addPoint(index, "setpoint", (*knots)[i]);
+        draft.addPoint(index, "correction", (*values)[i]);
     }
     remarks.push_back(isg::activation(section, *axis));
     FormatSettings reading{{"master-kind", isg::kindOf(table.axes[0].unit)},
@@ -170,7 +165,7 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
     if (table.axes[0].wrap)
         reading["modulo"] = "yes";
     return isg::finish(
-        isg_crosscomp::format(), std::move(*draft), *given, std::move(reading), std::move(remarks));
+        isg_crosscomp::format(), std::move(draft), given, std::move(reading), std::move(remarks));
 }
 
 } // namespace

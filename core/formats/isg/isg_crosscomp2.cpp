@@ -197,10 +197,8 @@ Result<std::array<double, 2>> gridOf(
         knot *= draft.scale.numbers.perUnit;
     const double distance = (exact.back() - exact.front()) / static_cast<double>(exact.size() - 1);
     const std::array inUnits{axis.knots.front(), distance / draft.scale.numbers.perUnit};
-    const auto inFile = isg::inFile(facts, draft, inUnits, isg::Numbers::Positions);
-    if (!inFile)
-        return fail(inFile.error());
-    if (!isg::isEvenInFile((*inFile)[0], (*inFile)[1], exact))
+    AXISCOMP_TRY(const auto inFile, isg::inFile(facts, draft, inUnits, isg::Numbers::Positions));
+    if (!isg::isEvenInFile(inFile[0], inFile[1], exact))
         return cannotHold(facts,
             AXISCOMP_TEXT("Error",
                 "the distance of {distance} along master {axis} is no whole number of {step}")
@@ -208,7 +206,7 @@ Result<std::array<double, 2>> gridOf(
                 .with("axis", axis.name)
                 .with("step", Quantity{roundedText(1.0 / draft.scale.numbers.perUnit), axis.unit}),
             AXISCOMP_TEXT("Error", "resample it with such a distance"));
-    return std::array{(*inFile)[0], (*inFile)[1]};
+    return std::array{inFile[0], inFile[1]};
 }
 
 /// A modulo axis must stay closed when its values are rounded.
@@ -261,44 +259,37 @@ Result<isg::Draft> draftOf(
             AXISCOMP_TEXT(
                 "Error", "it takes one distance for both sources, and these are different"),
             AXISCOMP_TEXT("Error", "resample it with the same distance for each source"));
-    auto values = isg::inFile(facts, *draft, draft->table.columns[0].values, isg::Numbers::Values);
-    if (!values)
-        return fail(values.error());
-    if (auto closed = closeEnds(facts, *draft, *values); !closed)
-        return fail(closed.error());
+    AXISCOMP_TRY(auto values,
+        isg::inFile(facts, *draft, draft->table.columns[0].values, isg::Numbers::Values));
+    AXISCOMP_CHECK(closeEnds(facts, *draft, values));
     addHeader(*draft, {*grid1, *grid2}, {*master1, *master2});
     if (given.has("n-cycles"))
         draft->add("n_cycles", given.text("n-cycles"));
     const std::size_t width = draft->table.axes[0].knots.size();
-    for (std::size_t i = 0; i < values->size(); ++i)
+    for (std::size_t i = 0; i < values.size(); ++i)
         draft->addPoint('[' + std::to_string(i / width) + "][" + std::to_string(i % width) + ']',
-            "correction", (*values)[i]);
+            "correction", values[i]);
     return draft;
 }
 
 Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWriteOptions& options)
 {
     const FormatFacts& facts = isg_crosscomp2::format().facts;
-    const auto given = SettingValues::of(facts, options.settings, true);
-    if (!given)
-        return fail(given.error());
-    const auto axis = axisNumber(facts, *given, "axis", tables.front().columns.front().target);
-    if (!axis)
-        return fail(axis.error());
+    AXISCOMP_TRY(const auto given, SettingValues::of(facts, options.settings, true));
+    AXISCOMP_TRY(
+        const auto axis, axisNumber(facts, given, "axis", tables.front().columns.front().target));
     std::vector<Text> remarks;
-    auto draft = draftOf(tables.front(), *given, *axis, remarks);
-    if (!draft)
-        return fail(draft.error());
-    remarks.push_back(isg::activation(section, *axis));
-    const NeutralTable& table = draft->table;
+    AXISCOMP_TRY(auto draft, draftOf(tables.front(), given, axis, remarks));
+    remarks.push_back(isg::activation(section, axis));
+    const NeutralTable& table = draft.table;
     FormatSettings reading{{"axis-kind", isg::kindOf(table.columns[0].unit)}};
     for (std::size_t n = 0; n < 2; ++n) {
         const std::string number = std::to_string(n + 1);
         reading["master" + number + "-kind"] = isg::kindOf(table.axes[n].unit);
         reading["modulo" + number] = table.axes[n].wrap ? "yes" : "no";
     }
-    return isg::finish(isg_crosscomp2::format(), std::move(*draft), *given, std::move(reading),
-        std::move(remarks));
+    return isg::finish(
+        isg_crosscomp2::format(), std::move(draft), given, std::move(reading), std::move(remarks));
 }
 
 } // namespace

@@ -152,22 +152,20 @@ Result<void> addPositions(isg::Draft& draft)
 {
     const FormatFacts& facts = isg_ssfk::format().facts;
     const SourceAxis& axis = draft.table.axes[0];
-    const auto knots = isg::inFile(facts, draft, axis.knots, isg::Numbers::Positions);
-    if (!knots)
-        return fail(knots.error());
-    for (std::size_t i = 1; i < knots->size(); ++i)
-        if ((*knots)[i] <= (*knots)[i - 1])
+    AXISCOMP_TRY(const auto knots, isg::inFile(facts, draft, axis.knots, isg::Numbers::Positions));
+    for (std::size_t i = 1; i < knots.size(); ++i)
+        if (knots[i] <= knots[i - 1])
             return isg::roundedTogether(facts, axis.knots[i]);
     std::vector<double> exact = axis.knots;
     for (double& knot : exact)
         knot *= draft.scale.numbers.perUnit;
-    const double distance = (*knots)[1] - (*knots)[0];
-    const bool hasInterval = isg::isEvenInFile((*knots)[0], distance, exact);
+    const double distance = knots[1] - knots[0];
+    const bool hasInterval = isg::isEvenInFile(knots[0], distance, exact);
     draft.add("interval", hasInterval ? draft.numberText(distance) : "0");
-    draft.add("kw_startpos", draft.numberText((*knots)[0]));
-    draft.add("kw_nr_max", knots->size());
-    for (std::size_t i = 0; !hasInterval && i < knots->size(); ++i)
-        draft.addPoint('[' + std::to_string(i) + ']', "setpoint", (*knots)[i]);
+    draft.add("kw_startpos", draft.numberText(knots[0]));
+    draft.add("kw_nr_max", knots.size());
+    for (std::size_t i = 0; !hasInterval && i < knots.size(); ++i)
+        draft.addPoint('[' + std::to_string(i) + ']', "setpoint", knots[i]);
     return {};
 }
 
@@ -193,9 +191,7 @@ Result<void> addTable(isg::Draft& draft, const DirectionPair& pair)
 Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWriteOptions& options)
 {
     const FormatFacts& facts = isg_ssfk::format().facts;
-    const auto given = SettingValues::of(facts, options.settings, true);
-    if (!given)
-        return fail(given.error());
+    AXISCOMP_TRY(const auto given, SettingValues::of(facts, options.settings, true));
     const NeutralTable& source = tables.front();
     const std::string& name = source.axes[0].name;
     const std::string& target = source.columns[0].target;
@@ -208,26 +204,17 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
                 .with("axis", name),
             AXISCOMP_TEXT("Error", "write it as {format}")
                 .with("format", isg_crosscomp::format().facts.name));
-    const auto axis = axisNumber(facts, *given, "axis", name.empty() ? target : name);
-    if (!axis)
-        return fail(axis.error());
+    AXISCOMP_TRY(const auto axis, axisNumber(facts, given, "axis", name.empty() ? target : name));
     std::vector<Text> remarks;
-    auto draft = isg::beginDraft(section, source, *given, *axis, remarks);
-    if (!draft)
-        return fail(draft.error());
-    const auto pair = directionPair(facts, draft->table);
-    if (!pair)
-        return fail(pair.error());
-    if (draft->table.axes[0].wrap)
-        if (auto fits = checkOnePeriod(facts, draft->table, 0, 0.5 / draft->scale.numbers.perUnit);
-            !fits)
-            return fail(fits.error());
-    if (auto added = addTable(*draft, *pair); !added)
-        return fail(added.error());
-    remarks.push_back(isg::activation(section, *axis));
-    const std::string kind = isg::kindOf(draft->table.axes[0].unit);
+    AXISCOMP_TRY(auto draft, isg::beginDraft(section, source, given, axis, remarks));
+    AXISCOMP_TRY(const auto pair, directionPair(facts, draft.table));
+    if (draft.table.axes[0].wrap)
+        AXISCOMP_CHECK(checkOnePeriod(facts, draft.table, 0, 0.5 / draft.scale.numbers.perUnit));
+    AXISCOMP_CHECK(addTable(draft, pair));
+    remarks.push_back(isg::activation(section, axis));
+    const std::string kind = isg::kindOf(draft.table.axes[0].unit);
     return isg::finish(
-        isg_ssfk::format(), std::move(*draft), *given, {{"axis-kind", kind}}, std::move(remarks));
+        isg_ssfk::format(), std::move(draft), given, {{"axis-kind", kind}}, std::move(remarks));
 }
 
 } // namespace

@@ -118,20 +118,16 @@ std::string Draft::numberText(double inFile) const
 Result<Draft> beginDraft(const Section& section, const NeutralTable& table,
     const SettingValues& settings, long axis, std::vector<Text>& remarks)
 {
-    auto scale = scaleForWriting(settings);
-    if (!scale)
-        return fail(scale.error());
-    Draft draft{table, *scale, {}, "kw." + std::string(section.name) + '.'};
-    const bool needsUnits = scale->isMetric || scale->isConverted;
+    AXISCOMP_TRY(auto scale, scaleForWriting(settings));
+    Draft draft{table, scale, {}, "kw." + std::string(section.name) + '.'};
+    const bool needsUnits = scale.isMetric || scale.isConverted;
     if (!needsUnits && !isInIncrements(table))
         return fail(wrongSetting(AXISCOMP_TEXT("Error",
             "numbers in mm or degrees become increments only with the setting "
             "increments-per-unit")));
     if (needsUnits) {
-        auto converted = inUnits(table, "mm", "deg", remarks);
-        if (!converted)
-            return fail(converted.error());
-        draft.table = std::move(*converted);
+        AXISCOMP_TRY(auto converted, inUnits(table, "mm", "deg", remarks));
+        draft.table = std::move(converted);
     }
     draft.text = noteLines(table, "# ");
     draft.text += "kopf.achs_nr " + std::to_string(axis) + '\n';
@@ -139,7 +135,7 @@ Result<Draft> beginDraft(const Section& section, const NeutralTable& table,
     std::erase_if(name, [](char c) { return c == '(' || c == '\n' || c == '\r'; });
     if (!trimmed(name).empty())
         draft.text += "kopf.log_achs_name " + name + '\n';
-    draft.add("unit", std::size_t{scale->isMetric ? 1U : 0U});
+    draft.add("unit", std::size_t{scale.isMetric ? 1U : 0U});
     return draft;
 }
 
@@ -185,10 +181,8 @@ Result<WrittenTables> finish(const TableFormat& format, Draft draft, const Setti
     draft.text += "End\n";
     if (!draft.scale.isMetric && draft.scale.isConverted)
         readSettings["increments-per-unit"] = settings.text("increments-per-unit");
-    auto held = readBack(format, draft.text, std::move(readSettings));
-    if (!held)
-        return fail(held.error());
-    return WrittenTables{std::move(draft.text), std::move(*held), std::move(remarks)};
+    AXISCOMP_TRY(auto held, readBack(format, draft.text, std::move(readSettings)));
+    return WrittenTables{std::move(draft.text), std::move(held), std::move(remarks)};
 }
 
 bool isEvenInFile(double start, double distance, std::span<const double> exact)

@@ -256,22 +256,16 @@ Written measured(double nominal, double trim)
 Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWriteOptions& options)
 {
     const FormatFacts& facts = linuxcnc::format().facts;
-    const auto values = SettingValues::of(facts, options.settings, true);
-    if (!values)
-        return fail(values.error());
+    AXISCOMP_TRY(const auto values, SettingValues::of(facts, options.settings, true));
     WrittenTables written;
-    auto table = asOwnAxisTable(facts, tables.front(), *values, written.remarks);
-    if (!table)
-        return fail(table.error());
-    const auto pair = directionPair(facts, *table);
-    if (!pair)
-        return fail(pair.error());
-    const std::vector<double>& forward = pair->positive->values;
-    const std::vector<double>& reverse = pair->negative ? pair->negative->values : forward;
-    const bool isMeasured = values->text(typeKey) == "0";
+    AXISCOMP_TRY(auto table, asOwnAxisTable(facts, tables.front(), values, written.remarks));
+    AXISCOMP_TRY(const auto pair, directionPair(facts, table));
+    const std::vector<double>& forward = pair.positive->values;
+    const std::vector<double>& reverse = pair.negative ? pair.negative->values : forward;
+    const bool isMeasured = values.text(typeKey) == "0";
     std::array<std::vector<double>, 2> trims;
-    for (std::size_t i = 0; i < table->pointCount(); ++i) {
-        const double nominal = table->axes[0].knots[i];
+    for (std::size_t i = 0; i < table.pointCount(); ++i) {
+        const double nominal = table.axes[0].knots[i];
         written.bytes += toText(nominal);
         for (std::size_t n = 0; n < trims.size(); ++n) {
             const double trim = (n == 0 ? forward : reverse)[i];
@@ -288,9 +282,8 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
         }
         written.bytes += '\n';
     }
-    table->columns =
-        columnsOf(std::move(trims[0]), std::move(trims[1]), table->columns.front().unit);
-    written.held.push_back(std::move(*table));
+    table.columns = columnsOf(std::move(trims[0]), std::move(trims[1]), table.columns.front().unit);
+    written.held.push_back(std::move(table));
     written.remarks.push_back(
         (options.fileName.empty() ? AXISCOMP_TEXT("Error",
              "in the section [JOINT_n] of the INI file: COMP_FILE = the file and COMP_FILE_TYPE = "
@@ -299,7 +292,7 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
                                       "in the section [JOINT_n] of the INI file: COMP_FILE = "
                                       "{file} and COMP_FILE_TYPE = {type}"))
             .with("file", options.fileName)
-            .with("type", values->text(typeKey)));
+            .with("type", values.text(typeKey)));
     written.remarks.push_back(AXISCOMP_TEXT("Error", "BACKLASH of the joint is not used any more"));
     return written;
 }

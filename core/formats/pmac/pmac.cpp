@@ -87,8 +87,7 @@ template <std::size_t sources>
 Result<TableReading> read(std::string_view text, const TableReadOptions& options)
 {
     const FormatFacts& facts = formatOf<sources>().facts;
-    if (auto fits = checkCounts(facts, options.settings); !fits)
-        return fail(fits.error());
+    AXISCOMP_CHECK(checkCounts(facts, options.settings));
     return readText(facts, text, options, parse<sources>);
 }
 

@@ -42,8 +42,7 @@ Result<Circle> circleOf(const FormatFacts& facts, const NeutralTable& table, std
             AXISCOMP_TEXT("Error", "resample it with a point at 0"));
     Circle circle{std::lround(first), axis.knots.size() - 1, 0};
     if (axis.wrap) {
-        if (auto fits = checkOnePeriod(facts, table, n, allowance); !fits)
-            return fail(fits.error());
+        AXISCOMP_CHECK(checkOnePeriod(facts, table, n, allowance));
     } else if (circle.first > 0 || circle.first + static_cast<long>(circle.size) < 0) {
         return cannotHold(facts,
             AXISCOMP_TEXT(
@@ -117,23 +116,19 @@ Result<std::vector<std::string>> motorsOf(const FormatFacts& facts, const Keys& 
 {
     std::vector<std::string> motors;
     const auto add = [&](std::string_view key, const std::string& name) -> Result<void> {
-        const auto motor = axisNumber(facts, settings, key, name);
-        if (!motor)
-            return fail(motor.error());
-        if (*motor > 32)
+        AXISCOMP_TRY(const auto motor, axisNumber(facts, settings, key, name));
+        if (motor > 32)
             return cannotHold(facts,
-                AXISCOMP_TEXT("Error", "there is no motor {number}").with("number", *motor),
+                AXISCOMP_TEXT("Error", "there is no motor {number}").with("number", motor),
                 AXISCOMP_TEXT("Error", "choose one from 1 to 32"));
-        motors.push_back(std::to_string(*motor));
+        motors.push_back(std::to_string(motor));
         return {};
     };
     for (std::size_t n = 0; n < table.axes.size(); ++n)
-        if (auto added = add(keys.motors[n], table.axes[n].name); !added)
-            return fail(added.error());
+        AXISCOMP_CHECK(add(keys.motors[n], table.axes[n].name));
     const auto own = ownAxis(table, table.columns[0]);
     const std::string target = own ? motors[*own] : table.columns[0].target;
-    if (auto added = add("target-motor", target); !added)
-        return fail(added.error());
+    AXISCOMP_CHECK(add("target-motor", target));
     return motors;
 }
 
@@ -158,45 +153,32 @@ Result<WrittenTables> writeTable(const TableFormat& format, const Keys& keys,
     const NeutralTable& source, const FormatSettings& settings)
 {
     const FormatFacts& facts = format.facts;
-    if (auto fits = checkCounts(facts, settings); !fits)
-        return fail(fits.error());
-    const auto given = SettingValues::of(facts, settings, true);
-    if (!given)
-        return fail(given.error());
+    AXISCOMP_CHECK(checkCounts(facts, settings));
+    AXISCOMP_TRY(const auto given, SettingValues::of(facts, settings, true));
     WrittenTables written;
-    const auto table = inSettingUnits(source, *given, written.remarks);
-    if (!table)
-        return fail(table.error());
-    const auto motors = motorsOf(facts, keys, *table, *given);
-    if (!motors)
-        return fail(motors.error());
-    const FileNumbers numbers{entriesPerCount * countsFor(*given, "target-counts-per-unit"), false};
+    AXISCOMP_TRY(const auto table, inSettingUnits(source, given, written.remarks));
+    AXISCOMP_TRY(const auto motors, motorsOf(facts, keys, table, given));
+    const FileNumbers numbers{entriesPerCount * countsFor(given, "target-counts-per-unit"), false};
     std::vector<Circle> circles;
-    for (std::size_t n = 0; n < table->axes.size(); ++n) {
-        const double counts = countsFor(*given, keys.counts[n]);
-        const auto circle = circleOf(facts, *table, n, counts, 0.5 / numbers.perUnit);
-        if (!circle)
-            return fail(circle.error());
-        circles.push_back(*circle);
+    for (std::size_t n = 0; n < table.axes.size(); ++n) {
+        const double counts = countsFor(given, keys.counts[n]);
+        AXISCOMP_TRY(const auto circle, circleOf(facts, table, n, counts, 0.5 / numbers.perUnit));
+        circles.push_back(circle);
     }
-    const auto entries = entriesOf(facts, *table, circles, numbers);
-    if (!entries)
-        return fail(entries.error());
-    written.bytes = noteLines(*table, "; ")
-        + header(*motors, circles, given->text("position") == "desired" ? "D" : "")
-        + entryLines(*entries, circles);
+    AXISCOMP_TRY(const auto entries, entriesOf(facts, table, circles, numbers));
+    written.bytes = noteLines(table, "; ")
+        + header(motors, circles, given.text("position") == "desired" ? "D" : "")
+        + entryLines(entries, circles);
     FormatSettings reading;
     for (const auto& [key, value] : settings)
         if (key.ends_with("counts-per-unit"))
             reading[key] = value;
-    if (!table->axes[0].unit.empty())
-        reading["position-unit"] = table->axes[0].unit;
-    if (!table->columns[0].unit.empty())
-        reading["value-unit"] = table->columns[0].unit;
-    auto held = readBack(format, written.bytes, std::move(reading));
-    if (!held)
-        return fail(held.error());
-    written.held = std::move(*held);
+    if (!table.axes[0].unit.empty())
+        reading["position-unit"] = table.axes[0].unit;
+    if (!table.columns[0].unit.empty())
+        reading["value-unit"] = table.columns[0].unit;
+    AXISCOMP_TRY(auto held, readBack(format, written.bytes, std::move(reading)));
+    written.held = std::move(held);
     written.remarks.emplace_back(AXISCOMP_TEXT(
         "Error", "switch the table on with I51=1; outside of its span it rolls over"));
     return written;

@@ -349,14 +349,10 @@ std::string headerText(const RapidCodeTable& table, const std::vector<std::strin
 Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWriteOptions& options)
 {
     const FormatFacts& facts = rapidcode::format().facts;
-    const auto values = SettingValues::of(facts, options.settings, true);
-    if (!values)
-        return fail(values.error());
+    AXISCOMP_TRY(const auto values, SettingValues::of(facts, options.settings, true));
     WrittenTables written;
-    auto table = rapidCodeTable(facts, tables.front(), *values, written.remarks);
-    if (!table)
-        return fail(table.error());
-    NeutralTable& held = table->held;
+    AXISCOMP_TRY(auto table, rapidCodeTable(facts, tables.front(), values, written.remarks));
+    NeutralTable& held = table.held;
     held.name = oneLine(held.name);
     for (SourceAxis& axis : held.axes)
         axis.name = oneLine(axis.name);
@@ -364,10 +360,10 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
     for (const std::string& note : tables.front().notes)
         if (std::string line = oneLine(note); !line.empty())
             held.notes.push_back(std::move(line));
-    written.bytes = headerText(*table, held.notes);
-    const std::size_t columns = table->inputs[0].points;
-    for (std::size_t i = 0; i < table->counts.size(); ++i)
-        written.bytes += std::to_string(table->counts[i]) + ((i + 1) % columns == 0 ? '\n' : ',');
+    written.bytes = headerText(table, held.notes);
+    const std::size_t columns = table.inputs[0].points;
+    for (std::size_t i = 0; i < table.counts.size(); ++i)
+        written.bytes += std::to_string(table.counts[i]) + ((i + 1) % columns == 0 ? '\n' : ',');
     written.held.push_back(std::move(held));
     return written;
 }

@@ -96,10 +96,8 @@ std::string tableText(const RapidCodeTable& table)
 Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWriteOptions& options)
 {
     const FormatFacts& facts = rapidcode_header::format().facts;
-    const auto values = SettingValues::of(facts, options.settings, true);
-    if (!values)
-        return fail(values.error());
-    const std::string name = values->text("name");
+    AXISCOMP_TRY(const auto values, SettingValues::of(facts, options.settings, true));
+    const std::string name = values.text("name");
     if (!isCppName(name))
         return fail(ErrorCode::InvalidArgument,
             {{"reason",
@@ -107,23 +105,21 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
                     "the setting name is \"{name}\", expected a C++ name: letters, digits and _")
                     .with("name", name)}});
     WrittenTables written;
-    auto table = rapidCodeTable(facts, tables.front(), *values, written.remarks);
-    if (!table)
-        return fail(table.error());
+    AXISCOMP_TRY(auto table, rapidCodeTable(facts, tables.front(), values, written.remarks));
     std::string& text = written.bytes;
-    text = explanation(*table) + "#pragma once\n\nnamespace " + name + " {\n\n";
+    text = explanation(table) + "#pragma once\n\nnamespace " + name + " {\n\n";
     constexpr std::array<const char*, 2> ordinals{"first", "second"};
-    for (std::size_t n = 0; n < table->inputs.size(); ++n) {
-        const RapidCodeInput& input = table->inputs[n];
+    for (std::size_t n = 0; n < table.inputs.size(); ++n) {
+        const RapidCodeInput& input = table.inputs[n];
         const std::string ordinal = ordinals[n];
         text += constant("double", ordinal + "Minimum", toText(input.minimum));
         text += constant("double", ordinal + "Maximum", toText(input.maximum));
         text += constant("double", ordinal + "Delta", toText(input.delta));
         text += constant("int", ordinal + "Points", std::to_string(input.points)) + '\n';
     }
-    text += constant("int", "points", std::to_string(table->counts.size())) + '\n';
-    text += tableText(*table) + "\n} // namespace " + name + '\n';
-    written.held.push_back(std::move(table->held));
+    text += constant("int", "points", std::to_string(table.counts.size())) + '\n';
+    text += tableText(table) + "\n} // namespace " + name + '\n';
+    written.held.push_back(std::move(table.held));
     return written;
 }
 

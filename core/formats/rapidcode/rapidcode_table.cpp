@@ -36,10 +36,8 @@ Result<NeutralTable> withUnits(
         units["position-unit"] = positionUnit;
     if (!valueUnit.empty())
         units["value-unit"] = valueUnit;
-    const auto values = SettingValues::of(FormatFacts{}, units, true);
-    if (!values)
-        return fail(values.error());
-    return inSettingUnits(table, *values, remarks);
+    AXISCOMP_TRY(const auto values, SettingValues::of(FormatFacts{}, units, true));
+    return inSettingUnits(table, values, remarks);
 }
 
 RapidCodeInput inputOf(const SourceAxis& axis)
@@ -91,9 +89,7 @@ std::optional<std::size_t> rapidCodePoints(double minimum, double maximum, doubl
 Result<RapidCodeTable> rapidCodeTable(const FormatFacts& facts, const NeutralTable& table,
     const SettingValues& settings, std::vector<Text>& remarks)
 {
-    auto converted = withUnits(table, settings, remarks);
-    if (!converted)
-        return fail(converted.error());
+    AXISCOMP_TRY(auto converted, withUnits(table, settings, remarks));
     RapidCodeTable result;
     result.countsPerUnit = settings.number("counts-per-unit");
     if (result.countsPerUnit == 0.0)
@@ -101,25 +97,23 @@ Result<RapidCodeTable> rapidCodeTable(const FormatFacts& facts, const NeutralTab
             {{"reason",
                 AXISCOMP_TEXT(
                     "Error", "the setting counts-per-unit is 0, expected a number of counts")}});
-    CompensationColumn& column = converted->columns.front();
-    auto counts = countsOf(facts, column.values, result.countsPerUnit);
-    if (!counts)
-        return fail(counts.error());
-    result.counts = std::move(*counts);
+    CompensationColumn& column = converted.columns.front();
+    AXISCOMP_TRY(auto counts, countsOf(facts, column.values, result.countsPerUnit));
+    result.counts = std::move(counts);
     for (std::size_t i = 0; i < result.counts.size(); ++i)
         column.values[i] = static_cast<double>(result.counts[i]) / result.countsPerUnit;
     column.step = 1.0 / std::abs(result.countsPerUnit);
     result.actsOnInput = ownAxis(table, table.columns.front()).has_value();
-    if (converted->name.empty())
-        converted->name = column.name;
+    if (converted.name.empty())
+        converted.name = column.name;
     column.name.clear();
-    for (SourceAxis& axis : converted->axes) {
+    for (SourceAxis& axis : converted.axes) {
         result.inputs.push_back(inputOf(axis));
         axis.knots = result.inputs.back().knots();
         axis.step = 0.0;
     }
-    converted->notes.clear();
-    result.held = std::move(*converted);
+    converted.notes.clear();
+    result.held = std::move(converted);
     remarks.push_back(
         (column.unit.empty() ? AXISCOMP_TEXT(
              "Error", "counts-per-unit is understood as {count} counts for 1 unit of the values")

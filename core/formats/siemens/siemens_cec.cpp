@@ -308,23 +308,21 @@ Result<void> Writer::add(const NeutralTable& source)
         facts, m_given, "output-axis", target.empty() ? source.axes[0].name : target);
     if (!input || !output)
         return fail(input ? output.error() : input.error());
-    const auto table = inUnits(source, "mm", "deg", m_written.remarks);
-    if (!table)
-        return fail(table.error());
-    if (auto fits = siemens::checkModulo(facts, *table); !fits)
+    AXISCOMP_TRY(const auto table, inUnits(source, "mm", "deg", m_written.remarks));
+    if (auto fits = siemens::checkModulo(facts, table); !fits)
         return fits;
-    if (table->axes[0].unit == "deg")
+    if (table.axes[0].unit == "deg")
         m_rotary += *input + ',';
-    if (table->columns[0].unit == "deg")
+    if (table.columns[0].unit == "deg")
         m_rotary += *output + ',';
-    m_written.bytes += noteLines(*table, "; ");
-    for (const CompensationColumn& column : table->columns) {
+    m_written.bytes += noteLines(table, "; ");
+    for (const CompensationColumn& column : table.columns) {
         if (m_index < 0 || m_index >= mostTables)
             return cannotHold(facts,
                 AXISCOMP_TEXT("Error", "there is no table {number}").with("number", m_index),
                 AXISCOMP_TEXT("Error", "choose fewer tables, or another first-table"));
         const std::string index = std::to_string(m_index++);
-        m_written.bytes += columnLines(*table, column, index, *input, *output);
+        m_written.bytes += columnLines(table, column, index, *input, *output);
         m_written.remarks.push_back(AXISCOMP_TEXT("Error",
             "table {index} needs $MN_MM_CEC_MAX_POINTS[{index}] (MD18342) of at least {count}; "
             "switch it on with $SN_CEC_TABLE_ENABLE[{index}] (SD41300) 1 and $MA_CEC_ENABLE "
@@ -342,22 +340,18 @@ Result<WrittenTables> Writer::finish()
     FormatSettings reading;
     if (!m_rotary.empty())
         reading["rotary-axes"] = m_rotary;
-    auto held = readBack(siemens_cec::format(), m_written.bytes, std::move(reading));
-    if (!held)
-        return fail(held.error());
-    m_written.held = std::move(*held);
+    AXISCOMP_TRY(auto held, readBack(siemens_cec::format(), m_written.bytes, std::move(reading)));
+    m_written.held = std::move(held);
     return std::move(m_written);
 }
 
 Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWriteOptions& options)
 {
-    const auto given = SettingValues::of(siemens_cec::format().facts, options.settings, true);
-    if (!given)
-        return fail(given.error());
-    Writer writer(*given);
+    AXISCOMP_TRY(
+        const auto given, SettingValues::of(siemens_cec::format().facts, options.settings, true));
+    Writer writer(given);
     for (const NeutralTable& table : tables)
-        if (auto added = writer.add(table); !added)
-            return fail(added.error());
+        AXISCOMP_CHECK(writer.add(table));
     return writer.finish();
 }
 

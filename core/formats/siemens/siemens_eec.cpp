@@ -200,24 +200,21 @@ Result<std::string> tableLines(const NeutralTable& source, const std::string& ax
                 .with("axis", source.axes.front().name),
             AXISCOMP_TEXT("Error", "write it as {format}")
                 .with("format", siemens_cec::format().facts.name));
-    const auto table = inUnits(source, "mm", "deg", remarks);
-    if (!table)
-        return fail(table.error());
-    if (auto fits = siemens::checkModulo(facts, *table); !fits)
-        return fail(fits.error());
-    if (table->axes[0].unit != table->columns[0].unit)
+    AXISCOMP_TRY(const auto table, inUnits(source, "mm", "deg", remarks));
+    AXISCOMP_CHECK(siemens::checkModulo(facts, table));
+    if (table.axes[0].unit != table.columns[0].unit)
         return cannotHold(facts,
             AXISCOMP_TEXT("Error", "its positions and values are not both lengths or both angles"),
             AXISCOMP_TEXT("Error", "check the units of the table"));
-    if (table->axes[0].unit == "deg")
+    if (table.axes[0].unit == "deg")
         rotary += (rotary.empty() ? "" : ",") + axis;
-    std::string text = noteLines(*table, "; ");
-    const std::vector<double>& values = table->columns[0].values;
+    std::string text = noteLines(table, "; ");
+    const std::vector<double>& values = table.columns[0].values;
     for (std::size_t i = 0; i < values.size(); ++i)
         text.append(prefix)
             .append("[" + encoder + ',' + std::to_string(i) + ',' + axis + "]=")
             .append(plainNumber(values[i]) + '\n');
-    text += siemens::gridLines(table->axes[0], prefix, encoder + ',' + axis);
+    text += siemens::gridLines(table.axes[0], prefix, encoder + ',' + axis);
     remarks.push_back(AXISCOMP_TEXT("Error",
         "axis {axis} needs $MA_MM_ENC_COMP_MAX_POINTS (MD38000) of at least {count}; load the file "
         "with $MA_ENC_COMP_ENABLE (MD32700) 0, then set it to 1")
@@ -229,34 +226,28 @@ Result<std::string> tableLines(const NeutralTable& source, const std::string& ax
 Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWriteOptions& options)
 {
     const TableFormat& format = siemens_eec::format();
-    const auto given = SettingValues::of(format.facts, options.settings, true);
-    if (!given)
-        return fail(given.error());
+    AXISCOMP_TRY(const auto given, SettingValues::of(format.facts, options.settings, true));
     WrittenTables written;
     written.bytes = "CHANDATA(1)\n";
     std::set<std::string> axes;
     std::string rotary;
     for (const NeutralTable& table : tables) {
-        const auto axis = siemens::axisName(format.facts, *given, "axis", table.axes.front().name);
-        if (!axis)
-            return fail(axis.error());
-        if (!axes.insert(*axis).second)
+        AXISCOMP_TRY(const auto axis,
+            siemens::axisName(format.facts, given, "axis", table.axes.front().name));
+        if (!axes.insert(axis).second)
             return cannotHold(format.facts,
-                AXISCOMP_TEXT("Error", "there are two tables for axis {axis}").with("axis", *axis),
+                AXISCOMP_TEXT("Error", "there are two tables for axis {axis}").with("axis", axis),
                 AXISCOMP_TEXT("Error", "choose one of them"));
-        auto text = tableLines(table, *axis, given->text("encoder"), written.remarks, rotary);
-        if (!text)
-            return fail(text.error());
-        written.bytes += *text;
+        AXISCOMP_TRY(
+            auto text, tableLines(table, axis, given.text("encoder"), written.remarks, rotary));
+        written.bytes += text;
     }
     written.bytes += "M17\n";
     FormatSettings reading;
     if (!rotary.empty())
         reading["rotary-axes"] = rotary;
-    auto held = readBack(format, written.bytes, std::move(reading));
-    if (!held)
-        return fail(held.error());
-    written.held = std::move(*held);
+    AXISCOMP_TRY(auto held, readBack(format, written.bytes, std::move(reading)));
+    written.held = std::move(held);
     return written;
 }
 

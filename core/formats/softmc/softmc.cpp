@@ -266,37 +266,34 @@ Recognition recognise(std::string_view text)
 
 Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWriteOptions& options)
 {
-    const auto settings = SettingValues::of(softmc::format().facts, options.settings, true);
-    if (!settings)
-        return fail(settings.error());
+    AXISCOMP_TRY(
+        const auto settings, SettingValues::of(softmc::format().facts, options.settings, true));
     WrittenTables written;
-    auto table = inSettingUnits(tables.front(), *settings, written.remarks);
-    if (!table)
-        return fail(table.error());
+    AXISCOMP_TRY(auto table, inSettingUnits(tables.front(), settings, written.remarks));
     std::string& text = written.bytes;
-    text = std::to_string(table->axes.size());
-    for (const SourceAxis& axis : table->axes)
+    text = std::to_string(table.axes.size());
+    for (const SourceAxis& axis : table.axes)
         text += ' ' + std::to_string(axis.knots.size());
     text += '\n';
-    for (std::size_t row = 0; row < table->pointCount(); ++row) {
+    for (std::size_t row = 0; row < table.pointCount(); ++row) {
         std::size_t rest = row;
-        for (const SourceAxis& axis : table->axes) {
+        for (const SourceAxis& axis : table.axes) {
             text += toText(axis.knots[rest % axis.knots.size()]) + ' ';
             rest /= axis.knots.size();
         }
-        for (const CompensationColumn& column : table->columns)
-            text += toText(column.values[row]) + (&column == &table->columns.back() ? '\n' : ' ');
+        for (const CompensationColumn& column : table.columns)
+            text += toText(column.values[row]) + (&column == &table.columns.back() ? '\n' : ' ');
     }
     // The file has no names.
-    table->name.clear();
-    table->notes.clear();
-    for (std::size_t n = 0; n < table->axes.size(); ++n)
-        table->axes[n].name = std::to_string(n + 1);
-    for (std::size_t n = 0; n < table->columns.size(); ++n) {
-        table->columns[n].name.clear();
-        table->columns[n].target = std::to_string(n + 1);
+    table.name.clear();
+    table.notes.clear();
+    for (std::size_t n = 0; n < table.axes.size(); ++n)
+        table.axes[n].name = std::to_string(n + 1);
+    for (std::size_t n = 0; n < table.columns.size(); ++n) {
+        table.columns[n].name.clear();
+        table.columns[n].target = std::to_string(n + 1);
     }
-    written.held.push_back(std::move(*table));
+    written.held.push_back(std::move(table));
     return written;
 }
 

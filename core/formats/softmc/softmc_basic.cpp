@@ -61,10 +61,9 @@ std::string shapeText(const NeutralTable& table)
 
 Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWriteOptions& options)
 {
-    const auto values = SettingValues::of(softmc_basic::format().facts, options.settings, true);
-    if (!values)
-        return fail(values.error());
-    const std::string name = values->text("name");
+    AXISCOMP_TRY(
+        const auto values, SettingValues::of(softmc_basic::format().facts, options.settings, true));
+    const std::string name = values.text("name");
     if (!isBasicName(name))
         return fail(ErrorCode::InvalidArgument,
             {{"reason",
@@ -73,22 +72,20 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
                     "with a letter")
                     .with("name", name)}});
     WrittenTables written;
-    auto table = inSettingUnits(tables.front(), *values, written.remarks);
-    if (!table)
-        return fail(table.error());
+    AXISCOMP_TRY(auto table, inSettingUnits(tables.front(), values, written.remarks));
     std::string& text = written.bytes;
-    const bool hasOneAxis = table->axes.size() == 1;
-    text = "' Compensation table " + name + ": " + shapeText(*table)
+    const bool hasOneAxis = table.axes.size() == 1;
+    text = "' Compensation table " + name + ": " + shapeText(table)
         + (hasOneAxis ? " points\n" : " points, the first source fastest\n");
-    for (std::size_t point = 0; point < table->pointCount(); ++point) {
+    for (std::size_t point = 0; point < table.pointCount(); ++point) {
         std::size_t rest = point;
-        for (std::size_t n = 0; n < table->axes.size(); ++n) {
-            const std::vector<double>& knots = table->axes[n].knots;
+        for (std::size_t n = 0; n < table.axes.size(); ++n) {
+            const std::vector<double>& knots = table.axes[n].knots;
             text += assignment(name + ".SourceData", n, point, knots[rest % knots.size()]);
             rest /= knots.size();
         }
-        for (std::size_t n = 0; n < table->columns.size(); ++n)
-            text += assignment(name + ".TargetData", n, point, table->columns[n].values[point]);
+        for (std::size_t n = 0; n < table.columns.size(); ++n)
+            text += assignment(name + ".TargetData", n, point, table.columns[n].values[point]);
     }
     written.remarks.push_back((hasOneAxis
             ? AXISCOMP_TEXT("Error",
@@ -98,8 +95,8 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
                 "the table {name} must be defined in the program, with {count} points, the first "
                 "source fastest, and not be in use (CompActive = 0) while the lines run"))
                                   .with("name", name)
-                                  .with("count", shapeText(*table)));
-    written.held.push_back(std::move(*table));
+                                  .with("count", shapeText(table)));
+    written.held.push_back(std::move(table));
     return written;
 }
 

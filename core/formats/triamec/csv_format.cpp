@@ -25,9 +25,7 @@ constexpr std::array<std::string_view, 1> assumptions{
 
 Result<TableReading> read(std::string_view text, const TableReadOptions& options)
 {
-    if (auto known = SettingValues::of(calibration_csv::format().facts, options.settings, false);
-        !known)
-        return fail(known.error());
+    AXISCOMP_CHECK(SettingValues::of(calibration_csv::format().facts, options.settings, false));
     if (options.dimensions < 1 || options.dimensions > 3)
         return fail(ErrorCode::InvalidArgument,
             {{"reason",
@@ -81,22 +79,18 @@ Recognition recognise(std::string_view text)
 
 Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWriteOptions& options)
 {
-    if (auto known = SettingValues::of(calibration_csv::format().facts, options.settings, true);
-        !known)
-        return fail(known.error());
-    auto data = calibrationData(tables.front());
-    if (!data)
-        return fail(data.error());
-    for (std::size_t n = 0; n < data->grid.axes.size(); ++n) {
-        std::string& name = data->grid.axes[n].name;
+    AXISCOMP_CHECK(SettingValues::of(calibration_csv::format().facts, options.settings, true));
+    AXISCOMP_TRY(auto data, calibrationData(tables.front()));
+    for (std::size_t n = 0; n < data.grid.axes.size(); ++n) {
+        std::string& name = data.grid.axes[n].name;
         if (name.empty())
             name = "Dim " + std::to_string(n + 1);
     }
-    for (CompensationTable& table : data->tables)
-        table.grid = data->grid;
+    for (CompensationTable& table : data.tables)
+        table.grid = data.grid;
     WrittenTables written;
-    written.bytes = writeCalibrationCsv(*data);
-    written.held.push_back(neutralTable(*data));
+    written.bytes = writeCalibrationCsv(data);
+    written.held.push_back(neutralTable(data));
     return written;
 }
 

@@ -36,42 +36,30 @@ Result<const TableLayout*> layoutOf(const TableLayout* layout)
 
 Result<TableReading> read(std::string_view text, const TableReadOptions& options)
 {
-    const auto layout = layoutOf(options.layout);
-    if (!layout)
-        return fail(layout.error());
-    if (auto known = SettingValues::of(tam_table::format().facts, options.settings, false); !known)
-        return fail(known.error());
-    auto table = decodeTamTable(asBytes(text), **layout);
-    if (!table)
-        return fail(table.error());
-    const int dimensions = table->table.grid.dimensions();
+    AXISCOMP_TRY(const auto layout, layoutOf(options.layout));
+    AXISCOMP_CHECK(SettingValues::of(tam_table::format().facts, options.settings, false));
+    AXISCOMP_TRY(auto table, decodeTamTable(asBytes(text), *layout));
+    const int dimensions = table.table.grid.dimensions();
     if (options.dimensions != 0 && options.dimensions != dimensions)
         return fail(
             ErrorCode::DimensionMismatch, {{"table", dimensions}, {"chosen", options.dimensions}});
     TableReading reading;
-    CalibrationData data{table->table.grid, {std::move(table->table)}, {}};
+    CalibrationData data{table.table.grid, {std::move(table.table)}, {}};
     reading.tables.push_back(neutralTable(data));
     return reading;
 }
 
 Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWriteOptions& options)
 {
-    const auto layout = layoutOf(options.layout);
-    if (!layout)
-        return fail(layout.error());
-    const auto values = SettingValues::of(tam_table::format().facts, options.settings, true);
-    if (!values)
-        return fail(values.error());
-    auto data = calibrationData(tables.front());
-    if (!data)
-        return fail(data.error());
-    const CompensationTable& table = data->tables.front();
-    const auto bytes = encodeTamTable(table, values->yes("persistent"), **layout);
-    if (!bytes)
-        return fail(bytes.error());
+    AXISCOMP_TRY(const auto layout, layoutOf(options.layout));
+    AXISCOMP_TRY(
+        const auto values, SettingValues::of(tam_table::format().facts, options.settings, true));
+    AXISCOMP_TRY(auto data, calibrationData(tables.front()));
+    const CompensationTable& table = data.tables.front();
+    AXISCOMP_TRY(const auto bytes, encodeTamTable(table, values.yes("persistent"), *layout));
     WrittenTables written;
-    written.bytes = asText(*bytes);
-    written.held.push_back(neutralTable(*data));
+    written.bytes = asText(bytes);
+    written.held.push_back(neutralTable(data));
     return written;
 }
 

@@ -93,18 +93,15 @@ Result<CalibrationData> calibrationData(const NeutralTable& table)
         return refuse(AXISCOMP_TEXT("Error", "its values are offsets of the command"),
             AXISCOMP_TEXT("Error", "convert the sign"));
     const NeutralTable tables[] = {table};
-    if (auto fits = checkHolds(calibration_csv::format().facts, tables); !fits)
-        return fail(fits.error());
+    AXISCOMP_CHECK(checkHolds(calibration_csv::format().facts, tables));
     CalibrationData data;
     data.notes = table.notes;
     for (const SourceAxis& axis : table.axes)
         data.grid.axes.push_back(gridAxis(axis));
     for (std::size_t n = 0; n < table.columns.size(); ++n) {
-        auto values = floatValues(table.columns[n]);
-        if (!values)
-            return fail(values.error());
+        AXISCOMP_TRY(auto values, floatValues(table.columns[n]));
         data.tables.push_back(
-            {columnName(table, n), table.columns[n].unit, data.grid, std::move(*values)});
+            {columnName(table, n), table.columns[n].unit, data.grid, std::move(values)});
     }
     return data;
 }

@@ -90,22 +90,18 @@ Result<std::vector<RegisterReading>> CommandHandler::read(std::span<const std::s
 
 Result<SerialReplyLines> CommandHandler::get(std::span<const std::string> paths) const
 {
-    const auto readings = read(paths);
-    if (!readings)
-        return fail(readings.error());
-    SerialReplyLines lines{counted(readings->size())};
-    for (const RegisterReading& reading : *readings)
+    AXISCOMP_TRY(const auto readings, read(paths));
+    SerialReplyLines lines{counted(readings.size())};
+    for (const RegisterReading& reading : readings)
         lines.push_back(serialReading(reading));
     return lines;
 }
 
 Result<SerialReplyLines> CommandHandler::addresses(std::span<const std::string> paths) const
 {
-    const auto readings = read(paths);
-    if (!readings)
-        return fail(readings.error());
-    SerialReplyLines lines{counted(readings->size())};
-    for (const RegisterReading& reading : *readings)
+    AXISCOMP_TRY(const auto readings, read(paths));
+    SerialReplyLines lines{counted(readings.size())};
+    for (const RegisterReading& reading : readings)
         lines.push_back(std::to_string(reading.address));
     return lines;
 }
@@ -118,12 +114,10 @@ Result<void> CommandHandler::set(std::span<const std::string> words) const
     std::vector<std::string> paths;
     for (std::size_t i = 0; i < words.size(); i += 2)
         paths.push_back(words[i]);
-    const auto readings = m_drive.readRegisters(paths);
-    if (!readings)
-        return fail(readings.error());
+    AXISCOMP_TRY(const auto readings, m_drive.readRegisters(paths));
     std::vector<RegisterWrite> writes;
-    for (std::size_t i = 0; i < readings->size(); ++i) {
-        const RegisterReading& reading = (*readings)[i];
+    for (std::size_t i = 0; i < readings.size(); ++i) {
+        const RegisterReading& reading = readings[i];
         auto value = registerValueFromText(reading.type, words[2 * i + 1]);
         if (!value)
             return wrong(AXISCOMP_TEXT("Error", "{place}: {problem}")

@@ -77,8 +77,7 @@ Result<PseudoTerminal> PseudoTerminal::open(const std::string& link)
     if (!terminal.m_slave.isOpen() || !makeRaw(terminal.m_slave))
         return noTerminal(link);
     if (!link.empty()) {
-        if (auto placed = placeLink(link, terminal.m_device); !placed)
-            return fail(placed.error());
+        AXISCOMP_CHECK(placeLink(link, terminal.m_device));
         terminal.m_link = link;
     }
     return terminal;

@@ -239,10 +239,8 @@ SerialServer::~SerialServer() = default;
 Result<std::unique_ptr<SerialServer>> SerialServer::start(
     VirtualDrive& drive, FaultPlan& faults, const SerialServerOptions& options)
 {
-    auto terminal = PseudoTerminal::open(options.link);
-    if (!terminal)
-        return fail(terminal.error());
-    auto made = std::make_unique<Private>(drive, faults, options, *std::move(terminal));
+    AXISCOMP_TRY(auto terminal, PseudoTerminal::open(options.link));
+    auto made = std::make_unique<Private>(drive, faults, options, std::move(terminal));
     made->thread = std::thread([d = made.get()] { d->run(); });
     return std::unique_ptr<SerialServer>(new SerialServer(std::move(made)));
 }

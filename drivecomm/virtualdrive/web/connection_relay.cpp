@@ -400,11 +400,9 @@ Result<std::unique_ptr<ConnectionRelay>> ConnectionRelay::start(const std::strin
     std::uint16_t port, std::uint16_t serverPort, FaultPlan& faults,
     std::chrono::milliseconds patience)
 {
-    auto listener = listenOn(host, port);
-    if (!listener)
-        return fail(listener.error());
+    AXISCOMP_TRY(auto listener, listenOn(host, port));
     return std::unique_ptr<ConnectionRelay>(new ConnectionRelay(
-        std::make_unique<Private>(std::move(*listener), serverPort, faults, patience)));
+        std::make_unique<Private>(std::move(listener), serverPort, faults, patience)));
 }
 
 std::uint16_t ConnectionRelay::port() const

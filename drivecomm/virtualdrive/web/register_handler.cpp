@@ -181,10 +181,8 @@ Result<RegisterValue> RequestHandler::enteredValue(
     if (isSource(reading.path)) {
         if (const auto address = addressFrom(text))
             return RegisterValue{*address};
-        auto source = m_drive.readRegisters({normalisedPath(withoutDrive(text))});
-        if (!source)
-            return fail(source.error());
-        return RegisterValue{source->front().address};
+        AXISCOMP_TRY(auto source, m_drive.readRegisters({normalisedPath(withoutDrive(text))}));
+        return RegisterValue{source.front().address};
     }
     auto value = registerValueFromText(reading.type, text);
     if (!value)

@@ -151,12 +151,10 @@ Result<void> WebServer::Private::start()
 {
     if (options.certificateFile.empty() != options.privateKeyFile.empty())
         return refused("https needs both a certificate and its private key");
-    const auto serverPort = bind();
-    if (!serverPort)
-        return fail(serverPort.error());
+    AXISCOMP_TRY(const auto serverPort, bind());
     configure();
     auto started = ConnectionRelay::start(options.host, options.port,
-        static_cast<std::uint16_t>(*serverPort), faults, options.patience);
+        static_cast<std::uint16_t>(serverPort), faults, options.patience);
     if (!started) {
         Error error = started.error();
         error.context.set("endpoint", address(options.port));
@@ -284,8 +282,7 @@ Result<std::unique_ptr<WebServer>> WebServer::start(VirtualDrive& drive,
     const DriveProfile& profile, FaultPlan& faults, const WebServerOptions& options)
 {
     auto made = std::make_unique<Private>(drive, profile, faults, options);
-    if (const auto started = made->start(); !started)
-        return fail(started.error());
+    AXISCOMP_CHECK(made->start());
     return std::unique_ptr<WebServer>(new WebServer(std::move(made)));
 }
 
