@@ -5,6 +5,7 @@
 #include "tests/support/test_registry.h"
 #include "tests/support/verify.h"
 
+#include <QCoreApplication>
 #include <QTest>
 #include <QUrl>
 
@@ -29,6 +30,14 @@ struct SecureDrive {
     test::TestCertificate certificate{"IP:127.0.0.1"};
     VirtualDriveProcess drive;
 };
+
+/// A loopback address on which no other test listens, so that a port that was given up is free
+/// when a second drive takes it over.
+QString addressOfItsOwn()
+{
+    const qint64 process = QCoreApplication::applicationPid();
+    return QStringLiteral("127.77.%1.%2:0").arg(process / 250 % 250).arg(process % 250 + 1);
+}
 
 QString fingerprintIn(const ProgramRun& run)
 {
@@ -91,7 +100,7 @@ private Q_SLOTS:
         const Sandbox box;
         QString address;
         {
-            const SecureDrive first;
+            const SecureDrive first(addressOfItsOwn());
             address = QUrl(first.drive.url()).authority();
             const QString fingerprint =
                 fingerprintIn(box.run({"axes", "--drive", first.drive.url(), "--json"}));
