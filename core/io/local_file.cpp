@@ -165,7 +165,7 @@ Result<void> replace(
 }
 
 /// Reads to the end, or one byte more than the maximum. A file may be longer than it says
-/// (expected) while somebody writes to it, and a pipe says nothing.
+/// (expected) while somebody writes to it.
 bool readAll(int descriptor, std::uint64_t expected, std::uint64_t maximumSize, Bytes& bytes)
 {
     constexpr std::uint64_t firstBlock = 4096;
@@ -243,17 +243,23 @@ Result<void> saveFile(const std::filesystem::path& file, ByteView bytes)
 
 Result<Bytes> loadFile(const std::filesystem::path& file, std::uint64_t maximumSize)
 try {
-    const Descriptor descriptor{::open(file.c_str(), O_RDONLY | O_CLOEXEC)};
+    // Does not wait for somebody to write into a pipe.
+    const Descriptor descriptor{::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)};
     struct stat status { };
     if (!descriptor.isOpen() || ::fstat(descriptor.number(), &status) != 0)
         return notReadable(file, errno);
+    if (S_ISDIR(status.st_mode))
+        return notReadable(file, EISDIR);
+    if (!S_ISREG(status.st_mode))
+        return fail(ErrorCode::FileNotReadable,
+            {{"file", file.string()},
+                {"reason", AXISCOMP_TEXT("Error", "it is a pipe or a device, not a file")}});
 
     const auto tooLarge = [&](const Argument& size) {
         return fail(ErrorCode::FileTooLarge,
             {{"file", file.string()}, {"size", size}, {"limit", maximumSize}});
     };
-    const auto expected =
-        S_ISREG(status.st_mode) ? static_cast<std::uint64_t>(status.st_size) : std::uint64_t{0};
+    const auto expected = static_cast<std::uint64_t>(status.st_size);
     if (expected > maximumSize)
         return tooLarge(expected);
 

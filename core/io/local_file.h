@@ -15,7 +15,7 @@ namespace axiscomp {
 /// refused. Devices and pipes ("/dev/stdout") are written to directly. Errors: FileNotWritable.
 [[nodiscard]] Result<void> saveFile(const std::filesystem::path& file, ByteView bytes);
 
-/// Errors: FileNotReadable, FileTooLarge.
+/// Pipes and devices are refused: they may have no end. Errors: FileNotReadable, FileTooLarge.
 [[nodiscard]] Result<Bytes> loadFile(const std::filesystem::path& file, std::uint64_t maximumSize);
 
 /// Deletes a file so that it is gone after a crash too; one that does not exist is no error.
