@@ -172,7 +172,8 @@ Result<void> SerialSession::send(
     m_assembler.clear();
     const std::string text = std::string(before) + serialLine(request.number, request.words, true)
         + std::string(serialLineEnd);
-    running.deadline += m_line.timeFor(text.size());
+    if (before.empty()) // a repeat has no time of its own
+        running.deadline += m_line.timeFor(text.size());
     return m_line.write(asBytes(text), running);
 }
 
@@ -222,7 +223,6 @@ Result<std::optional<SerialReply>> SerialSession::collect(
         if (text.empty())
             return std::nullopt;
         lastHeard = Clock::now();
-        running.deadline += m_line.timeFor(text.size());
         SerialLine line = parseSerialLine(text);
         if (line.state != SerialLine::State::Good || !line.hasCrc) {
             isGarbledReply = true;
@@ -238,6 +238,8 @@ Result<std::optional<SerialReply>> SerialSession::collect(
         }
         if (line.number != request.number)
             continue;
+        // Only what was asked for has time of its own: other talk must not keep this alive.
+        running.deadline += m_line.timeFor(text.size());
         if (auto error = parseSerialError(line.words))
             return fail(failed(*std::move(error)));
         if (line.words.front() == "ok" || line.words.front() == "ready") {

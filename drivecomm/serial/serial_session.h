@@ -20,7 +20,8 @@ struct SerialReply {
 /// Requests and file transfers over a serial port: numbers, CRCs, repeats and resynchronisation.
 /// A request whose reply did not come, or came garbled, is repeated with its number, which the
 /// drive answers from memory. A transfer that broke is begun again. The time that the line needs
-/// for the bytes themselves is added to the deadline of the exchange.
+/// for a request, its reply and the bytes of a file is added to the deadline of the exchange; what
+/// is repeated, and what nobody asked for, has no time of its own.
 ///
 /// Errors common to all: those of SerialPortLine; Timeout when nothing answers, Protocol when
 /// something does that is no drive; ConnectionLost when the drive rebooted, or the line garbles too
@@ -89,6 +90,7 @@ private:
     template <typename Machine, typename Position>
     [[nodiscard]] Result<void> transfer(
         Machine& machine, Position position, std::uint64_t total, ExchangeDeadline& running);
+    [[nodiscard]] std::chrono::nanoseconds timeForFile(std::uint64_t size) const;
     void settle(std::uint16_t number);
     [[nodiscard]] std::optional<Error> finalError(std::uint16_t number);
     void reportProgress(std::uint64_t done, std::uint64_t total, const ExchangeDeadline& running);

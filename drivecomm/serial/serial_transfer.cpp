@@ -65,17 +65,23 @@ Result<SerialSession::Started> SerialSession::start(
     return lost(tooGarbled, "no answer to " + words);
 }
 
+/// With blocks, their acknowledgements and some that are sent twice.
+std::chrono::nanoseconds SerialSession::timeForFile(std::uint64_t size) const
+{
+    constexpr std::uint64_t beginAndEnd = 4096;
+    return m_line.timeFor(size + size / 8 + beginAndEnd);
+}
+
 template <typename Machine, typename Position>
 Result<void> SerialSession::transfer(
     Machine& machine, Position position, std::uint64_t total, ExchangeDeadline& running)
 {
+    running.deadline += timeForFile(total);
     while (true) {
         const Bytes output = machine.output();
         Result<void> done;
-        if (!output.empty()) {
-            running.deadline += m_line.timeFor(output.size());
+        if (!output.empty())
             done = m_line.write(output, running);
-        }
         if (done && !machine.isRunning())
             return {};
         Result<Bytes> came = Bytes{};
@@ -87,7 +93,6 @@ Result<void> SerialSession::transfer(
             machine.tick(Clock::now());
             continue;
         }
-        running.deadline += m_line.timeFor(came->size());
         const std::size_t used = machine.feed(*came, Clock::now());
         m_input = asText(ByteView(*came).subspan(used));
         reportProgress(position(), total, running);

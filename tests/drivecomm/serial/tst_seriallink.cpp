@@ -76,6 +76,9 @@ private Q_SLOTS:
     void worksAtOnceAfterAStoppedTransfer();
     void endsATransferAtItsDeadline();
     void aSlowLinesOwnTimeDoesNotCount();
+    void talkThatNobodyAskedForDoesNotMoveTheDeadline_data();
+    void talkThatNobodyAskedForDoesNotMoveTheDeadline();
+    void aReplyWithoutItsCrcIsNoReply();
     void leavesTheTransferOfAProgramThatVanished();
     void takesNoReplyMeantForAnotherProgram();
     void writesNothingToAnotherDrive();
@@ -339,6 +342,65 @@ void SerialLinkTest::aSlowLinesOwnTimeDoesNotCount()
     const Bytes file = serialTableFile(4000);
     VERIFY_RESULT(link->upload(small1, file, within(1500ms))); // takes three seconds
     QVERIFY(served.file(small1) == file);
+}
+
+void SerialLinkTest::talkThatNobodyAskedForDoesNotMoveTheDeadline_data()
+{
+    QTest::addColumn<int>("kind");
+    QTest::newRow("the line garbled the request, again and again") << 0;
+    QTest::newRow("lines of somebody else") << 1;
+    QTest::newRow("bytes without an end of line") << 2;
+}
+
+void SerialLinkTest::talkThatNobodyAskedForDoesNotMoveTheDeadline()
+{
+    QFETCH(int, kind);
+    // At 1200 baud the line needs half an hour for these bytes; the deadline is a second.
+    const SerialStranger stranger([kind](const std::string& came) -> std::string {
+        const std::size_t begin = came.find_first_not_of("\r\n\x18");
+        const std::string_view line = std::string_view(came).substr(begin == came.npos ? 0 : begin);
+        const SerialLine request = parseSerialLine(line.substr(0, line.find_first_of("\r\n")));
+        const auto reply = [&request](std::string_view words) {
+            return serialLine(request.number, words, true) + "\r\n";
+        };
+        if (!request.words.empty() && request.words.front() == "identify")
+            return reply("ok " + serialIdentity({"Serial-1", 1559, 2}, "generic"));
+        std::string talk;
+        while (talk.size() < 200'000) {
+            if (kind == 0)
+                return reply("error BadCrc \"garbled\"");
+            talk += kind == 1 ? serialLine(7, "ok 5 6 7", true) + "\r\n" : std::string(1000, 'x');
+        }
+        return talk;
+    });
+    const auto link = serialLinkTo(stranger.url() + "?baud=1200");
+    const auto result = link->readRegisters(
+        std::vector<std::string>{"Axes[0]/Signals/PositionController/MasterPosition"}, within(1s));
+    QVERIFY(!result);
+    QVERIFY2(result.error().code == ErrorCode::Timeout
+            || result.error().code == ErrorCode::ConnectionLost,
+        describe(result.error()).c_str());
+}
+
+void SerialLinkTest::aReplyWithoutItsCrcIsNoReply()
+{
+    const SerialStranger stranger([](const std::string& came) -> std::string {
+        const std::size_t begin = came.find_first_not_of("\r\n\x18");
+        const std::string_view line = std::string_view(came).substr(begin == came.npos ? 0 : begin);
+        const SerialLine request = parseSerialLine(line.substr(0, line.find_first_of("\r\n")));
+        if (request.words.empty())
+            return {};
+        const bool isIdentify = request.words.front() == "identify";
+        const std::string words = isIdentify
+            ? "ok " + serialIdentity({"Serial-1", 1559, 2}, "generic")
+            : std::string("ok 1\r\n") + "Double 5";
+        return serialLine(request.number, words, isIdentify) + "\r\n";
+    });
+    const auto link = serialLinkTo(stranger.url());
+    VERIFY_RESULT(link->identify(within(5s)));
+    const auto read = link->readRegisters(
+        std::vector<std::string>{"Axes[0]/Signals/PositionController/MasterPosition"}, within(1s));
+    VERIFY_ERROR(read, ErrorCode::Timeout);
 }
 
 void SerialLinkTest::leavesTheTransferOfAProgramThatVanished()
