@@ -27,22 +27,22 @@ AxisMotion::AxisMotion(const VirtualAxis& axis, int index)
 {
 }
 
-double AxisMotion::encoder(DriveTime tick) const
+double AxisMotion::actualPosition(DriveTime tick) const
 {
     return m_middle + m_amplitude * std::sin(m_perSecond * seconds(tick) + m_phase);
 }
 
-double AxisMotion::secondEncoder(DriveTime tick) const
+double AxisMotion::secondEncoder(double firstEncoder) const
 {
     constexpr double scale = 1.0 + 20e-6;
     const double zero = 1e-4 * m_amplitude;
-    return encoder(tick) * scale + zero;
+    return firstEncoder * scale + zero;
 }
 
 double AxisMotion::setPosition(DriveTime tick) const
 {
     constexpr DriveTime lead = std::chrono::milliseconds(1);
-    return encoder(tick + lead);
+    return actualPosition(tick + lead);
 }
 
 float AxisMotion::motorTemperature(DriveTime tick) const

@@ -12,9 +12,11 @@ class AxisMotion {
 public:
     AxisMotion(const VirtualAxis& axis, int index);
 
-    [[nodiscard]] double encoder(DriveTime tick) const; ///< before compensation
-    [[nodiscard]] double secondEncoder(DriveTime tick) const; ///< of slightly other scale and zero
-    [[nodiscard]] double setPosition(DriveTime tick) const; ///< what the encoder follows
+    /// What the loop holds: the encoder position with the output of the compensation.
+    [[nodiscard]] double actualPosition(DriveTime tick) const;
+    [[nodiscard]] double setPosition(DriveTime tick) const; ///< what it follows
+    /// Of slightly other scale and zero than the first.
+    [[nodiscard]] double secondEncoder(double firstEncoder) const;
     [[nodiscard]] float motorTemperature(DriveTime tick) const; ///< degree Celsius
 
 private:

@@ -2,6 +2,7 @@
 #include "drivecomm/virtualdrive/firmware/virtual_drive_p.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace axiscomp::drivecomm {
 
@@ -15,6 +16,28 @@ void VirtualDrive::Private::advance()
 {
     now = std::max(now, options.clock());
     tick = now - now % loopPeriod;
+    settleEncoders();
+}
+
+/// The position loop holds the sum of encoder and output, so that the encoder moves by the opposite
+/// of the output, which depends on it and, over cross compensation, on other encoders.
+void VirtualDrive::Private::settleEncoders()
+{
+    constexpr int mostRounds = 100; // a table whose slope is below 0.5 needs 50
+    constexpr double rounding = 1e-13;
+    for (Axis& axis : axes)
+        axis.encoder = axis.motion.actualPosition(tick);
+    bool isSettled = false;
+    for (int round = 0; round < mostRounds && !isSettled; ++round) {
+        isSettled = true;
+        for (Axis& axis : axes) {
+            const double actual = axis.motion.actualPosition(tick);
+            const double encoder = actual - exactOutput(axis);
+            isSettled = isSettled
+                && std::abs(encoder - axis.encoder) <= rounding * (1.0 + std::abs(actual));
+            axis.encoder = encoder;
+        }
+    }
 }
 
 std::optional<std::size_t> VirtualDrive::Private::slotOf(const Axis& axis) const
@@ -63,16 +86,21 @@ CompensationState::Fault VirtualDrive::Private::checkSources(const Axis& axis, i
 
 float VirtualDrive::Private::output(const Axis& axis) const
 {
+    return static_cast<float>(exactOutput(axis));
+}
+
+double VirtualDrive::Private::exactOutput(const Axis& axis) const
+{
     const double gain = axis.compensation.gain(now);
     if (!axis.compensation.isOn(now) || gain == 0.0)
-        return 0.0F;
+        return 0.0;
     const Lookup& lookup = *memory.slot(*slotOf(axis)).ram->lookup;
     std::array<double, 3> positions{};
     const auto dimensions = static_cast<std::size_t>(lookup.dimensions());
     for (std::size_t i = 0; i < dimensions; ++i)
         positions.at(i) =
             toDouble(tree.atAddress(std::get<std::uint32_t>(axis.sources.at(i)->value))->current());
-    return static_cast<float>(lookup.at(std::span(positions).first(dimensions)) * gain);
+    return lookup.at(std::span(positions).first(dimensions)) * gain;
 }
 
 float VirtualDrive::Private::index(const Axis& axis, int dimension) const

@@ -161,17 +161,21 @@ void VirtualDrive::Private::defineAxis(int index)
 void VirtualDrive::Private::defineAxisSignals(int index)
 {
     const auto self = static_cast<std::size_t>(index);
-    const auto position = [&](std::string_view pattern, int n,
-                              double (AxisMotion::*at)(DriveTime) const) {
+    const auto position = [&](std::string_view pattern, int n, bool isIndependent, auto value) {
         define(pattern, {.axis = index, .n = n},
-            {.path = {}, .type = "Double", .value = 0.0, .live = [this, self, at] {
-                 return RegisterValue((axes[self].motion.*at)(tick));
-             }});
+            {.path = {},
+                .type = "Double",
+                .value = 0.0,
+                .live = [this, self, value] { return RegisterValue(value(axes[self], tick)); },
+                .independent = isIndependent});
     };
-    position(registers::masterPosition, 0, &AxisMotion::encoder);
-    position(registers::encoderPosition, 0, &AxisMotion::encoder);
-    position(registers::encoderPosition, 1, &AxisMotion::secondEncoder);
-    position(registers::setPosition, 0, &AxisMotion::setPosition);
+    const auto encoder = [](const Axis& axis, DriveTime) { return axis.encoder; };
+    position(registers::masterPosition, 0, true, encoder);
+    position(registers::encoderPosition, 0, true, encoder);
+    position(registers::encoderPosition, 1, true,
+        [](const Axis& axis, DriveTime) { return axis.motion.secondEncoder(axis.encoder); });
+    position(registers::setPosition, 0, true,
+        [](const Axis& axis, DriveTime at) { return axis.motion.setPosition(at); });
     define(registers::motorTemperature, {.axis = index},
         {.path = {}, .type = "Single", .value = 0.0F, .live = [this, self] {
              return RegisterValue(axes[self].motion.motorTemperature(tick));
@@ -185,6 +189,9 @@ void VirtualDrive::Private::defineAxisSignals(int index)
     defineEnum(registers::homingCommand, {.axis = index}, "HomingCommand",
         {std::string(registers::idle), std::string(registers::homingStart)},
         RegisterRole::HomingCommand, index);
+    // Behind the others, whose addresses state folders of earlier versions name as sources.
+    position(registers::actualPosition, 0, false,
+        [](const Axis& axis, DriveTime at) { return axis.motion.actualPosition(at); });
 }
 
 void VirtualDrive::Private::defineCompensation(int index)

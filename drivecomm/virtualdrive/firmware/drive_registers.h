@@ -12,6 +12,9 @@ inline constexpr std::string_view masterPosition =
     "Axes[{axis}]/Signals/PositionController/MasterPosition";
 inline constexpr std::string_view encoderPosition =
     "Axes[{axis}]/Signals/PositionController/Encoders[{n}]/Position";
+/// With the output of the compensation: what the position loop holds. This project's own.
+inline constexpr std::string_view actualPosition =
+    "Axes[{axis}]/Signals/PositionController/ActualPosition";
 inline constexpr std::string_view setPosition = "Axes[{axis}]/Signals/PathPlanner/Position";
 inline constexpr std::string_view motorTemperature =
     "Axes[{axis}]/Signals/General/MotorTemperature";

@@ -24,6 +24,7 @@ struct VirtualDrive::Private {
         CompensationState compensation;
         const Register* table = nullptr; ///< null: the profile has no such register
         std::array<const Register*, 3> sources{};
+        double encoder = 0.0; ///< at this tick, before compensation
     };
     struct Change {
         Register* target = nullptr;
@@ -52,6 +53,8 @@ struct VirtualDrive::Private {
     [[nodiscard]] std::optional<std::size_t> slotOf(const Axis& axis) const;
     [[nodiscard]] Fault check(const Axis& axis, bool needsHoming) const;
     [[nodiscard]] Fault checkSources(const Axis& axis, int dimensions) const;
+    void settleEncoders();
+    [[nodiscard]] double exactOutput(const Axis& axis) const;
     [[nodiscard]] float output(const Axis& axis) const;
     [[nodiscard]] float index(const Axis& axis, int dimension) const;
     /// The axis whose compensation is on with this slot.

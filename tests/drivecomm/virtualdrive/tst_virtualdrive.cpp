@@ -33,6 +33,8 @@ private Q_SLOTS:
     void evaluateShowsIndicesAndAddsNothing();
     void outputIsTheLookupAtTheSourcesReadWithIt_data();
     void outputIsTheLookupAtTheSourcesReadWithIt();
+    void theEncodersMoveByTheOppositeOfTheOutputs();
+    void theSumIsNoSource();
     void holdsTheEndsOutsideTheTable();
     void checksBeforeItActivates_data();
     void checksBeforeItActivates();
@@ -250,6 +252,63 @@ void TestVirtualDrive::outputIsTheLookupAtTheSourcesReadWithIt()
         outputs.insert(static_cast<double>(output));
     }
     QVERIFY(outputs.size() > 100);
+}
+
+/// Two planes over both axes: 0.1 x + 0.05 y and -0.02 x + 0.08 y. The loop holds
+/// x + 0.1 x + 0.05 y = X and y - 0.02 x + 0.08 y = Y, which two linear equations solve.
+void TestVirtualDrive::theEncodersMoveByTheOppositeOfTheOutputs()
+{
+    DriveFixture bench;
+    DriveFixture off;
+    const auto plane = [](float ofX, float ofY) {
+        CompensationTable table;
+        table.grid.axes = {{{}, {}, 0.0, 100.0, 2}, {{}, {}, 0.0, 100.0, 2}};
+        table.values = {0.0F, 100.0F * ofX, 100.0F * ofY, 100.0F * (ofX + ofY)};
+        return table;
+    };
+    VERIFY_RESULT(bench.upload("Small1", plane(0.1F, 0.05F)));
+    VERIFY_RESULT(bench.upload("Small2", plane(-0.02F, 0.08F)));
+    VERIFY_RESULT(bench.select("Small1", {masterOf0, masterOf1}));
+    const auto ofY = [](const char* name) {
+        return axisPath(1, "Parameters/Compensations/Axis/") + name;
+    };
+    VERIFY_RESULT(bench.drive->writeRegisters(
+        {{ofY("Table"), std::string("Small2")}, {ofY("Dim1Source"), bench.address(masterOf0)},
+            {ofY("Dim2Source"), bench.address(masterOf1)}}));
+    VERIFY_RESULT(bench.set(activationOf0, "AddToEncoders"));
+    VERIFY_RESULT(
+        bench.set(axisPath(1, "Commands/Compensations/Axis/Activation"), "AddToEncoders"));
+    const std::string actualOf0 = axisPath(0, "Signals/PositionController/ActualPosition");
+    const std::string actualOf1 = axisPath(1, "Signals/PositionController/ActualPosition");
+    for (int second = 1; second < 60; second += 7) {
+        bench.time = off.time = std::chrono::seconds(second);
+        const double setX = off.number(masterOf0);
+        const double setY = off.number(masterOf1);
+        QCOMPARE(bench.number(actualOf0), setX);
+        QCOMPARE(bench.number(actualOf1), setY);
+        const double determinant = 1.1 * 1.08 + 0.05 * 0.02;
+        const double x = (1.08 * setX - 0.05 * setY) / determinant;
+        const double y = (1.1 * setY + 0.02 * setX) / determinant;
+        if (x < 0.0 || x > 100.0 || y < 0.0 || y > 100.0)
+            continue; // outside of the table the ends hold
+        QVERIFY2(std::abs(bench.number(masterOf0) - x) < 1e-5, qPrintable(QString::number(x)));
+        QVERIFY2(std::abs(bench.number(masterOf1) - y) < 1e-5, qPrintable(QString::number(y)));
+        QVERIFY(std::abs(bench.number(outputOf0) - (setX - x)) < 1e-5);
+    }
+    VERIFY_RESULT(bench.set(activationOf0, "Disabled"));
+    bench.time += 1s;
+    off.time = bench.time;
+    QCOMPARE(bench.number(masterOf0), off.number(masterOf0));
+}
+
+void TestVirtualDrive::theSumIsNoSource()
+{
+    DriveFixture bench;
+    VERIFY_RESULT(bench.upload("Small1", flatTable(0.5F)));
+    VERIFY_RESULT(
+        bench.select("Small1", {axisPath(0, "Signals/PositionController/ActualPosition")}));
+    VERIFY_RESULT(bench.set(activationOf0, "AddToEncoders"));
+    COMPARE_TEXT(bench.text(errorOf0), "BadSource");
 }
 
 void TestVirtualDrive::holdsTheEndsOutsideTheTable()
