@@ -19,6 +19,16 @@ bool hasExtension(const FormatFacts& facts, std::string_view fileName)
     });
 }
 
+/// An extension that says nothing of what is in the file.
+bool isOfAnything(std::string_view fileName)
+{
+    constexpr std::array<std::string_view, 4> extensions{".txt", ".ini", ".cfg", ".prg"};
+    return std::ranges::any_of(extensions, [fileName](std::string_view extension) {
+        return fileName.size() >= extension.size()
+            && sameLetters(fileName.substr(fileName.size() - extension.size()), extension);
+    });
+}
+
 /// What tells one format from another stands within this.
 constexpr std::size_t longestBeginning = std::size_t{64} * 1024;
 
@@ -85,6 +95,9 @@ std::string formatNames(std::span<const TableFormat* const> formats)
 
 std::string beginningOf(const std::filesystem::path& file)
 {
+    std::error_code ignored;
+    if (!std::filesystem::is_regular_file(file, ignored)) // reading it says why
+        return {};
     std::string text(longestBeginning, '\0');
     std::ifstream stream(file, std::ios::binary);
     stream.read(text.data(), static_cast<std::streamsize>(text.size()));
@@ -154,7 +167,8 @@ Result<FormatChoice> chooseFormat(
     if (named == &tam_table::format() || (named == &calibration_csv::format() && isCalibration))
         return FormatChoice{named, {}};
     const FormatGuess guess = guessFormat(text, fileName);
-    if (guess.formats.empty() && named != nullptr)
+    const bool isTelling = named != nullptr && named->read != nullptr && !isOfAnything(fileName);
+    if (guess.formats.empty() && isTelling)
         return FormatChoice{named, {}};
     if (guess.formats.empty())
         return fail(

@@ -60,6 +60,13 @@ std::string_view firstWord(std::string_view text)
     return text.substr(0, text.find_first_of(blanks));
 }
 
+/// Vendors' tools put lines of asterisks and texts before a table, without the sign of a comment.
+bool isBanner(const Token& line)
+{
+    const std::string_view word = firstWord(line.text);
+    return line.text.front() != ':' && !numberOf(word) && word.find_first_of("0123456789") != 0;
+}
+
 /// Makes blocks of lines.
 class BlockReader {
 public:
@@ -161,6 +168,8 @@ std::vector<Block> BlockReader::read()
                     "files")
                     .with("directive", m_directive));
             return {};
+        } else if (!m_isOpen && isBanner(line)) {
+            keepNote(m_notes, trimmedToken(*whole).text);
         } else {
             takeValues(line);
         }
@@ -212,7 +221,7 @@ Recognition recogniseFile(std::string_view text, std::string_view directive)
     TextLines lines(text);
     while (const auto whole = lines.next()) {
         const Token line = trimmedToken(withoutComment(*whole, ";'"));
-        if (!line)
+        if (!line || isBanner(line))
             continue;
         const bool isStart = sameLetters(firstWord(line.text), directive);
         const bool hasMore =

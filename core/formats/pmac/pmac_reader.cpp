@@ -107,6 +107,25 @@ std::optional<std::string> readMotor(const Token& cell, DiagnosticList& diagnost
     return std::nullopt;
 }
 
+/// Between commas or blanks: real files have both.
+std::vector<Token> splitArguments(const Token& arguments)
+{
+    std::vector<Token> between;
+    splitCells(arguments, ',', between);
+    std::vector<Token> cells;
+    for (const Token& cell : between) {
+        Token rest = trimmedToken(cell);
+        std::size_t blank = rest.text.find_first_of(" \t");
+        while (blank != std::string_view::npos) {
+            cells.push_back({rest.text.substr(0, blank), rest.line, rest.column});
+            rest = trimmedToken({rest.text.substr(blank), rest.line, rest.column + blank});
+            blank = rest.text.find_first_of(" \t");
+        }
+        cells.push_back(rest);
+    }
+    return cells;
+}
+
 class Reader {
 public:
     Reader(TextReading& reading, std::size_t dimensions)
@@ -177,8 +196,7 @@ void Reader::begin(const Token& line, const Token& arguments)
 {
     finish();
     DiagnosticList& diagnostics = m_reading.diagnostics;
-    std::vector<Token> cells;
-    splitCells(arguments, ',', cells);
+    std::vector<Token> cells = splitArguments(arguments);
     const std::size_t dot = cells.front().text.find('.');
     const bool isPlane = dot != std::string_view::npos;
     if (isPlane != (m_dimensions == 2)) {
@@ -378,11 +396,11 @@ Recognition recogniseFile(std::string_view text, std::size_t dimensions)
     TextLines lines(text);
     while (const auto whole = lines.next()) {
         const auto arguments = behindDefineComp(takeAddress(withoutComments(*whole), addressed));
-        if (!arguments || arguments->text.find(',') == std::string_view::npos)
+        const std::vector<Token> cells =
+            arguments ? splitArguments(*arguments) : std::vector<Token>();
+        if (cells.size() < 2 || !numberOf(cells.front().text))
             continue;
-        const std::string_view size = arguments->text.substr(0, arguments->text.find(','));
-        if (!numberOf(size))
-            continue;
+        const std::string_view size = cells.front().text;
         const bool isPlane = size.find('.') != std::string_view::npos;
         (isPlane == (dimensions == 2) ? hasOwn : hasOther) = true;
     }

@@ -14,12 +14,15 @@ namespace axiscomp::reprap {
 namespace {
 
 constexpr std::string_view anyTitle = "RepRapFirmware height map file";
+constexpr std::string_view oldTitle = "RepRapFirmware height map file v1";
 constexpr std::string_view title = "RepRapFirmware height map file v2";
 
 constexpr std::array<std::string_view, 1> extensions{".csv"};
 constexpr std::array<std::string_view, 7> rules{
     "The first line begins with RepRapFirmware height map file v2, the second names the entries of "
-    "the third: until version 3.2 xmin,xmax,ymin,ymax,radius,xspacing,yspacing,xnum,ynum, from 3.3 "
+    "the third: until version 3.2 xmin,xmax,ymin,ymax,radius,xspacing,yspacing,xnum,ynum, or one "
+    "spacing for "
+    "both, from 3.3 "
     "axis0,axis1,min0,max0,min1,max1,radius,spacing0,spacing1,num0,num1.",
     "Then there is a line for each position of the second axis, with a height for each position of "
     "the first.",
@@ -43,8 +46,10 @@ constexpr std::array<std::string_view, 3> assumptions{
 struct Labels {
     std::string_view text;
     bool hasLetters; ///< of the axes, in front
+    std::size_t spacings = 2; ///< 1: the same for both axes
 };
 constexpr std::array labelLines{
+    Labels{"xmin,xmax,ymin,ymax,radius,spacing,xnum,ynum", false, 1},
     Labels{"xmin,xmax,ymin,ymax,radius,xspacing,yspacing,xnum,ynum", false},
     Labels{"axis0,axis1,min0,max0,min1,max1,radius,spacing0,spacing1,num0,num1", true},
 };
@@ -103,8 +108,9 @@ std::optional<std::array<Axis, 2>> axesOf(
     for (std::size_t n = 0; n < first; ++n)
         axes[n].name = toUtf8(cells[n].text, Encoding::Utf8);
     std::array<double, 7> numbers{};
+    const std::size_t count = 5 + labels.spacings;
     bool isRead = true;
-    for (std::size_t n = 0; n < numbers.size(); ++n) {
+    for (std::size_t n = 0; n < count; ++n) {
         const auto number = readNumber(cells[first + n],
             AXISCOMP_TEXT("Error", "a number for {key}").with("key", names[first + n].text),
             source.diagnostics);
@@ -112,13 +118,13 @@ std::optional<std::array<Axis, 2>> axesOf(
         numbers[n] = number.value_or(0.0);
     }
     for (std::size_t n = 0; n < axes.size(); ++n) {
-        const Token& cell = cells[first + numbers.size() + n];
+        const Token& cell = cells[first + count + n];
         const auto points =
             readWholeNumber(cell, AXISCOMP_TEXT("Error", "a number of points"), source.diagnostics);
         isRead = isRead && points.has_value();
         axes[n].minimum = numbers[2 * n];
         axes[n].maximum = numbers[2 * n + 1];
-        axes[n].spacing = numbers[5 + n];
+        axes[n].spacing = numbers[labels.spacings == 1 ? 5 : 5 + n];
         axes[n].points = points.value_or(0);
     }
     if (isRead && (axes[0].name.empty() || axes[0].name == axes[1].name)) {
@@ -177,6 +183,8 @@ std::vector<double> heightsOf(
             return {};
         if (trimmedToken(*line).text.empty())
             continue;
+        if (rows == axes[1].points && !numberOf(line->text.substr(0, line->text.find(','))))
+            continue; // what a slicer or a person has added
         if (rows == axes[1].points) {
             source.diagnostics.error(DiagnosticCode::Contradiction, line->line, 0,
                 AXISCOMP_TEXT("Error", "a further line after {number}").with("number", rows),
@@ -205,8 +213,8 @@ const Labels* labelsOf(const std::optional<Token>& line, TextReading& source)
         return labels;
     source.diagnostics.error(DiagnosticCode::Syntax, 2, 0, Verbatim{excerpt(text, Encoding::Utf8)},
         AXISCOMP_TEXT("Error", "the line {line}, or {other}")
-            .with("line", labelLines[0].text)
-            .with("other", labelLines[1].text));
+            .with("line", labelLines[1].text)
+            .with("other", labelLines[2].text));
     return nullptr;
 }
 
@@ -215,9 +223,12 @@ std::vector<NeutralTable> parse(TextReading& source)
     TextLines lines(source.text);
     const Token first = lines.next().value_or(Token{});
     if (!first.text.starts_with(title)) {
+        const bool isOld = first.text.starts_with(oldTitle);
         source.diagnostics.error(DiagnosticCode::Syntax, 1, 0,
-            Verbatim{excerpt(first.text, Encoding::Utf8)},
-            AXISCOMP_TEXT("Error", "the line {line}").with("line", title));
+            isOld ? AXISCOMP_TEXT("Error", "version 1 of the height map")
+                  : Text(Verbatim{excerpt(first.text, Encoding::Utf8)}),
+            isOld ? AXISCOMP_TEXT("Error", "version 2, which newer firmware writes")
+                  : AXISCOMP_TEXT("Error", "the line {line}").with("line", title));
         return {};
     }
     const Labels* const labels = labelsOf(lines.next(), source);

@@ -3,6 +3,7 @@
 
 #include "core/text/number_text.h"
 #include "core/text/text_file.h"
+#include "core/text/token_scanner.h"
 
 #include <algorithm>
 #include <cmath>
@@ -62,6 +63,18 @@ Token bare(Token value)
     return value;
 }
 
+/// The 802D writes [0.1] for [0,1].
+void splitAtPoint(std::vector<Token>& arguments)
+{
+    const Token whole = trimmedToken(arguments.front());
+    const std::size_t point = whole.text.find('.');
+    if (point == std::string_view::npos || !wholeNumberOf(whole.text.substr(0, point))
+        || !wholeNumberOf(whole.text.substr(point + 1)))
+        return;
+    arguments = {{whole.text.substr(0, point), whole.line, whole.column},
+        {whole.text.substr(point + 1), whole.line, whole.column + point + 1}};
+}
+
 /// False: not of this form; the problem is reported.
 bool readAssignment(const Token& line, Assignment& said, DiagnosticList& diagnostics)
 {
@@ -83,6 +96,8 @@ bool readAssignment(const Token& line, Assignment& said, DiagnosticList& diagnos
         return refuse(i, AXISCOMP_TEXT("Error", "an index that ends in ]"));
     splitCells({behindName.text.substr(1, close - 1), line.line, behindName.column + 1}, ',',
         said.arguments);
+    if (said.arguments.size() == 1)
+        splitAtPoint(said.arguments);
     for (Token& argument : said.arguments)
         argument = bare(argument);
     const Token behindIndex = rest(behindName, close + 1);
@@ -97,8 +112,18 @@ bool readAssignment(const Token& line, Assignment& said, DiagnosticList& diagnos
 
 bool isEnd(std::string_view text)
 {
-    return std::ranges::any_of(std::array{"M17", "M30", "M02", "M2"},
+    return std::ranges::any_of(std::array{"M17", "M30", "M02", "M2", "RET"},
         [&](std::string_view end) { return sameLetters(text, end); });
+}
+
+/// What people put round the assignments to load and activate them: it says nothing of the table.
+bool isAside(std::string_view text)
+{
+    const std::string_view word = text.substr(0, text.find_first_of(" \t("));
+    if (word.size() >= 2 && (word[0] == 'M' || word[0] == 'm') && wholeNumberOf(word.substr(1)))
+        return true;
+    return std::ranges::any_of(std::array{"NEWCONF", "STOPRE", "MSG", "G4", "G04"},
+        [&](std::string_view aside) { return sameLetters(word, aside); });
 }
 
 bool isFrame(std::string_view text)
@@ -127,6 +152,8 @@ bool readProgram(const TextReading& reading, std::vector<std::string>& notes,
             continue;
         if (isFrame(line.text)) {
             hasEnded = false; // an archive may hold several programs
+        } else if (isAside(line.text) && !isEnd(line.text)) {
+            continue;
         } else if (hasEnded) {
             reading.diagnostics.error(DiagnosticCode::Syntax, line.line, line.column,
                 quoted(line.text),

@@ -37,6 +37,14 @@ void describe(test::FormatSample& sample)
     sample.applies({{{-7.5}, 0.0015}, {{-100}, 0.001}, {{100}, -0.004}});
     sample.recognises(Recognition::Certain, {file});
     sample.recognises(Recognition::No, {":START2D 1 2 1 2 5 5 3\n", ":START\n", "1 2 3\n" + file});
+    // As vendors' tools write it.
+    const std::string banner = "***************************\r\n"
+                               "  Aerotech Metrologie, Pr\xFC"
+                               "fstand 3\r\n"
+                               "***************************\r\n"
+        + file;
+    sample.recognises(Recognition::Certain, {banner});
+    sample.applies({{{-7.5}, 0.0015}}, banner);
     const std::string homed =
         with("OFFSET=10", "OFFSET=10 HOMEOFFSET=2 HOMEDIRECTION=0 COLOUR=RED SERIALNUMBER=7");
     sample.applies({{{-7.5}, 0.0015}}, homed);

@@ -67,6 +67,11 @@ void describe(test::FormatSample& sample)
     const std::string open = with("0 // the last", "7 // the last");
     sample.warning("a last entry other than 0", open, {"5:0 NotPeriodic"});
     sample.applies({{{3.5}, (32 + 7) / 32000.0}}, open);
+    // As real files have it.
+    sample.recognises(
+        Recognition::Certain, {with("DEFINE COMP 4,#1D,#2,4000", "DEFINE COMP 4 #1D,#2,4000")});
+    sample.applies({{{0.5}, 0.005}, {{4.5}, 0.005}},
+        with("DEFINE COMP 4,#1D,#2,4000", "DEFINE COMP 4 #1D, #2\t,4000"));
     const std::string others = "M145=1\nDEFINE BLCOMP 2,100\n1 2\n" + file;
     sample.warning("other commands", others, {"1:1 UnknownKey", "2:1 UnknownKey"});
     sample.applies({{{0.5}, 0.005}}, others);

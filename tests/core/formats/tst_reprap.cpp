@@ -33,6 +33,12 @@ void describe(test::FormatSample& sample)
     sample.spareBytes = 4; // of the last number
     sample.applies({{{60, 20}, double(-0.2F)}, {{10, 220}, double(0.3F)},
         {{-50, -50}, double(0.1F)}, {{500, 500}, double(0.5F)}});
+    // One spacing for both axes, and a line that somebody has added.
+    sample.applies({{{60, 20}, double(-0.2F)}, {{10, 70}, double(0.3F)}},
+        title
+            + "xmin,xmax,ymin,ymax,radius,spacing,xnum,ynum\n10.00,115.00,20.00,70.00,-1.00,50.00,"
+              "3,2\n"
+            + heights + "\nsaved by hand\n");
     sample.recognises(Recognition::Certain,
         {oldFile(parameters, heights), "RepRapFirmware height map file v1\n"});
     sample.recognises(Recognition::No, {"RepRapFirmware probe points file v2\n", "0,1\n1,1\n"});
@@ -40,7 +46,7 @@ void describe(test::FormatSample& sample)
     const auto row = sample.problemRow();
     row("other title", "X,Y\n1,2\n", "1:0 Syntax X,Y|the line RepRapFirmware height map");
     row("version 1", "RepRapFirmware height map file v1\n" + oldLabels + parameters,
-        "1:0 Syntax RepRapFirmware height map file v1|the line");
+        "1:0 Syntax version 1 of the height map|version 2, which newer firmware writes");
     row("title only", title, "2:0 Syntax |the line xmin");
     row("other labels", title + "xmin,xmax\n1,2\n", "2:0 Syntax xmin,xmax|the line xmin");
     row("no parameters", title + oldLabels, "3:0 ColumnCount 1 entry|9: xmin");

@@ -57,6 +57,15 @@ void describe(test::FormatSample& sample)
     sample.applies({{{-200}, 0.015}, {{-1e6}, 0.01}, {{1e6}, 0.03}});
     sample.recognises(Recognition::Certain, {program});
     sample.recognises(Recognition::No, {"$AA_ENC_COMP[0,0,X1]=0\n"});
+    // As machines have it.
+    std::string machine =
+        "MSG(\"load CEC\")\nSTOPRE\n" + tableText("0", "0") + "NEWCONF\nG4 F1\nM0\nMSG()\nRET\n";
+    sample.recognises(Recognition::Certain, {machine});
+    sample.applies({{{-200}, 0.015}}, machine);
+    for (const char* const point : {"0", "1", "2"})
+        machine = test::changing(machine)(
+            std::string("$AN_CEC[0,") + point, std::string("$AN_CEC[0.") + point);
+    sample.applies({{{-200}, 0.015}, {{1e6}, 0.03}}, machine); // the 802D
     const std::string product = with("MULT_BY_TABLE[0]=0", "MULT_BY_TABLE[0]=2");
     sample.warning("a product of tables is left out", product, {"12:0 Assumption"});
     sample.applies({{{0}, 0.02}}, product);
@@ -118,8 +127,6 @@ void describe(test::FormatSample& sample)
         "14:1 Contradiction $AN_CEC_INPUT_AXIS a second time");
     row("three indices", with("$AN_CEC[0,1]", "$AN_CEC[0,1,2]"),
         "4:1 Syntax $AN_CEC|two indices: [table,point]");
-    row("points where a comma is meant", with("$AN_CEC[0,1]", "$AN_CEC[0.1]"),
-        "4:1 Syntax $AN_CEC|two indices");
     row("no such table", with("$AN_CEC[0,1]", "$AN_CEC[1000,1]"),
         "4:9 LimitExceeded table 1000|the index of a table, 0 to 999");
     row("direction 2", with("DIRECTION[0]=0", "DIRECTION[0]=2"),
