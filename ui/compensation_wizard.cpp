@@ -21,6 +21,7 @@
 #include "ui/page/write_flow.h"
 #include "ui/page/write_preview.h"
 #include "ui/style/dirty_style.h"
+#include "ui/style/plain_tool_tips.h"
 #include "ui/text/language.h"
 
 #include <QBoxLayout>
@@ -98,6 +99,7 @@ CompensationWizard::Private::Private(
     , guard(controller, *page->messages)
     , messages(controller, *page->messages)
 {
+    new PlainToolTips(wizard); // which owns it
     menu->showLanguage(settings.language());
     page->preview->writePreview().setSkippedForVolatile(settings.isPreviewSkippedForVolatile());
     menu->showPreviewSkipped(settings.isPreviewSkippedForVolatile());

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/common/console.h"
 
+#include "core/text/utf8.h"
+
 #include <sys/ioctl.h>
 #include <unistd.h>
 
@@ -63,7 +65,7 @@ std::string singleLine(std::string_view text)
         const auto byte = static_cast<unsigned char>(c);
         result.push_back(byte < 0x20 || byte == 0x7f ? ' ' : c);
     }
-    return result;
+    return visibleText(result);
 }
 
 std::string withoutPasswords(std::string_view text)
@@ -75,7 +77,8 @@ std::string withoutPasswords(std::string_view text)
         const std::size_t begin = place + scheme.size();
         const std::size_t end = result.find_first_of(" \t\r\n\"'", begin);
         const std::size_t at = result.substr(0, end).rfind('@');
-        if (at != std::string::npos && at >= begin)
+        constexpr std::string_view example = "user:password"; // of a sentence that says what to do
+        if (at != std::string::npos && at >= begin && result.substr(begin, at - begin) != example)
             result.erase(begin, at + 1 - begin);
     }
     return result;
@@ -101,7 +104,8 @@ void Console::print(std::string_view text)
 {
     const std::lock_guard lock(m_mutex);
     hideProgress();
-    m_kept.append(text);
+    // A program gets what a file says as it is; a terminal acts on some of it.
+    m_kept.append(m_outputIsTerminal ? visibleText(text, true) : std::string(text));
     if (m_kept.size() >= bufferSize)
         send();
 }

@@ -3,6 +3,7 @@
 
 #include <QBoxLayout>
 #include <QCloseEvent>
+#include <QScreen>
 #include <QSettings>
 
 namespace axiscomp::app {
@@ -31,6 +32,14 @@ WizardWindow::WizardWindow(const ui::WizardOptions& options, QSettings& settings
     connect(m_wizard, &ui::CompensationWizard::closeRequested, this, &QWidget::close);
     if (!restoreGeometry(settings.value(geometryKey).toByteArray()))
         resize(usualSize);
+    keepOnScreen();
+}
+
+/// A size that no screen has may come from another computer, or from a text of a drive.
+void WizardWindow::keepOnScreen()
+{
+    if (!isMaximized() && !isFullScreen())
+        resize(size().boundedTo(screen()->availableSize()));
 }
 
 ui::CompensationWizard& WizardWindow::wizard()
@@ -44,6 +53,7 @@ void WizardWindow::closeEvent(QCloseEvent* event)
         event->ignore();
         return;
     }
+    keepOnScreen();
     m_settings.setValue(geometryKey, saveGeometry());
     event->accept();
 }

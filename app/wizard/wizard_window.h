@@ -21,6 +21,8 @@ protected:
     void closeEvent(QCloseEvent* event) override;
 
 private:
+    void keepOnScreen();
+
     QSettings& m_settings;
     ui::CompensationWizard* m_wizard;
 };

@@ -17,4 +17,12 @@ namespace axiscomp {
 /// is not UTF-8 becomes U+FFFD, a control character becomes a blank.
 [[nodiscard]] std::string cleanText(std::string_view text);
 
+/// Characters that move the cursor, hide or reorder text, made visible: "␛" for U+001B, "[U+202E]"
+/// for a mark of direction. keepsLines: line ends and tabs stay as they are.
+[[nodiscard]] std::string visibleText(std::string_view text, bool keepsLines = false);
+
+/// Text of a drive or a file for people: cleanText() with visibleText() before it loses the control
+/// characters, and cut with "…" where it has more than maximumBytes.
+[[nodiscard]] std::string shownText(std::string_view text, std::size_t maximumBytes = 200);
+
 } // namespace axiscomp

@@ -51,7 +51,7 @@ std::string fingerprintOf(const QSslCertificate& certificate)
 std::string nameOf(const QString& text)
 {
     constexpr std::size_t longest = 200;
-    const std::string name = cleanText(text.toStdString());
+    const std::string name = shownText(text.toStdString());
     return name.empty() ? "?" : std::string(cutAtCharacter(name, longest));
 }
 

@@ -201,6 +201,14 @@ private Q_SLOTS:
         }
     }
 
+    void theWayOutKeepsItsExample()
+    {
+        const GuardedDrive guarded;
+        const ProgramRun run = guarded.box.run({"axes", "--drive", guarded.drive.url()});
+        VERIFY_CODE(run, 4);
+        QVERIFY2(run.err.contains("http://user:password@host"), run.err.constData());
+    }
+
     void noOtherUserSeesItAmongTheArguments()
     {
         const GuardedDrive guarded;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/text/translated_text.h"
 
+#include "core/text/utf8.h"
+
 #include <QCoreApplication>
 #include <QLocale>
 
@@ -25,7 +27,11 @@ QString translatedWords(const TextPattern& pattern, const Arguments& arguments)
 }
 
 struct ArgumentText {
-    QString operator()(const Verbatim& name) const { return QString::fromStdString(name.text); }
+    /// A drive or a file may have said it.
+    QString operator()(const Verbatim& name) const
+    {
+        return QString::fromStdString(visibleText(name.text, true));
+    }
     QString operator()(const Quantity& quantity) const
     {
         QString text =

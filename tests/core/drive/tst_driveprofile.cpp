@@ -91,7 +91,7 @@ private Q_SLOTS:
         QCOMPARE(unpackName({0x00410042, 0x41414141}), "B");
         QCOMPARE(unpackName({}), "");
         QCOMPARE(unpackName({-1}), "\xEF\xBF\xBD\xEF\xBF\xBD\xEF\xBF\xBD\xEF\xBF\xBD");
-        QCOMPARE(unpackName({0x411B0A42}), "B  A");
+        QCOMPARE(unpackName({0x411B0A42}), "B\u240a\u241bA");
     }
 };
 
