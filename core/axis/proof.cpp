@@ -47,6 +47,9 @@ public:
             }
             AXISCOMP_CHECK(sample());
         }
+        m_proof.extent = !m_isWithin ? Proof::Extent::OutsideTable
+            : !m_hasContent          ? Proof::Extent::OnlyZeros
+                                     : Proof::Extent::Proved;
         return m_proof;
     }
 
@@ -99,12 +102,26 @@ private:
         sample.expected = isActive
             ? m_lookup.at(std::span<const double>(sample.sources.data(), dimensions()))
             : 0.0;
+        const bool isWithin = isWithinTable(sample);
+        m_isWithin = m_isWithin || isWithin;
+        // The indices are what an evaluation shows.
+        m_hasContent = m_hasContent || (isWithin && (!isActive || sample.expected != 0.0));
         Motion motion;
         if (!m_access.profile().readsAtOneInstant) {
             AXISCOMP_TRY(auto moved, motionSince(sample));
             motion = moved;
         }
         return compare(sample, motion);
+    }
+
+    [[nodiscard]] bool isWithinTable(const Proof::Sample& sample) const
+    {
+        for (std::size_t n = 0; n < dimensions(); ++n) {
+            const GridAxis& axis = m_table.grid.axes[n];
+            if (!(axis.start <= sample.sources[n] && sample.sources[n] <= axis.last()))
+                return false;
+        }
+        return true;
     }
 
     /// How far output and indices may have moved while a drive answered register by register.
@@ -166,9 +183,22 @@ private:
     const CompensationTable& m_table;
     Lookup m_lookup;
     Proof m_proof;
+    bool m_isWithin = false; ///< at least one sample
+    bool m_hasContent = false;
 };
 
 } // namespace
+
+Text notProvedText(Proof::Extent extent)
+{
+    if (extent == Proof::Extent::OutsideTable)
+        return AXISCOMP_TEXT("Error",
+            "The axis is outside of the table, where the values at its ends hold. Move the axis "
+            "into the table and activate again.");
+    return AXISCOMP_TEXT("Error",
+        "The table is 0 at every position that was looked at. Move the axis to where the table is "
+        "not 0 and activate again.");
+}
 
 Result<Proof> proveAxis(const RegisterAccess& access, const AxisStatus& status,
     const CompensationTable& table, int samples)

@@ -3,6 +3,7 @@
 
 #include "core/axis/axis_status.h"
 #include "core/base/result.h"
+#include "core/base/text.h"
 #include "core/table/compensation_table.h"
 
 #include <array>
@@ -14,6 +15,13 @@ class RegisterAccess;
 
 /// The drive's own numbers against core's lookup at the same sources.
 struct Proof {
+    /// What the samples can show. Beyond the ends of a table, and where it is 0, a wrong table
+    /// looks like the right one.
+    enum class Extent {
+        Proved, ///< at least one sample within the table, and with an output while Active
+        OutsideTable,
+        OnlyZeros,
+    };
     struct Sample {
         std::array<double, 3> sources{};
         double output = 0.0; ///< the drive's
@@ -24,7 +32,12 @@ struct Proof {
     std::vector<Sample> samples;
     double largestDifference = 0.0; ///< |output - expected|
     double tolerance = 0.0; ///< float32 rounding of the table's largest value
+    Extent extent = Extent::Proved;
 };
+
+/// Why nothing is proved although nothing differs, and what to do about it, as a sentence; for
+/// another extent than Proved.
+[[nodiscard]] Text notProvedText(Proof::Extent extent);
 
 /// The end-to-end proof (docs/architecture.md): the drive's own output and indices against core's
 /// lookup in the table that the drive holds, at the sources that the drive reports with them. Finds

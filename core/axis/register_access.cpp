@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/axis/register_access.h"
 
+#include "core/text/utf8.h"
+
 #include <algorithm>
 #include <cmath>
 #include <condition_variable>
@@ -68,11 +70,21 @@ std::vector<std::string> RegisterAccess::axisPaths(
     return paths;
 }
 
+Result<DriveIdentity> RegisterAccess::identify() const
+{
+    auto drive = m_link.identify(exchange());
+    if (drive)
+        drive->name = shownText(drive->name);
+    return drive;
+}
+
 Result<Readings> RegisterAccess::read(const std::vector<std::string>& paths) const
 {
     AXISCOMP_TRY(auto answer, m_link.readRegisters(paths, exchange()));
     Readings readings;
     for (RegisterReading& reading : answer) {
+        if (auto* text = std::get_if<std::string>(&reading.value))
+            *text = shownText(*text);
         std::string path = reading.path;
         readings.insert_or_assign(std::move(path), std::move(reading));
     }

@@ -53,6 +53,8 @@ public:
     [[nodiscard]] std::vector<std::string> axisPaths(
         const std::string& pattern, int axis, int first, int count) const;
 
+    /// Names and texts of a drive are as shownText() gives them, here and in read().
+    [[nodiscard]] Result<DriveIdentity> identify() const;
     [[nodiscard]] Result<Readings> read(const std::vector<std::string>& paths) const;
     /// Registers that the drive does not have are left out.
     /// One that is named twice is read once.

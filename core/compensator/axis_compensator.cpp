@@ -125,6 +125,7 @@ Result<WriteReport> AxisCompensator::Private::write(
     AXISCOMP_TRY(auto unfinished, store.journal(drive.serialNumber, axis));
     if (prepared.plan.changes.empty() && !onlySaves && !unfinished)
         return fail(ErrorCode::NothingToWrite, {{"axis", axis}});
+    AXISCOMP_CHECK(checkLargeAccepted(prepared.plan, request));
     return WriteProcedure(access, store, sources, clock, std::move(prepared), std::move(unfinished))
         .run();
 }
@@ -145,6 +146,7 @@ Result<AxisStatus> AxisCompensator::evaluate(int axis, const OperationOptions& o
 {
     const RegisterAccess access = d->access(options);
     AXISCOMP_TRY(auto drive, d->identify(access, axis));
+    AXISCOMP_CHECK(readTable(axis, options));
     return evaluateAxis(access, drive, axis, d->sources);
 }
 
@@ -152,6 +154,7 @@ Result<AxisStatus> AxisCompensator::activate(int axis, const OperationOptions& o
 {
     const RegisterAccess access = d->access(options);
     AXISCOMP_TRY(auto drive, d->identify(access, axis));
+    AXISCOMP_CHECK(readTable(axis, options));
     return activateAxis(access, drive, axis, d->sources);
 }
 
@@ -167,6 +170,63 @@ Result<Proof> AxisCompensator::prove(int axis, int samples, const OperationOptio
     AXISCOMP_TRY(auto now, status(axis, options));
     AXISCOMP_TRY(auto table, readTable(axis, options));
     return proveAxis(d->access(options), now, table, samples);
+}
+
+Result<Activation> AxisCompensator::switchTo(
+    int axis, Switch wanted, int samples, const OperationOptions& options)
+{
+    if (wanted == Switch::Deactivate) {
+        AXISCOMP_TRY(auto off, deactivate(axis, options));
+        return Activation{std::move(off), std::nullopt};
+    }
+    const RegisterAccess access = d->access(options);
+    AXISCOMP_TRY(auto before, status(axis, options));
+    if (wanted == Switch::Activate && !before.axis.isHomed && !before.isOn())
+        return fail(ErrorCode::NotHomed, {{"axis", axis}});
+    AXISCOMP_TRY(const auto table, readTable(axis, options));
+    auto now = wanted == Switch::Activate ? activateAxis(access, before.drive, axis, d->sources)
+                                          : evaluateAxis(access, before.drive, axis, d->sources);
+    Activation activation{before, std::nullopt};
+    if (!now) {
+        d->withdraw(before, activation, options);
+        return fail(now.error());
+    }
+    activation.status = *std::move(now);
+    activation.proof = proveAxis(access, activation.status, table, samples);
+    const bool hasChanged = before.axis.state != activation.status.axis.state;
+    if (!*activation.proof && hasChanged)
+        d->putBack(before, activation, options);
+    return activation;
+}
+
+/// A switch that was not seen to its end must not happen later, unproved. An error of the
+/// compensation stays, to be read.
+void AxisCompensator::Private::withdraw(
+    const AxisStatus& before, Activation& activation, const OperationOptions& options)
+{
+    OperationOptions quiet = options;
+    quiet.stop = {};
+    quiet.progress = {};
+    const auto now = readStatus(access(quiet), before.drive, before.axis.index, sources);
+    if (now && now->axis.state != CompensationState::Error && now->activation != before.activation)
+        putBack(before, activation, options);
+}
+
+/// Goes on after the user has stopped, and as well as it can after anything else.
+void AxisCompensator::Private::putBack(
+    const AxisStatus& before, Activation& activation, const OperationOptions& options)
+{
+    OperationOptions quiet = options;
+    quiet.stop = {};
+    quiet.progress = {};
+    const RegisterAccess access = this->access(quiet);
+    const int axis = before.axis.index;
+    auto off = deactivateAxis(access, before.drive, axis, sources);
+    if (off && before.axis.state == CompensationState::Evaluating)
+        off = evaluateAxis(access, before.drive, axis, sources);
+    activation.isPutBack = off.has_value();
+    if (off)
+        activation.status = *std::move(off);
 }
 
 Result<CompensationTable> AxisCompensator::readTable(int axis, const OperationOptions& options)

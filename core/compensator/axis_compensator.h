@@ -16,10 +16,19 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace axiscomp {
+
+enum class Switch { Activate, Evaluate, Deactivate };
+
+struct Activation {
+    AxisStatus status; ///< in the end
+    std::optional<Result<Proof>> proof; ///< none when the compensation was switched off
+    bool isPutBack = false; ///< the proof failed, and status is again what it was before
+};
 
 /// The service: reads and changes the compensation of a drive's axes in the safe order
 /// (docs/architecture.md, "The safe order of a write"). Blocking; one instance per link, used on
@@ -62,7 +71,8 @@ public:
     [[nodiscard]] Result<WriteReport> setPersistency(
         int axis, Persistency persistency, const OperationOptions& options = {});
 
-    /// Wait for the resulting state. Errors: CompensationError, NotHomed, NoTable.
+    /// Wait for the resulting state. The table is read whole and checked before it is used. Errors:
+    /// CompensationError, NotHomed, NoTable, InvalidTable.
     [[nodiscard]] Result<AxisStatus> evaluate(int axis, const OperationOptions& options = {});
     [[nodiscard]] Result<AxisStatus> activate(int axis, const OperationOptions& options = {});
     [[nodiscard]] Result<AxisStatus> deactivate(int axis, const OperationOptions& options = {});
@@ -71,6 +81,11 @@ public:
     /// ProofFailed with both numbers, CompensationError when the axis is in neither state.
     [[nodiscard]] Result<Proof> prove(
         int axis, int samples = 5, const OperationOptions& options = {});
+
+    /// Switches the compensation, and proves it unless it is switched off. When the proof fails, or
+    /// the user stops it, the state from before is put back, also when it was Evaluating.
+    [[nodiscard]] Result<Activation> switchTo(
+        int axis, Switch wanted, int samples = 5, const OperationOptions& options = {});
 
     /// The table that the axis uses. Errors: NoTable, InvalidTable.
     [[nodiscard]] Result<CompensationTable> readTable(

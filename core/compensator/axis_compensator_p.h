@@ -24,7 +24,7 @@ struct AxisCompensator::Private {
 
     [[nodiscard]] Result<DriveIdentity> identify(const RegisterAccess& access)
     {
-        auto drive = link.identify(access.exchange());
+        auto drive = access.identify();
         if (drive)
             sources.useDrive(*drive);
         return drive;
@@ -51,6 +51,10 @@ struct AxisCompensator::Private {
     struct ResumedWrite;
     [[nodiscard]] Result<ResumedWrite> resume(
         const RegisterAccess& access, const JournalEntry& entry);
+
+    void withdraw(
+        const AxisStatus& before, Activation& activation, const OperationOptions& options);
+    void putBack(const AxisStatus& before, Activation& activation, const OperationOptions& options);
 
     // With the write lock held.
     [[nodiscard]] Result<WriteReport> write(const RegisterAccess& access,

@@ -107,26 +107,7 @@ OperationEnd<Activation> switchAxis(AxisCompensator& compensator,
     const std::filesystem::path& storeRoot, int axis, Switch wanted,
     const OperationOptions& options)
 {
-    const auto switched = [&] {
-        switch (wanted) {
-        case Switch::Activate:
-            return compensator.activate(axis, options);
-        case Switch::Evaluate:
-            return compensator.evaluate(axis, options);
-        case Switch::Deactivate:
-            break;
-        }
-        return compensator.deactivate(axis, options);
-    };
-    auto status = switched();
-    Result<Activation> outcome = fail(ErrorCode::Cancelled);
-    if (!status) {
-        outcome = fail(status.error());
-    } else {
-        outcome = Activation{std::move(*status), std::nullopt};
-        if (wanted != Switch::Deactivate)
-            outcome->proof = compensator.prove(axis, proofSamples, options);
-    }
+    auto outcome = compensator.switchTo(axis, wanted, proofSamples, options);
     return {std::move(outcome), readAxis(compensator, storeRoot, axis, quietly(options))};
 }
 

@@ -64,11 +64,7 @@ template <typename T> struct OperationEnd {
     const std::filesystem::path& storeRoot, int axis, WriteRequest request,
     const OperationOptions& options);
 
-struct Activation {
-    AxisStatus status;
-    std::optional<Result<Proof>> proof; ///< while active or evaluating
-};
-enum class Switch { Activate, Evaluate, Deactivate };
+/// As AxisCompensator::switchTo.
 [[nodiscard]] OperationEnd<Activation> switchAxis(AxisCompensator& compensator,
     const std::filesystem::path& storeRoot, int axis, Switch wanted,
     const OperationOptions& options);

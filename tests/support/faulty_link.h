@@ -69,6 +69,9 @@ public:
     [[nodiscard]] int firstChange() const { return m_firstChange; }
     void forgetChange() { m_firstChange = 0; }
     std::function<void()> stopUser;
+    /// Changes what registers say and files hold on their way from the drive.
+    std::function<void(RegisterReading&)> altersReading;
+    std::function<void(Bytes&)> altersDownload;
     /// Told of every exchange before it begins: "identify", "read", "write", "list", "download",
     /// "upload".
     std::function<void(std::string_view what)> beginning;
@@ -83,8 +86,12 @@ public:
         std::span<const std::string> paths, const Exchange& exchange) override
     {
         return pass<std::vector<RegisterReading>>("read", exchange,
-            [this, own = std::vector(paths.begin(), paths.end())](
-                const Exchange& e) { return m_inner.readRegisters(own, e); });
+            [this, own = std::vector(paths.begin(), paths.end())](const Exchange& e) {
+                auto readings = m_inner.readRegisters(own, e);
+                for (std::size_t i = 0; altersReading && readings && i < readings->size(); ++i)
+                    altersReading((*readings)[i]);
+                return readings;
+            });
     }
     [[nodiscard]] Result<std::vector<RegisterReading>> readTree(
         const std::string& prefix, const Exchange& exchange) override
@@ -106,8 +113,12 @@ public:
     }
     [[nodiscard]] Result<Bytes> download(const std::string& path, const Exchange& exchange) override
     {
-        return pass<Bytes>("download", exchange,
-            [this, path](const Exchange& e) { return m_inner.download(path, e); });
+        return pass<Bytes>("download", exchange, [this, path](const Exchange& e) {
+            auto bytes = m_inner.download(path, e);
+            if (altersDownload && bytes)
+                altersDownload(*bytes);
+            return bytes;
+        });
     }
     [[nodiscard]] Result<void> upload(
         const std::string& path, ByteView bytes, const Exchange& exchange) override

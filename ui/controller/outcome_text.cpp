@@ -80,6 +80,9 @@ Outcome Outcomes::notWritten(const Error& error)
     case ErrorCode::OutcomeUnknown: // these two say themselves what the drive holds
     case ErrorCode::RollbackFailed:
         return outcome;
+    case ErrorCode::ChangedMeanwhile: // by somebody else, or by a restart
+        outcome.text += u' ' + tr("Nothing was written.");
+        return outcome;
     case ErrorCode::Cancelled:
         outcome.text = tr("The write was stopped.");
         break;
@@ -109,10 +112,20 @@ Outcome Outcomes::switched(Switch wanted, const Activation& activation)
     if (!activation.proof)
         return {state, false, {}};
     const Result<Proof>& proof = *activation.proof;
+    if (proof && proof->extent != Proof::Extent::Proved)
+        return {
+            state + u' ' + tr("Not proved.") + u' ' + sentenceText(notProvedText(proof->extent)),
+            true, {}};
     if (proof)
         return {state + u' ' + proved(*proof, activation.status.axis), false, {}};
     const QString reason = proof.error().code == ErrorCode::Cancelled ? tr("The proof was stopped.")
                                                                       : errorText(proof.error());
+    if (activation.isPutBack && activation.status.isOn())
+        return {tr("The proof failed, and the drive evaluates again as before. %1").arg(reason),
+            true, errorDetail(proof.error())};
+    if (activation.isPutBack)
+        return {tr("The proof failed, and the compensation was switched off again. %1").arg(reason),
+            true, errorDetail(proof.error())};
     return {tr("%1 But the proof failed: deactivate it unless you know why. %2").arg(state, reason),
         true, errorDetail(proof.error())};
 }

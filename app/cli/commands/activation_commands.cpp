@@ -4,6 +4,7 @@
 #include "app/cli/output/status_text.h"
 #include "app/cli/session/command_session.h"
 #include "app/common/number_text.h"
+#include "core/compensator/axis_compensator.h"
 
 namespace axiscomp::app {
 
@@ -11,62 +12,70 @@ namespace {
 
 constexpr int proofSamples = 5;
 
-enum class Activation { Evaluate, Activate, Deactivate };
-
-Result<AxisStatus> carryOut(CommandSession& session, Activation activation, int axis)
+/// What the drive does now that the proof has failed.
+void noteState(Environment& environment, const Activation& activation)
 {
-    switch (activation) {
-    case Activation::Evaluate:
-        return session.compensator().evaluate(axis, session.operation());
-    case Activation::Activate:
-        return session.compensator().activate(axis, session.operation());
-    case Activation::Deactivate:
-        break;
+    if (!activation.isPutBack)
+        environment.warn("the compensation is on although it is not proved: axiscomp deactivate "
+                         "switches it off");
+    else if (activation.status.isOn())
+        environment.console().note("note: the drive evaluates again, as before");
+    else
+        environment.console().note("note: the compensation was switched off again");
+}
+
+void printProof(Environment& environment, Switch wanted, const Proof& proof)
+{
+    if (proof.extent != Proof::Extent::Proved) {
+        environment.print("\nNot proved.\n");
+        environment.warn("nothing is proved: " + notProvedText(proof.extent).english());
+    } else {
+        environment.print(wanted == Switch::Activate
+                ? "\nProof: what the drive adds is what the table says.\n"
+                : "\nProof: the drive looks up where it should; it adds nothing while it "
+                  "evaluates.\n");
     }
-    return session.compensator().deactivate(axis, session.operation());
 }
 
 Result<ExitCode> runActivation(
-    Environment& environment, CommandSession& session, Activation activation, int axis)
+    Environment& environment, CommandSession& session, Switch wanted, int axis)
 {
     const auto before = settledStatus(environment, session, axis);
     if (!before)
         return fail(before.error());
-    AXISCOMP_TRY(auto status, carryOut(session, activation, axis));
+    AXISCOMP_TRY(const auto activation,
+        session.compensator().switchTo(axis, wanted, proofSamples, session.operation()));
+    const AxisStatus& status = activation.status;
+    environment.console().clearProgress();
+    if (activation.proof && !*activation.proof) {
+        noteState(environment, activation);
+        return fail(activation.proof->error());
+    }
     environment.print("The compensation of " + axisWords(status.axis) + " of "
         + driveWords(status.drive) + " is " + status.axis.stateWord + ".\n");
     Json json = {{"status", toJson(status)}};
-    if (activation != Activation::Deactivate) {
-        const auto proof = session.compensator().prove(axis, proofSamples, session.operation());
-        if (!proof && activation == Activation::Activate)
-            environment.warn(
-                "the compensation is on although it is not proved: axiscomp deactivate "
-                "switches it off");
-        if (!proof)
-            return fail(proof.error());
+    if (activation.proof) {
+        const Proof& proof = **activation.proof;
         // Output and indices of a moment in which the compensation works.
         const int dimensions = status.table ? status.table->grid.dimensions() : 0;
-        json["proof"] = toJson(*proof, dimensions);
-        environment.print(activation == Activation::Activate
-                ? "\nProof: what the drive adds is what the table says.\n"
-                : "\nProof: the drive looks up where it should; it adds nothing while it "
-                  "evaluates.\n");
-        environment.print(proofText(*proof, status));
+        json["proof"] = toJson(proof, dimensions);
+        printProof(environment, wanted, proof);
+        environment.print(proofText(proof, status));
     }
     environment.document(json);
     return ExitCode::Done;
 }
 
-void addActivation(CommandLine& line, const std::string& name, const std::string& description,
-    Activation activation)
+void addActivation(
+    CommandLine& line, const std::string& name, const std::string& description, Switch wanted)
 {
     auto options = std::make_shared<DriveOptions>();
     options->command = commandName(name);
     CLI::App* command =
-        line.add(name, driveCommands, description, [options, activation](Environment& environment) {
+        line.add(name, driveCommands, description, [options, wanted](Environment& environment) {
             return withAxis(environment, *options,
-                [activation](Environment& sameEnvironment, CommandSession& session, int axis) {
-                    return runActivation(sameEnvironment, session, activation, axis);
+                [wanted](Environment& sameEnvironment, CommandSession& session, int axis) {
+                    return runActivation(sameEnvironment, session, wanted, axis);
                 });
         });
     addDriveOptions(*command, *options);
@@ -78,11 +87,11 @@ void addActivation(CommandLine& line, const std::string& name, const std::string
 void addActivationCommands(CommandLine& line)
 {
     addActivation(line, "evaluate", "Let the drive look up the table without adding its values",
-        Activation::Evaluate);
+        Switch::Evaluate);
     addActivation(line, "activate",
         "Activate the compensation, and compare the drive's output with the table",
-        Activation::Activate);
-    addActivation(line, "deactivate", "Deactivate the compensation", Activation::Deactivate);
+        Switch::Activate);
+    addActivation(line, "deactivate", "Deactivate the compensation", Switch::Deactivate);
 }
 
 } // namespace axiscomp::app

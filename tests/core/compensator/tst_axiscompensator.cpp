@@ -269,6 +269,43 @@ private Q_SLOTS:
         QCOMPARE(off->output, 0.0);
     }
 
+    void aTableThatOnlyTheRegistersHoldIsWrittenAgain()
+    {
+        CompensatorFixture f;
+        VERIFY_RESULT(f.compensator.write(0, exampleRequest()));
+        VERIFY_ERROR(f.compensator.write(0, exampleRequest()), ErrorCode::NothingToWrite);
+        const auto before = f.compensator.status(0);
+        VERIFY_RESULT(before);
+        f.link.altersDownload = [](Bytes& bytes) { bytes.back() ^= std::byte{1}; };
+        const auto plan = f.compensator.plan(0, exampleRequest());
+        VERIFY_RESULT(plan);
+        QVERIFY(plan->after.slot != before->setup.slot);
+        f.link.altersDownload = {};
+        VERIFY_ERROR(f.compensator.write(0, exampleRequest()), ErrorCode::NothingToWrite);
+    }
+
+    void aReadBackThatEndsEarlyIsNoSuccess()
+    {
+        for (const std::size_t missing : {std::size_t{1}, sizeof(float), std::size_t{64}}) {
+            CompensatorFixture f;
+            VERIFY_RESULT(f.compensator.write(0, exampleRequest()));
+            const auto before = f.state();
+            bool hasUploaded = false; // and not been read back yet
+            f.link.beginning = [&](std::string_view what) {
+                hasUploaded = hasUploaded || what == "upload";
+            };
+            f.link.altersDownload = [&](Bytes& bytes) {
+                if (std::exchange(hasUploaded, false))
+                    bytes.resize(bytes.size() - missing);
+            };
+            const auto report = f.compensator.write(0, exampleRequest(2));
+            QVERIFY(!report);
+            QVERIFY2(report.error().code == ErrorCode::VerifyMismatch,
+                test::describe(report.error()).c_str());
+            QVERIFY(f.state() == before);
+        }
+    }
+
     void evaluationLooksUpAndAddsNothing()
     {
         CompensatorFixture f;
