@@ -1212,18 +1212,6 @@
         <translation>Einstellungen von Achse {axis}</translation>
     </message>
     <message>
-        <source>The file says that the values are in {unit}, but {axis} counts in {other}: the numbers are written as they are, not converted.</source>
-        <translation>Laut Datei stehen die Werte in {unit}, {axis} zählt aber in {other}: die Zahlen werden unverändert geschrieben, nicht umgerechnet.</translation>
-    </message>
-    <message>
-        <source>The file says that the values are in {unit}, but {axis} counts in {other}: the numbers are written as they are, not converted, {factor} times too large.</source>
-        <translation>Laut Datei stehen die Werte in {unit}, {axis} zählt aber in {other}: die Zahlen werden unverändert geschrieben, nicht umgerechnet, um den Faktor {factor} zu groß.</translation>
-    </message>
-    <message>
-        <source>The file says that the values are in {unit}, but {axis} counts in {other}: the numbers are written as they are, not converted, {factor} times too small.</source>
-        <translation>Laut Datei stehen die Werte in {unit}, {axis} zählt aber in {other}: die Zahlen werden unverändert geschrieben, nicht umgerechnet, um den Faktor {factor} zu klein.</translation>
-    </message>
-    <message>
         <source>the certificate of {endpoint} cannot be trusted: {reason}. Its SHA-256 fingerprint is {fingerprint}; trust it under Connections, or with --trust-certificate, if the drive has the same</source>
         <translation>dem Zertifikat von {endpoint} kann nicht vertraut werden: {reason}. Sein SHA-256-Fingerabdruck ist {fingerprint}; vertrauen Sie ihm unter Verbindungen oder mit --trust-certificate, wenn der Antrieb denselben hat</translation>
     </message>
@@ -3216,14 +3204,6 @@
         <translation>{units}: das Format {format} hat eine Einheit für beides</translation>
     </message>
     <message>
-        <source>it corrects an axis by its own position, and this table goes from {axis}</source>
-        <translation>es korrigiert eine Achse nach ihrer eigenen Position, und diese Tabelle geht von {axis} aus</translation>
-    </message>
-    <message>
-        <source>it corrects an axis by its own position, and this table goes from {axis} to {target}</source>
-        <translation>es korrigiert eine Achse nach ihrer eigenen Position, und diese Tabelle geht von {axis} nach {target}</translation>
-    </message>
-    <message>
         <source>choose a format for cross compensation</source>
         <translation>ein Format für Kreuzkompensation wählen</translation>
     </message>
@@ -3322,14 +3302,6 @@
     <message>
         <source>{size} bytes are more than the {limit} of a file</source>
         <translation>{size} Byte sind mehr als die {limit} einer Datei</translation>
-    </message>
-    <message>
-        <source>it compensates {target} by the position of {axis}</source>
-        <translation>sie kompensiert {target} nach der Position von {axis}</translation>
-    </message>
-    <message>
-        <source>it compensates {target} by the position of {axis}, and the format compensates an axis by its own position</source>
-        <translation>sie kompensiert {target} nach der Position von {axis}, und das Format kompensiert eine Achse nach ihrer eigenen Position</translation>
     </message>
     <message>
         <source>write it as {format}</source>
@@ -4079,6 +4051,162 @@
         <source>the request has more bytes than the largest that the drive takes</source>
         <translation>die Anfrage hat mehr Bytes, als der Antrieb höchstens annimmt</translation>
     </message>
+    <message>
+        <source>it is not stated which axis the values of {column} correct, and the numbers depend on it; state the target: {sources}</source>
+        <translation>es ist nicht angegeben, welche Achse die Werte von {column} korrigieren, und die Zahlen hängen davon ab; Zielachse angeben: {sources}</translation>
+    </message>
+    <message>
+        <source>the file says that the values of {table} correct {target}, but for axis {axis} {role}; choose another column, axis or source, or state the target</source>
+        <translation>laut Datei korrigieren die Werte von {table} {target}, aber bei Achse {axis} gilt: {role}; andere Spalte, Achse oder Quelle wählen oder die Zielachse angeben</translation>
+    </message>
+    <message>
+        <source>{table} is the name of table {named} and the number of table {numbered}; say name:{table} or #{table}</source>
+        <translation>{table} ist der Name von Tabelle {named} und die Nummer von Tabelle {numbered}; name:{table} oder #{table} angeben</translation>
+    </message>
+    <message>
+        <source>the table goes from {before}, and the file would say from {after}; correct the settings for its axes, or the target</source>
+        <translation>die Tabelle geht von {before}, die Datei würde sagen: von {after}; die Einstellungen für ihre Achsen oder die Zielachse berichtigen</translation>
+    </message>
+    <message>
+        <source>one axis for all columns or one for each: the name of an axis, #1 for the first source, or other</source>
+        <translation>eine Achse für alle Spalten oder eine für jede: der Name einer Achse, #1 für die erste Quelle oder other</translation>
+    </message>
+    <message>
+        <source>the axis of dimension {number}</source>
+        <translation>die Achse der Dimension {number}</translation>
+    </message>
+    <message>
+        <source>the axis of dimension {number} ({axis})</source>
+        <translation>die Achse der Dimension {number} ({axis})</translation>
+    </message>
+    <message>
+        <source>an axis that is no source</source>
+        <translation>eine Achse, die keine Quelle ist</translation>
+    </message>
+    <message>
+        <source>dimension {number} is its own position</source>
+        <translation>Dimension {number} ist ihre eigene Position</translation>
+    </message>
+    <message>
+        <source>all sources are positions of other axes</source>
+        <translation>alle Quellen sind Positionen anderer Achsen</translation>
+    </message>
+    <message>
+        <source>it corrects an axis by its own position, and this table goes from {column}</source>
+        <translation>es korrigiert eine Achse nach ihrer eigenen Position, und diese Tabelle geht von {column}</translation>
+    </message>
+    <message>
+        <source>{statement} (source {number})</source>
+        <translation>{statement} (Quelle {number})</translation>
+    </message>
+    <message>
+        <source>{statement} ({axis})</source>
+        <translation>{statement} ({axis})</translation>
+    </message>
+    <message>
+        <source>{statement} (an axis that is no source)</source>
+        <translation>{statement} (eine Achse, die keine Quelle ist)</translation>
+    </message>
+    <message>
+        <source>{count} targets are stated for {columns} columns; state one for all or one for each</source>
+        <translation>{count} Zielachsen sind für {columns} Spalten angegeben; eine für alle oder eine für jede angeben</translation>
+    </message>
+    <message>
+        <source>another axis</source>
+        <translation>eine andere Achse</translation>
+    </message>
+    <message>
+        <source>{placeholder} is expected in the path</source>
+        <translation>{placeholder} wird im Pfad erwartet</translation>
+    </message>
+    <message>
+        <source>the {what} are in {unit}, which cannot be converted to {other}, the unit of the drive; correct the unit in the file, or state it</source>
+        <translation>die {what} sind in {unit}, was sich nicht in {other}, die Einheit des Antriebs, umrechnen lässt; berichtigen Sie die Einheit in der Datei oder geben Sie sie an</translation>
+    </message>
+    <message>
+        <source>positions of dimension {number}</source>
+        <translation>Positionen der Dimension {number}</translation>
+    </message>
+    <message>
+        <source>Neither the table nor the drive states a unit for the values. The largest correction is {largest}.</source>
+        <translation>Weder die Tabelle noch der Antrieb nennt eine Einheit der Werte. Die größte Korrektur ist {largest}.</translation>
+    </message>
+    <message>
+        <source>The values are converted from {before} to {after}. The largest correction is {largest}.</source>
+        <translation>Die Werte werden von {before} in {after} umgerechnet. Die größte Korrektur ist {largest}.</translation>
+    </message>
+    <message>
+        <source>The drive states no unit for the axis; the values are written in {before}. The largest correction is {largest}.</source>
+        <translation>Der Antrieb nennt keine Einheit der Achse; die Werte werden in {before} geschrieben. Die größte Korrektur ist {largest}.</translation>
+    </message>
+    <message>
+        <source>The table states no unit for its values; they are taken to be in {after}. The largest correction is {largest}.</source>
+        <translation>Die Tabelle nennt keine Einheit ihrer Werte; angenommen wird {after}. Die größte Korrektur ist {largest}.</translation>
+    </message>
+    <message>
+        <source>The positions of dimension {number} are converted from {before} to {after}: {first} to {last}.</source>
+        <translation>Die Positionen der Dimension {number} werden von {before} in {after} umgerechnet: {first} bis {last}.</translation>
+    </message>
+    <message>
+        <source>{reason} Check the unit of the values; if they are right, confirm them in the preview, or with --accept-large</source>
+        <translation>{reason} Prüfen Sie die Einheit der Werte; wenn sie stimmen, bestätigen Sie sie in der Vorschau oder mit --accept-large</translation>
+    </message>
+    <message>
+        <source>The largest correction, {largest}, is {percent} of the range of dimension {number}, {range}.</source>
+        <translation>Die größte Korrektur, {largest}, beträgt {percent} des Bereichs der Dimension {number}, {range}.</translation>
+    </message>
+    <message>
+        <source>The correction has a slope of {slope} along dimension {number}, between {first} and {last}.</source>
+        <translation>Die Korrektur hat entlang der Dimension {number} eine Steigung von {slope}, zwischen {first} und {last}.</translation>
+    </message>
+    <message>
+        <source>The axis is outside of the table, where the values at its ends hold. Move the axis into the table and activate again.</source>
+        <translation>Die Achse steht außerhalb der Tabelle, wo die Werte an deren Enden gelten. Fahren Sie die Achse in den Bereich der Tabelle und aktivieren Sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>The table is 0 at every position that was looked at. Move the axis to where the table is not 0 and activate again.</source>
+        <translation>Die Tabelle ist an jeder betrachteten Position 0. Fahren Sie die Achse dorthin, wo die Tabelle nicht 0 ist, und aktivieren Sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>version 1 of the height map</source>
+        <translation>Version 1 der Höhenkarte</translation>
+    </message>
+    <message>
+        <source>version 2, which newer firmware writes</source>
+        <translation>Version 2, die neuere Firmware schreibt</translation>
+    </message>
+    <message>
+        <source>it is a pipe or a device, not a file</source>
+        <translation>es ist eine Pipe oder ein Gerät, keine Datei</translation>
+    </message>
+    <message>
+        <source>the values are multiplied by a number that is not 0, and shifted by a number</source>
+        <translation>die Werte werden mit einer Zahl multipliziert, die nicht 0 ist, und um eine Zahl verschoben</translation>
+    </message>
+    <message>
+        <source>an offset and a position at which the values are 0 contradict each other</source>
+        <translation>ein Versatz und eine Position, an der die Werte 0 sind, widersprechen einander</translation>
+    </message>
+    <message>
+        <source>the position at which the values are 0 needs a number for each of the {count} source axes</source>
+        <translation>die Position, an der die Werte 0 sind, braucht eine Zahl für jede der {count} Quellachsen</translation>
+    </message>
+    <message>
+        <source>{position} of source {number}, where the values shall be 0, is outside of the table, which goes from {first} to {last}</source>
+        <translation>{position} der Quelle {number}, wo die Werte 0 sein sollen, liegt außerhalb der Tabelle, die von {first} bis {last} geht</translation>
+    </message>
+    <message>
+        <source>the values are multiplied by {factor}</source>
+        <translation>die Werte werden mit {factor} multipliziert</translation>
+    </message>
+    <message>
+        <source>the values of {column} are shifted by {shift}</source>
+        <translation>die Werte von {column} werden um {shift} verschoben</translation>
+    </message>
+    <message>
+        <source>{source} is a position after the compensation: the table would be looked up where its own values have moved the axis.</source>
+        <translation>{source} ist eine Position nach der Kompensation: Die Tabelle würde dort nachgeschlagen, wohin ihre eigenen Werte die Achse bewegt haben.</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -4218,10 +4346,6 @@
         <translation>die Tabelle ist sehr steil, vermutlich stimmt eine Einheit nicht</translation>
     </message>
     <message>
-        <source>the values must be in the unit of the positions</source>
-        <translation>die Werte müssen in der Einheit der Positionen stehen</translation>
-    </message>
-    <message>
         <source>all values of the table are equal</source>
         <translation>alle Werte der Tabelle sind gleich</translation>
     </message>
@@ -4288,6 +4412,14 @@
     <message>
         <source>{problem}; {wayOut}</source>
         <translation>{problem}; {wayOut}</translation>
+    </message>
+    <message>
+        <source>the axis that the values correct cannot be told</source>
+        <translation>welche Achse die Werte korrigieren, ist nicht erkennbar</translation>
+    </message>
+    <message>
+        <source>check the units of values and positions</source>
+        <translation>prüfen Sie die Einheiten der Werte und der Positionen</translation>
     </message>
 </context>
 <context>
@@ -5428,6 +5560,38 @@
         <source>In the unit of the values; the coarsest grid within it is used</source>
         <translation>In der Einheit der Werte; das gröbste Gitter, das sie einhält, wird verwendet</translation>
     </message>
+    <message>
+        <source>Target &amp;axis</source>
+        <translation>Ziel&amp;achse</translation>
+    </message>
+    <message>
+        <source>The axis that the values correct: one of the sources, or another axis; the sign is converted accordingly</source>
+        <translation>Die Achse, die die Werte korrigieren: eine der Quellen oder eine andere Achse; danach wird das Vorzeichen umgerechnet</translation>
+    </message>
+    <message>
+        <source>as the file says</source>
+        <translation>wie in der Datei angegeben</translation>
+    </message>
+    <message>
+        <source>as the table says</source>
+        <translation>wie in der Tabelle angegeben</translation>
+    </message>
+    <message>
+        <source>the first source</source>
+        <translation>die erste Quelle</translation>
+    </message>
+    <message>
+        <source>the second source</source>
+        <translation>die zweite Quelle</translation>
+    </message>
+    <message>
+        <source>the third source</source>
+        <translation>die dritte Quelle</translation>
+    </message>
+    <message>
+        <source>another axis</source>
+        <translation>eine andere Achse</translation>
+    </message>
 </context>
 <context>
     <name>axiscomp::ui::DataFileField</name>
@@ -5976,6 +6140,10 @@
         <source>The drive already has all of this.</source>
         <translation>Der Antrieb hat das alles bereits.</translation>
     </message>
+    <message>
+        <source>Confirm the large corrections first</source>
+        <translation>Bestätigen Sie zuerst die großen Korrekturen</translation>
+    </message>
 </context>
 <context>
     <name>axiscomp::ui::MultiAxisOutcome</name>
@@ -6096,6 +6264,10 @@
         <source>Flash operations: %1 used, %2 left right after.</source>
         <translation>Flash-Vorgänge: %1 verbraucht, gleich danach noch %2 übrig.</translation>
     </message>
+    <message>
+        <source>These large corrections are &amp;right: their unit has been checked</source>
+        <translation>Diese großen Korrekturen sind &amp;richtig: ihre Einheit wurde geprüft</translation>
+    </message>
 </context>
 <context>
     <name>axiscomp::ui::OperationRunner</name>
@@ -6215,6 +6387,22 @@
     <message>
         <source>The drive holds neither the old nor the new state: finish or undo the write before activating the axis.</source>
         <translation>Der Antrieb hat weder den alten noch den neuen Zustand: den Schreibvorgang vollenden oder rückgängig machen, bevor die Achse aktiviert wird.</translation>
+    </message>
+    <message>
+        <source>Not proved.</source>
+        <translation>Nicht nachgewiesen.</translation>
+    </message>
+    <message>
+        <source>The proof failed, and the drive evaluates again as before. %1</source>
+        <translation>Der Nachweis ist gescheitert; der Antrieb wertet wieder aus wie zuvor. %1</translation>
+    </message>
+    <message>
+        <source>The proof failed, and the compensation was switched off again. %1</source>
+        <translation>Der Nachweis ist gescheitert; die Kompensation wurde wieder ausgeschaltet. %1</translation>
+    </message>
+    <message>
+        <source>Nothing was written.</source>
+        <translation>Es wurde nichts geschrieben.</translation>
     </message>
 </context>
 <context>
@@ -7073,6 +7261,14 @@ B - A: %3</translation>
     <message>
         <source>saved</source>
         <translation>gespeichert</translation>
+    </message>
+    <message>
+        <source>These large corrections are &amp;right: their unit has been checked</source>
+        <translation>Diese großen Korrekturen sind &amp;richtig: ihre Einheit wurde geprüft</translation>
+    </message>
+    <message>
+        <source>Confirm the large corrections first</source>
+        <translation>Bestätigen Sie zuerst die großen Korrekturen</translation>
     </message>
 </context>
 </TS>

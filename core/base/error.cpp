@@ -52,6 +52,28 @@ constexpr std::array errorRows{
         AXISCOMP_TEXT("Error", "the format {format} cannot hold this table: {reason}; {wayOut}")},
     ErrorRow{ErrorCode::SignNotConvertible, "SignNotConvertible", ErrorClass::InputFile,
         AXISCOMP_TEXT("Error", "the sign cannot be converted at {position}: {reason}")},
+    ErrorRow{ErrorCode::TargetNotKnown, "TargetNotKnown", ErrorClass::Request,
+        AXISCOMP_TEXT("Error",
+            "it is not stated which axis the values of {column} correct, and the numbers depend on "
+            "it; state the target: {sources}")},
+    ErrorRow{ErrorCode::TargetMismatch, "TargetMismatch", ErrorClass::Request,
+        AXISCOMP_TEXT("Error",
+            "the file says that the values of {table} correct {target}, but for axis {axis} "
+            "{role}; "
+            "choose another column, axis or source, or state the target")},
+    ErrorRow{ErrorCode::UnitMismatch, "UnitMismatch", ErrorClass::Request,
+        AXISCOMP_TEXT("Error",
+            "the {what} are in {unit}, which cannot be converted to {other}, the unit of the "
+            "drive; "
+            "correct the unit in the file, or state it")},
+    ErrorRow{ErrorCode::LargeCorrection, "LargeCorrection", ErrorClass::Request,
+        AXISCOMP_TEXT("Error",
+            "{reason} Check the unit of the values; if they are right, confirm them in the "
+            "preview, or with --accept-large")},
+    ErrorRow{ErrorCode::TableAmbiguous, "TableAmbiguous", ErrorClass::Request,
+        AXISCOMP_TEXT("Error",
+            "{table} is the name of table {named} and the number of table {numbered}; say "
+            "name:{table} or #{table}")},
     ErrorRow{ErrorCode::ResamplingImpossible, "ResamplingImpossible", ErrorClass::Request,
         AXISCOMP_TEXT("Error", "the table cannot be resampled: {reason}")},
     ErrorRow{ErrorCode::InvalidEndpoint, "InvalidEndpoint", ErrorClass::Address,

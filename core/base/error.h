@@ -30,6 +30,11 @@ enum class ErrorCode {
     FormatAmbiguous, ///< file, candidates
     FormatCannotHold, ///< format, reason, wayOut
     SignNotConvertible, ///< position, reason
+    TargetNotKnown, ///< column, sources: whether the values correct one of these or another axis
+    TargetMismatch, ///< table, target, axis, role (what the axis is among the sources)
+    UnitMismatch, ///< what, unit, other
+    LargeCorrection, ///< reason
+    TableAmbiguous, ///< table, named, numbered
     ResamplingImpossible, ///< reason
     // The way to the drive
     InvalidEndpoint, ///< endpoint, reason

@@ -72,6 +72,7 @@ Result<std::vector<WriteReport>> AxisCompensator::restore(
     std::vector<AxisStatus> restored;
     for (const AxisBackup& axis : backup.axes) {
         AXISCOMP_TRY(auto request, restoreRequest(access, axis));
+        request.acceptsLarge = true; // the drive had it
         auto report = d->write(access, drive, axis.axis, request);
         const bool isThere = !report && report.error().code == ErrorCode::NothingToWrite;
         if (!report && !isThere)

@@ -28,7 +28,9 @@ Result<MultiAxisReport> writeAll(AxisCompensator& compensator, std::span<const A
     std::atomic<std::size_t>& turn, const OperationOptions& options)
 {
     const std::vector<AxisWrite> writes = axisWrites(tables);
-    AXISCOMP_CHECK(planMultiAxis(compensator, writes, options));
+    AXISCOMP_TRY(const auto plans, planMultiAxis(compensator, writes, options));
+    for (std::size_t n = 0; n < writes.size(); ++n)
+        AXISCOMP_CHECK(checkLargeAccepted(plans[n], writes[n].request));
     MultiAxisReport report;
     for (std::size_t n = 0; n < writes.size(); ++n) {
         turn = n;

@@ -42,10 +42,13 @@ std::vector<float> valuesAt(const Grid& grid, const ControllerLookup& applied)
 
 } // namespace
 
-Result<CompensationTable> tableAsAppliedBy(const CompensationTable& table, const FormatFacts& facts)
+Result<CompensationTable> tableAsAppliedBy(
+    const CompensationTable& table, const std::string& axisTarget, const FormatFacts& facts)
 {
     NeutralTable neutral = neutralTable(CalibrationData{table.grid, {table}, {}});
     if (facts.sign != neutral.sign) {
+        if (neutral.columns.front().target.empty())
+            neutral.columns.front().target = axisTarget;
         AXISCOMP_TRY(auto converted,
             convertSign(neutral, facts.sign, calibration_csv::format().facts.behaviour));
         neutral = std::move(converted.table);

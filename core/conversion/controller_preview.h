@@ -8,9 +8,11 @@ namespace axiscomp {
 
 /// What a controller would apply with a table of the drive that was converted for it, at the
 /// table's points and some beyond both ends, where controllers differ most. With the controller's
-/// sign. The format can hold the table's dimensions. Errors: SignNotConvertible.
+/// sign. axisTarget: what the axis is among its sources, where the table does not say what it
+/// corrects. The format can hold the table's dimensions. Errors: TargetNotKnown,
+/// SignNotConvertible.
 [[nodiscard]] Result<CompensationTable> tableAsAppliedBy(
-    const CompensationTable& table, const FormatFacts& facts);
+    const CompensationTable& table, const std::string& axisTarget, const FormatFacts& facts);
 
 /// The controllers that can have tables of so many dimensions, one format of each.
 [[nodiscard]] std::vector<const TableFormat*> controllersFor(int dimensions);

@@ -51,6 +51,25 @@ void noteRounding(
     }
 }
 
+/// That a file written by settings, such as the numbers of its axes, does not correct another axis
+/// than the sign was converted for.
+Result<void> checkSameTargets(const NeutralTable& prepared, const NeutralTable& held)
+{
+    for (std::size_t n = 0; n < std::min(prepared.columns.size(), held.columns.size()); ++n) {
+        const auto before = targetOf(prepared, prepared.columns[n]);
+        const auto after = targetOf(held, held.columns[n]);
+        if (before && after && before != after)
+            return fail(ErrorCode::InvalidArgument,
+                {{"reason",
+                    AXISCOMP_TEXT("Error",
+                        "the table goes from {before}, and the file would say from {after}; "
+                        "correct the settings for its axes, or the target")
+                        .with("before", columnText(prepared, prepared.columns[n]))
+                        .with("after", columnText(held, held.columns[n]))}});
+    }
+    return {};
+}
+
 /// One table on its way from one format to the other.
 class Converter {
 public:
@@ -138,6 +157,9 @@ Result<NeutralTable> Converter::prepare(NeutralTable table, TableConversion& con
 {
     AXISCOMP_CHECK(checkConsistent(table));
     table.sign = m_request.sourceSign.value_or(table.sign);
+    AXISCOMP_TRY(
+        table, withTargets(std::move(table), m_request.targets, isTriamec(*m_request.from)));
+    AXISCOMP_TRY(table, adjusted(std::move(table), m_request.adjustment, m_remarks));
     conversion.source = table;
     if (m_request.dropsWrap)
         for (SourceAxis& axis : table.axes)
@@ -147,7 +169,9 @@ Result<NeutralTable> Converter::prepare(NeutralTable table, TableConversion& con
         result = resampled(*std::move(result), conversion);
     if (result)
         result = signConverted(*std::move(result), conversion);
-    if (result && isTriamec(*m_request.to) && !isTriamec(*m_request.from))
+    // The drive's table has no units: its values are in the unit of its axis.
+    const bool holdsNoUnits = m_request.to == &tam_table::format();
+    if (result && isTriamec(*m_request.to) && (holdsNoUnits || !isTriamec(*m_request.from)))
         result = inPositionUnits(*result, m_remarks);
     if (result)
         result->sign = m_request.to->facts.sign;
@@ -158,6 +182,7 @@ Result<void> Converter::finish(
     const NeutralTable& prepared, NeutralTable held, TableConversion& conversion) const
 {
     held.sign = targetSign();
+    AXISCOMP_CHECK(checkSameTargets(prepared, held));
     NeutralTable source = conversion.source;
     if (m_request.direction)
         if (auto merge = mergeDirections(source, *m_request.direction))
@@ -195,6 +220,11 @@ void remarkOnSigns(const ConversionRequest& request, std::vector<Text>& remarks)
 Result<Conversion> convertTables(
     std::span<const NeutralTable> tables, const ConversionRequest& request)
 {
+    if (request.to->write == nullptr)
+        return fail(ErrorCode::InvalidArgument,
+            {{"reason",
+                AXISCOMP_TEXT("Error", "the format {format} can be read, not written")
+                    .with("format", request.to->facts.name)}});
     Conversion conversion;
     Converter converter(request, conversion.remarks);
     std::vector<NeutralTable> prepared;

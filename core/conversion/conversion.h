@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/conversion/adjustment.h"
 #include "core/conversion/directions.h"
 #include "core/conversion/resampling.h"
 #include "core/conversion/sign_conversion.h"
@@ -24,6 +25,10 @@ struct ConversionRequest {
     const TableFormat* to = nullptr;
     std::optional<SignConvention> sourceSign; ///< overrules what is known of the source's format
     std::optional<SignConvention> targetSign; ///< likewise of the target's
+    /// What the columns of each table correct (target_axis.h), one for all or one for each; empty:
+    /// as the tables say.
+    std::vector<std::string> targets;
+    Adjustment adjustment;
     std::optional<DirectionChoice> direction; ///< merges values of two directions of motion
     bool dropsWrap = false; ///< a modulo axis becomes a plain one
     std::variant<std::monostate, ResamplingRequest, WantedDeviation> resampling;
@@ -48,9 +53,9 @@ struct Conversion {
     std::vector<Text> remarks; ///< for the user: assumptions, losses, what to do
 };
 
-/// In this order: merge directions, resample, convert the sign, check that the target can hold it,
-/// write, and compare what the file says with the source under both controllers' rules. Errors: of
-/// each of these steps.
+/// In this order: adjust the values, merge directions, resample, convert the sign, check that the
+/// target can hold it, write, and compare what the file says with the source under both
+/// controllers' rules. Errors: of each of these steps.
 [[nodiscard]] Result<Conversion> convertTables(
     std::span<const NeutralTable> tables, const ConversionRequest& request);
 

@@ -32,9 +32,19 @@ Result<ResamplingRequest> gridRequest(const ResamplingChoice& choice, std::size_
 
 } // namespace
 
+std::vector<std::string> ImportChoices::targetsFor(const NeutralTable& table) const
+{
+    if (!target.empty())
+        return {target};
+    if (axisTarget.empty() || checkTargets(table))
+        return {};
+    return {axisTarget};
+}
+
 bool ImportChoices::isConversion() const
 {
-    return sign || direction || dropsWrap || resampling.kind != ResamplingChoice::Kind::None;
+    return !target.empty() || sign || direction || dropsWrap
+        || resampling.kind != ResamplingChoice::Kind::None;
 }
 
 Result<decltype(ConversionRequest::resampling)> resamplingRequest(

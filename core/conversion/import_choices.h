@@ -28,12 +28,18 @@ struct ResamplingChoice {
 struct ImportChoices {
     const TableFormat* format = nullptr; ///< null: by the file's content and name
     FormatSettings settings;
+    std::string target; ///< what the values correct (target_axis.h); empty: as the file says
+    /// What the axis is among its sources (core/drive/axis_target.h): for a file that does not say
+    /// it. Nothing that the user says.
+    std::string axisTarget;
     std::optional<SignConvention> sign; ///< of the file; nothing: as its format says
     std::optional<DirectionChoice> direction;
     ResamplingChoice resampling;
     bool dropsWrap = false; ///< a modulo axis becomes a plain one
 
     friend bool operator==(const ImportChoices&, const ImportChoices&) = default;
+    /// The targets for a conversion of this table, as ConversionRequest has them.
+    [[nodiscard]] std::vector<std::string> targetsFor(const NeutralTable& table) const;
     /// Something is to be done with the numbers that not even files of the drive go without.
     [[nodiscard]] bool isConversion() const;
 };

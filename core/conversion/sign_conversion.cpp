@@ -51,6 +51,7 @@ Result<SignConversion> SignConverter::run(SignConvention to)
         m_result.example = examplePoint(m_source);
         return std::move(m_result);
     }
+    AXISCOMP_CHECK(checkTargets(m_source));
     for (const Direction direction : {Direction::Both, Direction::Positive, Direction::Negative})
         AXISCOMP_CHECK(convert(direction));
     m_result.table.sign = to;

@@ -25,16 +25,16 @@ struct SignConversion {
 /// where z + f(z) is the knot.
 /// - Every column that acts on a source axis of the table (ownAxis) moves the place z, all of them
 ///   together. All columns are taken from that place; those of a table that has only cross
-///   compensations, or of which ownAxis knows nothing, stay where they are and change their sign.
+///   compensations stay where they are and change their sign.
 /// - A direction of motion is converted with the columns of that direction, and those of Both. A
 ///   column of Both is moved by the mean of an axis's two directions.
 /// - With one axis that moves, the places are exact: f is linear between knots. With more, they are
 ///   the fixed point of z = knot - f(z), which converges because every slope is looked at before.
 /// Numbers are those of the table; TableBehaviour::usesFloat does not round them.
-/// Errors: SignNotConvertible where z + f(z) does not increase strictly, where the corrections of
-/// several axes are so steep that one solution is not certain, and where the two ends of a modulo
-/// axis differ; InvalidArgument for tables that are not consistent, for two columns on one axis,
-/// and for values that are lengths on an axis of angles.
+/// Errors: TargetNotKnown; SignNotConvertible where z + f(z) does not increase strictly, where the
+/// corrections of several axes are so steep that one solution is not certain, and where the two
+/// ends of a modulo axis differ; InvalidArgument for tables that are not consistent, for two
+/// columns on one axis, and for values that are lengths on an axis of angles.
 [[nodiscard]] Result<SignConversion> convertSign(
     const NeutralTable& table, SignConvention to, const TableBehaviour& behaviour);
 
@@ -70,8 +70,8 @@ struct ConversionDifference {
 /// the ends of both; three turns of a modulo axis. In 2D and 3D all combinations, thinned evenly to
 /// at most mostPositions.
 /// Axes belong together by their order; columns by target and direction, or by their order when the
-/// other table has as many and no such target, or more and the target is not said. Which axis a
-/// column acts on is taken from the names of a, or of b where a has none. Errors: InvalidArgument
+/// other table has as many and no such target, or more and the target is not stated. Which axis a
+/// column acts on is as a states it, or as b does where a does not. Errors: InvalidArgument
 /// for tables that are not consistent or have different axes, and for a column of a that b lacks.
 [[nodiscard]] Result<ConversionDifference> conversionDifference(const NeutralTable& a,
     const TableBehaviour& behaviourA, const NeutralTable& b, const TableBehaviour& behaviourB,

@@ -27,6 +27,14 @@ bool sharesDirection(Direction a, Direction b)
     return a == b || a == Direction::Both || b == Direction::Both;
 }
 
+bool haveSameTarget(const NeutralTable& a, const CompensationColumn& columnA, const NeutralTable& b,
+    const CompensationColumn& columnB)
+{
+    const auto targetA = targetOf(a, columnA);
+    return targetA && targetA == targetOf(b, columnB)
+        && (targetA->source || targetName(a, columnA) == targetName(b, columnB));
+}
+
 Result<std::vector<ColumnPair>> pairsOf(const NeutralTable& a, const NeutralTable& b)
 {
     std::vector<ColumnPair> pairs;
@@ -34,11 +42,11 @@ Result<std::vector<ColumnPair>> pairsOf(const NeutralTable& a, const NeutralTabl
         const CompensationColumn& column = a.columns[i];
         const std::size_t before = pairs.size();
         for (std::size_t j = 0; j < b.columns.size(); ++j)
-            if (b.columns[j].target == column.target
+            if (haveSameTarget(a, column, b, b.columns[j])
                 && sharesDirection(b.columns[j].direction, column.direction))
                 pairs.push_back({i, j});
         const bool isByOrder = a.columns.size() == b.columns.size()
-            || (column.target.empty() && a.columns.size() < b.columns.size());
+            || (!targetOf(a, column) && a.columns.size() < b.columns.size());
         if (pairs.size() == before && isByOrder)
             pairs.push_back({i, i});
         if (pairs.size() == before)
@@ -194,7 +202,7 @@ private:
         return m_a.table.sign == SignConvention::Command ? m_a : m_b;
     }
     [[nodiscard]] const Side& feedback() const { return &command() == &m_a ? m_b : m_a; }
-    /// The own axes of a side's columns, from the names of a where it has them.
+    /// The own axes of a side's columns, as a states them, or else b.
     [[nodiscard]] OwnAxes rolesOf(const Side& side) const;
     [[nodiscard]] Result<Motion> motionOf(const Side& side, Direction direction) const;
     /// Where x + c(x) meets the knots of the feedback table.
@@ -245,15 +253,16 @@ OwnAxes Comparison::rolesOf(const Side& side) const
     const OwnAxes ofB = ownAxesOf(m_b.table);
     OwnAxes roles = ownAxesOf(side.table);
     for (const ColumnPair& pair : m_pairs) {
-        const bool isNamed =
-            !m_a.table.columns[pair.a].target.empty() && !m_a.table.axes.front().name.empty();
-        roles[&side == &m_a ? pair.a : pair.b] = isNamed ? ofA[pair.a] : ofB[pair.b];
+        const bool isStated = targetOf(m_a.table, m_a.table.columns[pair.a]).has_value();
+        roles[&side == &m_a ? pair.a : pair.b] = isStated ? ofA[pair.a] : ofB[pair.b];
     }
     return roles;
 }
 
 Result<Motion> Comparison::motionOf(const Side& side, Direction direction) const
 {
+    if (!isMixed())
+        return Motion(side.table, side.behaviour, {});
     AXISCOMP_TRY(const auto movers, moversOf(side.table, rolesOf(side), direction));
     return Motion(side.table, side.behaviour, movers);
 }

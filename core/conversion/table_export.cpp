@@ -14,6 +14,7 @@ Result<TableExport> exportTable(const CompensationTable& table, const ImportChoi
     request.from = &calibration_csv::format();
     request.to = choices.format;
     request.targetSign = choices.sign;
+    request.targets = choices.targetsFor(source);
     request.writing.layout = &layout;
     request.writing.settings = choices.settings;
     request.writing.fileName = fileName;

@@ -216,6 +216,7 @@ Result<CompensationTable> Import::converted(const NeutralTable& column)
     request.from = m_result.format;
     request.to = &calibration_csv::format();
     request.sourceSign = choices.sign;
+    request.targets = choices.targetsFor(column);
     request.direction = choices.direction;
     request.dropsWrap = choices.dropsWrap;
     AXISCOMP_TRY(auto resampling, resamplingRequest(choices.resampling, column.axes.size()));

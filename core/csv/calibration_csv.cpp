@@ -4,6 +4,8 @@
 #include "core/csv/grid_reader.h"
 #include "core/csv/table_reader.h"
 #include "core/io/local_file.h"
+#include "core/table/target_axis.h"
+#include "core/text/token_scanner.h"
 
 #include <algorithm>
 #include <limits>
@@ -41,6 +43,48 @@ void reportNoLines(const csv::Scan& scan, DiagnosticList& diagnostics)
                 "Error", "at least 2 positions in each dimension, one line per grid point"));
 }
 
+std::vector<std::string> axisHeaders(const Grid& grid)
+{
+    std::vector<std::string> headers;
+    for (const GridAxis& axis : grid.axes)
+        headers.push_back(axis.name);
+    return headers;
+}
+
+/// Takes up "target: Z" and "target: X, Y" among the notes, one for all tables or one for each;
+/// tables that are left are asked by their names.
+void takeTargets(CalibrationData& data, DiagnosticList& diagnostics)
+{
+    constexpr std::string_view key = "target:";
+    const std::vector<std::string> headers = axisHeaders(data.grid);
+    for (CompensationTable& table : data.tables)
+        table.target = targetInHeader(table.name, headers);
+    const auto note = std::ranges::find_if(data.notes, [&](const std::string& line) {
+        return line.size() > key.size()
+            && sameLetters(std::string_view(line).substr(0, key.size()), key);
+    });
+    if (note == data.notes.end())
+        return;
+    std::vector<std::string> said = targetList(std::string_view(*note).substr(key.size()));
+    if (said.size() == 1)
+        said.resize(data.tables.size(), said.front());
+    std::vector<std::string> meant;
+    for (const std::string& statement : said)
+        meant.push_back(targetAmong(statement, headers));
+    const bool isUsable = said.size() == data.tables.size()
+        && std::ranges::equal(said, meant, {}, &std::string::empty, &std::string::empty);
+    if (!isUsable) {
+        diagnostics.warning(DiagnosticCode::TargetNotKnown, 0, 0, Verbatim{*note},
+            AXISCOMP_TEXT("Error",
+                "one axis for all columns or one for each: the name of an axis, #1 for the first "
+                "source, or other"));
+        return;
+    }
+    for (std::size_t n = 0; n < meant.size(); ++n)
+        data.tables[n].target = std::move(meant[n]);
+    data.notes.erase(note);
+}
+
 std::optional<CalibrationData> readData(csv::Scan& scan, const CsvOptions& options,
     DiagnosticList& diagnostics, std::vector<std::vector<double>>& knots)
 {
@@ -52,6 +96,7 @@ std::optional<CalibrationData> readData(csv::Scan& scan, const CsvOptions& optio
     data.grid = grid.grid;
     data.tables = csv::readTables(scan, grid.grid, points, diagnostics);
     data.notes = std::move(scan.notes);
+    takeTargets(data, diagnostics);
     if (options.acceptsUneven)
         knots = std::move(grid.knots);
     return data;

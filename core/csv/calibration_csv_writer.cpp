@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/csv/calibration_csv.h"
+#include "core/table/target_axis.h"
 #include "core/text/number_parser.h"
 #include "core/text/number_text.h"
 #include "core/text/text_file.h"
@@ -88,6 +89,28 @@ std::string notes(const CalibrationData& data)
     return text;
 }
 
+/// The targets, where the names of the columns do not say them.
+std::string targetLine(const CalibrationData& data)
+{
+    std::vector<std::string> headers;
+    for (const GridAxis& axis : data.grid.axes)
+        headers.push_back(oneLine(axis.name));
+    std::vector<std::string> targets;
+    bool isNeeded = false;
+    for (const CompensationTable& table : data.tables) {
+        targets.push_back(portableTarget(table.target, headers));
+        isNeeded = isNeeded || targets.back() != targetInHeader(oneLine(table.name), headers);
+    }
+    if (!isNeeded)
+        return {};
+    const bool isOne = std::ranges::all_of(
+        targets, [&](const std::string& target) { return target == targets.front(); });
+    std::string line = "// target: " + targets.front();
+    for (std::size_t n = 1; n < targets.size() && !isOne; ++n)
+        line += ", " + targets[n];
+    return line + '\n';
+}
+
 } // namespace
 
 std::string writeCalibrationCsv(const CalibrationData& data)
@@ -98,7 +121,7 @@ std::string writeCalibrationCsv(const CalibrationData& data)
         for (std::uint32_t i = 0; i < axis.size; ++i)
             positions.back().push_back(toText(axis.position(i)));
     }
-    std::string text = notes(data) + headerLine(data);
+    std::string text = notes(data) + targetLine(data) + headerLine(data);
     const std::size_t points = data.grid.pointCount();
     for (std::size_t point = 0; point < points; ++point) {
         std::size_t rest = point;

@@ -2,6 +2,7 @@
 #include "core/csv/header.h"
 
 #include "core/csv/fields.h"
+#include "core/text/utf8.h"
 
 #include <algorithm>
 #include <set>
@@ -19,9 +20,9 @@ ColumnName columnName(const std::string& text)
     const std::string_view all = trimmed(text);
     const std::size_t open = all.ends_with(']') ? all.rfind('[') : std::string_view::npos;
     if (open == std::string_view::npos)
-        return {std::string(all), ""};
-    return {std::string(trimmed(all.substr(0, open))),
-        std::string(trimmed(all.substr(open + 1, all.size() - open - 2)))};
+        return {shownText(all), ""};
+    return {shownText(trimmed(all.substr(0, open))),
+        shownText(trimmed(all.substr(open + 1, all.size() - open - 2)))};
 }
 
 bool isNumber(const Cell& cell)

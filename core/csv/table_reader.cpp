@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/csv/table_reader.h"
 
+#include "core/table/large_correction.h"
 #include "core/text/number_text.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace axiscomp::csv {
 
@@ -13,55 +13,6 @@ namespace {
 /// docs/calibration-csv.md, "What goes wrong": 0.01. The rest is for the rounding of float32.
 constexpr double largestGradient = 0.01 * (1.0 + 1e-6);
 constexpr double largestRelativeError = 1e-6; ///< of the largest value
-
-/// The steepest step between neighbours.
-struct Step {
-    double slope = 0.0; ///< >= 0
-    std::size_t from = 0;
-    std::size_t to = 0;
-    std::size_t dimension = 0;
-};
-
-/// The steepest step in one dimension. The runs of neighbouring values are compared as a whole,
-/// because most tables have no step worth finding.
-Step steepestStep(const CompensationTable& table, std::size_t dimension, std::size_t stride)
-{
-    const std::vector<float>& values = table.values;
-    const GridAxis& axis = table.grid.axes[dimension];
-    const std::size_t run = stride * axis.size;
-    Step steepest{0.0, 0, 0, dimension};
-    float largest = 0.0F;
-    for (std::size_t begin = 0; begin < values.size(); begin += run) {
-        const std::size_t end = begin + run - stride;
-        float here = 0.0F;
-        for (std::size_t i = begin; i < end; ++i)
-            here = std::max(here, std::fabs(values[i + stride] - values[i]));
-        if (!(here > largest))
-            continue;
-        largest = here;
-        for (std::size_t i = begin; i < end; ++i)
-            if (std::fabs(values[i + stride] - values[i]) == largest)
-                steepest.from = i;
-        steepest.to = steepest.from + stride;
-    }
-    const double difference =
-        static_cast<double>(values[steepest.to]) - static_cast<double>(values[steepest.from]);
-    steepest.slope = std::fabs(difference) / axis.distance;
-    return steepest;
-}
-
-Step steepestStep(const CompensationTable& table)
-{
-    Step steepest;
-    std::size_t stride = 1;
-    for (std::size_t d = 0; d < table.grid.axes.size(); ++d) {
-        const Step step = steepestStep(table, d, stride);
-        if (step.slope > steepest.slope)
-            steepest = step;
-        stride *= table.grid.axes[d].size;
-    }
-    return steepest;
-}
 
 class TableReader {
 public:
@@ -125,7 +76,7 @@ void TableReader::warnOfPrecision(const ValueRange& range)
 
 void TableReader::warnOfGradient(const CompensationTable& table)
 {
-    const Step step = steepestStep(table);
+    const SteepestStep step = steepestStep(table);
     if (!(step.slope > largestGradient))
         return;
     const GridAxis& axis = table.grid.axes[step.dimension];
@@ -134,8 +85,8 @@ void TableReader::warnOfGradient(const CompensationTable& table)
         m_scan.rowLines.lineOf(static_cast<std::size_t>(row - m_points.begin())), m_column,
         AXISCOMP_TEXT(
             "Error", "a step from {from} to {to} over {distance} in dimension {dimension}")
-            .with("from", Quantity{toText(table.values[step.from])})
-            .with("to", Quantity{toText(table.values[step.to])})
+            .with("from", Quantity{toText(table.values[step.from]), table.unit})
+            .with("to", Quantity{toText(table.values[step.to]), table.unit})
             .with("distance", Quantity{roundedText(axis.distance), axis.unit})
             .with("dimension", step.dimension + 1),
         AXISCOMP_TEXT("Error", "at most 0.01 per unit of position"));

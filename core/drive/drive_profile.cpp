@@ -4,6 +4,8 @@
 #include "core/text/utf8.h"
 
 #include <algorithm>
+#include <charconv>
+#include <span>
 
 namespace axiscomp {
 
@@ -36,6 +38,43 @@ const TableSlot* DriveProfile::slotOfFile(std::string_view file) const
     return slot == tableSlots.end() ? nullptr : &*slot;
 }
 
+namespace {
+
+/// The axis in a path of one of the patterns.
+std::optional<int> axisIn(std::string_view path, std::span<const std::string> patterns)
+{
+    constexpr std::string_view placeholder = "{axis}";
+    for (const std::string_view pattern : patterns) {
+        const std::size_t place = pattern.find(placeholder);
+        if (place == std::string_view::npos || !path.starts_with(pattern.substr(0, place)))
+            continue;
+        const std::string_view rest = path.substr(place);
+        int axis = 0;
+        const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), axis);
+        const auto length = static_cast<std::size_t>(end - rest.data());
+        if (error == std::errc{} && axis >= 0
+            && rest.substr(length) == pattern.substr(place + placeholder.size()))
+            return axis;
+    }
+    return std::nullopt;
+}
+
+} // namespace
+
+bool DriveProfile::isAfterCompensation(std::string_view path) const
+{
+    return axisIn(path, positionKinds.after).has_value();
+}
+
+std::optional<int> DriveProfile::axisOfPosition(std::string_view path) const
+{
+    for (const auto* const patterns :
+        {&positionKinds.before, &positionKinds.after, &positionKinds.commanded})
+        if (const auto axis = axisIn(path, *patterns))
+            return axis;
+    return std::nullopt;
+}
+
 std::string expandPath(std::string_view pattern, const PathArguments& arguments)
 {
     std::string result;
@@ -64,7 +103,7 @@ std::string unpackName(const std::vector<std::int32_t>& words)
         for (std::size_t byte = 0; byte < bytesPerWord; ++byte)
             packed.push_back(static_cast<char>(bits >> (8 * byte) & 0xFFU));
     }
-    return cleanText(packed);
+    return shownText(packed);
 }
 
 std::vector<std::int32_t> packName(std::string_view name, int words)

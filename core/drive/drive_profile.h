@@ -87,11 +87,20 @@ struct FlashWearLimits {
 
 /// Everything that AN140 leaves open about a drive, as data. Nothing else in the program spells a
 /// register path, an enum value or a URL path.
+/// Which registers are positions of an axis; paths with {axis}. The output of a compensation is
+/// added to the encoder position (AN140 1.5, 3.1): before it there is what the encoder says.
+struct PositionKinds {
+    std::vector<std::string> before;
+    std::vector<std::string> after;
+    std::vector<std::string> commanded; ///< what the sum follows
+};
+
 struct DriveProfile {
     std::string name; ///< "generic"
     RegisterPaths registers;
     RegisterEnums enums;
     std::vector<std::string> sourceShortlist; ///< DimSource candidates; with {axis} once per axis
+    PositionKinds positionKinds;
     std::vector<std::string> sourceTypes; ///< types that a DimSource may have: Single, Double
     std::vector<TableSlot> tableSlots;
     TableLayout layout;
@@ -102,6 +111,10 @@ struct DriveProfile {
 
     [[nodiscard]] const TableSlot* slotNamed(std::string_view name) const;
     [[nodiscard]] const TableSlot* slotOfFile(std::string_view file) const;
+    /// The output of the compensation is in this register, as far as the profile says.
+    [[nodiscard]] bool isAfterCompensation(std::string_view path) const;
+    /// The axis of which this register is a position; nothing: of none.
+    [[nodiscard]] std::optional<int> axisOfPosition(std::string_view path) const;
 };
 
 /// Replaces {axis}, {slot}, {n} in a register path.

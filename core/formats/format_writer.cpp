@@ -3,6 +3,7 @@
 
 #include "core/text/number_text.h"
 #include "core/text/text_file.h"
+#include "core/text/utf8.h"
 
 #include <algorithm>
 #include <array>
@@ -43,6 +44,19 @@ tl::unexpected<Error> cannotHold(const FormatFacts& facts, Text reason, Text way
 {
     return fail(ErrorCode::FormatCannotHold,
         {{"format", facts.name}, {"reason", std::move(reason)}, {"wayOut", std::move(wayOut)}});
+}
+
+Result<void> checkOwnAxis(const FormatFacts& facts, const NeutralTable& table, const Text& wayOut)
+{
+    AXISCOMP_CHECK(checkTargets(table));
+    for (const CompensationColumn& column : table.columns)
+        if (ownAxis(table, column) != 0)
+            return cannotHold(facts,
+                AXISCOMP_TEXT("Error",
+                    "it corrects an axis by its own position, and this table goes from {column}")
+                    .with("column", columnText(table, column)),
+                wayOut);
+    return {};
 }
 
 Result<long> axisNumber(const FormatFacts& facts, const SettingValues& settings,
@@ -172,7 +186,9 @@ void keepNote(std::vector<std::string>& notes, std::string_view comment)
             || static_cast<unsigned char>(c) >= 0x80;
     };
     if (notes.size() < mostNotes && std::ranges::any_of(comment, isTelling))
-        notes.push_back(toUtf8(trimmed(comment), Encoding::Utf8));
+        notes.push_back(toUtf8(trimmed(comment),
+            findInvalidUtf8(comment) == std::string_view::npos ? Encoding::Utf8
+                                                               : Encoding::Windows1252));
 }
 
 Result<std::vector<NeutralTable>> readBack(

@@ -11,6 +11,11 @@ namespace axiscomp {
 /// FormatCannotHold with the limit and the way out.
 [[nodiscard]] tl::unexpected<Error> cannotHold(const FormatFacts& facts, Text reason, Text wayOut);
 
+/// For a format of axes that correct themselves: that each column acts on the first source. Errors:
+/// TargetNotKnown; FormatCannotHold with the way out for a cross compensation.
+[[nodiscard]] Result<void> checkOwnAxis(
+    const FormatFacts& facts, const NeutralTable& table, const Text& wayOut);
+
 /// The number that stands for an axis: the setting of this key, or the name of the axis where that
 /// is a number from 1. Errors: InvalidArgument that names the setting.
 [[nodiscard]] Result<long> axisNumber(const FormatFacts& facts, const SettingValues& settings,

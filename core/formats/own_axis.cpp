@@ -25,19 +25,6 @@ Text contradiction(const SettingValues& settings)
         .with("other", settings.text(valueKey));
 }
 
-Text crossText(const NeutralTable& table, const CompensationColumn& column)
-{
-    const bool hasTarget = !column.target.empty();
-    return (hasTarget ? AXISCOMP_TEXT("Error",
-                "it corrects an axis by its own position, and this table goes from {axis} to "
-                "{target}")
-                      : AXISCOMP_TEXT("Error",
-                          "it corrects an axis by its own position, and this table goes from "
-                          "{axis}"))
-        .with("axis", axisTexts(table))
-        .with("target", column.target);
-}
-
 /// What positions and values are written in; empty when nobody says it.
 std::string chosenUnit(const NeutralTable& table, const SettingValues& settings)
 {
@@ -55,8 +42,10 @@ void takeOneUnit(NeutralTable& table, const SettingValues& settings, DiagnosticL
     const std::string unit = settings.text(settings.has(positionKey) ? positionKey : valueKey);
     for (SourceAxis& axis : table.axes)
         axis.unit = unit;
-    for (CompensationColumn& column : table.columns)
+    for (CompensationColumn& column : table.columns) {
         column.unit = unit;
+        column.target = sourceTarget(0);
+    }
     if (isContradictory(settings))
         diagnostics.error(DiagnosticCode::Contradiction, 0, 0, contradiction(settings),
             AXISCOMP_TEXT(
@@ -71,10 +60,8 @@ void takeOneUnit(NeutralTable& table, const SettingValues& settings, DiagnosticL
 Result<NeutralTable> asOwnAxisTable(const FormatFacts& facts, const NeutralTable& table,
     const SettingValues& settings, std::vector<Text>& remarks)
 {
-    for (const CompensationColumn& column : table.columns)
-        if (!ownAxis(table, column))
-            return cannotHold(facts, crossText(table, column),
-                AXISCOMP_TEXT("Error", "choose a format for cross compensation"));
+    AXISCOMP_CHECK(checkOwnAxis(
+        facts, table, AXISCOMP_TEXT("Error", "choose a format for cross compensation")));
     if (isContradictory(settings))
         return fail(ErrorCode::InvalidArgument,
             {{"reason",
@@ -91,7 +78,7 @@ Result<NeutralTable> asOwnAxisTable(const FormatFacts& facts, const NeutralTable
     }
     for (CompensationColumn& column : own.columns) {
         column.name.clear();
-        column.target.clear();
+        column.target = sourceTarget(0);
         column.unit = column.unit.empty() ? unit : column.unit;
     }
     remarks.push_back(

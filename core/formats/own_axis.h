@@ -14,8 +14,8 @@ namespace axiscomp {
 void takeOneUnit(NeutralTable& table, const SettingValues& settings, DiagnosticList& diagnostics);
 
 /// Writing: the table as such a format holds it, without names, in the unit of the settings or
-/// else that of its positions, which is added to remarks. Errors: FormatCannotHold for a table that
-/// corrects another axis than its source; InvalidArgument for units that cannot be converted.
+/// else that of its positions, which is added to remarks. Errors: those of checkOwnAxis;
+/// InvalidArgument for units that cannot be converted.
 [[nodiscard]] Result<NeutralTable> asOwnAxisTable(const FormatFacts& facts,
     const NeutralTable& table, const SettingValues& settings, std::vector<Text>& remarks);
 

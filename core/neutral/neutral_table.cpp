@@ -46,19 +46,86 @@ bool isEven(const NeutralTable& table)
     return std::ranges::all_of(table.axes, [](const SourceAxis& axis) { return isEven(axis); });
 }
 
+std::vector<std::string> sourceNames(const NeutralTable& table)
+{
+    std::vector<std::string> names;
+    for (const SourceAxis& axis : table.axes)
+        names.push_back(axis.name);
+    return names;
+}
+
+std::optional<TargetAxis> targetOf(const NeutralTable& table, const CompensationColumn& column)
+{
+    return targetAxis(column.target, sourceNames(table));
+}
+
 std::optional<std::size_t> ownAxis(const NeutralTable& table, const CompensationColumn& column)
 {
-    const auto named = std::ranges::find(table.axes, column.target, &SourceAxis::name);
-    if (!column.target.empty() && named != table.axes.end())
-        return static_cast<std::size_t>(named - table.axes.begin());
-    const bool isNamed = !column.target.empty() && !table.axes.front().name.empty();
-    const bool isOnlyTarget = std::ranges::all_of(table.columns,
-        [&](const CompensationColumn& other) { return other.target == column.target; });
-    const bool isPair =
-        table.columns.size() == 2 && table.columns[0].direction != table.columns[1].direction;
-    if (isNamed || !isOnlyTarget || (table.columns.size() > 1 && !isPair))
-        return std::nullopt;
-    return 0;
+    const auto target = targetOf(table, column);
+    return target ? target->source : std::nullopt;
+}
+
+std::string targetName(const NeutralTable& table, const CompensationColumn& column)
+{
+    const auto target = targetOf(table, column);
+    if (!target)
+        return {};
+    if (target->source)
+        return table.axes[*target->source].name;
+    return column.target == otherAxis ? std::string() : column.target;
+}
+
+namespace {
+
+Error targetNotKnown(const NeutralTable& table, const CompensationColumn& column)
+{
+    std::vector<Text> choices;
+    for (std::size_t n = 0; n < table.axes.size(); ++n) {
+        const std::string& name = table.axes[n].name;
+        choices.push_back(name.empty() ? AXISCOMP_TEXT("Error", "{statement} (source {number})")
+                                             .with("statement", sourceTarget(n))
+                                             .with("number", n + 1)
+                                       : AXISCOMP_TEXT("Error", "{statement} ({axis})")
+                                             .with("statement", sourceTarget(n))
+                                             .with("axis", name));
+    }
+    choices.push_back(AXISCOMP_TEXT("Error", "{statement} (an axis that is no source)")
+                          .with("statement", otherAxis));
+    const Text name = column.name.empty() ? columnText(table, column) : Text(Verbatim{column.name});
+    return {ErrorCode::TargetNotKnown, {{"column", name}, {"sources", std::move(choices)}}, {}};
+}
+
+} // namespace
+
+Result<void> checkTargets(const NeutralTable& table)
+{
+    for (const CompensationColumn& column : table.columns)
+        if (!targetOf(table, column))
+            return fail(targetNotKnown(table, column));
+    return {};
+}
+
+Result<NeutralTable> withTargets(
+    NeutralTable table, std::span<const std::string> statements, bool areHeaders)
+{
+    if (statements.empty())
+        return table;
+    if (statements.size() != 1 && statements.size() != table.columns.size())
+        return fail(ErrorCode::InvalidArgument,
+            {{"reason",
+                AXISCOMP_TEXT("Error",
+                    "{count} targets are stated for {columns} columns; state one for all or one "
+                    "for each")
+                    .with("count", statements.size())
+                    .with("columns", table.columns.size())}});
+    const std::vector<std::string> names = sourceNames(table);
+    for (std::size_t n = 0; n < table.columns.size(); ++n) {
+        const std::string& statement = statements[statements.size() == 1 ? 0 : n];
+        table.columns[n].target = areHeaders ? targetAmong(statement, names) : statement;
+        if (!targetAxis(table.columns[n].target, names))
+            return fail(targetNotKnown(table, table.columns[n]));
+    }
+    return table;
 }
 
 std::vector<NeutralTable> separateColumns(std::span<const NeutralTable> tables)
@@ -102,10 +169,16 @@ std::vector<Text> axisTexts(const NeutralTable& table)
 Text columnText(const NeutralTable& table, const CompensationColumn& column)
 {
     Text text = AXISCOMP_TEXT("Error", "{axes}").with("axes", axisTexts(table));
-    if (!column.target.empty())
+    if (const auto target = targetOf(table, column); target && target->source)
         text = AXISCOMP_TEXT("Error", "{axes} to {target}")
                    .with("axes", axisTexts(table))
-                   .with("target", column.target);
+                   .with("target", axisText(table, *target->source));
+    else if (target)
+        text = AXISCOMP_TEXT("Error", "{axes} to {target}")
+                   .with("axes", axisTexts(table))
+                   .with("target",
+                       column.target == otherAxis ? Text(AXISCOMP_TEXT("Error", "another axis"))
+                                                  : Text(Verbatim{column.target}));
     if (column.direction == Direction::Both)
         return text;
     return (column.direction == Direction::Positive ? AXISCOMP_TEXT("Error", "{column}, positive")

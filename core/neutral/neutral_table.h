@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/text.h"
+#include "core/base/result.h"
+#include "core/table/target_axis.h"
 
 #include <cstddef>
 #include <optional>
@@ -37,7 +38,7 @@ struct SourceAxis {
 /// The values for one target axis.
 struct CompensationColumn {
     std::string name; ///< "Table 1": as the file calls the column; may be empty
-    std::string target; ///< the axis that is compensated, "Y" or "2"; may be empty
+    std::string target; ///< the axis that is corrected, as stated (target_axis.h); may be empty
     std::string unit; ///< empty: the file does not say
     Direction direction = Direction::Both;
     std::vector<double> values; ///< pointCount() finite values, the first axis fastest
@@ -63,18 +64,34 @@ struct NeutralTable {
 [[nodiscard]] bool isEven(const SourceAxis& axis);
 [[nodiscard]] bool isEven(const NeutralTable& table);
 
-/// The index of the source axis on which a column acts, so that a command offset moves the place
-/// where the table is looked up: the axis of the target's name. Where names do not tell, the first
-/// axis if the table has one target only. Nothing for a cross compensation (straightness,
-/// squareness), and where it cannot be known.
+/// What a column corrects; nothing: that is not stated.
+[[nodiscard]] std::optional<TargetAxis> targetOf(
+    const NeutralTable& table, const CompensationColumn& column);
+
+/// The source axis on which a column acts, so that a command offset moves the place where the table
+/// is looked up. Nothing for a cross compensation (straightness, squareness), and where the target
+/// is not stated: what depends on it calls checkTargets before.
 [[nodiscard]] std::optional<std::size_t> ownAxis(
     const NeutralTable& table, const CompensationColumn& column);
+
+/// The name of the axis that a column corrects; empty: it has none, or is not stated.
+[[nodiscard]] std::string targetName(const NeutralTable& table, const CompensationColumn& column);
+
+/// That it is stated for each column what it corrects. Errors: TargetNotKnown.
+[[nodiscard]] Result<void> checkTargets(const NeutralTable& table);
+
+/// The table with what a person says of its columns: one statement for all, or one for each.
+/// areHeaders: the sources are called by headers, which need not be the names of axes. Errors:
+/// InvalidArgument, TargetNotKnown for a name that may be that of a source.
+[[nodiscard]] Result<NeutralTable> withTargets(
+    NeutralTable table, std::span<const std::string> statements, bool areHeaders);
 
 /// The tables with one column each (a pair of directions is one), in the order of the file: what a
 /// user chooses from, and what a format with one column can hold.
 [[nodiscard]] std::vector<NeutralTable> separateColumns(std::span<const NeutralTable> tables);
 
 /// Its name, or "source 2".
+[[nodiscard]] std::vector<std::string> sourceNames(const NeutralTable& table);
 [[nodiscard]] Text axisText(const NeutralTable& table, std::size_t axis);
 [[nodiscard]] std::vector<Text> axisTexts(const NeutralTable& table);
 /// "X, Y to Z, positive": for reports.

@@ -17,6 +17,7 @@ struct CompensationTable {
     std::string unit; ///< of the values, "um" of "Table 1 [um]"; may be empty
     Grid grid;
     std::vector<float> values; ///< grid.pointCount() finite values, dimension 1 fastest
+    std::string target = {}; ///< the axis that is corrected, as stated (target_axis.h)
 
     friend bool operator==(const CompensationTable&, const CompensationTable&) = default;
 };

@@ -12,7 +12,7 @@ namespace axiscomp {
 /// One dimension of an even grid: position(i) = start + i * distance, i = 0 .. size - 1.
 struct GridAxis {
     std::string name; ///< the column's header without its unit, may be empty
-    std::string unit; ///< "mm" of "X [mm]", shown and never converted; may be empty
+    std::string unit; ///< "mm" of "X [mm]"; may be empty
     double start = 0.0; ///< finite
     double distance = 1.0; ///< > 0
     std::uint32_t size = 2; ///< >= 2

@@ -34,6 +34,7 @@ constexpr std::array units{
     Unit{"cm", Kind::Length, 1e-2},
     Unit{"m", Kind::Length, 1.0},
     Unit{"meter", Kind::Length, 1.0},
+    Unit{"mil", Kind::Length, 25.4e-6},
     Unit{"inch", Kind::Length, 0.0254},
     Unit{"in", Kind::Length, 0.0254},
     Unit{"urad", Kind::Angle, 1e-6},
@@ -46,6 +47,9 @@ constexpr std::array units{
     Unit{"degree", Kind::Angle, degree},
     Unit{"\u00b0", Kind::Angle, degree}, // degree sign
     Unit{"mdeg", Kind::Angle, degree / 1e3},
+    Unit{"turn", Kind::Angle, 2.0 * std::numbers::pi},
+    Unit{"turns", Kind::Angle, 2.0 * std::numbers::pi},
+    Unit{"rev", Kind::Angle, 2.0 * std::numbers::pi},
     Unit{"arcmin", Kind::Angle, degree / 60.0},
     Unit{"arcsec", Kind::Angle, degree / 3600.0},
 };

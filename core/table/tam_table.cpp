@@ -262,7 +262,7 @@ CompensationTable Decoder::table() const
     CompensationTable result;
     if (const auto& place = m_layout.place(TableField::Name))
         result.name = cutAtCharacter(
-            cleanText(asText(header().subspan(place->offset, place->count))), place->count);
+            shownText(asText(header().subspan(place->offset, place->count))), place->count);
     for (std::uint32_t i = 0; i < m_dimensions; ++i)
         result.grid.axes.push_back(axis(i));
 

@@ -77,7 +77,7 @@ constexpr std::array diagnosticRows{
         AXISCOMP_TEXT("Problem", "check the unit of the values")},
     DiagnosticRow{DiagnosticCode::LargeGradient, "LargeGradient",
         AXISCOMP_TEXT("Problem", "the table is very steep, which is likely a unit mistake"),
-        AXISCOMP_TEXT("Problem", "the values must be in the unit of the positions")},
+        AXISCOMP_TEXT("Problem", "check the units of values and positions")},
     DiagnosticRow{DiagnosticCode::ConstantTable, "ConstantTable",
         AXISCOMP_TEXT("Problem", "all values of the table are equal"),
         AXISCOMP_TEXT("Problem", "check that this column is meant")},
@@ -96,6 +96,9 @@ constexpr std::array diagnosticRows{
         AXISCOMP_TEXT("Problem", "this entry is not known and is left out"), TextPattern{}, true},
     DiagnosticRow{DiagnosticCode::UnitNotGiven, "UnitNotGiven",
         AXISCOMP_TEXT("Problem", "the file does not say a unit"), TextPattern{}},
+    DiagnosticRow{DiagnosticCode::TargetNotKnown, "TargetNotKnown",
+        AXISCOMP_TEXT("Problem", "the axis that the values correct cannot be told"), TextPattern{},
+        true},
     DiagnosticRow{DiagnosticCode::Assumption, "Assumption",
         AXISCOMP_TEXT("Problem", "the file can be understood in several ways"), TextPattern{}},
 };

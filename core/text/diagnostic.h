@@ -43,6 +43,7 @@ enum class DiagnosticCode {
     ConstantTable,
     UnknownKey,
     UnitNotGiven,
+    TargetNotKnown,
     Assumption,
 };
 

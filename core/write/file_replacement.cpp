@@ -107,7 +107,7 @@ Result<void> FileReplacement::keepOldFile(const Look& seen)
 /// The last question before the change, as in a write.
 Result<void> FileReplacement::checkUnchanged(const Look& seen) const
 {
-    AXISCOMP_TRY(auto drive, m_access.link().identify(m_access.exchange()));
+    AXISCOMP_TRY(auto drive, m_access.identify());
     if (drive.serialNumber != m_drive.serialNumber)
         return fail(ErrorCode::OtherDrive,
             {{"expected", m_drive.serialNumber}, {"found", drive.serialNumber}});

@@ -12,7 +12,7 @@ namespace axiscomp {
 Result<void> WriteProcedure::checkUnchanged()
 {
     const WritePlan& plan = m_write.plan;
-    AXISCOMP_TRY(auto drive, m_access.link().identify(m_access.exchange()));
+    AXISCOMP_TRY(auto drive, m_access.identify());
     if (drive.serialNumber != plan.drive.serialNumber)
         return fail(ErrorCode::OtherDrive,
             {{"expected", plan.drive.serialNumber}, {"found", drive.serialNumber}});

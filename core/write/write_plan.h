@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/axis/axis_status.h"
+#include "core/base/result.h"
 #include "core/base/text.h"
 #include "core/drive/compensation_setup.h"
 #include "core/drive/flash_wear.h"
@@ -24,6 +25,7 @@ struct WriteRequest {
     std::optional<Persistency> persistency; ///< none: keep (a new table is volatile)
     std::optional<std::string> slot; ///< none: chosen
     bool withoutTable = false; ///< the axis shall use none: sources, which may be gaps (""), remain
+    bool acceptsLarge = false; ///< corrections of WritePlan::largeCorrections are meant so
     std::optional<CompensationSetup> expected; ///< when set: refuse if the drive no longer has this
 };
 
@@ -48,7 +50,13 @@ struct WritePlan {
     int flashReserve = 0; ///< more that must be possible, so that it can be put back
     FlashBudget flashBudget; ///< before the write
     std::vector<Text> warnings;
+    std::optional<CompensationTable> table; ///< in the drive's units; none: the table stays
+    std::vector<Text> largeCorrections; ///< what has to be confirmed (WriteRequest::acceptsLarge)
+    std::vector<Text> unitRemarks; ///< what was converted and assumed of the table's units
 };
+
+/// That what is unusually large has been confirmed. Errors: LargeCorrection.
+[[nodiscard]] Result<void> checkLargeAccepted(const WritePlan& plan, const WriteRequest& request);
 
 struct WriteReport {
     WritePlan plan;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/write/write_planner.h"
 
+#include "core/drive/axis_target.h"
 #include "core/store/backup_json.h"
+#include "core/table/large_correction.h"
 #include "core/table/tam_table.h"
 
 #include <algorithm>
@@ -112,19 +114,22 @@ Result<PreparedWrite> WritePlanner::prepare(int axis, const WriteRequest& reques
     plan.after = m_status.setup;
     plan.after.dimensionality = request.dimensionality;
     auto decided = decideSources(request);
-    if (decided)
-        decided = request.withoutTable ? decideNoTable() : decideTable(request);
     if (!decided)
         return fail(decided.error());
-    decided = decideSaving();
+    if (request.withoutTable) {
+        decided = decideNoTable();
+    } else {
+        AXISCOMP_TRY(const auto converted, inUnitsOfDrive(request));
+        decided = decideTable(converted);
+    }
+    if (decided)
+        decided = decideSaving();
     if (decided)
         decided = decideFlash();
     if (!decided)
         return fail(decided.error());
     listChanges();
     warn();
-    if (request.table)
-        warnOfUnit(*request.table);
     return m_write;
 }
 
@@ -160,6 +165,40 @@ Result<void> WritePlanner::decideSources(const WriteRequest& request)
                     {"second", n + 1}});
     }
     return {};
+}
+
+/// Values are in the unit of the axis, positions in that of the axis whose position a source is.
+Result<TableUnits> WritePlanner::tableUnits()
+{
+    TableUnits units{m_status.axis.unit, {}};
+    const auto dimensions = static_cast<std::size_t>(m_write.plan.after.dimensionality);
+    for (std::size_t n = 0; n < dimensions; ++n) {
+        const auto owner = m_access.profile().axisOfPosition(m_write.plan.after.sources[n].path);
+        units.positions.emplace_back();
+        if (owner == m_axis) {
+            units.positions.back() = m_status.axis.unit;
+        } else if (owner) {
+            const std::string path = m_access.axisPath(m_access.registers().positionUnit, *owner);
+            AXISCOMP_TRY(const auto readings, m_access.readAvailable({path}));
+            if (const auto unit = readings.find(path); unit != readings.end())
+                units.positions.back() = toText(unit->second.value);
+        }
+    }
+    return units;
+}
+
+Result<WriteRequest> WritePlanner::inUnitsOfDrive(const WriteRequest& request)
+{
+    if (!request.table)
+        return request;
+    AXISCOMP_TRY(const auto units, tableUnits());
+    AXISCOMP_TRY(auto converted, inDriveUnits(*request.table, units));
+    m_write.plan.unitRemarks = std::move(converted.remarks);
+    m_write.plan.table = std::move(converted.table);
+    m_write.plan.largeCorrections = largeCorrections(*m_write.plan.table);
+    WriteRequest result = request;
+    result.table = m_write.plan.table;
+    return result;
 }
 
 Result<void> WritePlanner::decideNoTable()
@@ -201,20 +240,33 @@ Result<void> WritePlanner::decideTable(const WriteRequest& request)
     if (table.grid.dimensions() != request.dimensionality)
         return fail(ErrorCode::DimensionMismatch,
             {{"table", table.grid.dimensions()}, {"chosen", request.dimensionality}});
+    AXISCOMP_CHECK(checkTarget(m_access.profile(), m_axis, sourcePaths(m_write.plan.after), table));
     AXISCOMP_TRY(auto file, encodeTamTable(table, false, m_access.profile().layout));
     m_write.elementCrc = elementCrcOf(file, table);
     m_write.plan.tableBytes = file.size();
     m_write.plan.after.tableCrc = m_write.elementCrc;
     m_write.plan.after.persistency = request.persistency.value_or(Persistency::Volatile);
-    const bool alreadyThere = m_status.table && m_status.table->crc == m_write.elementCrc
-        && sameSpans(m_status.table->grid, table.grid)
-        && request.slot.value_or(m_status.setup.slot) == m_status.setup.slot;
+    AXISCOMP_TRY(const bool alreadyThere, isThere(request, table));
     if (alreadyThere) {
         m_write.plan.slotReason = SlotReason::KeepTable;
         m_write.plan.after.persistency = request.persistency.value_or(m_status.setup.persistency);
         return {};
     }
     return decideNewTable(request, std::move(file));
+}
+
+/// Registers may say more than the file holds, which is read.
+Result<bool> WritePlanner::isThere(const WriteRequest& request, const CompensationTable& table)
+{
+    const std::string& current = m_status.setup.slot;
+    const TableSlot* slot = m_access.profile().slotNamed(current);
+    if (!slot || !m_status.table || m_status.table->crc != m_write.elementCrc
+        || !sameSpans(m_status.table->grid, table.grid)
+        || request.slot.value_or(current) != current)
+        return false;
+    AXISCOMP_TRY(const auto bytes, m_access.link().download(slot->file, m_access.exchange()));
+    return bytes.size() >= table.values.size() * sizeof(float)
+        && elementCrcOf(bytes, table) == m_write.elementCrc;
 }
 
 Result<void> WritePlanner::decideNewTable(const WriteRequest& request, Bytes file)

@@ -4,6 +4,7 @@
 #include "core/axis/axis_reader.h"
 #include "core/axis/slot_state.h"
 #include "core/store/drive_store.h"
+#include "core/table/table_units.h"
 #include "core/write/slot_choice.h"
 #include "core/write/write_plan.h"
 
@@ -39,7 +40,10 @@ public:
 
 private:
     [[nodiscard]] Result<void> decideSources(const WriteRequest& request);
+    [[nodiscard]] Result<TableUnits> tableUnits();
+    [[nodiscard]] Result<WriteRequest> inUnitsOfDrive(const WriteRequest& request);
     [[nodiscard]] Result<void> decideTable(const WriteRequest& request);
+    [[nodiscard]] Result<bool> isThere(const WriteRequest& request, const CompensationTable& table);
     [[nodiscard]] Result<void> decideNewTable(const WriteRequest& request, Bytes file);
     [[nodiscard]] Result<void> noteStored(const Grid& grid);
     [[nodiscard]] Result<void> decideNoTable();
@@ -53,7 +57,6 @@ private:
     void listChanges();
     void warn();
     void warnOfSaving();
-    void warnOfUnit(const CompensationTable& table);
 
     const RegisterAccess& m_access;
     DriveStore& m_store;

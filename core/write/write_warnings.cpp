@@ -1,31 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // What a person should know before a write.
-#include "core/table/position_unit.h"
 #include "core/write/write_planner.h"
-
-#include <charconv>
 
 namespace axiscomp {
 
-namespace {
-
-/// "1000", "25.4": never with an exponent.
-std::string factorText(double factor)
+Result<void> checkLargeAccepted(const WritePlan& plan, const WriteRequest& request)
 {
-    char digits[32];
-    const bool isLarge = factor >= 1000.0;
-    const auto end = std::to_chars(digits, digits + sizeof digits, factor,
-        isLarge ? std::chars_format::fixed : std::chars_format::general, isLarge ? 0 : 4)
-                         .ptr;
-    return {digits, end};
+    if (plan.changes.empty() || plan.largeCorrections.empty() || request.acceptsLarge)
+        return {};
+    return fail(ErrorCode::LargeCorrection,
+        {{"reason", plan.largeCorrections.front()}, {"ofAxis", plan.axis}});
 }
-
-} // namespace
 
 void WritePlanner::warn()
 {
     WritePlan& plan = m_write.plan;
+    for (const DimSource& source : plan.after.sources)
+        if (m_access.profile().isAfterCompensation(source.path))
+            plan.warnings.push_back(AXISCOMP_TEXT("Error",
+                "{source} is a position after the compensation: the table would be looked up where "
+                "its own values have moved the axis.")
+                                        .with("source", source.path));
     if (plan.slotReason == SlotReason::OverwriteOwn)
         plan.warnings.push_back(AXISCOMP_TEXT("Error",
             "No other slot is free: the table in {slot} is overwritten. A copy is kept in the "
@@ -75,36 +71,6 @@ void WritePlanner::warnOfSaving()
                 "saved.")
                                         .with("slot", other.setup.slot));
     }
-}
-
-/// Numbers are never converted: micrometres are a thousand times too large for an axis that counts
-/// in millimetres.
-void WritePlanner::warnOfUnit(const CompensationTable& table)
-{
-    const std::string& positionUnit = m_status.axis.unit;
-    if (table.unit.empty() || isSameUnit(table.unit, positionUnit))
-        return;
-    const std::string symbol = unitSymbol(positionUnit);
-    const auto factor = unitFactor(positionUnit, table.unit);
-    const bool isTooLarge = factor && *factor > 1.0;
-    TextPattern pattern = AXISCOMP_TEXT("Error",
-        "The file says that the values are in {unit}, but {axis} counts in {other}: the numbers "
-        "are written as they are, not converted.");
-    if (isTooLarge)
-        pattern = AXISCOMP_TEXT("Error",
-            "The file says that the values are in {unit}, but {axis} counts in {other}: the "
-            "numbers are written as they are, not converted, {factor} times too large.");
-    else if (factor)
-        pattern = AXISCOMP_TEXT("Error",
-            "The file says that the values are in {unit}, but {axis} counts in {other}: the "
-            "numbers are written as they are, not converted, {factor} times too small.");
-    Text warning = pattern.with("unit", table.unit)
-                       .with("axis", axisText(m_axis, m_status.axis.name))
-                       .with("other", symbol.empty() ? positionUnit : symbol);
-    if (factor)
-        warning = std::move(warning).with(
-            "factor", Quantity{factorText(isTooLarge ? *factor : 1.0 / *factor)});
-    m_write.plan.warnings.push_back(std::move(warning));
 }
 
 } // namespace axiscomp

@@ -143,7 +143,7 @@ DriveProfile readProfile(const JsonNode& root)
     constexpr std::array<std::string_view, 11> keys{"name", "registers", "enums", "sourceShortlist",
         "sourceTypes", "slots", "layout", "web", "flashWear", "writesAtOneInstant",
         "readsAtOneInstant"};
-    constexpr std::array<std::string_view, 1> optionalKeys{"description"};
+    constexpr std::array<std::string_view, 2> optionalKeys{"description", "positionKinds"};
     root.expectMembers(keys, optionalKeys);
     if (root.has("description"))
         static_cast<void>(root["description"].textView());
@@ -153,6 +153,8 @@ DriveProfile readProfile(const JsonNode& root)
     profile.registers = readRegisterPaths(root["registers"]);
     profile.enums = readRegisterEnums(root["enums"]);
     profile.sourceShortlist = readSourceShortlist(root["sourceShortlist"]);
+    if (root.has("positionKinds"))
+        profile.positionKinds = readPositionKinds(root["positionKinds"]);
     profile.sourceTypes = readSourceTypes(root["sourceTypes"]);
     profile.layout = readTableLayout(root["layout"]);
     profile.tableSlots = readSlots(root["slots"], profile);

@@ -309,6 +309,19 @@ std::vector<std::string> readSourceShortlist(const JsonNode& node)
     return list;
 }
 
+PositionKinds readPositionKinds(const JsonNode& node)
+{
+    node.expectMembers({"beforeCompensation", "afterCompensation", "commanded"});
+    const auto paths = [&node](const char* kind) {
+        for (const JsonNode& item : node[kind].items())
+            if (item.text().find("{axis}") == std::string::npos)
+                item.refuse(AXISCOMP_TEXT("Error", "{placeholder} is expected in the path")
+                                .with("placeholder", Verbatim{"{axis}"}));
+        return readSourceShortlist(node[kind]);
+    };
+    return {paths("beforeCompensation"), paths("afterCompensation"), paths("commanded")};
+}
+
 std::vector<std::string> readSourceTypes(const JsonNode& node)
 {
     std::vector<std::string> types;

@@ -12,6 +12,8 @@ namespace axiscomp::drivecomm {
 [[nodiscard]] RegisterEnums readRegisterEnums(const JsonNode& node);
 /// With the ranges "[0..15]" written out.
 [[nodiscard]] std::vector<std::string> readSourceShortlist(const JsonNode& node);
+/// The same, each with {axis}.
+[[nodiscard]] PositionKinds readPositionKinds(const JsonNode& node);
 [[nodiscard]] std::vector<std::string> readSourceTypes(const JsonNode& node);
 
 /// A word that may be part of a path, an enum's value or a line of the serial link: letters,

@@ -5,20 +5,20 @@
 _axiscomp_options()
 {
     local drive="--drive --profile --trust-certificate --timeout"
-    local conversion="--sign --direction --no-wrap"
+    local conversion="--target --sign --direction --no-wrap --scale --offset --zero"
     local grid="--points --distance --within --method --hold"
     case $1 in
         "") echo "--help --version" ;;
         example) echo "--help --json --dims --tables --output" ;;
         inspect) echo "--help --json --dims --from --set-in --profile" ;;
-        convert) echo "--help --json --dims --table --from --set-in --to --set-out --persistent --volatile --name --profile --to-sign $conversion $grid" ;;
+        convert) echo "--help --json --value-unit --accept-large --dims --table --from --set-in --to --set-out --persistent --volatile --name --profile --to-sign $conversion $grid" ;;
         lookup) echo "--help --json --dims --table --points --outside --as --from --set-in --set-out --profile --to-sign $conversion" ;;
         formats) echo "--help --json --markdown" ;;
         axes) echo "--help --json --find --any-baud $drive" ;;
         files) echo "--help --json $drive" ;;
         status | persist | unpersist | evaluate | activate | deactivate) echo "--help --json $drive --axis" ;;
-        write) echo "--help --json $drive --axis --data --dims --table --from --set-in --map --source1 --source2 --source3 --persistent --volatile --slot --dry-run $conversion $grid" ;;
-        read) echo "--help --json $drive --axis --output --to --to-sign --set-out $grid" ;;
+        write) echo "--help --json $drive --axis --data --dims --table --from --set-in --map --source1 --source2 --source3 --persistent --volatile --slot --accept-large --dry-run --value-unit --position-unit $conversion $grid" ;;
+        read) echo "--help --json $drive --axis --output --to --target --to-sign --set-out $grid" ;;
         upload) echo "--help --json $drive --to" ;;
         download) echo "--help --json $drive --output" ;;
         monitor) echo "--help --json $drive --axis --rate --count" ;;
@@ -78,7 +78,7 @@ _axiscomp()
         --profile) _filedir json; return ;;
         --data) _filedir '@(csv|CSV|TAMtbl)'; return ;;
         -o | --output | --points) _filedir; return ;;
-        --axis | --table | --tables | --timeout | --trust-certificate | --name | --rate | --count | --source[123]) return ;;
+        --axis | --table | --target | --value-unit | --position-unit | --tables | --timeout | --trust-certificate | --name | --rate | --count | --source[123]) return ;;
     esac
 
     if [[ -z $command ]]; then

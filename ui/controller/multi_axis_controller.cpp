@@ -92,12 +92,14 @@ std::vector<AxisEntry> MultiAxisController::axesOfTables() const
     return asked;
 }
 
-void MultiAxisController::write()
+void MultiAxisController::write(bool acceptsLarge)
 {
     if (m_asked.empty() || !m_plans || !*m_plans) {
         m_outcome.refuse([] { return tr("The writes have not been planned yet."); });
         return;
     }
+    for (AxisTable& asked : m_asked)
+        asked.request.acceptsLarge = acceptsLarge;
     const std::vector<AxisEntry> axes = axesOfTables();
     const bool isPersistent = m_asked.front().request.persistency == Persistency::Persistent;
     const auto turn = std::make_shared<std::atomic<std::size_t>>(0);

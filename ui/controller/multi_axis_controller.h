@@ -35,8 +35,8 @@ public:
     {
         return m_plans;
     }
-    /// Carries out plans(), axis by axis.
-    void write();
+    /// Carries out plans(), axis by axis. acceptsLarge: as in WriteRequest.
+    void write(bool acceptsLarge);
 
 Q_SIGNALS:
     void planned();

@@ -123,6 +123,7 @@ void OperationRunner::planWrite()
     m_plannedSetup = edited;
     m_request = requestFor(edited, m_setup.baseline());
     m_requestTable = edited.table.fileTable ? m_tables.selected() : LoadedTable{};
+    m_fileTable = m_tables.selectedOfFile().table;
     if (!m_setup.isDirty()) {
         // Only an earlier write is finished: its parameters are saved.
         m_request.sources.clear();
@@ -130,7 +131,7 @@ void OperationRunner::planWrite()
     }
     begin<WritePlan>(
         Task::Plan,
-        [axis = m_drives.currentAxis(), asked = m_request, table = m_requestTable.table](
+        [axis = m_drives.currentAxis(), asked = m_request, table = m_fileTable](
             AxisCompensator& compensator, const OperationOptions& options) {
             return compensator.plan(axis, withTable(asked, table), options);
         },
@@ -168,7 +169,7 @@ void OperationRunner::forget()
     m_proof.reset();
 }
 
-void OperationRunner::write()
+void OperationRunner::write(bool acceptsLarge)
 {
     if (!m_plan) {
         m_outcome.refuse([] {
@@ -177,9 +178,10 @@ void OperationRunner::write()
         });
         return;
     }
+    m_request.acceptsLarge = acceptsLarge;
     run<WriteReport>(
         Task::Write,
-        [axis = m_drives.currentAxis(), asked = m_request, table = m_requestTable.table](
+        [axis = m_drives.currentAxis(), asked = m_request, table = m_fileTable](
             auto& compensator, const auto& store, const auto& options) {
             return writeAxis(compensator, store, axis, withTable(asked, table), options);
         },
@@ -194,6 +196,7 @@ void OperationRunner::write()
             if (end.outcome)
                 m_setup.setTable({}); // the drive has it now
             m_requestTable = {};
+            m_fileTable.reset();
         },
         writeOutcome);
 }

@@ -36,8 +36,8 @@ public:
     /// Asks the drive what a write would change; planReady() follows, or an outcome that says why
     /// not.
     void planWrite();
-    /// Carries out plan().
-    void write();
+    /// Carries out plan(). acceptsLarge: as in WriteRequest.
+    void write(bool acceptsLarge);
     /// Ends with the end-to-end proof, but for Deactivate.
     void switchTo(Switch wanted);
     void restorePrevious();
@@ -99,7 +99,8 @@ private:
     std::optional<WritePlan> m_plan;
     EditedSetup m_plannedSetup; ///< that the plan is of
     WriteRequest m_request; ///< the same as a request, without its table
-    LoadedTable m_requestTable;
+    LoadedTable m_requestTable; ///< in the units of the drive
+    std::shared_ptr<const CompensationTable> m_fileTable; ///< the same as the file has it
     std::optional<Proof> m_proof;
 };
 

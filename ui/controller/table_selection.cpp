@@ -97,7 +97,35 @@ void TableSelection::noteFailure(const LoadedFile& failed)
 LoadedTable TableSelection::selected() const
 {
     const std::optional<int> chosen = m_setup.edited().table.fileTable;
-    return chosen ? m_file.table(*chosen) : m_driveTable.table();
+    if (!chosen)
+        return m_driveTable.table();
+    const LoadedTable ofFile = m_file.table(*chosen);
+    if (!ofFile.table || m_units.values.empty())
+        return ofFile;
+    if (ofFile.table != m_source) {
+        m_source = ofFile.table;
+        auto converted = inDriveUnits(*ofFile.table, m_units);
+        m_converted = ofFile;
+        if (converted)
+            m_converted.table =
+                std::make_shared<const CompensationTable>(std::move(converted->table));
+    }
+    return m_converted;
+}
+
+LoadedTable TableSelection::selectedOfFile() const
+{
+    const std::optional<int> chosen = m_setup.edited().table.fileTable;
+    return chosen ? m_file.table(*chosen) : LoadedTable{};
+}
+
+void TableSelection::setUnits(const TableUnits& units)
+{
+    if (units == m_units)
+        return;
+    m_units = units;
+    m_source.reset();
+    noteSelected();
 }
 
 std::size_t TableSelection::selectedBytes() const

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/table/table_units.h"
 #include "ui/controller/setup_model.h"
 #include "ui/controller/wizard_log.h"
 #include "ui/data/data_file_model.h"
@@ -27,8 +28,13 @@ public:
     [[nodiscard]] const DataFileModel& file() const { return m_file; }
     [[nodiscard]] DriveTable& driveTable() { return m_driveTable; }
     [[nodiscard]] const DriveTable& driveTable() const { return m_driveTable; }
-    /// None: the one on the drive, which has not been downloaded yet.
+    /// In the units of the drive as far as they can be converted. None: the one on the drive, which
+    /// has not been downloaded yet.
     [[nodiscard]] LoadedTable selected() const;
+    /// As the file has it.
+    [[nodiscard]] LoadedTable selectedOfFile() const;
+    /// Of the axis and its sources.
+    void setUnits(const TableUnits& units);
     [[nodiscard]] std::size_t selectedBytes() const; ///< as a file on the drive; 0 without a table
 
 Q_SIGNALS:
@@ -46,6 +52,9 @@ private:
     DataFileModel m_file;
     DriveTable m_driveTable;
     bool m_isOpening = false; ///< somebody wants a table of the file that is being read
+    TableUnits m_units;
+    mutable LoadedTable m_converted; ///< selected(), of m_source
+    mutable std::shared_ptr<const CompensationTable> m_source;
     std::shared_ptr<const CompensationTable> m_announced;
 };
 

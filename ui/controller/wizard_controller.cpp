@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/controller/wizard_controller.h"
 
+#include "core/drive/axis_target.h"
 #include "ui/controller/multi_axis_controller.h"
 #include "ui/controller/wizard_actions.h"
 #include "ui/text/sign_sentence.h"
@@ -11,7 +12,8 @@ namespace axiscomp::ui {
 /// WizardController connects.
 struct WizardController::Parts {
     explicit Parts(const WizardOptions& options)
-        : drives(options, log, outcome)
+        : profile(*options.profile)
+        , drives(options, log, outcome)
         , axis(options, drives, setup, log, outcome)
         , sources(drives, setup, log)
         , tables(options.profile->layout, setup, log)
@@ -21,6 +23,7 @@ struct WizardController::Parts {
     {
     }
 
+    const DriveProfile& profile;
     WizardLog log;
     LastOutcome outcome{log};
     SetupModel setup;
@@ -78,6 +81,7 @@ void WizardController::wireAxis()
         m_parts->tables.driveTable().follow(
             *m_parts->drives.connection(), *m_parts->axis.status(), isComplete);
     });
+    connect(axis, &AxisState::statusChanged, this, &WizardController::updateUnits);
     connect(axis, &AxisState::statusChanged, this, &WizardController::statusChanged);
     connect(axis, &AxisState::liveChanged, this, &WizardController::liveChanged);
     for (const auto changed :
@@ -85,9 +89,32 @@ void WizardController::wireAxis()
         connect(axis, changed, &m_parts->actions, &WizardActions::update);
     connect(&m_parts->sources, &SourceCheck::checked, this, &WizardController::sourceChecked);
     connect(&m_parts->sources, &SourceCheck::checked, &m_parts->actions, &WizardActions::update);
+    connect(&m_parts->setup, &SetupModel::fieldChanged, this, &WizardController::updateUnits);
     connect(
         &m_parts->setup, &SetupModel::fieldChanged, &m_parts->runner, &OperationRunner::dropPlan);
     connect(&m_parts->setup, &SetupModel::fieldChanged, &m_parts->actions, &WizardActions::update);
+}
+
+/// Values are shown in the unit of the axis, positions in that of the axis whose position a source
+/// is.
+void WizardController::updateUnits()
+{
+    TableUnits units;
+    if (status()) {
+        units.values = status()->axis.unit;
+        const auto current = static_cast<std::size_t>(currentAxis());
+        const EditedSetup& edited = setup().edited();
+        for (int n = 0; n < edited.dimensionality; ++n) {
+            const auto owner =
+                m_parts->profile.axisOfPosition(edited.sources[static_cast<std::size_t>(n)].path);
+            units.positions.emplace_back();
+            for (const AxisEntry& entry : axes())
+                if (owner == entry.axis.index && current < axes().size()
+                    && entry.endpoint == axes()[current].endpoint)
+                    units.positions.back() = entry.axis.unit;
+        }
+    }
+    m_parts->tables.setUnits(units);
 }
 
 void WizardController::wireTables()
@@ -205,8 +232,11 @@ void WizardController::openData(const QString& path)
 
 void WizardController::importData(const QString& path, const ImportChoices& choices)
 {
-    if (m_parts->actions.mayStart(Action::OpenData))
-        m_parts->tables.open(path, choices);
+    if (!m_parts->actions.mayStart(Action::OpenData))
+        return;
+    ImportChoices known = choices;
+    known.axisTarget = axisTarget();
+    m_parts->tables.open(path, known);
 }
 
 ImportChoices WizardController::importChoices(const QString& path) const
@@ -233,6 +263,15 @@ void WizardController::cancelReading()
 const DataFile& WizardController::dataFile() const
 {
     return m_parts->tables.file().file();
+}
+
+std::string WizardController::axisTarget() const
+{
+    if (!status())
+        return {};
+    CompensationSetup chosen;
+    chosen.sources = setup().edited().sources;
+    return axiscomp::axisTarget(m_parts->profile, status()->axis.index, sourcePaths(chosen));
 }
 
 std::shared_ptr<const CompensationTable> WizardController::selectedTable() const
@@ -272,10 +311,10 @@ void WizardController::planWrite()
         m_parts->runner.planWrite();
 }
 
-void WizardController::write()
+void WizardController::write(bool acceptsLarge)
 {
     if (m_parts->actions.mayStart(Action::Write))
-        m_parts->runner.write();
+        m_parts->runner.write(acceptsLarge);
 }
 
 void WizardController::activate()
@@ -351,10 +390,10 @@ const std::optional<Result<std::vector<WritePlan>>>& WizardController::multiAxis
     return m_parts->multiAxis.plans();
 }
 
-void WizardController::writeMultiAxis()
+void WizardController::writeMultiAxis(bool acceptsLarge)
 {
     if (m_parts->actions.mayStart(Action::WriteSeveral))
-        m_parts->multiAxis.write();
+        m_parts->multiAxis.write(acceptsLarge);
 }
 
 void WizardController::cancel()

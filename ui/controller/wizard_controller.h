@@ -67,6 +67,8 @@ public:
     /// The chosen table: of the file, or the one on the drive (once it has been downloaded); may be
     /// null.
     [[nodiscard]] std::shared_ptr<const CompensationTable> selectedTable() const;
+    /// What the axis is among the sources that are chosen; see core/drive/axis_target.h.
+    [[nodiscard]] std::string axisTarget() const;
     [[nodiscard]] std::shared_ptr<const CompensationTable> driveTable() const;
     [[nodiscard]] std::size_t
     selectedTableBytes() const; ///< as a file on the drive; 0 without a table
@@ -79,8 +81,9 @@ public:
     [[nodiscard]] QString hint() const;
     /// Asks the drive what a write would change; planReady follows, or a failure.
     void planWrite();
-    /// Carries out the plan that planReady gave.
-    void write();
+    /// Carries out the plan that planReady gave. acceptsLarge: what is unusually large in it was
+    /// confirmed; without it such a plan is refused.
+    void write(bool acceptsLarge = false);
     void activate(); ///< ends with the end-to-end proof
     void evaluate();
     void deactivate();
@@ -104,8 +107,8 @@ public:
     /// One plan per column, in their order; none while the drive is being asked.
     [[nodiscard]] const std::optional<Result<std::vector<WritePlan>>>& multiAxisPlans() const;
     /// Carries out multiAxisPlans(), axis by axis; multiAxisWritten() follows, outcome() says what
-    /// each axis holds.
-    void writeMultiAxis();
+    /// each axis holds. acceptsLarge: as in write().
+    void writeMultiAxis(bool acceptsLarge = false);
 
     void cancel();
     [[nodiscard]] const BusyState& busy() const;
@@ -151,6 +154,7 @@ Q_SIGNALS:
     void outcomeChanged();
 
 private:
+    void updateUnits();
     void wireDrives();
     void wireAxis();
     void wireTables();

@@ -4,6 +4,7 @@
 #include "core/store/trusted_certificates.h"
 #include "ui/async/background_job.h"
 #include "ui/style/contrast.h"
+#include "ui/style/plain_label.h"
 #include "ui/text/message_text.h"
 
 #include <QBoxLayout>
@@ -40,8 +41,8 @@ CertificateDialog::CertificateDialog(
     : QDialog(parent)
     , m_certificate(std::move(certificate))
     , m_storeRoot(std::move(storeRoot))
-    , m_introduction(new QLabel)
-    , m_note(new QLabel)
+    , m_introduction(new PlainLabel)
+    , m_note(new PlainLabel)
     , m_refuse(new QPushButton)
     , m_trust(new QPushButton)
 {
@@ -56,10 +57,9 @@ CertificateDialog::CertificateDialog(
 
 QLabel* CertificateDialog::addRow(QFormLayout& form, const char* name, const QString& value)
 {
-    auto* label = new QLabel;
-    auto* text = new QLabel(value);
+    auto* label = new PlainLabel;
+    auto* text = new PlainLabel(value);
     text->setObjectName(QLatin1StringView(name));
-    text->setTextFormat(Qt::PlainText); // a stranger wrote it
     text->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     text->setFocusPolicy(Qt::ClickFocus);
     form.addRow(label, text);
@@ -71,7 +71,6 @@ void CertificateDialog::build()
 {
     m_introduction->setObjectName(QStringLiteral("certificateIntroduction"));
     m_introduction->setWordWrap(true);
-    m_introduction->setTextFormat(Qt::PlainText);
     m_note->setObjectName(QStringLiteral("certificateNote"));
     m_note->setWordWrap(true);
     m_refuse->setObjectName(QStringLiteral("refuseCertificate"));

@@ -5,6 +5,7 @@
 #include "ui/dialogs/find_drives_dialog.h"
 #include "ui/style/busy_mark.h"
 #include "ui/style/contrast.h"
+#include "ui/style/plain_label.h"
 #include "ui/style/symbols.h"
 #include "ui/text/endpoint_text.h"
 #include "ui/text/message_text.h"
@@ -56,7 +57,7 @@ ConnectionsDialog::ConnectionsDialog(
     , m_controller(controller)
     , m_options(std::move(options))
     , m_probe(m_options)
-    , m_introduction(new QLabel)
+    , m_introduction(new PlainLabel)
     , m_list(new QTreeWidget)
     , m_edit(dialogButton("editConnection", Symbol::Edit))
     , m_remove(dialogButton("removeConnection", Symbol::Remove))
@@ -64,11 +65,11 @@ ConnectionsDialog::ConnectionsDialog(
     , m_certificate(new CertificateButton(m_options.storeRoot))
     , m_find(dialogButton("findDrives", Symbol::Refresh))
     , m_demo(dialogButton("addDemo", Symbol::Add))
-    , m_addressLabel(new QLabel)
+    , m_addressLabel(new PlainLabel)
     , m_address(new QLineEdit)
     , m_add(dialogButton("addConnection", Symbol::Add))
     , m_busy(new BusyMark)
-    , m_note(new QLabel)
+    , m_note(new PlainLabel)
     , m_buttons(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel))
 {
     setObjectName(QStringLiteral("connectionsDialog"));

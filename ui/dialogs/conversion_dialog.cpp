@@ -4,6 +4,7 @@
 #include "ui/dialogs/setting_fields.h"
 #include "ui/style/busy_mark.h"
 #include "ui/style/contrast.h"
+#include "ui/style/plain_label.h"
 #include "ui/text/message_text.h"
 
 #include <QBoxLayout>
@@ -18,11 +19,11 @@ namespace axiscomp::ui {
 ConversionDialog::ConversionDialog(ConversionForm::Purpose purpose, QWidget* parent)
     : QDialog(parent)
     , m_form(new ConversionForm(purpose))
-    , m_introduction(new QLabel)
-    , m_reportTitle(new QLabel)
+    , m_introduction(new PlainLabel)
+    , m_reportTitle(new PlainLabel)
     , m_report(new QPlainTextEdit)
     , m_busy(new BusyMark)
-    , m_reason(new QLabel)
+    , m_reason(new PlainLabel)
     , m_buttons(new QDialogButtonBox)
     , m_accept(m_buttons->addButton(QDialogButtonBox::Ok))
     , m_cancel(m_buttons->addButton(QDialogButtonBox::Cancel))
@@ -40,7 +41,6 @@ void ConversionDialog::build()
 {
     m_introduction->setObjectName(QStringLiteral("conversionIntroduction"));
     m_introduction->setWordWrap(true);
-    m_introduction->setTextFormat(Qt::PlainText);
     m_report->setObjectName(QStringLiteral("conversionReport"));
     m_report->setReadOnly(true);
     m_report->setTabChangesFocus(true);
@@ -48,7 +48,6 @@ void ConversionDialog::build()
     m_reportTitle->setBuddy(m_report);
     m_reason->setObjectName(QStringLiteral("conversionReason"));
     m_reason->setWordWrap(true);
-    m_reason->setTextFormat(Qt::PlainText);
     m_reason->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_buttons->setObjectName(QStringLiteral("conversionButtons"));
     m_accept->setObjectName(QStringLiteral("acceptConversion"));

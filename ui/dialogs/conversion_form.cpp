@@ -3,6 +3,7 @@
 
 #include "ui/dialogs/file_filters.h"
 #include "ui/dialogs/setting_fields.h"
+#include "ui/style/plain_label.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -55,6 +56,15 @@ void describe(QWidget& field, const QString& text)
     field.setAccessibleDescription(text);
 }
 
+const std::array<std::string, 5> targetItems{
+    "", sourceTarget(0), sourceTarget(1), sourceTarget(2), std::string(otherAxis)};
+
+int targetIndex(const std::string& target)
+{
+    const auto item = std::ranges::find(targetItems, target);
+    return item == targetItems.end() ? 0 : static_cast<int>(item - targetItems.begin());
+}
+
 } // namespace
 
 ConversionForm::ConversionForm(Purpose purpose, QWidget* parent)
@@ -62,6 +72,7 @@ ConversionForm::ConversionForm(Purpose purpose, QWidget* parent)
     , m_purpose(purpose)
     , m_form(new QFormLayout(this))
     , m_format(combo("conversionFormat", 0))
+    , m_target(combo("targetField", 5))
     , m_sign(combo("signField", 3))
     , m_direction(combo("directionField", 4))
     , m_dropsWrap(new QCheckBox)
@@ -84,14 +95,15 @@ void ConversionForm::build()
     m_holds->setObjectName(QStringLiteral("holdsEndsField"));
     m_form->setContentsMargins(0, 0, 0, 0);
     m_form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
-    for (QWidget* field : std::initializer_list<QWidget*>{m_format, m_sign, m_direction}) {
-        auto* label = new QLabel;
+    for (QWidget* field :
+        std::initializer_list<QWidget*>{m_format, m_target, m_sign, m_direction}) {
+        auto* label = new PlainLabel;
         label->setBuddy(field);
         m_form->addRow(label, field);
     }
     m_form->addRow(QString(), m_dropsWrap);
     for (QWidget* field : std::initializer_list<QWidget*>{m_grid, m_number, m_method}) {
-        auto* label = new QLabel;
+        auto* label = new PlainLabel;
         label->setBuddy(field);
         m_form->addRow(label, field);
     }
@@ -102,7 +114,7 @@ void ConversionForm::connectFields()
 {
     connect(m_format, &QComboBox::currentIndexChanged, this, &ConversionForm::chooseFormat);
     connect(m_grid, &QComboBox::currentIndexChanged, this, &ConversionForm::showGridRows);
-    for (QComboBox* box : {m_format, m_sign, m_direction, m_grid, m_method})
+    for (QComboBox* box : {m_format, m_target, m_sign, m_direction, m_grid, m_method})
         connect(box, &QComboBox::currentIndexChanged, this, &ConversionForm::changed);
     for (QCheckBox* box : {m_dropsWrap, m_holds})
         connect(box, &QCheckBox::toggled, this, &ConversionForm::changed);
@@ -136,7 +148,7 @@ void ConversionForm::chooseFormat()
         setTabOrder(before, field);
         before = field;
     }
-    setTabOrder(before, m_sign);
+    setTabOrder(before, m_target);
     fillItems();
     nameSettings();
 }
@@ -148,6 +160,7 @@ void ConversionForm::setChoices(const ImportChoices& choices)
         m_format->setCurrentIndex(
             m_format->findData(QVariant::fromValue(static_cast<const void*>(choices.format))));
     m_settings->setValues(choices.settings);
+    m_target->setCurrentIndex(targetIndex(choices.target));
     m_sign->setCurrentIndex(choices.sign ? static_cast<int>(*choices.sign) + 1 : 0);
     m_direction->setCurrentIndex(choices.direction ? static_cast<int>(*choices.direction) + 1 : 0);
     m_dropsWrap->setChecked(choices.dropsWrap);
@@ -162,6 +175,7 @@ ImportChoices ConversionForm::choices() const
     ImportChoices choices;
     choices.format = format();
     choices.settings = m_settings->values();
+    choices.target = targetItems[static_cast<std::size_t>(std::max(m_target->currentIndex(), 0))];
     if (m_sign->currentIndex() > 0)
         choices.sign = static_cast<SignConvention>(m_sign->currentIndex() - 1);
     if (m_direction->currentIndex() > 0)
@@ -241,6 +255,7 @@ void ConversionForm::retranslate(const QSet<QChar>& usedKeys)
 void ConversionForm::nameRows()
 {
     nameRow(*m_form, m_format, tr("&Format"));
+    nameRow(*m_form, m_target, tr("Target &axis"));
     nameRow(*m_form, m_sign, tr("&Sign"));
     nameRow(*m_form, m_direction, tr("&Direction"));
     nameRow(*m_form, m_grid, tr("Even &grid"));
@@ -256,6 +271,9 @@ void ConversionForm::describeFields()
     const bool isImport = m_purpose == Purpose::Import;
     describe(*m_format,
         isImport ? tr("The format that the file is read as") : tr("The format of the new file"));
+    describe(*m_target,
+        tr("The axis that the values correct: one of the sources, or another axis; the sign is "
+           "converted accordingly"));
     describe(*m_sign,
         isImport ? tr("Whether the file's values are added to the encoder position (feedback) or "
                       "to the commanded position (command)")
@@ -282,6 +300,12 @@ void ConversionForm::fillItems()
     const QString usual = !chosen                        ? tr("as the format says")
         : chosen->facts.sign == SignConvention::Feedback ? tr("as the format says: feedback")
                                                          : tr("as the format says: command");
+    m_target->setItemText(
+        0, m_purpose == Purpose::Import ? tr("as the file says") : tr("as the table says"));
+    m_target->setItemText(1, tr("the first source"));
+    m_target->setItemText(2, tr("the second source"));
+    m_target->setItemText(3, tr("the third source"));
+    m_target->setItemText(4, tr("another axis"));
     m_sign->setItemText(0, usual);
     m_sign->setItemText(1, tr("feedback: added to the encoder position"));
     m_sign->setItemText(2, tr("command: added to the commanded position"));
@@ -322,8 +346,8 @@ void ConversionForm::nameSettings()
 {
     QSet<QChar> used = m_usedKeys;
     const auto use = [&used](const QString& text) { used.insert(keyOf(text)); };
-    for (QWidget* field :
-        std::initializer_list<QWidget*>{m_format, m_sign, m_direction, m_grid, m_number, m_method})
+    for (QWidget* field : std::initializer_list<QWidget*>{
+             m_format, m_target, m_sign, m_direction, m_grid, m_number, m_method})
         use(qobject_cast<QLabel*>(m_form->labelForField(field))->text());
     use(m_dropsWrap->text());
     use(m_holds->text());

@@ -17,7 +17,8 @@ namespace axiscomp::ui {
 class SettingFields;
 
 /// The fields with which the user says what a file of tables is, or shall be: its format with its
-/// settings, the sign of its values, directions of motion, and the even grid.
+/// settings, the axis that it corrects, the sign of its values, directions of motion, and the even
+/// grid.
 class ConversionForm : public QWidget {
     Q_OBJECT
 
@@ -56,6 +57,7 @@ private:
     Purpose m_purpose;
     QFormLayout* m_form;
     QComboBox* m_format;
+    QComboBox* m_target;
     QComboBox* m_sign;
     QComboBox* m_direction;
     QCheckBox* m_dropsWrap;

@@ -39,8 +39,7 @@ ExportDialog::ExportDialog(Options options, QWidget* parent)
     setObjectName(QStringLiteral("exportDialog"));
     const auto formats = writableFormats(m_options.table->grid.dimensions());
     form().setFormats(formats, formats.front());
-    connect(this, &QDialog::accepted, this,
-        [this] { Q_EMIT chosen(m_options.table, form().choices()); });
+    connect(this, &QDialog::accepted, this, [this] { Q_EMIT chosen(m_options.table, choices()); });
     retranslate();
 }
 
@@ -53,10 +52,17 @@ ConversionDialog::Words ExportDialog::words() const
         tr("E&xport…"), tr("Choose where to save the file")};
 }
 
+ImportChoices ExportDialog::choices()
+{
+    ImportChoices choices = form().choices();
+    choices.axisTarget = m_options.axisTarget;
+    return choices;
+}
+
 void ExportDialog::compute()
 {
     m_job.start(
-        [table = m_options.table, choices = form().choices(), layout = m_options.layout](
+        [table = m_options.table, choices = choices(), layout = m_options.layout](
             const std::stop_token&) { return exportTable(*table, choices, "table", layout); });
 }
 

@@ -18,6 +18,7 @@ public:
         std::shared_ptr<const CompensationTable> table;
         QString tableName;
         TableLayout layout;
+        std::string axisTarget; ///< see ImportChoices
     };
     explicit ExportDialog(Options options, QWidget* parent = nullptr);
 
@@ -30,6 +31,8 @@ protected:
     void compute() override;
 
 private:
+    [[nodiscard]] ImportChoices choices();
+
     Options m_options;
     NewestJob<Result<TableExport>> m_job;
 };

@@ -3,6 +3,7 @@
 
 #include "ui/style/busy_mark.h"
 #include "ui/style/contrast.h"
+#include "ui/style/plain_label.h"
 #include "ui/style/symbols.h"
 #include "ui/text/endpoint_text.h"
 #include "ui/text/message_text.h"
@@ -29,12 +30,12 @@ constexpr int sightingSymbolSize = 14;
 FindDrivesDialog::FindDrivesDialog(Options options, QWidget* parent)
     : QDialog(parent)
     , m_options(std::move(options))
-    , m_introduction(new QLabel)
+    , m_introduction(new PlainLabel)
     , m_anyBaudRate(new QCheckBox)
     , m_search(new QPushButton)
     , m_busy(new BusyMark)
     , m_list(new QTreeWidget)
-    , m_note(new QLabel)
+    , m_note(new PlainLabel)
     , m_buttons(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel))
 {
     setObjectName(QStringLiteral("findDrivesDialog"));

@@ -7,6 +7,7 @@
 #include "ui/dialogs/multi_axis_plan_view.h"
 #include "ui/style/busy_mark.h"
 #include "ui/style/contrast.h"
+#include "ui/style/plain_label.h"
 
 #include <QBoxLayout>
 #include <QComboBox>
@@ -27,7 +28,7 @@ enum SourcesEntry { KeepSources, PageSources };
 
 QLabel* wrappedLabel(const char* name)
 {
-    auto* label = new QLabel;
+    auto* label = new PlainLabel;
     label->setObjectName(QLatin1StringView(name));
     label->setWordWrap(true);
     return label;
@@ -38,14 +39,13 @@ QLabel* wrappedLabel(const char* name)
 MultiAxisDialog::MultiAxisDialog(WizardController& controller, QWidget* parent)
     : QDialog(parent)
     , m_controller(controller)
-    , m_data(controller.dataFile().data)
     , m_axes(controller.usableAxes())
     , m_introduction(wrappedLabel("multiAxisIntroduction"))
-    , m_columns(new ColumnMappingTable(m_data, m_axes))
-    , m_sourcesLabel(new QLabel)
+    , m_columns(new ColumnMappingTable(controller.dataFile().data, m_axes))
+    , m_sourcesLabel(new PlainLabel)
     , m_sources(new QComboBox)
     , m_persistency(wrappedLabel("multiAxisPersistency"))
-    , m_planTitle(new QLabel)
+    , m_planTitle(new PlainLabel)
     , m_plan(new MultiAxisPlanView)
     , m_busy(new BusyMark)
     , m_reason(wrappedLabel("multiAxisReason"))
@@ -109,6 +109,7 @@ void MultiAxisDialog::follow()
 {
     connect(m_columns, &ColumnMappingTable::choiceChanged, this, &MultiAxisDialog::plan);
     connect(m_sources, &QComboBox::activated, this, &MultiAxisDialog::plan);
+    connect(m_plan, &MultiAxisPlanView::acceptedChanged, this, &MultiAxisDialog::showButtons);
     connect(m_write, &QPushButton::clicked, this, &MultiAxisDialog::write);
     connect(m_close, &QPushButton::clicked, this, &MultiAxisDialog::reject);
     connect(&m_controller, &WizardController::multiAxisPlanned, this, &MultiAxisDialog::takePlans);
@@ -212,7 +213,7 @@ void MultiAxisDialog::write()
     if (!m_write->isEnabled())
         return;
     m_state = State::Writing; // showBusy() is called from within
-    m_controller.writeMultiAxis();
+    m_controller.writeMultiAxis(m_plan->isAccepted());
     enter(m_controller.busy().isBusy ? State::Writing : State::Choosing);
 }
 
@@ -260,10 +261,7 @@ void MultiAxisDialog::enter(State state)
     m_sources->setEnabled(isChoosable);
     const auto& plans = m_controller.multiAxisPlans();
     if (state == State::Planned && plans && *plans) {
-        std::vector<const CompensationTable*> tables;
-        for (const ColumnForAxis& column : m_asked)
-            tables.push_back(&m_data->tables[static_cast<std::size_t>(column.column)]);
-        m_plan->showPlans(**plans, tables, m_axes);
+        m_plan->showPlans(**plans, m_axes);
     }
     m_busy->setBusy(state == State::Planning || state == State::Writing);
     m_progress->setVisible(state == State::Writing);
@@ -277,9 +275,11 @@ void MultiAxisDialog::showButtons()
     const bool hasChanges = m_state == State::Planned && plans && *plans
         && std::ranges::any_of(
             **plans, [](const WritePlan& plan) { return !plan.changes.empty(); });
-    m_write->setEnabled(hasChanges);
+    m_write->setEnabled(hasChanges && m_plan->isAccepted());
     m_write->setVisible(m_state != State::Ended);
-    m_write->setToolTip(hasChanges ? tr("Write these to the drive now") : reason());
+    m_write->setToolTip(m_write->isEnabled() ? tr("Write these to the drive now")
+            : hasChanges                     ? tr("Confirm the large corrections first")
+                                             : reason());
     m_write->setAccessibleDescription(m_write->toolTip());
     m_close->setEnabled(m_state != State::Writing || m_controller.busy().canCancel);
     switch (m_state) {

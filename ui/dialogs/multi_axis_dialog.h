@@ -56,7 +56,6 @@ private:
     [[nodiscard]] QString reason() const;
 
     WizardController& m_controller;
-    std::shared_ptr<const CalibrationData> m_data;
     std::vector<AxisEntry> m_axes;
     std::vector<ColumnForAxis> m_asked; ///< what the plan is of
     State m_state = State::Choosing;

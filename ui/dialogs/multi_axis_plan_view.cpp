@@ -3,10 +3,12 @@
 
 #include "ui/controller/column_mapping.h"
 #include "ui/session/axis_list.h"
+#include "ui/style/plain_label.h"
 #include "ui/text/message_text.h"
 #include "ui/text/value_text.h"
 
 #include <QBoxLayout>
+#include <QCheckBox>
 #include <QHeaderView>
 #include <QLabel>
 #include <QTableWidget>
@@ -37,14 +39,15 @@ QString beforeText(const CompensationSetup& setup, std::span<const AxisEntry> ax
     return lines.join(u'\n');
 }
 
-QString afterText(
-    const WritePlan& plan, const CompensationTable& table, std::span<const AxisEntry> axes)
+QString afterText(const WritePlan& plan, std::span<const AxisEntry> axes)
 {
     if (plan.changes.empty())
         return MultiAxisPlanView::tr("nothing: the drive already has all of this");
-    QStringList lines{
-        QStringLiteral("%1: %2").arg(QString::fromStdString(table.name), gridText(table.grid)),
-        persistencyWord(plan.after.persistency)};
+    QStringList lines;
+    if (plan.table)
+        lines += QStringLiteral("%1: %2").arg(
+            QString::fromStdString(plan.table->name), gridText(plan.table->grid));
+    lines += persistencyWord(plan.after.persistency);
     lines += sourceLines(plan.after.sources, axes);
     return lines.join(u'\n');
 }
@@ -89,7 +92,8 @@ QStringList sourceLines(std::span<const DimSource> sources, std::span<const Axis
 MultiAxisPlanView::MultiAxisPlanView(QWidget* parent)
     : QWidget(parent)
     , m_rows(new QTableWidget)
-    , m_remarks(new QLabel)
+    , m_remarks(new PlainLabel)
+    , m_accept(new QCheckBox)
 {
     setObjectName(QStringLiteral("multiAxisPlan"));
     m_rows->setObjectName(QStringLiteral("multiAxisPlanRows"));
@@ -114,7 +118,11 @@ MultiAxisPlanView::MultiAxisPlanView(QWidget* parent)
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(m_rows, 1);
+    m_accept->setObjectName(QStringLiteral("acceptLargeCorrections"));
+    m_accept->hide();
+    connect(m_accept, &QCheckBox::toggled, this, &MultiAxisPlanView::acceptedChanged);
     layout->addWidget(m_remarks);
+    layout->addWidget(m_accept);
     retranslate();
 }
 
@@ -122,6 +130,7 @@ void MultiAxisPlanView::retranslate()
 {
     m_rows->setHorizontalHeaderLabels({tr("Axis"), tr("On the drive"), tr("New"), tr("Slot")});
     m_rows->setAccessibleName(tr("What will be written"));
+    m_accept->setText(tr("These large corrections are &right: their unit has been checked"));
 }
 
 void MultiAxisPlanView::clear()
@@ -129,33 +138,44 @@ void MultiAxisPlanView::clear()
     m_rows->setRowCount(0);
     m_remarks->clear();
     m_remarks->hide();
+    m_accept->hide();
+    m_accept->setChecked(false);
 }
 
-void MultiAxisPlanView::showPlans(std::span<const WritePlan> plans,
-    std::span<const CompensationTable* const> tables, std::span<const AxisEntry> axes)
+bool MultiAxisPlanView::isAccepted() const
+{
+    return m_accept->isHidden() || m_accept->isChecked();
+}
+
+void MultiAxisPlanView::showPlans(std::span<const WritePlan> plans, std::span<const AxisEntry> axes)
 {
     clear();
     std::set<std::string> taken;
     QStringList remarks;
-    for (std::size_t n = 0; n < plans.size(); ++n) {
-        const WritePlan& plan = plans[n];
-        addRow(plan, *tables[n], axes, !taken.insert(plan.after.slot).second);
-        for (const Text& warning : plan.warnings)
+    bool hasLarge = false;
+    for (const WritePlan& plan : plans) {
+        addRow(plan, axes, !taken.insert(plan.after.slot).second);
+        hasLarge = hasLarge || !plan.largeCorrections.empty();
+        std::vector<Text> texts = plan.largeCorrections;
+        texts.insert(texts.end(), plan.unitRemarks.begin(), plan.unitRemarks.end());
+        texts.insert(texts.end(), plan.warnings.begin(), plan.warnings.end());
+        for (const Text& warning : texts)
             remarks += tr("%1: %2", "axis and remark")
                            .arg(axisNameAmong(axes, plan.axis), sentenceText(warning));
     }
     m_remarks->setText(remarks.join(u'\n'));
     m_remarks->setVisible(!remarks.isEmpty());
+    m_accept->setVisible(hasLarge);
 }
 
-void MultiAxisPlanView::addRow(const WritePlan& plan, const CompensationTable& table,
-    std::span<const AxisEntry> axes, bool isSlotTaken)
+void MultiAxisPlanView::addRow(
+    const WritePlan& plan, std::span<const AxisEntry> axes, bool isSlotTaken)
 {
     const int row = m_rows->rowCount();
     m_rows->insertRow(row);
     int column = 0;
     for (const QString& text : {axisNameAmong(axes, plan.axis), beforeText(plan.before, axes),
-             afterText(plan, table, axes), slotText(plan, isSlotTaken)}) {
+             afterText(plan, axes), slotText(plan, isSlotTaken)}) {
         auto* item = new QTableWidgetItem(text);
         item->setToolTip(text);
         item->setTextAlignment(Qt::AlignLeft | Qt::AlignTop);

@@ -8,6 +8,7 @@
 
 #include <span>
 
+class QCheckBox;
 class QLabel;
 class QTableWidget;
 
@@ -21,21 +22,26 @@ class MultiAxisPlanView : public QWidget {
 public:
     explicit MultiAxisPlanView(QWidget* parent = nullptr);
 
-    /// tables: one per plan. axes: those of the drive.
-    void showPlans(std::span<const WritePlan> plans,
-        std::span<const CompensationTable* const> tables, std::span<const AxisEntry> axes);
+    /// axes: those of the drive.
+    void showPlans(std::span<const WritePlan> plans, std::span<const AxisEntry> axes);
     void clear();
     void retranslate(); ///< showPlans() follows
+
+    /// Whether what is unusually large in the plans that are shown has been confirmed.
+    [[nodiscard]] bool isAccepted() const;
 
     /// "Together: flash operations ..."
     [[nodiscard]] static QString costText(std::span<const WritePlan> plans);
 
+Q_SIGNALS:
+    void acceptedChanged();
+
 private:
-    void addRow(const WritePlan& plan, const CompensationTable& table,
-        std::span<const AxisEntry> axes, bool isSlotTaken);
+    void addRow(const WritePlan& plan, std::span<const AxisEntry> axes, bool isSlotTaken);
 
     QTableWidget* m_rows;
     QLabel* m_remarks;
+    QCheckBox* m_accept; ///< hidden: nothing is unusually large
 };
 
 /// "Dim1: X · PositionController/MasterPosition", a line for each that is set.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/dialogs/setting_fields.h"
 
+#include "ui/style/plain_label.h"
 #include "ui/text/message_text.h"
 #include "ui/text/value_text.h"
 
@@ -178,7 +179,7 @@ void SettingFields::addRow(const FormatSetting& setting)
     if (setting.kind == FormatSetting::Kind::YesNo) {
         m_form.insertRow(place, QString(), row.field);
     } else {
-        row.label = new QLabel;
+        row.label = new PlainLabel;
         row.label->setBuddy(row.field);
         m_form.insertRow(place, row.label, row.field);
     }

@@ -4,6 +4,7 @@
 #include "ui/style/busy_mark.h"
 #include "ui/style/contrast.h"
 #include "ui/style/dirty_style.h"
+#include "ui/style/plain_label.h"
 #include "ui/style/symbols.h"
 
 #include <QAccessible>
@@ -52,9 +53,9 @@ QString objectNameOf(const QWidget& editor, QLatin1StringView part)
 FieldRow::FieldRow(QWidget* editor, QStyle* style, QWidget* parent)
     : QObject(parent)
     , m_editor(editor)
-    , m_label(new QLabel(parent))
-    , m_note(new QLabel)
-    , m_noteSymbol(new QLabel)
+    , m_label(new PlainLabel(parent))
+    , m_note(new PlainLabel)
+    , m_noteSymbol(new PlainLabel)
     , m_noteLine(new QWidget(parent))
     , m_buttons(new QWidget(parent))
     , m_revert(new QToolButton)
@@ -74,7 +75,6 @@ FieldRow::FieldRow(QWidget* editor, QStyle* style, QWidget* parent)
     m_note->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     m_note->setMinimumHeight(m_note->fontMetrics().height());
     m_note->setAlignment(Qt::AlignLeft | Qt::AlignTop);
-    m_note->setTextFormat(Qt::PlainText);
     m_noteSymbol->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     m_busy->hide();
     m_revert->setObjectName(objectNameOf(*editor, QLatin1StringView("Revert")));

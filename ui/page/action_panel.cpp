@@ -2,6 +2,7 @@
 #include "ui/page/action_panel.h"
 
 #include "ui/style/contrast.h"
+#include "ui/style/plain_label.h"
 #include "ui/style/symbols.h"
 
 #include <QAction>
@@ -38,8 +39,8 @@ ActionPanel::ActionPanel(WizardController& controller, QWidget* parent)
     , m_menu(new QMenu(this))
     , m_evaluate(m_menu->addAction(QString()))
     , m_restore(m_menu->addAction(QString()))
-    , m_hintSymbol(new QLabel)
-    , m_hint(new QLabel)
+    , m_hintSymbol(new PlainLabel)
+    , m_hint(new PlainLabel)
 {
     setObjectName(QStringLiteral("actionPanel"));
     m_menu->setObjectName(QStringLiteral("activateMenu"));

@@ -3,6 +3,7 @@
 
 #include "ui/controller/wizard_controller.h"
 #include "ui/style/contrast.h"
+#include "ui/style/plain_label.h"
 #include "ui/style/symbols.h"
 
 #include <QBoxLayout>
@@ -41,12 +42,12 @@ QPushButton* barButton(const char* name, Symbol symbol)
 DriveBar::DriveBar(WizardController& controller, QMenu& menu, QWidget* parent)
     : QWidget(parent)
     , m_controller(controller)
-    , m_label(new QLabel)
+    , m_label(new PlainLabel)
     , m_drives(new QComboBox)
     , m_connections(barButton("connectionsButton", Symbol::Connections))
     , m_refresh(barButton("refreshButton", Symbol::Refresh))
-    , m_symbol(new QLabel)
-    , m_state(new QLabel)
+    , m_symbol(new PlainLabel)
+    , m_state(new PlainLabel)
     , m_menuButton(new QToolButton)
 {
     setObjectName(QStringLiteral("driveBar"));

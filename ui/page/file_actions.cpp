@@ -86,6 +86,7 @@ void FileActions::askForImport(const QString& path)
     ImportChoices choices = m_controller.importChoices(path);
     if (!choices.format && m_controller.dataFile().path == path && m_controller.dataFile().data)
         choices.format = m_controller.dataFile().format;
+    choices.axisTarget = m_controller.axisTarget();
     m_import = new ImportDialog(
         {path, m_controller.setup().edited().dimensionality, std::move(choices), m_layout},
         &m_window);
@@ -98,8 +99,9 @@ void FileActions::exportTable()
     const auto table = m_controller.selectedTable();
     if (!table)
         return;
-    auto* dialog =
-        new ExportDialog({table, QString::fromStdString(table->name), m_layout}, &m_window);
+    auto* dialog = new ExportDialog(
+        {table, QString::fromStdString(table->name), m_layout, m_controller.axisTarget()},
+        &m_window);
     connect(dialog, &ExportDialog::chosen, this, &FileActions::askWhereToExport);
     dialog->open();
 }

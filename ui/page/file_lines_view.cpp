@@ -2,6 +2,7 @@
 #include "ui/page/file_lines_view.h"
 
 #include "ui/async/background_job.h"
+#include "ui/style/plain_label.h"
 #include "ui/text/value_text.h"
 
 #include <QBoxLayout>
@@ -35,12 +36,12 @@ QToolButton* button(const char* name)
 FileLinesView::FileLinesView(QWidget* parent)
     : QWidget(parent)
     , m_model(new FileLinesModel(this))
-    , m_title(new QLabel)
+    , m_title(new PlainLabel)
     , m_previous(button("previousProblem"))
     , m_next(button("nextProblem"))
     , m_close(button("closeFileLines"))
     , m_table(new QTableView)
-    , m_range(new QLabel)
+    , m_range(new PlainLabel)
     , m_earlier(button("earlierLines"))
     , m_later(button("laterLines"))
 {
@@ -64,7 +65,6 @@ void FileLinesView::build()
 {
     m_title->setObjectName(QStringLiteral("fileLinesTitle"));
     m_title->setWordWrap(true);
-    m_title->setTextFormat(Qt::PlainText);
     m_title->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_table->setObjectName(QStringLiteral("fileLines"));
     m_table->setModel(m_model);

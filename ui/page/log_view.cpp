@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/page/log_view.h"
 
+#include "ui/style/plain_label.h"
 #include "ui/style/symbols.h"
 
 #include <QBoxLayout>
@@ -33,7 +34,7 @@ LogView::LogView(WizardLog& log, QWidget* parent)
     : QWidget(parent)
     , m_log(log)
     , m_view(new QTreeView)
-    , m_title(new QLabel)
+    , m_title(new PlainLabel)
     , m_copy(toolButton("copyLog", Symbol::Copy))
     , m_save(toolButton("saveLog", Symbol::Save))
     , m_close(toolButton("closeLog", Symbol::Close))

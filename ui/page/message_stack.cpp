@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/page/message_stack.h"
 
+#include "ui/style/plain_label.h"
 #include "ui/style/symbols.h"
 
 #include <QAccessible>
@@ -37,13 +38,12 @@ public:
     MessageBar(const Message& message, MessageStack& stack)
         : QWidget(&stack)
         , m_tone(message.tone)
-        , m_symbol(new QLabel)
-        , m_text(new QLabel(message.text))
+        , m_symbol(new PlainLabel)
+        , m_text(new PlainLabel(message.text))
     {
         setObjectName(message.id);
         m_text->setObjectName(QStringLiteral("messageText"));
         m_text->setWordWrap(true);
-        m_text->setTextFormat(Qt::PlainText);
         m_text->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
         auto* layout = new QHBoxLayout(this);
         layout->setContentsMargins(12, 6, 6, 6);

@@ -11,6 +11,7 @@
 #include "ui/plot/table_plot.h"
 #include "ui/plot/values_view.h"
 #include "ui/style/contrast.h"
+#include "ui/style/plain_label.h"
 #include "ui/style/symbols.h"
 #include "ui/text/message_text.h"
 #include "ui/text/value_text.h"
@@ -32,10 +33,9 @@ namespace {
 
 QLabel* selectableLabel(const char* name)
 {
-    auto* label = new QLabel;
+    auto* label = new PlainLabel;
     label->setObjectName(QLatin1StringView(name));
     label->setWordWrap(true);
-    label->setTextFormat(Qt::PlainText);
     label->setTextInteractionFlags(Qt::TextSelectableByMouse);
     label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     return label;
@@ -59,9 +59,9 @@ PreviewPanel::PreviewPanel(
     : QWidget(parent)
     , m_controller(controller)
     , m_profile(profile)
-    , m_title(new QLabel)
+    , m_title(new PlainLabel)
     , m_explanation(selectableLabel("explanation"))
-    , m_exampleLabel(new QLabel)
+    , m_exampleLabel(new PlainLabel)
     , m_example(new QPushButton)
     , m_stack(new QStackedWidget)
     , m_tabs(new QTabWidget)
@@ -239,7 +239,7 @@ void PreviewPanel::showExample()
 
 void PreviewPanel::showTables()
 {
-    m_applied->setTable(m_controller.selectedTable());
+    m_applied->setTable(m_controller.selectedTable(), m_controller.axisTarget());
     showApplied();
 }
 

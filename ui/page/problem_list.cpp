@@ -2,6 +2,7 @@
 #include "ui/page/problem_list.h"
 
 #include "ui/style/contrast.h"
+#include "ui/style/plain_label.h"
 #include "ui/style/symbols.h"
 #include "ui/text/message_text.h"
 #include "ui/text/value_text.h"
@@ -29,7 +30,7 @@ QString placeText(std::size_t number)
 
 ProblemList::ProblemList(QWidget* parent)
     : QWidget(parent)
-    , m_title(new QLabel)
+    , m_title(new PlainLabel)
     , m_list(new QTreeWidget)
 {
     setObjectName(QStringLiteral("problemList"));

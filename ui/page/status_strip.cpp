@@ -4,6 +4,7 @@
 #include "core/drive/drive_profile.h"
 #include "ui/controller/wizard_controller.h"
 #include "ui/style/contrast.h"
+#include "ui/style/plain_label.h"
 #include "ui/style/symbols.h"
 #include "ui/text/value_text.h"
 
@@ -64,12 +65,12 @@ QString indexText(const AxisStatus& status)
 StatusStrip::StatusStrip(WizardController& controller, QWidget* parent)
     : QWidget(parent)
     , m_controller(controller)
-    , m_step(new QLabel)
+    , m_step(new PlainLabel)
     , m_progress(new QProgressBar)
     , m_cancel(new QPushButton)
-    , m_stateSymbol(new QLabel)
-    , m_state(new QLabel)
-    , m_live(new QLabel)
+    , m_stateSymbol(new PlainLabel)
+    , m_state(new PlainLabel)
+    , m_live(new PlainLabel)
     , m_log(new QToolButton)
 {
     setObjectName(QStringLiteral("statusStrip"));

@@ -68,7 +68,9 @@ void WriteFlow::take()
     m_isPlanning = false;
     const bool isVolatile =
         plan->flashOperations == 0 && plan->after.persistency == Persistency::Volatile;
-    if (isVolatile && m_panel.writePreview().isSkippedForVolatile())
+    const bool hasRemarks =
+        !plan->warnings.empty() || !plan->unitRemarks.empty() || !plan->largeCorrections.empty();
+    if (isVolatile && !hasRemarks && m_panel.writePreview().isSkippedForVolatile())
         m_controller.write();
     else
         showPreview(true);
@@ -76,10 +78,10 @@ void WriteFlow::take()
 
 void WriteFlow::confirm()
 {
-    if (!isPreviewing())
+    if (!isPreviewing() || !m_panel.writePreview().isAccepted())
         return;
     showPreview(false);
-    m_controller.write();
+    m_controller.write(true);
 }
 
 void WriteFlow::showPreview(bool isShown)

@@ -3,6 +3,7 @@
 
 #include "ui/async/background_job.h"
 #include "ui/session/axis_list.h"
+#include "ui/style/plain_label.h"
 #include "ui/style/symbols.h"
 #include "ui/text/message_text.h"
 #include "ui/text/value_text.h"
@@ -22,7 +23,7 @@ constexpr int largestChangeRow = 0; // of the table's rows: the first after the 
 
 QLabel* noteLabel(const char* name)
 {
-    auto* label = new QLabel;
+    auto* label = new PlainLabel;
     label->setObjectName(QLatin1StringView(name));
     label->setWordWrap(true);
     return label;
@@ -39,11 +40,12 @@ QString persistencyText(Persistency persistency)
 WritePreview::WritePreview(WizardController& controller, QWidget* parent)
     : QWidget(parent)
     , m_controller(controller)
-    , m_title(new QLabel)
+    , m_title(new PlainLabel)
     , m_introduction(noteLabel("previewIntroduction"))
     , m_rows(new QTableWidget)
     , m_cost(noteLabel("previewCost"))
     , m_remarks(noteLabel("previewRemarks"))
+    , m_accept(new QCheckBox)
     , m_skip(new QCheckBox)
     , m_write(new QPushButton)
     , m_back(new QPushButton)
@@ -52,6 +54,7 @@ WritePreview::WritePreview(WizardController& controller, QWidget* parent)
     build();
     connect(m_write, &QPushButton::clicked, this, &WritePreview::confirmed);
     connect(m_back, &QPushButton::clicked, this, &WritePreview::backRequested);
+    connect(m_accept, &QCheckBox::toggled, this, &WritePreview::showAcceptance);
     connect(m_skip, &QCheckBox::toggled, this, &WritePreview::skipForVolatileChanged);
     retranslate();
 }
@@ -81,6 +84,7 @@ void WritePreview::build()
     m_rows->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
     m_rows->horizontalHeader()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
     m_rows->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    m_accept->setObjectName(QStringLiteral("acceptLargeCorrections"));
     m_skip->setObjectName(QStringLiteral("skipPreviewForVolatile"));
     m_write->setObjectName(QStringLiteral("confirmWriteButton"));
     m_write->setAutoDefault(true);
@@ -100,9 +104,11 @@ void WritePreview::build()
     layout->addWidget(m_rows);
     layout->addWidget(m_cost);
     layout->addWidget(m_remarks);
+    layout->addWidget(m_accept);
     layout->addLayout(buttons);
     layout->addStretch(1);
-    setTabOrder(m_rows, m_skip);
+    setTabOrder(m_rows, m_accept);
+    setTabOrder(m_accept, m_skip);
     setTabOrder(m_skip, m_back);
     setTabOrder(m_back, m_write);
 }
@@ -113,11 +119,11 @@ void WritePreview::retranslate()
         "Nothing on the drive has changed yet. The old table and settings are backed up first."));
     m_rows->setHorizontalHeaderLabels({tr("Field"), tr("On the drive"), tr("New")});
     m_rows->setAccessibleName(tr("What will be written"));
+    m_accept->setText(tr("These large corrections are &right: their unit has been checked"));
     m_skip->setText(tr("Do not show this again &for volatile writes"));
     m_skip->setToolTip(tr(
         "Persistent writes always show the preview; the menu turns it back on for volatile ones"));
     m_write->setText(tr("&Write"));
-    m_write->setToolTip(tr("Write this to the drive now"));
     m_back->setText(tr("Bac&k"));
     m_back->setToolTip(tr("Change nothing and go back (Esc)"));
     if (m_controller.plan())
@@ -134,6 +140,21 @@ void WritePreview::setSkippedForVolatile(bool isSkipped)
     m_skip->setChecked(isSkipped);
 }
 
+bool WritePreview::isAccepted() const
+{
+    const auto& plan = m_controller.plan();
+    return plan && (plan->largeCorrections.empty() || m_accept->isChecked());
+}
+
+void WritePreview::showAcceptance()
+{
+    const auto& plan = m_controller.plan();
+    m_accept->setVisible(plan && !plan->largeCorrections.empty());
+    m_write->setEnabled(isAccepted());
+    m_write->setToolTip(isAccepted() ? tr("Write this to the drive now")
+                                     : tr("Confirm the large corrections first"));
+}
+
 void WritePreview::showPlan()
 {
     const auto& plan = m_controller.plan();
@@ -148,8 +169,10 @@ void WritePreview::showPlan()
     const QStringList list = remarks(*plan);
     m_remarks->setText(list.join(u'\n'));
     m_remarks->setVisible(!list.isEmpty());
-    m_skip->setVisible(plan->flashOperations == 0);
-    m_write->setFocus();
+    m_skip->setVisible(plan->flashOperations == 0 && list.isEmpty());
+    m_accept->setChecked(false);
+    showAcceptance();
+    isAccepted() ? m_write->setFocus() : m_accept->setFocus();
 }
 
 void WritePreview::fillRows(const WritePlan& plan)
@@ -252,6 +275,10 @@ QStringList WritePreview::remarks(const WritePlan& plan) const
         list += tr("%1 held an earlier table of this axis; the current one stays complete until "
                    "the axis has switched to the new one.")
                     .arg(QString::fromStdString(plan.after.slot));
+    for (const Text& remark : plan.largeCorrections)
+        list += sentenceText(remark);
+    for (const Text& remark : plan.unitRemarks)
+        list += sentenceText(remark);
     for (const Text& warning : plan.warnings)
         list += sentenceText(warning);
     return list;

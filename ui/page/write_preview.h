@@ -29,6 +29,8 @@ public:
     void retranslate();
     [[nodiscard]] bool isSkippedForVolatile() const;
     void setSkippedForVolatile(bool isSkipped);
+    /// Whether the plan may be carried out: what is unusually large in it has been confirmed.
+    [[nodiscard]] bool isAccepted() const;
 
 Q_SIGNALS:
     void confirmed();
@@ -41,6 +43,7 @@ private:
     void addRow(const QString& field, const QString& before, const QString& after);
     void askForLargestChange();
     void showLargestChange(const LargestChange& change);
+    void showAcceptance();
     [[nodiscard]] QString costText(const WritePlan& plan) const;
     [[nodiscard]] QStringList remarks(const WritePlan& plan) const;
     [[nodiscard]] QString sourceText(const DimSource& source) const;
@@ -52,6 +55,7 @@ private:
     QTableWidget* m_rows;
     QLabel* m_cost;
     QLabel* m_remarks;
+    QCheckBox* m_accept;
     QCheckBox* m_skip;
     QPushButton* m_write;
     QPushButton* m_back;

@@ -69,13 +69,14 @@ void ControllerCombo::retranslate()
     setAccessibleDescription(toolTip());
 }
 
-void ControllerCombo::setTable(const Table& table)
+void ControllerCombo::setTable(const Table& table, const std::string& axisTarget)
 {
-    if (table == m_table)
+    if (table == m_table && axisTarget == m_axisTarget)
         return;
     const bool isSameKind =
         table && m_table && table->grid.dimensions() == m_table->grid.dimensions();
     m_table = table;
+    m_axisTarget = axisTarget;
     if (!isSameKind)
         fill();
     compute();
@@ -88,8 +89,8 @@ void ControllerCombo::compute()
     m_shown = m_table;
     const TableFormat* const chosen = format();
     if (chosen && m_table)
-        m_job.start([table = m_table, chosen](const std::stop_token&) {
-            return tableAsAppliedBy(*table, chosen->facts);
+        m_job.start([table = m_table, target = m_axisTarget, chosen](const std::stop_token&) {
+            return tableAsAppliedBy(*table, target, chosen->facts);
         });
     Q_EMIT changed();
 }

@@ -2,6 +2,7 @@
 #include "ui/plot/slice_row.h"
 
 #include "ui/data/table_view_model.h"
+#include "ui/style/plain_label.h"
 #include "ui/text/value_text.h"
 
 #include <QBoxLayout>
@@ -15,10 +16,10 @@ namespace axiscomp::ui {
 SliceRow::SliceRow(TableViewModel& shown, QWidget* parent)
     : QWidget(parent)
     , m_shown(shown)
-    , m_label(new QLabel)
+    , m_label(new PlainLabel)
     , m_dimension(new QComboBox)
     , m_index(new QSlider(Qt::Horizontal))
-    , m_position(new QLabel)
+    , m_position(new PlainLabel)
 {
     setObjectName(QStringLiteral("sliceRow"));
     m_dimension->setObjectName(QStringLiteral("sliceDimension"));

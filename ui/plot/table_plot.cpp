@@ -15,6 +15,7 @@
 #include <QToolButton>
 
 #include "ui/plot/custom_plot.h"
+#include "ui/style/plain_label.h"
 
 namespace axiscomp::ui {
 
@@ -58,7 +59,7 @@ void TablePlot::build()
     plot.setMouseTracking(true);
     plot.installEventFilter(this);
     d->slice = new SliceRow(d->shown, this);
-    d->readout = new QLabel(this);
+    d->readout = new PlainLabel(this);
     d->readout->setObjectName(QStringLiteral("plotReadout"));
     d->readout->setTextInteractionFlags(Qt::TextSelectableByMouse);
     d->readout->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);

@@ -6,6 +6,7 @@
 #include "ui/data/values_model.h"
 #include "ui/plot/slice_row.h"
 #include "ui/plot/table_content_combo.h"
+#include "ui/style/plain_label.h"
 #include "ui/style/symbols.h"
 #include "ui/text/value_text.h"
 
@@ -137,11 +138,11 @@ ValuesView::ValuesView(TableViewModel& shown, QWidget* parent)
     , m_shown(shown)
     , m_model(new ValuesModel(shown, this))
     , m_contentBox(new TableContentCombo(shown))
-    , m_layoutNote(new QLabel)
+    , m_layoutNote(new PlainLabel)
     , m_copyButton(new QToolButton)
     , m_table(new QTableView)
     , m_slice(new SliceRow(shown))
-    , m_readout(new QLabel)
+    , m_readout(new PlainLabel)
     , m_copy(new QAction(this))
     , m_copyWithPositions(new QAction(this))
     , m_selectAll(new QAction(this))

@@ -8,6 +8,8 @@
 #include "app/common/number_text.h"
 #include "core/formats/formats.h"
 #include "core/formats/triamec/triamec_tables.h"
+#include "core/table/large_correction.h"
+#include "core/table/table_units.h"
 #include "core/table/tam_table.h"
 
 #include <filesystem>
@@ -23,8 +25,41 @@ struct ConvertOptions {
     std::string name;
     bool persistent = false;
     bool isVolatile = false;
+    bool acceptsLarge = false;
+    std::string valueUnit; ///< in a .TAMtbl, which does not say it; empty: that of the positions
     ConversionOptions conversion;
 };
+
+/// A .TAMtbl goes to a drive as it is: what write() would refuse is not put into one.
+Result<void> checkForDrive(
+    Environment& environment, const ConvertOptions& options, const CompensationTable& table)
+{
+    for (const Text& large : largeCorrections(table)) {
+        if (!options.acceptsLarge)
+            return fail(ErrorCode::LargeCorrection, {{"reason", large}});
+        environment.warn(large.english());
+    }
+    return {};
+}
+
+/// The file has no units: the values are brought into that of the axis.
+Result<CompensationTable> inUnitsOfFile(
+    Environment& environment, const ConvertOptions& options, const CompensationTable& table)
+{
+    const std::string unit =
+        options.valueUnit.empty() ? table.grid.axes.front().unit : options.valueUnit;
+    if (unit.empty()) {
+        if (!table.unit.empty())
+            environment.console().note(
+                "note: a .TAMtbl has no units; the values are written as they stand, in "
+                + table.unit);
+        return table;
+    }
+    AXISCOMP_TRY(auto converted, inDriveUnits(table, {unit, {}}));
+    for (const Text& remark : converted.remarks)
+        environment.console().note("note: " + remark.english());
+    return std::move(converted.table);
+}
 
 /// What goes into the output file: all tables where it can hold several and none was named.
 Result<CalibrationData> chosenTables(
@@ -54,7 +89,9 @@ Result<Bytes> encodeTable(Environment& environment, const ConvertOptions& option
     else if (place && table.name.size() > place->byteCount())
         environment.warn("the name of the table is cut to " + std::to_string(place->byteCount())
             + " bytes: " + table.name);
-    return encodeTamTable(table, persistent, profile.layout);
+    AXISCOMP_TRY(const auto inUnits, inUnitsOfFile(environment, options, table));
+    AXISCOMP_CHECK(checkForDrive(environment, options, inUnits));
+    return encodeTamTable(inUnits, persistent, profile.layout);
 }
 
 Result<Bytes> encodeAs(Environment& environment, const ConvertOptions& options,
@@ -131,6 +168,10 @@ Result<ExitCode> convertOther(Environment& environment, const ConvertOptions& op
     const TableFormat& to, const TableInput& input)
 {
     const Output output{options.output, options.input.command};
+    if (!options.valueUnit.empty())
+        return wrongUsage("--value-unit is for a calibration file that becomes a .TAMtbl as it is; "
+                          "convert in two steps",
+            options.input.command);
     AXISCOMP_TRY(const auto tables, chosenColumns(input, options, to.facts));
     AXISCOMP_TRY(auto request,
         conversionRequest(options.conversion, *input.format, to, tables.front().axes.size()));
@@ -141,6 +182,10 @@ Result<ExitCode> convertOther(Environment& environment, const ConvertOptions& op
         && (options.persistent || (input.persistent && !options.isVolatile)))
         request.writing.settings["persistent"] = "yes";
     AXISCOMP_TRY(const auto conversion, convertTables(tables, request));
+    if (&to == &tam_table::format()) {
+        AXISCOMP_TRY(const auto data, calibrationData(conversion.written.held.front()));
+        AXISCOMP_CHECK(checkForDrive(environment, options, data.tables.front()));
+    }
     const ByteView bytes = asBytes(conversion.written.bytes);
     AXISCOMP_CHECK(writeOutput(environment, output, bytes));
 
@@ -197,6 +242,14 @@ void addConvertCommand(CommandLine& line)
     addFromOption(*command, options->input);
     command->add_option("--to", options->to, "Format of the output, if its name leaves it open")
         ->option_text("FORMAT");
+    command
+        ->add_option("--value-unit", options->valueUnit,
+            "Unit of the values in a .TAMtbl, which does not say it; by default that of the "
+            "positions")
+        ->option_text("UNIT")
+        ->group("Conversion");
+    command->add_flag("--accept-large", options->acceptsLarge,
+        "Put corrections above 1 % of the range, or with a slope above 0.1, into a .TAMtbl");
     CLI::Option* persistent = command->add_flag(
         "--persistent", options->persistent, "Mark the table persistent: the drive stores it");
     command

@@ -38,6 +38,11 @@ Json inspectJson(const TableInput& input, int dimensions)
         {"errors", diagnosticsJson(input.diagnostics, Severity::Error)}};
 }
 
+std::string targetText(const std::string& target)
+{
+    return target.empty() ? "not stated" : target;
+}
+
 std::string headline(const TableInput& input, const TableInputOptions& options)
 {
     const CalibrationData& data = *input.data;
@@ -66,11 +71,13 @@ std::string gridText(const Grid& grid)
 
 std::string tablesText(const CalibrationData& data)
 {
-    TextTable table({">table", "name", "unit", ">min", ">max", ">rms"});
+    TextTable table({">table", "name", "target", "unit", ">min", ">max", ">rms"});
     for (std::size_t i = 0; i < data.tables.size(); ++i) {
         const TableStatistics figures = statistics(data.tables[i]);
-        table.add({std::to_string(i + 1), data.tables[i].name, data.tables[i].unit,
-            shortText(figures.minimum), shortText(figures.maximum), shortText(figures.rms)});
+        const std::string& target = data.tables[i].target;
+        table.add(
+            {std::to_string(i + 1), data.tables[i].name, targetText(target), data.tables[i].unit,
+                shortText(figures.minimum), shortText(figures.maximum), shortText(figures.rms)});
     }
     return table.text();
 }
@@ -85,9 +92,10 @@ Json neutralJson(const NeutralTable& table)
     Json columns = Json::array();
     for (const CompensationColumn& column : table.columns) {
         const TableStatistics figures = statisticsOf(column.values);
-        columns.push_back({{"name", column.name}, {"target", column.target}, {"unit", column.unit},
-            {"direction", directionName(column.direction)}, {"min", figures.minimum},
-            {"max", figures.maximum}, {"rms", figures.rms}});
+        columns.push_back({{"name", column.name},
+            {"target", column.target.empty() ? Json(nullptr) : Json(column.target)},
+            {"unit", column.unit}, {"direction", directionName(column.direction)},
+            {"min", figures.minimum}, {"max", figures.maximum}, {"rms", figures.rms}});
     }
     return {{"name", table.name}, {"dimensions", table.axes.size()}, {"axes", std::move(axes)},
         {"columns", std::move(columns)}, {"sign", signName(table.sign)}, {"notes", table.notes}};
@@ -106,9 +114,9 @@ std::string neutralText(const NeutralTable& table)
     TextTable columns({"column", "target", "direction", "unit", ">min", ">max", ">rms"});
     for (const CompensationColumn& column : table.columns) {
         const TableStatistics figures = statisticsOf(column.values);
-        columns.add(
-            {column.name, column.target, std::string(directionName(column.direction)), column.unit,
-                shortText(figures.minimum), shortText(figures.maximum), shortText(figures.rms)});
+        columns.add({column.name, targetText(column.target),
+            std::string(directionName(column.direction)), column.unit, shortText(figures.minimum),
+            shortText(figures.maximum), shortText(figures.rms)});
     }
     std::string text = "\n";
     if (!table.name.empty())

@@ -8,6 +8,7 @@
 #include "app/common/arguments.h"
 #include "app/common/number_text.h"
 #include "core/csv/calibration_csv.h"
+#include "core/drive/axis_target.h"
 #include "core/formats/formats.h"
 #include "core/formats/triamec/triamec_tables.h"
 #include "core/table/position_unit.h"
@@ -51,6 +52,7 @@ Result<ReadTable> readAsCsv(CommandSession& session, const AxisStatus& status)
         table.grid.axes[n].name = "Dim " + std::to_string(n + 1);
     if (table.name.empty())
         table.name = "Table";
+    table.target = axisTarget(session.profile(), status.axis.index, sourcePaths(status.setup));
     CalibrationData data{table.grid, {table}, {}};
     data.notes.push_back("read from " + driveWords(status.drive) + ", " + axisWords(status.axis)
         + ", slot " + status.setup.slot);
@@ -72,6 +74,11 @@ Result<ReadTable> readAsOther(Environment& environment, CommandSession& session,
         neutral.axes.front().unit = unit;
     AXISCOMP_TRY(auto request,
         conversionRequest(options.conversion, tam_table::format(), to, neutral.axes.size()));
+    if (request.targets.empty())
+        request.targets = {
+            axisTarget(session.profile(), status.axis.index, sourcePaths(status.setup))};
+    if (request.targets.front().empty())
+        request.targets.clear();
     request.writing.layout = &session.profile().layout;
     request.writing.fileName = std::filesystem::path(options.output).filename().string();
     const NeutralTable tables[] = {std::move(neutral)};
@@ -134,6 +141,7 @@ void addReadCommand(CommandLine& line)
     command->add_option("--to", options->to, "Format of the output, if its name leaves it open")
         ->option_text("FORMAT");
     options->conversion.command = options->drive.command;
+    addTargetOption(*command, options->conversion);
     addResamplingOptions(*command, options->conversion);
     addOutputOptions(*command, options->conversion);
 }

@@ -6,6 +6,7 @@
 #include "app/common/arguments.h"
 #include "app/common/number_text.h"
 #include "core/compensator/multi_axis_write.h"
+#include "core/drive/axis_target.h"
 #include "core/text/token_scanner.h"
 
 #include <algorithm>
@@ -22,9 +23,12 @@ struct WriteOptions {
     std::array<std::string, 3> sources;
     std::string slot;
     std::vector<std::string> map; ///< COLUMN=AXIS
+    std::string valueUnit; ///< in place of what the file says; "drive": the drive's own
+    std::string positionUnit;
     bool persistent = false;
     bool isVolatile = false;
     bool isDryRun = false;
+    bool acceptsLarge = false;
 };
 
 /// "small1" and "tables/small1.TAMtbl" are the slot Small1; the rest is judged by the compensator.
@@ -59,6 +63,7 @@ Result<WriteRequest> requestWithoutTable(const WriteOptions& options)
     request.sources = std::move(sources);
     if (options.persistent || options.isVolatile)
         request.persistency = options.persistent ? Persistency::Persistent : Persistency::Volatile;
+    request.acceptsLarge = options.acceptsLarge;
     return request;
 }
 
@@ -71,48 +76,78 @@ Result<TableInput> readData(
     return readInput(environment, inputOptions);
 }
 
-Result<WriteRequest> requestOf(Environment& environment, const WriteOptions& options)
-{
-    auto request = requestWithoutTable(options);
-    if (!request)
-        return request;
-    if (options.input.file.empty()) {
-        if (request->sources.empty() && !request->persistency)
-            return wrongUsage("there is nothing to write: give --data FILE, or a new --source1",
-                options.drive.command);
-        request->dimensionality = options.input.dimensions;
-        return request;
-    }
+/// A request and the table for it, which may have to wait for the drive: where the file does not
+/// say what its values correct, that is what the axis is among its sources.
+struct TableRequest {
+    WriteRequest request;
     TableInputOptions inputOptions;
-    AXISCOMP_TRY(auto input, readData(environment, options, inputOptions));
-    AXISCOMP_TRY(auto table, driveTable(environment, input, inputOptions, options.conversion));
-    request->table = std::move(table);
-    request->dimensionality = request->table->grid.dimensions();
-    return request;
+    bool needsTarget = false;
+};
+
+/// "drive": the numbers are in the drive's own unit, whatever the file says.
+void takeUnit(std::string& unit, const std::string& stated)
+{
+    if (!stated.empty())
+        unit = stated == "drive" ? std::string() : stated;
+}
+
+Result<void> takeTable(Environment& environment, const WriteOptions& options,
+    const TableInput& input, TableRequest& pending, const std::string& target)
+{
+    ConversionOptions conversion = options.conversion;
+    if (conversion.targets.empty() && !target.empty())
+        conversion.targets = {target};
+    AXISCOMP_TRY(auto table, driveTable(environment, input, pending.inputOptions, conversion));
+    takeUnit(table.unit, options.valueUnit);
+    for (GridAxis& axis : table.grid.axes)
+        takeUnit(axis.unit, options.positionUnit);
+    pending.request.dimensionality = table.grid.dimensions();
+    pending.request.table = std::move(table);
+    return {};
+}
+
+/// What can be done before the drive is asked, so that a bad file is said even when none is there.
+Result<void> beginTable(Environment& environment, const WriteOptions& options,
+    const TableInput& input, TableRequest& pending)
+{
+    auto taken = takeTable(environment, options, input, pending, {});
+    pending.needsTarget = !taken && taken.error().code == ErrorCode::TargetNotKnown;
+    return pending.needsTarget ? Result<void>() : taken;
+}
+
+Result<void> finishTable(Environment& environment, const WriteOptions& options,
+    const TableInput& input, TableRequest& pending, CommandSession& session, int axis)
+{
+    if (!pending.needsTarget)
+        return {};
+    std::vector<std::string> sources = pending.request.sources;
+    if (sources.empty()) {
+        AXISCOMP_TRY(const auto now, session.compensator().status(axis, session.operation()));
+        sources = sourcePaths(now.setup);
+    }
+    return takeTable(
+        environment, options, input, pending, axisTarget(session.profile(), axis, sources));
 }
 
 /// What one --map asks for: an axis as the user names it, and what it shall have.
 struct MappedColumn {
     std::string axis;
-    WriteRequest request;
+    TableRequest pending;
 };
 
-Result<std::vector<MappedColumn>> mappedColumns(
-    Environment& environment, const WriteOptions& options)
+Result<std::vector<MappedColumn>> mappedColumns(Environment& environment,
+    const WriteOptions& options, const TableInput& input, TableInputOptions inputOptions)
 {
-    TableInputOptions inputOptions;
-    AXISCOMP_TRY(const auto input, readData(environment, options, inputOptions));
     std::vector<MappedColumn> columns;
     for (const std::string& pair : options.map) {
         const std::size_t equals = pair.rfind('=');
         if (equals == std::string::npos || equals == 0 || equals + 1 == pair.size())
             return wrongUsage("\"" + pair + "\" is no COLUMN=AXIS", options.drive.command);
         inputOptions.table = pair.substr(0, equals);
-        AXISCOMP_TRY(auto table, driveTable(environment, input, inputOptions, options.conversion));
         AXISCOMP_TRY(auto request, requestWithoutTable(options));
-        request.dimensionality = table.grid.dimensions();
-        request.table = std::move(table);
-        columns.push_back({pair.substr(equals + 1), std::move(request)});
+        MappedColumn column{pair.substr(equals + 1), {std::move(request), inputOptions}};
+        AXISCOMP_CHECK(beginTable(environment, options, input, column.pending));
+        columns.push_back(std::move(column));
     }
     return columns;
 }
@@ -127,21 +162,25 @@ std::string axisList(const std::vector<MappedColumn>& columns, std::size_t begin
 
 /// All are planned before the first is written; then one after the other.
 Result<ExitCode> writeMapped(Environment& environment, CommandSession& session,
-    const std::vector<MappedColumn>& columns, bool isDryRun)
+    const WriteOptions& options, const TableInput& input, std::vector<MappedColumn> columns)
 {
     std::vector<AxisWrite> writes;
-    for (const MappedColumn& column : columns) {
+    for (MappedColumn& column : columns) {
         AXISCOMP_TRY(
             const auto axis, session.compensator().findAxis(column.axis, session.operation()));
-        writes.push_back({axis, column.request});
+        AXISCOMP_CHECK(finishTable(environment, options, input, column.pending, session, axis));
+        writes.push_back({axis, column.pending.request});
     }
-    AXISCOMP_CHECK(planMultiAxis(session.compensator(), writes, session.operation()));
+    AXISCOMP_TRY(
+        const auto plans, planMultiAxis(session.compensator(), writes, session.operation()));
+    for (std::size_t n = 0; n < writes.size() && !options.isDryRun; ++n)
+        AXISCOMP_CHECK(checkLargeAccepted(plans[n], writes[n].request));
     Json documents = Json::array();
     for (std::size_t n = 0; n < writes.size(); ++n) {
         if (n > 0)
             environment.print("\n");
-        auto document =
-            writeAndReport(environment, session, writes[n].axis, writes[n].request, isDryRun);
+        auto document = writeAndReport(
+            environment, session, writes[n].axis, writes[n].request, options.isDryRun);
         if (!document) {
             if (n > 0)
                 environment.console().note(
@@ -160,9 +199,11 @@ Result<ExitCode> runMapped(Environment& environment, const WriteOptions& options
     if (options.input.file.empty())
         return wrongUsage("--map says which column of --data FILE is for which axis: give --data",
             options.drive.command);
-    AXISCOMP_TRY(const auto columns, mappedColumns(environment, options));
+    TableInputOptions inputOptions;
+    AXISCOMP_TRY(const auto input, readData(environment, options, inputOptions));
+    AXISCOMP_TRY(const auto columns, mappedColumns(environment, options, input, inputOptions));
     return withDrive(environment, options.drive, [&](Environment& same, CommandSession& session) {
-        return writeMapped(same, session, columns, options.isDryRun);
+        return writeMapped(same, session, options, input, columns);
     });
 }
 
@@ -170,10 +211,22 @@ Result<ExitCode> runWriteCommand(Environment& environment, const WriteOptions& o
 {
     if (!options.map.empty())
         return runMapped(environment, options);
-    // The file first: a bad one is said even when no drive is there.
-    AXISCOMP_TRY(auto request, requestOf(environment, options));
+    TableRequest pending;
+    AXISCOMP_TRY(pending.request, requestWithoutTable(options));
+    WriteRequest& request = pending.request;
+    TableInput input;
+    if (!options.input.file.empty()) {
+        AXISCOMP_TRY(input, readData(environment, options, pending.inputOptions));
+        AXISCOMP_CHECK(beginTable(environment, options, input, pending));
+    } else if (request.sources.empty() && !request.persistency) {
+        return wrongUsage("there is nothing to write: give --data FILE, or a new --source1",
+            options.drive.command);
+    } else {
+        request.dimensionality = options.input.dimensions;
+    }
     return withAxis(environment, options.drive,
-        [&](Environment& sameEnvironment, CommandSession& session, int axis) -> Result<ExitCode> {
+        [&](Environment& same, CommandSession& session, int axis) -> Result<ExitCode> {
+            AXISCOMP_CHECK(finishTable(same, options, input, pending, session, axis));
             if (!options.slot.empty())
                 request.slot = slotName(session.profile(), options.slot);
             if (request.dimensionality == 0) {
@@ -181,7 +234,7 @@ Result<ExitCode> runWriteCommand(Environment& environment, const WriteOptions& o
                     const auto now, session.compensator().status(axis, session.operation()));
                 request.dimensionality = now.setup.dimensionality;
             }
-            return runWrite(sameEnvironment, session, axis, request, options.isDryRun);
+            return runWrite(same, session, axis, request, options.isDryRun);
         });
 }
 
@@ -228,6 +281,15 @@ void addWriteCommand(CommandLine& line)
         ->add_flag("--volatile", options->isVolatile,
             "Keep the table in memory until the next reboot (the default for a new table)")
         ->excludes(persistent);
+    command
+        ->add_option("--value-unit", options->valueUnit,
+            "Unit of the values in place of what the file says, such as um; drive for the drive's "
+            "own")
+        ->option_text("UNIT")
+        ->group("Conversion");
+    command->add_option("--position-unit", options->positionUnit, "The same for the positions")
+        ->option_text("UNIT")
+        ->group("Conversion");
     CLI::Option* const slot = command->add_option("--slot", options->slot,
         "Slot to use, small1 to small8, large1 or large2; chosen unless given");
     slot->option_text("SLOT");
@@ -240,6 +302,9 @@ void addWriteCommand(CommandLine& line)
         ->excludes(axis)
         ->excludes(table)
         ->excludes(slot);
+    command->add_flag("--accept-large", options->acceptsLarge,
+        "Write corrections above 1 % of the range, or with a slope above 0.1, which without this "
+        "are taken for a wrong unit");
     command->add_flag(
         "--dry-run", options->isDryRun, "Show what would be written without writing it");
     command->footer(

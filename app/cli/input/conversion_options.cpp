@@ -4,6 +4,7 @@
 #include "app/common/arguments.h"
 #include "core/formats/formats.h"
 #include "core/formats/triamec/triamec_tables.h"
+#include "core/text/token_scanner.h"
 
 namespace axiscomp::app {
 
@@ -23,6 +24,16 @@ std::optional<DirectionChoice> directionOf(const std::string& text)
     if (text == "mean")
         return DirectionChoice::Mean;
     return text == "positive" ? DirectionChoice::Positive : DirectionChoice::Negative;
+}
+
+/// Refuses by name what would be taken for an option that is not given.
+CLI::Validator numberAbove(double least, const std::string& reason)
+{
+    return {[least, reason](const std::string& text) {
+                const auto number = numberOf(text);
+                return number && *number > least ? std::string() : text + ": " + reason;
+            },
+        "", ""};
 }
 
 /// One number for each source axis: as given, or the only one for all.
@@ -62,9 +73,21 @@ Result<ResamplingRequest> gridRequest(const ConversionOptions& options, std::siz
 
 } // namespace
 
+void addTargetOption(CLI::App& command, ConversionOptions& options)
+{
+    command
+        .add_option("--target", options.targets,
+            "Axis that the values correct, for each column or for all: its name, #1 for the first "
+            "source, or other for an axis that is no source; by default as the file says")
+        ->option_text("AXIS[,AXIS]")
+        ->delimiter(',')
+        ->group("Conversion");
+}
+
 void addConversionOptions(CLI::App& command, ConversionOptions& options)
 {
     const std::string group = "Conversion";
+    addTargetOption(command, options);
     command
         .add_option("--sign", options.sign,
             "Convention of the input: feedback (added to the encoder position) or command (added "
@@ -79,6 +102,21 @@ void addConversionOptions(CLI::App& command, ConversionOptions& options)
         ->option_text("CHOICE")
         ->check(CLI::IsMember(std::vector<std::string>{"mean", "positive", "negative"}))
         ->group(group);
+    command
+        .add_option("--scale", options.adjustment.scale,
+            "Multiply the values by this number, before anything else")
+        ->option_text("FACTOR")
+        ->group(group);
+    command
+        .add_option("--offset", options.adjustment.offset, "Add this to the values, in their unit")
+        ->option_text("VALUE")
+        ->group(group);
+    command
+        .add_option("--zero", options.adjustment.zero,
+            "Shift the values so that they are 0 at this position")
+        ->option_text("P[,P[,P]]")
+        ->delimiter(',')
+        ->group(group);
     command.add_flag("--no-wrap", options.dropsWrap, "Treat a modulo axis as a linear one")
         ->group(group);
 }
@@ -92,6 +130,7 @@ void addResamplingOptions(CLI::App& command, ConversionOptions& options)
                 "Resample onto an even grid with N points, for each source or for all")
             ->option_text("N[,N[,N]]")
             ->delimiter(',')
+            ->check(numberAbove(1.0, "a grid has at least 2 points"))
             ->group(group);
     CLI::Option* const distance =
         command
@@ -99,6 +138,7 @@ void addResamplingOptions(CLI::App& command, ConversionOptions& options)
                 "Resample onto an even grid with spacing D, for each source or for all")
             ->option_text("D[,D[,D]]")
             ->delimiter(',')
+            ->check(numberAbove(0.0, "a distance is above 0"))
             ->excludes(points)
             ->group(group);
     command
@@ -144,6 +184,8 @@ Result<ConversionRequest> conversionRequest(const ConversionOptions& options,
     request.to = &to;
     request.sourceSign = signOf(options.sign);
     request.targetSign = signOf(options.toSign);
+    request.targets = options.targets;
+    request.adjustment = options.adjustment;
     request.direction = directionOf(options.direction);
     request.dropsWrap = options.dropsWrap;
     if (options.within) {

@@ -18,6 +18,7 @@ struct ConversionOptions {
     std::string command; ///< "axiscomp convert": for hints
     std::string sign; ///< of the input; empty: as its format says
     std::string toSign; ///< of the output
+    std::vector<std::string> targets; ///< what the columns correct; empty: as the file says
     std::string direction; ///< mean, positive, negative; empty: as it is
     std::vector<std::size_t> points; ///< of the even grid, one for each source or one for all
     std::vector<double> distances; ///< likewise
@@ -25,6 +26,7 @@ struct ConversionOptions {
     std::string method = "linear";
     bool holdsEnds = false; ///< a grid may go beyond the data
     bool dropsWrap = false;
+    Adjustment adjustment;
     std::vector<std::string> settings; ///< KEY=VALUE of the output
 
     [[nodiscard]] bool resamples() const
@@ -34,12 +36,13 @@ struct ConversionOptions {
     /// A conversion was asked for that not even files of the same format go without.
     [[nodiscard]] bool isAnything() const
     {
-        return resamples() || !sign.empty() || !toSign.empty() || !direction.empty() || dropsWrap
-            || !settings.empty();
+        return resamples() || adjustment != Adjustment{} || !sign.empty() || !toSign.empty()
+            || !targets.empty() || !direction.empty() || dropsWrap || !settings.empty();
     }
 };
 
-/// --sign, --direction, --no-wrap
+void addTargetOption(CLI::App& command, ConversionOptions& options);
+/// --target, --sign, --direction, --no-wrap, --scale, --offset, --zero
 void addConversionOptions(CLI::App& command, ConversionOptions& options);
 /// --points, --distance, --within, --method, --hold
 void addResamplingOptions(CLI::App& command, ConversionOptions& options);

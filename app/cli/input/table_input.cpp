@@ -8,10 +8,10 @@
 #include "core/formats/triamec/triamec_tables.h"
 #include "core/store/drive_store.h"
 #include "core/table/tam_table.h"
+#include "core/text/token_scanner.h"
 #include "drivecomm/profile/profile_loader.h"
 
 #include <algorithm>
-#include <charconv>
 #include <filesystem>
 
 namespace axiscomp::app {
@@ -59,8 +59,10 @@ Result<const TableFormat*> formatOf(Environment& environment, const TableInputOp
         return &calibration_csv::format();
     const std::string name = std::filesystem::path(options.file).filename().string();
     const auto choice = chooseFormat(beginningOf(options.file), name, options.dimensions != 0);
-    if (!choice)
+    if (!choice) {
+        AXISCOMP_CHECK(loadFile(options.file, maximumTableFile)); // or there is nothing to know
         return fail(choice.error());
+    }
     const std::string others = formatNames(choice->others);
     if (!isTriamec(*choice->format))
         environment.console().note(options.file + ": read as "
@@ -194,7 +196,9 @@ CLI::Option* addTableOption(CLI::App& command, TableInputOptions& options)
 {
     return command
         .add_option("--table", options.table,
-            "Table of the file, by name or by number from 1; not needed if there is only one")
+            "Table of the file, by name or by number from 1 (name:TEXT, #N where that could be "
+            "either); "
+            "not needed if there is only one")
         ->option_text("TABLE");
 }
 
@@ -261,6 +265,38 @@ struct Choice {
     std::string text; ///< as the list shows it
 };
 
+/// The index of the table that "Table 2", "2", "#2" or "name:2" means; nothing where there is none.
+/// Errors: TableAmbiguous for the number of one table that is the name of another.
+Result<std::optional<std::size_t>> tableIndex(
+    std::string_view asked, const std::vector<Choice>& choices)
+{
+    constexpr std::string_view namePrefix = "name:";
+    const auto indexNamed = [&](std::string_view name) -> std::optional<std::size_t> {
+        const auto found = std::ranges::find(choices, name, &Choice::name);
+        if (found == choices.end())
+            return std::nullopt;
+        return static_cast<std::size_t>(found - choices.begin());
+    };
+    const auto indexNumbered = [&](std::string_view text) -> std::optional<std::size_t> {
+        const auto number = wholeNumberOf(text);
+        if (!number || *number < 1 || static_cast<std::size_t>(*number) > choices.size())
+            return std::nullopt;
+        return static_cast<std::size_t>(*number - 1);
+    };
+    const auto named = indexNamed(asked);
+    const auto numbered = indexNumbered(asked);
+    if (named && numbered && named != numbered)
+        return fail(ErrorCode::TableAmbiguous,
+            {{"table", asked}, {"named", *named + 1}, {"numbered", *numbered + 1}});
+    if (named || numbered)
+        return named ? named : numbered;
+    if (asked.starts_with(namePrefix))
+        return indexNamed(asked.substr(namePrefix.size()));
+    if (asked.starts_with('#'))
+        return indexNumbered(asked.substr(1));
+    return std::nullopt;
+}
+
 Result<std::size_t> choose(const std::vector<Choice>& choices, const TableInputOptions& options)
 {
     std::string list;
@@ -272,14 +308,11 @@ Result<std::size_t> choose(const std::vector<Choice>& choices, const TableInputO
         return wrongUsage(displayName(options.file) + " has " + std::to_string(choices.size())
                 + " tables: choose one with --table: " + list,
             options.command);
-    const auto named = std::ranges::find(choices, options.table, &Choice::name);
-    if (named != choices.end())
-        return static_cast<std::size_t>(named - choices.begin());
-    std::size_t number = 0;
-    const char* const last = options.table.data() + options.table.size();
-    const auto [end, error] = std::from_chars(options.table.data(), last, number);
-    if (error == std::errc{} && end == last && number >= 1 && number <= choices.size())
-        return number - 1;
+    const auto index = tableIndex(options.table, choices);
+    if (!index)
+        return fail(index.error());
+    if (*index)
+        return **index;
     return fail(ErrorCode::TableNotFound, {{"table", options.table}, {"known", list}});
 }
 
@@ -308,7 +341,7 @@ Result<std::size_t> chooseColumn(
     for (const NeutralTable& table : columns) {
         const CompensationColumn& column = table.columns.front();
         const std::string name = !column.name.empty() ? column.name : table.name;
-        choices.push_back({name.empty() ? column.target : name,
+        choices.push_back({name.empty() ? targetName(table, column) : name,
             name.empty() ? columnText(table, column).english() : name});
     }
     return choose(choices, options);

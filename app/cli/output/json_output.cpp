@@ -67,8 +67,9 @@ Json toJson(const Grid& grid)
 Json toJson(const CompensationTable& table)
 {
     const TableStatistics figures = statistics(table);
-    return {{"name", table.name}, {"unit", table.unit}, {"min", figures.minimum},
-        {"max", figures.maximum}, {"rms", figures.rms}};
+    return {{"name", table.name},
+        {"target", table.target.empty() ? Json(nullptr) : Json(table.target)}, {"unit", table.unit},
+        {"min", figures.minimum}, {"max", figures.maximum}, {"rms", figures.rms}};
 }
 
 Json toJson(const Error& error, const Json& diagnostics)
@@ -135,7 +136,8 @@ Json toJson(const WritePlan& plan)
         {"changes", std::move(changes)}, {"flashOperations", plan.flashOperations},
         {"flashOperationsLeft", plan.flashBudget.left},
         {"flashWaitSeconds", plan.flashBudget.wait.count()},
-        {"warnings", englishOf(plan.warnings)}};
+        {"largeCorrections", englishOf(plan.largeCorrections)},
+        {"units", englishOf(plan.unitRemarks)}, {"warnings", englishOf(plan.warnings)}};
 }
 
 Json toJson(const WriteReport& report)
@@ -152,7 +154,7 @@ Json toJson(const Proof& proof, int dimensions)
                 {"expected", sample.expected}, {"indices", numbers(sample.indices, dimensions)},
                 {"expectedIndices", numbers(sample.expectedIndices, dimensions)}});
     return {{"samples", std::move(samples)}, {"largestDifference", proof.largestDifference},
-        {"tolerance", proof.tolerance}};
+        {"tolerance", proof.tolerance}, {"proved", proof.extent == Proof::Extent::Proved}};
 }
 
 Json toJson(const DriveFile& file)

@@ -89,8 +89,7 @@ std::string signSentence(const CompensationTable& table, std::string_view unit)
         + " the encoder: the drive will add " + added;
 }
 
-std::string planText(
-    const WritePlan& plan, const AxisInfo& axis, const std::optional<CompensationTable>& table)
+std::string planText(const WritePlan& plan, const AxisInfo& axis)
 {
     std::string text = "Plan for " + axisWords(axis) + " of " + driveWords(plan.drive) + "\n\n";
     if (plan.changes.empty()) {
@@ -104,10 +103,10 @@ std::string planText(
     std::vector<std::pair<std::string, std::string>> lines;
     if (!plan.after.slot.empty())
         lines.emplace_back("Slot", slotWords(plan));
-    if (table) {
+    if (plan.table) {
         const std::string unit = unitSymbol(axis.unit);
-        lines.emplace_back("Table", tableWords(plan, *table, unit));
-        lines.emplace_back("Sign", signSentence(*table, unit));
+        lines.emplace_back("Table", tableWords(plan, *plan.table, unit));
+        lines.emplace_back("Sign", signSentence(*plan.table, unit));
     }
     lines.emplace_back("Flash", flashWords(plan));
     return text + "\n" + labelled(lines, "  ");

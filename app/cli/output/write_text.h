@@ -9,9 +9,8 @@
 namespace axiscomp::app {
 
 /// Before anything is written: what is on the drive, what will be there, in which slot and why,
-/// and what it costs. table: the new one, if there is one.
-[[nodiscard]] std::string planText(
-    const WritePlan& plan, const AxisInfo& axis, const std::optional<CompensationTable>& table);
+/// and what it costs.
+[[nodiscard]] std::string planText(const WritePlan& plan, const AxisInfo& axis);
 
 /// What the sign of the values means, at the largest of them: "where the encoder reads 40.0000 the
 /// reference says 40.0021: the drive will add +0.0021 mm".

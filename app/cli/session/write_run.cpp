@@ -13,7 +13,7 @@ namespace {
 constexpr std::string_view lastStep = "done";
 constexpr std::string_view undoStep = "putting back";
 
-/// AxisCompensator::write: after any error but these two the drive holds the old state.
+/// AxisCompensator::write: after any error but these the drive holds the old state.
 std::string_view driveHolds(ErrorCode code)
 {
     switch (code) {
@@ -21,6 +21,8 @@ std::string_view driveHolds(ErrorCode code)
         return "old or new";
     case ErrorCode::RollbackFailed:
         return "neither";
+    case ErrorCode::ChangedMeanwhile: // by somebody else, or by a restart
+        return "other";
     default:
         return "old";
     }
@@ -51,6 +53,9 @@ Result<WriteReport> carryOut(
     error.context.set("driveHolds", held);
     if (held == "old")
         environment.console().note("note: the drive holds the complete old state");
+    if (held == "other")
+        environment.console().note("note: nothing was written; see `axiscomp status` for what the "
+                                   "drive holds now");
     return fail(std::move(error));
 }
 
@@ -103,14 +108,21 @@ Result<Json> writeAndReport(Environment& environment, CommandSession& session, i
     environment.console().clearProgress();
     if (!plan)
         return fail(plan.error());
-    environment.print(planText(*plan, before.status.axis, request.table));
+    environment.print(planText(*plan, before.status.axis));
+    for (const Text& remark : plan->unitRemarks)
+        environment.console().note("note: " + remark.english());
     for (const Text& warning : plan->warnings)
         environment.warn(warning.english());
+    for (const Text& large : plan->largeCorrections)
+        environment.warn(large.english());
+    if (isDryRun && !checkLargeAccepted(*plan, request))
+        environment.warn("Writing this needs --accept-large. Check the unit of the values first.");
     Json json = {{"plan", toJson(*plan)}, {"report", nullptr}};
     if (isDryRun) {
         environment.print("\nNothing was written (--dry-run).\n");
         return json;
     }
+    AXISCOMP_CHECK(checkLargeAccepted(*plan, request));
 
     WriteRequest asPlanned = request;
     asPlanned.expected = plan->before;

@@ -133,13 +133,8 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
     std::vector<NeutralTable> prepared;
     std::set<long> axes;
     for (const NeutralTable& source : tables) {
-        const CompensationColumn& column = source.columns.front();
-        if (!ownAxis(source, column))
-            return cannotHold(format.facts,
-                AXISCOMP_TEXT("Error", "it compensates {target} by the position of {axis}")
-                    .with("target", column.target)
-                    .with("axis", source.axes.front().name),
-                AXISCOMP_TEXT("Error", "choose a table of an axis for itself"));
+        AXISCOMP_CHECK(checkOwnAxis(
+            format.facts, source, AXISCOMP_TEXT("Error", "choose a table of an axis for itself")));
         AXISCOMP_TRY(
             const auto axis, axisNumber(format.facts, given, "axis", source.axes.front().name));
         if (!axes.insert(axis).second)

@@ -247,7 +247,8 @@ Result<NeutralTable> numbered(const NeutralTable& source, const SettingValues& g
     for (std::size_t n = 0; n < table.columns.size(); ++n) {
         // A target that is one of the sources has the number of that source.
         const auto own = ownAxis(source, source.columns[n]);
-        const std::string name = own ? table.axes[*own].name : source.columns[n].target;
+        const std::string name =
+            own ? table.axes[*own].name : targetName(source, source.columns[n]);
         AXISCOMP_TRY(const auto axis,
             axisNumber(facts, given, "output-axis-" + std::to_string(n + 1), name));
         table.columns[n].target = std::to_string(axis);

@@ -132,7 +132,7 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
     const FormatFacts& facts = isg_crosscomp::format().facts;
     AXISCOMP_TRY(const auto given, SettingValues::of(facts, options.settings, true));
     const NeutralTable& source = tables.front();
-    const auto axis = axisNumber(facts, given, "axis", source.columns.front().target);
+    const auto axis = axisNumber(facts, given, "axis", targetName(source, source.columns.front()));
     const auto master = axisNumber(facts, given, "master-axis", source.axes.front().name);
     if (!axis || !master)
         return fail(axis ? master.error() : axis.error());

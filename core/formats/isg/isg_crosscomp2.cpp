@@ -276,8 +276,9 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
 {
     const FormatFacts& facts = isg_crosscomp2::format().facts;
     AXISCOMP_TRY(const auto given, SettingValues::of(facts, options.settings, true));
-    AXISCOMP_TRY(
-        const auto axis, axisNumber(facts, given, "axis", tables.front().columns.front().target));
+    AXISCOMP_TRY(const auto axis,
+        axisNumber(
+            facts, given, "axis", targetName(tables.front(), tables.front().columns.front())));
     std::vector<Text> remarks;
     AXISCOMP_TRY(auto draft, draftOf(tables.front(), given, axis, remarks));
     remarks.push_back(isg::activation(section, axis));

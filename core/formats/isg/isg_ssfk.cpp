@@ -193,18 +193,10 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
     const FormatFacts& facts = isg_ssfk::format().facts;
     AXISCOMP_TRY(const auto given, SettingValues::of(facts, options.settings, true));
     const NeutralTable& source = tables.front();
-    const std::string& name = source.axes[0].name;
-    const std::string& target = source.columns[0].target;
-    if (!target.empty() && !name.empty() && target != name)
-        return cannotHold(facts,
-            AXISCOMP_TEXT("Error",
-                "it compensates {target} by the position of {axis}, and the format compensates an "
-                "axis by its own position")
-                .with("target", target)
-                .with("axis", name),
-            AXISCOMP_TEXT("Error", "write it as {format}")
-                .with("format", isg_crosscomp::format().facts.name));
-    AXISCOMP_TRY(const auto axis, axisNumber(facts, given, "axis", name.empty() ? target : name));
+    AXISCOMP_CHECK(checkOwnAxis(facts, source,
+        AXISCOMP_TEXT("Error", "write it as {format}")
+            .with("format", isg_crosscomp::format().facts.name)));
+    AXISCOMP_TRY(const auto axis, axisNumber(facts, given, "axis", source.axes[0].name));
     std::vector<Text> remarks;
     AXISCOMP_TRY(auto draft, isg::beginDraft(section, source, given, axis, remarks));
     AXISCOMP_TRY(const auto pair, directionPair(facts, draft.table));

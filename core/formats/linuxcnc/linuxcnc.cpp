@@ -182,8 +182,10 @@ std::vector<CompensationColumn> columnsOf(
         columns[1].values = std::move(reverse);
     }
     columns[0].values = std::move(forward);
-    for (CompensationColumn& column : columns)
+    for (CompensationColumn& column : columns) {
         column.unit = unit;
+        column.target = sourceTarget(0);
+    }
     return columns;
 }
 

@@ -127,7 +127,7 @@ Result<std::vector<std::string>> motorsOf(const FormatFacts& facts, const Keys& 
     for (std::size_t n = 0; n < table.axes.size(); ++n)
         AXISCOMP_CHECK(add(keys.motors[n], table.axes[n].name));
     const auto own = ownAxis(table, table.columns[0]);
-    const std::string target = own ? motors[*own] : table.columns[0].target;
+    const std::string target = own ? motors[*own] : targetName(table, table.columns[0]);
     AXISCOMP_CHECK(add("target-motor", target));
     return motors;
 }

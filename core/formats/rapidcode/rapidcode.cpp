@@ -356,7 +356,7 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
     held.name = oneLine(held.name);
     for (SourceAxis& axis : held.axes)
         axis.name = oneLine(axis.name);
-    held.columns[0].target = oneLine(held.columns[0].target);
+    held.columns[0].target = oneLine(portableTarget(held.columns[0].target, sourceNames(held)));
     for (const std::string& note : tables.front().notes)
         if (std::string line = oneLine(note); !line.empty())
             held.notes.push_back(std::move(line));

@@ -302,10 +302,11 @@ private:
 Result<void> Writer::add(const NeutralTable& source)
 {
     const FormatFacts& facts = siemens_cec::format().facts;
-    const std::string& target = source.columns.front().target;
+    if (!m_given.has("output-axis"))
+        AXISCOMP_CHECK(checkTargets(source));
     const auto input = siemens::axisName(facts, m_given, "input-axis", source.axes[0].name);
     const auto output = siemens::axisName(
-        facts, m_given, "output-axis", target.empty() ? source.axes[0].name : target);
+        facts, m_given, "output-axis", targetName(source, source.columns.front()));
     if (!input || !output)
         return fail(input ? output.error() : input.error());
     AXISCOMP_TRY(const auto table, inUnits(source, "mm", "deg", m_written.remarks));

@@ -192,14 +192,9 @@ Result<std::string> tableLines(const NeutralTable& source, const std::string& ax
     const std::string& encoder, std::vector<Text>& remarks, std::string& rotary)
 {
     const FormatFacts& facts = siemens_eec::format().facts;
-    const CompensationColumn& first = source.columns.front();
-    if (!ownAxis(source, first))
-        return cannotHold(facts,
-            AXISCOMP_TEXT("Error", "it compensates {target} by the position of {axis}")
-                .with("target", first.target)
-                .with("axis", source.axes.front().name),
-            AXISCOMP_TEXT("Error", "write it as {format}")
-                .with("format", siemens_cec::format().facts.name));
+    AXISCOMP_CHECK(checkOwnAxis(facts, source,
+        AXISCOMP_TEXT("Error", "write it as {format}")
+            .with("format", siemens_cec::format().facts.name)));
     AXISCOMP_TRY(const auto table, inUnits(source, "mm", "deg", remarks));
     AXISCOMP_CHECK(siemens::checkModulo(facts, table));
     if (table.axes[0].unit != table.columns[0].unit)

@@ -189,7 +189,7 @@ NeutralTable tableOf(const Rows& rows, const Shape& shape, DiagnosticList& diagn
     }
     for (std::size_t i = sources; i < rows.width; ++i) {
         CompensationColumn column;
-        column.target = std::to_string(i - sources + 1);
+        column.name = "Column " + std::to_string(i - sources + 1);
         column.values.resize(shape.rows);
         for (std::size_t row = 0; row < shape.rows; ++row)
             column.values[row] = rows.at(row, i);
@@ -284,14 +284,16 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
         for (const CompensationColumn& column : table.columns)
             text += toText(column.values[row]) + (&column == &table.columns.back() ? '\n' : ' ');
     }
-    // The file has no names.
+    // The file has no names; what they said stays known.
     table.name.clear();
     table.notes.clear();
+    for (CompensationColumn& column : table.columns)
+        if (const auto target = targetOf(table, column))
+            column.target = target->source ? sourceTarget(*target->source) : std::string(otherAxis);
     for (std::size_t n = 0; n < table.axes.size(); ++n)
         table.axes[n].name = std::to_string(n + 1);
     for (std::size_t n = 0; n < table.columns.size(); ++n) {
-        table.columns[n].name.clear();
-        table.columns[n].target = std::to_string(n + 1);
+        table.columns[n].name = "Column " + std::to_string(n + 1);
     }
     written.held.push_back(std::move(table));
     return written;

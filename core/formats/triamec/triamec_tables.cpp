@@ -36,7 +36,8 @@ double plainValue(float value)
 std::string columnName(const NeutralTable& table, std::size_t index)
 {
     const CompensationColumn& column = table.columns[index];
-    for (const std::string* name : {&column.name, &column.target, &table.name})
+    const std::string target = targetName(table, column);
+    for (const std::string* name : {&column.name, &target, &table.name})
         if (!name->empty() && (name != &table.name || table.columns.size() == 1))
             return *name;
     return "Table " + std::to_string(index + 1);
@@ -74,11 +75,7 @@ NeutralTable neutralTable(
         CompensationColumn column;
         column.name = table.name;
         column.unit = table.unit;
-        const auto named = std::ranges::find_if(neutral.axes, [&](const SourceAxis& axis) {
-            return !axis.name.empty() && sameLetters(axis.name, table.name);
-        });
-        if (named != neutral.axes.end())
-            column.target = named->name;
+        column.target = table.target;
         column.values.reserve(table.values.size());
         for (const float value : table.values)
             column.values.push_back(plainValue(value));
@@ -100,8 +97,8 @@ Result<CalibrationData> calibrationData(const NeutralTable& table)
         data.grid.axes.push_back(gridAxis(axis));
     for (std::size_t n = 0; n < table.columns.size(); ++n) {
         AXISCOMP_TRY(auto values, floatValues(table.columns[n]));
-        data.tables.push_back(
-            {columnName(table, n), table.columns[n].unit, data.grid, std::move(values)});
+        data.tables.push_back({columnName(table, n), table.columns[n].unit, data.grid,
+            std::move(values), portableTarget(table.columns[n].target, sourceNames(table))});
     }
     return data;
 }

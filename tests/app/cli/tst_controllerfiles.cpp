@@ -39,8 +39,8 @@ private Q_SLOTS:
     {
         const Sandbox box;
         box.file("x.csv", linearError);
-        const ProgramRun run =
-            box.run({"convert", "x.csv", "x.txt", "--dims", "1", "--to", "softmc"});
+        const ProgramRun run = box.run(
+            {"convert", "x.csv", "x.txt", "--dims", "1", "--to", "softmc", "--target", "X"});
         VERIFY_CODE(run, 0);
         // c = -e / (1 + slope): 100 mm - 0.01 / 1.0001
         const QList<QByteArray> lines = box.content("x.txt").split('\n');
@@ -71,7 +71,7 @@ private Q_SLOTS:
         const Sandbox box;
         box.file("p.csv", "1 [mm],2 [mm],T [mm]\n0,0,0\n10,0,0.001\n0,10,-0.002\n10,10,0.003\n");
         const ProgramRun run = box.run({"convert", "p.csv", "p.cal", "--dims", "2", "--to",
-            "aerotech-2d", "--set-out", "output-axis-1=1"});
+            "aerotech-2d", "--set-out", "output-axis-1=1", "--target", "1"});
         VERIFY_CODE(run, 0);
         QVERIFY2(run.out.contains("compared at"), run.out.constData());
     }
@@ -148,12 +148,12 @@ private Q_SLOTS:
     {
         const Sandbox box;
         box.file("x.csv", linearError);
-        const ProgramRun run =
-            box.run({"lookup", "x.csv", "100", "--dims", "1", "--as", "softmc", "--json"});
+        const ProgramRun run = box.run(
+            {"lookup", "x.csv", "100", "--dims", "1", "--as", "softmc", "--target", "X", "--json"});
         VERIFY_CODE(run, 0);
         QVERIFY(std::abs(firstValue(run) + 0.01 / 1.0001) < 1e-9);
-        const ProgramRun before =
-            box.run({"lookup", "x.csv", "-1", "--dims", "1", "--as", "softmc", "--json"});
+        const ProgramRun before = box.run(
+            {"lookup", "x.csv", "-1", "--dims", "1", "--as", "softmc", "--target", "X", "--json"});
         QCOMPARE(firstValue(before), 0.0);
     }
 
@@ -198,6 +198,23 @@ private Q_SLOTS:
             run.json().value("tables").toArray().at(0).toObject().value("points").toInt(), points);
     }
 
+    void aTextThatIsNoTableIsNotRecognised()
+    {
+        const Sandbox box;
+        box.file("readme.txt", "Compensation of the left gantry\nsee the protocol of May\n");
+        box.file("motion.prg", "program\nmove x 5\nend program\n");
+        for (const char* const name : {"readme.txt", "motion.prg"}) {
+            const ProgramRun run = box.run({"inspect", name});
+            VERIFY_CODE(run, 2);
+            QVERIFY2(run.err.contains("error: UnknownFormat: "), run.err.constData());
+        }
+        for (const QStringList& more : {QStringList{}, QStringList{"--dims", "1"}}) {
+            const ProgramRun run = box.run(QStringList{"inspect", "no/such"} + more);
+            VERIFY_CODE(run, 3);
+            QVERIFY2(run.err.contains("error: FileNotReadable: "), run.err.constData());
+        }
+    }
+
     void whatAFormatCannotHoldIsRefusedWithTheWayOut()
     {
         const Sandbox box;
@@ -209,12 +226,32 @@ private Q_SLOTS:
         QVERIFY(!QFile::exists(box.path("x.txt")));
     }
 
+    void aGridOfNothingIsRefusedByName_data()
+    {
+        QTest::addColumn<QStringList>("options");
+        for (const char* const points : {"0", "1", "-3", "5,0"})
+            QTest::newRow(points) << QStringList{"--points", points};
+        for (const char* const distance : {"0", "-1", "0.0"})
+            QTest::addRow("distance %s", distance) << QStringList{"--distance", distance};
+    }
+    void aGridOfNothingIsRefusedByName()
+    {
+        QFETCH(QStringList, options);
+        const Sandbox box;
+        box.file("x.csv", linearError);
+        const ProgramRun run =
+            box.run(QStringList{"convert", "x.csv", "y.csv", "--dims", "1"} + options);
+        VERIFY_CODE(run, 2);
+        QVERIFY2(run.err.contains(options.front().toUtf8()), run.err.constData());
+        QVERIFY(!QFile::exists(box.path("y.csv")));
+    }
+
     void settingsAreCheckedByName()
     {
         const Sandbox box;
         box.file("x.csv", linearError);
         const ProgramRun run = box.run({"convert", "x.csv", "x.txt", "--dims", "1", "--to",
-            "softmc", "--set-out", "colour=red"});
+            "softmc", "--target", "X", "--set-out", "colour=red"});
         VERIFY_CODE(run, 2);
         QVERIFY2(run.err.contains("has no setting colour"), run.err.constData());
         const ProgramRun malformed = box.run(

@@ -157,8 +157,10 @@ private Q_SLOTS:
         QCOMPARE(activated.json().keys(), (QStringList{"proof", "status"}));
         QCOMPARE(activated.json().value("status").toObject().value("state"), "Active");
         const QJsonObject proof = activated.json().value("proof").toObject();
-        QCOMPARE(proof.keys(), (QStringList{"largestDifference", "samples", "tolerance"}));
+        QCOMPARE(
+            proof.keys(), (QStringList{"largestDifference", "proved", "samples", "tolerance"}));
         QVERIFY(proof.value("tolerance").toDouble() > 0.0);
+        QVERIFY(proof.value("proved").toBool());
         QVERIFY(proof.value("largestDifference").toDouble() <= proof.value("tolerance").toDouble());
         const QJsonObject sample = proof.value("samples").toArray().at(0).toObject();
         QCOMPARE(sample.keys(),

@@ -86,7 +86,7 @@ private Q_SLOTS:
         QCOMPARE(axis.value("distance").toDouble(), 10.0);
         QCOMPARE(axis.value("size").toInt(), 3);
         const QJsonObject table = json.value("tables").toArray().at(0).toObject();
-        QCOMPARE(table.keys(), (QStringList{"max", "min", "name", "rms", "unit"}));
+        QCOMPARE(table.keys(), (QStringList{"max", "min", "name", "rms", "target", "unit"}));
         QCOMPARE(table.value("min").toDouble(), static_cast<double>(-0.004F));
         QCOMPARE(table.value("max").toDouble(), static_cast<double>(0.002F));
         QCOMPARE(json.value("notes").toArray(), (QJsonArray{"measured at 20 C"}));
@@ -185,6 +185,45 @@ private Q_SLOTS:
         QCOMPARE(run.err.contains("fits"), !suggestion.isEmpty());
         QVERIFY2(run.err.contains(suggestion), run.err.constData());
         QCOMPARE(run.err.count('\n'), 1);
+    }
+
+    void aTableForTheDriveIsInTheUnitOfItsPositions()
+    {
+        const Sandbox box;
+        box.file("um.csv", "X [mm],E [um]\n0,0\n50,10\n100,-4\n");
+        box.file("mm.csv", "X [mm],E [mm]\n0,0\n50,0.01\n100,-0.004\n");
+        const ProgramRun converted = box.run({"convert", "um.csv", "um.TAMtbl", "--dims", "1"});
+        VERIFY_CODE(converted, 0);
+        QVERIFY2(
+            converted.err.contains("converted from um to mm. The largest correction is 0.01 mm"),
+            converted.err.constData());
+        VERIFY_CODE(box.run({"convert", "mm.csv", "mm.TAMtbl", "--dims", "1"}), 0);
+        QCOMPARE(
+            box.content("um.TAMtbl").last(12).toHex(), box.content("mm.TAMtbl").last(12).toHex());
+        // Also on the way over a resampled grid.
+        const QStringList even{"--dims", "1", "--points", "3"};
+        VERIFY_CODE(box.run(QStringList{"convert", "um.csv", "even.TAMtbl"} + even), 0);
+        QCOMPARE(
+            box.content("even.TAMtbl").last(12).toHex(), box.content("mm.TAMtbl").last(12).toHex());
+
+        box.file("deg.csv", "X [mm],E [deg]\n0,0\n50,0.01\n100,-0.004\n");
+        const ProgramRun angle = box.run({"convert", "deg.csv", "deg.TAMtbl", "--dims", "1"});
+        VERIFY_CODE(angle, 2);
+        QVERIFY2(angle.err.contains("error: UnitMismatch: "), angle.err.constData());
+        VERIFY_CODE(
+            box.run({"convert", "deg.csv", "deg.TAMtbl", "--dims", "1", "--value-unit", "deg"}), 0);
+
+        box.file("large.csv", "X [mm],E [mm]\n0,0\n50,10\n100,-4\n");
+        for (const QStringList& more : {QStringList{}, QStringList{"--points", "3"}}) {
+            const QStringList command =
+                QStringList{"convert", "large.csv", "large.TAMtbl", "--dims", "1"} + more;
+            const ProgramRun large = box.run(command);
+            VERIFY_CODE(large, 2);
+            QVERIFY2(large.err.contains("error: LargeCorrection: "), large.err.constData());
+            QVERIFY(!QFile::exists(box.path("large.TAMtbl")));
+        }
+        VERIFY_CODE(
+            box.run({"convert", "large.csv", "large.TAMtbl", "--dims", "1", "--accept-large"}), 0);
     }
 
     void convertGoesThereAndBack()

@@ -22,8 +22,8 @@ const QByteArray second1D = "X [mm],Error [mm]\n0,0\n40,0.0011\n80,-0.003\n";
 const QByteArray plane = "X,Y,T\n0,0,0\n50,0,0.001\n0,50,0.002\n50,50,-0.003\n";
 
 const QStringList planKeys{"after", "axis", "before", "changes", "drive", "flashOperations",
-    "flashOperationsLeft", "flashWaitSeconds", "serialNumber", "slotReason", "tableBytes",
-    "warnings"};
+    "flashOperationsLeft", "flashWaitSeconds", "largeCorrections", "serialNumber", "slotReason",
+    "tableBytes", "units", "warnings"};
 
 /// A drive, and the files of this test.
 struct Fixture {
@@ -259,15 +259,108 @@ private Q_SLOTS:
         QVERIFY2(run.err.contains("2096976"), run.err.constData());
     }
 
-    void anotherUnitIsWarnedOf()
+    void micrometresOverMetresAreConvertedForAnAxisInMillimetres()
     {
         const Fixture bench;
-        bench.box.file("um.csv", "X [mm],T [um]\n0,0\n1000,0.5\n2000,1\n");
-        const ProgramRun run = bench.write("um.csv", {"--dry-run", "--json"});
+        bench.box.file("um.csv", "X [m],T [um]\n0,0\n0.04,2.1\n0.08,-1\n");
+        const ProgramRun plan = bench.write("um.csv", {"--dry-run"});
+        VERIFY_CODE(plan, 0);
+        for (const char* const part :
+            {"3 values from -0.001 mm to +0.0021 mm", "X 0 .. 80", "the drive will add +0.0021 mm"})
+            QVERIFY2(plan.out.contains(part), (part + ("\n" + plan.out)).constData());
+        for (const char* const part :
+            {"note: The values are converted from um to mm. The largest correction is 0.0021 mm.",
+                "note: The positions of dimension 1 are converted from m to mm: 0 mm to 80 mm."})
+            QVERIFY2(plan.err.contains(part), (part + ("\n" + plan.err)).constData());
+        VERIFY_CODE(bench.write("um.csv"), 0);
+        VERIFY_CODE(bench.run({"read", "-o", "um.TAMtbl"}), 0);
+        VERIFY_CODE(bench.write("first.csv"), 0);
+        VERIFY_CODE(bench.run({"read", "-o", "mm.TAMtbl"}), 0);
+        // The same elements; what precedes them says when the table was made.
+        QCOMPARE(bench.box.content("um.TAMtbl").last(3 * 4).toHex(),
+            bench.box.content("mm.TAMtbl").last(3 * 4).toHex());
+    }
+
+    void theUnitThatIsStatedCountsMoreThanTheFiles()
+    {
+        const Fixture bench;
+        bench.box.file("um.csv", "X [m],T [um]\n0,0\n0.04,2.1\n0.08,-1\n");
+        const ProgramRun nanometres =
+            bench.write("um.csv", {"--dry-run", "--value-unit", "nm", "--position-unit", "drive"});
+        VERIFY_CODE(nanometres, 0);
+        QVERIFY2(nanometres.out.contains("X 0 .. 0.08"), nanometres.out.constData());
+        QVERIFY2(nanometres.err.contains("converted from nm to mm. The largest correction is "),
+            nanometres.err.constData());
+        QCOMPARE(nanometres.err.count("note:"), 1);
+        const ProgramRun asItStands = bench.write("um.csv", {"--dry-run", "--value-unit", "drive"});
+        VERIFY_CODE(asItStands, 0);
+        QVERIFY2(asItStands.out.contains("from -1 mm to +2.1 mm"), asItStands.out.constData());
+    }
+
+    void anAngleForALengthIsRefused()
+    {
+        const Fixture bench;
+        bench.box.file("values.csv", "X [mm],T [mrad]\n0,0\n40,0.5\n80,1\n");
+        bench.box.file("positions.csv", "X [deg],T [mm]\n0,0\n40,0.5\n80,1\n");
+        bench.box.file("counts.csv", "X [mm],T [counts]\n0,0\n40,5\n80,1\n");
+        const std::initializer_list<std::pair<const char*, const char*>> refused{
+            {"values.csv", "the values are in mrad, which cannot be converted to mm"},
+            {"positions.csv", "the positions of dimension 1 are in deg, which cannot be"},
+            {"counts.csv", "the values are in counts, which cannot be converted to mm"}};
+        for (const auto& [file, sentence] : refused) {
+            const ProgramRun run = bench.write(file);
+            VERIFY_CODE(run, 2);
+            QVERIFY2(run.err.contains("error: UnitMismatch: "), run.err.constData());
+            QVERIFY2(run.err.contains(sentence), run.err.constData());
+        }
+        VERIFY_CODE(bench.write("counts.csv", {"--value-unit", "um"}), 0);
+    }
+
+    void aLargeCorrectionHasToBeConfirmed()
+    {
+        const Fixture bench;
+        bench.box.file("large.csv", "X [mm],T [mm]\n0,0\n40,2.1\n80,-1\n");
+        const ProgramRun plan = bench.write("large.csv", {"--dry-run", "--json"});
+        VERIFY_CODE(plan, 0);
+        QCOMPARE(plan.json().value("plan").toObject().value("largeCorrections").toArray().at(0),
+            QJsonValue("The largest correction, 2.1 mm, is 2.625 % of the range of dimension 1, "
+                       "80 mm."));
+        QVERIFY2(plan.err.contains("needs --accept-large"), plan.err.constData());
+        const QJsonObject before = bench.status();
+        const ProgramRun refused = bench.write("large.csv");
+        VERIFY_CODE(refused, 2);
+        QVERIFY2(
+            refused.err.contains("error: LargeCorrection: The largest correction, 2.1 mm, is "),
+            refused.err.constData());
+        QCOMPARE(bench.status(), before);
+        const ProgramRun accepted = bench.write("large.csv", {"--accept-large"});
+        VERIFY_CODE(accepted, 0);
+        QVERIFY2(!accepted.err.contains("--accept-large"), accepted.err.constData());
+    }
+
+    void ofSeveralWritesNoneBeginsWhenOneIsLarge()
+    {
+        const Fixture bench;
+        bench.box.file("two.csv", "X [mm],A [mm],B [mm]\n0,0,0\n40,0.001,2.1\n80,0,-1\n");
+        const QStringList command{"write", "--data", "two.csv", "--dims", "1", "--source1",
+            test::positionSource(0), "--map", "A=0", "--map", "B=1", "--drive", bench.drive.url()};
+        const QJsonObject before = bench.status();
+        const ProgramRun refused = bench.box.run(command);
+        VERIFY_CODE(refused, 2);
+        QVERIFY2(refused.err.contains("error: LargeCorrection: "), refused.err.constData());
+        QCOMPARE(bench.status(), before);
+        VERIFY_CODE(bench.box.run(command + QStringList{"--accept-large"}), 0);
+    }
+
+    void aTableWithoutUnitsIsShownWithItsLargestCorrection()
+    {
+        const Fixture bench;
+        bench.box.file("none.csv", "X,T\n0,0\n1000,0.5\n2000,0.8\n");
+        const ProgramRun run = bench.write("none.csv", {"--dry-run", "--json"});
         VERIFY_CODE(run, 0);
-        QVERIFY2(run.err.contains("the values are in um, but axis 0 (X) counts in mm"),
+        QVERIFY2(run.err.contains("taken to be in mm. The largest correction is 0.8 mm."),
             run.err.constData());
-        QCOMPARE(run.json().value("plan").toObject().value("warnings").toArray().size(), 1);
+        QCOMPARE(run.json().value("plan").toObject().value("units").toArray().size(), 1);
     }
 
     void anActiveAxisIsNotWritten()

@@ -325,8 +325,7 @@ private Q_SLOTS:
         QTest::newRow("missing") << DiagnosticCode::MissingPoint << QByteArray("resample the data");
         QTest::newRow("no text") << DiagnosticCode::NotText << QByteArray("save it as UTF-8 CSV");
         QTest::newRow("encoding") << DiagnosticCode::Encoding << QByteArray("save it as UTF-8 CSV");
-        QTest::newRow("steep") << DiagnosticCode::LargeGradient
-                               << QByteArray("in the unit of the positions");
+        QTest::newRow("steep") << DiagnosticCode::LargeGradient << QByteArray("check the units");
         QTest::newRow("header") << DiagnosticCode::NoHeader << QByteArray("add a first line");
     }
     void theWayOutIsNamed()

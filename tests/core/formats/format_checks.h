@@ -142,6 +142,16 @@ inline double largestDifference(const std::vector<double>& a, const std::vector<
     return largest;
 }
 
+/// Names count as they are, statements by what they mean.
+inline bool haveSameTarget(const NeutralTable& a, const CompensationColumn& ofA,
+    const NeutralTable& b, const CompensationColumn& ofB)
+{
+    if (ofA.target == ofB.target)
+        return true;
+    const bool isStatement = ofA.target.starts_with('#') || ofB.target.starts_with('#');
+    return isStatement && targetOf(a, ofA) == targetOf(b, ofB);
+}
+
 /// Why two tables are not the same but for `allowance` in values and positions; empty: they are.
 /// Names of tables, notes and steps are left aside.
 inline std::string difference(const NeutralTable& found, const NeutralTable& expected,
@@ -166,7 +176,8 @@ inline std::string difference(const NeutralTable& found, const NeutralTable& exp
     for (std::size_t n = 0; n < found.columns.size(); ++n) {
         const CompensationColumn& a = found.columns[n];
         const CompensationColumn& b = expected.columns[n];
-        if (a.target != b.target || a.unit != b.unit || a.direction != b.direction)
+        if (!haveSameTarget(found, a, expected, b) || a.unit != b.unit
+            || a.direction != b.direction)
             return "column " + std::to_string(n + 1) + " is for " + a.target + " [" + a.unit + "], "
                 + std::string(directionName(a.direction));
         if (!(largestDifference(a.values, b.values) <= allowance))

@@ -237,6 +237,17 @@ private:
     std::locale m_before;
 };
 
+/// A softMC file has no names: what its writer knows is not read from it.
+std::vector<NeutralTable> withTargetsOf(
+    std::vector<NeutralTable> read, const std::vector<NeutralTable>& held)
+{
+    for (std::size_t t = 0; t < std::min(read.size(), held.size()); ++t)
+        for (std::size_t c = 0; c < std::min(read[t].columns.size(), held[t].columns.size()); ++c)
+            if (sample().format == &softmc::format())
+                read[t].columns[c].target = held[t].columns[c].target;
+    return read;
+}
+
 } // namespace
 
 /// A reader may have this outcome.
@@ -604,7 +615,7 @@ private Q_SLOTS:
         VERIFY_RESULT(again);
         for (const Diagnostic& problem : again->diagnostics)
             QVERIFY2(problem.code == DiagnosticCode::UnitNotGiven, message(problem).c_str());
-        QCOMPARE(again->tables, written->held);
+        QCOMPARE(withTargetsOf(again->tables, written->held), written->held);
     }
 
     void numbersDoNotDependOnTheLocale_data() { addFormats(isAny); }
@@ -650,8 +661,7 @@ private Q_SLOTS:
         const auto again = format.read(written->bytes, readOptions());
         VERIFY_RESULT(again);
         QVERIFY2(again->tables.size() == 1, problemLines(*again).c_str());
-        COMPARE_TABLES(again->tables.front(), written->held.front(), 0.0);
-        QVERIFY(again->tables == written->held);
+        QVERIFY(withTargetsOf(again->tables, written->held) == written->held);
         QVERIFY(again->tables.front().axes[axis].knots.size() >= knots);
     }
 

@@ -25,8 +25,8 @@ FormatSettings rotary(std::string range)
 
 NeutralTable table(std::vector<double> knots, std::vector<double> values)
 {
-    return test::commandTable(
-        {test::axisOf("", "mm", std::move(knots))}, {test::columnOf("", "mm", std::move(values))});
+    return test::commandTable({test::axisOf("", "mm", std::move(knots))},
+        {test::columnOf("#1", "mm", std::move(values))});
 }
 
 void describe(test::FormatSample& sample)

@@ -27,12 +27,12 @@ TableReadOptions ofType(std::string type)
 NeutralTable table(std::vector<double> knots, std::vector<double> forward,
     std::optional<std::vector<double>> reverse = std::nullopt)
 {
-    NeutralTable result = test::commandTable(
-        {test::axisOf("", "mm", std::move(knots))}, {test::columnOf("", "mm", std::move(forward))});
+    NeutralTable result = test::commandTable({test::axisOf("", "mm", std::move(knots))},
+        {test::columnOf("#1", "mm", std::move(forward))});
     if (reverse) {
         result.columns.resize(2);
         result.columns[0].direction = Direction::Positive;
-        result.columns[1] = {{}, {}, "mm", Direction::Negative, std::move(*reverse), 0.0};
+        result.columns[1] = {{}, "#1", "mm", Direction::Negative, std::move(*reverse), 0.0};
     }
     return result;
 }

@@ -94,7 +94,7 @@ void describe(test::FormatSample& sample)
     lines.notes = {"two\nlines", "", "a = b"};
     NeutralTable cleaned = counted;
     cleaned.axes[0].name = "X = 1 # input.1.min = 7";
-    cleaned.columns[0].target = "Z  5,5";
+    cleaned.columns[0].target = "other"; // what the file says is no name of an axis
     cleaned.notes = {"two lines", "a = b"};
     sample.writes("names and notes stay on their line", {lines}).becoming(cleaned);
     sample.writes("1D", {line}).with(inMicrometres).within(0.5 / 81.92 + 1e-12);

@@ -95,16 +95,16 @@ private Q_SLOTS:
         VERIFY_ERROR(calibrationData(table), ErrorCode::FormatCannotHold);
     }
 
-    void aColumnWithTheNameOfAnAxisIsForThatAxis()
+    void aColumnThatNamesAnAxisIsForThatAxis()
     {
         TableReadOptions options;
         options.dimensions = 2;
         READ_TABLE(table, calibration_csv::format(),
             "X,Y,X error,Y\n0,0,1,2\n1,0,1,2\n0,1,1,3\n1,1,2,3\n", options);
-        QCOMPARE(table.columns[0].target, std::string());
+        QCOMPARE(table.columns[0].target, std::string("X"));
         QCOMPARE(table.columns[1].target, std::string("Y"));
         QCOMPARE(ownAxis(table, table.columns[1]), std::optional<std::size_t>(1));
-        QCOMPARE(ownAxis(table, table.columns[0]), std::optional<std::size_t>());
+        QCOMPARE(ownAxis(table, table.columns[0]), std::optional<std::size_t>(0));
     }
 
     void valuesAreTheNumbersThatThePersonWrote()

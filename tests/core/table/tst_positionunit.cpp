@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/table/position_unit.h"
-#include "tests/support/compensator_fixture.h"
 #include "tests/support/test_registry.h"
 #include "tests/support/verify.h"
 
@@ -9,8 +8,6 @@
 namespace tst_positionunit {
 
 using namespace axiscomp;
-using test::CompensatorFixture;
-using test::exampleRequest;
 
 class TestPositionUnit : public QObject {
     Q_OBJECT
@@ -66,39 +63,6 @@ private Q_SLOTS:
         QVERIFY(!isSameUnit("um", "mm"));
         QVERIFY(!isSameUnit("mrad", "mm"));
         QVERIFY(!isSameUnit("", "mm"));
-    }
-
-    void aPlanWarnsOfValuesInAnotherUnit_data()
-    {
-        QTest::addColumn<QByteArray>("unit");
-        QTest::addColumn<QByteArray>("warning");
-        const QByteArray begin = "The file says that the values are in ";
-        const QByteArray end =
-            ", but axis 0 (X) counts in mm: the numbers are written as they are, not converted";
-        QTest::newRow("um") << QByteArray("um") << begin + "um" + end + ", 1000 times too large.";
-        QTest::newRow("nm") << QByteArray("nm")
-                            << begin + "nm" + end + ", 1000000 times too large.";
-        QTest::newRow("inch") << QByteArray("inch")
-                              << begin + "inch" + end + ", 25.4 times too small.";
-        QTest::newRow("m") << QByteArray("m") << begin + "m" + end + ", 1000 times too small.";
-        QTest::newRow("another kind") << QByteArray("deg") << begin + "deg" + end + '.';
-        QTest::newRow("unheard of") << QByteArray("ticks") << begin + "ticks" + end + '.';
-        QTest::newRow("the drive's") << QByteArray("mm") << QByteArray();
-        QTest::newRow("the drive's name of it") << QByteArray("millimeter") << QByteArray();
-        QTest::newRow("none") << QByteArray() << QByteArray();
-    }
-    void aPlanWarnsOfValuesInAnotherUnit()
-    {
-        QFETCH(QByteArray, unit);
-        QFETCH(QByteArray, warning);
-        CompensatorFixture fixture;
-        WriteRequest request = exampleRequest(1);
-        request.table->unit = unit.toStdString();
-        const auto plan = fixture.compensator.plan(0, request);
-        VERIFY_RESULT(plan);
-        QCOMPARE(plan->warnings.size(), warning.isEmpty() ? std::size_t{0} : std::size_t{1});
-        if (!warning.isEmpty())
-            QCOMPARE(QByteArray::fromStdString(plan->warnings.front().english()), warning);
     }
 };
 

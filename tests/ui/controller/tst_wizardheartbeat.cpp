@@ -143,7 +143,9 @@ private Q_SLOTS:
             ControllerFixture bench;
             const QString path = bench.file(QStringLiteral("large.txt"), text);
             heart.restart();
-            bench->openData(path);
+            ImportChoices choices;
+            choices.target = sourceTarget(0);
+            bench->importData(path, choices);
             QVERIFY(waitFor([&] { return !bench->dataFile().isReading; }));
             QVERIFY(bench->dataFile().data);
             QVERIFY(!bench->dataFile().report.empty());

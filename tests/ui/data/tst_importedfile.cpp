@@ -39,6 +39,14 @@ ImportChoices onGrid(ResamplingChoice::Kind kind, double number)
     return choices;
 }
 
+/// A softMC file does not say that it corrects its own axis.
+ImportChoices forItsOwnAxis()
+{
+    ImportChoices choices;
+    choices.target = sourceTarget(0);
+    return choices;
+}
+
 std::string joined(const std::vector<Text>& lines)
 {
     std::string text;
@@ -60,7 +68,7 @@ private Q_SLOTS:
     {
         ControllerFixture bench;
         QVERIFY(bench.connect());
-        bench->openData(bench.file(QStringLiteral("comp.txt"), softmc));
+        bench->importData(bench.file(QStringLiteral("comp.txt"), softmc), forItsOwnAxis());
         QVERIFY(bench.fileRead());
         const DataFile& file = bench->dataFile();
         for (const Diagnostic& problem : file.problems)
@@ -74,6 +82,28 @@ private Q_SLOTS:
         QVERIFY(table->values[1] < 0.00201F);
         QVERIFY2(joined(file.report).find("softmc holds command values") != std::string::npos,
             joined(file.report).c_str());
+    }
+
+    void aFileThatDoesNotSayWhatItCorrectsIsAskedAbout()
+    {
+        ControllerFixture bench;
+        QSignalSpy needed(&bench.controller(), &WizardController::importChoiceNeeded);
+        const QString path = bench.file(QStringLiteral("comp.txt"), softmc);
+        bench->openData(path);
+        QVERIFY(bench.fileRead());
+        QCOMPARE(needed.count(), 1);
+        QVERIFY(!bench->selectedTable());
+        ImportChoices choices = forItsOwnAxis();
+        bench->importData(path, choices);
+        QVERIFY(bench.fileRead());
+        const auto own = bench->selectedTable();
+        QVERIFY(own);
+        choices.target = otherAxis;
+        bench->importData(path, choices);
+        QVERIFY(bench.fileRead());
+        // The sign alone: the correction of another axis moves no place of this one.
+        QCOMPARE(bench->selectedTable()->values[1], 0.002F);
+        QVERIFY(own->values[1] > 0.002F);
     }
 
     void anImportedTableIsWrittenToTheDrive()
@@ -107,7 +137,7 @@ private Q_SLOTS:
         bench->readDataAgain();
         QVERIFY(bench.fileRead());
         QCOMPARE(bench->selectedTable()->values[1], -0.002F);
-        bench->openData(path);
+        bench->importData(path, forItsOwnAxis());
         QVERIFY(bench.fileRead());
         QVERIFY(bench->selectedTable()->values[1] > 0.0F);
     }
@@ -115,9 +145,10 @@ private Q_SLOTS:
     void anUnevenFileNeedsAChoiceAndKeepsWhatThereWas()
     {
         ControllerFixture bench;
-        bench->openData(bench.file(QStringLiteral("comp.txt"), softmc));
+        bench->importData(bench.file(QStringLiteral("comp.txt"), softmc), forItsOwnAxis());
         QVERIFY(bench.fileRead());
         const auto before = bench->selectedTable();
+        QVERIFY(before);
         QSignalSpy needed(&bench.controller(), &WizardController::importChoiceNeeded);
         const QString path = bench.file(QStringLiteral("uneven.csv"), uneven);
         bench->openData(path);
@@ -180,7 +211,7 @@ private Q_SLOTS:
     void aFileOfAnotherControllerKeepsItsOwnDimensions()
     {
         ControllerFixture bench;
-        bench->openData(bench.file(QStringLiteral("comp.txt"), softmc));
+        bench->importData(bench.file(QStringLiteral("comp.txt"), softmc), forItsOwnAxis());
         QVERIFY(bench.fileRead());
         bench->setup().setDimensionality(2);
         QVERIFY(!bench->dataFile().isReading);
@@ -194,7 +225,7 @@ private Q_SLOTS:
         table.grid.axes[0].unit = "mm";
         for (float& value : table.values)
             value *= 1e-4F;
-        ImportChoices choices;
+        ImportChoices choices = forItsOwnAxis();
         choices.format = &softmc::format();
         const auto exported = exportTable(table, choices, "x.txt", genericTableLayout());
         VERIFY_RESULT(exported);
@@ -208,14 +239,16 @@ private Q_SLOTS:
     {
         CompensationTable table{"first", "mm", {{{"X", "mm", 10.0, 10.0, 4}}}, {}};
         table.values = {0.002F, 0.003F, 0.001F, 0.004F};
-        const auto applied = tableAsAppliedBy(table, softmc::format().facts);
+        const auto applied = tableAsAppliedBy(table, "#1", softmc::format().facts);
         VERIFY_RESULT(applied);
         QCOMPARE(applied->grid.axes[0].start, 0.0);
         QCOMPARE(applied->grid.axes[0].size, 6U);
         QCOMPARE(applied->values.front(), 0.0F); // the drive would hold 0.002
         QVERIFY(applied->values[1] < -0.0019F); // of the command
         QVERIFY(applied->values[5] < -0.0039F); // held above the last one
-        const auto ofDrive = tableAsAppliedBy(table, calibration_csv::format().facts);
+        VERIFY_ERROR(
+            tableAsAppliedBy(table, {}, softmc::format().facts), ErrorCode::TargetNotKnown);
+        const auto ofDrive = tableAsAppliedBy(table, {}, calibration_csv::format().facts);
         VERIFY_RESULT(ofDrive);
         QCOMPARE(
             ofDrive->values, (std::vector<float>{0.002F, 0.002F, 0.003F, 0.001F, 0.004F, 0.004F}));
@@ -270,6 +303,7 @@ private Q_SLOTS:
         const QString path = bench.file(QStringLiteral("uneven.csv"), uneven);
         ImportChoices choices = onGrid(ResamplingChoice::Kind::Points, 9.0);
         choices.sign = SignConvention::Command;
+        choices.target = sourceTarget(0);
         bench->importData(path, choices);
         QVERIFY(bench.fileRead());
         const std::vector<Text> report = bench->dataFile().report;

@@ -254,6 +254,10 @@ void TestMultiAxis::noAxisAndTheSameAxisTwiceCannotBeWritten()
     QCOMPARE(stage.write().toolTip(), stage.reason());
     QCOMPARE(stage.the<QTableWidget>("multiAxisPlanRows").rowCount(), 0);
     stage.choose(1, QStringLiteral("none"));
+    // The errors of Y are not written to X.
+    QTRY_VERIFY2(stage.reason().contains(QLatin1String("Y error")), qPrintable(stage.reason()));
+    QVERIFY(!stage.write().isEnabled());
+    stage.choose(2, QStringLiteral("Y"));
     QVERIFY(stage.mayWrite());
     stage.choose(2, QStringLiteral("none"));
     QVERIFY(!stage.write().isEnabled());

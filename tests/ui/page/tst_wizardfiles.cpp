@@ -2,6 +2,7 @@
 #include "tests/ui/support/page_states.h"
 #include "tests/ui/support/window_test.h"
 
+#include <QCheckBox>
 #include <QDir>
 #include <QDragEnterEvent>
 #include <QMimeData>
@@ -67,6 +68,33 @@ class TestWizardFiles : public QObject {
 
 private Q_SLOTS:
     void init() { test::failOnWindowWarnings(); }
+
+    void largeCorrectionsAreConfirmedInThePreviewBeforeTheyAreWritten()
+    {
+        PageFixture bench;
+        auto& user = bench.user;
+        QVERIFY(bench.open());
+        QVERIFY(bench.choose2D());
+        user.the<QCheckBox>("skipPreviewForVolatile").setChecked(true);
+        bench.picked = bench.file(
+            QStringLiteral("um.csv"), "X [mm],Y [mm],E [mm]\n0,0,0\n40,0,2\n0,30,1\n40,30,0\n");
+        QVERIFY(user.click("openButton"));
+        QTRY_VERIFY(bench.controller().dataFile().path == bench.picked);
+        const auto before = bench.state();
+        QVERIFY(user.click("writeButton"));
+        QTRY_VERIFY(user.sees("acceptLargeCorrections"));
+        QVERIFY(!user.the("confirmWriteButton").isEnabled());
+        QVERIFY(user.the<QLabel>("previewRemarks")
+                    .text()
+                    .contains(QStringLiteral("The largest correction, 2 mm, is 5 % of the range")));
+        test::PageUser::press(Qt::Key_Return, Qt::ControlModifier);
+        QVERIFY(bench.idle());
+        QVERIFY(bench.state() == before);
+        QVERIFY(user.click("acceptLargeCorrections"));
+        QTRY_VERIFY(user.the("confirmWriteButton").isEnabled());
+        QVERIFY(user.click("confirmWriteButton"));
+        QVERIFY(bench.saysOutcome(QStringLiteral("the drive holds the new state")));
+    }
 
     void aDroppedFileIsOpened()
     {

@@ -153,6 +153,7 @@ public:
         for (std::size_t n = 0; n < 2; ++n) {
             data.grid.axes[n].name = n == 0 ? "X" : "Y";
             data.grid.axes[n].unit = "mm";
+            data.grid.axes[n].distance *= 2.5; // wherever the axes are
         }
         for (CompensationTable& table : data.tables)
             table.grid = data.grid;

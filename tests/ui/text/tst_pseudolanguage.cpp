@@ -44,7 +44,7 @@ QSet<QString> wordsThatAreKept()
         QStringLiteral("radius"), QStringLiteral("yes"), QStringLiteral("deg"),
         QStringLiteral("inf"), QStringLiteral("crosscomp"), QStringLiteral("ssfk"),
         QStringLiteral("points"), QStringLiteral("default"), QStringLiteral("height"),
-        QStringLiteral("map"), QStringLiteral("file")};
+        QStringLiteral("map"), QStringLiteral("file"), QStringLiteral("other")};
     static const QRegularExpression separator(QStringLiteral("[^a-z]+"));
     for (const TableFormat* format : tableFormats()) {
         words += text(format->facts.name);

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/conversion/adjustment.h"
+
+#include "core/formats/units.h"
+#include "core/neutral/controller_lookup.h"
+#include "core/neutral/table_motion.h"
+#include "core/text/number_text.h"
+
+#include <cmath>
+
+namespace axiscomp {
+
+namespace {
+
+tl::unexpected<Error> refuse(Text reason)
+{
+    return fail(ErrorCode::InvalidArgument, {{"reason", std::move(reason)}});
+}
+
+Result<void> checkAdjustment(const NeutralTable& table, const Adjustment& adjustment)
+{
+    if (!std::isfinite(adjustment.scale) || adjustment.scale == 0.0
+        || !std::isfinite(adjustment.offset))
+        return refuse(AXISCOMP_TEXT("Error",
+            "the values are multiplied by a number that is not 0, and shifted by a number"));
+    if (adjustment.zero.empty())
+        return {};
+    if (adjustment.offset != 0.0)
+        return refuse(AXISCOMP_TEXT(
+            "Error", "an offset and a position at which the values are 0 contradict each other"));
+    if (adjustment.zero.size() != table.axes.size())
+        return refuse(AXISCOMP_TEXT("Error",
+            "the position at which the values are 0 needs a number for each of the {count} source "
+            "axes")
+                          .with("count", table.axes.size()));
+    for (std::size_t n = 0; n < table.axes.size(); ++n) {
+        const SourceAxis& axis = table.axes[n];
+        const double position = adjustment.zero[n];
+        if (axis.knots.front() <= position && position <= axis.knots.back())
+            continue;
+        return refuse(AXISCOMP_TEXT("Error",
+            "{position} of source {number}, where the values shall be 0, is outside of the table, "
+            "which goes from {first} to {last}")
+                          .with("position", Quantity{toText(position), axis.unit})
+                          .with("number", n + 1)
+                          .with("first", Quantity{roundedText(axis.knots.front()), axis.unit})
+                          .with("last", Quantity{roundedText(axis.knots.back()), axis.unit}));
+    }
+    return {};
+}
+
+} // namespace
+
+Result<NeutralTable> adjusted(
+    NeutralTable table, const Adjustment& adjustment, std::vector<Text>& remarks)
+{
+    if (adjustment == Adjustment{})
+        return table;
+    AXISCOMP_CHECK(checkAdjustment(table, adjustment));
+    if (adjustment.scale != 1.0)
+        remarkOnce(remarks,
+            AXISCOMP_TEXT("Error", "the values are multiplied by {factor}")
+                .with("factor", Quantity{toText(adjustment.scale)}));
+    for (CompensationColumn& column : table.columns)
+        for (double& value : column.values)
+            value *= adjustment.scale;
+    for (std::size_t n = 0; n < table.columns.size(); ++n) {
+        double shift = adjustment.offset;
+        if (!adjustment.zero.empty())
+            shift = -ControllerLookup(table, n, {.outside = Outside::Hold}).at(adjustment.zero);
+        if (shift == 0.0)
+            continue;
+        CompensationColumn& column = table.columns[n];
+        for (double& value : column.values)
+            value += shift;
+        remarkOnce(remarks,
+            AXISCOMP_TEXT("Error", "the values of {column} are shifted by {shift}")
+                .with("column", columnText(table, column))
+                .with("shift", quantityOf(shift, column.unit)));
+    }
+    return table;
+}
+
+} // namespace axiscomp

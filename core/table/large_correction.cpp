@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/table/large_correction.h"
+
+#include "core/table/position_unit.h"
+#include "core/text/number_text.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+namespace axiscomp {
+
+namespace {
+
+constexpr double largestShare = 0.01;
+constexpr double largestSlope = 0.1;
+/// What rounding to float32 may add to a value that is just allowed.
+constexpr double roundingAllowance = 1.0 + 1e-6;
+
+std::string fourDigits(double value)
+{
+    if (value >= 1000.0)
+        return roundedText(std::round(value));
+    char digits[32];
+    const auto end =
+        std::to_chars(digits, digits + sizeof digits, value, std::chars_format::general, 4).ptr;
+    return {digits, end};
+}
+
+/// How much of the positions' unit one of the values' is; none: they cannot be compared.
+std::optional<double> valueInPositions(const CompensationTable& table, const GridAxis& axis)
+{
+    if (table.unit.empty() || axis.unit.empty() || isSameUnit(table.unit, axis.unit))
+        return 1.0;
+    return unitFactor(table.unit, axis.unit);
+}
+
+/// The steepest step in one dimension. The runs of neighbouring values are compared as a whole,
+/// because most tables have no step worth finding.
+SteepestStep steepestAlong(
+    const CompensationTable& table, std::size_t dimension, std::size_t stride, double factor)
+{
+    const std::vector<float>& values = table.values;
+    const GridAxis& axis = table.grid.axes[dimension];
+    const std::size_t run = stride * axis.size;
+    SteepestStep steepest{0.0, 0, 0, dimension};
+    float largest = 0.0F;
+    for (std::size_t begin = 0; begin < values.size(); begin += run) {
+        const std::size_t end = begin + run - stride;
+        float here = 0.0F;
+        for (std::size_t i = begin; i < end; ++i)
+            here = std::max(here, std::fabs(values[i + stride] - values[i]));
+        if (!(here > largest))
+            continue;
+        largest = here;
+        for (std::size_t i = begin; i < end; ++i)
+            if (std::fabs(values[i + stride] - values[i]) == largest)
+                steepest.from = i;
+        steepest.to = steepest.from + stride;
+    }
+    const double difference =
+        static_cast<double>(values[steepest.to]) - static_cast<double>(values[steepest.from]);
+    steepest.slope = std::fabs(difference) * factor / axis.distance;
+    return steepest;
+}
+
+double positionOf(const Grid& grid, std::size_t dimension, std::size_t element)
+{
+    for (std::size_t n = 0; n < dimension; ++n)
+        element /= grid.axes[n].size;
+    return grid.axes[dimension].position(element % grid.axes[dimension].size);
+}
+
+float largestValue(const CompensationTable& table)
+{
+    float largest = 0.0F;
+    for (const float value : table.values)
+        largest = std::max(largest, std::fabs(value));
+    return largest;
+}
+
+Text slopeText(const CompensationTable& table, const SteepestStep& step)
+{
+    const Grid& grid = table.grid;
+    const std::string& unit = grid.axes[step.dimension].unit;
+    const auto place = [&](std::size_t element) {
+        return Quantity{roundedText(positionOf(grid, step.dimension, element)), unit};
+    };
+    return AXISCOMP_TEXT("Error",
+        "The correction has a slope of {slope} along dimension {number}, between {first} and "
+        "{last}.")
+        .with("slope", Quantity{fourDigits(step.slope), {}})
+        .with("number", step.dimension + 1)
+        .with("first", place(step.from))
+        .with("last", place(step.to));
+}
+
+} // namespace
+
+SteepestStep steepestStep(const CompensationTable& table)
+{
+    SteepestStep steepest;
+    std::size_t stride = 1;
+    for (std::size_t n = 0; n < table.grid.axes.size(); ++n) {
+        const GridAxis& axis = table.grid.axes[n];
+        if (const auto factor = valueInPositions(table, axis)) {
+            const SteepestStep step = steepestAlong(table, n, stride, *factor);
+            if (step.slope > steepest.slope)
+                steepest = step;
+        }
+        stride *= axis.size;
+    }
+    return steepest;
+}
+
+std::vector<Text> largeCorrections(const CompensationTable& table)
+{
+    std::vector<Text> sentences;
+    const float largest = largestValue(table);
+    for (std::size_t n = 0; n < table.grid.axes.size(); ++n) {
+        const GridAxis& axis = table.grid.axes[n];
+        const auto factor = valueInPositions(table, axis);
+        const double range = axis.last() - axis.start;
+        const double share = factor ? static_cast<double>(largest) * *factor / range : 0.0;
+        if (share > largestShare * roundingAllowance)
+            sentences.push_back(AXISCOMP_TEXT("Error",
+                "The largest correction, {largest}, is {percent} of the range of dimension "
+                "{number}, {range}.")
+                                    .with("largest", Quantity{toText(largest), table.unit})
+                                    .with("percent", Quantity{fourDigits(100.0 * share), "%"})
+                                    .with("number", n + 1)
+                                    .with("range", Quantity{roundedText(range), axis.unit}));
+    }
+    if (const SteepestStep step = steepestStep(table);
+        step.slope > largestSlope * roundingAllowance)
+        sentences.push_back(slopeText(table, step));
+    return sentences;
+}
+
+} // namespace axiscomp

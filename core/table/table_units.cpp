@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/table/table_units.h"
+
+#include "core/table/position_unit.h"
+#include "core/text/number_text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace axiscomp {
+
+namespace {
+
+std::string symbolOf(const std::string& unit)
+{
+    const std::string symbol = unitSymbol(unit);
+    return symbol.empty() ? unit : symbol;
+}
+
+/// From the unit that the table states to that of the drive; 1 where one of them says none.
+Result<double> driveFactor(const std::string& from, const std::string& to, const Text& what)
+{
+    if (from.empty() || to.empty() || isSameUnit(from, to))
+        return 1.0;
+    if (const auto factor = unitFactor(from, to))
+        return *factor;
+    return fail(ErrorCode::UnitMismatch, {{"what", what}, {"unit", from}, {"other", symbolOf(to)}});
+}
+
+/// "0.0021 mm"
+Quantity largestValue(const CompensationTable& table)
+{
+    float largest = 0.0F;
+    for (const float value : table.values)
+        largest = std::max(largest, std::fabs(value));
+    return {toText(largest), table.unit};
+}
+
+void scaleAxis(GridAxis& axis, double factor, const std::string& unit)
+{
+    // Dividing by a whole number is exact where multiplying by its reciprocal is not.
+    const double divisor = factor < 1.0 ? std::round(1.0 / factor) : 1.0;
+    const bool isWhole = factor < 1.0 && std::abs(divisor * factor - 1.0) < 1e-12;
+    axis.start = isWhole ? axis.start / divisor : axis.start * factor;
+    axis.distance = isWhole ? axis.distance / divisor : axis.distance * factor;
+    axis.unit = unit;
+}
+
+/// What a person has to know of the unit of the values, where there is something.
+std::optional<Text> valueRemark(
+    const std::string& before, const std::string& drive, const CompensationTable& converted)
+{
+    const bool isKnown = !unitSymbol(drive).empty();
+    if (isKnown && isSameUnit(before, drive))
+        return std::nullopt;
+    TextPattern pattern = AXISCOMP_TEXT("Error",
+        "Neither the table nor the drive states a unit for the values. The largest correction is "
+        "{largest}.");
+    if (!before.empty() && isKnown)
+        pattern = AXISCOMP_TEXT("Error",
+            "The values are converted from {before} to {after}. The largest correction is "
+            "{largest}.");
+    else if (!before.empty())
+        pattern = AXISCOMP_TEXT("Error",
+            "The drive states no unit for the axis; the values are written in {before}. The "
+            "largest correction is {largest}.");
+    else if (isKnown)
+        pattern = AXISCOMP_TEXT("Error",
+            "The table states no unit for its values; they are taken to be in {after}. The "
+            "largest correction is {largest}.");
+    return pattern.with("before", before)
+        .with("after", symbolOf(drive))
+        .with("largest", largestValue(converted));
+}
+
+/// Brings the positions of a dimension into the unit of the drive.
+Result<std::optional<Text>> convertPositions(
+    GridAxis& axis, std::size_t number, const std::string& drive)
+{
+    const std::string before = axis.unit;
+    AXISCOMP_TRY(const double factor,
+        driveFactor(before, drive,
+            AXISCOMP_TEXT("Error", "positions of dimension {number}").with("number", number)));
+    if (factor == 1.0)
+        return std::nullopt;
+    const std::string after = symbolOf(drive);
+    scaleAxis(axis, factor, after);
+    return AXISCOMP_TEXT("Error",
+        "The positions of dimension {number} are converted from {before} to {after}: {first} to "
+        "{last}.")
+        .with("number", number)
+        .with("before", before)
+        .with("after", after)
+        .with("first", Quantity{roundedText(axis.start), after})
+        .with("last", Quantity{roundedText(axis.last()), after});
+}
+
+} // namespace
+
+Result<TableInUnits> inDriveUnits(const CompensationTable& table, const TableUnits& units)
+{
+    TableInUnits result{table, {}};
+    CompensationTable& converted = result.table;
+    AXISCOMP_TRY(const double factor,
+        driveFactor(table.unit, units.values, AXISCOMP_TEXT("Error", "values")));
+    if (factor != 1.0) {
+        for (float& value : converted.values)
+            value = static_cast<float>(static_cast<double>(value) * factor);
+    }
+    if (factor != 1.0 || table.unit.empty())
+        converted.unit = unitSymbol(units.values);
+    if (auto remark = valueRemark(table.unit, units.values, converted))
+        result.remarks.push_back(std::move(*remark));
+    const std::size_t dimensions = std::min(converted.grid.axes.size(), units.positions.size());
+    for (std::size_t n = 0; n < dimensions; ++n) {
+        AXISCOMP_TRY(
+            auto remark, convertPositions(converted.grid.axes[n], n + 1, units.positions[n]));
+        if (remark)
+            result.remarks.push_back(std::move(*remark));
+    }
+    return result;
+}
+
+} // namespace axiscomp

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/table/target_axis.h"
+
+#include "core/text/number_parser.h"
+#include "core/text/text_file.h"
+#include "core/text/token_scanner.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+namespace axiscomp {
+
+namespace {
+
+constexpr std::array<std::string_view, 9> positionWords{
+    "position", "pos", "axis", "achse", "encoder", "reference", "referenz", "commanded", "soll"};
+constexpr std::array<std::string_view, 14> errorWords{"error", "err", "deviation", "dev",
+    "correction", "corr", "compensation", "comp", "offset", "axis", "achse", "fehler", "abweichung",
+    "korrektur"};
+
+bool isDigit(char c)
+{
+    return c >= '0' && c <= '9';
+}
+
+/// The letters of machine axes (ISO 841), with a number or without: X, Y2, C.
+bool isAxisLetter(std::string_view word)
+{
+    constexpr std::string_view letters = "XYZABCUVWxyzabcuvw";
+    return !word.empty() && word.size() <= 3 && letters.find(word.front()) != std::string_view::npos
+        && std::ranges::all_of(word.substr(1), isDigit);
+}
+
+bool isAxisNumber(std::string_view word)
+{
+    return !word.empty() && word.size() <= 3 && std::ranges::all_of(word, isDigit);
+}
+
+std::vector<std::string_view> wordsOf(std::string_view header)
+{
+    constexpr std::string_view separators = " \t-_.:";
+    std::vector<std::string_view> words;
+    while (true) {
+        const std::size_t begin = header.find_first_not_of(separators);
+        if (begin == std::string_view::npos)
+            return words;
+        header.remove_prefix(begin);
+        const std::size_t end = std::min(header.find_first_of(separators), header.size());
+        words.push_back(header.substr(0, end));
+        header.remove_prefix(end);
+    }
+}
+
+/// The only word that is not one of these.
+std::string_view onlyOtherWord(std::string_view header, std::span<const std::string_view> expected)
+{
+    std::string_view found;
+    for (const std::string_view word : wordsOf(header)) {
+        const bool isExpected = std::ranges::any_of(
+            expected, [&](std::string_view known) { return sameLetters(word, known); });
+        if (isExpected)
+            continue;
+        if (!found.empty())
+            return {};
+        found = word;
+    }
+    return found;
+}
+
+/// "Z" of "dZ", "DZ" and of a capital delta before the letter.
+std::string_view withoutDelta(std::string_view word)
+{
+    for (const std::string_view delta : {"d", "D", "\u0394", "\u2206"})
+        if (word.starts_with(delta) && isAxisLetter(word.substr(delta.size())))
+            return word.substr(delta.size());
+    return word;
+}
+
+std::optional<std::size_t> sourceNumber(std::string_view statement)
+{
+    if (statement.size() != 2 || statement.front() != '#' || statement[1] < '1'
+        || statement[1] > '3')
+        return std::nullopt;
+    return static_cast<std::size_t>(statement[1] - '1');
+}
+
+std::optional<std::size_t> sourceNamed(std::string_view name, std::span<const std::string> sources)
+{
+    const auto source = std::ranges::find_if(
+        sources, [&](const std::string& known) { return sameLetters(known, name); });
+    if (source == sources.end())
+        return std::nullopt;
+    return static_cast<std::size_t>(source - sources.begin());
+}
+
+} // namespace
+
+std::string sourceTarget(std::size_t source)
+{
+    return '#' + std::to_string(source + 1);
+}
+
+std::optional<TargetAxis> targetAxis(
+    std::string_view statement, std::span<const std::string> sources)
+{
+    if (statement.empty())
+        return std::nullopt;
+    if (statement == otherAxis)
+        return TargetAxis{};
+    if (const auto number = sourceNumber(statement)) {
+        if (*number >= sources.size())
+            return std::nullopt;
+        return TargetAxis{*number};
+    }
+    if (const auto named = sourceNamed(statement, sources))
+        return TargetAxis{*named};
+    if (std::ranges::any_of(sources, &std::string::empty))
+        return std::nullopt;
+    return TargetAxis{};
+}
+
+std::string_view axisInHeader(std::string_view header)
+{
+    const std::string_view word = onlyOtherWord(header, positionWords);
+    return isAxisLetter(word) || isAxisNumber(word) ? word : std::string_view();
+}
+
+std::string targetAmong(std::string_view statement, std::span<const std::string> headers)
+{
+    if (statement.empty() || statement == otherAxis)
+        return std::string(statement);
+    if (const auto number = sourceNumber(statement))
+        return *number < headers.size() ? std::string(statement) : std::string();
+    if (const auto named = sourceNamed(statement, headers))
+        return headers[*named];
+    bool areAxes = true;
+    for (const std::string& header : headers) {
+        const std::string_view axis = axisInHeader(header);
+        if (sameLetters(axis, statement))
+            return header;
+        areAxes = areAxes && !axis.empty();
+    }
+    return areAxes ? std::string(statement) : std::string();
+}
+
+std::string targetInHeader(std::string_view header, std::span<const std::string> sourceHeaders)
+{
+    const std::string_view word = withoutDelta(onlyOtherWord(header, errorWords));
+    if (!isAxisLetter(word))
+        return {};
+    std::string target = targetAmong(word, sourceHeaders);
+    constexpr std::string_view counted = "ABCabc";
+    const bool isCounted = word.size() == 1 && counted.find(word.front()) != std::string_view::npos;
+    return isCounted && target == word && !sourceNamed(word, sourceHeaders) ? std::string()
+                                                                            : target;
+}
+
+std::string portableTarget(std::string_view statement, std::span<const std::string> headers)
+{
+    const auto meant = targetAxis(statement, headers);
+    const std::string same = targetAmong(statement, headers);
+    const bool isList = same.find(',') != std::string::npos;
+    if (!meant || (!isList && !same.empty() && targetAxis(same, headers) == meant))
+        return same;
+    return meant->source ? sourceTarget(*meant->source) : std::string(otherAxis);
+}
+
+std::vector<std::string> targetList(std::string_view text)
+{
+    std::vector<std::string> statements;
+    while (true) {
+        const std::size_t comma = std::min(text.find(','), text.size());
+        statements.emplace_back(trimmed(text.substr(0, comma)));
+        if (comma == text.size())
+            return statements;
+        text.remove_prefix(comma + 1);
+    }
+}
+
+} // namespace axiscomp

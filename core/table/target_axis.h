@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace axiscomp {
+
+// Which axis a column of values corrects decides how its sign is converted (docs/cli.md,
+// "Tables of other controllers"). It is stated as text, by a file or by a person:
+// - the name of an axis, "Z";
+// - "#1", "#2", "#3": that source axis of the table, which may have no name;
+// - "other": an axis that is none of the sources.
+// No text: not stated.
+
+inline constexpr std::string_view otherAxis = "other";
+[[nodiscard]] std::string sourceTarget(std::size_t source); ///< "#1" for 0
+
+/// What a statement means for a table.
+struct TargetAxis {
+    std::optional<std::size_t> source; ///< the source axis that is corrected; none: another axis
+
+    friend bool operator==(const TargetAxis&, const TargetAxis&) = default;
+};
+
+/// sources: the names of the source axes, as axes are called there; may be empty. Nothing: not
+/// stated, or a name that may or may not be that of a source without a name.
+[[nodiscard]] std::optional<TargetAxis> targetAxis(
+    std::string_view statement, std::span<const std::string> sources);
+
+/// The axis that a header of positions names: "X" of "X", "X position", "Pos. X", "X-Achse", and
+/// "3" of "3". Empty: none, as in "Position" or "Dim 1".
+[[nodiscard]] std::string_view axisInHeader(std::string_view header);
+
+/// A statement about a table whose sources are known by headers, which need not be the names of
+/// axes: the same statement with the header of the source that it means, or empty where that cannot
+/// be told.
+[[nodiscard]] std::string targetAmong(
+    std::string_view statement, std::span<const std::string> headers);
+
+/// What the header of a column of values states: "Z" for "Z", "dZ", "Z error", "Z-Abweichung", and
+/// the header of the source that it names. Empty: nothing. A single A, B or C is taken for a source
+/// only, since columns are also counted by letters.
+[[nodiscard]] std::string targetInHeader(
+    std::string_view header, std::span<const std::string> sourceHeaders);
+
+/// The statement, so that a reader who knows only the headers takes it the same way.
+[[nodiscard]] std::string portableTarget(
+    std::string_view statement, std::span<const std::string> headers);
+
+/// "X, Y": the statements of a list, blanks cut off.
+[[nodiscard]] std::vector<std::string> targetList(std::string_view text);
+
+} // namespace axiscomp

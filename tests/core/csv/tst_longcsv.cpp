@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/core/csv/csv_reading.h"
+
+#include "tests/support/test_registry.h"
+
+namespace tst_longcsv {
+
+using namespace axiscomp;
+using test::describe;
+using test::parse;
+
+namespace {
+
+constexpr int columns = 200;
+constexpr int rows = 100;
+
+/// 200 x 100 points in two dimensions with three columns of values: long enough for what reads rows
+/// at once. Line 2 is the first point.
+QByteArray longText(const QByteArray& lineEnd, int changedPoint = -1, const QByteArray& change = {})
+{
+    QByteArray text = "X [mm],Y [mm],A,B,C" + lineEnd;
+    for (int i = 0; i < columns * rows; ++i) {
+        const int x = i % columns;
+        const int y = i / columns;
+        QByteArray line = QByteArray::number(x * 0.5) + ',' + QByteArray::number(y * 2) + ','
+            + QByteArray::number(1e-5 * x) + ',' + QByteArray::number(-1e-5 * y) + ','
+            + QByteArray::number(1e-6 * (x + y));
+        if (i == changedPoint)
+            line = change;
+        text += line + lineEnd;
+    }
+    return text;
+}
+
+} // namespace
+
+class TestLongCsv : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { test::failOnWarnings(); }
+
+    void everyValueIsWhereItBelongs_data()
+    {
+        QTest::addColumn<QByteArray>("lineEnd");
+        QTest::newRow("LF") << QByteArray("\n");
+        QTest::newRow("CR LF") << QByteArray("\r\n");
+        QTest::newRow("CR") << QByteArray("\r");
+    }
+    void everyValueIsWhereItBelongs()
+    {
+        QFETCH(QByteArray, lineEnd);
+        const CsvReading reading = parse(longText(lineEnd), 2);
+        QCOMPARE(describe(reading), QByteArrayList{});
+        QVERIFY(reading.data);
+        for (int i = 0; i < columns * rows; ++i) {
+            const auto index = static_cast<std::size_t>(i);
+            const int x = i % columns;
+            const int y = i / columns;
+            const std::array expected{1e-5 * x, -1e-5 * y, 1e-6 * (x + y)};
+            for (std::size_t n = 0; n < expected.size(); ++n)
+                // As printed, with six digits.
+                QCOMPARE(reading.data->tables[n].values[index],
+                    QByteArray::number(expected[n]).toFloat());
+        }
+    }
+
+    void aProblemIsInItsLine_data()
+    {
+        QTest::addColumn<QByteArray>("lineEnd");
+        QTest::addColumn<QByteArray>("values");
+        QTest::addColumn<QByteArray>("problem");
+        for (const auto& [name, lineEnd] :
+            {std::pair("LF", "\n"), std::pair("CR LF", "\r\n"), std::pair("CR", "\r")}) {
+            for (const auto& [values, problem] :
+                std::initializer_list<std::pair<const char*, const char*>>{
+                    {"1e39,0,0", ":3 NotFinite 1e39|"}, {"0,-3.5e38,0", ":4 NotFinite -3.5e38|"},
+                    {"0,0,1e999", ":5 NotFinite 1e999|"}, {"0,nan,0", ":4 NotFinite nan|"},
+                    {"0,x,0", ":4 NotANumber x|"}})
+                QTest::addRow("%s, %s", name, values)
+                    << QByteArray(lineEnd) << QByteArray(values) << QByteArray(problem);
+        }
+    }
+    void aProblemIsInItsLine()
+    {
+        QFETCH(QByteArray, lineEnd);
+        QFETCH(QByteArray, values);
+        QFETCH(QByteArray, problem);
+        for (const int point : {0, 1, 777, 12'345, columns * rows - 1}) {
+            const QByteArray place = QByteArray::number(point % columns * 0.5) + ','
+                + QByteArray::number(point / columns * 2) + ',';
+            const CsvReading reading = parse(longText(lineEnd, point, place + values), 2);
+            const QByteArrayList problems = describe(reading);
+            QCOMPARE(problems.size(), 1);
+            const QByteArray expected = QByteArray::number(point + 2) + problem;
+            QVERIFY2(problems.front().startsWith(expected),
+                (problems.front() + " instead of " + expected).constData());
+            QVERIFY(!reading.data);
+        }
+    }
+
+    void theLargestFloatIsNoProblem()
+    {
+        const QByteArray place = QByteArray::number(777 % columns * 0.5) + ','
+            + QByteArray::number(777 / columns * 2) + ',';
+        const CsvReading reading = parse(longText("\n", 777, place + "3.4028234e38,0,0"), 2);
+        QVERIFY(reading.data);
+        QCOMPARE(reading.data->tables[0].values[777], 3.4028234e38F);
+    }
+};
+
+AXISCOMP_TEST(TestLongCsv)
+
+} // namespace tst_longcsv
+
+#include "tst_longcsv.moc"

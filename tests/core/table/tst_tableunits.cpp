@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/table/table_units.h"
+
+#include "tests/support/test_registry.h"
+#include "tests/support/verify.h"
+
+#include <cmath>
+#include <limits>
+
+namespace tst_tableunits {
+
+using namespace axiscomp;
+
+namespace {
+
+/// Every unit with its size in metres or radians, as the SI brochure and the international inch
+/// have it.
+struct Size {
+    const char* unit;
+    double size;
+};
+constexpr double pi = 3.14159265358979323846;
+constexpr Size lengths[] = {{"nm", 1e-9}, {"um", 1e-6}, {"\u00b5m", 1e-6}, {"mm", 1e-3},
+    {"cm", 1e-2}, {"m", 1.0}, {"inch", 0.0254}, {"in", 0.0254}, {"mil", 0.0000254}, {"Meter", 1.0},
+    {"Millimeter", 1e-3}};
+constexpr Size angles[] = {{"urad", 1e-6}, {"mrad", 1e-3}, {"rad", 1.0}, {"deg", pi / 180},
+    {"\u00b0", pi / 180}, {"mdeg", pi / 180000}, {"arcmin", pi / 10800}, {"arcsec", pi / 648000},
+    {"turn", 2 * pi}, {"turns", 2 * pi}, {"Radian", 1.0}, {"Degree", pi / 180}};
+
+CompensationTable tableIn(const std::string& values, const std::string& positions)
+{
+    CompensationTable table;
+    table.name = "E";
+    table.unit = values;
+    table.grid.axes = {{"X", positions, -12.5, 6.25, 5}};
+    table.values = {0.0F, 1.25F, -0.333333343F, 7.0e-4F, -123.456F};
+    return table;
+}
+
+bool isWithinOneUlp(float value, double expected)
+{
+    const auto exact = static_cast<float>(expected);
+    return value >= std::nextafter(exact, -std::numeric_limits<float>::infinity())
+        && value <= std::nextafter(exact, std::numeric_limits<float>::infinity());
+}
+
+QStringList remarksOf(const TableInUnits& table)
+{
+    QStringList remarks;
+    for (const Text& remark : table.remarks)
+        remarks.append(QString::fromStdString(remark.english()));
+    return remarks;
+}
+
+template <std::size_t N> void convertAll(const Size (&units)[N])
+{
+    for (const Size& from : units) {
+        for (const Size& to : units) {
+            const double factor = from.size / to.size;
+            const CompensationTable table = tableIn(from.unit, from.unit);
+            const auto result = inDriveUnits(table, {to.unit, {to.unit}});
+            const QByteArray pair = QByteArray(from.unit) + " to " + to.unit;
+            QVERIFY2(result.has_value(), pair.constData());
+            for (std::size_t n = 0; n < table.values.size(); ++n)
+                QVERIFY2(isWithinOneUlp(result->table.values[n], table.values[n] * factor),
+                    (pair + ", value " + QByteArray::number(table.values[n]) + " became "
+                        + QByteArray::number(result->table.values[n], 'g', 9))
+                        .constData());
+            const GridAxis& axis = result->table.grid.axes.front();
+            QVERIFY2(
+                isWithinOneUlp(static_cast<float>(axis.start), -12.5 * factor), pair.constData());
+            QVERIFY2(
+                isWithinOneUlp(static_cast<float>(axis.last()), 12.5 * factor), pair.constData());
+        }
+    }
+}
+
+} // namespace
+
+class TestTableUnits : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { test::failOnWarnings(); }
+
+    void everyLengthIsConvertedToEveryOther() { convertAll(lengths); }
+    void everyAngleIsConvertedToEveryOther() { convertAll(angles); }
+
+    void aLengthIsNoAngle()
+    {
+        for (const Size& length : lengths) {
+            for (const Size& angle : angles) {
+                const auto values = inDriveUnits(tableIn(length.unit, ""), {angle.unit, {}});
+                QVERIFY2(!values && values.error().code == ErrorCode::UnitMismatch, length.unit);
+                const auto positions =
+                    inDriveUnits(tableIn("", angle.unit), {"Millimeter", {length.unit}});
+                QVERIFY2(
+                    !positions && positions.error().code == ErrorCode::UnitMismatch, angle.unit);
+            }
+        }
+    }
+
+    void anUnknownUnitIsRefusedByName()
+    {
+        const auto result = inDriveUnits(tableIn("counts", ""), {"Millimeter", {}});
+        VERIFY_ERROR(result, ErrorCode::UnitMismatch);
+        QVERIFY2(test::describe(result.error()).find("values are in counts") != std::string::npos,
+            test::describe(result.error()).c_str());
+    }
+
+    void anAxisWithoutUnitTakesNoLength()
+    {
+        VERIFY_ERROR(inDriveUnits(tableIn("um", ""), {"None", {}}), ErrorCode::UnitMismatch);
+        VERIFY_ERROR(inDriveUnits(tableIn("", "mm"), {"None", {"None"}}), ErrorCode::UnitMismatch);
+    }
+
+    void aConversionIsSaidWithTheLargestCorrection()
+    {
+        const auto result = inDriveUnits(tableIn("um", "m"), {"Millimeter", {"Millimeter"}});
+        VERIFY_RESULT(result);
+        QCOMPARE(remarksOf(*result),
+            QStringList({QStringLiteral("The values are converted from um to mm. The largest "
+                                        "correction is 0.123456 mm."),
+                QStringLiteral("The positions of dimension 1 are converted from m to mm: "
+                               "-12500 mm to 12500 mm.")}));
+        QCOMPARE(QString::fromStdString(result->table.unit), QStringLiteral("mm"));
+        QCOMPARE(
+            QString::fromStdString(result->table.grid.axes.front().unit), QStringLiteral("mm"));
+    }
+
+    void anAssumptionIsSaidWithTheLargestCorrection()
+    {
+        const auto result = inDriveUnits(tableIn("", ""), {"Millimeter", {"Millimeter"}});
+        VERIFY_RESULT(result);
+        QCOMPARE(remarksOf(*result),
+            QStringList(QStringLiteral("The table states no unit for its values; they are taken to "
+                                       "be in mm. The largest correction is 123.456 mm.")));
+        QVERIFY(result->table.values == tableIn("", "").values);
+    }
+
+    void aUnitThatNobodyStatesIsSaid()
+    {
+        const auto nobody = inDriveUnits(tableIn("", ""), {"None", {}});
+        VERIFY_RESULT(nobody);
+        QCOMPARE(remarksOf(*nobody),
+            QStringList(QStringLiteral("Neither the table nor the drive states a unit for the "
+                                       "values. The largest correction is 123.456.")));
+        const auto silentDrive = inDriveUnits(tableIn("um", ""), {"", {}});
+        VERIFY_RESULT(silentDrive);
+        QCOMPARE(remarksOf(*silentDrive),
+            QStringList(QStringLiteral("The drive states no unit for the axis; the values are "
+                                       "written in um. The largest correction is 123.456 um.")));
+    }
+
+    void theSameUnitNeedsNoWord()
+    {
+        const auto result = inDriveUnits(tableIn("MM", "mm"), {"Millimeter", {"Millimeter"}});
+        VERIFY_RESULT(result);
+        QVERIFY(result->remarks.empty());
+        QVERIFY(result->table.values == tableIn("", "").values);
+    }
+};
+
+AXISCOMP_TEST(TestTableUnits)
+
+} // namespace tst_tableunits
+
+#include "tst_tableunits.moc"

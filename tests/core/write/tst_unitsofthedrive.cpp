@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/compensator_fixture.h"
+#include "tests/support/test_registry.h"
+#include "tests/support/verify.h"
+
+namespace tst_unitsofthedrive {
+
+using namespace axiscomp;
+using test::CompensatorFixture;
+using test::exampleRequest;
+
+namespace {
+
+/// Axis 0 is in millimetres, axis 1 in degrees.
+struct LinearAndRotary : CompensatorFixture {
+    LinearAndRotary()
+    {
+        set("Axes[1]/Parameters/PositionController/PositionUnit", std::string("Degree"));
+    }
+};
+
+WriteRequest requestIn(const std::string& values, const std::string& x, const std::string& y)
+{
+    WriteRequest request = exampleRequest();
+    request.table->unit = values;
+    request.table->grid.axes[0].unit = x;
+    request.table->grid.axes[1].unit = y;
+    return request;
+}
+
+} // namespace
+
+class TestUnitsOfTheDrive : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { test::failOnWarnings(); }
+
+    void valuesAreInTheUnitOfTheAxisAndPositionsInThoseOfTheSources()
+    {
+        LinearAndRotary f;
+        WriteRequest request = requestIn("nm", "cm", "arcmin");
+        for (float& value : request.table->values)
+            value *= 1e6F;
+        const auto report = f.compensator.write(0, request);
+        VERIFY_RESULT(report);
+        const auto held = f.compensator.readTable(0);
+        VERIFY_RESULT(held);
+        const CompensationTable millimetres = *exampleRequest().table;
+        QCOMPARE(held->values.size(), millimetres.values.size());
+        for (std::size_t i = 0; i < held->values.size(); ++i)
+            QVERIFY(std::abs(held->values[i] - millimetres.values[i])
+                <= 2e-7F * std::abs(millimetres.values[i]));
+        QCOMPARE(held->grid.axes[0].distance, 100.0);
+        QVERIFY(std::abs(held->grid.axes[1].distance - 11.0 / 60.0) < 1e-7);
+        QCOMPARE(report->plan.unitRemarks.size(), std::size_t{3});
+    }
+
+    void anAngleIsRefusedForALinearSource()
+    {
+        LinearAndRotary f;
+        const auto before = f.state();
+        VERIFY_ERROR(
+            f.compensator.write(0, requestIn("mm", "deg", "deg")), ErrorCode::UnitMismatch);
+        VERIFY_ERROR(f.compensator.write(0, requestIn("mm", "mm", "mm")), ErrorCode::UnitMismatch);
+        VERIFY_ERROR(
+            f.compensator.write(0, requestIn("deg", "mm", "deg")), ErrorCode::UnitMismatch);
+        QVERIFY(f.state() == before);
+        VERIFY_RESULT(f.compensator.write(0, requestIn("mm", "mm", "deg")));
+    }
+
+    void aSourceThatIsNoPositionTakesItsNumbersAsTheyAre()
+    {
+        LinearAndRotary f;
+        WriteRequest request = requestIn("mm", "mm", "degC");
+        request.sources[1] = "Axes[0]/Signals/General/MotorTemperature";
+        const auto plan = f.compensator.plan(0, request);
+        VERIFY_RESULT(plan);
+        QVERIFY(plan->table);
+        QCOMPARE(plan->table->grid.axes[1].distance, 11.0);
+        QVERIFY(plan->unitRemarks.empty());
+    }
+
+    void theLibraryRefusesLargeCorrectionsUntilTheyAreAccepted()
+    {
+        LinearAndRotary f;
+        WriteRequest request = requestIn("mm", "mm", "deg");
+        request.table->values[7] = 0.6F; // of 50 mm
+        const auto plan = f.compensator.plan(0, request);
+        VERIFY_RESULT(plan);
+        QCOMPARE(plan->largeCorrections.size(), std::size_t{1});
+        const auto before = f.state();
+        VERIFY_ERROR(f.compensator.write(0, request), ErrorCode::LargeCorrection);
+        QVERIFY(f.state() == before);
+        request.acceptsLarge = true;
+        VERIFY_RESULT(f.compensator.write(0, request));
+        // What the drive has had comes back without a question.
+        const auto after = f.state();
+        const auto backup = f.compensator.backup();
+        VERIFY_RESULT(backup);
+        VERIFY_RESULT(f.compensator.write(0, exampleRequest()));
+        VERIFY_RESULT(f.compensator.restore(*backup, false));
+        QVERIFY(f.state().table == after.table);
+    }
+};
+
+AXISCOMP_TEST(TestUnitsOfTheDrive)
+
+} // namespace tst_unitsofthedrive
+
+#include "tst_unitsofthedrive.moc"
