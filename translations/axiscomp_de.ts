@@ -6907,8 +6907,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <translation>Werte des Antriebs: der Ausgang der Kompensation und der Index in der Tabelle</translation>
     </message>
     <message>
-        <source>output &lt;b&gt;%1&lt;/b&gt; &amp;nbsp; index &lt;b&gt;%2&lt;/b&gt;</source>
-        <translation>Ausgang &lt;b&gt;%1&lt;/b&gt; &amp;nbsp; Index &lt;b&gt;%2&lt;/b&gt;</translation>
+        <source>Output %1 · Index %2</source>
+        <translation>Ausgang %1 · Index %2</translation>
     </message>
 </context>
 <context>

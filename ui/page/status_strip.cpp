@@ -173,7 +173,7 @@ void StatusStrip::showLive()
     m_stateSymbol->setPixmap(symbolPixmap(symbol, color, stripSymbolSize, devicePixelRatioF()));
     m_state->setText(stateText(status->axis));
     m_live->setText(
-        tr("output <b>%1</b> &nbsp; index <b>%2</b>")
+        tr("Output %1 · Index %2")
             .arg(smallValueText(status->output, status->axis.unit), indexText(*status)));
 }
 

@@ -40,11 +40,16 @@ private Q_SLOTS:
     {
         PageFixture bench;
         QVERIFY(bench.open());
+        QTRY_VERIFY(!bench.user.the<QLabel>("liveValues").text().isEmpty());
         const auto labels = bench.window.findChildren<QLabel*>();
         QVERIFY(labels.size() > 20);
-        for (const QLabel* label : labels)
-            QVERIFY2(label->textFormat() == Qt::PlainText,
-                qPrintable(label->objectName() + QStringLiteral(": ") + label->text()));
+        for (const QLabel* label : labels) {
+            const QString shown = label->objectName() + QStringLiteral(": ") + label->text();
+            QVERIFY2(label->textFormat() == Qt::PlainText, qPrintable(shown));
+            QVERIFY2(!Qt::mightBeRichText(label->text())
+                    && !label->text().contains(QLatin1String("&nbsp")),
+                qPrintable(shown)); // nobody sees bold letters there any more
+        }
     }
 
     void aToolTipThatLooksLikeMarkupIsShownLetterByLetter()
