@@ -3,7 +3,11 @@
 
 #include "drivecomm/http/http_connection.h"
 
-#include <QThread>
+#include <QCoreApplication>
+#include <QEventLoop>
+
+#include <future>
+#include <thread>
 
 namespace axiscomp::drivecomm {
 
@@ -24,11 +28,28 @@ struct HttpClient::Private {
     {
         if (connection)
             return;
-        connection = new HttpConnection(endpoint, certificateCheck);
-        connection->moveToThread(&thread);
-        QObject::connect(&thread, &QThread::finished, connection, &QObject::deleteLater);
-        thread.setObjectName(QStringLiteral("drive http"));
-        thread.start();
+        std::promise<void> ready;
+        thread = std::thread([this, &ready] { run(ready); });
+        ready.get_future().wait();
+    }
+
+    void run(std::promise<void>& ready)
+    {
+        QEventLoop loop;
+        HttpConnection own(endpoint, certificateCheck);
+        eventLoop = &loop;
+        connection = &own;
+        ready.set_value();
+        loop.exec();
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete); // of this thread
+    }
+
+    void end()
+    {
+        if (!connection)
+            return;
+        QMetaObject::invokeMethod(eventLoop, &QEventLoop::quit, Qt::QueuedConnection);
+        thread.join();
     }
 
     [[nodiscard]] Result<HttpReply> sendOnce(
@@ -40,8 +61,11 @@ struct HttpClient::Private {
 
     DriveEndpoint endpoint;
     CertificateCheck certificateCheck;
-    QThread thread;
-    HttpConnection* connection = nullptr; ///< lives on thread, deleted when it ends
+    /// Not a QThread: when that one has been waited for, it may not have let go of what OpenSSL
+    /// keeps for each thread, and the program's end would come in between.
+    std::thread thread;
+    QEventLoop* eventLoop = nullptr; ///< these two live on thread, until it ends
+    HttpConnection* connection = nullptr;
 };
 
 HttpClient::HttpClient(DriveEndpoint endpoint, CertificateCheck certificateCheck)
@@ -51,8 +75,7 @@ HttpClient::HttpClient(DriveEndpoint endpoint, CertificateCheck certificateCheck
 
 HttpClient::~HttpClient()
 {
-    d->thread.quit();
-    d->thread.wait();
+    d->end();
 }
 
 Result<HttpReply> HttpClient::Private::sendOnce(
