@@ -7,6 +7,7 @@
 #include <QLabel>
 #include <QTableWidget>
 #include <QTest>
+#include <QTextDocument>
 #include <QToolTip>
 
 namespace tst_plaintexts {
