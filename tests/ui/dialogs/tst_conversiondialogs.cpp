@@ -37,7 +37,8 @@ bool mayAccept(PageFixture& bench)
 bool open1D(PageFixture& bench)
 {
     bench.picked = bench.file(QStringLiteral("line.csv"),
-        "X [mm],first [mm],second [mm]\n0,0,1\n10,0.001,2\n20,0.003,3\n30,0.002,4\n");
+        "// target: X, X\nX [mm],first [mm],second "
+        "[mm]\n0,0,1\n10,0.001,2\n20,0.003,3\n30,0.002,4\n");
     return bench.open() && bench.user.click("openButton")
         && test::PageUser::waitFor([&] { return bench.controller().selectedTable() != nullptr; });
 }
@@ -108,8 +109,16 @@ private Q_SLOTS:
         bench.picked = bench.file(
             QStringLiteral("comp.txt"), "1 5\n0 0\n10 -0.002\n20 -0.004\n30 -0.002\n40 0\n");
         QVERIFY(user.click("openButton"));
+        // Which axis the values correct is not in such a file.
+        QTRY_VERIFY(user.sees("importDialog"));
+        QTRY_VERIFY2(
+            reason(bench).contains(QStringLiteral("not stated")), qPrintable(reason(bench)));
+        QVERIFY(!mayAccept(bench));
+        QVERIFY(chooseAt(bench, "targetField", 1));
+        QTRY_VERIFY(mayAccept(bench));
+        QVERIFY(user.click("acceptConversion"));
         QTRY_VERIFY(bench.controller().dataFile().data);
-        QVERIFY(!user.sees("importDialog")); // nothing to ask
+        QVERIFY(!user.sees("importDialog"));
         QVERIFY(user.note("dataField").contains(QStringLiteral("softmc")));
         QVERIFY(user.pickFromMenu("recentButton", "recentMenu", Qt::Key_O));
         QTRY_VERIFY(user.sees("importDialog"));
