@@ -227,6 +227,9 @@ Result<TableInput> inspectInput(Environment& environment, const TableInputOption
     const auto format = formatOf(environment, options);
     if (!format)
         return fail(format.error());
+    // A unit that is stated and not heeded is a wrong number.
+    AXISCOMP_TRY(const auto settings, settingsOf(options.settings, options.command));
+    AXISCOMP_CHECK(SettingValues::of((*format)->facts, settings, false));
     if (*format == &calibration_csv::format())
         return inspectCsv(environment, options);
     if (*format == &tam_table::format())

@@ -246,6 +246,20 @@ private Q_SLOTS:
         QVERIFY(!QFile::exists(box.path("y.csv")));
     }
 
+    void aCalibrationFileHasNoSettings()
+    {
+        const Sandbox box;
+        box.file("x.csv", linearError);
+        for (const QStringList& command :
+            {QStringList{"inspect", "x.csv"}, QStringList{"convert", "x.csv", "y.TAMtbl"},
+                QStringList{"lookup", "x.csv", "5"}}) {
+            const ProgramRun run =
+                box.run(command + QStringList{"--dims", "1", "--set-in", "value-unit=um"});
+            VERIFY_CODE(run, 2);
+            QVERIFY2(run.err.contains("csv has no setting value-unit"), run.err.constData());
+        }
+    }
+
     void settingsAreCheckedByName()
     {
         const Sandbox box;
