@@ -109,6 +109,7 @@ private Q_SLOTS:
     void limit();
     void pipeIsLoadedToItsEnd();
     void endlessDeviceIsStoppedAtTheLimit();
+    void whatIsNoOrdinaryFileIsNotWaitedFor();
     void removingIsIdempotent();
     void temporaryFilesAreRecognised();
 
@@ -400,6 +401,22 @@ void TestLocalFile::pipeIsLoadedToItsEnd()
 void TestLocalFile::endlessDeviceIsStoppedAtTheLimit()
 {
     VERIFY_ERROR(loadFile("/dev/zero", 100'000), ErrorCode::FileTooLarge);
+}
+
+void TestLocalFile::whatIsNoOrdinaryFileIsNotWaitedFor()
+{
+    QCOMPARE(::mkfifo((m_path / "pipe").c_str(), 0600), 0);
+    fs::create_directory(m_path / "folder");
+    put(m_path / "file", "x");
+    fs::create_symlink("file", m_path / "link");
+    for (const char* name : {"pipe", "folder", "link"}) {
+        const auto loaded = loadOrdinaryFile(m_path / name, 100);
+        VERIFY_ERROR(loaded, ErrorCode::FileNotReadable);
+        QCOMPARE(loaded.error().context.english("reason"),
+            std::string("it is not an ordinary file; move it away"));
+    }
+    VERIFY_ERROR(loadOrdinaryFile(m_path / "missing", 100), ErrorCode::FileNotReadable);
+    QCOMPARE(loadOrdinaryFile(m_path / "file", 100)->size(), std::size_t{1});
 }
 
 void TestLocalFile::removingIsIdempotent()
