@@ -11,6 +11,7 @@
 #include "core/table/large_correction.h"
 #include "core/table/table_units.h"
 #include "core/table/tam_table.h"
+#include "core/table/target_axis.h"
 
 #include <filesystem>
 
@@ -42,12 +43,21 @@ Result<void> checkForDrive(
     return {};
 }
 
+/// Of the source that the table corrects, and of the first one where it corrects another axis.
+const std::string& ownUnit(const CompensationTable& table)
+{
+    std::vector<std::string> names;
+    for (const GridAxis& axis : table.grid.axes)
+        names.push_back(axis.name);
+    const auto target = targetAxis(table.target, names);
+    return table.grid.axes[target && target->source ? *target->source : 0].unit;
+}
+
 /// The file has no units: the values are brought into that of the axis.
 Result<CompensationTable> inUnitsOfFile(
     Environment& environment, const ConvertOptions& options, const CompensationTable& table)
 {
-    const std::string unit =
-        options.valueUnit.empty() ? table.grid.axes.front().unit : options.valueUnit;
+    const std::string unit = options.valueUnit.empty() ? ownUnit(table) : options.valueUnit;
     if (unit.empty()) {
         if (!table.unit.empty())
             environment.console().note(

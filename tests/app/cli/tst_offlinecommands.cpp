@@ -206,6 +206,12 @@ private Q_SLOTS:
         QCOMPARE(
             box.content("even.TAMtbl").last(12).toHex(), box.content("mm.TAMtbl").last(12).toHex());
 
+        // Values of Y are in the unit of Y, whatever X is in.
+        box.file("y.csv", "// target: Y\nX [m],Y [mm],E [um]\n0,0,0\n1,0,10\n0,50,-4\n1,50,10\n");
+        const ProgramRun second = box.run({"convert", "y.csv", "y.TAMtbl", "--dims", "2"});
+        VERIFY_CODE(second, 0);
+        QVERIFY2(second.err.contains("converted from um to mm."), second.err.constData());
+
         box.file("deg.csv", "X [mm],E [deg]\n0,0\n50,0.01\n100,-0.004\n");
         const ProgramRun angle = box.run({"convert", "deg.csv", "deg.TAMtbl", "--dims", "1"});
         VERIFY_CODE(angle, 2);
