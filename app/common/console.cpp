@@ -105,7 +105,10 @@ void Console::print(std::string_view text)
     const std::lock_guard lock(m_mutex);
     hideProgress();
     // A program gets what a file says as it is; a terminal acts on some of it.
-    m_kept.append(m_outputIsTerminal ? visibleText(text, true) : std::string(text));
+    if (m_outputIsTerminal)
+        m_kept.append(visibleText(text, true));
+    else
+        m_kept.append(text);
     if (m_kept.size() >= bufferSize)
         send();
 }

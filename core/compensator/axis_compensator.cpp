@@ -188,42 +188,36 @@ Result<Activation> AxisCompensator::switchTo(
                                           : evaluateAxis(access, before.drive, axis, d->sources);
     Activation activation{before, std::nullopt};
     if (!now) {
-        d->withdraw(before, activation, options);
+        d->withdraw(before, activation, access);
         return fail(now.error());
     }
     activation.status = *std::move(now);
     activation.proof = proveAxis(access, activation.status, table, samples);
     const bool hasChanged = before.axis.state != activation.status.axis.state;
     if (!*activation.proof && hasChanged)
-        d->putBack(before, activation, options);
+        d->putBack(before, activation, access);
     return activation;
 }
 
 /// A switch that was not seen to its end must not happen later, unproved. An error of the
 /// compensation stays, to be read.
 void AxisCompensator::Private::withdraw(
-    const AxisStatus& before, Activation& activation, const OperationOptions& options)
+    const AxisStatus& before, Activation& activation, const RegisterAccess& access)
 {
-    OperationOptions quiet = options;
-    quiet.stop = {};
-    quiet.progress = {};
-    const auto now = readStatus(access(quiet), before.drive, before.axis.index, sources);
+    const auto now = readStatus(access.withoutStop(), before.drive, before.axis.index, sources);
     if (now && now->axis.state != CompensationState::Error && now->activation != before.activation)
-        putBack(before, activation, options);
+        putBack(before, activation, access);
 }
 
 /// Goes on after the user has stopped, and as well as it can after anything else.
 void AxisCompensator::Private::putBack(
-    const AxisStatus& before, Activation& activation, const OperationOptions& options)
+    const AxisStatus& before, Activation& activation, const RegisterAccess& access)
 {
-    OperationOptions quiet = options;
-    quiet.stop = {};
-    quiet.progress = {};
-    const RegisterAccess access = this->access(quiet);
+    const RegisterAccess quiet = access.withoutStop();
     const int axis = before.axis.index;
-    auto off = deactivateAxis(access, before.drive, axis, sources);
+    auto off = deactivateAxis(quiet, before.drive, axis, sources);
     if (off && before.axis.state == CompensationState::Evaluating)
-        off = evaluateAxis(access, before.drive, axis, sources);
+        off = evaluateAxis(quiet, before.drive, axis, sources);
     activation.isPutBack = off.has_value();
     if (off)
         activation.status = *std::move(off);

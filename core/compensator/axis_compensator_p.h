@@ -52,9 +52,8 @@ struct AxisCompensator::Private {
     [[nodiscard]] Result<ResumedWrite> resume(
         const RegisterAccess& access, const JournalEntry& entry);
 
-    void withdraw(
-        const AxisStatus& before, Activation& activation, const OperationOptions& options);
-    void putBack(const AxisStatus& before, Activation& activation, const OperationOptions& options);
+    void withdraw(const AxisStatus& before, Activation& activation, const RegisterAccess& access);
+    void putBack(const AxisStatus& before, Activation& activation, const RegisterAccess& access);
 
     // With the write lock held.
     [[nodiscard]] Result<WriteReport> write(const RegisterAccess& access,
