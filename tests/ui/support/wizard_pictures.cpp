@@ -69,6 +69,23 @@ void writePreview(PageScene& scene)
     scene.settle();
 }
 
+/// Micrometres for an axis in millimetres, more of them than are likely.
+void largeCorrections(PageScene& scene)
+{
+    scene.choose2D();
+    scene.openData(scene.stage().file(QStringLiteral("errors.csv"),
+        "X [mm],Y [mm],X error [um]\n0,0,0\n40,0,800\n0,30,-20\n40,30,10\n"));
+    scene.controller().setup().setTable({0});
+    scene.settle();
+    scene.click("writeButton");
+    wait(
+        [&] {
+            return scene.page().findChild<QWidget*>(QStringLiteral("writePreview"))->isVisible();
+        },
+        "the list");
+    scene.settle();
+}
+
 void writing(PageScene& scene)
 {
     unwritten2D(scene);
@@ -390,6 +407,7 @@ const std::vector<State>& states()
         {"first-start", firstStart},
         {"unwritten-2d", unwritten2D},
         {"write-preview", writePreview},
+        {"large-corrections", largeCorrections},
         {"writing", writing},
         {"closing-while-writing", closingWhileWriting},
         {"active", active},
