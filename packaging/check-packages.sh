@@ -30,7 +30,7 @@ lintian --fail-on error --tag-display-limit 0 --allow-root "${programs[@]}" "${d
 
 depends=$(dpkg-deb --field "${programs[0]}" Depends)
 for library in libc6 libstdc++6 libqt6core6 libqt6widgets6 libqcustomplot2.1-qt6 libcpp-httplib0.11 \
-    qt6-translations-l10n; do
+    libsqlite3-0 qt6-translations-l10n; do
     [[ $depends == *"$library"* ]] || fail "the programs do not depend on $library, but on: $depends"
 done
 

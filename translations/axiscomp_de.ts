@@ -580,10 +580,6 @@
         <translation>Sperren nicht möglich: {reason}</translation>
     </message>
     <message>
-        <source>it is damaged and cannot be moved aside ({reason}); delete it</source>
-        <translation>sie ist beschädigt und lässt sich nicht beiseitelegen ({reason}); bitte löschen</translation>
-    </message>
-    <message>
         <source>this is not JSON</source>
         <translation>kein gültiges JSON</translation>
     </message>
@@ -4207,6 +4203,54 @@
         <source>{source} is a position after the compensation: the table would be looked up where its own values have moved the axis.</source>
         <translation>{source} ist eine Position nach der Kompensation: Die Tabelle würde dort nachgeschlagen, wohin ihre eigenen Werte die Achse bewegt haben.</translation>
     </message>
+    <message>
+        <source>the record of this drive&apos;s flash operations was damaged, so all of them count as used up; write volatile, or reset the count with &apos;axiscomp status --reset-flash-count&apos;</source>
+        <translation>die Aufzeichnung der Flash-Vorgänge dieses Antriebs war beschädigt, daher gelten alle als verbraucht; flüchtig schreiben oder die Zählung mit „axiscomp status --reset-flash-count“ zurücksetzen</translation>
+    </message>
+    <message>
+        <source>it is not an ordinary file; move it away</source>
+        <translation>das ist keine gewöhnliche Datei; bitte an einen anderen Ort verschieben</translation>
+    </message>
+    <message>
+        <source>the SHA-256 of a certificate is expected</source>
+        <translation>erwartet wird der SHA-256 eines Zertifikats</translation>
+    </message>
+    <message>
+        <source>it cannot be renamed: {reason}</source>
+        <translation>sie lässt sich nicht umbenennen: {reason}</translation>
+    </message>
+    <message>
+        <source>it is on a network file system, where a database can be damaged; set XDG_STATE_HOME to a folder on this computer</source>
+        <translation>er liegt auf einem Netzwerk-Dateisystem, auf dem eine Datenbank beschädigt werden kann; XDG_STATE_HOME auf einen Ordner dieses Rechners setzen</translation>
+    </message>
+    <message>
+        <source>a newer version of this program has written it; use that version</source>
+        <translation>eine neuere Version dieses Programms hat sie geschrieben; bitte diese Version verwenden</translation>
+    </message>
+    <message>
+        <source>it is the database of another program; move it away</source>
+        <translation>das ist die Datenbank eines anderen Programms; bitte an einen anderen Ort verschieben</translation>
+    </message>
+    <message>
+        <source>the file is read-only</source>
+        <translation>die Datei ist schreibgeschützt</translation>
+    </message>
+    <message>
+        <source>this file system cannot share it between programs</source>
+        <translation>auf diesem Dateisystem können sich Programme die Datei nicht teilen</translation>
+    </message>
+    <message>
+        <source>the file or its folder is read-only</source>
+        <translation>die Datei oder ihr Ordner ist schreibgeschützt</translation>
+    </message>
+    <message>
+        <source>it is damaged</source>
+        <translation>sie ist beschädigt</translation>
+    </message>
+    <message>
+        <source>its journal of an interrupted write is damaged ({reason}). Look at what the drive holds, then move the file away</source>
+        <translation>ihr Journal eines unterbrochenen Schreibvorgangs ist beschädigt ({reason}). Den Stand des Antriebs prüfen, dann die Datei an einen anderen Ort verschieben</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -5025,6 +5069,10 @@
     <message>
         <source>restoring</source>
         <translation>Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>The record of this drive&apos;s flash operations was damaged, so all of them count as used up. Write volatile, or run &quot;axiscomp status --reset-flash-count&quot;.</source>
+        <translation>Die Aufzeichnung der Flash-Vorgänge dieses Antriebs war beschädigt, daher gelten alle als verbraucht. Flüchtig schreiben oder „axiscomp status --reset-flash-count“ ausführen.</translation>
     </message>
 </context>
 <context>

@@ -245,6 +245,13 @@ Text textOf(const Error& error)
                 "the flash operations that are left would do for the change, but not for putting "
                 "everything back if it fails; wait {seconds} s, or write volatile"),
             error.context};
+    if (error.code == ErrorCode::FlashWear && error.context.contains("record"))
+        return {
+            AXISCOMP_TEXT("Error",
+                "the record of this drive's flash operations was damaged, so all of them count as "
+                "used up; write volatile, or reset the count with 'axiscomp status "
+                "--reset-flash-count'"),
+            error.context};
     return {errorPattern(error.code), error.context};
 }
 

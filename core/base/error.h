@@ -51,7 +51,8 @@ enum class ErrorCode {
     NotAllowedNow, ///< reason
     TooLargeForSlot, ///< reason
     TableRefused, ///< reason
-    FlashWear, ///< seconds, reserve (when only what putting back may cost is missing)
+    FlashWear, ///< seconds; reserve (when only what putting back may cost is missing); record (when
+    ///< it was damaged)
     CompensationError, ///< axis, error (the drive's own), hint
     // Checks before a write, and its outcome
     AxisNotFound, ///< axis, known

@@ -103,6 +103,9 @@ public:
 
     /// EraseCount of all slots, and what this computer has recorded.
     [[nodiscard]] Result<FlashUse> flashUse(const OperationOptions& options = {});
+    /// The user has decided that flash operations which are missing in a damaged record count no
+    /// more (DriveStore::FlashHistory::damagedRecord).
+    [[nodiscard]] Result<void> resetFlashCount(const OperationOptions& options = {});
 
     /// Errors: ChangedMeanwhile when another program writes to an axis while it is read.
     [[nodiscard]] Result<DriveBackup> backup(const OperationOptions& options = {});

@@ -52,6 +52,12 @@ Result<FlashUse> AxisCompensator::flashUse(const OperationOptions& options)
     return readFlashUse(access, d->store, drive, d->clock());
 }
 
+Result<void> AxisCompensator::resetFlashCount(const OperationOptions& options)
+{
+    AXISCOMP_TRY(auto drive, d->identify(d->access(options)));
+    return d->store.acceptFlashLoss(drive.serialNumber);
+}
+
 Result<DriveBackup> AxisCompensator::backup(const OperationOptions& options)
 {
     const RegisterAccess access = d->access(options);

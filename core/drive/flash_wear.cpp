@@ -35,7 +35,7 @@ bool FlashWearGuard::counts(WallTime operation, WallTime now) const
 
 FlashBudget FlashWearGuard::budget(WallTime now, int wanted) const
 {
-    FlashBudget result{std::numeric_limits<int>::max(), {}};
+    FlashBudget result{std::numeric_limits<int>::max()};
     if (m_limits.operations > 0) {
         const std::vector<WallTime> counted = operations(now);
         const auto limit = static_cast<std::size_t>(m_limits.operations);
@@ -49,6 +49,10 @@ FlashBudget FlashWearGuard::budget(WallTime now, int wanted) const
     const bool refusalIsPlausible = now > m_refusedAt - std::max(m_limits.window, m_refusalWait);
     if (refusalIsPlausible && now < m_refusedAt + m_refusalWait)
         result = {0, std::max(result.wait, secondsUntil(m_refusedAt + m_refusalWait, now))};
+    if (m_isRecordLost && m_limits.operations > 0) {
+        result.left = 0;
+        result.isRecordLost = true;
+    }
     return result;
 }
 

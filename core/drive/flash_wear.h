@@ -13,6 +13,9 @@ namespace axiscomp {
 struct FlashBudget {
     int left = 0; ///< operations left in the current window
     std::chrono::seconds wait{0}; ///< until those wanted are possible, 0 when now; rounded up
+    /// What was recorded is lost: none are left until the user decides otherwise, however long one
+    /// waits.
+    bool isRecordLost = false;
 };
 
 /// Counts flash operations in a sliding window (DriveProfile::flashWear) as the drive does: an
@@ -31,6 +34,8 @@ public:
     void record(WallTime now, int operations = 1);
     /// The drive itself reported wear: nothing is possible before now + wait.
     void recordRefusal(WallTime now, std::chrono::seconds wait);
+    /// Operations may be missing: nothing is possible where there is a limit.
+    void recordLoss() { m_isRecordLost = true; }
     /// Those that still count, oldest first.
     [[nodiscard]] std::vector<WallTime> operations(WallTime now) const;
 
@@ -41,6 +46,7 @@ private:
     std::vector<WallTime> m_operations; ///< oldest first
     WallTime m_refusedAt{};
     std::chrono::seconds m_refusalWait{0}; ///< 0: the drive has not refused
+    bool m_isRecordLost = false;
 };
 
 } // namespace axiscomp

@@ -276,6 +276,22 @@ try {
     return notReadable(file, ENOMEM);
 }
 
+Result<void> checkOrdinaryFile(const std::filesystem::path& file)
+{
+    struct stat status { };
+    if (::lstat(file.c_str(), &status) != 0 || S_ISREG(status.st_mode))
+        return {};
+    return fail(ErrorCode::FileNotReadable,
+        {{"file", file.string()},
+            {"reason", AXISCOMP_TEXT("Error", "it is not an ordinary file; move it away")}});
+}
+
+Result<Bytes> loadOrdinaryFile(const std::filesystem::path& file, std::uint64_t maximumSize)
+{
+    AXISCOMP_CHECK(checkOrdinaryFile(file));
+    return loadFile(file, maximumSize);
+}
+
 Result<void> removeFile(const std::filesystem::path& file)
 {
     if (::unlink(file.c_str()) != 0)

@@ -18,6 +18,14 @@ namespace axiscomp {
 /// Pipes and devices are refused: they may have no end. Errors: FileNotReadable, FileTooLarge.
 [[nodiscard]] Result<Bytes> loadFile(const std::filesystem::path& file, std::uint64_t maximumSize);
 
+/// Whether this is an ordinary file, or nothing at all: a pipe would be waited for, a device be
+/// written to. For files that nobody but this program makes. Errors: FileNotReadable.
+[[nodiscard]] Result<void> checkOrdinaryFile(const std::filesystem::path& file);
+
+/// loadFile for such a file. Errors: FileNotReadable, FileTooLarge.
+[[nodiscard]] Result<Bytes> loadOrdinaryFile(
+    const std::filesystem::path& file, std::uint64_t maximumSize);
+
 /// Deletes a file so that it is gone after a crash too; one that does not exist is no error.
 /// Errors: FileNotWritable.
 [[nodiscard]] Result<void> removeFile(const std::filesystem::path& file);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/store/backup_folder.h"
 
+#include "core/io/local_file.h"
+
 #include <algorithm>
 #include <charconv>
 #include <functional>
@@ -78,8 +80,8 @@ std::vector<std::filesystem::path> backupFiles(const StoreFolder& folder, std::o
     return files;
 }
 
-void pruneBackups(
-    const StoreFolder& folder, std::optional<int> axis, const std::filesystem::path& justMade)
+void pruneBackups(const StoreFolder& folder, std::optional<int> axis,
+    const std::filesystem::path& justMade, const std::filesystem::path& inJournal)
 {
     std::error_code ignored;
     for (const std::filesystem::path& place : {folder.path(), folder.backups()})
@@ -87,15 +89,6 @@ void pruneBackups(
             if (isTemporaryFile(file))
                 std::filesystem::remove(file, ignored);
 
-    std::filesystem::path inJournal;
-    if (const std::filesystem::path journal = axis ? folder.journal(*axis) : inJournal;
-        axis && !isMissing(journal)) {
-        const auto bytes = loadFile(journal, maximumDocumentSize);
-        const auto entry = readJournal(bytes ? asText(*bytes) : std::string_view(), folder.path());
-        if (!entry)
-            return; // it may name any of them
-        inJournal = entry->backup;
-    }
     std::vector<std::filesystem::path> old = backupFiles(folder, axis);
     std::erase(old, justMade);
     for (std::size_t i = keptBackups - 1; i < old.size(); ++i)

@@ -20,8 +20,9 @@ namespace axiscomp {
     const StoreFolder& folder, std::optional<int> axis);
 
 /// Deletes what a crash left behind, and the backups of the axis beyond the newest 50; not the one
-/// that was just made, nor the one that the axis's journal names. What cannot be deleted stays.
-void pruneBackups(
-    const StoreFolder& folder, std::optional<int> axis, const std::filesystem::path& justMade);
+/// that was just made, nor the one that the axis's journal names (may be empty). What cannot be
+/// deleted stays.
+void pruneBackups(const StoreFolder& folder, std::optional<int> axis,
+    const std::filesystem::path& justMade, const std::filesystem::path& inJournal);
 
 } // namespace axiscomp

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/store/drive_store.h"
 
+#include "core/io/local_file.h"
 #include "core/store/backup_folder.h"
+#include "core/store/json_import.h"
+#include "core/store/store_database.h"
 #include "core/store/store_folder.h"
-#include "core/store/store_json.h"
+#include "core/store/store_records.h"
 
 #include <algorithm>
 #include <array>
@@ -17,8 +20,8 @@ namespace axiscomp {
 
 namespace {
 
-constexpr std::size_t keptFlashOperations = 1000;
-constexpr std::ptrdiff_t keptTablesPerSlot = 4;
+/// Bytes that a kept table may have: several times what the largest slot of a drive holds.
+constexpr std::uint64_t maximumKeptTableSize = 16 * 1024 * 1024;
 constexpr const char* writeLock = "write.lock";
 
 /// Whether the file holds the backup that was written as this text.
@@ -34,8 +37,9 @@ Result<void> checkBackup(const std::filesystem::path& file, const std::string& t
     return {};
 }
 
-Result<std::filesystem::path> keepBackup(
-    const StoreFolder& folder, const DriveBackup& backup, WallTime time, std::optional<int> axis)
+/// unfinished: the axis's journal, whose backup stays however old it is.
+Result<std::filesystem::path> keepBackup(const StoreFolder& folder, const DriveBackup& backup,
+    WallTime time, std::optional<int> axis, const Result<std::optional<JournalEntry>>& unfinished)
 {
     auto lock = folder.lock();
     if (!lock)
@@ -49,7 +53,10 @@ Result<std::filesystem::path> keepBackup(
         (void)removeFile(file);
         return fail(same.error());
     }
-    pruneBackups(folder, axis, file);
+    // A journal that cannot be read may name any of them.
+    if (unfinished)
+        pruneBackups(
+            folder, axis, file, *unfinished ? (*unfinished)->backup : std::filesystem::path());
     return file;
 }
 
@@ -58,8 +65,12 @@ Result<std::filesystem::path> keepBackup(
 DriveStore::DriveStore(std::filesystem::path root, std::chrono::milliseconds lockWait)
     : m_root(std::move(root))
     , m_lockWait(lockWait)
+    , m_database(std::make_unique<StoreDatabase>(m_root, lockWait))
 {
 }
+
+DriveStore::~DriveStore() = default;
+DriveStore::DriveStore(DriveStore&& other) noexcept = default;
 
 std::filesystem::path DriveStore::defaultRoot()
 {
@@ -87,7 +98,8 @@ Result<std::filesystem::path> DriveStore::saveBackup(const AxisBackup& backup)
     const StoreFolder folder{m_root, backup.drive.serialNumber, m_lockWait};
     DriveBackup ofAxis;
     ofAxis.axes = {backup};
-    return keepBackup(folder, ofAxis, backup.time, backup.axis);
+    return keepBackup(
+        folder, ofAxis, backup.time, backup.axis, journal(backup.drive.serialNumber, backup.axis));
 }
 
 Result<std::filesystem::path> DriveStore::saveBackup(
@@ -97,7 +109,7 @@ Result<std::filesystem::path> DriveStore::saveBackup(
     DriveBackup ofFile;
     ofFile.drive = drive;
     ofFile.otherFiles = {file};
-    return keepBackup(folder, ofFile, time, std::nullopt);
+    return keepBackup(folder, ofFile, time, std::nullopt, std::nullopt);
 }
 
 std::vector<std::filesystem::path> DriveStore::backups(std::int32_t serialNumber, int axis) const
@@ -115,13 +127,14 @@ Result<JournalEntry::KeptTable> DriveStore::keepTable(
     JournalEntry::KeptTable table{{}, bytes.size(), crc32(bytes)};
     // Named after its content, so that the table of an entry that is still there stays.
     table.file = folder.keptTable(axis, table.crc);
+    AXISCOMP_CHECK(checkOrdinaryFile(table.file));
     AXISCOMP_CHECK(saveFile(table.file, bytes));
     return table;
 }
 
 Result<Bytes> DriveStore::keptTable(const JournalEntry::KeptTable& table) const
 {
-    auto bytes = loadFile(table.file, maximumKeptTableSize);
+    auto bytes = loadOrdinaryFile(table.file, maximumKeptTableSize);
     if (bytes && (bytes->size() != table.size || crc32(*bytes) != table.crc))
         return fail(ErrorCode::FileNotReadable,
             {{"file", table.file.string()},
@@ -134,23 +147,21 @@ Result<Bytes> DriveStore::keptTable(const JournalEntry::KeptTable& table) const
 Result<void> DriveStore::openJournal(const JournalEntry& entry)
 {
     const StoreFolder folder{m_root, entry.serialNumber, m_lockWait};
-    auto lock = folder.lock();
-    if (!lock)
-        return fail(lock.error());
-    return saveFile(folder.journal(entry.axis), asBytes(writeJournal(entry, folder.path())));
+    AXISCOMP_CHECK(m_database->change([&](sqlite::Connection& database) {
+        records::putJournal(database, entry, folder.path());
+    }));
+    return dropJournalOfOlderVersion(m_root, entry.serialNumber, entry.axis);
 }
 
 Result<void> DriveStore::closeJournal(std::int32_t serialNumber, int axis)
 {
-    const StoreFolder folder{m_root, serialNumber, m_lockWait};
-    if (isMissing(folder.journal(axis)))
+    if (!hasStore(m_root))
         return {};
-    auto lock = folder.lock();
-    if (!lock)
-        return fail(lock.error());
-    if (auto removed = removeFile(folder.journal(axis)); !removed)
-        return removed;
-    for (const std::filesystem::path& table : folder.keptTables(axis))
+    AXISCOMP_CHECK(m_database->change([&](sqlite::Connection& database) {
+        records::removeJournal(database, serialNumber, axis);
+    }));
+    AXISCOMP_CHECK(dropJournalOfOlderVersion(m_root, serialNumber, axis));
+    for (const auto& table : StoreFolder{m_root, serialNumber, m_lockWait}.keptTables(axis))
         (void)removeFile(table);
     return {};
 }
@@ -158,62 +169,28 @@ Result<void> DriveStore::closeJournal(std::int32_t serialNumber, int axis)
 Result<std::optional<JournalEntry>> DriveStore::journal(std::int32_t serialNumber, int axis)
 {
     const StoreFolder folder{m_root, serialNumber, m_lockWait};
-    const std::filesystem::path file = folder.journal(axis);
-    const auto broken = [&](const Text& why) {
-        return fail(ErrorCode::FileNotReadable,
-            {{"file", file.string()},
-                {"reason",
-                    AXISCOMP_TEXT("Error",
-                        "it was kept about a write that did not end, but is damaged ({reason}). "
-                        "Look at what the drive holds, then delete the file")
-                        .with("reason", why)}});
-    };
-    if (isMissing(file))
-        return std::nullopt;
-    auto bytes = loadFile(file, maximumDocumentSize);
-    if (!bytes && isMissing(file)) // closed by another program just now
-        return std::nullopt;
-    if (!bytes)
-        return broken(textOf(bytes.error()));
-    auto entry = readJournal(asText(*bytes), folder.path());
-    if (!entry)
-        return broken(entry.error());
-    if (entry->serialNumber != serialNumber || entry->axis != axis)
-        return broken(AXISCOMP_TEXT("Error", "it is about axis {axis} of drive {drive}")
-                          .with("axis", entry->axis)
-                          .with("drive", entry->serialNumber));
-    return *std::move(entry);
+    AXISCOMP_TRY(
+        auto entry, m_database->get<std::optional<JournalEntry>>([&](sqlite::Connection& database) {
+            return records::journal(database, serialNumber, axis, folder.path());
+        }));
+    if (entry)
+        return entry;
+    return journalOfOlderVersion(m_root, serialNumber, axis);
 }
 
 Result<DriveStore::FlashHistory> DriveStore::flashHistory(std::int32_t serialNumber)
 {
-    const StoreFolder folder{m_root, serialNumber, m_lockWait};
-    return folder.look<FlashHistory>(folder.flashHistory(), readFlashHistory);
-}
-
-template <typename Change>
-Result<void> DriveStore::changeFlashHistory(std::int32_t serialNumber, const Change& change)
-{
-    const StoreFolder folder{m_root, serialNumber, m_lockWait};
-    auto lock = folder.lock();
-    if (!lock)
-        return fail(lock.error());
-    AXISCOMP_TRY(auto history, folder.take<FlashHistory>(folder.flashHistory(), readFlashHistory));
-    change(history);
-    return saveFile(folder.flashHistory(), asBytes(writeFlashHistory(history)));
+    return m_database->get<FlashHistory>([&](sqlite::Connection& database) {
+        return records::flashHistory(database, serialNumber, m_root);
+    });
 }
 
 Result<void> DriveStore::recordFlash(std::int32_t serialNumber, WallTime now, int operations)
 {
     if (operations <= 0)
         return {};
-    return changeFlashHistory(serialNumber, [&](FlashHistory& history) {
-        const auto count = static_cast<std::size_t>(operations);
-        std::vector<WallTime>& recent = history.recent;
-        recent.insert(recent.end(), std::min(count, keptFlashOperations), now);
-        if (recent.size() > keptFlashOperations)
-            recent.erase(recent.begin(), recent.end() - keptFlashOperations);
-        history.total += count;
+    return m_database->change([&](sqlite::Connection& database) {
+        records::addFlash(database, serialNumber, now, static_cast<std::uint64_t>(operations));
     });
 }
 
@@ -222,9 +199,15 @@ Result<void> DriveStore::recordFlashRefusal(
 {
     if (wait <= std::chrono::seconds{0})
         return {};
-    return changeFlashHistory(serialNumber, [&](FlashHistory& history) {
-        history.refusal = FlashHistory::Refusal{now, wait};
+    return m_database->change([&](sqlite::Connection& database) {
+        records::setFlashRefusal(database, serialNumber, {now, wait});
     });
+}
+
+Result<void> DriveStore::acceptFlashLoss(std::int32_t serialNumber)
+{
+    return m_database->change(
+        [&](sqlite::Connection& database) { records::acceptFlashLoss(database, serialNumber); });
 }
 
 FlashWearGuard wearGuard(const FlashWearLimits& limits, const DriveStore::FlashHistory& history)
@@ -232,86 +215,50 @@ FlashWearGuard wearGuard(const FlashWearLimits& limits, const DriveStore::FlashH
     FlashWearGuard guard(limits, history.recent);
     if (history.refusal)
         guard.recordRefusal(history.refusal->time, history.refusal->wait);
+    if (history.damagedRecord)
+        guard.recordLoss();
     return guard;
 }
 
 Result<std::vector<DriveStore::OwnTable>> DriveStore::ownTables(std::int32_t serialNumber, int axis)
 {
-    const StoreFolder folder{m_root, serialNumber, m_lockWait};
-    AXISCOMP_TRY(auto written, folder.look<std::vector<WrittenTable>>(folder.tables(), readTables));
-    std::vector<OwnTable> own;
-    for (const WrittenTable& table : written)
-        if (table.axis == axis)
-            own.push_back(table.table);
-    return own;
+    return m_database->get<std::vector<OwnTable>>([&](sqlite::Connection& database) {
+        return records::ownTables(database, serialNumber, axis);
+    });
 }
 
 Result<void> DriveStore::recordOwnTable(std::int32_t serialNumber, int axis, const OwnTable& table)
 {
-    const StoreFolder folder{m_root, serialNumber, m_lockWait};
-    auto lock = folder.lock();
-    if (!lock)
-        return fail(lock.error());
-    AXISCOMP_TRY(auto written, folder.take<std::vector<WrittenTable>>(folder.tables(), readTables));
-
-    std::vector<WrittenTable> tables{{axis, table}};
-    for (const WrittenTable& older : written) {
-        const bool isSame = older.table == table;
-        const auto ofSlot = std::ranges::count(
-            tables, older.table.slot, [](const WrittenTable& kept) { return kept.table.slot; });
-        if (!isSame && ofSlot < keptTablesPerSlot)
-            tables.push_back(older);
-    }
-    return saveFile(folder.tables(), asBytes(writeTables(tables)));
+    return m_database->change([&](sqlite::Connection& database) {
+        records::addOwnTable(database, serialNumber, axis, table);
+    });
 }
 
 Result<SavedState> DriveStore::savedState(std::int32_t serialNumber)
 {
-    const StoreFolder folder{m_root, serialNumber, m_lockWait};
-    return folder.look<SavedState>(folder.saved(), readSavedState);
-}
-
-template <typename Change>
-Result<void> DriveStore::changeSavedState(std::int32_t serialNumber, const Change& change)
-{
-    const StoreFolder folder{m_root, serialNumber, m_lockWait};
-    auto lock = folder.lock();
-    if (!lock)
-        return fail(lock.error());
-    AXISCOMP_TRY(auto state, folder.take<SavedState>(folder.saved(), readSavedState));
-    const SavedState before = state;
-    change(state);
-    if (state == before)
-        return {};
-    return saveFile(folder.saved(), asBytes(writeSavedState(state)));
+    return m_database->get<SavedState>(
+        [&](sqlite::Connection& database) { return records::savedState(database, serialNumber); });
 }
 
 Result<void> DriveStore::recordSaving(
     std::int32_t serialNumber, const std::vector<SavedState::Use>& uses)
 {
-    return changeSavedState(serialNumber, [&](SavedState& state) {
-        for (const SavedState::Use& use : uses)
-            if (std::ranges::find(state.uses, use) == state.uses.end())
-                state.uses.push_back(use);
-    });
+    return m_database->change(
+        [&](sqlite::Connection& database) { records::addUses(database, serialNumber, uses); });
 }
 
 Result<void> DriveStore::recordSaved(
     std::int32_t serialNumber, const std::vector<SavedState::Use>& uses)
 {
-    return changeSavedState(serialNumber, [&](SavedState& state) {
-        state.isKnown = true;
-        state.uses = uses;
-    });
+    return m_database->change(
+        [&](sqlite::Connection& database) { records::replaceUses(database, serialNumber, uses); });
 }
 
 Result<void> DriveStore::recordCovered(
     std::int32_t serialNumber, const std::string& slot, bool isCovered)
 {
-    return changeSavedState(serialNumber, [&](SavedState& state) {
-        std::erase(state.covered, slot);
-        if (isCovered)
-            state.covered.push_back(slot);
+    return m_database->change([&](sqlite::Connection& database) {
+        records::setCovered(database, serialNumber, slot, isCovered);
     });
 }
 

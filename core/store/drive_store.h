@@ -6,13 +6,13 @@
 #include "core/drive/flash_wear.h"
 #include "core/drive/journal_entry.h"
 #include "core/io/file_lock.h"
-#include "core/io/local_file.h"
 #include "core/store/backup.h"
 #include "core/store/saved_state.h"
 
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -20,18 +20,27 @@
 
 namespace axiscomp {
 
+class StoreDatabase;
+
 /// What the program remembers about drives across runs and programs: backups, journal, flash
-/// history, which table it put into which slot, and what the saved parameters name. One folder per
-/// drive serial number, made when something is kept in it; readable JSON, saved atomically, shared
-/// by several programs under a lock file. Times come from the caller.
+/// history, which table it put into which slot, and what a reboot brings back. The database
+/// axiscomp.db of the state folder, shared by several programs, and files beside it: backups and
+/// the tables of unfinished writes, in a folder for each drive's serial number. All of it is made
+/// when something is kept; files of versions before the database are taken over. Times come from
+/// the caller.
 ///
-/// Errors of all: FileNotReadable, FileNotWritable (also when another program holds the lock). A
-/// file that cannot be understood does not stop the program: see the functions.
+/// A damaged database is set aside (axiscomp.db.damaged-TIME), and what can be read of it stays:
+/// see FlashHistory::damagedRecord.
+///
+/// Errors of all: FileNotReadable, FileNotWritable (also when another program is using it for
+/// longer than lockWait). A change that failed has changed nothing.
 class DriveStore {
 public:
     /// lockWait: how long an operation waits for another program's.
     explicit DriveStore(
         std::filesystem::path root, std::chrono::milliseconds lockWait = std::chrono::seconds{5});
+    ~DriveStore();
+    DriveStore(DriveStore&& other) noexcept;
     /// $XDG_STATE_HOME/axiscomp, ~/.local/state/axiscomp
     [[nodiscard]] static std::filesystem::path defaultRoot();
 
@@ -54,8 +63,8 @@ public:
     [[nodiscard]] Result<void> openJournal(const JournalEntry& entry);
     /// Removes the tables that were kept for it too.
     [[nodiscard]] Result<void> closeJournal(std::int32_t serialNumber, int axis);
-    /// A broken journal is FileNotReadable with what to do about it: what it knew about a write
-    /// that did not end must not be lost unnoticed.
+    /// A damaged journal of an older version is FileNotReadable with what to do about it: what it
+    /// knew about a write that did not end must not be lost unnoticed.
     [[nodiscard]] Result<std::optional<JournalEntry>> journal(std::int32_t serialNumber, int axis);
 
     /// The drive's last 1000 flash operations in the order in which they were recorded (which of
@@ -70,14 +79,18 @@ public:
             friend bool operator==(const Refusal&, const Refusal&) = default;
         };
         std::optional<Refusal> refusal{};
+        /// The record was damaged and is kept in this file: operations may be missing above, and
+        /// count as used up until acceptFlashLoss.
+        std::optional<std::filesystem::path> damagedRecord{};
         friend bool operator==(const FlashHistory&, const FlashHistory&) = default;
     };
-    /// A broken file is moved aside to *.broken and counts as empty.
     [[nodiscard]] Result<FlashHistory> flashHistory(std::int32_t serialNumber);
     [[nodiscard]] Result<void> recordFlash(std::int32_t serialNumber, WallTime now, int operations);
     /// So that neither another program nor the next start runs into it again.
     [[nodiscard]] Result<void> recordFlashRefusal(
         std::int32_t serialNumber, WallTime now, std::chrono::seconds wait);
+    /// The user has decided that what is missing in the drive's damaged record counts no more.
+    [[nodiscard]] Result<void> acceptFlashLoss(std::int32_t serialNumber);
 
     /// The slot and element CRC of tables that this program wrote for an axis, newest first: such a
     /// slot may be taken again when its content is still the same (docs/architecture.md,
@@ -89,12 +102,10 @@ public:
         std::uint32_t crc = 0;
         friend bool operator==(const OwnTable&, const OwnTable&) = default;
     };
-    /// A broken file is moved aside to *.broken and counts as empty.
     [[nodiscard]] Result<std::vector<OwnTable>> ownTables(std::int32_t serialNumber, int axis);
     [[nodiscard]] Result<void> recordOwnTable(
         std::int32_t serialNumber, int axis, const OwnTable& table);
 
-    /// A broken file is moved aside to *.broken and counts as empty.
     [[nodiscard]] Result<SavedState> savedState(std::int32_t serialNumber);
     /// The parameters are about to be saved: what they named before stays until recordSaved.
     [[nodiscard]] Result<void> recordSaving(
@@ -111,13 +122,9 @@ public:
     [[nodiscard]] Result<std::optional<FileLock>> tryLockWrites(std::int32_t serialNumber);
 
 private:
-    template <typename Change>
-    [[nodiscard]] Result<void> changeFlashHistory(std::int32_t serialNumber, const Change& change);
-    template <typename Change>
-    [[nodiscard]] Result<void> changeSavedState(std::int32_t serialNumber, const Change& change);
-
     std::filesystem::path m_root;
     std::chrono::milliseconds m_lockWait;
+    std::unique_ptr<StoreDatabase> m_database;
 };
 
 /// What the history says about now.

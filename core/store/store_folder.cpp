@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/store/store_folder.h"
 
+#include "core/io/local_file.h"
 #include "core/store/backup_json.h"
 
 #include <cerrno>
@@ -46,16 +47,24 @@ std::vector<std::filesystem::path> filesIn(const std::filesystem::path& folder)
     return files;
 }
 
+Result<void> renameFile(const std::filesystem::path& from, const std::filesystem::path& to)
+{
+    std::error_code error;
+    std::filesystem::rename(from, to, error);
+    if (!error || isMissing(from))
+        return {};
+    return fail(ErrorCode::FileNotWritable,
+        {{"file", from.string()},
+            {"reason",
+                AXISCOMP_TEXT("Error", "it cannot be renamed: {reason}")
+                    .with("reason", fileErrorReason(error.value()))}});
+}
+
 StoreFolder::StoreFolder(const std::filesystem::path& root, std::int32_t serialNumber,
     std::chrono::milliseconds lockWait)
     : m_path(root / std::to_string(serialNumber))
     , m_lockWait(lockWait)
 {
-}
-
-std::filesystem::path StoreFolder::journal(int axis) const
-{
-    return m_path / ("journal-axis" + std::to_string(axis) + ".json");
 }
 
 std::filesystem::path StoreFolder::keptTable(int axis, std::uint32_t crc) const
@@ -84,36 +93,6 @@ Result<std::optional<FileLock>> StoreFolder::tryLock(const char* name) const
 {
     AXISCOMP_CHECK(makePrivateFolder(m_path));
     return FileLock::tryAcquire(m_path / name, m_path);
-}
-
-/// nullopt: there is something that can never be one of the store's files.
-Result<std::optional<Bytes>> StoreFolder::load(const std::filesystem::path& file)
-{
-    auto bytes = loadFile(file, maximumDocumentSize);
-    if (bytes)
-        return *std::move(bytes);
-    std::error_code ignored;
-    if (bytes.error().code == ErrorCode::FileTooLarge
-        || std::filesystem::is_directory(file, ignored))
-        return std::nullopt;
-    return fail(bytes.error());
-}
-
-Result<void> StoreFolder::moveAside(const std::filesystem::path& file)
-{
-    std::filesystem::path aside = file;
-    aside += ".broken";
-    std::error_code error;
-    std::filesystem::remove_all(aside, error);
-    std::filesystem::rename(file, aside, error);
-    if (!error)
-        return {};
-    return fail(ErrorCode::FileNotWritable,
-        {{"file", file.string()},
-            {"reason",
-                AXISCOMP_TEXT(
-                    "Error", "it is damaged and cannot be moved aside ({reason}); delete it")
-                    .with("reason", fileErrorReason(error.value()))}});
 }
 
 } // namespace axiscomp

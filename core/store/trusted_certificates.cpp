@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/store/trusted_certificates.h"
 
-#include "core/io/file_lock.h"
-#include "core/io/local_file.h"
-#include "core/store/backup_json.h"
-#include "core/store/store_folder.h"
+#include "core/store/store_database.h"
+#include "core/store/store_records.h"
 
 #include <algorithm>
 #include <utility>
@@ -13,54 +11,7 @@ namespace axiscomp {
 
 namespace {
 
-using Entry = TrustedCertificates::Entry;
-
-constexpr std::string_view certificateFormat = "axiscomp-certificates";
 constexpr std::size_t sha256Digits = 64;
-constexpr JsonLimits certificateLimits{.size = maximumDocumentSize, .depth = 4, .values = 20'000};
-
-std::filesystem::path fileIn(const std::filesystem::path& root)
-{
-    return root / "certificates.json";
-}
-
-/// nullopt: there is a file that cannot be read or understood.
-std::optional<std::vector<Entry>> readEntries(const std::filesystem::path& root)
-{
-    if (isMissing(fileIn(root)))
-        return std::vector<Entry>{};
-    const auto bytes = loadFile(fileIn(root), maximumDocumentSize);
-    if (!bytes)
-        return std::nullopt;
-    StrictJson document{asText(*bytes), certificateLimits};
-    const JsonNode top = document.root();
-    expectFormat(top, certificateFormat);
-    top.expectMembers({"format", "version", "certificates"});
-    std::vector<Entry> entries;
-    bool isUnderstood = true;
-    for (const JsonNode& item : top["certificates"].items()) {
-        item.expectMembers({"endpoint", "sha256"});
-        Entry entry{item["endpoint"].text(), {}};
-        if (auto fingerprint = sha256Fingerprint(item["sha256"].text()))
-            entry.fingerprint = *std::move(fingerprint);
-        else
-            isUnderstood = false;
-        entries.push_back(std::move(entry));
-    }
-    if (document.problem() || !isUnderstood)
-        return std::nullopt;
-    return entries;
-}
-
-std::string textOf(const std::vector<Entry>& entries)
-{
-    OrderedJson document = newDocument(certificateFormat);
-    document["certificates"] = OrderedJson::array();
-    for (const Entry& entry : entries)
-        document["certificates"].push_back(
-            {{"endpoint", entry.endpoint}, {"sha256", entry.fingerprint}});
-    return jsonText(document);
-}
 
 } // namespace
 
@@ -85,16 +36,16 @@ std::optional<std::string> sha256Fingerprint(std::string_view text)
 
 TrustedCertificates::TrustedCertificates(
     std::filesystem::path root, std::chrono::milliseconds lockWait)
-    : m_root(std::move(root))
-    , m_lockWait(lockWait)
+    : m_database(std::make_unique<StoreDatabase>(std::move(root), lockWait))
 {
 }
 
-std::vector<Entry> TrustedCertificates::all() const
+TrustedCertificates::~TrustedCertificates() = default;
+
+std::vector<TrustedCertificates::Entry> TrustedCertificates::all() const
 {
-    auto entries = readEntries(m_root).value_or(std::vector<Entry>{});
-    std::ranges::sort(entries, {}, &Entry::endpoint);
-    return entries;
+    return m_database->get<std::vector<Entry>>(records::certificates)
+        .value_or(std::vector<Entry>{});
 }
 
 std::optional<std::string> TrustedCertificates::fingerprintOf(std::string_view endpoint) const
@@ -119,34 +70,17 @@ Result<void> TrustedCertificates::trust(const std::string& endpoint, const std::
     if (!known)
         return fail(ErrorCode::InvalidArgument,
             {{"reason", fingerprint + " is not the SHA-256 of a certificate"}});
-    return change(endpoint, known);
+    return m_database->change([&](sqlite::Connection& database) {
+        records::putCertificate(database, {endpoint, *known});
+    });
 }
 
 Result<void> TrustedCertificates::forget(const std::string& endpoint)
 {
     if (!fingerprintOf(endpoint))
         return {};
-    return change(endpoint, std::nullopt);
-}
-
-Result<void> TrustedCertificates::change(
-    const std::string& endpoint, const std::optional<std::string>& fingerprint)
-{
-    AXISCOMP_CHECK(makePrivateFolder(m_root));
-    const auto lock = FileLock::acquire(m_root / "certificates.lock", m_lockWait, fileIn(m_root));
-    if (!lock)
-        return fail(lock.error());
-    auto entries = readEntries(m_root);
-    if (!entries) {
-        std::error_code ignored; // saving says what is wrong
-        std::filesystem::rename(fileIn(m_root), fileIn(m_root).string() + ".broken", ignored);
-        entries.emplace();
-    }
-    std::erase_if(*entries, [&](const Entry& entry) { return entry.endpoint == endpoint; });
-    if (fingerprint)
-        entries->push_back({endpoint, *fingerprint});
-    const std::string text = textOf(*entries);
-    return saveFile(fileIn(m_root), asBytes(text));
+    return m_database->change(
+        [&](sqlite::Connection& database) { records::removeCertificate(database, endpoint); });
 }
 
 } // namespace axiscomp

@@ -5,12 +5,15 @@
 
 #include <chrono>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace axiscomp {
+
+class StoreDatabase;
 
 enum class CertificateTrust {
     Unknown, ///< nobody has decided about the endpoint
@@ -23,37 +26,33 @@ enum class CertificateTrust {
 [[nodiscard]] std::optional<std::string> sha256Fingerprint(std::string_view text);
 
 /// The certificates that a person trusts although no authority vouches for them: one for each
-/// endpoint (host and port), by the SHA-256 of the whole certificate. Readable JSON in
-/// certificates.json of the DriveStore's root, saved atomically, shared by several programs; may be
-/// used from several threads.
+/// endpoint (host and port), by the SHA-256 of the whole certificate. In the database of the
+/// DriveStore's root, shared by several programs; may be used from several threads.
 class TrustedCertificates {
 public:
     explicit TrustedCertificates(
         std::filesystem::path root, std::chrono::milliseconds lockWait = std::chrono::seconds{5});
+    ~TrustedCertificates();
 
     struct Entry {
         std::string endpoint; ///< "https://192.168.1.20", never with a password
         std::string fingerprint; ///< sha256Fingerprint
         friend bool operator==(const Entry&, const Entry&) = default;
     };
-    /// Sorted by endpoint; none where the file cannot be read: then a person is asked again.
+    /// Sorted by endpoint; none where the store cannot be read: then a person is asked again.
     [[nodiscard]] std::vector<Entry> all() const;
     [[nodiscard]] std::optional<std::string> fingerprintOf(std::string_view endpoint) const;
     [[nodiscard]] CertificateTrust check(
         std::string_view endpoint, std::string_view fingerprint) const;
 
-    /// Takes the place of what was trusted there. A file that cannot be understood is moved aside
-    /// to *.broken. Errors: FileNotWritable; InvalidArgument for what is no fingerprint.
+    /// Takes the place of what was trusted there. Errors: FileNotReadable, FileNotWritable;
+    /// InvalidArgument for what is no fingerprint.
     [[nodiscard]] Result<void> trust(const std::string& endpoint, const std::string& fingerprint);
-    /// Errors: FileNotWritable. What is not there is no error.
+    /// Errors: FileNotReadable, FileNotWritable. What is not there is no error.
     [[nodiscard]] Result<void> forget(const std::string& endpoint);
 
 private:
-    [[nodiscard]] Result<void> change(
-        const std::string& endpoint, const std::optional<std::string>& fingerprint);
-
-    std::filesystem::path m_root;
-    std::chrono::milliseconds m_lockWait;
+    std::unique_ptr<StoreDatabase> m_database;
 };
 
 } // namespace axiscomp

@@ -249,7 +249,7 @@ Result<UnfinishedOutcome> unfinishedOutcome(const RegisterAccess& access,
     if (hasNewTable && hasNewRegisters)
         return entry.persistent ? Outcome::NewUnsaved : Outcome::New;
 
-    AXISCOMP_TRY(auto text, loadFile(entry.backup, maximumBackupSize));
+    AXISCOMP_TRY(auto text, loadOrdinaryFile(entry.backup, maximumBackupSize));
     AXISCOMP_TRY(auto backup, readBackup(asText(text), entry.backup.string()));
     if (backup.axes.empty())
         return Outcome::Neither;

@@ -37,6 +37,7 @@ Result<FlashUse> readFlashUse(
     use.budget = wearGuard(limits, history).budget(now);
     use.operationsRecorded = history.total;
     use.ratedCycles = limits.ratedCycles;
+    use.damagedRecord = history.damagedRecord;
     for (const std::string& slot : slots) { // the first of several with the same count
         const auto count = counts.find(slot);
         if (count == counts.end())
@@ -57,7 +58,9 @@ Result<void> checkFlashBudget(
     if (operations + reserve <= budget.left)
         return {};
     ErrorContext context{{"seconds", budget.wait.count()}};
-    if (operations <= budget.left)
+    if (budget.isRecordLost)
+        context.set("record", Verbatim{"damaged"});
+    else if (operations <= budget.left)
         context.set("reserve", reserve);
     return fail(ErrorCode::FlashWear, std::move(context));
 }

@@ -7,8 +7,10 @@
 #include "core/store/drive_store.h"
 
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -30,6 +32,7 @@ struct FlashUse {
     std::uint32_t mostCycles = 0; ///< of that slot, whoever spent them
     std::uint64_t allCycles = 0; ///< of all slots that are counted
     std::uint32_t ratedCycles = 0; ///< usual life of one slot, 0: not known
+    std::optional<std::filesystem::path> damagedRecord; ///< DriveStore::FlashHistory
 };
 [[nodiscard]] Result<FlashUse> readFlashUse(
     const RegisterAccess& access, DriveStore& store, const DriveIdentity& drive, WallTime now);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/write/previous_state.h"
 
+#include "core/io/local_file.h"
 #include "core/table/tam_table.h"
 
 #include <algorithm>
@@ -69,7 +70,7 @@ Result<PreviousState> previousState(
     const int axis = status.axis.index;
     std::optional<Error> problem;
     for (const std::filesystem::path& file : store.backups(status.drive.serialNumber, axis)) {
-        auto bytes = loadFile(file, maximumBackupSize);
+        auto bytes = loadOrdinaryFile(file, maximumBackupSize);
         auto read = bytes ? readBackup(asText(*bytes), file.string())
                           : Result<DriveBackup>(fail(bytes.error()));
         if (!read) {

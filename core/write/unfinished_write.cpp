@@ -3,6 +3,7 @@
 
 #include "core/axis/axis_reader.h"
 #include "core/axis/slot_state.h"
+#include "core/io/local_file.h"
 #include "core/store/drive_store.h"
 #include "core/table/tam_table.h"
 #include "core/write/backup_restore.h"
@@ -35,7 +36,7 @@ int stepRank(std::string_view step)
 Result<UnfinishedWrite> UnfinishedWrite::load(
     const RegisterAccess& access, const JournalEntry& entry)
 {
-    AXISCOMP_TRY(auto text, loadFile(entry.backup, maximumBackupSize));
+    AXISCOMP_TRY(auto text, loadOrdinaryFile(entry.backup, maximumBackupSize));
     AXISCOMP_TRY(auto backup, readBackup(asText(text), entry.backup.string()));
     UnfinishedWrite write(access, entry);
     for (AxisBackup& axis : backup.axes) {

@@ -16,7 +16,8 @@ _axiscomp_options()
         formats) echo "--help --json --markdown" ;;
         axes) echo "--help --json --find --any-baud $drive" ;;
         files) echo "--help --json $drive" ;;
-        status | persist | unpersist | evaluate | activate | deactivate) echo "--help --json $drive --axis" ;;
+        status) echo "--help --json $drive --axis --reset-flash-count" ;;
+        persist | unpersist | evaluate | activate | deactivate) echo "--help --json $drive --axis" ;;
         write) echo "--help --json $drive --axis --data --dims --table --from --set-in --map --source1 --source2 --source3 --persistent --volatile --slot --accept-large --dry-run --value-unit --position-unit $conversion $grid" ;;
         read) echo "--help --json $drive --axis --output --to --target --to-sign --set-out $grid" ;;
         upload) echo "--help --json $drive --to" ;;

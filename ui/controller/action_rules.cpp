@@ -235,6 +235,9 @@ Obstacle Rules::noFlash() const
 {
     if (m_now.flashOperationsNeeded <= m_now.flashOperationsLeft)
         return {};
+    if (m_now.isFlashRecordLost)
+        return tr("The record of this drive's flash operations was damaged, so all of them count "
+                  "as used up. Write volatile, or run \"axiscomp status --reset-flash-count\".");
     return m_now.isPersistent
         ? tr("To spare the flash, wait %1 or write volatile.")
               .arg(durationText(m_now.flashWaitSeconds))

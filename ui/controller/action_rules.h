@@ -90,6 +90,7 @@ struct ActionSnapshot {
     std::optional<Error> undoObstacle;
     int flashOperationsLeft = 0;
     int flashWaitSeconds = 0;
+    bool isFlashRecordLost = false; ///< no operations are left, however long one waits
     bool isFlashLimitKnown = true;
 
     // What the user has chosen

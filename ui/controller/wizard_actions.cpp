@@ -76,6 +76,7 @@ void WizardActions::lookAtDrive(ActionSnapshot& now) const
     const FlashBudget budget = m_axis.flashBudget();
     now.flashOperationsLeft = budget.left;
     now.flashWaitSeconds = static_cast<int>(budget.wait.count());
+    now.isFlashRecordLost = budget.isRecordLost;
     now.isFlashLimitKnown = budget.left != std::numeric_limits<int>::max();
     const auto& status = m_axis.status();
     now.isKnown = status.has_value();

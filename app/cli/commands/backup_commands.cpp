@@ -6,6 +6,7 @@
 #include "app/cli/output/write_text.h"
 #include "app/cli/session/write_run.h"
 #include "app/common/number_text.h"
+#include "core/io/local_file.h"
 
 namespace axiscomp::app {
 

@@ -9,8 +9,16 @@ namespace axiscomp::app {
 
 namespace {
 
-Result<ExitCode> runStatus(Environment& environment, CommandSession& session, int axis)
+struct StatusOptions {
+    DriveOptions drive;
+    bool resetsFlashCount = false;
+};
+
+Result<ExitCode> runStatus(
+    Environment& environment, CommandSession& session, int axis, bool resetsFlashCount)
 {
+    if (resetsFlashCount)
+        AXISCOMP_CHECK(session.compensator().resetFlashCount(session.operation()));
     AXISCOMP_TRY(const auto settled, settledStatus(environment, session, axis));
     AXISCOMP_TRY(const auto flash, session.compensator().flashUse(session.operation()));
 
@@ -31,13 +39,21 @@ Result<ExitCode> runStatus(Environment& environment, CommandSession& session, in
 
 void addStatusCommand(CommandLine& line)
 {
-    auto options = std::make_shared<DriveOptions>();
-    options->command = commandName("status");
+    auto options = std::make_shared<StatusOptions>();
+    options->drive.command = commandName("status");
     CLI::App* command = line.add("status", driveCommands,
         "Show the compensation of an axis, and the outcome of an interrupted write",
-        [options](Environment& environment) { return withAxis(environment, *options, runStatus); });
-    addDriveOptions(*command, *options);
-    addAxisOption(*command, *options);
+        [options](Environment& environment) {
+            return withAxis(environment, options->drive,
+                [options](Environment& inside, CommandSession& session, int axis) {
+                    return runStatus(inside, session, axis, options->resetsFlashCount);
+                });
+        });
+    addDriveOptions(*command, options->drive);
+    addAxisOption(*command, options->drive);
+    command->add_flag("--reset-flash-count", options->resetsFlashCount,
+        "Count the drive's flash operations again after their record was damaged; first wait "
+        "as long as the drive counts them");
 }
 
 } // namespace axiscomp::app

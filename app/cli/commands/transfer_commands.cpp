@@ -5,6 +5,7 @@
 #include "app/cli/session/write_run.h"
 #include "app/common/number_text.h"
 #include "app/common/text_table.h"
+#include "core/io/local_file.h"
 
 #include <algorithm>
 

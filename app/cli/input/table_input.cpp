@@ -6,6 +6,7 @@
 #include "app/common/standard_streams.h"
 #include "core/formats/formats.h"
 #include "core/formats/triamec/triamec_tables.h"
+#include "core/io/local_file.h"
 #include "core/store/drive_store.h"
 #include "core/table/tam_table.h"
 #include "core/text/token_scanner.h"

@@ -114,7 +114,8 @@ Json toJson(const FlashUse& use)
         {"mostUsedSlot", textOrNull(use.mostUsedSlot)},
         {"cycles", isCounted ? Json(use.mostCycles) : Json(nullptr)},
         {"allCycles", isCounted ? Json(use.allCycles) : Json(nullptr)},
-        {"ratedCycles", use.ratedCycles > 0 ? Json(use.ratedCycles) : Json(nullptr)}};
+        {"ratedCycles", use.ratedCycles > 0 ? Json(use.ratedCycles) : Json(nullptr)},
+        {"damagedRecord", use.damagedRecord ? Json(use.damagedRecord->string()) : Json(nullptr)}};
 }
 
 Json unfinishedToJson(const JournalEntry& entry, AxisCompensator::UnfinishedOutcome outcome)

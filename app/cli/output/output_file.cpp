@@ -3,6 +3,7 @@
 
 #include "app/common/arguments.h"
 #include "app/common/standard_streams.h"
+#include "core/io/local_file.h"
 #include "core/store/drive_store.h"
 
 namespace axiscomp::app {

@@ -118,6 +118,8 @@ std::string budgetWords(const FlashBudget& budget)
 {
     if (budget.left == std::numeric_limits<int>::max())
         return "no limit known";
+    if (budget.isRecordLost)
+        return "none possible, because the record of past operations was damaged";
     if (budget.left == 0)
         return "none possible for " + std::to_string(budget.wait.count()) + " s";
     return plural(static_cast<std::uint64_t>(budget.left), "operation", "operations")
@@ -126,7 +128,15 @@ std::string budgetWords(const FlashBudget& budget)
 
 std::string flashText(const FlashUse& use)
 {
-    std::string text = "Flash: " + budgetWords(use.budget) + "; ";
+    std::string text;
+    if (use.damagedRecord)
+        text = "What this computer kept about the drive was damaged. It is now in "
+            + use.damagedRecord->string()
+            + ", and what could be read was recovered.\nFlash operations may be missing, so all of "
+              "them count as used up. A write that did not end may be missing too: compare what "
+              "the drive holds.\nTo store in flash again, wait as long as the drive counts its "
+              "flash operations, then run 'axiscomp status --reset-flash-count'.\n";
+    text += "Flash: " + budgetWords(use.budget) + "; ";
     const std::string usual =
         use.ratedCycles > 0 ? " of the usual " + countText(use.ratedCycles) + " cycles" : "";
     if (use.mostUsedSlot.empty())

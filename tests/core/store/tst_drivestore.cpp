@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/drive/compensation_setup.h"
 #include "core/store/drive_store.h"
+#include "core/store/sqlite.h"
 #include "tests/support/test_registry.h"
 #include "tests/support/verify.h"
 
@@ -184,7 +185,8 @@ void TestDriveStore::drivesAreApart()
     QCOMPARE(m_store->flashHistory(1)->total, std::uint64_t{3});
     QCOMPARE(m_store->flashHistory(-2)->total, std::uint64_t{1});
     QVERIFY(m_store->ownTables(-2, 0)->empty());
-    QCOMPARE(namesIn(m_root), (std::set<std::string>{"1", "-2"}));
+    m_store.reset();
+    QCOMPARE(namesIn(m_root), (std::set<std::string>{"axiscomp.db", "axiscomp.lock"}));
 }
 
 void TestDriveStore::backupIsDatedAndReadsBack()
@@ -247,6 +249,7 @@ void TestDriveStore::backupOfAnOpenWriteIsKept()
     QCOMPARE(namesIn(m_folder / "backups").size(), std::size_t{51});
 
     // A journal that cannot be read may name any backup: none is deleted.
+    VERIFY_RESULT(m_store->closeJournal(serial, 0));
     put(m_folder / "journal-axis0.json", "broken");
     VERIFY_RESULT(m_store->saveBackup(backupAt(start + 1h)));
     QCOMPARE(namesIn(m_folder / "backups").size(), std::size_t{52});
@@ -349,8 +352,10 @@ void TestDriveStore::brokenJournalSaysWhatToDo()
 
 void TestDriveStore::journalOfAnotherAxisIsNotTaken()
 {
-    VERIFY_RESULT(m_store->openJournal(entryFor(1)));
-    fs::rename(m_folder / "journal-axis1.json", m_folder / "journal-axis0.json");
+    put(m_folder / "journal-axis0.json",
+        R"({"format": "axiscomp-journal", "version": 1, "serialNumber": 1559, "axis": 1,
+            "time": "2026-11-21T08:02:23Z", "step": "upload", "backup": "", "newRegisters": [],
+            "newSlot": "Small2", "newCrc": "00c0ffee", "persistent": true})");
     const auto journal = m_store->journal(serial, 0);
     VERIFY_ERROR(journal, ErrorCode::FileNotReadable);
     QVERIFY(journal.error().context.english("reason").find("axis 1 of drive 1559")
@@ -362,6 +367,7 @@ void TestDriveStore::aNewEntryReplacesABrokenJournal()
     put(m_folder / "journal-axis0.json", "broken");
     VERIFY_RESULT(m_store->openJournal(entryFor(0)));
     QVERIFY(*m_store->journal(serial, 0) == entryFor(0));
+    QCOMPARE(contentOf(m_folder / "journal-axis0.json.broken"), std::string("broken"));
 }
 
 void TestDriveStore::flashHistoryIsKeptAcrossRuns()
@@ -415,30 +421,33 @@ void TestDriveStore::brokenFileIsMovedAside()
     QFETCH(QString, name);
     QFETCH(QByteArray, text);
     const fs::path file = m_folder / name.toStdString();
-    const fs::path aside = file.string() + ".broken";
-    put(aside, "an earlier one");
+    put(file.string() + ".broken", "an earlier one");
     put(file, text.toStdString());
 
     const auto history = m_store->flashHistory(serial);
     VERIFY_RESULT(history);
     QVERIFY(history->recent.empty());
+    // What the drive may still store is not known then.
+    const fs::path aside = file.string() + ".broken-2";
+    QVERIFY(history->damagedRecord
+        == (name == QStringLiteral("flash.json") ? std::optional(aside) : std::nullopt));
+    QVERIFY(!m_store->flashHistory(serial + 1)->damagedRecord);
     const auto own = m_store->ownTables(serial, 0);
     VERIFY_RESULT(own);
     QVERIFY(own->empty());
-    const auto saved = m_store->savedState(serial);
-    VERIFY_RESULT(saved);
-    QVERIFY(*saved == SavedState{});
+    const auto state = m_store->savedState(serial);
+    VERIFY_RESULT(state);
+    QVERIFY(*state == SavedState{});
     QVERIFY(!fs::exists(file));
     QCOMPARE(contentOf(aside), text.toStdString());
+    QCOMPARE(contentOf(file.string() + ".broken"), std::string("an earlier one"));
 
-    put(file, text.toStdString());
     VERIFY_RESULT(m_store->recordFlash(serial, start, 1));
     VERIFY_RESULT(m_store->recordOwnTable(serial, 0, {"Small1", 1}));
     VERIFY_RESULT(m_store->recordCovered(serial, "Small1", true));
     QVERIFY(m_store->savedState(serial)->isCovered("Small1"));
     QCOMPARE(m_store->flashHistory(serial)->total, std::uint64_t{1});
     QCOMPARE(m_store->ownTables(serial, 0)->size(), std::size_t{1});
-    QCOMPARE(contentOf(aside), text.toStdString());
 }
 
 void TestDriveStore::whatStandsInTheWayIsNoObstacle()
@@ -446,13 +455,13 @@ void TestDriveStore::whatStandsInTheWayIsNoObstacle()
     put(m_folder / "elsewhere" / "inner", "x");
     put(m_folder / "flash.json", "broken");
     fs::create_symlink("elsewhere", m_folder / "flash.json.broken");
-    VERIFY_RESULT(m_store->flashHistory(serial));
-    QCOMPARE(contentOf(m_folder / "flash.json.broken"), std::string("broken"));
-    QVERIFY(fs::exists(m_folder / "elsewhere" / "inner"));
-
     fs::create_directories(m_folder / "tables.json" / "inner");
-    VERIFY_RESULT(m_store->ownTables(serial, 0));
+    QCOMPARE(::mkfifo((m_folder / "saved.json").c_str(), 0600), 0);
+    VERIFY_RESULT(m_store->flashHistory(serial));
+    QCOMPARE(contentOf(m_folder / "flash.json.broken-2"), std::string("broken"));
+    QVERIFY(fs::exists(m_folder / "elsewhere" / "inner"));
     QVERIFY(fs::is_directory(m_folder / "tables.json.broken" / "inner"));
+    QVERIFY(fs::is_fifo(m_folder / "saved.json.broken"));
     VERIFY_RESULT(m_store->recordOwnTable(serial, 0, {"Small1", 1}));
 }
 
@@ -517,25 +526,38 @@ void TestDriveStore::anUndoneWriteLeavesTheSlotKnown()
 void TestDriveStore::anotherProgramIsWaitedForAndNamed()
 {
     VERIFY_RESULT(m_store->recordFlash(serial, start, 1));
+    const fs::path database = m_root / "axiscomp.db";
     {
-        const auto held = FileLock::acquire(m_folder / "lock", 0ms, m_folder);
-        VERIFY_RESULT(held);
+        sqlite::Connection other(database, 0ms);
+        const sqlite::Transaction held(other, sqlite::Transaction::Kind::Write);
         const auto recorded = m_store->recordFlash(serial, start, 1);
         VERIFY_ERROR(recorded, ErrorCode::FileNotWritable);
-        QCOMPARE(recorded.error().context.english("file"), m_folder.string());
+        QCOMPARE(recorded.error().context.english("file"), database.string());
         QVERIFY(
             recorded.error().context.english("reason").starts_with("another program is using it"));
-        VERIFY_ERROR(m_store->saveBackup(backupAt(start)), ErrorCode::FileNotWritable);
         VERIFY_ERROR(m_store->openJournal(entryFor(0)), ErrorCode::FileNotWritable);
         VERIFY_RESULT(m_store->flashHistory(serial)); // reading needs no lock
+        VERIFY_RESULT(DriveStore(m_root, 30ms).flashHistory(serial));
+    }
+    {
+        fs::create_directories(m_folder);
+        const auto held = FileLock::acquire(m_folder / "lock", 0ms, m_folder);
+        VERIFY_RESULT(held);
+        VERIFY_ERROR(m_store->saveBackup(backupAt(start)), ErrorCode::FileNotWritable);
     }
     VERIFY_RESULT(m_store->recordFlash(serial, start, 1));
     QCOMPARE(m_store->flashHistory(serial)->total, std::uint64_t{2});
 
-    auto held = FileLock::acquire(m_folder / "lock", 0ms, m_folder);
-    VERIFY_RESULT(held);
     DriveStore patient{m_root, 60s};
-    std::thread other([lock = std::move(*held)]() mutable { FileLock(std::move(lock)); });
+    std::atomic<bool> isHeld = false;
+    std::thread other([&] {
+        sqlite::Connection connection(database, 0ms);
+        const sqlite::Transaction held(connection, sqlite::Transaction::Kind::Write);
+        isHeld = true;
+        isHeld.notify_one();
+        std::this_thread::sleep_for(50ms);
+    });
+    isHeld.wait(false);
     const auto recorded = patient.recordFlash(serial, start, 1);
     other.join();
     VERIFY_RESULT(recorded);
@@ -583,7 +605,7 @@ void TestDriveStore::unwritableRootIsNamed()
     VERIFY_ERROR(m_store->openJournal(entryFor(0)), ErrorCode::FileNotWritable);
     const auto recorded = m_store->recordFlash(serial, start, 1);
     VERIFY_ERROR(recorded, ErrorCode::FileNotWritable);
-    QCOMPARE(recorded.error().context.english("file"), m_folder.string());
+    QCOMPARE(recorded.error().context.english("file"), (m_root / "axiscomp.db").string());
     QCOMPARE(recorded.error().context.english("reason"),
         std::string("a part of the path is not a folder"));
 }

@@ -110,7 +110,7 @@ private Q_SLOTS:
         fs::create_directories(m_root);
         const fs::path file = m_root / "certificates.json";
         std::ofstream(file, std::ios::binary) << text.toStdString();
-        TrustedCertificates certificates(m_root);
+        TrustedCertificates certificates(m_root); // as older versions left it
         QCOMPARE(certificates.check(drive, fingerprint('a')), CertificateTrust::Unknown);
         VERIFY_RESULT(certificates.trust(drive, fingerprint('a')));
         QCOMPARE(certificates.check(drive, fingerprint('a')), CertificateTrust::Trusted);

@@ -2,6 +2,7 @@
 //
 // What a reboot brings back: the parameters that were saved last, with the tables that are in
 // flash. The two must belong together whichever axis was written last, and how.
+#include "core/io/local_file.h"
 #include "tests/support/compensator_fixture.h"
 #include "tests/support/test_registry.h"
 #include "tests/support/verify.h"

@@ -121,12 +121,17 @@ void findAxesWithoutRegisters(ControllerFixture& bench)
     bench->selectAxis(0);
 }
 
-/// The window is opened again after an end that was not one.
-void writeAndReopen(ControllerFixture& bench)
+void writePersistent(ControllerFixture& bench)
 {
     prepareWrite(bench);
     bench->setup().setPersistency(Persistency::Persistent);
     QVERIFY(bench.planAndWrite());
+}
+
+/// The window is opened again after an end that was not one.
+void writeAndReopen(ControllerFixture& bench)
+{
+    writePersistent(bench);
     VERIFY_RESULT(test::reopenWrite(bench));
     bench.endController();
 }
@@ -141,11 +146,13 @@ void findUnfinishedWrite(ControllerFixture& bench)
 
 void findDamagedJournal(ControllerFixture& bench)
 {
-    writeAndReopen(bench);
-    QDirIterator files(bench.path(QStringLiteral("store")), {QStringLiteral("journal-axis0.json")},
-        QDir::Files, QDirIterator::Subdirectories);
-    QVERIFY(files.hasNext());
-    QFile journal(files.next());
+    writePersistent(bench);
+    bench.endController();
+    QDirIterator folders(bench.path(QStringLiteral("store")), {QStringLiteral("backups")},
+        QDir::Dirs, QDirIterator::Subdirectories);
+    QVERIFY(folders.hasNext());
+    // Of a version that kept the journal in a file.
+    QFile journal(QFileInfo(folders.next()).dir().filePath(QStringLiteral("journal-axis0.json")));
     QVERIFY(journal.open(QIODevice::WriteOnly));
     QVERIFY(journal.write("{") == 1);
     journal.close();

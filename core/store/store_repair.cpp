@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/store/store_repair.h"
+
+#include "core/base/wall_time.h"
+#include "core/io/local_file.h"
+#include "core/store/sqlite.h"
+#include "core/store/store_folder.h"
+#include "core/store/store_records.h"
+#include "core/store/store_schema.h"
+
+#include <algorithm>
+#include <functional>
+#include <optional>
+#include <string>
+
+namespace axiscomp {
+
+namespace {
+
+using sqlite::Connection;
+using sqlite::Statement;
+namespace fs = std::filesystem;
+
+const std::string recoveredEnding = ".recovered-";
+const std::string damagedEnding = ".damaged-";
+
+fs::path withEnding(fs::path file, std::string_view ending)
+{
+    return file += ending;
+}
+
+/// Every row that can be read, from the beginning and, behind a damaged page, from the end.
+void copyReadable(Connection& from, Connection& to, const std::string& table)
+{
+    std::string columns;
+    std::string places;
+    for (Statement info(to, "SELECT name FROM pragma_table_info(?1)", table); info.next();) {
+        columns += (columns.empty() ? "" : ",") + info.text(0);
+        places += places.empty() ? "?" : ",?";
+    }
+    Statement insert(
+        to, "INSERT OR IGNORE INTO " + table + " (" + columns + ") VALUES (" + places + ")");
+    for (const char* order : {"", " DESC"}) {
+        try {
+            Statement rows(
+                from, "SELECT " + columns + " FROM " + table + " ORDER BY rowid" + order);
+            while (rows.next())
+                insert.runWith(rows);
+            return;
+        } catch (const sqlite::Failure&) { // the rest cannot be read this way
+        }
+    }
+}
+
+void recoverRows(const fs::path& damaged, Connection& to)
+{
+    try {
+        Connection from(damaged, std::chrono::milliseconds{0});
+        for (const std::string_view table : storeTables)
+            copyReadable(from, to, std::string(table));
+    } catch (const sqlite::Failure&) { // nothing of it can be read
+    }
+}
+
+/// Fills a new database, and gives it its name when it is whole.
+Result<void> buildStore(
+    const fs::path& database, const fs::path& name, const std::function<void(Connection&)>& fill)
+{
+    const fs::path building = withEnding(database, ".building");
+    for (const char* ending : {"", "-journal"})
+        AXISCOMP_CHECK(removeFile(withEnding(building, ending)));
+    {
+        Connection to(building, std::chrono::milliseconds{0});
+        to.run(
+            "PRAGMA journal_mode = OFF; PRAGMA synchronous = FULL"); // it is whole or thrown away
+        migrateStore(to);
+        sqlite::Transaction transaction(to, sqlite::Transaction::Kind::Write);
+        fill(to);
+        transaction.commit();
+    }
+    return renameFile(building, name);
+}
+
+std::optional<fs::path> recoveredFile(const fs::path& database)
+{
+    const std::string beginning = database.filename().string() + recoveredEnding;
+    for (const fs::path& file : filesIn(database.parent_path()))
+        if (file.filename().string().starts_with(beginning))
+            return file;
+    return std::nullopt;
+}
+
+} // namespace
+
+Result<void> makeStore(const fs::path& database)
+{
+    return buildStore(database, database, [](Connection&) {});
+}
+
+Result<void> replaceDamagedStore(const fs::path& database)
+{
+    std::string stamp = utcText(std::chrono::system_clock::now());
+    std::ranges::replace(stamp, ':', '-');
+    // From its renaming on it counts: what follows is ended by whoever opens the store next.
+    auto built =
+        buildStore(database, withEnding(database, recoveredEnding + stamp), [&](Connection& to) {
+            recoverRows(database, to);
+            // What the user has decided about earlier losses does not reach this one.
+            to.run(
+                "UPDATE drive SET accepted_loss = min(accepted_loss, (SELECT coalesce(max(id), 0) "
+                "FROM flash_loss))");
+            records::addFlashLoss(
+                to, std::nullopt, database.filename().string() + damagedEnding + stamp);
+        });
+    return built ? finishStoreReplacement(database) : built;
+}
+
+Result<void> finishStoreReplacement(const fs::path& database)
+{
+    const auto recovered = recoveredFile(database);
+    if (!recovered)
+        return {};
+    const std::string name = recovered->filename().string();
+    const std::string stamp =
+        name.substr(database.filename().string().size() + recoveredEnding.size());
+    const fs::path aside = withEnding(database, damagedEnding + stamp);
+    // The write-ahead log of the damaged one must never be taken for one of the new one: the
+    // database itself moves last, after both of its companions.
+    for (const char* ending : {"-shm", "-wal", ""})
+        AXISCOMP_CHECK(renameFile(withEnding(database, ending), withEnding(aside, ending)));
+    return renameFile(*recovered, database);
+}
+
+} // namespace axiscomp

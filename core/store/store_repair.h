@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/result.h"
+
+#include <filesystem>
+
+namespace axiscomp {
+
+/// Makes an empty database where there is none. It appears whole, so that an empty file is a
+/// damaged one. To be called under the lock. Throws sqlite::Failure; errors: FileNotWritable.
+[[nodiscard]] Result<void> makeStore(const std::filesystem::path& database);
+
+/// Puts a database in place of a damaged one: with everything that can still be read of it, and
+/// with a note that flash operations may be missing (flash_loss). The damaged one is kept as
+/// axiscomp.db.damaged-TIME. To be called under the lock. Throws sqlite::Failure; errors:
+/// FileNotWritable.
+[[nodiscard]] Result<void> replaceDamagedStore(const std::filesystem::path& database);
+
+/// Ends a replacement that was interrupted.
+[[nodiscard]] Result<void> finishStoreReplacement(const std::filesystem::path& database);
+
+} // namespace axiscomp
