@@ -60,11 +60,16 @@ tl::unexpected<Error> notWritable(const fs::path& file, const Text& reason)
     return fail(ErrorCode::FileNotWritable, {{"file", file.string()}, {"reason", reason}});
 }
 
+bool hasLog(const fs::path& database)
+{
+    return !isMissing(database.string() + "-wal") || !isMissing(database.string() + "-journal");
+}
+
 Result<void> checkOrdinaryFiles(const fs::path& database)
 {
-    for (const char* ending : {"", "-journal", "-wal", "-shm"})
+    for (const char* ending : databaseCompanions)
         AXISCOMP_CHECK(checkOrdinaryFile(database.string() + ending));
-    return {};
+    return checkOrdinaryFile(database);
 }
 
 } // namespace
@@ -142,11 +147,15 @@ Result<bool> StoreDatabase::open(bool makes)
 Result<void> StoreDatabase::openLocked()
 {
     AXISCOMP_CHECK(finishStoreReplacement(m_file));
+    AXISCOMP_CHECK(checkOrdinaryFiles(m_file));
     try {
         if (std::exchange(m_isDamaged, false) && isStillInPlace())
             throw sqlite::Failure::damage("found while it was used");
-        if (isMissing(m_file))
+        if (isMissing(m_file)) {
+            if (hasLog(m_file))
+                throw sqlite::Failure::damage("its log is there, but not the database");
             AXISCOMP_CHECK(makeStore(m_file));
+        }
         AXISCOMP_CHECK(openFile());
     } catch (const sqlite::Failure& failure) {
         m_connection.reset();
@@ -169,7 +178,6 @@ Result<void> StoreDatabase::openLocked()
 /// Throws what SQLite finds wrong.
 Result<void> StoreDatabase::openFile()
 {
-    AXISCOMP_CHECK(checkOrdinaryFiles(m_file));
     if (std::error_code error; fs::file_size(m_file, error) == 0 && !error)
         throw sqlite::Failure::damage("the file is empty"); // SQLite would take it for a new one
     m_connection = std::make_unique<sqlite::Connection>(m_file, m_longestWait);
@@ -218,6 +226,7 @@ tl::unexpected<Error> StoreDatabase::failed(const sqlite::Failure& failure, Erro
         switch (failure.code & 0xff) {
         case SQLITE_BUSY:
         case SQLITE_LOCKED:
+        case SQLITE_PROTOCOL:
             return AXISCOMP_TEXT(
                 "Error", "another program is using it; try again when that one has finished");
         case SQLITE_FULL:

@@ -54,6 +54,8 @@ void copyReadable(Connection& from, Connection& to, const std::string& table)
 
 void recoverRows(const fs::path& damaged, Connection& to)
 {
+    if (isMissing(damaged)) // opening it would make it, and delete its log
+        return;
     try {
         Connection from(damaged, std::chrono::milliseconds{0});
         for (const std::string_view table : storeTables)
@@ -124,10 +126,10 @@ Result<void> finishStoreReplacement(const fs::path& database)
     const std::string stamp =
         name.substr(database.filename().string().size() + recoveredEnding.size());
     const fs::path aside = withEnding(database, damagedEnding + stamp);
-    // The write-ahead log of the damaged one must never be taken for one of the new one: the
-    // database itself moves last, after both of its companions.
-    for (const char* ending : {"-shm", "-wal", ""})
+    // The database itself moves last: while it is there, its companions are its own.
+    for (const char* ending : databaseCompanions)
         AXISCOMP_CHECK(renameFile(withEnding(database, ending), withEnding(aside, ending)));
+    AXISCOMP_CHECK(renameFile(database, aside));
     return renameFile(*recovered, database);
 }
 

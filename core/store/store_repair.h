@@ -3,9 +3,14 @@
 
 #include "core/base/result.h"
 
+#include <array>
 #include <filesystem>
 
 namespace axiscomp {
+
+/// What SQLite may put beside a database: taken for that of another one with its name, it damages
+/// it.
+inline constexpr std::array<const char*, 3> databaseCompanions{"-shm", "-wal", "-journal"};
 
 /// Makes an empty database where there is none. It appears whole, so that an empty file is a
 /// damaged one. To be called under the lock. Throws sqlite::Failure; errors: FileNotWritable.

@@ -108,6 +108,7 @@ private Q_SLOTS:
     void limit_data();
     void limit();
     void pipesAndDevicesAreNotRead();
+    void whatIsNoOrdinaryFileIsNotWaitedFor();
     void removingIsIdempotent();
     void temporaryFilesAreRecognised();
 
@@ -395,6 +396,22 @@ void TestLocalFile::pipesAndDevicesAreNotRead()
         QVERIFY2(sentence(loaded.error()).find("a pipe or a device") != std::string::npos,
             sentence(loaded.error()).c_str());
     }
+}
+
+void TestLocalFile::whatIsNoOrdinaryFileIsNotWaitedFor()
+{
+    QCOMPARE(::mkfifo((m_path / "pipe").c_str(), 0600), 0);
+    fs::create_directory(m_path / "folder");
+    put(m_path / "file", "x");
+    fs::create_symlink("file", m_path / "link");
+    for (const char* name : {"pipe", "folder", "link"}) {
+        const auto loaded = loadOrdinaryFile(m_path / name, 100);
+        VERIFY_ERROR(loaded, ErrorCode::FileNotReadable);
+        QCOMPARE(loaded.error().context.english("reason"),
+            std::string("it is not an ordinary file; move it away"));
+    }
+    VERIFY_ERROR(loadOrdinaryFile(m_path / "missing", 100), ErrorCode::FileNotReadable);
+    QCOMPARE(loadOrdinaryFile(m_path / "file", 100)->size(), std::size_t{1});
 }
 
 void TestLocalFile::removingIsIdempotent()

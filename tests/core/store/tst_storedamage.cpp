@@ -96,6 +96,9 @@ private Q_SLOTS:
     void damageThatShowsLaterIsTreatedAlike();
     void killedAnywhereItIsReplacedInTheEnd();
     void aProgramThatHasItOpenTakesTheNewOne();
+    void aDamagedJournalSaysWhatToDo();
+    void aLogIsNeverTakenForThatOfANewDatabase_data();
+    void aLogIsNeverTakenForThatOfANewDatabase();
 
 private:
     std::unique_ptr<QTemporaryDir> m_temporary;
@@ -200,6 +203,42 @@ void TestStoreDamage::aProgramThatHasItOpenTakesTheNewOne()
         fs::remove(m_file.string() + ending);
     VERIFY_RESULT(store.recordOwnTable(serial, 0, {"Small1", 7}));
     QCOMPARE(DriveStore(m_root).ownTables(serial, 0)->size(), std::size_t{1});
+}
+
+void TestStoreDamage::aDamagedJournalSaysWhatToDo()
+{
+    sqlite::Connection(m_file, 0ms).run("UPDATE journal SET registers = '{'");
+    DriveStore store(m_root);
+    const auto journal = store.journal(serial, 0);
+    VERIFY_ERROR(journal, ErrorCode::FileNotReadable);
+    QCOMPARE(journal.error().context.english("file"), m_file.string());
+    const std::string reason = journal.error().context.english("reason");
+    QVERIFY2(reason.starts_with("its journal of an interrupted write is damaged")
+            && reason.ends_with("then move the file away"),
+        reason.c_str());
+    VERIFY_RESULT(store.openJournal(entryFor(0)));
+    QVERIFY(store.journal(serial, 0)->has_value());
+}
+
+void TestStoreDamage::aLogIsNeverTakenForThatOfANewDatabase_data()
+{
+    QTest::addColumn<QString>("ending");
+    QTest::newRow("write-ahead log") << QStringLiteral("-wal");
+    QTest::newRow("rollback journal") << QStringLiteral("-journal");
+}
+
+void TestStoreDamage::aLogIsNeverTakenForThatOfANewDatabase()
+{
+    QFETCH(QString, ending);
+    const std::string log = ending.toStdString();
+    fs::remove(m_file);
+    std::ofstream(m_file.string() + log) << "something";
+    const auto history = DriveStore(m_root).flashHistory(serial);
+    VERIFY_RESULT(history);
+    QCOMPARE(history->total, std::uint64_t{0});
+    QVERIFY(history->damagedRecord); // what it held is not known
+    QVERIFY(!fs::exists(m_file.string() + log));
+    QCOMPARE(contentOf(history->damagedRecord->string() + log), std::string("something"));
 }
 
 AXISCOMP_TEST(TestStoreDamage)

@@ -49,9 +49,9 @@ struct SecurePage {
         options.timeout = std::chrono::seconds(10);
         options.reconnectInterval = std::chrono::milliseconds(100);
         options.linkFactory = drivecomm::linkFactory(drivecomm::genericProfile(),
-            [certificates = TrustedCertificates(root)](
+            [certificates = std::make_shared<TrustedCertificates>(root)](
                 const std::string& endpoint, const std::string& fingerprint) {
-                return certificates.check(endpoint, fingerprint);
+                return certificates->check(endpoint, fingerprint);
             });
         wizard = std::make_unique<CompensationWizard>(options, &settings);
         wizard->controller().setEndpoints({url()});
