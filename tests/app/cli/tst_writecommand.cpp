@@ -102,6 +102,32 @@ private Q_SLOTS:
         QCOMPARE(report.value("status").toObject(), status);
     }
 
+    void aDamagedRecordStopsFlashUntilTheUserDecides()
+    {
+        const Fixture bench;
+        const ProgramRun first = bench.write("first.csv", {"--persistent", "--json"});
+        VERIFY_CODE(first, 0);
+        const QString backup = first.json().value("report").toObject().value("backup").toString();
+        QFile database(QFileInfo(backup).dir().filePath("../../axiscomp.db"));
+        QVERIFY(database.exists());
+        QVERIFY(database.resize(0));
+
+        const ProgramRun refused = bench.write("second.csv", {"--persistent"});
+        VERIFY_CODE(refused, 7);
+        QVERIFY2(
+            refused.err.contains("axiscomp status --reset-flash-count"), refused.err.constData());
+        const ProgramRun damaged = bench.run({"status"});
+        VERIFY_CODE(damaged, 0);
+        QVERIFY2(damaged.out.contains("axiscomp.db.damaged-"), damaged.out.constData());
+        const QJsonObject flash = bench.status().value("flash").toObject();
+        QVERIFY(flash.value("damagedRecord").toString().contains("axiscomp.db.damaged-"));
+        QCOMPARE(flash.value("operationsLeft").toInt(), 0);
+
+        VERIFY_CODE(bench.run({"status", "--reset-flash-count"}), 0);
+        QVERIFY(bench.status().value("flash").toObject().value("damagedRecord").isNull());
+        VERIFY_CODE(bench.write("second.csv", {"--persistent"}), 0);
+    }
+
     void aDryRunChangesNothing()
     {
         const Fixture bench;

@@ -206,6 +206,15 @@ void TestActionRules::reasons_data()
             s.flashOperationsLeft = 0;
             s.flashWaitSeconds = 192;
         });
+    row("write: flash record damaged", changed(), Action::Write,
+        "The record of this drive's flash operations was damaged, so all of them count as used "
+        "up. Write volatile, or run \"axiscomp status --reset-flash-count\".",
+        [](S& s) {
+            s.isPersistent = true;
+            s.flashOperationsNeeded = 1;
+            s.flashOperationsLeft = 0;
+            s.isFlashRecordLost = true;
+        });
     row("write: flash wear while erasing", changed(), Action::Write,
         "To spare the flash, wait 0:05.", [](S& s) {
             s.flashOperationsNeeded = 1;
