@@ -148,10 +148,6 @@
         <translation>keine Zeile für {points} (es fehlen {missing} von {all} Stützstellen)</translation>
     </message>
     <message>
-        <source>every combination of the positions</source>
-        <translation>jede Kombination der Positionen</translation>
-    </message>
-    <message>
         <source>{value} at every point of {table}</source>
         <translation>{value} an jeder Stützstelle von {table}</translation>
     </message>
@@ -2516,10 +2512,6 @@
         <translation>ein nicht gemessener Punkt bei {position}, {other}</translation>
     </message>
     <message>
-        <source>a height with decimals</source>
-        <translation>eine Höhe mit Nachkommastellen</translation>
-    </message>
-    <message>
         <source>a further line after {number}</source>
         <translation>eine weitere Zeile nach {number}</translation>
     </message>
@@ -4251,6 +4243,78 @@
         <source>its journal of an interrupted write is damaged ({reason}). Look at what the drive holds, then move the file away</source>
         <translation>ihr Journal eines unterbrochenen Schreibvorgangs ist beschädigt ({reason}). Den Stand des Antriebs prüfen, dann die Datei an einen anderen Ort verschieben</translation>
     </message>
+    <message>
+        <source>{axis} is taken for {first} to {last} in steps of {distance}; the largest shift is {shift}, at {position}</source>
+        <translation>{axis} gilt als {first} bis {last} in Schritten von {distance}; die größte Verschiebung ist {shift}, bei {position}</translation>
+    </message>
+    <message>
+        <source>position {number}</source>
+        <translation>Position {number}</translation>
+    </message>
+    <message>
+        <source>no 2 neighbouring points in every dimension with a value</source>
+        <translation>nicht einmal 2 benachbarte Punkte mit Wert in jeder Dimension</translation>
+    </message>
+    <message>
+        <source>a part of the grid that is complete; fill the points instead</source>
+        <translation>ein vollständiger Teil des Gitters; füllen Sie die Punkte stattdessen</translation>
+    </message>
+    <message>
+        <source>{axis} from {first} to {last}</source>
+        <translation>{axis} von {first} bis {last}</translation>
+    </message>
+    <message>
+        <source>{missing} of {all} points without a value; kept are {kept} points, {ranges}</source>
+        <translation>{missing} von {all} Punkten ohne Wert; es bleiben {kept} Punkte, {ranges}</translation>
+    </message>
+    <message>
+        <source>no value at all in {table}</source>
+        <translation>kein einziger Wert in {table}</translation>
+    </message>
+    <message>
+        <source>a column with values</source>
+        <translation>eine Spalte mit Werten</translation>
+    </message>
+    <message>
+        <source>{count} points without a value</source>
+        <translation>{count} Punkte ohne Wert</translation>
+    </message>
+    <message>
+        <source>at most {most} for a smooth filling; choose the nearest point or a plane</source>
+        <translation>höchstens {most} für ein glattes Füllen; wählen Sie den nächsten Punkt oder eine Ebene</translation>
+    </message>
+    <message>
+        <source>measured points of {table} on one line only</source>
+        <translation>gemessene Punkte von {table} nur auf einer Linie</translation>
+    </message>
+    <message>
+        <source>points that determine a plane; choose the nearest point instead</source>
+        <translation>Punkte, die eine Ebene bestimmen; wählen Sie stattdessen den nächsten Punkt</translation>
+    </message>
+    <message>
+        <source>{low} to {high}</source>
+        <translation>{low} bis {high}</translation>
+    </message>
+    <message>
+        <source>{count} of {all} points of {table} without a value; they get {made}, the measured values are {measured}</source>
+        <translation>{count} von {all} Punkten von {table} ohne Wert; sie erhalten {made}, die gemessenen Werte sind {measured}</translation>
+    </message>
+    <message>
+        <source>{expected}; a tolerance of {tolerance} takes them for an even grid (--snap, or Snap tolerance in the import)</source>
+        <translation>{expected}; mit einer Toleranz von {tolerance} gelten sie als gleichmäßiges Gitter (--snap oder Fangtoleranz beim Import)</translation>
+    </message>
+    <message>
+        <source>every combination of the positions; missing points can be filled or left out (--fill, --crop, or Missing points in the import)</source>
+        <translation>jede Kombination der Positionen; fehlende Punkte können gefüllt oder weggelassen werden (--fill, --crop oder Fehlende Punkte beim Import)</translation>
+    </message>
+    <message>
+        <source>{expected}; points without a value can be filled or left out (--fill, --crop, or Missing points in the import)</source>
+        <translation>{expected}; Punkte ohne Wert können gefüllt oder weggelassen werden (--fill, --crop oder Fehlende Punkte beim Import)</translation>
+    </message>
+    <message>
+        <source>a height with decimals; points without a value can be filled or left out (--fill, --crop, or Missing points in the import)</source>
+        <translation>eine Höhe mit Nachkommastellen; Punkte ohne Wert können gefüllt oder weggelassen werden (--fill, --crop oder Fehlende Punkte beim Import)</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -4324,10 +4388,6 @@
     <message>
         <source>the grid is incomplete</source>
         <translation>das Raster ist unvollständig</translation>
-    </message>
-    <message>
-        <source>measure the missing points, or resample the data onto a full grid</source>
-        <translation>die fehlenden Stützstellen messen oder die Daten auf ein volles Raster umrechnen</translation>
     </message>
     <message>
         <source>the positions are not evenly spaced</source>
@@ -4464,6 +4524,18 @@
     <message>
         <source>check the units of values and positions</source>
         <translation>prüfen Sie die Einheiten der Werte und der Positionen</translation>
+    </message>
+    <message>
+        <source>points without a value are filled</source>
+        <translation>Punkte ohne Wert werden gefüllt</translation>
+    </message>
+    <message>
+        <source>the grid is cropped to the points that have a value</source>
+        <translation>das Gitter wird auf die Punkte mit Wert zugeschnitten</translation>
+    </message>
+    <message>
+        <source>positions are snapped to the grid</source>
+        <translation>Positionen werden auf das Gitter gelegt</translation>
     </message>
 </context>
 <context>
@@ -5469,10 +5541,6 @@
         <translation>&amp;Richtung</translation>
     </message>
     <message>
-        <source>Even &amp;grid</source>
-        <translation>&amp;Gleichmäßiges Raster</translation>
-    </message>
-    <message>
         <source>&amp;Between points</source>
         <translation>&amp;Zwischen den Punkten</translation>
     </message>
@@ -5639,6 +5707,50 @@
     <message>
         <source>another axis</source>
         <translation>eine andere Achse</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no tolerance: enter a number above 0, or nothing.</source>
+        <translation>„%1“ ist keine Toleranz: Geben Sie eine Zahl über 0 ein, oder nichts.</translation>
+    </message>
+    <message>
+        <source>Missin&amp;g points</source>
+        <translation>Fehlende Pun&amp;kte</translation>
+    </message>
+    <message>
+        <source>Snap &amp;tolerance</source>
+        <translation>Fang&amp;toleranz</translation>
+    </message>
+    <message>
+        <source>&amp;Even grid</source>
+        <translation>Gleichmäßiges &amp;Gitter</translation>
+    </message>
+    <message>
+        <source>What becomes of points of the grid that have no value</source>
+        <translation>Was aus Punkten des Gitters wird, die keinen Wert haben</translation>
+    </message>
+    <message>
+        <source>Positions that are this close to an even grid are taken for its positions, in their unit; empty: as they stand in the file</source>
+        <translation>Positionen, die so nahe an einem gleichmäßigen Gitter liegen, gelten als dessen Positionen, in ihrer Einheit; leer: wie sie in der Datei stehen</translation>
+    </message>
+    <message>
+        <source>none may be missing</source>
+        <translation>keine dürfen fehlen</translation>
+    </message>
+    <message>
+        <source>filled with the nearest measured value</source>
+        <translation>mit dem nächsten gemessenen Wert gefüllt</translation>
+    </message>
+    <message>
+        <source>filled from the plane through all points</source>
+        <translation>aus der Ebene durch alle Punkte gefüllt</translation>
+    </message>
+    <message>
+        <source>filled smoothly, with the least bending</source>
+        <translation>glatt gefüllt, mit der kleinsten Krümmung</translation>
+    </message>
+    <message>
+        <source>left out: the grid is cropped</source>
+        <translation>weggelassen: Das Gitter wird zugeschnitten</translation>
     </message>
 </context>
 <context>

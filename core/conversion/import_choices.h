@@ -34,6 +34,8 @@ struct ImportChoices {
     std::string axisTarget;
     std::optional<SignConvention> sign; ///< of the file; nothing: as its format says
     std::optional<DirectionChoice> direction;
+    MissingPoints missing = MissingPoints::Refuse;
+    double snap = 0.0; ///< see CsvOptions
     ResamplingChoice resampling;
     bool dropsWrap = false; ///< a modulo axis becomes a plain one
 

@@ -191,6 +191,8 @@ Result<ResampledTable> resampleOnto(
                 interpolateAlong(data, n, interpolants[n], places[n]);
         column.values = std::move(data.values);
         column.step = isKept ? column.step : 0.0;
+        if (!isKept)
+            column.filled.clear(); // other points
         for (const double value : column.values)
             if (!std::isfinite(value))
                 return resamplingImpossible(AXISCOMP_TEXT(

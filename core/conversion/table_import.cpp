@@ -95,6 +95,8 @@ void Import::readCsv()
 {
     CsvOptions options;
     options.dimensions = m_request.dimensions;
+    options.missing = m_request.choices.missing;
+    options.snap = m_request.choices.snap;
     options.stop = m_request.stop;
     options.progress = m_request.progress;
     CsvReading reading = readCalibrationCsv(m_request.file, options);
@@ -161,6 +163,8 @@ void Import::readOther()
         return;
     TableReadOptions options;
     options.settings = m_request.choices.settings;
+    options.missing = m_request.choices.missing;
+    options.snap = m_request.choices.snap;
     options.layout = m_request.layout;
     options.stop = m_request.stop;
     auto reading = format.read(asText(*content), options);

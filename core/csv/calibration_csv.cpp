@@ -88,14 +88,19 @@ void takeTargets(CalibrationData& data, DiagnosticList& diagnostics)
 std::optional<CalibrationData> readData(csv::Scan& scan, const CsvOptions& options,
     DiagnosticList& diagnostics, std::vector<std::vector<double>>& knots)
 {
-    csv::GridReading grid = csv::readGrid(scan, options.acceptsUneven, diagnostics);
-    const std::vector<std::uint32_t> points = csv::readPoints(scan, grid, diagnostics);
+    csv::GridReading grid = csv::readGrid(scan, options, diagnostics);
+    const std::vector<std::uint32_t> points = csv::readPoints(scan, grid, options, diagnostics);
     if (diagnostics.hasErrors())
         return std::nullopt;
     CalibrationData data;
-    data.grid = grid.grid;
-    data.tables = csv::readTables(scan, grid.grid, points, diagnostics);
+    data.tables = csv::readTables(scan, grid, points, options.missing, diagnostics);
+    if (diagnostics.hasErrors())
+        return std::nullopt;
+    data.grid = std::move(grid.grid);
     data.notes = std::move(scan.notes);
+    for (const CompensationTable& table : data.tables)
+        if (!table.filled.empty())
+            data.notes.push_back(filledNote(table.name, table.filled.size(), table.values.size()));
     takeTargets(data, diagnostics);
     if (options.acceptsUneven)
         knots = std::move(grid.knots);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/table/compensation_table.h"
+#include "core/table/missing_points.h"
 #include "core/text/diagnostic.h"
 
 #include <filesystem>
@@ -26,6 +27,12 @@ struct CalibrationData {
 struct CsvOptions {
     int dimensions = 1; ///< 1, 2 or 3: chosen by the user, never guessed
     bool acceptsUneven = false; ///< positions that are not evenly spaced are no error: see knots
+    /// With another choice than Refuse a point may have no line, and a value may be an empty cell,
+    /// nan or #N/A.
+    MissingPoints missing = MissingPoints::Refuse;
+    /// How far positions may be off the grid, in their unit: closer ones are one. 0: half of the
+    /// last decimal printed.
+    double snap = 0.0;
     std::size_t maximumCells = 64'000'000; ///< rows x columns; above: TooLarge
     std::size_t maximumBytes = std::size_t{1}
         << 30; ///< file size; above: TooLarge, nothing is read

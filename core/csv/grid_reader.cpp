@@ -18,7 +18,9 @@ namespace {
 
 constexpr double sameLine = 1e-9; ///< of the range
 
-GridLines gridLines(const std::vector<double>& values)
+/// snap: how far a position may be off its line; closer than twice that is the same one. 0: only
+/// what is the same but for rounding.
+GridLines gridLines(const std::vector<double>& values, double snap)
 {
     std::vector<std::uint32_t> order(values.size());
     std::iota(order.begin(), order.end(), 0U);
@@ -27,18 +29,99 @@ GridLines gridLines(const std::vector<double>& values)
         std::ranges::sort(order, {}, value);
     const long double range = static_cast<long double>(values[order.back()])
         - static_cast<long double>(values[order.front()]);
+    const long double closest =
+        std::max(static_cast<long double>(sameLine) * range, 2.0L * static_cast<long double>(snap));
     GridLines lines;
     lines.lineOf.resize(values.size());
+    double before = 0.0;
     for (const std::uint32_t id : order) {
         const double next = values[id] + 0.0; // no negative zero
-        if (lines.positions.empty()
-            || (next > lines.positions.back()
-                && static_cast<long double>(next) - static_cast<long double>(lines.positions.back())
-                    >= static_cast<long double>(sameLine) * range))
+        const long double gap = static_cast<long double>(next) - static_cast<long double>(before);
+        if (lines.positions.empty() || (gap > 0.0L && gap >= closest)) {
             lines.positions.push_back(next);
+            lines.reach.push_back(next);
+        }
         lines.lineOf[id] = static_cast<std::uint32_t>(lines.positions.size() - 1);
+        if (snap > 0.0) {
+            before = lines.reach.back() = next;
+        } else {
+            before = lines.positions.back();
+        }
+    }
+    for (std::size_t i = 0; i < lines.positions.size(); ++i) {
+        const double last = lines.reach[i];
+        lines.reach[i] = 0.5 * (last - lines.positions[i]);
+        lines.positions[i] += lines.reach[i];
     }
     return lines;
+}
+
+/// How far the positions are off an even line, measured ones on both sides of a grid line included.
+EvenSpacing held(const GridLines& lines, double start, double distance)
+{
+    std::vector<double> even(lines.positions.size());
+    for (std::size_t i = 0; i < even.size(); ++i)
+        even[i] = start + static_cast<double>(i) * distance;
+    EvenSpacing spacing = fitEvenSpacing(even, noDecimals);
+    spacing.deviation = 0.0;
+    for (std::size_t i = 0; i < even.size(); ++i) {
+        const double shift = std::fabs(lines.positions[i] - even[i]) + lines.reach[i];
+        if (shift > spacing.deviation) {
+            spacing.deviation = shift;
+            spacing.worst = i;
+        }
+    }
+    return spacing;
+}
+
+/// An even line that keeps within the tolerance of all positions: by the roundest numbers, or else
+/// the least-squares line.
+std::optional<EvenSpacing> spacingWithin(const GridLines& lines, double tolerance)
+{
+    const double limit = tolerance * (1.0 + 1e-9);
+    const double range = lines.positions.back() - lines.positions.front();
+    const auto steps = static_cast<double>(lines.positions.size() - 1);
+    constexpr int digits = 12;
+    const int coarsest = static_cast<int>(std::ceil(std::log10(range)));
+    for (int decimal = coarsest; decimal > coarsest - digits; --decimal) {
+        const double unit = std::pow(10.0, std::abs(decimal));
+        const auto rounded = [&](double position) {
+            return decimal > 0 ? std::round(position / unit) * unit
+                               : std::round(position * unit) / unit;
+        };
+        const double start = rounded(lines.positions.front());
+        const double distance = (rounded(lines.positions.back()) - start) / steps;
+        if (!(distance > 0.0))
+            continue;
+        if (const EvenSpacing spacing = held(lines, start, distance);
+            spacing.even && spacing.deviation <= limit)
+            return spacing;
+    }
+    const EvenSpacing line = fitEvenSpacing(lines.positions, noDecimals);
+    const EvenSpacing spacing = held(lines, line.start, line.distance);
+    return spacing.even && spacing.deviation <= limit ? std::optional(spacing) : std::nullopt;
+}
+
+/// The tolerance with which positions that scatter would become a grid; 0: none does.
+double suggestedSnap(const std::vector<double>& values)
+{
+    constexpr double mostOfGap = 0.1;
+    constexpr double mostOfDistance = 0.02;
+    std::vector<double> sorted = values;
+    std::ranges::sort(sorted);
+    double largestGap = 0.0;
+    for (std::size_t i = 1; i < sorted.size(); ++i)
+        largestGap = std::max(largestGap, sorted[i] - sorted[i - 1]);
+    const GridLines lines = gridLines(values, 0.5 * mostOfGap * largestGap);
+    if (lines.positions.size() < 3 || !std::isfinite(largestGap))
+        return 0.0;
+    const double distance = (lines.positions.back() - lines.positions.front())
+        / static_cast<double>(lines.positions.size() - 1);
+    const auto spacing = spacingWithin(lines, mostOfDistance * distance);
+    if (!spacing || !(spacing->deviation > 0.0))
+        return 0.0;
+    const double unit = std::pow(10.0, std::floor(std::log10(spacing->deviation)));
+    return std::ceil(spacing->deviation / unit * (1.0 - 1e-9)) * unit;
 }
 
 Text inSteps(double position, double distance)
@@ -61,10 +144,11 @@ public:
     {
     }
 
-    std::optional<GridAxis> read(bool acceptsUneven);
+    std::optional<GridAxis> read(const CsvOptions& options);
     [[nodiscard]] std::vector<double> knots(const GridAxis& axis) const;
 
 private:
+    std::optional<GridAxis> snapped(double snap);
     void reportTooFew();
     void reportUneven(const EvenSpacing& spacing);
     void reportStep(std::size_t index, double due);
@@ -91,7 +175,32 @@ std::vector<double> AxisReader::knots(const GridAxis& axis) const
     return knots;
 }
 
-std::optional<GridAxis> AxisReader::read(bool acceptsUneven)
+std::optional<GridAxis> AxisReader::snapped(double snap)
+{
+    const GridLines& lines = m_reading.lines[m_dimension];
+    const auto spacing = spacingWithin(lines, snap);
+    if (!spacing)
+        return std::nullopt;
+    const ColumnName& column = m_scan.columns[m_dimension];
+    const GridAxis axis{column.name, column.unit, spacing->start, spacing->distance,
+        static_cast<std::uint32_t>(m_positions.size())};
+    if (spacing->deviation > 0.0)
+        m_diagnostics.warning(DiagnosticCode::SnappedPositions, fileLine(spacing->worst),
+            m_dimension + 1,
+            AXISCOMP_TEXT("Error",
+                "{axis} is taken for {first} to {last} in steps of {distance}; "
+                "the largest shift is {shift}, at {position}")
+                .with("axis", columnText(column, m_dimension))
+                .with("first", Quantity{roundedText(axis.start)})
+                .with("last", Quantity{roundedText(axis.last()), column.unit})
+                .with("distance", Quantity{roundedText(axis.distance), column.unit})
+                .with("shift", Quantity{roundedText(spacing->deviation), column.unit})
+                .with("position", text(axis.position(spacing->worst))),
+            {});
+    return axis;
+}
+
+std::optional<GridAxis> AxisReader::read(const CsvOptions& options)
 {
     if (m_positions.size() < 2) {
         reportTooFew();
@@ -103,13 +212,22 @@ std::optional<GridAxis> AxisReader::read(bool acceptsUneven)
             AXISCOMP_TEXT("Error", "positions with a finite range"));
         return std::nullopt;
     }
+    if (options.snap > 0.0)
+        if (auto axis = snapped(options.snap))
+            return axis;
     const EvenSpacing spacing =
         fitEvenSpacing(m_positions, m_scan.positions[m_dimension].lastDecimal());
+    const bool isMergedTooFar = std::ranges::any_of(m_reading.lines[m_dimension].reach,
+        [&](double reach) { return reach > options.snap * (1.0 + 1e-9); });
+    if (isMergedTooFar) {
+        reportUneven(spacing);
+        return std::nullopt;
+    }
     const ColumnName& column = m_scan.columns[m_dimension];
     GridAxis axis{column.name, column.unit, spacing.start, spacing.distance,
         static_cast<std::uint32_t>(m_positions.size())};
     m_isUneven = !spacing.even;
-    if (m_isUneven && acceptsUneven) {
+    if (m_isUneven && options.acceptsUneven) {
         axis.start = m_positions.front();
         axis.distance = (m_positions.back() - m_positions.front())
             / static_cast<double>(m_positions.size() - 1);
@@ -193,9 +311,17 @@ std::size_t AxisReader::fileLine(std::size_t gridLine) const
     return m_scan.rowLines.lineOf(found);
 }
 
-/// Values scatter; positions repeat. A column of positions in which most rows differ is a table.
+/// Values scatter; positions repeat. A column of positions in which most rows differ is a table, if
+/// it is not measured positions.
 Text AxisReader::withWrongDimensionHint(Text expected) const
 {
+    const double snap = suggestedSnap(m_scan.positions[m_dimension].values());
+    if (snap > 0.0)
+        return AXISCOMP_TEXT("Error",
+            "{expected}; a tolerance of {tolerance} takes them for an "
+            "even grid (--snap, or Snap tolerance in the import)")
+            .with("expected", std::move(expected))
+            .with("tolerance", Quantity{roundedText(snap)});
     return m_positions.size() > m_scan.rows.size() / 2
         ? withDimensionalityHint(std::move(expected), static_cast<int>(m_dimension))
         : expected;
@@ -205,7 +331,8 @@ constexpr std::uint32_t nowhere = std::numeric_limits<std::uint32_t>::max();
 
 class PointReader {
 public:
-    PointReader(const Scan& scan, const GridReading& grid, DiagnosticList& diagnostics)
+    PointReader(const Scan& scan, const GridReading& grid, const CsvOptions& options,
+        DiagnosticList& diagnostics)
         : m_scan(scan)
         , m_grid(grid)
         , m_dimensions(grid.lines.size())
@@ -216,10 +343,13 @@ public:
             m_sizes[d] = static_cast<double>(grid.lines[d].positions.size());
             m_pointCount *= m_sizes[d];
         }
+        const double columns = static_cast<double>(scan.columns.size());
+        m_mayMiss = options.missing != MissingPoints::Refuse
+            && m_pointCount * columns <= static_cast<double>(options.maximumCells);
         // Enough to find the first missing points of a grid of any size, and all points of a full
         // one.
-        m_looked = static_cast<std::size_t>(
-            std::min(m_pointCount, static_cast<double>(m_rows + mostNamed)));
+        const double enough = m_mayMiss ? m_pointCount : static_cast<double>(m_rows + mostNamed);
+        m_looked = static_cast<std::size_t>(std::min(m_pointCount, enough));
     }
 
     std::vector<std::uint32_t> read();
@@ -246,6 +376,7 @@ private:
     DiagnosticList& m_diagnostics;
     std::array<double, 3> m_sizes{1.0, 1.0, 1.0};
     double m_pointCount = 1.0; ///< may be beyond any integer in a file that is no grid
+    bool m_mayMiss = false; ///< points without a line are no error
     std::size_t m_looked = 0; ///< points that are looked at, from the first
     std::vector<bool> m_occupied;
     std::vector<std::uint32_t> m_points;
@@ -258,9 +389,10 @@ std::vector<std::uint32_t> PointReader::read()
     place();
     reportDuplicates();
     // What a grid misses is worth saying when there is a grid: not when positions scatter.
-    if (m_grid.even)
+    if (m_grid.even && !m_mayMiss)
         reportMissing();
-    const bool full = m_duplicateCount == 0 && m_pointCount == static_cast<double>(m_rows);
+    const bool full =
+        m_duplicateCount == 0 && (m_mayMiss || m_pointCount == static_cast<double>(m_rows));
     return full ? std::move(m_points) : std::vector<std::uint32_t>{};
 }
 
@@ -344,7 +476,10 @@ void PointReader::reportMissing()
             .with("missing", Quantity{roundedText(missing)})
             .with("all", Quantity{roundedText(m_pointCount)}),
         withDimensionalityHint(
-            AXISCOMP_TEXT("Error", "every combination of the positions"), fewerDimensions()));
+            AXISCOMP_TEXT("Error",
+                "every combination of the positions; missing points can be filled or left out "
+                "(--fill, --crop, or Missing points in the import)"),
+            fewerDimensions()));
 }
 
 std::vector<Text> PointReader::pointText(std::size_t point) const
@@ -385,27 +520,34 @@ Text positionText(const ColumnName& column, std::size_t dimension, double positi
         .with("position", quantity);
 }
 
-GridReading readGrid(const Scan& scan, bool acceptsUneven, DiagnosticList& diagnostics)
+Text columnText(const ColumnName& column, std::size_t dimension)
+{
+    return column.name.empty()
+        ? AXISCOMP_TEXT("Error", "position {number}").with("number", dimension + 1)
+        : Text(Verbatim{column.name});
+}
+
+GridReading readGrid(const Scan& scan, const CsvOptions& options, DiagnosticList& diagnostics)
 {
     GridReading reading;
     for (const PositionColumn& column : scan.positions)
-        reading.lines.push_back(gridLines(column.values()));
+        reading.lines.push_back(gridLines(column.values(), options.snap));
     reading.even = true;
     for (std::size_t d = 0; d < scan.positions.size(); ++d) {
         AxisReader reader(scan, reading, d, diagnostics);
-        const std::optional<GridAxis> axis = reader.read(acceptsUneven);
+        const std::optional<GridAxis> axis = reader.read(options);
         reading.even = reading.even && axis;
-        if (axis && acceptsUneven)
+        if (axis && options.acceptsUneven)
             reading.knots.push_back(reader.knots(*axis));
         reading.grid.axes.push_back(axis.value_or(GridAxis{}));
     }
     return reading;
 }
 
-std::vector<std::uint32_t> readPoints(
-    const Scan& scan, const GridReading& grid, DiagnosticList& diagnostics)
+std::vector<std::uint32_t> readPoints(const Scan& scan, const GridReading& grid,
+    const CsvOptions& options, DiagnosticList& diagnostics)
 {
-    return PointReader(scan, grid, diagnostics).read();
+    return PointReader(scan, grid, options, diagnostics).read();
 }
 
 } // namespace axiscomp::csv

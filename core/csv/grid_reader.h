@@ -8,6 +8,7 @@ namespace axiscomp::csv {
 /// The distinct positions of one dimension.
 struct GridLines {
     std::vector<double> positions; ///< increasing; closer ones are merged
+    std::vector<double> reach; ///< by which the merged ones lie to both sides of it
     std::vector<std::uint32_t> lineOf; ///< by the id of a position
 };
 
@@ -30,17 +31,19 @@ template <typename Visit> void forEachRow(const Scan& scan, Visit&& visit)
                 return;
 }
 
+/// "X", or "position 1"
+[[nodiscard]] Text columnText(const ColumnName& column, std::size_t dimension);
+
 /// "X = 2.5 mm"
 [[nodiscard]] Text positionText(const ColumnName& column, std::size_t dimension, double position);
 
 /// Finds the grid lines and their spacing. Not for an empty scan. Problems go to diagnostics.
-/// acceptsUneven: as in CsvOptions.
 [[nodiscard]] GridReading readGrid(
-    const Scan& scan, bool acceptsUneven, DiagnosticList& diagnostics);
+    const Scan& scan, const CsvOptions& options, DiagnosticList& diagnostics);
 
-/// Checks that every grid point occurs once. Returns the place of each row in the tables (dimension
-/// 1 fastest), empty if that is not so.
-[[nodiscard]] std::vector<std::uint32_t> readPoints(
-    const Scan& scan, const GridReading& grid, DiagnosticList& diagnostics);
+/// Checks that every grid point occurs once, or at most once where points may be missing. Returns
+/// the place of each row in the tables (dimension 1 fastest), empty if that is not so.
+[[nodiscard]] std::vector<std::uint32_t> readPoints(const Scan& scan, const GridReading& grid,
+    const CsvOptions& options, DiagnosticList& diagnostics);
 
 } // namespace axiscomp::csv

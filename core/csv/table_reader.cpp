@@ -5,6 +5,9 @@
 #include "core/text/number_text.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
 
 namespace axiscomp::csv {
 
@@ -16,6 +19,7 @@ constexpr double largestRelativeError = 1e-6; ///< of the largest value
 
 class TableReader {
 public:
+    /// points: where each row stands in the table; empty: that is not worth saying
     TableReader(const Scan& scan, const std::vector<std::uint32_t>& points, std::size_t index,
         DiagnosticList& diagnostics)
         : m_scan(scan)
@@ -26,11 +30,13 @@ public:
     {
     }
 
-    CompensationTable read(const Grid& grid);
+    [[nodiscard]] CompensationTable read(const Grid& grid);
+    void look(const CompensationTable& table);
 
 private:
     void warnOfPrecision(const ValueRange& range);
     void warnOfGradient(const CompensationTable& table);
+    [[nodiscard]] std::size_t lineOf(std::size_t point) const;
 
     const Scan& m_scan;
     const std::vector<std::uint32_t>& m_points;
@@ -39,16 +45,25 @@ private:
     DiagnosticList& m_diagnostics;
 };
 
+/// A point without a row is NaN.
 CompensationTable TableReader::read(const Grid& grid)
 {
     const ColumnName& name = m_scan.columns[m_column - 1];
-    CompensationTable table{name.name, name.unit, grid, std::vector<float>(m_points.size())};
+    const std::size_t points = grid.pointCount();
+    CompensationTable table{name.name, name.unit, grid, std::vector<float>(points)};
+    if (points > m_points.size())
+        std::ranges::fill(table.values, std::numeric_limits<float>::quiet_NaN());
     const std::uint32_t* point = m_points.data();
     for (const RowStore::Block& block : m_scan.rows.blocks()) {
         const float* values = block.values.get() + m_index * m_scan.rows.blockRows();
         for (std::size_t i = 0; i < block.rows; ++i)
             table.values[*point++] = values[i];
     }
+    return table;
+}
+
+void TableReader::look(const CompensationTable& table)
+{
     const auto [smallest, largest] = std::ranges::minmax(table.values);
     warnOfPrecision(m_scan.ranges[m_index]);
     if (smallest == largest)
@@ -60,7 +75,6 @@ CompensationTable TableReader::read(const Grid& grid)
             AXISCOMP_TEXT("Error", "values that differ"));
     else
         warnOfGradient(table);
-    return table;
 }
 
 void TableReader::warnOfPrecision(const ValueRange& range)
@@ -80,9 +94,7 @@ void TableReader::warnOfGradient(const CompensationTable& table)
     if (!(step.slope > largestGradient))
         return;
     const GridAxis& axis = table.grid.axes[step.dimension];
-    const auto row = std::ranges::find(m_points, static_cast<std::uint32_t>(step.to));
-    m_diagnostics.warning(DiagnosticCode::LargeGradient,
-        m_scan.rowLines.lineOf(static_cast<std::size_t>(row - m_points.begin())), m_column,
+    m_diagnostics.warning(DiagnosticCode::LargeGradient, lineOf(step.to), m_column,
         AXISCOMP_TEXT(
             "Error", "a step from {from} to {to} over {distance} in dimension {dimension}")
             .with("from", Quantity{toText(table.values[step.from]), table.unit})
@@ -92,15 +104,88 @@ void TableReader::warnOfGradient(const CompensationTable& table)
         AXISCOMP_TEXT("Error", "at most 0.01 per unit of position"));
 }
 
+/// 0 where the table has points that the file does not have, or others than the file.
+std::size_t TableReader::lineOf(std::size_t point) const
+{
+    const auto row = std::ranges::find(m_points, static_cast<std::uint32_t>(point));
+    return row == m_points.end()
+        ? 0
+        : m_scan.rowLines.lineOf(static_cast<std::size_t>(row - m_points.begin()));
+}
+
+std::vector<double> positionsOf(const GridAxis& axis)
+{
+    std::vector<double> positions;
+    for (std::size_t i = 0; i < axis.size; ++i)
+        positions.push_back(axis.position(i));
+    return positions;
+}
+
+IncompleteGrid incompleteGrid(
+    const Scan& scan, const GridReading& reading, const std::vector<CompensationTable>& tables)
+{
+    IncompleteGrid grid;
+    for (std::size_t d = 0; d < reading.grid.axes.size(); ++d) {
+        const GridAxis& axis = reading.grid.axes[d];
+        grid.knots.push_back(reading.knots.empty() ? positionsOf(axis) : reading.knots[d]);
+        grid.names.push_back(columnText(scan.columns[d], d));
+        grid.units.push_back(axis.unit);
+    }
+    for (const CompensationTable& table : tables) {
+        grid.tables.emplace_back(table.values.begin(), table.values.end());
+        grid.tableNames.emplace_back(Verbatim{table.name});
+    }
+    return grid;
+}
+
+/// False: that is not possible, and diagnostics say why.
+bool complete(const Scan& scan, GridReading& reading, MissingPoints missing,
+    std::vector<CompensationTable>& tables, DiagnosticList& diagnostics)
+{
+    auto grid = completeGrid(incompleteGrid(scan, reading, tables), missing, diagnostics);
+    if (!grid)
+        return false;
+    for (std::size_t d = 0; d < reading.grid.axes.size(); ++d) {
+        GridAxis& axis = reading.grid.axes[d];
+        const std::vector<double>& knots = grid->knots[d];
+        const bool isCut = knots.size() < axis.size;
+        const double mean = (knots.back() - knots.front()) / static_cast<double>(knots.size() - 1);
+        axis.start = axis.position(grid->first[d]);
+        axis.size = static_cast<std::uint32_t>(knots.size());
+        if (reading.knots.empty())
+            continue;
+        if (isCut && std::fabs(mean - axis.distance) > 1e-9 * axis.distance) { // uneven
+            axis.start = knots.front();
+            axis.distance = mean;
+        }
+        reading.knots[d] = knots;
+    }
+    for (std::size_t n = 0; n < tables.size(); ++n) {
+        const auto narrow = [](double value) { return static_cast<float>(value); };
+        tables[n].grid = reading.grid;
+        tables[n].values.resize(grid->tables[n].size());
+        std::ranges::transform(grid->tables[n], tables[n].values.begin(), narrow);
+        tables[n].filled = std::move(grid->filled[n]);
+    }
+    return true;
+}
+
 } // namespace
 
-std::vector<CompensationTable> readTables(const Scan& scan, const Grid& grid,
-    const std::vector<std::uint32_t>& points, DiagnosticList& diagnostics)
+std::vector<CompensationTable> readTables(const Scan& scan, GridReading& reading,
+    const std::vector<std::uint32_t>& points, MissingPoints missing, DiagnosticList& diagnostics)
 {
     std::vector<CompensationTable> tables;
     tables.reserve(scan.tables());
     for (std::size_t index = 0; index < scan.tables(); ++index)
-        tables.push_back(TableReader(scan, points, index, diagnostics).read(grid));
+        tables.push_back(TableReader(scan, points, index, diagnostics).read(reading.grid));
+    const Grid whole = reading.grid;
+    if (missing != MissingPoints::Refuse && !complete(scan, reading, missing, tables, diagnostics))
+        return {};
+    const std::vector<std::uint32_t> unknown;
+    const auto& places = sameSpans(whole, reading.grid) ? points : unknown;
+    for (std::size_t index = 0; index < scan.tables(); ++index)
+        TableReader(scan, places, index, diagnostics).look(tables[index]);
     return tables;
 }
 

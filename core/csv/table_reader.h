@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/csv/scan.h"
+#include "core/csv/grid_reader.h"
 #include "core/table/compensation_table.h"
 
 #include <cstdint>
@@ -9,8 +9,9 @@
 
 namespace axiscomp::csv {
 
-/// Puts the values in their places and looks at the tables. points: as from readPoints.
-[[nodiscard]] std::vector<CompensationTable> readTables(const Scan& scan, const Grid& grid,
-    const std::vector<std::uint32_t>& points, DiagnosticList& diagnostics);
+/// Puts the values in their places, makes up those that are missing or cuts the grid to those that
+/// are not, and looks at the tables. points: as from readPoints. None after an error.
+[[nodiscard]] std::vector<CompensationTable> readTables(const Scan& scan, GridReading& reading,
+    const std::vector<std::uint32_t>& points, MissingPoints missing, DiagnosticList& diagnostics);
 
 } // namespace axiscomp::csv

@@ -34,6 +34,34 @@ void checkComputed(const NeutralTable& table, DiagnosticList& diagnostics)
                 AXISCOMP_TEXT("Error", "numbers that a computer can hold; check their size"));
 }
 
+/// What a reader leaves as NaN has no value.
+void complete(NeutralTable& table, MissingPoints missing, DiagnosticList& diagnostics)
+{
+    IncompleteGrid grid;
+    grid.names = axisTexts(table);
+    for (const SourceAxis& axis : table.axes) {
+        grid.knots.push_back(axis.knots);
+        grid.units.push_back(axis.unit);
+    }
+    for (const CompensationColumn& column : table.columns) {
+        grid.tables.push_back(column.values);
+        grid.tableNames.push_back(columnText(table, column));
+    }
+    auto completed = completeGrid(std::move(grid), missing, diagnostics);
+    if (!completed)
+        return;
+    for (std::size_t n = 0; n < table.axes.size(); ++n)
+        table.axes[n].knots = std::move(completed->knots[n]);
+    for (std::size_t n = 0; n < table.columns.size(); ++n) {
+        CompensationColumn& column = table.columns[n];
+        column.values = std::move(completed->tables[n]);
+        column.filled = std::move(completed->filled[n]);
+        if (!column.filled.empty())
+            table.notes.push_back(filledNote(
+                columnText(table, column).english(), column.filled.size(), column.values.size()));
+    }
+}
+
 } // namespace
 
 void TextReading::error(std::string_view number, DiagnosticCode code, std::size_t line,
@@ -57,6 +85,9 @@ Result<TableReading> readText(const FormatFacts& facts, std::string_view text,
     if (isReadableText(text, facts.mostBytes, diagnostics)) {
         TextReading source{text, options, settings, diagnostics};
         reading.tables = parse(source);
+        if (!diagnostics.hasErrors() && options.missing != MissingPoints::Refuse)
+            for (NeutralTable& table : reading.tables)
+                complete(table, options.missing, diagnostics);
         if (!diagnostics.hasErrors())
             for (const NeutralTable& table : reading.tables)
                 checkComputed(table, diagnostics);

@@ -4,6 +4,7 @@
 #include "core/base/result.h"
 #include "core/neutral/controller_lookup.h"
 #include "core/neutral/neutral_table.h"
+#include "core/table/missing_points.h"
 #include "core/text/diagnostic.h"
 
 #include <filesystem>
@@ -59,6 +60,7 @@ struct FormatFacts {
     std::size_t mostBytes = 64U << 20U; ///< of a file
     bool holdsNames = false; ///< of axes
     bool holdsUnits = false;
+    bool marksMissing = false; ///< files may say of a point that it has no value
     bool holdsNotes = false;
     bool holdsDirections = false; ///< a value for each direction of motion
     bool holdsWrap = false; ///< modulo axes
@@ -78,6 +80,8 @@ struct TableReadOptions {
     int dimensions = 0; ///< of a calibration CSV file, which does not say; 0: not given
     const TableLayout* layout = nullptr; ///< of a TAM table
     FormatSettings settings; ///< "position-unit" and "value-unit" for every format that lacks them
+    MissingPoints missing = MissingPoints::Refuse; ///< of formats that mark points without a value
+    double snap = 0.0; ///< see CsvOptions
     std::size_t maximumDiagnostics = 100;
     std::stop_token stop;
 };

@@ -5,6 +5,7 @@
 #include "core/table/target_axis.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -43,6 +44,8 @@ struct CompensationColumn {
     Direction direction = Direction::Both;
     std::vector<double> values; ///< pointCount() finite values, the first axis fastest
     double step = 0.0; ///< values are multiples of this in the file; 0: decimal numbers
+    /// Ascending: the points whose values were made up, not measured (missing_points.h).
+    std::vector<std::uint32_t> filled = {};
 
     friend bool operator==(const CompensationColumn&, const CompensationColumn&) = default;
 };

@@ -4,6 +4,7 @@
 #include "core/table/grid.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
@@ -18,6 +19,8 @@ struct CompensationTable {
     Grid grid;
     std::vector<float> values; ///< grid.pointCount() finite values, dimension 1 fastest
     std::string target = {}; ///< the axis that is corrected, as stated (target_axis.h)
+    /// Ascending: the points whose values were made up, not measured (missing_points.h).
+    std::vector<std::uint32_t> filled = {};
 
     friend bool operator==(const CompensationTable&, const CompensationTable&) = default;
 };

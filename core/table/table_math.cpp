@@ -62,9 +62,13 @@ CompensationTable tableSlice(
     }
     slice.values.reserve(slice.grid.pointCount());
     for (std::size_t j = 0; j < slice.grid.axes[1].size; ++j) {
-        for (std::size_t i = 0; i < slice.grid.axes[0].size; ++i)
-            slice.values.push_back(table.values[index * strides[dimension] + i * strides[kept[0]]
-                + j * strides[kept[1]]]);
+        for (std::size_t i = 0; i < slice.grid.axes[0].size; ++i) {
+            const std::size_t point =
+                index * strides[dimension] + i * strides[kept[0]] + j * strides[kept[1]];
+            if (std::ranges::binary_search(table.filled, point))
+                slice.filled.push_back(static_cast<std::uint32_t>(slice.values.size()));
+            slice.values.push_back(table.values[point]);
+        }
     }
     return slice;
 }

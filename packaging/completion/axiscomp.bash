@@ -6,19 +6,20 @@ _axiscomp_options()
 {
     local drive="--drive --profile --trust-certificate --timeout"
     local conversion="--target --sign --direction --no-wrap --scale --offset --zero"
+    local incomplete="--fill --crop --snap"
     local grid="--points --distance --within --method --hold"
     case $1 in
         "") echo "--help --version" ;;
         example) echo "--help --json --dims --tables --output" ;;
-        inspect) echo "--help --json --dims --from --set-in --profile" ;;
-        convert) echo "--help --json --value-unit --accept-large --dims --table --from --set-in --to --set-out --persistent --volatile --name --profile --to-sign $conversion $grid" ;;
-        lookup) echo "--help --json --dims --table --points --outside --as --from --set-in --set-out --profile --to-sign $conversion" ;;
+        inspect) echo "--help --json --dims --from --set-in --profile $incomplete" ;;
+        convert) echo "--help --json --value-unit --accept-large --dims --table --from --set-in --to --set-out --persistent --volatile --name --profile --to-sign $incomplete $conversion $grid" ;;
+        lookup) echo "--help --json --dims --table --points --outside --as --from --set-in --set-out --profile --to-sign $incomplete $conversion" ;;
         formats) echo "--help --json --markdown" ;;
         axes) echo "--help --json --find --any-baud $drive" ;;
         files) echo "--help --json $drive" ;;
         status) echo "--help --json $drive --axis --reset-flash-count" ;;
         persist | unpersist | evaluate | activate | deactivate) echo "--help --json $drive --axis" ;;
-        write) echo "--help --json $drive --axis --data --dims --table --from --set-in --map --source1 --source2 --source3 --persistent --volatile --slot --accept-large --dry-run --value-unit --position-unit $conversion $grid" ;;
+        write) echo "--help --json $drive --axis --data --dims --table --from --set-in --map --source1 --source2 --source3 --persistent --volatile --slot --accept-large --dry-run --value-unit --position-unit $incomplete $conversion $grid" ;;
         read) echo "--help --json $drive --axis --output --to --target --to-sign --set-out $grid" ;;
         upload) echo "--help --json $drive --to" ;;
         download) echo "--help --json $drive --output" ;;
@@ -61,6 +62,7 @@ _axiscomp()
         --from | --as) COMPREPLY=($(compgen -W "$_axiscomp_formats" -- "$cur")); return ;;
         --sign | --to-sign) COMPREPLY=($(compgen -W "feedback command" -- "$cur")); return ;;
         --direction) COMPREPLY=($(compgen -W "mean positive negative" -- "$cur")); return ;;
+        --fill) COMPREPLY=($(compgen -W "nearest plane smooth" -- "$cur")); return ;;
         --method) COMPREPLY=($(compgen -W "linear cubic" -- "$cur")); return ;;
         --to)
             if [[ $command == upload ]]; then

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/dialogs/conversion_form.h"
 
+#include "core/formats/formats.h"
 #include "ui/dialogs/file_filters.h"
 #include "ui/dialogs/setting_fields.h"
 #include "ui/style/plain_label.h"
@@ -13,6 +14,8 @@
 #include <QLocale>
 #include <QRegularExpression>
 #include <QSignalBlocker>
+
+#include <cmath>
 
 namespace axiscomp::ui {
 
@@ -76,6 +79,8 @@ ConversionForm::ConversionForm(Purpose purpose, QWidget* parent)
     , m_sign(combo("signField", 3))
     , m_direction(combo("directionField", 4))
     , m_dropsWrap(new QCheckBox)
+    , m_missing(combo("missingField", 5))
+    , m_snap(new QLineEdit)
     , m_grid(combo("gridField", 4))
     , m_number(new QLineEdit)
     , m_method(combo("methodField", 2))
@@ -91,6 +96,7 @@ ConversionForm::ConversionForm(Purpose purpose, QWidget* parent)
 void ConversionForm::build()
 {
     m_dropsWrap->setObjectName(QStringLiteral("dropsWrapField"));
+    m_snap->setObjectName(QStringLiteral("snapField"));
     m_number->setObjectName(QStringLiteral("gridNumberField"));
     m_holds->setObjectName(QStringLiteral("holdsEndsField"));
     m_form->setContentsMargins(0, 0, 0, 0);
@@ -102,7 +108,8 @@ void ConversionForm::build()
         m_form->addRow(label, field);
     }
     m_form->addRow(QString(), m_dropsWrap);
-    for (QWidget* field : std::initializer_list<QWidget*>{m_grid, m_number, m_method}) {
+    for (QWidget* field :
+        std::initializer_list<QWidget*>{m_missing, m_snap, m_grid, m_number, m_method}) {
         auto* label = new PlainLabel;
         label->setBuddy(field);
         m_form->addRow(label, field);
@@ -114,11 +121,12 @@ void ConversionForm::connectFields()
 {
     connect(m_format, &QComboBox::currentIndexChanged, this, &ConversionForm::chooseFormat);
     connect(m_grid, &QComboBox::currentIndexChanged, this, &ConversionForm::showGridRows);
-    for (QComboBox* box : {m_format, m_target, m_sign, m_direction, m_grid, m_method})
+    for (QComboBox* box : {m_format, m_target, m_sign, m_direction, m_missing, m_grid, m_method})
         connect(box, &QComboBox::currentIndexChanged, this, &ConversionForm::changed);
     for (QCheckBox* box : {m_dropsWrap, m_holds})
         connect(box, &QCheckBox::toggled, this, &ConversionForm::changed);
-    connect(m_number, &QLineEdit::textChanged, this, &ConversionForm::changed);
+    for (QLineEdit* field : {m_snap, m_number})
+        connect(field, &QLineEdit::textChanged, this, &ConversionForm::changed);
     connect(m_settings, &SettingFields::changed, this, &ConversionForm::changed);
 }
 
@@ -149,6 +157,9 @@ void ConversionForm::chooseFormat()
         before = field;
     }
     setTabOrder(before, m_target);
+    const bool isImport = m_purpose == Purpose::Import && format() != nullptr;
+    m_form->setRowVisible(m_missing, isImport && format()->facts.marksMissing);
+    m_form->setRowVisible(m_snap, isImport && format() == &calibration_csv::format());
     fillItems();
     nameSettings();
 }
@@ -164,6 +175,8 @@ void ConversionForm::setChoices(const ImportChoices& choices)
     m_sign->setCurrentIndex(choices.sign ? static_cast<int>(*choices.sign) + 1 : 0);
     m_direction->setCurrentIndex(choices.direction ? static_cast<int>(*choices.direction) + 1 : 0);
     m_dropsWrap->setChecked(choices.dropsWrap);
+    m_missing->setCurrentIndex(static_cast<int>(choices.missing));
+    m_snap->setText(choices.snap > 0.0 ? listText({choices.snap}) : QString());
     m_grid->setCurrentIndex(static_cast<int>(choices.resampling.kind));
     m_number->setText(listText(choices.resampling.numbers));
     m_method->setCurrentIndex(static_cast<int>(choices.resampling.method));
@@ -181,6 +194,10 @@ ImportChoices ConversionForm::choices() const
     if (m_direction->currentIndex() > 0)
         choices.direction = static_cast<DirectionChoice>(m_direction->currentIndex() - 1);
     choices.dropsWrap = m_dropsWrap->isChecked();
+    if (format() != nullptr && format()->facts.marksMissing)
+        choices.missing = static_cast<MissingPoints>(std::max(m_missing->currentIndex(), 0));
+    if (format() == &calibration_csv::format())
+        choices.snap = snap().value_or(0.0);
     choices.resampling = resampling();
     return choices;
 }
@@ -216,10 +233,26 @@ std::optional<std::vector<double>> ConversionForm::numbers() const
     return numbers.empty() ? std::nullopt : std::optional(numbers);
 }
 
+std::optional<double> ConversionForm::snap() const
+{
+    const QString text = m_snap->text().trimmed();
+    if (text.isEmpty())
+        return 0.0;
+    QLocale locale;
+    locale.setNumberOptions(QLocale::RejectGroupSeparator);
+    bool isNumber = false;
+    const double tolerance = locale.toDouble(text, &isNumber);
+    return isNumber && tolerance > 0.0 && std::isfinite(tolerance) ? std::optional(tolerance)
+                                                                   : std::nullopt;
+}
+
 QString ConversionForm::problem() const
 {
     if (!format())
         return tr("Choose the format.");
+    if (format() == &calibration_csv::format() && !snap())
+        return tr("\"%1\" is no tolerance: enter a number above 0, or nothing.")
+            .arg(m_snap->text());
     if (m_grid->currentIndex() > 0 && m_number->text().trimmed().isEmpty())
         return tr("Enter a number for the even grid.");
     if (m_grid->currentIndex() > 0 && !numbers())
@@ -258,7 +291,9 @@ void ConversionForm::nameRows()
     nameRow(*m_form, m_target, tr("Target &axis"));
     nameRow(*m_form, m_sign, tr("&Sign"));
     nameRow(*m_form, m_direction, tr("&Direction"));
-    nameRow(*m_form, m_grid, tr("Even &grid"));
+    nameRow(*m_form, m_missing, tr("Missin&g points"));
+    nameRow(*m_form, m_snap, tr("Snap &tolerance"));
+    nameRow(*m_form, m_grid, tr("&Even grid"));
     nameRow(*m_form, m_method, tr("&Between points"));
     m_dropsWrap->setText(tr("Treat a modulo axis as a &plain one"));
     m_holds->setText(tr("&Hold the end values beyond the data"));
@@ -283,6 +318,10 @@ void ConversionForm::describeFields()
         tr("The drive holds one value for both directions of motion; choose which one"));
     describe(*m_dropsWrap,
         tr("For an axis that stays within one revolution: the table is used as it is"));
+    describe(*m_missing, tr("What becomes of points of the grid that have no value"));
+    describe(*m_snap,
+        tr("Positions that are this close to an even grid are taken for its positions, in their "
+           "unit; empty: as they stand in the file"));
     describe(*m_grid, tr("Brings the table onto evenly spaced positions"));
     describe(*m_method, tr("How the values between the positions of the table are made"));
     describe(*m_holds, tr("The even grid may end beyond the last position"));
@@ -313,6 +352,11 @@ void ConversionForm::fillItems()
     m_direction->setItemText(1, tr("the mean of both directions"));
     m_direction->setItemText(2, tr("the values of the positive direction"));
     m_direction->setItemText(3, tr("the values of the negative direction"));
+    m_missing->setItemText(0, tr("none may be missing"));
+    m_missing->setItemText(1, tr("filled with the nearest measured value"));
+    m_missing->setItemText(2, tr("filled from the plane through all points"));
+    m_missing->setItemText(3, tr("filled smoothly, with the least bending"));
+    m_missing->setItemText(4, tr("left out: the grid is cropped"));
     m_grid->setItemText(0, tr("the positions of the table"));
     m_grid->setItemText(1, tr("a number of points"));
     m_grid->setItemText(2, tr("a distance"));

@@ -17,8 +17,8 @@ namespace axiscomp::ui {
 class SettingFields;
 
 /// The fields with which the user says what a file of tables is, or shall be: its format with its
-/// settings, the axis that it corrects, the sign of its values, directions of motion, and the even
-/// grid.
+/// settings, the axis that it corrects, the sign of its values, directions of motion, points
+/// without a value, and the even grid.
 class ConversionForm : public QWidget {
     Q_OBJECT
 
@@ -53,6 +53,8 @@ private:
     void nameSettings();
     [[nodiscard]] ResamplingChoice resampling() const;
     [[nodiscard]] std::optional<std::vector<double>> numbers() const;
+    /// 0 without a text; nothing for a text that is no tolerance.
+    [[nodiscard]] std::optional<double> snap() const;
 
     Purpose m_purpose;
     QFormLayout* m_form;
@@ -61,6 +63,8 @@ private:
     QComboBox* m_sign;
     QComboBox* m_direction;
     QCheckBox* m_dropsWrap;
+    QComboBox* m_missing;
+    QLineEdit* m_snap;
     QComboBox* m_grid;
     QLineEdit* m_number;
     QComboBox* m_method;

@@ -105,6 +105,7 @@ struct PlotCanvas::Private {
     QCustomPlot* plot;
     QCPGraph* curve = nullptr;
     QCPGraph* secondCurve = nullptr;
+    QCPGraph* filled = nullptr; ///< points that were made up, not measured
     QCPGraph* marker = nullptr;
     QCPColorMap* map = nullptr;
     QCPColorScale* scale = nullptr;
@@ -139,6 +140,9 @@ PlotCanvas::PlotCanvas(QWidget* parent) : QObject(parent), d(std::make_unique<Pr
 
     d->secondCurve = plot.addGraph();
     d->curve = plot.addGraph();
+    d->filled = plot.addGraph();
+    d->filled->setLineStyle(QCPGraph::lsNone);
+    d->filled->removeFromLegend();
     d->marker = plot.addGraph();
     d->marker->setLayer(QStringLiteral("overlay"));
     d->marker->removeFromLegend();
@@ -201,6 +205,7 @@ void PlotCanvas::show(std::shared_ptr<const CompensationTable> table,
         showMap();
     else if (d->table)
         showCurve();
+    showFilled();
     if (!isSameGrid)
         return resetZoom();
     if (!d->isMap())
@@ -242,6 +247,20 @@ void PlotCanvas::showMap()
     d->map->setDataRange(QCPRange(-d->range, d->range));
 }
 
+/// Crosses, as far as they can be told apart.
+void PlotCanvas::showFilled()
+{
+    constexpr std::size_t most = 4000;
+    d->filled->data()->clear();
+    if (!d->table || d->table->filled.size() > most)
+        return;
+    const std::size_t width = d->table->grid.axes[0].size;
+    for (const std::size_t point : d->table->filled) {
+        const GridPoint place{point % width, point / width};
+        d->filled->addData(d->xOf(place), d->yOf(place));
+    }
+}
+
 void PlotCanvas::setLabels(const QString& x, const QString& y, const QString& value)
 {
     d->plot->xAxis->setLabel(x);
@@ -280,6 +299,8 @@ void PlotCanvas::setPalette(const QPalette& palette)
     const QColor marker = dark ? QColor(255, 200, 60) : QColor(120, 60, 0);
     d->marker->setScatterStyle(
         QCPScatterStyle(QCPScatterStyle::ssDiamond, QPen(text, 1.5), QBrush(marker), 11));
+    d->filled->setScatterStyle(
+        QCPScatterStyle(QCPScatterStyle::ssCross, QPen(text, 1.0), Qt::NoBrush, 7));
     d->crosshair->setPen(QPen(text, 1, Qt::DotLine));
     const std::array<QColor, 2> cursorColors{text, marker};
     for (std::size_t which = 0; which < d->cursors.size(); ++which) {

@@ -50,6 +50,7 @@ public:
 private:
     void showCurve();
     void showMap();
+    void showFilled();
     void fitValues();
     void paintOverlay();
 

@@ -250,6 +250,7 @@ void addConvertCommand(CommandLine& line)
     addDimensionsOption(*command, options->input);
     addTableOption(*command, options->input);
     addFromOption(*command, options->input);
+    addIncompleteGridOptions(*command, options->input);
     command->add_option("--to", options->to, "Format of the output, if its name leaves it open")
         ->option_text("FORMAT");
     command

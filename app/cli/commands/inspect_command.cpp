@@ -71,13 +71,21 @@ std::string gridText(const Grid& grid)
 
 std::string tablesText(const CalibrationData& data)
 {
-    TextTable table({">table", "name", "target", "unit", ">min", ">max", ">rms"});
+    const bool hasFilled = std::ranges::any_of(
+        data.tables, [](const CompensationTable& table) { return !table.filled.empty(); });
+    std::vector<std::string> header{">table", "name", "target", "unit", ">min", ">max", ">rms"};
+    if (hasFilled)
+        header.emplace_back(">filled");
+    TextTable table(header);
     for (std::size_t i = 0; i < data.tables.size(); ++i) {
         const TableStatistics figures = statistics(data.tables[i]);
         const std::string& target = data.tables[i].target;
-        table.add(
-            {std::to_string(i + 1), data.tables[i].name, targetText(target), data.tables[i].unit,
-                shortText(figures.minimum), shortText(figures.maximum), shortText(figures.rms)});
+        std::vector<std::string> row{std::to_string(i + 1), data.tables[i].name, targetText(target),
+            data.tables[i].unit, shortText(figures.minimum), shortText(figures.maximum),
+            shortText(figures.rms)};
+        if (hasFilled)
+            row.push_back(countText(data.tables[i].filled.size()));
+        table.add(row);
     }
     return table.text();
 }
@@ -89,13 +97,17 @@ Json neutralJson(const NeutralTable& table)
         axes.push_back({{"name", axis.name}, {"unit", axis.unit}, {"first", axis.knots.front()},
             {"last", axis.knots.back()}, {"size", axis.knots.size()}, {"even", isEven(axis)},
             {"wrap", axis.wrap ? Json(*axis.wrap) : Json(nullptr)}});
+    std::vector<std::size_t> sizes;
+    for (const SourceAxis& axis : table.axes)
+        sizes.push_back(axis.knots.size());
     Json columns = Json::array();
     for (const CompensationColumn& column : table.columns) {
         const TableStatistics figures = statisticsOf(column.values);
         columns.push_back({{"name", column.name},
             {"target", column.target.empty() ? Json(nullptr) : Json(column.target)},
             {"unit", column.unit}, {"direction", directionName(column.direction)},
-            {"min", figures.minimum}, {"max", figures.maximum}, {"rms", figures.rms}});
+            {"min", figures.minimum}, {"max", figures.maximum}, {"rms", figures.rms},
+            {"filled", filledJson(column.filled, sizes)}});
     }
     return {{"name", table.name}, {"dimensions", table.axes.size()}, {"axes", std::move(axes)},
         {"columns", std::move(columns)}, {"sign", signName(table.sign)}, {"notes", table.notes}};
@@ -181,6 +193,7 @@ void addInspectCommand(CommandLine& line)
         ->required();
     addDimensionsOption(*command, *options);
     addFromOption(*command, *options);
+    addIncompleteGridOptions(*command, *options);
     addProfileOption(*command, options->profile);
 }
 

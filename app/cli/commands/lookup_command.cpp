@@ -187,6 +187,7 @@ void addLookupCommand(CommandLine& line)
             "Print the value that the controller of this format would apply, after conversion")
         ->option_text("FORMAT");
     addFromOption(*command, options->input);
+    addIncompleteGridOptions(*command, options->input);
     options->conversion.command = options->input.command;
     addConversionOptions(*command, options->conversion);
     addOutputOptions(*command, options->conversion);

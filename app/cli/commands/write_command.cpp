@@ -271,6 +271,7 @@ void addWriteCommand(CommandLine& line)
     addDimensionsOption(*command, options->input);
     CLI::Option* const table = addTableOption(*command, options->input);
     addFromOption(*command, options->input);
+    addIncompleteGridOptions(*command, options->input);
     options->conversion.command = options->drive.command;
     addConversionOptions(*command, options->conversion);
     addResamplingOptions(*command, options->conversion);

@@ -13,6 +13,7 @@
 #include "drivecomm/profile/profile_loader.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 namespace axiscomp::app {
@@ -21,6 +22,17 @@ namespace {
 
 constexpr std::uint64_t maximumTableFile = 64 * 1024 * 1024;
 
+MissingPoints missingPoints(const TableInputOptions& options)
+{
+    if (options.crops)
+        return MissingPoints::Crop;
+    if (options.fill.empty())
+        return MissingPoints::Refuse;
+    if (options.fill == "nearest")
+        return MissingPoints::Nearest;
+    return options.fill == "plane" ? MissingPoints::Plane : MissingPoints::Smooth;
+}
+
 CsvReading readCsv(Environment& environment, const TableInputOptions& input,
     const std::optional<std::string>& text, int dimensions)
 {
@@ -28,6 +40,8 @@ CsvReading readCsv(Environment& environment, const TableInputOptions& input,
     CsvOptions options;
     options.dimensions = dimensions;
     options.acceptsUneven = input.acceptsUneven;
+    options.missing = missingPoints(input);
+    options.snap = input.snap;
     options.stop = environment.stopToken();
     options.progress = [&](double fraction) {
         environment.console().progress("reading " + file, fraction);
@@ -152,6 +166,8 @@ Result<TableInput> inspectOther(
     TableReadOptions readOptions;
     readOptions.dimensions = options.dimensions;
     readOptions.settings = settings;
+    readOptions.missing = missingPoints(options);
+    readOptions.snap = options.snap;
     readOptions.stop = environment.stopToken();
     AXISCOMP_TRY(auto reading, format.read(text, readOptions));
     if (reading.cancelled)
@@ -191,6 +207,38 @@ void addFromOption(CLI::App& command, TableInputOptions& options)
         .add_option("--set-in", options.settings,
             "Setting that the file leaves open; `axiscomp formats NAME` lists them")
         ->option_text("KEY=VALUE");
+}
+
+void addIncompleteGridOptions(CLI::App& command, TableInputOptions& options)
+{
+    const std::string group = "Incomplete grids";
+    CLI::Option* const fill =
+        command
+            .add_option("--fill", options.fill,
+                "Give points without a value that of the nearest measured point, of the plane "
+                "through all of them (plane), or the values that bend least (smooth)")
+            ->option_text("METHOD")
+            ->check(CLI::IsMember(std::vector<std::string>{"nearest", "plane", "smooth"}))
+            ->group(group);
+    command
+        .add_flag("--crop", options.crops,
+            "Cut the grid to the largest part in which every point has a value")
+        ->excludes(fill)
+        ->group(group);
+    command
+        .add_option("--snap", options.snap,
+            "Take positions of a calibration file that are this close to the grid for grid "
+            "positions, in their unit")
+        ->option_text("TOLERANCE")
+        ->check(CLI::Validator(
+            [](const std::string& text) {
+                const auto number = numberOf(text);
+                return number && *number > 0.0 && std::isfinite(*number)
+                    ? std::string()
+                    : text + ": a tolerance is above 0";
+            },
+            "", ""))
+        ->group(group);
 }
 
 CLI::Option* addTableOption(CLI::App& command, TableInputOptions& options)

@@ -20,12 +20,17 @@ struct TableInputOptions {
     std::vector<std::string> settings; ///< KEY=VALUE, what the file does not say
     bool acceptsUneven = false; ///< a calibration file's positions need not be even
     int dimensions = 0; ///< 0: not given
+    std::string fill; ///< nearest, plane, smooth; empty: points without a value are an error
+    bool crops = false;
+    double snap = 0.0; ///< see CsvOptions
     std::string table; ///< name or number; empty: the only one
     std::string profile; ///< path; empty: the built-in one
 };
 
 void addDimensionsOption(CLI::App& command, TableInputOptions& options);
 void addFromOption(CLI::App& command, TableInputOptions& options); ///< and --set-in
+/// --fill, --crop, --snap
+void addIncompleteGridOptions(CLI::App& command, TableInputOptions& options);
 CLI::Option* addTableOption(CLI::App& command, TableInputOptions& options);
 void addProfileOption(CLI::App& command, std::string& profile);
 

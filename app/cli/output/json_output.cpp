@@ -64,12 +64,30 @@ Json toJson(const Grid& grid)
     return list;
 }
 
+Json filledJson(const std::vector<std::uint32_t>& filled, const std::vector<std::size_t>& sizes)
+{
+    Json list = Json::array();
+    for (std::size_t point : filled) {
+        Json index = Json::array();
+        for (const std::size_t size : sizes) {
+            index.push_back(point % size);
+            point /= size;
+        }
+        list.push_back(std::move(index));
+    }
+    return list;
+}
+
 Json toJson(const CompensationTable& table)
 {
     const TableStatistics figures = statistics(table);
+    std::vector<std::size_t> sizes;
+    for (const GridAxis& axis : table.grid.axes)
+        sizes.push_back(axis.size);
     return {{"name", table.name},
         {"target", table.target.empty() ? Json(nullptr) : Json(table.target)}, {"unit", table.unit},
-        {"min", figures.minimum}, {"max", figures.maximum}, {"rms", figures.rms}};
+        {"min", figures.minimum}, {"max", figures.maximum}, {"rms", figures.rms},
+        {"filled", filledJson(table.filled, sizes)}};
 }
 
 Json toJson(const Error& error, const Json& diagnostics)

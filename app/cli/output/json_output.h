@@ -17,7 +17,10 @@ namespace axiscomp::app {
 [[nodiscard]] Json toJson(const Diagnostic& diagnostic);
 /// [{"name", "unit", "start", "distance", "size"}]
 [[nodiscard]] Json toJson(const Grid& grid);
-/// {"name", "unit", "min", "max", "rms"}
+/// [[2, 0], ...]: the points that were made up, by their indices in each dimension, from 0
+[[nodiscard]] Json filledJson(
+    const std::vector<std::uint32_t>& filled, const std::vector<std::size_t>& sizes);
+/// {"name", "target", "unit", "min", "max", "rms", "filled"}
 [[nodiscard]] Json toJson(const CompensationTable& table);
 /// {"code", "message", "context", "diagnostics"}
 [[nodiscard]] Json toJson(const Error& error, const Json& diagnostics);

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace axiscomp::reprap {
 
@@ -29,7 +30,7 @@ constexpr std::array<std::string_view, 7> rules{
     "Positions are minimum + i x spacing; the last one may lie before the maximum.",
     "A bare 0, without decimals, marks a point that was not probed; a height of zero is 0.000.",
     "The firmware fills points that were not probed from a plane through the others, or from their "
-    "neighbours. This program reports them.",
+    "neighbours. This program fills or leaves them out only when it is told to (--fill, --crop).",
     "Heights are added to the commanded Z; between the points they are bilinear, in single "
     "precision.",
     "Outside of the map the heights at its edge are held.",
@@ -160,16 +161,18 @@ void takeRow(const Token& line, const std::array<Axis, 2>& axes, std::size_t row
     };
     for (std::size_t i = 0; i < cells.size(); ++i) {
         const bool isProbed = cells[i].text != "0";
-        if (!isProbed)
+        if (!isProbed && source.options.missing == MissingPoints::Refuse)
             source.diagnostics.error(DiagnosticCode::MissingPoint, line.line, i + 1,
                 AXISCOMP_TEXT("Error", "a point that was not probed at {position}, {other}")
                     .with("position", position(axes[0], i))
                     .with("other", position(axes[1], row)),
-                AXISCOMP_TEXT("Error", "a height with decimals"));
+                AXISCOMP_TEXT("Error",
+                    "a height with decimals; points without a value can be filled or left out "
+                    "(--fill, --crop, or Missing points in the import)"));
         heights.push_back(isProbed
                 ? readNumber(cells[i], AXISCOMP_TEXT("Error", "a height in mm"), source.diagnostics)
                       .value_or(0.0)
-                : 0.0);
+                : std::numeric_limits<double>::quiet_NaN());
     }
 }
 
@@ -285,6 +288,7 @@ const TableFormat& format()
             .knots = KnotRule::Even,
             .holdsNames = true,
             .holdsUnits = true,
+            .marksMissing = true,
             .holdsNotes = true,
             .numbers = "decimal text",
             .sign = SignConvention::Command,

@@ -34,6 +34,8 @@ Result<TableReading> read(std::string_view text, const TableReadOptions& options
     CsvOptions csv;
     csv.dimensions = options.dimensions;
     csv.acceptsUneven = true;
+    csv.missing = options.missing;
+    csv.snap = options.snap;
     csv.maximumDiagnostics = options.maximumDiagnostics;
     csv.stop = options.stop;
     CsvReading parsed = parseCalibrationCsv(text, csv);
@@ -110,6 +112,7 @@ const TableFormat& format()
             .mostBytes = std::size_t{1} << 30U,
             .holdsNames = true,
             .holdsUnits = true,
+            .marksMissing = true,
             .holdsNotes = true,
             .numbers = "decimal text",
             .sign = SignConvention::Feedback,

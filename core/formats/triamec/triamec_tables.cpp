@@ -76,6 +76,7 @@ NeutralTable neutralTable(
         column.name = table.name;
         column.unit = table.unit;
         column.target = table.target;
+        column.filled = table.filled;
         column.values.reserve(table.values.size());
         for (const float value : table.values)
             column.values.push_back(plainValue(value));
@@ -98,7 +99,8 @@ Result<CalibrationData> calibrationData(const NeutralTable& table)
     for (std::size_t n = 0; n < table.columns.size(); ++n) {
         AXISCOMP_TRY(auto values, floatValues(table.columns[n]));
         data.tables.push_back({columnName(table, n), table.columns[n].unit, data.grid,
-            std::move(values), portableTarget(table.columns[n].target, sourceNames(table))});
+            std::move(values), portableTarget(table.columns[n].target, sourceNames(table)),
+            table.columns[n].filled});
     }
     return data;
 }
