@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/conversion/table_import.h"
 
+#include "core/csv/cells.h"
 #include "core/formats/formats.h"
 #include "core/formats/triamec/triamec_tables.h"
 #include "core/io/local_file.h"
@@ -13,6 +14,22 @@
 namespace axiscomp {
 
 namespace {
+
+/// The import's choices can help: uneven positions, points without a value.
+bool isOfTheGrid(const Diagnostic& diagnostic, int dimensions)
+{
+    switch (diagnostic.code) {
+    case DiagnosticCode::UnevenSpacing:
+    case DiagnosticCode::MissingPoint:
+        return true;
+    case DiagnosticCode::NotANumber:
+    case DiagnosticCode::NotFinite:
+        return diagnostic.column > static_cast<std::size_t>(dimensions)
+            && csv::isNoValue(diagnostic.found.english());
+    default:
+        return diagnostic.severity == Severity::Warning;
+    }
+}
 
 class Import {
 public:
@@ -39,6 +56,7 @@ private:
     void readTamTable();
     void readOther();
     void take(CalibrationData data);
+    void refuseIncomplete();
     void convert(const std::vector<NeutralTable>& tables);
     [[nodiscard]] Result<CompensationTable> converted(const NeutralTable& column);
     void keepName(CompensationTable& table);
@@ -91,6 +109,18 @@ void Import::take(CalibrationData data)
         m_result.data = std::make_shared<const CalibrationData>(std::move(data));
 }
 
+/// A file that other choices make usable is refused with its first problem, not given up.
+void Import::refuseIncomplete()
+{
+    const auto& problems = m_result.problems;
+    const auto isOfIt = [&](const Diagnostic& d) { return isOfTheGrid(d, m_request.dimensions); };
+    const auto first = std::ranges::find_if(problems, [](const Diagnostic& d) {
+        return d.severity == Severity::Error && d.code != DiagnosticCode::UnevenSpacing;
+    });
+    if (first != problems.end() && std::ranges::all_of(problems, isOfIt))
+        refuse({ErrorCode::InvalidArgument, {{"reason", textOf(*first)}}, {}});
+}
+
 void Import::readCsv()
 {
     CsvOptions options;
@@ -109,6 +139,8 @@ void Import::readCsv()
     m_result.suppressedProblems = reading.suppressed;
     if (reading.data)
         take(*std::move(reading.data));
+    else if (!isOnlyUneven)
+        refuseIncomplete();
     if (!isOnlyUneven || m_result.isCancelled)
         return;
     options.acceptsUneven = true;
@@ -176,6 +208,8 @@ void Import::readOther()
     m_result.suppressedProblems = reading->suppressed;
     if (isUsable && !m_result.isCancelled)
         convert(separateColumns(reading->tables));
+    else if (format.facts.marksMissing && !m_result.isCancelled)
+        refuseIncomplete();
 }
 
 /// Two columns of a file may have one name, but a table is chosen by its.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/csv/cells.h"
 
+#include "core/text/token_scanner.h"
+
 #include <algorithm>
 
 namespace axiscomp::csv {
@@ -62,6 +64,12 @@ std::size_t splitCells(
             cells.push_back(cell);
     }
     return count;
+}
+
+bool isNoValue(std::string_view cell)
+{
+    const std::string_view text = trimmed(cell);
+    return text.empty() || sameLetters(text, "nan") || sameLetters(text, "#N/A");
 }
 
 std::string cellText(const Cell& cell, Encoding encoding)

@@ -40,6 +40,9 @@ struct Cell {
 std::size_t splitCells(
     std::string_view line, char separator, std::size_t maximum, std::vector<Cell>& cells);
 
+/// As programs write a point that was not measured: nothing, nan, #N/A.
+[[nodiscard]] bool isNoValue(std::string_view cell);
+
 /// A cell as it may be shown: UTF-8, doubled quotes made single, no byte-order mark.
 [[nodiscard]] std::string cellText(const Cell& cell, Encoding encoding);
 

@@ -4,7 +4,6 @@
 #include "core/csv/fast_rows.h"
 #include "core/csv/header.h"
 #include "core/text/line_reader.h"
-#include "core/text/token_scanner.h"
 
 #include <cmath>
 #include <limits>
@@ -38,7 +37,10 @@ private:
     void readValues(std::size_t lineNumber, RowStore::Block& block);
     bool readNumber(std::size_t lineNumber, std::size_t column, Number& number);
     bool decideDecimal(std::string_view cell, std::size_t lineNumber, std::size_t column);
-    [[nodiscard]] bool isNoValue(std::size_t column) const;
+    [[nodiscard]] bool isMissing(std::size_t column) const
+    {
+        return column > m_scan.positions.size() && isNoValue(m_cells[column - 1].text);
+    }
     void reportFault(NumberFault fault, std::size_t lineNumber, std::size_t column);
     [[nodiscard]] std::size_t maximumRows() const
     {
@@ -231,7 +233,7 @@ void Scanner::readValues(std::size_t lineNumber, RowStore::Block& block)
     for (std::size_t table = 0; table < m_scan.tables(); ++table) {
         Number number;
         float stored = 0.0F;
-        if (isNoValue(positions + table + 1) && m_options.missing != MissingPoints::Refuse) {
+        if (isMissing(positions + table + 1) && m_options.missing != MissingPoints::Refuse) {
             stored = std::numeric_limits<float>::quiet_NaN();
         } else if (readNumber(lineNumber, positions + table + 1, number)) {
             stored = static_cast<float>(number.value);
@@ -243,15 +245,6 @@ void Scanner::readValues(std::size_t lineNumber, RowStore::Block& block)
         }
         block.values[table * m_scan.rows.blockRows() + block.rows] = stored;
     }
-}
-
-/// As programs write a point that was not measured.
-bool Scanner::isNoValue(std::size_t column) const
-{
-    if (column <= m_scan.positions.size())
-        return false;
-    const std::string_view cell = trimmed(m_cells[column - 1].text);
-    return cell.empty() || sameLetters(cell, "nan") || sameLetters(cell, "#N/A");
 }
 
 bool Scanner::readNumber(std::size_t lineNumber, std::size_t column, Number& number)
@@ -303,7 +296,7 @@ void Scanner::reportFault(NumberFault fault, std::size_t lineNumber, std::size_t
         expected =
             AXISCOMP_TEXT("Error", "{expected}; decimal commas need the separator ; in every line")
                 .with("expected", expected);
-    if (isNoValue(column))
+    if (isMissing(column))
         expected = AXISCOMP_TEXT("Error",
             "{expected}; points without a value can be filled or left out (--fill, --crop, or "
             "Missing points in the import)")

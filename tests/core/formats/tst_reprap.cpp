@@ -148,17 +148,27 @@ private Q_SLOTS:
                 "generated at 2021-04-05 06:07, mean error 0.010, deviation 0.002"}));
     }
 
-    void pointsThatWereNotProbedAreReportedAndNotInvented()
+    void pointsThatWereNotProbedAreFilledOnlyWhenAsked()
     {
+        const std::string wayOut = "a height with decimals; points without a value can be filled "
+                                   "or left out (--fill, --crop, or Missing points in the "
+                                   "import)\n";
         const auto reading = format.read(
             oldFile(parameters, "  0.100,      0,  0.000\n      0,  0.400,  -0.500\n"), {});
         VERIFY_RESULT(reading);
         QVERIFY(reading->tables.empty());
         QCOMPARE(problemLines(*reading),
-            std::string("4:2 MissingPoint a point that was not probed at X = 60, Y = 20|a height "
-                        "with decimals\n"
-                        "5:1 MissingPoint a point that was not probed at X = 10, Y = 220|a height "
-                        "with decimals\n"));
+            "4:2 MissingPoint a point that was not probed at X = 60, Y = 20|" + wayOut
+                + "5:1 MissingPoint a point that was not probed at X = 10, Y = 220|" + wayOut);
+        TableReadOptions options;
+        options.missing = MissingPoints::Nearest;
+        const auto filled = format.read(
+            oldFile(parameters, "  0.100,      0,  0.000\n      0,  0.400,  -0.500\n"), options);
+        VERIFY_RESULT(filled);
+        QCOMPARE(filled->tables.size(), 1U);
+        const CompensationColumn& column = filled->tables.front().columns.front();
+        QCOMPARE(column.filled, (std::vector<std::uint32_t>{1, 3}));
+        QCOMPARE(column.values, (std::vector<double>{0.1, 0.1, 0, 0.4, 0.4, -0.5}));
         READ_TABLE(zero, format, oldFile(parameters, "0.000,0.0,-0.000\n0.,1,2\n"), {});
         QCOMPARE(zero.columns[0].values[0], 0.0);
     }

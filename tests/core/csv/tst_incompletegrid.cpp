@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/core/csv/csv_reading.h"
+#include "tests/support/test_registry.h"
+
+namespace tst_incompletegrid {
+
+using namespace axiscomp;
+using test::describe;
+using test::parse;
+
+namespace {
+
+CsvOptions with(MissingPoints missing, double snap = 0.0)
+{
+    CsvOptions options;
+    options.missing = missing;
+    options.snap = snap;
+    return options;
+}
+
+/// A round bed as a probe leaves it: the corners have no line, one point has no value.
+const QByteArray bed = "X [mm],Y [mm],Z [um]\r\n"
+                       "10,0,1\r\n20,0,2\r\n"
+                       "0,10,3\r\n10,10,\r\n20,10,5\r\n30,10,6\r\n"
+                       "0,20,7\r\n10,20,8\r\n20,20,9\r\n30,20,10\r\n"
+                       "10,30,11\r\n20,30,12\r\n";
+
+/// Positions as an encoder reads them.
+const QByteArray measured = "X [mm],Y [mm],Z [um]\n"
+                            "0.0001,-0.0002,1\n9.9998,0,2\n20.0001,0.0001,3\n"
+                            "-0.0001,49.9999,4\n10.0002,50.0001,5\n20,50,6\n";
+
+} // namespace
+
+class TestIncompleteGrid : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { test::failOnWarnings(); }
+
+    void gapsAreRefusedWithTheWayOut()
+    {
+        const CsvReading reading = parse(bed, 2);
+        QVERIFY(!reading.data);
+        QCOMPARE(describe(reading),
+            (QByteArrayList{
+                "5:3 NotANumber |a number such as 0.5; points without a value can be filled or "
+                "left out (--fill, --crop, or Missing points in the import)",
+                "0:0 MissingPoint no line for X = 0 mm, Y = 0 mm; X = 30 mm, Y = 0 mm; X = 0 mm, "
+                "Y = 30 mm; ... (missing: 4 of 16 points)|every combination of the positions; "
+                "missing points can be filled or left out (--fill, --crop, or Missing points in "
+                "the import)"}));
+    }
+
+    void gapsAreFilledAndMarked()
+    {
+        const CsvReading reading = parse(bed, 2, with(MissingPoints::Nearest));
+        QVERIFY2(reading.data, describe(reading).join('\n').constData());
+        const CompensationTable& table = reading.data->tables.front();
+        QCOMPARE(table.grid.pointCount(), 16U);
+        QCOMPARE(table.values.size(), 16U);
+        QCOMPARE(table.filled, (std::vector<std::uint32_t>{0, 3, 5, 12, 15}));
+        QCOMPARE(table.values[6], 5.0F); // measured ones stay
+        QCOMPARE(table.values[13], 11.0F);
+        QCOMPARE(reading.data->notes,
+            (std::vector<std::string>{"5 of 16 points of Z are filled, not measured"}));
+        QCOMPARE(reading.diagnostics.back().code, DiagnosticCode::FilledPoints);
+    }
+
+    void theGridIsCropped()
+    {
+        const CsvReading reading = parse(bed, 2, with(MissingPoints::Crop));
+        QVERIFY2(reading.data, describe(reading).join('\n').constData());
+        const CompensationTable& table = reading.data->tables.front();
+        QCOMPARE(table.values, (std::vector<float>{5, 6, 9, 10}));
+        QVERIFY(table.filled.empty());
+        QCOMPARE(table.grid.axes[0].start, 20.0);
+        QCOMPARE(table.grid.axes[0].size, 2U);
+        QCOMPARE(table.grid.axes[1].start, 10.0);
+        QCOMPARE(reading.data->grid, table.grid);
+    }
+
+    void emptyCellsNanAndNaAreNoValue_data()
+    {
+        QTest::addColumn<QByteArray>("cell");
+        for (const char* cell : {"", " ", "nan", "NaN", "#N/A", "\"\""})
+            QTest::newRow(cell) << QByteArray(cell);
+    }
+    void emptyCellsNanAndNaAreNoValue()
+    {
+        QFETCH(const QByteArray, cell);
+        const QByteArray text = "X;E\n0;1,5\n10;" + cell + "\n20;3,5\n";
+        QVERIFY(!parse(text, 1).data);
+        const CsvReading reading = parse(text, 1, with(MissingPoints::Plane));
+        QVERIFY2(reading.data, describe(reading).join('\n').constData());
+        QCOMPARE(reading.data->tables[0].values, (std::vector<float>{1.5F, 2.5F, 3.5F}));
+    }
+
+    void wordsAndMissingPositionsStayErrors()
+    {
+        const CsvReading reading = parse("X,E\n0,1\n10,none\n,3\n", 1, with(MissingPoints::Smooth));
+        QVERIFY(!reading.data);
+        QCOMPARE(reading.diagnostics.size(), 2U);
+        QCOMPARE(reading.diagnostics[0].line, 3U);
+        QCOMPARE(reading.diagnostics[1].line, 4U);
+    }
+
+    void measuredPositionsAreRefusedWithTheToleranceThatWouldDo()
+    {
+        const CsvReading reading = parse(measured, 2);
+        QVERIFY(!reading.data);
+        const QByteArray all = describe(reading).join('\n');
+        QVERIFY2(
+            all.contains("a tolerance of 0.0002 takes them for an even grid"), all.constData());
+        const CsvReading taken = parse(measured, 2, with(MissingPoints::Refuse, 0.0002));
+        QVERIFY2(taken.data, describe(taken).join('\n').constData());
+    }
+
+    void measuredPositionsSnapToTheRoundestGrid()
+    {
+        const CsvReading reading = parse(measured, 2, with(MissingPoints::Refuse, 0.001));
+        QVERIFY2(reading.data, describe(reading).join('\n').constData());
+        const Grid& grid = reading.data->grid;
+        QCOMPARE(grid.axes[0].start, 0.0);
+        QCOMPARE(grid.axes[0].distance, 10.0);
+        QCOMPARE(grid.axes[0].size, 3U);
+        QCOMPARE(grid.axes[1].start, 0.0);
+        QCOMPARE(grid.axes[1].distance, 50.0);
+        QCOMPARE(reading.data->tables[0].values, (std::vector<float>{1, 2, 3, 4, 5, 6}));
+        const QByteArray all = describe(reading).join('\n');
+        QVERIFY2(all.contains("X is taken for 0 to 20 mm in steps of 10 mm; the largest shift is "
+                              "0.0002 mm, at X = 10 mm"),
+            all.constData());
+    }
+
+    void aPositionBeyondTheToleranceIsNotMoved()
+    {
+        QVERIFY(!parse(measured, 2, with(MissingPoints::Refuse, 0.0001)).data);
+        // 0, 10.0002 and 20 are no even grid within 0.00005, nor 0 and 0.00015 one position.
+        const QByteArray line = "X,E\n0,1\n10.0002,2\n20,3\n";
+        QVERIFY(!parse(line, 1, with(MissingPoints::Refuse, 0.00005)).data);
+        QVERIFY(parse(line, 1, with(MissingPoints::Refuse, 0.0002)).data);
+    }
+
+    void positionsThatChainBeyondTheToleranceAreNotOne()
+    {
+        // Each is within 0.2 of the next, all of them are not within 0.1 of one place.
+        const CsvReading reading = parse(
+            "X,Y,E\n0,0,1\n0.15,10,2\n0.3,20,3\n0.45,30,4\n10,0,5\n10,10,6\n10,20,7\n10,30,8\n", 2,
+            with(MissingPoints::Refuse, 0.1));
+        QVERIFY(!reading.data);
+    }
+
+    void twoLinesOfOneSnappedPointAreADuplicate()
+    {
+        const CsvReading reading =
+            parse("X,E\n0,1\n10,2\n10.0001,2\n20,3\n", 1, with(MissingPoints::Refuse, 0.001));
+        QVERIFY(!reading.data);
+        QCOMPARE(reading.diagnostics.front().code, DiagnosticCode::DuplicatePoint);
+    }
+
+    void gapsOfMeasuredPositionsAreFilledToo()
+    {
+        const QByteArray text = QByteArray(measured).replace("10.0002,50.0001,5\n", "");
+        const CsvReading reading = parse(text, 2, with(MissingPoints::Plane, 0.001));
+        QVERIFY2(reading.data, describe(reading).join('\n').constData());
+        QCOMPARE(reading.data->tables[0].filled, (std::vector<std::uint32_t>{4}));
+        QCOMPARE(reading.data->tables[0].values[4], 5.0F); // all lie on one plane
+    }
+
+    void scatteredPositionsAreNoGridWithGaps()
+    {
+        QByteArray text = "X,Y,E\n";
+        for (int i = 0; i < 60; ++i)
+            text += QByteArray::number(i * i * 0.37) + ',' + QByteArray::number((i * 37) % 61 * 1.3)
+                + ",1\n";
+        CsvOptions options = with(MissingPoints::Nearest);
+        QVERIFY(!parse(text, 2, options).data);
+        options.maximumCells = 3000; // 60 x 60 points would be more
+        options.acceptsUneven = true;
+        const CsvReading reading = parse(text, 2, options);
+        QVERIFY(!reading.data);
+        QCOMPARE(reading.diagnostics.back().code, DiagnosticCode::MissingPoint);
+    }
+};
+
+AXISCOMP_TEST(TestIncompleteGrid)
+
+} // namespace tst_incompletegrid
+
+#include "tst_incompletegrid.moc"
