@@ -475,11 +475,12 @@ void PointReader::reportMissing()
             .with("points", std::move(points))
             .with("missing", Quantity{roundedText(missing)})
             .with("all", Quantity{roundedText(m_pointCount)}),
-        withDimensionalityHint(
-            AXISCOMP_TEXT("Error",
+        fewerDimensions() > 0
+            ? withDimensionalityHint(
+                AXISCOMP_TEXT("Error", "every combination of the positions"), fewerDimensions())
+            : Text(AXISCOMP_TEXT("Error",
                 "every combination of the positions; missing points can be filled or left out "
-                "(--fill, --crop, or Missing points in the import)"),
-            fewerDimensions()));
+                "(--fill, --crop, or Missing points in the import)")));
 }
 
 std::vector<Text> PointReader::pointText(std::size_t point) const

@@ -322,7 +322,6 @@ private Q_SLOTS:
         QTest::addColumn<DiagnosticCode>("code");
         QTest::addColumn<QByteArray>("wayOut");
         QTest::newRow("uneven") << DiagnosticCode::UnevenSpacing << QByteArray("resample the data");
-        QTest::newRow("missing") << DiagnosticCode::MissingPoint << QByteArray("resample the data");
         QTest::newRow("no text") << DiagnosticCode::NotText << QByteArray("save it as UTF-8 CSV");
         QTest::newRow("encoding") << DiagnosticCode::Encoding << QByteArray("save it as UTF-8 CSV");
         QTest::newRow("steep") << DiagnosticCode::LargeGradient << QByteArray("check the units");
