@@ -143,7 +143,13 @@ Result<NeutralTable> Converter::signConverted(NeutralTable table, TableConversio
         conversion.example = examplePoint(table);
         return table;
     }
-    AXISCOMP_TRY(auto converted, convertSign(table, targetSign(), m_request.from->facts.behaviour));
+    // A grid that was asked for is kept.
+    const ConvertedKnots knots = !std::holds_alternative<std::monostate>(m_request.resampling)
+        ? ConvertedKnots::Same
+        : m_request.to->facts.knots == KnotRule::Any ? ConvertedKnots::Exact
+                                                     : ConvertedKnots::ExactIfEven;
+    AXISCOMP_TRY(
+        auto converted, convertSign(table, targetSign(), m_request.from->facts.behaviour, knots));
     conversion.example = std::move(converted.example);
     if (converted.usesHeldEnds)
         remarkOnce(m_remarks,

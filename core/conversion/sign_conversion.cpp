@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace axiscomp {
 
@@ -26,9 +27,12 @@ public:
         m_result.table = source;
     }
 
-    [[nodiscard]] Result<SignConversion> run(SignConvention to);
+    [[nodiscard]] Result<SignConversion> run(SignConvention to, ConvertedKnots knots);
 
 private:
+    [[nodiscard]] bool mayMoveKnots(ConvertedKnots knots) const;
+    /// Whether it was possible, and was done.
+    [[nodiscard]] Result<bool> moveKnots(ConvertedKnots knots);
     [[nodiscard]] Result<void> convert(Direction direction);
     void negate(const std::vector<std::size_t>& columns);
     void convertLines(const Mover& mover, const std::vector<std::size_t>& columns);
@@ -44,7 +48,36 @@ private:
     SignConversion m_result;
 };
 
-Result<SignConversion> SignConverter::run(SignConvention to)
+bool SignConverter::mayMoveKnots(ConvertedKnots knots) const
+{
+    return knots != ConvertedKnots::Same && m_source.axes.size() == 1 && !m_source.axes[0].wrap
+        && std::ranges::all_of(m_source.columns,
+            [](const CompensationColumn& column) { return column.direction == Direction::Both; });
+}
+
+Result<bool> SignConverter::moveKnots(ConvertedKnots knots)
+{
+    if (!mayMoveKnots(knots))
+        return false;
+    AXISCOMP_TRY(const auto movers, moversOf(m_source, ownAxesOf(m_source), Direction::Both));
+    if (movers.size() != 1)
+        return false;
+    AXISCOMP_CHECK(checkInvertible(m_source, movers.front()));
+    const LineInversion line(m_source, movers.front(), 0);
+    SourceAxis moved = m_source.axes[0];
+    moved.step = 0.0;
+    for (std::size_t i = 0; i < moved.knots.size(); ++i)
+        moved.knots[i] = line.sum(i);
+    if (knots == ConvertedKnots::ExactIfEven && !isEven(moved))
+        return false;
+    m_result.table.axes[0] = std::move(moved);
+    std::vector<std::size_t> all(m_source.columns.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    negate(all);
+    return true;
+}
+
+Result<SignConversion> SignConverter::run(SignConvention to, ConvertedKnots knots)
 {
     AXISCOMP_CHECK(checkConsistent(m_source));
     if (m_source.sign == to) {
@@ -52,8 +85,11 @@ Result<SignConversion> SignConverter::run(SignConvention to)
         return std::move(m_result);
     }
     AXISCOMP_CHECK(checkTargets(m_source));
-    for (const Direction direction : {Direction::Both, Direction::Positive, Direction::Negative})
-        AXISCOMP_CHECK(convert(direction));
+    AXISCOMP_TRY(const bool isMoved, moveKnots(knots));
+    if (!isMoved)
+        for (const Direction direction :
+            {Direction::Both, Direction::Positive, Direction::Negative})
+            AXISCOMP_CHECK(convert(direction));
     m_result.table.sign = to;
     AXISCOMP_TRY(const auto residual, largestResidual());
     m_result.residual = residual;
@@ -199,10 +235,10 @@ Result<double> SignConverter::largestResidual() const
 
 } // namespace
 
-Result<SignConversion> convertSign(
-    const NeutralTable& table, SignConvention to, const TableBehaviour& behaviour)
+Result<SignConversion> convertSign(const NeutralTable& table, SignConvention to,
+    const TableBehaviour& behaviour, ConvertedKnots knots)
 {
-    return SignConverter(table, behaviour).run(to);
+    return SignConverter(table, behaviour).run(to, knots);
 }
 
 } // namespace axiscomp

@@ -20,7 +20,14 @@ struct SignConversion {
     Text example; ///< a sentence, see examplePoint
 };
 
-/// The same compensation in the other convention, at the same knots. With the encoder position
+/// At which knots a converted table stands.
+enum class ConvertedKnots {
+    Same, ///< those of the source: between them the other convention is not quite linear
+    Exact, ///< where it is possible z + f(z) for each knot z: linear between these, exactly
+    ExactIfEven, ///< those, where they are evenly spaced, and otherwise the same
+};
+
+/// The same compensation in the other convention. With the encoder position
 /// x + c(x) for a commanded x, c(x) = -e(x + c(x)); so a table f of either kind becomes -f(z),
 /// where z + f(z) is the knot.
 /// - Every column that acts on a source axis of the table (ownAxis) moves the place z, all of them
@@ -31,12 +38,13 @@ struct SignConversion {
 /// - With one axis that moves, the places are exact: f is linear between knots. With more, they are
 ///   the fixed point of z = knot - f(z), which converges because every slope is looked at before.
 /// Numbers are those of the table; TableBehaviour::usesFloat does not round them.
-/// Errors: TargetNotKnown; SignNotConvertible where z + f(z) does not increase strictly, where the
-/// corrections of several axes are so steep that one solution is not certain, and where the two
-/// ends of a modulo axis differ; InvalidArgument for tables that are not consistent, for two
-/// columns on one axis, and for values that are lengths on an axis of angles.
-[[nodiscard]] Result<SignConversion> convertSign(
-    const NeutralTable& table, SignConvention to, const TableBehaviour& behaviour);
+/// - Exact knots are possible in 1D, for an axis that is not modulo and columns for both
+/// directions. Errors: TargetNotKnown; SignNotConvertible where z + f(z) does not increase
+/// strictly, where the corrections of several axes are so steep that one solution is not certain,
+/// and where the two ends of a modulo axis differ; InvalidArgument for tables that are not
+/// consistent, for two columns on one axis, and for values that are lengths on an axis of angles.
+[[nodiscard]] Result<SignConversion> convertSign(const NeutralTable& table, SignConvention to,
+    const TableBehaviour& behaviour, ConvertedKnots knots = ConvertedKnots::Same);
 
 /// The point of the largest value in words, so that a person can tell the sign: "where the encoder
 /// reads 40 mm the reference says 40.0021 mm: the feedback file says +0.0021 mm". Looks at the
@@ -60,21 +68,22 @@ struct ColumnDifference {
 struct ConversionDifference {
     std::vector<ColumnDifference> columns; ///< every column of a at least once
     std::size_t positions = 0; ///< so many were looked at
-    bool isThinned = false; ///< not every knot and midpoint, because there are too many
+    bool isThinned = false; ///< not all of them, because there are too many
 };
 
 /// Compares two tables, each under its own controller's rules and sign. In the same convention the
 /// difference is that of the values; otherwise it is c(x) + e(x + c(x)) for commanded positions x.
-/// Looked at are the knots of both tables and, for one axis, the places where x + c(x) meets those
-/// of the feedback table; the middles between these; a hundredth of a cell and a whole cell beyond
-/// the ends of both; three turns of a modulo axis. In 2D and 3D all combinations, thinned evenly to
-/// at most mostPositions.
-/// Axes belong together by their order; columns by target and direction, or by their order when the
-/// other table has as many and no such target, or more and the target is not stated. Which axis a
-/// column acts on is as a states it, or as b does where a does not. Errors: InvalidArgument
+/// Looked at are all combinations of the knots of both tables, where a difference of two tables
+/// that are linear between their knots is largest; a hundredth of a cell and a whole cell beyond
+/// the ends of both; three turns of a modulo axis. In different conventions also, along the axis
+/// that moves, the places where x + c(x) meets the knots of the feedback table, which makes 1D
+/// exact; in 2D and 3D the middles between the knots besides. More than mostPositions are thinned
+/// evenly. Axes belong together by their order; columns by target and direction, or by their order
+/// when the other table has as many and no such target, or more and the target is not stated. Which
+/// axis a column acts on is as a states it, or as b does where a does not. Errors: InvalidArgument
 /// for tables that are not consistent or have different axes, and for a column of a that b lacks.
 [[nodiscard]] Result<ConversionDifference> conversionDifference(const NeutralTable& a,
     const TableBehaviour& behaviourA, const NeutralTable& b, const TableBehaviour& behaviourB,
-    std::size_t mostPositions = 300'000);
+    std::size_t mostPositions = 4'000'000);
 
 } // namespace axiscomp

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/conversion/conversion_errors.h"
-#include "core/conversion/line_inversion.h"
 #include "core/conversion/sign_conversion.h"
 #include "core/neutral/table_motion.h"
 
@@ -8,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 namespace axiscomp {
 
@@ -35,6 +35,33 @@ bool haveSameTarget(const NeutralTable& a, const CompensationColumn& columnA, co
         && (targetA->source || targetName(a, columnA) == targetName(b, columnB));
 }
 
+/// The columns that correct an axis that is no source, in their order.
+std::vector<std::size_t> crossColumns(const NeutralTable& table)
+{
+    std::vector<std::size_t> columns;
+    for (std::size_t n = 0; n < table.columns.size(); ++n) {
+        const auto target = targetOf(table, table.columns[n]);
+        if (target && !target->source)
+            columns.push_back(n);
+    }
+    return columns;
+}
+
+/// Formats have their own names for axes: "Z" may have become "3".
+std::optional<std::size_t> sameCrossColumn(
+    const NeutralTable& a, std::size_t column, const NeutralTable& b)
+{
+    const std::vector<std::size_t> ofA = crossColumns(a);
+    const std::vector<std::size_t> ofB = crossColumns(b);
+    const auto found = std::ranges::find(ofA, column);
+    if (found == ofA.end() || ofA.size() != ofB.size())
+        return std::nullopt;
+    const std::size_t other = ofB[static_cast<std::size_t>(found - ofA.begin())];
+    return sharesDirection(a.columns[column].direction, b.columns[other].direction)
+        ? std::optional(other)
+        : std::nullopt;
+}
+
 Result<std::vector<ColumnPair>> pairsOf(const NeutralTable& a, const NeutralTable& b)
 {
     std::vector<ColumnPair> pairs;
@@ -47,6 +74,8 @@ Result<std::vector<ColumnPair>> pairsOf(const NeutralTable& a, const NeutralTabl
                 pairs.push_back({i, j});
         const bool isByOrder = a.columns.size() == b.columns.size()
             || (!targetOf(a, column) && a.columns.size() < b.columns.size());
+        if (const auto cross = sameCrossColumn(a, i, b); cross && pairs.size() == before)
+            pairs.push_back({i, *cross});
         if (pairs.size() == before && isByOrder)
             pairs.push_back({i, i});
         if (pairs.size() == before)
@@ -121,14 +150,15 @@ public:
 
     void addKnot(double position) { m_positions.push_back(position); }
 
-    [[nodiscard]] std::vector<double> all() const
+    /// Ascending, but for the further turns of a modulo axis, which follow.
+    [[nodiscard]] std::vector<double> all(bool withMiddles) const
     {
         std::vector<double> sorted = m_positions;
         std::ranges::sort(sorted);
         sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
         std::vector<double> dense;
         for (std::size_t i = 0; i < sorted.size(); ++i) {
-            if (i > 0)
+            if (i > 0 && withMiddles)
                 dense.push_back(std::midpoint(sorted[i - 1], sorted[i]));
             dense.push_back(sorted[i]);
         }
@@ -162,16 +192,18 @@ private:
 /// The positions of each axis.
 using AxisLists = std::vector<std::vector<double>>;
 
-/// All combinations, the first axis fastest.
-template <typename Visit> void forEachPosition(const AxisLists& axes, Visit visit)
+/// All combinations of the positions of all axes but one.
+template <typename Visit> void forEachLine(const AxisLists& axes, std::size_t along, Visit visit)
 {
     std::size_t count = 1;
-    for (const std::vector<double>& axis : axes)
-        count *= axis.size();
+    for (std::size_t n = 0; n < axes.size(); ++n)
+        count *= n == along ? 1 : axes[n].size();
     for (std::size_t index = 0; index < count; ++index) {
         Position x{};
         std::size_t rest = index;
         for (std::size_t n = 0; n < axes.size(); ++n) {
+            if (n == along)
+                continue;
             x[n] = axes[n][rest % axes[n].size()];
             rest /= axes[n].size();
         }
@@ -205,9 +237,12 @@ private:
     /// The own axes of a side's columns, as a states them, or else b.
     [[nodiscard]] OwnAxes rolesOf(const Side& side) const;
     [[nodiscard]] Result<Motion> motionOf(const Side& side, Direction direction) const;
-    /// Where x + c(x) meets the knots of the feedback table.
-    [[nodiscard]] Result<void> addMetKnots(AxisPositions& positions) const;
-    [[nodiscard]] Result<AxisLists> positions(ConversionDifference& result, std::size_t most) const;
+    /// The axis that a column moves, where it is only one.
+    [[nodiscard]] Result<std::optional<std::size_t>> movedAxis(Direction direction) const;
+    /// Where x + c(x) meets the knots of the feedback table, on a line along the axis that moves.
+    [[nodiscard]] std::vector<double> metKnots(
+        const Position& line, std::size_t axis, const Motion& motion) const;
+    [[nodiscard]] AxisLists positions(ConversionDifference& result, std::size_t most) const;
     /// Where each table is looked up for a position x, and whether both have values there.
     struct Places {
         Position a;
@@ -216,7 +251,7 @@ private:
     };
     [[nodiscard]] Places placesOf(const Position& x, const Motion& motion) const;
     [[nodiscard]] Result<ColumnDifference> compare(
-        const ColumnPair& pair, const AxisLists& axes) const;
+        const ColumnPair& pair, const AxisLists& axes, std::size_t& positions) const;
 
     Side m_a;
     Side m_b;
@@ -267,31 +302,58 @@ Result<Motion> Comparison::motionOf(const Side& side, Direction direction) const
     return Motion(side.table, side.behaviour, movers);
 }
 
-Result<void> Comparison::addMetKnots(AxisPositions& positions) const
+Result<std::optional<std::size_t>> Comparison::movedAxis(Direction direction) const
 {
-    const double factor = feedback().factors[0] / command().factors[0];
-    for (const Direction direction : {Direction::Positive, Direction::Negative}) {
-        AXISCOMP_TRY(const auto movers, moversOf(command().table, rolesOf(command()), direction));
-        if (movers.empty())
-            continue;
-        const LineInversion line(command().table, movers.front(), 0);
-        if (line.fault())
-            continue;
-        for (const double knot : feedback().table.axes.front().knots)
-            positions.addKnot(line.placeOf(knot / factor).position / command().factors[0]);
-    }
-    return {};
+    if (!isMixed())
+        return std::nullopt;
+    AXISCOMP_TRY(const auto movers, moversOf(command().table, rolesOf(command()), direction));
+    return movers.size() == 1 ? std::optional(movers.front().axis) : std::nullopt;
 }
 
-Result<AxisLists> Comparison::positions(ConversionDifference& result, std::size_t most) const
+std::vector<double> Comparison::metKnots(
+    const Position& line, std::size_t axis, const Motion& motion) const
+{
+    const SourceAxis& moved = command().table.axes[axis];
+    const double toFeedback = feedback().factors[axis] / command().factors[axis];
+    Position x = line;
+    std::vector<double> places = moved.knots;
+    if (moved.wrap && !isFullTurn(moved))
+        places.push_back(places.front() + *moved.wrap);
+    std::vector<double> sums;
+    for (const double place : places) {
+        x[axis] = place / command().factors[axis];
+        sums.push_back(place + motion.offset(command().used(command().positionOf(x)))[axis]);
+    }
+    std::vector<double> met;
+    const auto add = [&](double knot) {
+        const auto after = std::ranges::upper_bound(sums, knot);
+        const auto i = static_cast<std::size_t>(after - sums.begin());
+        double place = 0.0;
+        if (i == 0 || i == sums.size()) // the ends are held, or nothing is applied
+            place = knot - (i == 0 ? sums.front() - places.front() : sums.back() - places.back());
+        else
+            place =
+                std::lerp(places[i - 1], places[i], (knot - sums[i - 1]) / (sums[i] - sums[i - 1]));
+        met.push_back(place / command().factors[axis]);
+    };
+    for (const double knot : feedback().table.axes[axis].knots) {
+        add(knot / toFeedback);
+        if (moved.wrap) {
+            add(knot / toFeedback - *moved.wrap);
+            add(knot / toFeedback + *moved.wrap);
+        }
+    }
+    return met;
+}
+
+AxisLists Comparison::positions(ConversionDifference& result, std::size_t most) const
 {
     AxisLists axes;
     double count = 1.0;
+    const bool withMiddles = isMixed() && m_a.table.axes.size() > 1;
     for (std::size_t n = 0; n < m_a.table.axes.size(); ++n) {
-        AxisPositions positions(m_a.table.axes[n], m_b.table.axes[n], m_b.factors[n]);
-        if (isMixed() && m_a.table.axes.size() == 1)
-            AXISCOMP_CHECK(addMetKnots(positions));
-        axes.push_back(positions.all());
+        axes.push_back(
+            AxisPositions(m_a.table.axes[n], m_b.table.axes[n], m_b.factors[n]).all(withMiddles));
         count *= static_cast<double>(axes.back().size());
     }
     // From the shortest axis to the longest, so that what one does not use is left to the others.
@@ -328,17 +390,19 @@ Comparison::Places Comparison::placesOf(const Position& x, const Motion& motion)
     return places;
 }
 
-Result<ColumnDifference> Comparison::compare(const ColumnPair& pair, const AxisLists& axes) const
+Result<ColumnDifference> Comparison::compare(
+    const ColumnPair& pair, const AxisLists& axes, std::size_t& positions) const
 {
     const Direction direction = m_a.table.columns[pair.a].direction == Direction::Both
         ? m_b.table.columns[pair.b].direction
         : m_a.table.columns[pair.a].direction;
     AXISCOMP_TRY(const auto motion, motionOf(command(), direction));
+    AXISCOMP_TRY(const auto moved, movedAxis(direction));
     const ControllerLookup a(m_a.table, pair.a, m_a.behaviour);
     const ControllerLookup b(m_b.table, pair.b, m_b.behaviour);
     const double factor = isMixed() ? pair.factor : -pair.factor;
     ColumnDifference result{pair.a, pair.b, 0.0, {}, 0.0, {}};
-    forEachPosition(axes, [&](const Position& x) {
+    const auto look = [&](const Position& x) {
         const Places places = placesOf(x, motion);
         const double size = std::abs(a.at(m_a.used(places.a)) + factor * b.at(m_b.used(places.b)));
         const auto end = x.begin() + static_cast<std::ptrdiff_t>(axes.size());
@@ -350,6 +414,19 @@ Result<ColumnDifference> Comparison::compare(const ColumnPair& pair, const AxisL
             result.largestInside = size;
             result.whereInside.assign(x.begin(), end);
         }
+    };
+    const std::size_t along = moved.value_or(0);
+    positions = 0;
+    forEachLine(axes, along, [&](Position x) {
+        std::vector<double> met;
+        if (moved)
+            met = metKnots(x, along, motion);
+        for (const std::vector<double>* list : {&axes[along], &std::as_const(met)})
+            for (const double position : *list) {
+                x[along] = position;
+                look(x);
+                ++positions;
+            }
     });
     return result;
 }
@@ -357,12 +434,11 @@ Result<ColumnDifference> Comparison::compare(const ColumnPair& pair, const AxisL
 Result<ConversionDifference> Comparison::run(std::size_t mostPositions)
 {
     ConversionDifference result;
-    AXISCOMP_TRY(const auto axes, positions(result, mostPositions));
-    result.positions = 1;
-    for (const std::vector<double>& axis : axes)
-        result.positions *= axis.size();
+    const AxisLists axes = positions(result, mostPositions);
     for (const ColumnPair& pair : m_pairs) {
-        AXISCOMP_TRY(auto difference, compare(pair, axes));
+        std::size_t count = 0;
+        AXISCOMP_TRY(auto difference, compare(pair, axes, count));
+        result.positions = std::max(result.positions, count);
         result.columns.push_back(std::move(difference));
     }
     return result;

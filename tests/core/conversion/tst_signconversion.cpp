@@ -90,6 +90,53 @@ private Q_SLOTS:
         }
     }
 
+    /// c(u + e(u)) = -e(u), and c is linear between: no difference anywhere, both ways.
+    void exactKnotsLoseNothing()
+    {
+        const auto e = tableOver({axisX({0, 10, 25, 30, 50})}, "X",
+            [](const Values& p) { return 0.3 * std::sin(p[0] / 4.0) - 0.01; });
+        const auto c = convertSign(e, SignConvention::Command, held, ConvertedKnots::Exact);
+        VERIFY_RESULT(c);
+        for (std::size_t i = 0; i < 5; ++i) {
+            const double u = e.axes[0].knots[i];
+            const double value = e.columns[0].values[i];
+            QCOMPARE(c->table.axes[0].knots[i], u + value);
+            QCOMPARE(c->table.columns[0].values[i], -value);
+        }
+        const auto difference = conversionDifference(e, held, c->table, held);
+        VERIFY_RESULT(difference);
+        QVERIFY2(difference->columns[0].largest < 1e-14,
+            std::to_string(difference->columns[0].largest).c_str());
+        const auto back =
+            convertSign(c->table, SignConvention::Feedback, held, ConvertedKnots::Exact);
+        VERIFY_RESULT(back);
+        for (std::size_t i = 0; i < 5; ++i)
+            QVERIFY(std::abs(back->table.axes[0].knots[i] - e.axes[0].knots[i]) < 1e-14);
+        QCOMPARE(back->table.columns[0].values, e.columns[0].values);
+    }
+
+    void exactKnotsAreTakenOnlyWhereTheyServe()
+    {
+        const auto shifted =
+            tableOver({axisX({0, 10, 20})}, "X", [](const Values&) { return 0.5; });
+        const auto even =
+            convertSign(shifted, SignConvention::Command, held, ConvertedKnots::ExactIfEven);
+        VERIFY_RESULT(even);
+        QCOMPARE(even->table.axes[0].knots, (Values{0.5, 10.5, 20.5}));
+        const auto bent = tableOver(
+            {axisX({0, 10, 20})}, "X", [](const Values& p) { return 0.001 * p[0] * p[0]; });
+        const auto same =
+            convertSign(bent, SignConvention::Command, held, ConvertedKnots::ExactIfEven);
+        VERIFY_RESULT(same);
+        QCOMPARE(same->table.axes[0].knots, (Values{0, 10, 20}));
+        auto straightness = bent;
+        straightness.columns[0].target = "Y";
+        const auto unmoved =
+            convertSign(straightness, SignConvention::Command, held, ConvertedKnots::Exact);
+        VERIFY_RESULT(unmoved);
+        QCOMPARE(unmoved->table.axes[0].knots, (Values{0, 10, 20}));
+    }
+
     void beyondTheKnotsTheEndIsHeld()
     {
         const auto table = tableOver({axisX({0, 10})}, "X", [](const Values&) { return 0.5; });
