@@ -4,6 +4,7 @@
 #include "core/table/position_unit.h"
 #include "core/text/token_scanner.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -44,8 +45,11 @@ std::optional<Point> largestPoint(const NeutralTable& table)
 {
     const OwnAxes ownAxes = ownAxesOf(table);
     bool hasOwn = false;
-    for (const auto& axis : ownAxes)
-        hasOwn = hasOwn || axis.has_value();
+    for (std::size_t i = 0; i < table.columns.size(); ++i)
+        hasOwn =
+            hasOwn || (ownAxes[i] && std::ranges::any_of(table.columns[i].values, [](double value) {
+                return value != 0.0;
+            }));
     std::optional<Point> point;
     double largest = 0.0;
     for (std::size_t i = 0; i < table.columns.size(); ++i) {

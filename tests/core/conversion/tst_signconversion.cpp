@@ -522,6 +522,15 @@ private Q_SLOTS:
             example.c_str());
     }
 
+    void columnsOfZerosAreNoExample()
+    {
+        auto table = tableOver({axisX({0, 40, 60})}, "X", [](const Values&) { return 0.0; });
+        addColumn(table, "Z", [](const Values& p) { return p[0] == 40 ? 0.0021 : 0.0; });
+        QCOMPARE(examplePoint(table).english(),
+            std::string("where the encoder reads 40 mm the reference of Z is 0.0021 mm above its "
+                        "encoder: the feedback file says +0.0021 mm"));
+    }
+
     void theExampleTellsTheSignOfAnyTable_data()
     {
         QTest::addColumn<int>("kind");
