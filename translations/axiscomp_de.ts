@@ -4315,6 +4315,22 @@
         <source>a height with decimals; points without a value can be filled or left out (--fill, --crop, or Missing points in the import)</source>
         <translation>eine Höhe mit Nachkommastellen; Punkte ohne Wert können gefüllt oder weggelassen werden (--fill, --crop oder Fehlende Punkte beim Import)</translation>
     </message>
+    <message>
+        <source>every combination of the positions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>parameter 1020 of the axis shows the commanded position with the compensation in it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at most {most} for older kernels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the table has {count} points; older kernels take at most {most}</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>

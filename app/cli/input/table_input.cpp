@@ -79,7 +79,8 @@ Result<const TableFormat*> formatOf(Environment& environment, const TableInputOp
         return fail(choice.error());
     }
     const std::string others = formatNames(choice->others);
-    if (!isTriamec(*choice->format))
+    const bool isQuestion = options.dimensions == 0 && !others.empty();
+    if (!isTriamec(*choice->format) || isQuestion)
         environment.console().note(options.file + ": read as "
             + std::string(choice->format->facts.name)
             + (others.empty() ? "" : "; it could be " + others + " as well: say it with --from"));

@@ -30,7 +30,7 @@ constexpr std::array settings{
         .forReading = true,
         .forWriting = true},
 };
-constexpr std::array<std::string_view, 9> rules{
+constexpr std::array<std::string_view, 10> rules{
     "Each line is a position and the offset there, both in user units of the axis. The offset is "
     "added to the commanded position.",
     "The numbers stand between commas, semicolons, tabs or blanks; a comma is written.",
@@ -42,6 +42,7 @@ constexpr std::array<std::string_view, 9> rules{
     "Of a rotary axis the positions span its wrap range exactly, and the first offset is the last "
     "one (otherwise error 4902).",
     "The file is smaller than 1 MB.",
+    "Parameter 1020 of the axis is the commanded position with the compensation in it.",
     "Without a path in axis.xml the file is looked for under the name of the axis followed by "
     "PosComp.CSV, such as Axis1PosComp.CSV; error 4899: it was not found.",
 };
@@ -348,6 +349,8 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
                           "the controller looks for the file as {name}PosComp.CSV, unless axis.xml "
                           "names another one"))
             .with("name", name));
+    written.remarks.emplace_back(AXISCOMP_TEXT("Error",
+        "parameter 1020 of the axis shows the commanded position with the compensation in it"));
     written.held.push_back(std::move(table));
     return written;
 }

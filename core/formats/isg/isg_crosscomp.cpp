@@ -10,6 +10,7 @@ namespace axiscomp::isg_crosscomp {
 namespace {
 
 constexpr std::size_t mostPoints = 1001;
+constexpr std::size_t pointsOfOlderKernels = 1000;
 
 constexpr std::string_view keys[] = {
     "unit", "last_index", "master_ax_nr", "n_cycles", "max_points"};
@@ -71,6 +72,11 @@ std::optional<NeutralTable> build(const isg::List& list, const SettingValues& se
     const std::size_t count = static_cast<std::size_t>(*last) + 1;
     if (!list.checkMostPoints(count, mostPoints))
         return std::nullopt;
+    if (count > pointsOfOlderKernels)
+        list.diagnostics().warning(DiagnosticCode::LimitExceeded, list.line("last_index"), 0,
+            AXISCOMP_COUNTED("Error", "{count} points", "1 point").with("count", count),
+            AXISCOMP_TEXT("Error", "at most {most} for older kernels")
+                .with("most", pointsOfOlderKernels));
     const auto setpoints = list.field("setpoint", {1, count});
     const auto corrections = list.field("correction", {1, count});
     if (!setpoints || !corrections)
@@ -152,13 +158,16 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
     }
     draft.add("last_index", knots->size() - 1);
     draft.add("master_ax_nr", static_cast<std::size_t>(*master));
-    if (given.has("n-cycles"))
-        draft.add("n_cycles", given.text("n-cycles"));
     for (std::size_t i = 0; i < knots->size(); ++i) {
         const std::string index = '[' + std::to_string(i) + ']';
         draft.addPoint(index, "setpoint", (*knots)[i]);
         draft.addPoint(index, "correction", (*values)[i]);
     }
+    if (knots->size() > pointsOfOlderKernels)
+        remarks.push_back(AXISCOMP_TEXT(
+            "Error", "the table has {count} points; older kernels take at most {most}")
+                              .with("count", knots->size())
+                              .with("most", pointsOfOlderKernels));
     remarks.push_back(isg::activation(section, *axis));
     FormatSettings reading{{"master-kind", isg::kindOf(table.axes[0].unit)},
         {"axis-kind", isg::kindOf(table.columns[0].unit)}};

@@ -263,8 +263,6 @@ Result<isg::Draft> draftOf(
         isg::inFile(facts, *draft, draft->table.columns[0].values, isg::Numbers::Values));
     AXISCOMP_CHECK(closeEnds(facts, *draft, values));
     addHeader(*draft, {*grid1, *grid2}, {*master1, *master2});
-    if (given.has("n-cycles"))
-        draft->add("n_cycles", given.text("n-cycles"));
     const std::size_t width = draft->table.axes[0].knots.size();
     for (std::size_t i = 0; i < values.size(); ++i)
         draft->addPoint('[' + std::to_string(i / width) + "][" + std::to_string(i % width) + ']',

@@ -379,6 +379,9 @@ std::vector<NeutralTable> readSection(
         return {};
     table->name = list.text(nameKey);
     table->notes = list.takeNotes();
+    for (const std::string_view key : keptKeys)
+        if (list.has(key))
+            table->notes.push_back(std::string(key) + ' ' + list.text(key));
     return {std::move(*table)};
 }
 

@@ -20,6 +20,9 @@ struct Section {
     std::span<const std::string_view> fields; ///< of a point
 };
 
+/// Entries without a place in a table: they become its notes ("n_cycles 5"), and entries again.
+inline constexpr std::array<std::string_view, 2> keptKeys{"n_cycles", "max_points"};
+
 /// The numbers of one field of the points, in the order of the indices (the last one fastest).
 struct Field {
     std::vector<double> numbers;

@@ -115,6 +115,33 @@ std::string Draft::numberText(double inFile) const
     return plainNumber(inFile);
 }
 
+namespace {
+
+/// "n_cycles 5" among the notes: an entry of the list that the table itself has no place for.
+std::string entryAmong(const std::vector<std::string>& notes, std::string_view key)
+{
+    for (const std::string& note : notes)
+        if (note.starts_with(key) && note.size() > key.size() + 1 && note[key.size()] == ' ')
+            if (const std::string value = note.substr(key.size() + 1); wholeNumberOf(value))
+                return value;
+    return {};
+}
+
+void addKeptEntries(Draft& draft, const SettingValues& settings)
+{
+    for (const std::string_view key : keptKeys) {
+        const bool isSet = key == "n_cycles" && settings.has("n-cycles");
+        const std::string value =
+            isSet ? settings.text("n-cycles") : entryAmong(draft.table.notes, key);
+        if (!value.empty())
+            draft.add(key, value);
+        std::erase_if(draft.table.notes,
+            [&](const std::string& note) { return note.starts_with(std::string(key) + ' '); });
+    }
+}
+
+} // namespace
+
 Result<Draft> beginDraft(const Section& section, const NeutralTable& table,
     const SettingValues& settings, long axis, std::vector<Text>& remarks)
 {
@@ -129,13 +156,17 @@ Result<Draft> beginDraft(const Section& section, const NeutralTable& table,
         AXISCOMP_TRY(auto converted, inUnits(table, "mm", "deg", remarks));
         draft.table = std::move(converted);
     }
-    draft.text = noteLines(table, "# ");
+    std::string entries;
+    addKeptEntries(draft, settings);
+    std::swap(entries, draft.text);
+    draft.text = noteLines(draft.table, "# ");
     draft.text += "kopf.achs_nr " + std::to_string(axis) + '\n';
     std::string name = draft.table.name;
     std::erase_if(name, [](char c) { return c == '(' || c == '\n' || c == '\r'; });
     if (!trimmed(name).empty())
         draft.text += "kopf.log_achs_name " + name + '\n';
     draft.add("unit", std::size_t{scale.isMetric ? 1U : 0U});
+    draft.text += entries;
     return draft;
 }
 

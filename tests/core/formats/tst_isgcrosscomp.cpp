@@ -72,6 +72,19 @@ void describe(test::FormatSample& sample)
         .within(0.00005 + 1e-12)
         .remarking({"activate it in the axis list of axis 3: lr_param.crosscomp 1\n"});
     sample.writes("a name and notes", {broken}).within(0.00005 + 1e-12).becoming(noted);
+    NeutralTable kept = unevenTable();
+    kept.notes = {"measured in March", "n_cycles 25", "max_points 500"};
+    sample.writes("entries that a table has no place for", {kept})
+        .containing({"# measured in March\nkopf",
+            "kw.crosscomp.n_cycles 25\n"
+            "kw.crosscomp.max_points 500\n"})
+        .within(0.00005 + 1e-12)
+        .becoming(kept);
+    sample.writes("a setting comes before the note", {kept})
+        .with({{"n-cycles", "10"}})
+        .containing({"kw.crosscomp.n_cycles 10\n"})
+        .becoming(changed(kept, [](NeutralTable& table) { table.notes[1] = "n_cycles 10"; }))
+        .within(0.00005 + 1e-12);
     NeutralTable degrees = unevenTable();
     degrees.axes[0].unit = "deg";
     degrees.columns = {test::columnOf("3", "um", {0, 1, -2, 10})};
@@ -92,6 +105,7 @@ void describe(test::FormatSample& sample)
             [](NeutralTable& table) {
                 table.axes[0].name = "7";
                 table.columns[0].target = "9";
+                table.notes = {"n_cycles 10"};
             }))
         .within(0.00005 + 1e-12);
 

@@ -4,6 +4,7 @@
 #include "tests/ui/support/window_test.h"
 
 #include <QFile>
+#include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QTest>
 
@@ -84,6 +85,51 @@ private Q_SLOTS:
         QTRY_VERIFY(bench.controller().dataFile().data);
         QCOMPARE(bench.controller().selectedTable()->grid.axes[0].size, 5U);
         QVERIFY(!user.sees("importDialog"));
+    }
+
+    void aFileWithGapsAsksAndIsFilled()
+    {
+        PageFixture bench;
+        auto& user = bench.user;
+        QVERIFY(bench.open());
+        bench.picked = bench.file(QStringLiteral("gaps.csv"),
+            "X [mm],first [mm],second [mm]\n0,0,0\n10,0.001,\n20,nan,2\n"
+            "30,0.003,3\n");
+        QVERIFY(user.click("openButton"));
+        QTRY_VERIFY(user.sees("importDialog"));
+        QTRY_VERIFY2(reason(bench).contains(QStringLiteral("can be filled or left out")),
+            qPrintable(reason(bench)));
+        QVERIFY(!mayAccept(bench));
+        QVERIFY(chooseAt(bench, "missingField", static_cast<int>(MissingPoints::Plane)));
+        QTRY_VERIFY2(mayAccept(bench), qPrintable(reason(bench)));
+        QVERIFY(user.click("acceptConversion"));
+        QTRY_VERIFY(bench.controller().dataFile().data);
+        const CompensationTable& table = *bench.controller().selectedTable();
+        QCOMPARE(table.filled, (std::vector<std::uint32_t>{2}));
+        QVERIFY(std::abs(table.values[2] - 0.002F) < 1e-6F);
+        QCOMPARE(
+            bench.controller().dataFile().data->tables[1].filled, (std::vector<std::uint32_t>{1}));
+    }
+
+    void measuredPositionsSnapWithTheToleranceThatIsEntered()
+    {
+        PageFixture bench;
+        auto& user = bench.user;
+        QVERIFY(bench.open());
+        bench.picked = bench.file(QStringLiteral("measured.csv"),
+            "X [mm],first [mm],second [mm]\n0.0002,0,0\n9.9997,1,1\n20.0001,2,2\n");
+        QVERIFY(user.click("openButton"));
+        QTRY_VERIFY(user.sees("importDialog"));
+        QVERIFY(user.click("snapField"));
+        user.type(QStringLiteral("no"));
+        QTRY_COMPARE(reason(bench),
+            QStringLiteral("\"no\" is no tolerance: enter a number above 0, or nothing."));
+        user.the<QLineEdit>("snapField").selectAll();
+        user.type(QStringLiteral("0.001"));
+        QTRY_VERIFY2(mayAccept(bench), qPrintable(reason(bench)));
+        QVERIFY(user.click("acceptConversion"));
+        QTRY_VERIFY(bench.controller().dataFile().data);
+        QCOMPARE(bench.controller().selectedTable()->grid.axes[0].distance, 10.0);
     }
 
     void aCancelledDialogLeavesEverything()

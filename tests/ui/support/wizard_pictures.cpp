@@ -22,6 +22,8 @@
 #include <QTranslator>
 #include <QTreeWidget>
 
+#include <cmath>
+
 using namespace axiscomp;
 using namespace axiscomp::ui;
 using axiscomp::test::darkPalette;
@@ -83,6 +85,57 @@ void largeCorrections(PageScene& scene)
             return scene.page().findChild<QWidget*>(QStringLiteral("writePreview"))->isVisible();
         },
         "the list");
+    scene.settle();
+}
+
+/// Angles for an axis in millimetres.
+void refusedAngle(PageScene& scene)
+{
+    scene.choose2D();
+    scene.openData(scene.stage().file(QStringLiteral("angles.csv"),
+        "X [mm],Y [mm],X error [arcsec]\n0,0,0\n40,0,8\n0,30,-20\n40,30,10\n"));
+    scene.controller().setup().setTable({0});
+    scene.settle();
+    scene.click("writeButton");
+    wait([&] { return scene.controller().isOutcomeAnError(); }, "the refusal");
+    scene.settle();
+}
+
+/// The corners of a round bed were not probed.
+QByteArray roundBed()
+{
+    QByteArray text = "X [mm],Y [mm],X error [um]\n";
+    for (int y = -60; y <= 60; y += 10)
+        for (int x = -60; x <= 60; x += 10)
+            if (x * x + y * y <= 65 * 65)
+                text += QByteArray::number(x) + ',' + QByteArray::number(y) + ','
+                    + QByteArray::number(0.004 * x * x - 0.05 * y + 3.0 * std::cos(y / 20.0))
+                    + '\n';
+    return text;
+}
+
+void incompleteBed(PageScene& scene)
+{
+    scene.showDrive();
+    scene.controller().setup().setDimensionality(2);
+    scene.chooseSources(2);
+    scene.page().openData(scene.stage().file(QStringLiteral("bed.csv"), roundBed()));
+    wait([&] { return scene.page().findChild<QDialog*>(QStringLiteral("importDialog")); },
+        "the dialog");
+    QTest::qWait(300);
+}
+
+void filledBed(PageScene& scene)
+{
+    incompleteBed(scene);
+    scene.page()
+        .findChild<QComboBox*>(QStringLiteral("missingField"))
+        ->setCurrentIndex(static_cast<int>(MissingPoints::Smooth));
+    const auto* accept = scene.page().findChild<QPushButton*>(QStringLiteral("acceptConversion"));
+    wait([&] { return accept->isEnabled(); }, "the report");
+    scene.click("acceptConversion");
+    wait([&] { return scene.controller().dataFile().data != nullptr; }, "the data");
+    scene.controller().setup().setTable({0});
     scene.settle();
 }
 
@@ -408,6 +461,9 @@ const std::vector<State>& states()
         {"unwritten-2d", unwritten2D},
         {"write-preview", writePreview},
         {"large-corrections", largeCorrections},
+        {"refused-angle", refusedAngle},
+        {"incomplete-bed", incompleteBed},
+        {"filled-bed", filledBed},
         {"writing", writing},
         {"closing-while-writing", closingWhileWriting},
         {"active", active},
