@@ -4331,6 +4331,14 @@
         <source>the table has {count} points; older kernels take at most {most}</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>unit of the positions, in place of what the header says</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unit of the values, in place of what the header says</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>

@@ -102,6 +102,7 @@ Result<Bytes> Import::bytes(std::uint64_t limit)
 
 void Import::take(CalibrationData data)
 {
+    stateUnits(data, m_request.choices.settings);
     m_result.sourceAxes = data.grid.dimensions();
     if (m_request.choices.isConversion())
         convert(separateColumns(std::vector{neutralTable(data)}));
@@ -148,6 +149,7 @@ void Import::readCsv()
     m_result.isCancelled = uneven.cancelled;
     if (!uneven.data)
         return;
+    stateUnits(*uneven.data, m_request.choices.settings);
     m_result.sourceAxes = uneven.data->grid.dimensions();
     convert(separateColumns(std::vector{neutralTable(*uneven.data, uneven.knots)}));
     if (m_result.data)
@@ -169,14 +171,6 @@ void Import::readTamTable()
     data.grid = decoded->table.grid;
     if (decoded->table.name.empty())
         decoded->table.name = m_request.file.stem().string();
-    // The file says no unit.
-    const FormatSettings& settings = m_request.choices.settings;
-    if (const auto given = settings.find("position-unit"); given != settings.end())
-        for (GridAxis& axis : data.grid.axes)
-            axis.unit = given->second;
-    if (const auto given = settings.find("value-unit"); given != settings.end())
-        decoded->table.unit = given->second;
-    decoded->table.grid = data.grid;
     data.tables.push_back(std::move(decoded->table));
     take(std::move(data));
 }

@@ -2,6 +2,7 @@
 #include "core/write/write_planner.h"
 
 #include "core/drive/axis_target.h"
+#include "core/drive/drive_units.h"
 #include "core/store/backup_json.h"
 #include "core/table/large_correction.h"
 #include "core/table/tam_table.h"
@@ -168,30 +169,25 @@ Result<void> WritePlanner::decideSources(const WriteRequest& request)
 }
 
 /// Values are in the unit of the axis, positions in that of the axis whose position a source is.
-Result<TableUnits> WritePlanner::tableUnits()
+Result<std::string> WritePlanner::unitOf(int axis)
 {
-    TableUnits units{m_status.axis.unit, {}};
-    const auto dimensions = static_cast<std::size_t>(m_write.plan.after.dimensionality);
-    for (std::size_t n = 0; n < dimensions; ++n) {
-        const auto owner = m_access.profile().axisOfPosition(m_write.plan.after.sources[n].path);
-        units.positions.emplace_back();
-        if (owner == m_axis) {
-            units.positions.back() = m_status.axis.unit;
-        } else if (owner) {
-            const std::string path = m_access.axisPath(m_access.registers().positionUnit, *owner);
-            AXISCOMP_TRY(const auto readings, m_access.readAvailable({path}));
-            if (const auto unit = readings.find(path); unit != readings.end())
-                units.positions.back() = toText(unit->second.value);
-        }
-    }
-    return units;
+    if (axis == m_axis)
+        return m_status.axis.unit;
+    const std::string path = m_access.axisPath(m_access.registers().positionUnit, axis);
+    AXISCOMP_TRY(const auto readings, m_access.readAvailable({path}));
+    const auto unit = readings.find(path);
+    return unit == readings.end() ? std::string() : toText(unit->second.value);
 }
 
 Result<WriteRequest> WritePlanner::inUnitsOfDrive(const WriteRequest& request)
 {
     if (!request.table)
         return request;
-    AXISCOMP_TRY(const auto units, tableUnits());
+    const CompensationSetup& after = m_write.plan.after;
+    AXISCOMP_TRY(const auto units,
+        driveUnits(m_access.profile(),
+            std::span(after.sources).first(static_cast<std::size_t>(after.dimensionality)), m_axis,
+            [this](int axis) { return unitOf(axis); }));
     AXISCOMP_TRY(auto converted, inDriveUnits(*request.table, units));
     m_write.plan.unitRemarks = std::move(converted.remarks);
     m_write.plan.table = std::move(converted.table);

@@ -40,7 +40,7 @@ public:
 
 private:
     [[nodiscard]] Result<void> decideSources(const WriteRequest& request);
-    [[nodiscard]] Result<TableUnits> tableUnits();
+    [[nodiscard]] Result<std::string> unitOf(int axis);
     [[nodiscard]] Result<WriteRequest> inUnitsOfDrive(const WriteRequest& request);
     [[nodiscard]] Result<void> decideTable(const WriteRequest& request);
     [[nodiscard]] Result<bool> isThere(const WriteRequest& request, const CompensationTable& table);

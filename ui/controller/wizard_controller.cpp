@@ -2,6 +2,7 @@
 #include "ui/controller/wizard_controller.h"
 
 #include "core/drive/axis_target.h"
+#include "core/drive/drive_units.h"
 #include "ui/controller/multi_axis_controller.h"
 #include "ui/controller/wizard_actions.h"
 #include "ui/text/sign_sentence.h"
@@ -95,26 +96,26 @@ void WizardController::wireAxis()
     connect(&m_parts->setup, &SetupModel::fieldChanged, &m_parts->actions, &WizardActions::update);
 }
 
-/// Values are shown in the unit of the axis, positions in that of the axis whose position a source
-/// is.
+/// Tables are shown in the units in which the drive takes them.
 void WizardController::updateUnits()
 {
-    TableUnits units;
-    if (status()) {
-        units.values = status()->axis.unit;
-        const auto current = static_cast<std::size_t>(currentAxis());
-        const EditedSetup& edited = setup().edited();
-        for (int n = 0; n < edited.dimensionality; ++n) {
-            const auto owner =
-                m_parts->profile.axisOfPosition(edited.sources[static_cast<std::size_t>(n)].path);
-            units.positions.emplace_back();
-            for (const AxisEntry& entry : axes())
-                if (owner == entry.axis.index && current < axes().size()
-                    && entry.endpoint == axes()[current].endpoint)
-                    units.positions.back() = entry.axis.unit;
-        }
-    }
-    m_parts->tables.setUnits(units);
+    if (!status())
+        return m_parts->tables.setUnits({});
+    const auto current = static_cast<std::size_t>(currentAxis());
+    const auto unitOf = [&](int axis) -> Result<std::string> {
+        if (axis == status()->axis.index)
+            return status()->axis.unit;
+        for (const AxisEntry& entry : axes())
+            if (entry.axis.index == axis && current < axes().size()
+                && entry.endpoint == axes()[current].endpoint)
+                return entry.axis.unit;
+        return std::string();
+    };
+    const EditedSetup& edited = setup().edited();
+    const auto sources =
+        std::span(edited.sources).first(static_cast<std::size_t>(edited.dimensionality));
+    m_parts->tables.setUnits(
+        driveUnits(m_parts->profile, sources, status()->axis.index, unitOf).value_or(TableUnits{}));
 }
 
 void WizardController::wireTables()

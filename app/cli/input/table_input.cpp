@@ -274,17 +274,16 @@ std::string displayName(const std::string& file)
 
 Result<TableInput> inspectInput(Environment& environment, const TableInputOptions& options)
 {
-    const auto format = formatOf(environment, options);
-    if (!format)
-        return fail(format.error());
-    // A unit that is stated and not heeded is a wrong number.
+    AXISCOMP_TRY(const auto format, formatOf(environment, options));
     AXISCOMP_TRY(const auto settings, settingsOf(options.settings, options.command));
-    AXISCOMP_CHECK(SettingValues::of((*format)->facts, settings, false));
-    if (*format == &calibration_csv::format())
-        return inspectCsv(environment, options);
-    if (*format == &tam_table::format())
-        return inspectTamTable(environment, options);
-    return inspectOther(environment, **format, options);
+    AXISCOMP_CHECK(SettingValues::of(format->facts, settings, false));
+    if (!isTriamec(*format))
+        return inspectOther(environment, *format, options);
+    auto input = format == &calibration_csv::format() ? inspectCsv(environment, options)
+                                                      : inspectTamTable(environment, options);
+    if (input && input->data)
+        stateUnits(*input->data, settings);
+    return input;
 }
 
 Result<TableInput> readInput(Environment& environment, const TableInputOptions& options)

@@ -11,6 +11,17 @@ namespace axiscomp::calibration_csv {
 
 namespace {
 
+constexpr std::array settings{
+    FormatSetting{.key = "position-unit",
+        .kind = FormatSetting::Kind::Text,
+        .meaning =
+            AXISCOMP_TEXT("Error", "unit of the positions, in place of what the header says"),
+        .forReading = true},
+    FormatSetting{.key = "value-unit",
+        .kind = FormatSetting::Kind::Text,
+        .meaning = AXISCOMP_TEXT("Error", "unit of the values, in place of what the header says"),
+        .forReading = true},
+};
 constexpr std::array<std::string_view, 1> extensions{".csv"};
 constexpr std::array<std::string_view, 3> rules{
     "A header line, then one line for each grid point: the first 1, 2 or 3 columns are reference "
@@ -43,8 +54,10 @@ Result<TableReading> read(std::string_view text, const TableReadOptions& options
     reading.diagnostics = std::move(parsed.diagnostics);
     reading.suppressed = parsed.suppressed;
     reading.cancelled = parsed.cancelled;
-    if (parsed.data)
+    if (parsed.data) {
+        stateUnits(*parsed.data, options.settings);
         reading.tables.push_back(neutralTable(*parsed.data, parsed.knots));
+    }
     return reading;
 }
 
@@ -119,6 +132,7 @@ const TableFormat& format()
             .signEvidence = Evidence::Published,
             .behaviour = {.outside = Outside::Hold, .usesFloat = true},
             .outsideEvidence = Evidence::Assumed,
+            .settings = settings,
             .rules = rules,
             .assumptions = assumptions},
         .recognise = recognise,

@@ -45,6 +45,7 @@ Result<TableReading> read(std::string_view text, const TableReadOptions& options
             ErrorCode::DimensionMismatch, {{"table", dimensions}, {"chosen", options.dimensions}});
     TableReading reading;
     CalibrationData data{table.table.grid, {std::move(table.table)}, {}};
+    stateUnits(data, options.settings);
     reading.tables.push_back(neutralTable(data));
     return reading;
 }

@@ -85,6 +85,20 @@ NeutralTable neutralTable(
     return neutral;
 }
 
+void stateUnits(CalibrationData& data, const FormatSettings& settings)
+{
+    const auto positions = settings.find("position-unit");
+    const auto values = settings.find("value-unit");
+    if (positions != settings.end())
+        for (GridAxis& axis : data.grid.axes)
+            axis.unit = positions->second;
+    for (CompensationTable& table : data.tables) {
+        table.grid = data.grid;
+        if (values != settings.end())
+            table.unit = values->second;
+    }
+}
+
 Result<CalibrationData> calibrationData(const NeutralTable& table)
 {
     if (table.sign != SignConvention::Feedback)

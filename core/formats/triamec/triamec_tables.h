@@ -3,6 +3,7 @@
 
 #include "core/base/result.h"
 #include "core/csv/calibration_csv.h"
+#include "core/formats/table_format.h"
 #include "core/neutral/neutral_table.h"
 
 namespace axiscomp {
@@ -18,5 +19,8 @@ namespace axiscomp {
 /// FormatCannotHold for uneven positions, values for one direction of motion, or of the command
 /// side, and numbers that no float32 is.
 [[nodiscard]] Result<CalibrationData> calibrationData(const NeutralTable& table);
+
+/// What the settings position-unit and value-unit say comes before what the file says.
+void stateUnits(CalibrationData& data, const FormatSettings& settings);
 
 } // namespace axiscomp

@@ -246,7 +246,27 @@ private Q_SLOTS:
         QVERIFY(!QFile::exists(box.path("y.csv")));
     }
 
-    void aCalibrationFileHasNoSettings()
+    /// A unit that is stated and not heeded is a wrong number.
+    void aStatedUnitComesBeforeThatOfTheFile()
+    {
+        const Sandbox box;
+        box.file("x.csv", "X [mm],E [um]\n0,1\n10,2\n");
+        const QStringList stated{
+            "--dims", "1", "--set-in", "value-unit=nm", "--set-in", "position-unit=m"};
+        const ProgramRun inspected = box.run(QStringList{"inspect", "x.csv", "--json"} + stated);
+        VERIFY_CODE(inspected, 0);
+        QCOMPARE(inspected.json()["tables"][0]["unit"].toString(), QStringLiteral("nm"));
+        QCOMPARE(inspected.json()["axes"][0]["unit"].toString(), QStringLiteral("m"));
+        VERIFY_CODE(box.run(QStringList{"convert", "x.csv", "y.csv"} + stated), 0);
+        QVERIFY(box.content("y.csv").contains("X [m],E [nm]"));
+        VERIFY_CODE(box.run({"convert", "x.csv", "x.TAMtbl", "--dims", "1"}), 0);
+        const ProgramRun table =
+            box.run({"inspect", "x.TAMtbl", "--json", "--set-in", "value-unit=um"});
+        VERIFY_CODE(table, 0);
+        QCOMPARE(table.json()["tables"][0]["unit"].toString(), QStringLiteral("um"));
+    }
+
+    void aSettingThatACalibrationFileDoesNotHaveIsRefused()
     {
         const Sandbox box;
         box.file("x.csv", linearError);
@@ -254,9 +274,9 @@ private Q_SLOTS:
             {QStringList{"inspect", "x.csv"}, QStringList{"convert", "x.csv", "y.TAMtbl"},
                 QStringList{"lookup", "x.csv", "5"}}) {
             const ProgramRun run =
-                box.run(command + QStringList{"--dims", "1", "--set-in", "value-unit=um"});
+                box.run(command + QStringList{"--dims", "1", "--set-in", "colour=um"});
             VERIFY_CODE(run, 2);
-            QVERIFY2(run.err.contains("csv has no setting value-unit"), run.err.constData());
+            QVERIFY2(run.err.contains("csv has no setting colour"), run.err.constData());
         }
     }
 
