@@ -32,6 +32,24 @@ Result<void> checkJournal(DriveStore& store, const JournalEntry& entry)
             {"before", journalText(entry)}, {"now", journalText(*now)}});
 }
 
+/// Two drives may have one serial number, as those of a copied configuration or two virtual ones
+/// do. One's write is not finished on the other.
+Result<void> checkTwin(
+    const RegisterAccess& access, const JournalEntry& entry, const DriveIdentity& drive)
+{
+    const auto unfinished = UnfinishedWrite::load(access, entry);
+    if (!unfinished || unfinished->before().drive == drive)
+        return {}; // what cannot be read is said by who needs it
+    const auto text = [](const DriveIdentity& identity) {
+        return AXISCOMP_TEXT("Error", "{number} ({name}, axes: {axes})")
+            .with("number", identity.serialNumber)
+            .with("name", identity.name)
+            .with("axes", identity.axes);
+    };
+    return fail(ErrorCode::OtherDrive,
+        {{"expected", text(unfinished->before().drive)}, {"found", text(drive)}});
+}
+
 } // namespace
 
 struct AxisCompensator::Private::ResumedWrite {
@@ -47,6 +65,8 @@ Result<DriveIdentity> AxisCompensator::Private::identify(
     if (drive && drive->serialNumber != entry.serialNumber)
         return fail(ErrorCode::OtherDrive,
             {{"expected", entry.serialNumber}, {"found", drive->serialNumber}});
+    if (drive)
+        AXISCOMP_CHECK(checkTwin(access, entry, *drive));
     return drive;
 }
 

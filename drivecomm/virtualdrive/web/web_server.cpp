@@ -74,7 +74,12 @@ struct WebServer::Private {
     void serve(const httplib::Request& from, httplib::Response& to,
         const httplib::ContentReader* contentReader);
     void respond(const httplib::Request& from, httplib::Response& to, const WebRequest& request);
+    void refuse(const WebRequest& request, const WebAccess::Denial& denial, httplib::Response& to);
     static void put(const WebReply& reply, httplib::Response& to);
+    [[nodiscard]] std::uint64_t mostBytes(const WebRequest& request) const
+    {
+        return request.path == transferPath ? largestForm : mostJson;
+    }
     void waitFor(std::chrono::milliseconds delay);
 
     VirtualDrive& drive;
@@ -84,6 +89,7 @@ struct WebServer::Private {
     RequestHandler handler;
     std::string transferPath;
     std::uint64_t largestForm = formOverhead;
+    std::atomic<int> wrongPasswords = 0; ///< since the last right one
 
     std::unique_ptr<httplib::Server> server;
     std::unique_ptr<ConnectionRelay> relay;
@@ -194,6 +200,19 @@ void WebServer::Private::configure()
             to);
         return httplib::Server::HandlerResponse::Handled;
     });
+    // A client that asks before it sends is told before it has.
+    server->set_expect_100_continue_handler(
+        [this](const httplib::Request& from, httplib::Response& to) {
+            const WebRequest request = requestWithoutBody(from);
+            const auto size = from.get_header_value<std::uint64_t>("Content-Length");
+            if (const auto denial = access.denial(request))
+                refuse(request, *denial, to);
+            else if (size > mostBytes(request))
+                put(handler.refusal(request, rejected("the request is too large"), 413), to);
+            else
+                return 100;
+            return to.status;
+        });
     // What httplib refuses by itself has no body yet.
     server->set_error_handler([this](const httplib::Request& from, httplib::Response& to) {
         if (!to.body.empty() || from.method == "HEAD")
@@ -213,8 +232,7 @@ void WebServer::Private::serve(const httplib::Request& from, httplib::Response& 
 {
     WebRequest request = requestWithoutBody(from);
     if (contentReader) {
-        const std::uint64_t limit = request.path == transferPath ? largestForm : mostJson;
-        const BodyEnd end = readBody(from, *contentReader, limit, request);
+        const BodyEnd end = readBody(from, *contentReader, mostBytes(request), request);
         request.isMalformed = end == BodyEnd::Malformed;
         if (end == BodyEnd::Endless) {
             relay->decide(static_cast<std::uint16_t>(from.remote_port), Fate::Cut);
@@ -228,12 +246,9 @@ void WebServer::Private::respond(
     const httplib::Request& from, httplib::Response& to, const WebRequest& request)
 {
     relay->keepUntilReply(static_cast<std::uint16_t>(from.remote_port));
-    if (const auto denial = access.denial(request)) {
-        put(handler.refusal(request, denial->error, denial->status), to);
-        if (denial->status == 401)
-            to.set_header("WWW-Authenticate", "Basic realm=\"drive\", charset=\"UTF-8\"");
-        return;
-    }
+    if (const auto denial = access.denial(request))
+        return refuse(request, *denial, to);
+    wrongPasswords = 0;
     if (request.isMalformed || request.isTooLarge) {
         put(handler.answer(request), to);
         return;
@@ -257,6 +272,20 @@ void WebServer::Private::respond(
         flipBytes(reply.body);
     }
     put(reply, to);
+}
+
+/// Who tries passwords has to wait for each answer after the first few.
+void WebServer::Private::refuse(
+    const WebRequest& request, const WebAccess::Denial& denial, httplib::Response& to)
+{
+    constexpr int freeTries = 5;
+    constexpr std::chrono::milliseconds pause{1000};
+    put(handler.refusal(request, denial.error, denial.status), to);
+    if (denial.status != 401)
+        return;
+    to.set_header("WWW-Authenticate", "Basic realm=\"drive\", charset=\"UTF-8\"");
+    if (!request.authorization.empty() && ++wrongPasswords > freeTries)
+        waitFor(pause);
 }
 
 void WebServer::Private::put(const WebReply& reply, httplib::Response& to)

@@ -192,6 +192,28 @@ private Q_SLOTS:
         QCOMPARE(c.link.firstChange(), 0);
     }
 
+    /// Copied configurations and virtual drives may share a serial number.
+    void aTwinWithTheSameSerialNumberIsLeftAlone()
+    {
+        Interrupted c;
+        drivecomm::VirtualDriveOptions options = CompensatorFixture::options(c.time);
+        options.name = "Twin-2";
+        drivecomm::VirtualDrive twin(drivecomm::genericProfile(), options);
+        drivecomm::FaultPlan faults;
+        const auto attachment = test::inProcess().attach(twin, faults);
+        AxisCompensator other(attachment->link(), drivecomm::genericProfile(), c.store);
+        const auto recovery = other.recovery(c.entry);
+        VERIFY_ERROR(recovery, ErrorCode::OtherDrive);
+        QCOMPARE(sentence(recovery.error()),
+            std::string("this is another drive: expected serial number 4711 (Test-1, axes: 2), "
+                        "found 4711 (Twin-2, axes: 2)"));
+        VERIFY_ERROR(other.settleUnfinished(c.entry), ErrorCode::OtherDrive);
+        for (const Recover way : ways)
+            VERIFY_ERROR((other.*way)(c.entry, {}), ErrorCode::OtherDrive);
+        QVERIFY(c.isUnfinished());
+        VERIFY_RESULT(c.compensator.recovery(c.entry));
+    }
+
     void anActiveCompensationIsLeftAlone()
     {
         Interrupted c;

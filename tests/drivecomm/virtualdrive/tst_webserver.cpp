@@ -4,6 +4,7 @@
 #include "tests/drivecomm/web/web_site.h"
 #include "tests/support/test_registry.h"
 
+#include <QElapsedTimer>
 #include <QTest>
 
 namespace tst_webserver {
@@ -30,6 +31,7 @@ private Q_SLOTS:
     void refusesBodiesThatAreTooLarge();
     void asksForThePassword_data();
     void asksForThePassword();
+    void aGuesserOfPasswordsHasToWait();
     void keepsOtherSitesOut_data();
     void keepsOtherSitesOut();
 };
@@ -270,6 +272,10 @@ void WebFrontTest::refusesBodiesThatAreTooLarge()
     }
     chunks.send("0\r\n\r\n");
     QVERIFY(chunks.receiveAll().startsWith("HTTP/1.1 413 "));
+    RawClient asking(site.server->port()); // and has not sent the body yet
+    asking.send(head + "Connection: close\r\nExpect: 100-continue\r\nContent-Length: "
+        + std::to_string(body.size()) + "\r\n\r\n");
+    QVERIFY(asking.receiveAll().startsWith("HTTP/1.1 413 "));
     RawClient noLength(site.server->port());
     noLength.send(head + "Connection: close\r\n\r\n");
     QVERIFY(noLength.receiveAll().startsWith("HTTP/1.1 411 "));
@@ -309,6 +315,24 @@ void WebFrontTest::asksForThePassword()
     QVERIFY(put);
     QCOMPARE(put->status, status == 200 ? 204 : 401);
     QCOMPARE(site.value(variable0), RegisterValue(status == 200 ? 1.0F : 0.0F));
+}
+
+void WebFrontTest::aGuesserOfPasswordsHasToWait()
+{
+    WebServerOptions options;
+    options.user = "anna";
+    options.password = "secret";
+    Site site(options);
+    const httplib::Headers wrong{
+        {"Authorization", "Basic " + QByteArray("anna:x").toBase64().toStdString()}};
+    QElapsedTimer timer;
+    timer.start();
+    for (int i = 0; i < 7; ++i) {
+        const auto reply = site.client.Get("/", wrong);
+        QVERIFY(reply);
+        QCOMPARE(reply->status, 401);
+    }
+    QVERIFY2(timer.elapsed() >= 2000, qPrintable(QString::number(timer.elapsed()) + " ms"));
 }
 
 void WebFrontTest::keepsOtherSitesOut_data()
