@@ -4339,6 +4339,10 @@
         <source>unit of the values, in place of what the header says</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>{number} ({name}, axes: {axes})</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
