@@ -5216,10 +5216,6 @@
         <source>The drive is in error: %1.</source>
         <translation>Der Antrieb meldet einen Fehler: %1.</translation>
     </message>
-    <message>
-        <source>Another program changed the settings of this axis on the drive.</source>
-        <translation>Ein anderes Programm hat die Einstellungen dieser Achse im Antrieb geändert.</translation>
-    </message>
 </context>
 <context>
     <name>axiscomp::ui::CertificateButton</name>
@@ -6148,6 +6144,53 @@
     </message>
 </context>
 <context>
+    <name>axiscomp::ui::ForeignChange</name>
+    <message>
+        <source>The axis has lost its homing, as after a restart of the drive: the compensation is off. Home the axis and activate again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The axis has lost its homing, as after a restart of the drive.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The compensation is off: something other than this window has switched it off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The compensation is on: something other than this window has switched it on.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The axis has no table any more.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its volatile table is gone: write it again, or make it persistent.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>dimensionality</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>source %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>table</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>persistency</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another program changed the settings of this axis on the drive: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>axiscomp::ui::ImportDialog</name>
     <message>
         <source>Import Compensation Data</source>
@@ -7045,27 +7088,67 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
     </message>
 </context>
 <context>
+    <name>axiscomp::ui::StateField</name>
+    <message>
+        <source>OFF</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>EVALUATING</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>RAMPING</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ACTIVE</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ERROR</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Output %1 · Index %2</source>
+        <translation type="unfinished">Ausgang %1 · Index %2</translation>
+    </message>
+    <message>
+        <source>The state of the compensation of this axis</source>
+        <translation type="unfinished">Der Zustand der Kompensation dieser Achse</translation>
+    </message>
+    <message>
+        <source>Live values of the drive: the compensation output and the table index</source>
+        <translation type="unfinished">Werte des Antriebs: der Ausgang der Kompensation und der Index in der Tabelle</translation>
+    </message>
+    <message>
+        <source>since %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>since before %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no table</source>
+        <translation type="unfinished">keine Tabelle</translation>
+    </message>
+    <message>
+        <source>%1, CRC %2</source>
+        <comment>table and checksum</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>NOT CONNECTED</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as read at %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>axiscomp::ui::StatusStrip</name>
-    <message>
-        <source>compensation off</source>
-        <translation>Kompensation aus</translation>
-    </message>
-    <message>
-        <source>compensation evaluating</source>
-        <translation>Kompensation wertet aus</translation>
-    </message>
-    <message>
-        <source>compensation ramping</source>
-        <translation>Kompensation wird überblendet</translation>
-    </message>
-    <message>
-        <source>compensation active</source>
-        <translation>Kompensation aktiv</translation>
-    </message>
-    <message>
-        <source>compensation error</source>
-        <translation>Kompensationsfehler</translation>
-    </message>
     <message>
         <source>&amp;Cancel</source>
         <translation>Abbre&amp;chen</translation>
@@ -7085,18 +7168,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
     <message>
         <source>Show the log (Ctrl+L)</source>
         <translation>Das Protokoll zeigen (Strg+L)</translation>
-    </message>
-    <message>
-        <source>The state of the compensation of this axis</source>
-        <translation>Der Zustand der Kompensation dieser Achse</translation>
-    </message>
-    <message>
-        <source>Live values of the drive: the compensation output and the table index</source>
-        <translation>Werte des Antriebs: der Ausgang der Kompensation und der Index in der Tabelle</translation>
-    </message>
-    <message>
-        <source>Output %1 · Index %2</source>
-        <translation>Ausgang %1 · Index %2</translation>
     </message>
 </context>
 <context>

@@ -134,6 +134,7 @@ IncompleteGrid incompleteGrid(
     for (const CompensationTable& table : tables) {
         grid.tables.emplace_back(table.values.begin(), table.values.end());
         grid.tableNames.emplace_back(Verbatim{table.name});
+        grid.valueUnits.push_back(table.unit);
     }
     return grid;
 }

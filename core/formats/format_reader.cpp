@@ -46,6 +46,7 @@ void complete(NeutralTable& table, MissingPoints missing, DiagnosticList& diagno
     for (const CompensationColumn& column : table.columns) {
         grid.tables.push_back(column.values);
         grid.tableNames.push_back(columnText(table, column));
+        grid.valueUnits.push_back(column.unit);
     }
     auto completed = completeGrid(std::move(grid), missing, diagnostics);
     if (!completed)

@@ -285,10 +285,10 @@ void Completion::warnOfFilled(std::size_t table, const std::vector<std::uint32_t
         (isMade ? made : measured).add(values[point]);
         next += isMade ? 1 : 0;
     }
-    const auto text = [](const Range& range) {
+    const auto text = [&unit = m_grid.valueUnits[table]](const Range& range) {
         return AXISCOMP_TEXT("Error", "{low} to {high}")
             .with("low", Quantity{shortestText(static_cast<float>(range.low))})
-            .with("high", Quantity{shortestText(static_cast<float>(range.high))});
+            .with("high", Quantity{shortestText(static_cast<float>(range.high)), unit});
     };
     m_diagnostics.warning(DiagnosticCode::FilledPoints, 0, 0,
         AXISCOMP_TEXT("Error",

@@ -31,6 +31,7 @@ struct IncompleteGrid {
     std::vector<std::string> units; ///< of the dimensions
     std::vector<std::vector<double>> tables; ///< dimension 1 fastest; NaN: no value
     std::vector<Text> tableNames;
+    std::vector<std::string> valueUnits; ///< of the tables
 };
 
 struct CompletedGrid {

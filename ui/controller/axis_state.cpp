@@ -2,6 +2,7 @@
 #include "ui/controller/axis_state.h"
 
 #include "ui/async/background_job.h"
+#include "ui/controller/foreign_change.h"
 #include "ui/text/message_text.h"
 
 namespace axiscomp::ui {
@@ -181,9 +182,8 @@ void AxisState::noteChanges(const AxisStatus& now)
     if (before.driveError != now.driveError && now.hasDriveError)
         m_log.add(LogLine::Kind::Error,
             [error = text(now.driveError)] { return tr("The drive is in error: %1.").arg(error); });
-    if (!m_isChangeExpected && !(before.setup == now.setup))
-        m_log.add(LogLine::Kind::Warning,
-            [] { return tr("Another program changed the settings of this axis on the drive."); });
+    if (!m_isChangeExpected && !foreignChange(before, now).text.isEmpty())
+        m_outcome.show([before, now] { return foreignChange(before, now); });
 }
 
 void AxisState::noteUnfinished(const AxisReading& now)
@@ -202,6 +202,7 @@ void AxisState::noteUnfinished(const AxisReading& now)
 void AxisState::takeFailure(const Error& error)
 {
     if (isLinkFailure(error.code)) {
+        m_outcome.dismissSuccess();
         if (DriveConnection* drive = m_drives.connection())
             drive->lose(error);
         return;
@@ -222,6 +223,7 @@ void AxisState::takeLiveFailure(const Error& error)
     if (error.code == ErrorCode::Cancelled)
         return;
     if (isLinkFailure(error.code)) {
+        m_outcome.dismissSuccess();
         if (DriveConnection* drive = m_drives.connection())
             drive->lose(error);
         return;

@@ -9,10 +9,13 @@ void LastOutcome::show(const std::function<Outcome()>& make)
 {
     const Outcome shown = make();
     m_log.add(
-        shown.isError ? LogLine::Kind::Error : LogLine::Kind::Information,
+        shown.isError         ? LogLine::Kind::Error
+            : shown.isWarning ? LogLine::Kind::Warning
+                              : LogLine::Kind::Information,
         [make] { return make().text; }, shown.detail);
     m_make = make;
-    if (shown.text == m_outcome.text && shown.isError == m_outcome.isError)
+    if (shown.text == m_outcome.text && shown.isError == m_outcome.isError
+        && shown.isWarning == m_outcome.isWarning)
         return;
     m_outcome = shown;
     Q_EMIT changed();
@@ -29,6 +32,12 @@ void LastOutcome::dismiss()
         return;
     m_outcome = {};
     Q_EMIT changed();
+}
+
+void LastOutcome::dismissSuccess()
+{
+    if (!m_outcome.isError && !m_outcome.isWarning)
+        dismiss();
 }
 
 void LastOutcome::retranslate()

@@ -27,6 +27,8 @@ public:
     void refuse(const Wording& reason);
     /// There is none any more.
     void dismiss();
+    /// What it says of the drive may no longer be so.
+    void dismissSuccess();
     /// Makes the sentence anew. changed() is not emitted: one that the user has put away stays
     /// away.
     void retranslate();

@@ -8,9 +8,6 @@
 #include <QDateTime>
 #include <QLocale>
 
-#include <algorithm>
-#include <cmath>
-
 namespace axiscomp::ui {
 
 namespace {
@@ -41,17 +38,6 @@ QString errorDetail(const Error& error)
     if (!error.detail.empty())
         detail += QStringLiteral(" [") + QString::fromStdString(error.detail) + u']';
     return detail;
-}
-
-/// In fixed notation, so that 0.0000001 looks as small as it is.
-QString smallNumber(double value)
-{
-    constexpr int mostDecimals = 15;
-    if (value == 0.0 || !std::isfinite(value))
-        return QLocale().toString(value);
-    const int decimals =
-        std::clamp(-static_cast<int>(std::floor(std::log10(std::abs(value)))), 0, mostDecimals);
-    return QLocale().toString(value, 'f', decimals);
 }
 
 QString localTime(WallTime time)
@@ -95,8 +81,9 @@ Outcome Outcomes::notWritten(const Error& error)
 
 QString Outcomes::proved(const Proof& proof, const AxisInfo& axis)
 {
-    const QString difference =
-        (smallNumber(proof.largestDifference) + u' ' + unitSymbol(axis.unit)).trimmed();
+    QString difference = smallValueText(proof.largestDifference, axis.unit);
+    if (difference.startsWith(u'+'))
+        difference.remove(0, 1); // a size
     return tr("Proved: largest difference %1 in %2 samples.")
         .arg(difference)
         .arg(proof.samples.size());

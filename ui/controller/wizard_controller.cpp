@@ -435,6 +435,11 @@ bool WizardController::isOutcomeAnError() const
     return m_parts->outcome.get().isError;
 }
 
+bool WizardController::isOutcomeAWarning() const
+{
+    return m_parts->outcome.get().isWarning;
+}
+
 WizardLog& WizardController::logModel()
 {
     return m_parts->log;

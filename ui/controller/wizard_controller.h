@@ -120,6 +120,7 @@ public:
     [[nodiscard]] QString
     outcome() const; ///< of the last operation, a translated sentence; may be empty
     [[nodiscard]] bool isOutcomeAnError() const;
+    [[nodiscard]] bool isOutcomeAWarning() const;
     [[nodiscard]] WizardLog& logModel();
     [[nodiscard]] const std::vector<LogLine>& log() const; ///< the newest 1000
     /// Seconds until flash may be written again, 0 now; counts down.

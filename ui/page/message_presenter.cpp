@@ -107,7 +107,9 @@ void MessagePresenter::showOutcome()
 {
     Message message;
     message.id = outcomeId;
-    message.tone = m_controller.isOutcomeAnError() ? Tone::Error : Tone::Success;
+    message.tone = m_controller.isOutcomeAnError() ? Tone::Error
+        : m_controller.isOutcomeAWarning()         ? Tone::Warning
+                                                   : Tone::Success;
     message.text = m_controller.outcome();
     if (message.text.isEmpty() || message.text == m_controller.unfinishedWrite())
         m_messages.remove(message.id);

@@ -8,12 +8,9 @@ class QProgressBar;
 class QPushButton;
 class QToolButton;
 
-namespace axiscomp {
-struct RegisterEnums;
-}
-
 namespace axiscomp::ui {
 
+class StateField;
 class WizardController;
 
 /// The last row of the page: what runs and how far it is on the left, what the drive does now on
@@ -32,16 +29,12 @@ Q_SIGNALS:
 
 private:
     void showBusy();
-    void showLive();
-    [[nodiscard]] bool isConnected() const;
 
     WizardController& m_controller;
     QLabel* m_step;
     QProgressBar* m_progress;
     QPushButton* m_cancel;
-    QLabel* m_stateSymbol;
-    QLabel* m_state;
-    QLabel* m_live;
+    StateField* m_state;
     QToolButton* m_log;
 };
 

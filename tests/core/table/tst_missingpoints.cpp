@@ -27,6 +27,7 @@ IncompleteGrid bed(const std::string& unitOfY = "mm")
         2, 0.75, 0.5, 1.25, 3, //
         gap, 1, 1, 2, gap}};
     grid.tableNames = {Verbatim{"Z"}};
+    grid.valueUnits = {"um"};
     return grid;
 }
 
@@ -42,6 +43,7 @@ IncompleteGrid line(std::vector<double> values)
         knots.push_back(static_cast<double>(i));
     grid.tables = {std::move(values)};
     grid.tableNames = {Verbatim{"E"}};
+    grid.valueUnits = {"um"};
     return grid;
 }
 
@@ -138,6 +140,7 @@ private Q_SLOTS:
             values[i] = gap;
         grid.tables = {values};
         grid.tableNames = {Verbatim{"E"}};
+        grid.valueUnits = {"um"};
         for (const MissingPoints method : {MissingPoints::Plane, MissingPoints::Smooth}) {
             DiagnosticList diagnostics(10);
             const auto after = completeGrid(grid, method, diagnostics);
@@ -178,6 +181,7 @@ private Q_SLOTS:
         grid.units = {"mm", "mm"};
         grid.tables = {{values.begin(), values.end()}};
         grid.tableNames = {Verbatim{"Z"}};
+        grid.valueUnits = {"um"};
         DiagnosticList diagnostics(10);
         const auto after = completeGrid(grid, MissingPoints::Crop, diagnostics);
         QVERIFY(after);
@@ -200,6 +204,7 @@ private Q_SLOTS:
         grid.tables.push_back({5, 6, gap, 8, 9});
         grid.tables.push_back({gap, 11, 12, 13, 14});
         grid.tableNames = {Verbatim{"A"}, Verbatim{"B"}, Verbatim{"C"}};
+        grid.valueUnits = {"um", "um", "um"};
         DiagnosticList diagnostics(10);
         const auto after = completeGrid(grid, MissingPoints::Crop, diagnostics);
         QVERIFY(after);
@@ -219,6 +224,7 @@ private Q_SLOTS:
         values[35] = gap; // the opposite one of the last
         grid.tables = {values};
         grid.tableNames = {Verbatim{"E"}};
+        grid.valueUnits = {"um"};
         DiagnosticList diagnostics(10);
         const auto after = completeGrid(grid, MissingPoints::Crop, diagnostics);
         QVERIFY(after);
@@ -234,7 +240,7 @@ private Q_SLOTS:
         QVERIFY(completeGrid(bed(), MissingPoints::Smooth, filled));
         QCOMPARE(lines(filled),
             std::string("points without a value are filled: found 5 of 20 points of Z without a "
-                        "value; they get 0 to 3.28, the measured values are -0.5 to 3 "
+                        "value; they get 0 to 3.28 um, the measured values are -0.5 to 3 um "
                         "(FilledPoints)\n"));
         DiagnosticList cropped(10);
         QVERIFY(completeGrid(line({gap, 1, 2, 3, gap, 5}), MissingPoints::Crop, cropped));

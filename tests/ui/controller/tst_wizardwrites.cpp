@@ -175,6 +175,48 @@ private Q_SLOTS:
         bench.drive().set("Axes[0]/Parameters/Compensations/Axis/Dim1Source", y->front().address);
         QVERIFY(bench.readLive());
         QCOMPARE(foreignChanges(), 1);
+        QCOMPARE(bench->outcome(),
+            QStringLiteral("Another program changed the settings of this axis on the drive: "
+                           "source 1."));
+        QVERIFY(bench->isOutcomeAWarning());
+    }
+
+    void aMessageOfSuccessDoesNotOutliveItsTruth_data()
+    {
+        QTest::addColumn<QString>("event");
+        QTest::addColumn<QString>("message");
+        QTest::newRow("switched off") << "off"
+                                      << "The compensation is off: something other than this "
+                                         "window has switched it off.";
+        QTest::newRow("restart")
+            << "restart"
+            << "The axis has lost its homing, as after a restart of the drive: the compensation is "
+               "off. Home the axis and activate again. Its volatile table is gone: write it again, "
+               "or make it persistent.";
+    }
+    void aMessageOfSuccessDoesNotOutliveItsTruth()
+    {
+        QFETCH(const QString, event);
+        QFETCH(const QString, message);
+        ControllerFixture bench;
+        QVERIFY(bench.connect());
+        QVERIFY(bench.prepare2D());
+        bench->setup().setPersistency(Persistency::Volatile);
+        QVERIFY(bench.planAndWrite());
+        bench->activate();
+        QVERIFY(bench.idle());
+        QVERIFY2(!bench->isOutcomeAnError(), qPrintable(bench->outcome()));
+        QVERIFY2(bench->outcome().contains(QStringLiteral("active")), qPrintable(bench->outcome()));
+        if (event == QStringLiteral("off"))
+            bench.drive().set(
+                "Axes[0]/Commands/Compensations/Axis/Activation", std::string("Disabled"));
+        else
+            bench.drive().drive.reboot();
+        QTRY_VERIFY2(bench.readLive() && bench->isOutcomeAWarning(), qPrintable(bench->outcome()));
+        QCOMPARE(bench->outcome(), message);
+        QVERIFY(std::ranges::any_of(bench->log(), [&](const LogLine& line) {
+            return line.kind == LogLine::Kind::Warning && line.text() == message;
+        }));
     }
 
     void aWriteThatIsCancelledLeavesTheOldState()

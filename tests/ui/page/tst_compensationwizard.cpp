@@ -115,8 +115,7 @@ private Q_SLOTS:
         QVERIFY(user.click("activateButton"));
         QVERIFY(bench.saysOutcome(QStringLiteral("Proved: largest difference")));
         QTRY_COMPARE(bench.served.text(stateX), std::string("Active"));
-        QTRY_COMPARE(
-            user.the<QLabel>("compensationState").text(), QStringLiteral("compensation active"));
+        QTRY_COMPARE(user.the<QLabel>("compensationState").text(), QStringLiteral("ACTIVE"));
         QVERIFY(user.the<QLabel>("liveValues").text().contains(QStringLiteral("µm")));
         QVERIFY(!user.the("writeButton").isEnabled());
         QCOMPARE(user.hint(), QStringLiteral("The compensation is active."));
@@ -131,14 +130,12 @@ private Q_SLOTS:
         QVERIFY(bench.write());
         QVERIFY(user.pickFromMenu("activateMenuButton", "activateMenu", Qt::Key_E));
         QVERIFY(bench.saysOutcome(QStringLiteral("the drive adds nothing")));
-        QTRY_COMPARE(user.the<QLabel>("compensationState").text(),
-            QStringLiteral("compensation evaluating"));
+        QTRY_COMPARE(user.the<QLabel>("compensationState").text(), QStringLiteral("EVALUATING"));
         QVERIFY(user.click("activateButton"));
         QVERIFY(bench.saysOutcome(QStringLiteral("Proved")));
         QVERIFY(user.click("deactivateButton"));
         QVERIFY(bench.saysOutcome(QStringLiteral("The compensation is off.")));
-        QTRY_COMPARE(
-            user.the<QLabel>("compensationState").text(), QStringLiteral("compensation off"));
+        QTRY_COMPARE(user.the<QLabel>("compensationState").text(), QStringLiteral("OFF"));
         QTRY_COMPARE(bench.served.text(stateX), std::string("Disabled"));
     }
 

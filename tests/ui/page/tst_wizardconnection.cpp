@@ -42,7 +42,9 @@ private Q_SLOTS:
             user.the<QLabel>("driveState").text(), QStringLiteral("connection lost, reconnecting"));
         QCOMPARE(user.hint(), QStringLiteral("The drive is not connected."));
         QVERIFY(!user.the("writeButton").isEnabled());
-        QVERIFY(!user.sees("liveValues"));
+        QCOMPARE(user.the<QLabel>("compensationState").text(), QStringLiteral("NOT CONNECTED"));
+        QVERIFY2(user.the<QLabel>("stateDetail").text().startsWith(QStringLiteral("as read at ")),
+            qPrintable(user.the<QLabel>("stateDetail").text()));
         QVERIFY(bench.controller().setup().edited() == edited);
         // It can be worked on: what needs no drive goes on.
         QVERIFY(user.choose("tableField", QStringLiteral("second")));
@@ -92,8 +94,7 @@ private Q_SLOTS:
         const auto written =
             bench.served.drive.writeRegisters({{activationX, std::string("Evaluate")}});
         VERIFY_RESULT(written);
-        QTRY_COMPARE(user.the<QLabel>("compensationState").text(),
-            QStringLiteral("compensation evaluating"));
+        QTRY_COMPARE(user.the<QLabel>("compensationState").text(), QStringLiteral("EVALUATING"));
         QCOMPARE(bench.controller().setup().edited().table.fileTable, std::optional(1));
         VERIFY_RESULT(
             bench.served.drive.writeRegisters({{activationX, std::string("AddToEncoders")}}));

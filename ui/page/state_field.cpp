@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/page/state_field.h"
+
+#include "ui/controller/wizard_controller.h"
+#include "ui/style/plain_label.h"
+#include "ui/text/value_text.h"
+
+#include <QBoxLayout>
+#include <QEvent>
+#include <QLabel>
+#include <QLocale>
+#include <QPainter>
+
+#include <algorithm>
+
+namespace axiscomp::ui {
+
+namespace {
+
+/// In the user's language; a word that the profile does not have is shown as it is.
+QString stateWord(const AxisInfo& axis)
+{
+    switch (axis.state) {
+    case CompensationState::Disabled:
+        return StateField::tr("OFF");
+    case CompensationState::Evaluating:
+        return StateField::tr("EVALUATING");
+    case CompensationState::Ramping:
+        return StateField::tr("RAMPING");
+    case CompensationState::Active:
+        return StateField::tr("ACTIVE");
+    case CompensationState::Error:
+        return StateField::tr("ERROR");
+    case CompensationState::Unknown:
+        break;
+    }
+    return QString::fromStdString(axis.stateWord);
+}
+
+Tone toneOf(const AxisStatus& status)
+{
+    switch (status.axis.state) {
+    case CompensationState::Active:
+        return Tone::Success;
+    case CompensationState::Ramping:
+    case CompensationState::Evaluating:
+        return Tone::Warning;
+    case CompensationState::Error:
+        return Tone::Error;
+    default:
+        return Tone::Information;
+    }
+}
+
+QString timeText(const QDateTime& time)
+{
+    return QLocale().toString(time.time(), QStringLiteral("HH:mm:ss"));
+}
+
+QString liveText(const AxisStatus& status)
+{
+    QStringList indices;
+    for (int n = 0; n < status.setup.dimensionality; ++n)
+        indices += QLocale().toString(status.indices.at(static_cast<std::size_t>(n)), 'f', 2);
+    return StateField::tr("Output %1 · Index %2")
+        .arg(smallValueText(status.output, status.axis.unit), indices.join(QStringLiteral(" / ")));
+}
+
+} // namespace
+
+StateField::StateField(WizardController& controller, QWidget* parent)
+    : QWidget(parent)
+    , m_controller(controller)
+    , m_state(new PlainLabel)
+    , m_live(new PlainLabel)
+    , m_detail(new PlainLabel)
+{
+    setObjectName(QStringLiteral("stateField"));
+    m_state->setObjectName(QStringLiteral("compensationState"));
+    m_live->setObjectName(QStringLiteral("liveValues"));
+    m_detail->setObjectName(QStringLiteral("stateDetail"));
+    for (QLabel* label : {m_live, m_detail})
+        label->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    auto* texts = new QVBoxLayout;
+    texts->setContentsMargins(0, 0, 0, 0);
+    texts->setSpacing(0);
+    texts->addWidget(m_live);
+    texts->addWidget(m_detail);
+    auto* layout = new QHBoxLayout(this);
+    layout->setContentsMargins(12, 3, 12, 3);
+    layout->setSpacing(16);
+    layout->addWidget(m_state);
+    layout->addLayout(texts);
+    connect(&controller, &WizardController::liveChanged, this, &StateField::takeLive);
+    connect(&controller, &WizardController::statusChanged, this, &StateField::takeLive);
+    connect(&controller, &WizardController::drivesChanged, this, &StateField::display);
+    connect(&controller, &WizardController::currentAxisChanged, this, &StateField::takeAxis);
+    connect(&controller, &WizardController::selectedTableChanged, this, &StateField::display);
+    showFont();
+    retranslate();
+}
+
+void StateField::retranslate()
+{
+    m_state->setToolTip(tr("The state of the compensation of this axis"));
+    m_live->setToolTip(tr("Live values of the drive: the compensation output and the table index"));
+    display();
+}
+
+void StateField::takeAxis()
+{
+    m_known.reset();
+    display();
+}
+
+void StateField::takeLive()
+{
+    if (const auto& status = m_controller.status(); status && isConnected()) {
+        m_read = QDateTime::currentDateTime();
+        if (m_known != status->axis.state) {
+            m_wasSeenToBegin = m_known.has_value();
+            m_known = status->axis.state;
+            m_since = m_read;
+        }
+    }
+    display();
+}
+
+/// What was read before the connection was lost says nothing about now.
+bool StateField::isConnected() const
+{
+    const int axis = m_controller.currentAxis();
+    if (axis < 0)
+        return false;
+    const QString& endpoint = m_controller.axes().at(static_cast<std::size_t>(axis)).endpoint;
+    return std::ranges::any_of(m_controller.drives(), [&](const DriveState& drive) {
+        return drive.endpoint == endpoint && drive.connection == DriveState::Connection::Connected;
+    });
+}
+
+QString StateField::sinceText() const
+{
+    return m_wasSeenToBegin ? tr("since %1").arg(timeText(m_since))
+                            : tr("since before %1").arg(timeText(m_since));
+}
+
+QString StateField::tableText() const
+{
+    const AxisStatus& status = *m_controller.status();
+    if (!status.table)
+        return tr("no table");
+    const auto table = m_controller.driveTable();
+    const QString name = table && !table->name.empty() ? QString::fromStdString(table->name)
+                                                       : QString::fromStdString(status.setup.slot);
+    const QString crc =
+        QStringLiteral("%1").arg(status.table->crc, 8, 16, QLatin1Char('0')).toUpper();
+    return tr("%1, CRC %2", "table and checksum").arg(name, crc);
+}
+
+void StateField::display()
+{
+    const auto& status = m_controller.status();
+    const bool isLive = status && isConnected();
+    setVisible(m_controller.currentAxis() >= 0);
+    m_tone = isLive ? toneOf(*status) : Tone::Error;
+    m_state->setText(isLive ? stateWord(status->axis) : tr("NOT CONNECTED"));
+    m_live->setVisible(status.has_value());
+    m_detail->setVisible(status.has_value());
+    if (status) {
+        m_live->setText(liveText(*status));
+        m_detail->setText(isLive ? sinceText() + QStringLiteral(" · ") + tableText()
+                                 : tr("as read at %1").arg(timeText(m_read)));
+    }
+    QPalette texts = palette();
+    if (!isLive)
+        texts.setColor(QPalette::WindowText, mutedTextColor(palette()));
+    m_live->setPalette(texts);
+    m_detail->setPalette(texts);
+    update();
+}
+
+void StateField::showFont()
+{
+    QFont large = font();
+    large.setBold(true);
+    large.setPointSizeF(font().pointSizeF() * 1.8);
+    m_state->setFont(large);
+    QFont small = font();
+    small.setPointSizeF(font().pointSizeF() * 0.9);
+    m_detail->setFont(small);
+}
+
+void StateField::paintEvent(QPaintEvent* event)
+{
+    Q_UNUSED(event)
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(frameColor(m_tone, palette()), 1.0));
+    painter.setBrush(fillColor(m_tone, palette()));
+    constexpr double radius = 4.0;
+    painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), radius, radius);
+}
+
+void StateField::changeEvent(QEvent* event)
+{
+    if (event->type() == QEvent::FontChange)
+        showFont();
+    else if (event->type() == QEvent::PaletteChange)
+        display();
+    QWidget::changeEvent(event);
+}
+
+} // namespace axiscomp::ui
