@@ -36,12 +36,13 @@ std::vector<Documented> documentedCodes()
     static const QRegularExpression row(
         QStringLiteral("^\\s+(\\w+),\\s*///< (.*)$"), QRegularExpression::MultilineOption);
     static const QRegularExpression explanation(QStringLiteral("\\([^)]*\\)|:.*$"));
+    static const QRegularExpression separator(QStringLiteral("[,;]"));
     std::vector<Documented> result;
     for (auto matches = row.globalMatch(body); matches.hasNext();) {
         const auto match = matches.next();
         Documented code{match.captured(1).toStdString(), {}};
         const QString keys = match.captured(2).remove(explanation);
-        for (const QString& key : keys.split(QLatin1Char(','), Qt::SkipEmptyParts))
+        for (const QString& key : keys.split(separator, Qt::SkipEmptyParts))
             code.keys.insert(key.trimmed().toStdString());
         result.push_back(std::move(code));
     }

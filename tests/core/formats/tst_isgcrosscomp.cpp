@@ -231,7 +231,8 @@ private Q_SLOTS:
         QCOMPARE(table.columns[0].values, (std::vector<double>{0.0003, 0.1}));
         QCOMPARE(table.columns[0].step, 0.0001);
         QCOMPARE(table.name, std::string("Z axis"));
-        QCOMPARE(table.notes, (std::vector<std::string>{"Axis compensation data of Z-axis"}));
+        QCOMPARE(table.notes,
+            (std::vector<std::string>{"Axis compensation data of Z-axis", "n_cycles 10"}));
         QCOMPARE(table.sign, SignConvention::Command);
         QVERIFY2(reading_table->diagnostics.empty(), problemLines(*reading_table).c_str());
     }
