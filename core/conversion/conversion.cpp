@@ -93,6 +93,16 @@ private:
     [[nodiscard]] Result<NeutralTable> signConverted(
         NeutralTable table, TableConversion& conversion) const;
 
+    /// A grid that was asked for is kept, and so is an even one where that is all the target takes.
+    [[nodiscard]] ConvertedKnots knotsFor(const NeutralTable& table) const
+    {
+        if (!std::holds_alternative<std::monostate>(m_request.resampling))
+            return ConvertedKnots::Same;
+        if (m_request.to->facts.knots == KnotRule::Any)
+            return ConvertedKnots::Exact;
+        return isEven(table) ? ConvertedKnots::Same : ConvertedKnots::ExactIfEven;
+    }
+
     [[nodiscard]] SignConvention targetSign() const
     {
         return m_request.targetSign.value_or(m_request.to->facts.sign);
@@ -143,11 +153,7 @@ Result<NeutralTable> Converter::signConverted(NeutralTable table, TableConversio
         conversion.example = examplePoint(table);
         return table;
     }
-    // A grid that was asked for is kept.
-    const ConvertedKnots knots = !std::holds_alternative<std::monostate>(m_request.resampling)
-        ? ConvertedKnots::Same
-        : m_request.to->facts.knots == KnotRule::Any ? ConvertedKnots::Exact
-                                                     : ConvertedKnots::ExactIfEven;
+    const ConvertedKnots knots = knotsFor(table);
     AXISCOMP_TRY(
         auto converted, convertSign(table, targetSign(), m_request.from->facts.behaviour, knots));
     conversion.example = std::move(converted.example);

@@ -72,11 +72,6 @@ std::optional<NeutralTable> build(const isg::List& list, const SettingValues& se
     const std::size_t count = static_cast<std::size_t>(*last) + 1;
     if (!list.checkMostPoints(count, mostPoints))
         return std::nullopt;
-    if (count > pointsOfOlderKernels)
-        list.diagnostics().warning(DiagnosticCode::LimitExceeded, list.line("last_index"), 0,
-            AXISCOMP_COUNTED("Error", "{count} points", "1 point").with("count", count),
-            AXISCOMP_TEXT("Error", "at most {most} for older kernels")
-                .with("most", pointsOfOlderKernels));
     const auto setpoints = list.field("setpoint", {1, count});
     const auto corrections = list.field("correction", {1, count});
     if (!setpoints || !corrections)
@@ -94,6 +89,11 @@ std::optional<NeutralTable> build(const isg::List& list, const SettingValues& se
                 .controllerError = "70245"});
     if (list.diagnostics().hasErrors())
         return std::nullopt;
+    if (count > pointsOfOlderKernels)
+        list.diagnostics().warning(DiagnosticCode::LimitExceeded, list.line("last_index"), 0,
+            AXISCOMP_COUNTED("Error", "{count} points", "1 point").with("count", count),
+            AXISCOMP_TEXT("Error", "at most {most} for older kernels")
+                .with("most", pointsOfOlderKernels));
     NeutralTable table;
     table.sign = SignConvention::Command;
     SourceAxis& axis = table.axes.emplace_back();
