@@ -79,8 +79,7 @@ Result<const TableFormat*> formatOf(Environment& environment, const TableInputOp
         return fail(choice.error());
     }
     const std::string others = formatNames(choice->others);
-    const bool isQuestion = options.dimensions == 0 && !others.empty();
-    if (!isTriamec(*choice->format) || isQuestion)
+    if (!isTriamec(*choice->format))
         environment.console().note(options.file + ": read as "
             + std::string(choice->format->facts.name)
             + (others.empty() ? "" : "; it could be " + others + " as well: say it with --from"));
@@ -105,6 +104,10 @@ Result<CsvReading> refuseWithoutDimensions(Environment& environment,
     if (fitting.size() == 1)
         reason += "; only --dims " + std::to_string(fitting.front()) + " fits "
             + displayName(options.file);
+    const std::string name = std::filesystem::path(options.file).filename().string();
+    if (const auto choice = chooseFormat(text ? *text : beginningOf(options.file), name, false);
+        choice && !choice->others.empty())
+        reason += "; it could be " + formatNames(choice->others) + " as well: say it with --from";
     return wrongUsage(reason, options.command);
 }
 

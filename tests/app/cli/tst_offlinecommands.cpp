@@ -86,7 +86,8 @@ private Q_SLOTS:
         QCOMPARE(axis.value("distance").toDouble(), 10.0);
         QCOMPARE(axis.value("size").toInt(), 3);
         const QJsonObject table = json.value("tables").toArray().at(0).toObject();
-        QCOMPARE(table.keys(), (QStringList{"max", "min", "name", "rms", "target", "unit"}));
+        QCOMPARE(
+            table.keys(), (QStringList{"filled", "max", "min", "name", "rms", "target", "unit"}));
         QCOMPARE(table.value("min").toDouble(), static_cast<double>(-0.004F));
         QCOMPARE(table.value("max").toDouble(), static_cast<double>(0.002F));
         QCOMPARE(json.value("notes").toArray(), (QJsonArray{"measured at 20 C"}));
@@ -167,7 +168,8 @@ private Q_SLOTS:
     {
         QTest::addColumn<QByteArray>("content");
         QTest::addColumn<QByteArray>("suggestion");
-        QTest::newRow("only 1 fits") << line1D << QByteArray("only --dims 1 fits");
+        QTest::newRow("only 1 fits")
+            << line1D << QByteArray("only --dims 1 fits t.csv; it could be icube as well");
         QTest::newRow("only 2 fits") << QByteArray("X,Y,T\n0,0,1\n1,0,2\n0,1,3\n1,1,4\n")
                                      << QByteArray("only --dims 2 fits");
         QTest::newRow("none fits") << QByteArray("X,T\n0,a\n") << QByteArray();
