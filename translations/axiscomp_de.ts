@@ -4343,6 +4343,34 @@
         <source>{number} ({name}, axes: {axes})</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>a table</source>
+        <translation>eine Tabelle</translation>
+    </message>
+    <message>
+        <source>{slot} is empty: there is nothing to delete</source>
+        <translation>{slot} ist leer: es gibt nichts zu löschen</translation>
+    </message>
+    <message>
+        <source>axis {axis} uses no table: there is nothing to delete</source>
+        <translation>Achse {axis} verwendet keine Tabelle: es gibt nichts zu löschen</translation>
+    </message>
+    <message>
+        <source>the table in {slot} is not deleted, because {user} uses it; free it there first</source>
+        <translation>die Tabelle in {slot} wird nicht gelöscht, weil sie noch verwendet wird ({user}); geben Sie sie dort zuerst frei</translation>
+    </message>
+    <message>
+        <source>Flash may hold an older table in {slot}: that one is deleted too.</source>
+        <translation>Im Flash von {slot} liegt womöglich eine ältere Tabelle: sie wird mit gelöscht.</translation>
+    </message>
+    <message>
+        <source>The parameters of all axes are saved before {slot} is emptied: otherwise {axis} could look for the deleted table after a reboot.</source>
+        <translation>Die Parameter aller Achsen werden gespeichert, bevor {slot} geleert wird: sonst könnte {axis} nach einem Neustart die gelöschte Tabelle suchen.</translation>
+    </message>
+    <message>
+        <source>After a reboot {axis} uses the table in {slot} again, as its saved parameters say.</source>
+        <translation>Nach einem Neustart verwendet {axis} wieder die Tabelle in {slot}, wie es in den gespeicherten Parametern steht.</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -4815,6 +4843,10 @@
         <source>reading the table</source>
         <translation>Tabelle lesen</translation>
     </message>
+    <message>
+        <source>deleting the table</source>
+        <translation>Tabelle löschen</translation>
+    </message>
 </context>
 <context>
     <name>TablePlot</name>
@@ -4868,10 +4900,6 @@
         <translation>Weitere Aktionen</translation>
     </message>
     <message>
-        <source>Evaluate, or restore the previous table</source>
-        <translation>Auswerten oder die vorherige Tabelle wiederherstellen</translation>
-    </message>
-    <message>
         <source>D&amp;eactivate</source>
         <translation>&amp;Deaktivieren</translation>
     </message>
@@ -4914,6 +4942,18 @@
     <message>
         <source>Continue in the preview on the right</source>
         <translation>Weiter in der Vorschau rechts</translation>
+    </message>
+    <message>
+        <source>Evaluate, restore the previous table, or delete the table</source>
+        <translation>Auswerten, die vorherige Tabelle wiederherstellen oder die Tabelle löschen</translation>
+    </message>
+    <message>
+        <source>&amp;Delete Table…</source>
+        <translation>Tabelle &amp;löschen …</translation>
+    </message>
+    <message>
+        <source>Deletes the axis&apos;s table from the drive and frees its slot</source>
+        <translation>Löscht die Tabelle der Achse vom Antrieb und gibt ihren Slot frei</translation>
     </message>
 </context>
 <context>
@@ -5173,6 +5213,18 @@
     <message>
         <source>The record of this drive&apos;s flash operations was damaged, so all of them count as used up. Write volatile, or run &quot;axiscomp status --reset-flash-count&quot;.</source>
         <translation>Die Aufzeichnung der Flash-Vorgänge dieses Antriebs war beschädigt, daher gelten alle als verbraucht. Flüchtig schreiben oder „axiscomp status --reset-flash-count“ ausführen.</translation>
+    </message>
+    <message>
+        <source>The axis has no table on the drive.</source>
+        <translation>Die Achse hat keine Tabelle auf dem Antrieb.</translation>
+    </message>
+    <message>
+        <source>Deletes the axis&apos;s table from the drive; a backup is kept.</source>
+        <translation>Löscht die Tabelle der Achse vom Antrieb; eine Sicherung bleibt.</translation>
+    </message>
+    <message>
+        <source>deleting the table</source>
+        <translation>Tabelle löschen</translation>
     </message>
 </context>
 <context>
@@ -6635,6 +6687,10 @@
         <source>Nothing was written.</source>
         <translation>Es wurde nichts geschrieben.</translation>
     </message>
+    <message>
+        <source>Deleted and verified: %1 is empty, and the axis uses no table.</source>
+        <translation>Gelöscht und geprüft: %1 ist leer, und die Achse verwendet keine Tabelle.</translation>
+    </message>
 </context>
 <context>
     <name>axiscomp::ui::PageMenu</name>
@@ -7528,6 +7584,28 @@ B - A: %3</translation>
     <message>
         <source>Confirm the large corrections first</source>
         <translation>Bestätigen Sie zuerst die großen Korrekturen</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>&amp;Löschen</translation>
+    </message>
+    <message>
+        <source>Delete this from the drive now</source>
+        <translation>Dies jetzt vom Antrieb löschen</translation>
+    </message>
+    <message>
+        <source>What will be deleted from %1</source>
+        <comment>axis and drive</comment>
+        <translation>Was auf %1 gelöscht wird</translation>
+    </message>
+    <message>
+        <source>empty</source>
+        <comment>slot</comment>
+        <translation>leer</translation>
+    </message>
+    <message>
+        <source>Uses no flash operation.</source>
+        <translation>Braucht keinen Flash-Vorgang.</translation>
     </message>
 </context>
 </TS>

@@ -117,6 +117,7 @@ void CompensationWizard::Private::connectParts()
     connect(page->setup, &SetupPanel::axisChosen, &q, [this](int index) { chooseAxis(index); });
     connect(page->actions, &ActionPanel::writeRequested, &writeFlow, &WriteFlow::proceed);
     connect(&writeFlow, &WriteFlow::previewingChanged, page->actions, &ActionPanel::setPreviewing);
+    connect(page->actions, &ActionPanel::deleteRequested, &writeFlow, &WriteFlow::proceedToDelete);
     connect(page->actions, &ActionPanel::restoreRequested, &controller,
         &WizardController::restorePrevious);
     connect(page->preview, &PreviewPanel::saveExampleRequested, &files, &FileActions::saveExample);

@@ -110,9 +110,39 @@ Result<void> saveParameters(const RegisterAccess& access)
 
 Result<void> deleteTable(const RegisterAccess& access, std::string_view slot)
 {
-    return writeVerified(access, {},
-        {{access.slotPath(access.registers().tableCommand, slot),
-            access.enums().tableCommandDelete}});
+    const std::vector<RegisterWrite> command{
+        {access.slotPath(access.registers().tableCommand, slot),
+            access.enums().tableCommandDelete}};
+    AXISCOMP_CHECK(writeVerified(access, {}, command));
+    AXISCOMP_TRY(const bool isEmpty, isSlotEmpty(access, slot));
+    if (isEmpty)
+        return {};
+    // The command may have been lost; to repeat it costs nothing where it was not.
+    AXISCOMP_CHECK(writeVerified(access, {}, command));
+    return checkEmpty(access, slot);
+}
+
+Result<bool> isSlotEmpty(const RegisterAccess& access, std::string_view slot)
+{
+    const std::string elements = access.slotPath(access.registers().tableElements, slot);
+    AXISCOMP_TRY(const auto readings, access.readAvailable({elements}));
+    if (readings.contains(elements))
+        return unsignedAt(readings, elements) == 0;
+    const TableSlot* known = access.profile().slotNamed(slot);
+    AXISCOMP_TRY(const auto files, access.link().listFiles(access.exchange()));
+    return std::ranges::none_of(files,
+        [&](const DriveFile& file) { return known && file.path == known->file && file.size > 0; });
+}
+
+Result<void> checkEmpty(const RegisterAccess& access, std::string_view slot)
+{
+    AXISCOMP_TRY(const bool isEmpty, isSlotEmpty(access, slot));
+    if (isEmpty)
+        return {};
+    return fail(ErrorCode::VerifyMismatch,
+        {{"what", AXISCOMP_TEXT("Error", "slot {slot}").with("slot", Verbatim{std::string(slot)})},
+            {"found", AXISCOMP_TEXT("Error", "a table")},
+            {"expected", AXISCOMP_TEXT("Error", "empty")}});
 }
 
 } // namespace axiscomp

@@ -27,7 +27,10 @@ namespace axiscomp {
 /// Parameters survive a reboot from here on.
 [[nodiscard]] Result<void> saveParameters(const RegisterAccess& access);
 
-/// Empties a slot in RAM and flash.
+/// Empties a slot in RAM and flash, and looks whether it is empty: VerifyMismatch when it is not.
 [[nodiscard]] Result<void> deleteTable(const RegisterAccess& access, std::string_view slot);
+[[nodiscard]] Result<bool> isSlotEmpty(const RegisterAccess& access, std::string_view slot);
+/// VerifyMismatch when the slot holds a table.
+[[nodiscard]] Result<void> checkEmpty(const RegisterAccess& access, std::string_view slot);
 
 } // namespace axiscomp

@@ -252,6 +252,17 @@ Text textOf(const Error& error)
                 "used up; write volatile, or reset the count with 'axiscomp status "
                 "--reset-flash-count'"),
             error.context};
+    if (error.code == ErrorCode::NoTable && error.context.contains("slot"))
+        return {
+            AXISCOMP_TEXT("Error", "{slot} is empty: there is nothing to delete"), error.context};
+    if (error.code == ErrorCode::NoTable && error.context.contains("deleting"))
+        return {AXISCOMP_TEXT("Error", "axis {axis} uses no table: there is nothing to delete"),
+            error.context};
+    if (error.code == ErrorCode::SlotInUse && error.context.contains("deleting"))
+        return {AXISCOMP_TEXT("Error",
+                    "the table in {slot} is not deleted, because {user} uses it; free it there "
+                    "first"),
+            error.context};
     return {errorPattern(error.code), error.context};
 }
 

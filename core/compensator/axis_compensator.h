@@ -101,6 +101,17 @@ public:
     [[nodiscard]] Result<std::filesystem::path> upload(
         const std::string& path, ByteView bytes, const OperationOptions& options = {});
 
+    /// What deleting a table that no axis uses costs; changes nothing. The table of an axis is
+    /// deleted by write() with deletionRequest(). Errors: SlotNotFound, NoTable when the slot is
+    /// empty, SlotInUse, also by an axis after a reboot, FlashWear.
+    [[nodiscard]] Result<SlotDeletion> planSlotDeletion(
+        const std::string& slot, const OperationOptions& options = {});
+    /// Keeps a backup, which it gives, empties the slot, and looks whether it is empty. It is one
+    /// command to the drive: whenever it is interrupted, the table is there or not. Errors: those
+    /// of planSlotDeletion, ChangedMeanwhile, VerifyMismatch, RollbackFailed.
+    [[nodiscard]] Result<std::filesystem::path> deleteSlot(
+        const std::string& slot, const OperationOptions& options = {});
+
     /// EraseCount of all slots, and what this computer has recorded.
     [[nodiscard]] Result<FlashUse> flashUse(const OperationOptions& options = {});
     /// The user has decided that flash operations which are missing in a damaged record count no

@@ -9,6 +9,20 @@
 
 namespace axiscomp {
 
+namespace {
+
+Result<TableSlot> knownSlot(const DriveProfile& profile, const std::string& name)
+{
+    if (const TableSlot* slot = profile.slotNamed(name))
+        return *slot;
+    std::vector<std::string> known;
+    for (const TableSlot& slot : profile.tableSlots)
+        known.push_back(slot.name);
+    return fail(ErrorCode::SlotNotFound, {{"slot", name}, {"known", known}});
+}
+
+} // namespace
+
 Result<std::vector<DriveFile>> AxisCompensator::files(const OperationOptions& options)
 {
     return d->link.listFiles(d->access(options).exchange());
@@ -43,6 +57,27 @@ Result<std::filesystem::path> AxisCompensator::upload(
         return fail(ErrorCode::UnknownFile, {{"path", path}});
     return FileReplacement(access, d->store, drive, d->clock, *slot)
         .run(bytes, FileReplacement::Users::Allowed);
+}
+
+Result<SlotDeletion> AxisCompensator::planSlotDeletion(
+    const std::string& slot, const OperationOptions& options)
+{
+    const RegisterAccess access = d->access(options);
+    AXISCOMP_TRY(const TableSlot found, knownSlot(d->profile, slot));
+    AXISCOMP_TRY(auto drive, d->identify(access));
+    return FileReplacement(access, d->store, drive, d->clock, found).planDeletion();
+}
+
+Result<std::filesystem::path> AxisCompensator::deleteSlot(
+    const std::string& slot, const OperationOptions& options)
+{
+    const RegisterAccess access = d->access(options);
+    AXISCOMP_TRY(const TableSlot found, knownSlot(d->profile, slot));
+    AXISCOMP_TRY(auto drive, d->identify(access));
+    AXISCOMP_TRY(const auto lock, d->store.lockWrites(drive.serialNumber));
+    AXISCOMP_CHECK(FileReplacement(access, d->store, drive, d->clock, found).planDeletion());
+    return FileReplacement(access, d->store, drive, d->clock, found)
+        .run({}, FileReplacement::Users::Refused);
 }
 
 Result<FlashUse> AxisCompensator::flashUse(const OperationOptions& options)

@@ -136,7 +136,8 @@ Result<WriteReport> AxisCompensator::finishUnfinished(
                       .finishEarlier();
     // As after a write that was not interrupted: the next one may take the old table's slot.
     const UnfinishedWrite& unfinished = taken.unfinished;
-    if (report && unfinished.oldFile() && unfinished.oldSlot() != report->now.setup.slot)
+    if (report && unfinished.entry().deletedSlot.empty() && unfinished.oldFile()
+        && unfinished.oldSlot() != report->now.setup.slot)
         (void)d->store.recordOwnTable(
             entry.serialNumber, entry.axis, {unfinished.oldSlot(), unfinished.oldCrc()});
     return report;

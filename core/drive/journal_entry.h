@@ -32,6 +32,9 @@ struct JournalEntry {
     };
     std::optional<KeptTable>
         newTable{}; ///< none: the write keeps the table, or did not keep a file
+    /// The axis's table is deleted: when the write is complete this slot is empty and the axis uses
+    /// none; persistent then says that the parameters are saved. Empty: nothing is deleted.
+    std::string deletedSlot{};
 
     friend bool operator==(const JournalEntry&, const JournalEntry&) = default;
 };

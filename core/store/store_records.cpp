@@ -61,14 +61,14 @@ void putJournal(
     using Table = JournalEntry::KeptTable;
     Statement(database,
         "INSERT OR REPLACE INTO journal (serial, axis, time, step, backup, registers, slot, crc, "
-        "persistent, table_file, table_size, table_crc) "
-        "VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, ?11, ?12)",
+        "persistent, table_file, table_size, table_crc, deleted_slot) "
+        "VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, ?11, ?12, ?13)",
         entry.serialNumber, entry.axis, stored(entry.time), entry.step,
         (isInside ? relative : entry.backup).string(), jsonText(toJson(entry.newRegisters)),
         entry.newSlot, entry.newCrc, entry.persistent,
         table ? table->file.filename().string() : std::string(),
         ofTable([](const Table& kept) { return kept.size; }),
-        ofTable([](const Table& kept) { return kept.crc; }))
+        ofTable([](const Table& kept) { return kept.crc; }), entry.deletedSlot)
         .run();
 }
 
@@ -77,7 +77,7 @@ std::optional<JournalEntry> journal(
 {
     Statement row(database,
         "SELECT time, step, backup, registers, slot, crc, persistent, table_file, table_size, "
-        "table_crc FROM journal WHERE serial = ?1 AND axis = ?2",
+        "table_crc, deleted_slot FROM journal WHERE serial = ?1 AND axis = ?2",
         serialNumber, axis);
     if (!row.next())
         return std::nullopt;
@@ -88,6 +88,7 @@ std::optional<JournalEntry> journal(
     if (!row.isNull(8))
         entry.newTable = JournalEntry::KeptTable{
             folder / row.text(7), row.as<std::uint64_t>(8), row.as<std::uint32_t>(9)};
+    entry.deletedSlot = row.text(10);
     return entry;
 }
 

@@ -12,6 +12,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace axiscomp {
 
@@ -29,15 +30,29 @@ fs::path withEnding(fs::path file, std::string_view ending)
     return file += ending;
 }
 
-/// Every row that can be read, from the beginning and, behind a damaged page, from the end.
+std::vector<std::string> columnsOf(Connection& database, const std::string& table)
+{
+    std::vector<std::string> names;
+    for (Statement info(database, "SELECT name FROM pragma_table_info(?1)", table); info.next();)
+        names.push_back(info.text(0));
+    return names;
+}
+
+/// Every row that can be read, from the beginning and, behind a damaged page, from the end. An
+/// older version's table has fewer columns.
 void copyReadable(Connection& from, Connection& to, const std::string& table)
 {
+    const std::vector<std::string> there = columnsOf(from, table);
     std::string columns;
     std::string places;
-    for (Statement info(to, "SELECT name FROM pragma_table_info(?1)", table); info.next();) {
-        columns += (columns.empty() ? "" : ",") + info.text(0);
+    for (const std::string& column : columnsOf(to, table)) {
+        if (std::ranges::find(there, column) == there.end())
+            continue;
+        columns += (columns.empty() ? "" : ",") + column;
         places += places.empty() ? "?" : ",?";
     }
+    if (columns.empty())
+        return;
     Statement insert(
         to, "INSERT OR IGNORE INTO " + table + " (" + columns + ") VALUES (" + places + ")");
     for (const char* order : {"", " DESC"}) {

@@ -54,6 +54,7 @@ CREATE TABLE taken_over ( -- files of older versions that are still to be rename
     file TEXT PRIMARY KEY, new_name TEXT NOT NULL
 ) STRICT;
 )",
+    "ALTER TABLE journal ADD COLUMN deleted_slot TEXT NOT NULL DEFAULT ''", // empty: none
 };
 
 } // namespace

@@ -242,10 +242,16 @@ Result<UnfinishedOutcome> unfinishedOutcome(const RegisterAccess& access,
 {
     using Outcome = UnfinishedOutcome;
     AXISCOMP_TRY(auto status, readStatus(access, drive, entry.axis, sources));
+    const bool deletes = !entry.deletedSlot.empty();
     const bool hasNewTable = status.setup.slot == entry.newSlot
         && status.setup.tableCrc == entry.newCrc
-        && (status.setup.persistency == Persistency::Persistent) == entry.persistent;
+        && (deletes || (status.setup.persistency == Persistency::Persistent) == entry.persistent);
     AXISCOMP_TRY(auto hasNewRegisters, holdsRegisters(access, entry.newRegisters));
+    if (hasNewTable && hasNewRegisters && deletes) {
+        AXISCOMP_TRY(const bool isDeleted, isSlotEmpty(access, entry.deletedSlot));
+        const bool isSaved = !entry.persistent || stepRank(entry.step) >= stepRank("delete");
+        return !isDeleted ? Outcome::Neither : isSaved ? Outcome::New : Outcome::NewUnsaved;
+    }
     if (hasNewTable && hasNewRegisters)
         return entry.persistent ? Outcome::NewUnsaved : Outcome::New;
 

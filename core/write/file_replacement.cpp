@@ -29,30 +29,13 @@ std::uint32_t elementCrc(ByteView file, const TableLayout& layout)
 
 Result<std::filesystem::path> FileReplacement::run(ByteView bytes, Users users)
 {
-    AXISCOMP_TRY(auto seen, look());
-    AXISCOMP_TRY(auto old, readSlotFile(m_access, m_slot));
-    m_old = std::move(old);
+    AXISCOMP_CHECK(lookAndRead());
     if (std::ranges::equal(m_old.bytes, bytes))
         return std::filesystem::path();
-    if (users == Users::Refused && !seen.state.otherUser.isEmpty())
-        return fail(ErrorCode::SlotInUse, {{"slot", m_slot.name}, {"user", seen.state.otherUser}});
-    // Emptying a slot spends flash when the drive has the table there.
-    const bool needsFlash =
-        bytes.empty() ? m_old.persistent : isPersistent(bytes, m_access.profile().layout);
-    if (users == Users::Refused && needsFlash) {
-        AXISCOMP_CHECK(checkSavedUse(bytes));
-    }
-    if (needsFlash) {
-        // Putting back deletes the new file from flash, or stores the old one again.
-        const int reserve = m_old.bytes.empty() || m_old.persistent ? 1 : 0;
-        AXISCOMP_CHECK(checkBudget(1, reserve));
-    }
-    AXISCOMP_CHECK(keepOldFile(seen));
-    AXISCOMP_CHECK(checkUnchanged(seen));
-
-    if (m_old.persistent && !needsFlash) {
-        AXISCOMP_CHECK(m_store.recordCovered(m_drive.serialNumber, m_slot.name, true));
-    }
+    AXISCOMP_TRY(const Cost cost, check(bytes, users));
+    AXISCOMP_CHECK(keepOldFile());
+    AXISCOMP_CHECK(checkUnchanged());
+    AXISCOMP_CHECK(noteCovering(bytes, cost));
     auto done = put(m_access, bytes);
     const bool isRefused =
         !done && !isUncertain(done.error().code) && done.error().code != ErrorCode::VerifyMismatch;
@@ -64,9 +47,71 @@ Result<std::filesystem::path> FileReplacement::run(ByteView bytes, Users users)
         outcome = fail(isRefused ? done.error() : rollBack(done.error()));
     if (!isRefused || mayHaveSpentFlash(done.error())) {
         const auto counts = readEraseCounts(m_access.withoutStop(), {m_slot.name});
-        account.record(seen.counts, counts.value_or(EraseCounts{}), needsFlash ? 1 : 0);
+        account.record(m_seen.counts, counts.value_or(EraseCounts{}), cost.operations);
+    }
+    if (done && bytes.empty()) {
+        AXISCOMP_CHECK(m_store.recordCovered(m_drive.serialNumber, m_slot.name, false));
     }
     return outcome;
+}
+
+Result<SlotDeletion> FileReplacement::planDeletion()
+{
+    AXISCOMP_CHECK(lookAndRead());
+    if (m_old.bytes.empty())
+        return fail(ErrorCode::NoTable, {{"slot", m_slot.name}, {"deleting", Verbatim{"slot"}}});
+    AXISCOMP_TRY(const Cost cost, check({}, Users::Refused));
+    AXISCOMP_TRY(auto history, m_store.flashHistory(m_drive.serialNumber));
+    return SlotDeletion{m_drive, m_slot.name, m_slot.file, m_old.bytes.size(), m_old.persistent,
+        cost.operations, cost.reserve,
+        wearGuard(m_access.profile().flashWear, history).budget(m_clock())};
+}
+
+Result<void> FileReplacement::lookAndRead()
+{
+    AXISCOMP_TRY(auto seen, look());
+    AXISCOMP_TRY(auto old, readSlotFile(m_access, m_slot));
+    m_seen = std::move(seen);
+    m_old = std::move(old);
+    return {};
+}
+
+/// Whether it may be done, and what it costs.
+Result<FileReplacement::Cost> FileReplacement::check(ByteView bytes, Users users) const
+{
+    if (users == Users::Refused && !m_seen.state.otherUser.isEmpty())
+        return fail(inUse(bytes, m_seen.state.otherUser));
+    AXISCOMP_TRY(const auto saved, m_store.savedState(m_drive.serialNumber));
+    // Emptying a slot spends flash when the drive has a table there.
+    const bool needsFlash = bytes.empty() ? m_old.persistent || saved.isCovered(m_slot.name)
+                                          : isPersistent(bytes, m_access.profile().layout);
+    if (users == Users::Refused && needsFlash) {
+        AXISCOMP_CHECK(checkSavedUse(bytes));
+    }
+    if (!needsFlash)
+        return Cost{};
+    // Putting back deletes the new file from flash, or stores the old one again.
+    const Cost cost{1, (m_old.bytes.empty() || m_old.persistent) ? 1 : 0};
+    AXISCOMP_TRY(const auto history, m_store.flashHistory(m_drive.serialNumber));
+    AXISCOMP_CHECK(checkFlashBudget(wearGuard(m_access.profile().flashWear, history), m_clock(),
+        cost.operations, cost.reserve));
+    return cost;
+}
+
+/// A volatile file leaves what flash holds under it.
+Result<void> FileReplacement::noteCovering(ByteView bytes, const Cost& cost) const
+{
+    if (bytes.empty() || !m_old.persistent || cost.operations > 0)
+        return {};
+    return m_store.recordCovered(m_drive.serialNumber, m_slot.name, true);
+}
+
+Error FileReplacement::inUse(ByteView bytes, Text user) const
+{
+    Error error{ErrorCode::SlotInUse, {{"slot", m_slot.name}, {"user", std::move(user)}}, {}};
+    if (bytes.empty())
+        error.context.set("deleting", Verbatim{"slot"});
+    return error;
 }
 
 Result<FileReplacement::Look> FileReplacement::look() const
@@ -87,17 +132,17 @@ Result<FileReplacement::Look> FileReplacement::look() const
     return seen;
 }
 
-Result<void> FileReplacement::keepOldFile(const Look& seen)
+Result<void> FileReplacement::keepOldFile()
 {
     const WallTime now = m_clock();
-    if (seen.user == noAxis) {
+    if (m_seen.user == noAxis) {
         AXISCOMP_TRY(auto saved, m_store.saveBackup(m_drive, now, m_old));
         m_backup = std::move(saved);
         return {};
     }
     // The file is the axis's table: restoring it must bring that axis back.
-    AxisBackup backup{m_drive, seen.user, {}, now, {}, {m_old}};
-    AXISCOMP_TRY(auto registers, readAxisRegisters(m_access, seen.user));
+    AxisBackup backup{m_drive, m_seen.user, {}, now, {}, {m_old}};
+    AXISCOMP_TRY(auto registers, readAxisRegisters(m_access, m_seen.user));
     backup.registers = std::move(registers);
     AXISCOMP_TRY(auto saved, m_store.saveBackup(backup));
     m_backup = std::move(saved);
@@ -105,7 +150,7 @@ Result<void> FileReplacement::keepOldFile(const Look& seen)
 }
 
 /// The last question before the change, as in a write.
-Result<void> FileReplacement::checkUnchanged(const Look& seen) const
+Result<void> FileReplacement::checkUnchanged() const
 {
     AXISCOMP_TRY(auto drive, m_access.identify());
     if (drive.serialNumber != m_drive.serialNumber)
@@ -116,11 +161,11 @@ Result<void> FileReplacement::checkUnchanged(const Look& seen) const
     const bool isWhatWasKept = m_old.bytes.size() >= elementBytes
         && (now.state.isEmpty()
             || crc32(ByteView(m_old.bytes).last(elementBytes)) == now.state.crc);
-    if (now.state == seen.state && isWhatWasKept)
+    if (now.state == m_seen.state && isWhatWasKept)
         return {};
     return fail(ErrorCode::ChangedMeanwhile,
         {{"what", AXISCOMP_TEXT("Error", "slot {slot}").with("slot", m_slot.name)},
-            {"before", slotStateText(seen.state)}, {"now", slotStateText(now.state)}});
+            {"before", slotStateText(m_seen.state)}, {"now", slotStateText(now.state)}});
 }
 
 /// A reboot must not bring an axis this table with the sources of another.
@@ -130,20 +175,9 @@ Result<void> FileReplacement::checkSavedUse(ByteView bytes) const
     const std::uint32_t crc = elementCrc(bytes, m_access.profile().layout);
     for (const SavedState::Use& use : saved.uses)
         if (use.slot == m_slot.name && use.crc != crc)
-            return fail(ErrorCode::SlotInUse,
-                {{"slot", m_slot.name},
-                    {"user",
-                        AXISCOMP_TEXT("Error", "axis {axis} after a reboot")
-                            .with("axis", use.axis)}});
+            return fail(inUse(bytes,
+                AXISCOMP_TEXT("Error", "axis {axis} after a reboot").with("axis", use.axis)));
     return {};
-}
-
-/// The cost, and what putting back may cost beyond that.
-Result<void> FileReplacement::checkBudget(int cost, int reserve) const
-{
-    AXISCOMP_TRY(auto history, m_store.flashHistory(m_drive.serialNumber));
-    return checkFlashBudget(
-        wearGuard(m_access.profile().flashWear, history), m_clock(), cost, reserve);
 }
 
 Result<void> FileReplacement::put(const RegisterAccess& access, ByteView bytes) const

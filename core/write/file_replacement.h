@@ -5,6 +5,7 @@
 #include "core/axis/slot_state.h"
 #include "core/store/drive_store.h"
 #include "core/write/flash_account.h"
+#include "core/write/write_plan.h"
 
 namespace axiscomp {
 
@@ -29,6 +30,9 @@ public:
     /// this already. Errors: SlotInUse, ChangedMeanwhile, FlashWear, those of DriveLink::upload,
     /// VerifyMismatch, RollbackFailed.
     [[nodiscard]] Result<std::filesystem::path> run(ByteView bytes, Users users);
+    /// What emptying the slot costs; changes nothing. Errors: NoTable when it is empty, SlotInUse,
+    /// FlashWear.
+    [[nodiscard]] Result<SlotDeletion> planDeletion();
 
 private:
     /// The slot and what counts its cycles, at one instant.
@@ -37,11 +41,19 @@ private:
         EraseCounts counts;
         int user = -1; ///< an axis whose table this is; -1: none
     };
+    /// What it needs of flash, and beyond that for being put back.
+    struct Cost {
+        int operations = 0;
+        int reserve = 0;
+    };
     [[nodiscard]] Result<Look> look() const;
-    [[nodiscard]] Result<void> keepOldFile(const Look& seen);
-    [[nodiscard]] Result<void> checkUnchanged(const Look& seen) const;
+    [[nodiscard]] Result<void> lookAndRead();
+    [[nodiscard]] Result<Cost> check(ByteView bytes, Users users) const;
+    [[nodiscard]] Result<void> keepOldFile();
+    [[nodiscard]] Result<void> checkUnchanged() const;
     [[nodiscard]] Result<void> checkSavedUse(ByteView bytes) const;
-    [[nodiscard]] Result<void> checkBudget(int cost, int reserve) const;
+    [[nodiscard]] Error inUse(ByteView bytes, Text user) const;
+    [[nodiscard]] Result<void> noteCovering(ByteView bytes, const Cost& cost) const;
     [[nodiscard]] Result<void> put(const RegisterAccess& access, ByteView bytes) const;
     [[nodiscard]] Error rollBack(const Error& reason) const;
 
@@ -50,6 +62,7 @@ private:
     const DriveIdentity& m_drive;
     std::function<WallTime()> m_clock;
     const TableSlot& m_slot;
+    Look m_seen;
     AxisBackup::File m_old;
     std::filesystem::path m_backup;
 };

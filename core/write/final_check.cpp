@@ -56,10 +56,10 @@ void WriteProcedure::noteEraseCounts(const Readings& now)
     }
 }
 
-/// The slot that is about to be overwritten must be as it was when it was chosen.
+/// The slot that is about to be overwritten or emptied must be as it was when it was chosen.
 Result<void> WriteProcedure::checkSlot(const Readings& now) const
 {
-    if (!isNewTable())
+    if (!isNewTable() && !deletes())
         return {};
     const WritePlan& plan = m_write.plan;
     const std::string& slot = m_write.slot.name;

@@ -12,6 +12,13 @@ Result<void> WritePlanner::decideFlash()
     WritePlan& plan = m_write.plan;
     const FlashWearGuard guard = wearGuard(m_access.profile().flashWear, history);
     plan.flashBudget = guard.budget(m_now);
+    if (!plan.deletedSlot.empty()) {
+        const bool isCovering = m_saved.isCovered(plan.deletedSlot);
+        const bool isStored = m_write.slotBefore.persistent;
+        plan.flashOperations = (isStored || isCovering ? 1 : 0) + m_write.uncovered;
+        plan.flashReserve = isStored ? 1 : 0; // flash gets it back
+        return checkFlashBudget(guard, m_now, plan.flashOperations, plan.flashReserve);
+    }
     if (plan.after.slot.empty())
         return {};
     const bool persistent = plan.after.persistency == Persistency::Persistent;

@@ -24,8 +24,10 @@ Result<WriteReport> WriteProcedure::recoverOldState(const UnfinishedWrite& unfin
     m_backup = unfinished.before();
     const int step = stepRank(unfinished.entry().step);
     m_slotTouched = isNewTable() && step >= stepRank("upload");
-    m_flashTouched = changesPersistency() && step >= stepRank(isNewTable() ? "commit" : "switch");
-    m_savedTouched = step >= stepRank("save") || (overwritesOwn() && wantsPersistent());
+    const char* const flashStep = deletes() ? "delete" : isNewTable() ? "commit" : "switch";
+    m_flashTouched = changesPersistency() && step >= stepRank(flashStep);
+    m_savedTouched = (step >= stepRank("save") && (!deletes() || m_write.saves))
+        || (overwritesOwn() && wantsPersistent());
     AXISCOMP_TRY(auto saved, m_store.savedState(m_write.plan.drive.serialNumber));
     // It is switched off in the saved parameters as well, by this write or by the next of another
     // axis.

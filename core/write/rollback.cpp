@@ -33,8 +33,9 @@ Error WriteProcedure::rollBack(const Error& reason)
         // As long as the axis was not touched it has its old state, whatever the other slot holds.
         if (!m_registersTouched)
             return reason;
-        // Registers that are written one by one may have left it switched off.
-        if (!switchesOff() && access.profile().writesAtOneInstant)
+        // Registers that are written one by one may have left it switched off, and a deletion
+        // begins with that.
+        if (!switchesOff() && !deletes() && access.profile().writesAtOneInstant)
             return outcome(ErrorCode::OutcomeUnknown, reason, {});
     }
     if (!undone && !hasOldState(access))

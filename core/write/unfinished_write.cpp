@@ -4,6 +4,7 @@
 #include "core/axis/axis_reader.h"
 #include "core/axis/slot_state.h"
 #include "core/io/local_file.h"
+#include "core/store/backup_json.h"
 #include "core/store/drive_store.h"
 #include "core/table/tam_table.h"
 #include "core/write/backup_restore.h"
@@ -27,8 +28,8 @@ std::uint32_t elementCrc(const Bytes& file, std::size_t elements)
 
 int stepRank(std::string_view step)
 {
-    constexpr std::array<std::string_view, 6> steps{
-        "switch off", "release", "upload", "commit", "switch", "save"};
+    constexpr std::array<std::string_view, 7> steps{
+        "switch off", "release", "upload", "commit", "switch", "save", "delete"};
     const auto found = std::ranges::find(steps, step);
     return static_cast<int>(std::min<std::ptrdiff_t>(found - steps.begin(), steps.size() - 1));
 }
@@ -114,11 +115,31 @@ Result<std::optional<std::string>> UnfinishedWrite::slotFor(
     return isOurs ? std::optional(slot) : std::nullopt;
 }
 
+/// What has come into the slot since is not this write's to delete.
+Result<void> UnfinishedWrite::checkDeletable(const DriveIdentity& drive) const
+{
+    const std::string& slot = m_entry.deletedSlot;
+    AXISCOMP_TRY(
+        auto readings, m_access.readAvailable(slotStatePaths(m_access, drive, m_entry.axis, slot)));
+    const SlotState state = slotState(m_access, drive, m_entry.axis, slot, readings);
+    if (isKnown(state, slot))
+        return {};
+    return fail(ErrorCode::ChangedMeanwhile,
+        {{"what", AXISCOMP_TEXT("Error", "the table in {slot}").with("slot", slot)},
+            {"before", AXISCOMP_TEXT("Error", "CRC {crc}").with("crc", crcText(oldCrc()))},
+            {"now", slotStateText(state)}});
+}
+
 Result<WriteRequest> UnfinishedWrite::request(DriveStore& store, const DriveIdentity& drive) const
 {
     WriteRequest request;
     request.withoutTable = m_entry.newSlot.empty();
     request.dimensionality = 3;
+    if (!m_entry.deletedSlot.empty()) {
+        AXISCOMP_CHECK(checkDeletable(drive));
+        request.deletesTable = true;
+        request.slot = m_entry.deletedSlot;
+    }
     if (!request.withoutTable) {
         AXISCOMP_TRY(auto file, newFile(store));
         AXISCOMP_TRY(auto decoded, decodeTamTable(file, m_access.profile().layout));
@@ -147,17 +168,22 @@ PreparedWrite UnfinishedWrite::prepared(const DriveIdentity& drive) const
     plan.axis = m_entry.axis;
     plan.before.slot = oldSlot();
     plan.after.slot = m_entry.newSlot;
-    plan.after.persistency = m_entry.persistent ? Persistency::Persistent : Persistency::Volatile;
+    const bool deletes = !m_entry.deletedSlot.empty();
+    plan.after.persistency =
+        m_entry.persistent && !deletes ? Persistency::Persistent : Persistency::Volatile;
     const AxisBackup::File* old = oldFile();
     const bool wasPersistent = old && old->persistent;
     plan.flashOperations = isNewTable() ? m_entry.persistent : wasPersistent != m_entry.persistent;
     if (m_entry.newSlot.empty())
-        plan.flashOperations = 0;
-    if (isNewTable()) {
+        plan.flashOperations = deletes && wasPersistent ? 1 : 0;
+    plan.deletedSlot = m_entry.deletedSlot;
+    write.saves = deletes && m_entry.persistent;
+    if (isNewTable())
         write.file.resize(1); // that there is one is all that undoing needs
-        if (const TableSlot* slot = m_access.profile().slotNamed(m_entry.newSlot))
-            write.slot = *slot;
-    }
+    const std::string& touched = deletes ? m_entry.deletedSlot : m_entry.newSlot;
+    const TableSlot* slot = m_access.profile().slotNamed(touched);
+    if (slot && (deletes || isNewTable()))
+        write.slot = *slot;
     write.elementCrc = m_entry.newCrc;
     return write;
 }

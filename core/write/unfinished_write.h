@@ -53,7 +53,8 @@ public:
     [[nodiscard]] bool isNewTable() const;
 
     /// The write that brings the complete new state about, from whatever there is now. Errors:
-    /// TableNotKept, FileNotReadable, InvalidTable, SourceMissing.
+    /// TableNotKept, FileNotReadable, InvalidTable, SourceMissing; ChangedMeanwhile when what it
+    /// would delete is somebody else's by now.
     [[nodiscard]] Result<WriteRequest> request(DriveStore& store, const DriveIdentity& drive) const;
     /// What that write had decided, as far as undoing it needs.
     [[nodiscard]] PreparedWrite prepared(const DriveIdentity& drive) const;
@@ -69,6 +70,7 @@ private:
     }
     [[nodiscard]] const AxisBackup::File* fileOf(const std::string& slot) const;
     [[nodiscard]] Result<Bytes> newFile(const DriveStore& store) const;
+    [[nodiscard]] Result<void> checkDeletable(const DriveIdentity& drive) const;
     [[nodiscard]] Result<std::optional<std::string>> slotFor(
         DriveStore& store, const DriveIdentity& drive) const;
 

@@ -25,6 +25,8 @@ struct WriteRequest {
     std::optional<Persistency> persistency; ///< none: keep (a new table is volatile)
     std::optional<std::string> slot; ///< none: chosen
     bool withoutTable = false; ///< the axis shall use none: sources, which may be gaps (""), remain
+    bool deletesTable =
+        false; ///< withoutTable, and its slot (or `slot`) is emptied: deletionRequest
     bool acceptsLarge = false; ///< corrections of WritePlan::largeCorrections are meant so
     std::optional<CompensationSetup> expected; ///< when set: refuse if the drive no longer has this
 };
@@ -45,6 +47,7 @@ struct WritePlan {
     CompensationSetup after;
     SlotReason slotReason = SlotReason::KeepTable;
     std::size_t tableBytes = 0;
+    std::string deletedSlot; ///< emptied, in memory and in flash; empty: none
     std::vector<PlannedChange> changes; ///< empty: nothing to write
     int flashOperations = 0; ///< that the write costs
     int flashReserve = 0; ///< more that must be possible, so that it can be put back
@@ -55,8 +58,23 @@ struct WritePlan {
     std::vector<Text> unitRemarks; ///< what was converted and assumed of the table's units
 };
 
+/// Deletes the table that the axis uses; its sources stay.
+[[nodiscard]] WriteRequest deletionRequest();
+
 /// That what is unusually large has been confirmed. Errors: LargeCorrection.
 [[nodiscard]] Result<void> checkLargeAccepted(const WritePlan& plan, const WriteRequest& request);
+
+/// The deletion of a table that no axis uses.
+struct SlotDeletion {
+    DriveIdentity drive;
+    std::string slot;
+    std::string file; ///< its path on the drive
+    std::size_t bytes = 0;
+    bool persistent = false;
+    int flashOperations = 0; ///< as in WritePlan
+    int flashReserve = 0;
+    FlashBudget flashBudget;
+};
 
 struct WriteReport {
     WritePlan plan;

@@ -117,7 +117,9 @@ Result<PreparedWrite> WritePlanner::prepare(int axis, const WriteRequest& reques
     auto decided = decideSources(request);
     if (!decided)
         return fail(decided.error());
-    if (request.withoutTable) {
+    if (request.deletesTable) {
+        decided = decideDeletion(request);
+    } else if (request.withoutTable) {
         decided = decideNoTable();
     } else {
         AXISCOMP_TRY(const auto converted, inUnitsOfDrive(request));
@@ -355,7 +357,8 @@ Result<void> WritePlanner::decideSaving()
 {
     const WritePlan& plan = m_write.plan;
     m_others.clear();
-    if (plan.after.persistency != Persistency::Persistent)
+    const bool isPersistent = plan.after.persistency == Persistency::Persistent;
+    if (!isPersistent && !m_write.saves)
         return {};
     if (auto read = readOthers(); !read)
         return read;
@@ -363,6 +366,8 @@ Result<void> WritePlanner::decideSaving()
         return status.table && !status.table->persistent && m_saved.isCovered(status.setup.slot);
     };
     m_write.uncovered = static_cast<int>(std::ranges::count_if(m_others, isCovering));
+    if (!isPersistent)
+        return {};
     const bool isCommitted = plan.slotReason != SlotReason::KeepTable
         || plan.before.persistency != Persistency::Persistent;
     m_write.releases =

@@ -21,6 +21,7 @@ struct PreparedWrite {
     /// Saved parameters name the slot that is to be committed, with another table: they are saved
     /// without it first.
     bool releases = false;
+    bool saves = false; ///< the parameters, before the table is deleted
 };
 
 /// Everything that is decided before a write, without changing anything.
@@ -47,6 +48,7 @@ private:
     [[nodiscard]] Result<void> decideNewTable(const WriteRequest& request, Bytes file);
     [[nodiscard]] Result<void> noteStored(const Grid& grid);
     [[nodiscard]] Result<void> decideNoTable();
+    [[nodiscard]] Result<void> decideDeletion(const WriteRequest& request);
     [[nodiscard]] std::string currentTable() const;
     [[nodiscard]] Result<void> decideFlash();
     [[nodiscard]] int flashReserve(bool isStoring) const;
@@ -56,6 +58,7 @@ private:
     [[nodiscard]] Result<void> lookInto(std::vector<SlotFacts>& slots);
     void listChanges();
     void warn();
+    void warnOfDeletion();
     void warnOfSaving();
 
     const RegisterAccess& m_access;

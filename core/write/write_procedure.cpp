@@ -47,10 +47,17 @@ bool WriteProcedure::changesPersistency() const
     return m_write.plan.flashOperations > m_write.uncovered;
 }
 
+/// The axis keeps its table, in flash or not in flash from then on.
+bool WriteProcedure::commitsOnSwitch() const
+{
+    return !isNewTable() && !deletes() && changesPersistency();
+}
+
 std::vector<std::string> WriteProcedure::touchedSlots() const
 {
     std::vector<std::string> slots;
-    for (const std::string& slot : {m_write.plan.before.slot, m_write.plan.after.slot}) {
+    const WritePlan& plan = m_write.plan;
+    for (const std::string& slot : {plan.before.slot, plan.after.slot, plan.deletedSlot}) {
         if (!slot.empty() && std::ranges::find(slots, slot) == slots.end())
             slots.push_back(slot);
     }
@@ -88,7 +95,7 @@ Result<void> WriteProcedure::keepOldState()
     m_backup.registers = std::move(registers);
 
     std::vector<const TableSlot*> slots{m_access.profile().slotNamed(plan.before.slot)};
-    if (isNewTable() && !overwritesOwn())
+    if ((isNewTable() || deletes()) && m_write.slot.name != plan.before.slot)
         slots.push_back(&m_write.slot);
     for (const TableSlot* slot : slots) {
         if (!slot)
@@ -106,7 +113,8 @@ Result<void> WriteProcedure::keepOldState()
     m_journal.newRegisters = axisRegisters(m_access, plan.axis, plan.after);
     m_journal.newSlot = plan.after.slot;
     m_journal.newCrc = m_write.elementCrc;
-    m_journal.persistent = wantsPersistent();
+    m_journal.persistent = deletes() ? m_write.saves : wantsPersistent();
+    m_journal.deletedSlot = plan.deletedSlot;
     if (m_finishesEarlier) { // what that one has done already has to be undone too
         m_journal.time = m_earlier->time;
         m_journal.step = m_earlier->step;
@@ -140,6 +148,8 @@ Result<void> WriteProcedure::closeJournal()
 
 Result<void> WriteProcedure::change()
 {
+    if (deletes())
+        return deleteOldTable();
     if (switchesOff() || m_write.releases) {
         if (auto released = switchesOff() ? switchOff() : release(); !released)
             return released;
@@ -249,18 +259,26 @@ Result<void> WriteProcedure::commitWith(const std::vector<RegisterWrite>& values
         if (!isCommitted && !mayHaveSpentFlash(reached.error()))
             return reached;
     }
-    auto after = readEraseCounts(m_access, touchedSlots());
-    // What cannot be asked has been spent, as far as anybody knows.
-    m_flash.record(
-        m_eraseCounts, after.value_or(EraseCounts{}), after ? m_write.plan.flashOperations : 1);
-    if (reached && !after)
-        return fail(after.error());
+    auto spent = recordSpent(m_write.plan.flashOperations);
+    if (reached && !spent)
+        return spent;
     if (reached) // what flash holds there is what the drive uses, or nothing
         (void)m_store.recordCovered(
             m_write.plan.drive.serialNumber, m_write.plan.after.slot, false);
-    if (after)
-        m_eraseCounts = std::move(*after);
     return reached;
+}
+
+/// What the slots' counts say now; assumed: where they do not say it.
+Result<void> WriteProcedure::recordSpent(int assumed)
+{
+    auto after = readEraseCounts(m_access, touchedSlots());
+    // What cannot be asked has been spent, as far as anybody knows.
+    m_flash.record(
+        m_eraseCounts, after.value_or(EraseCounts{}), after ? assumed : std::min(assumed, 1));
+    if (!after)
+        return fail(after.error());
+    m_eraseCounts = std::move(*after);
+    return {};
 }
 
 /// A commit that did nothing is repeated, which costs nothing when flash already holds the table.
@@ -292,7 +310,7 @@ Result<void> WriteProcedure::switchOver()
     m_registersTouched = true;
     if (!m_access.profile().writesAtOneInstant)
         return switchOverOneByOne(values);
-    if (!isNewTable() && changesPersistency()) {
+    if (commitsOnSwitch()) {
         const auto persistency = persistencyWrites();
         values.insert(values.end(), persistency.begin(), persistency.end());
         return commitWith(values);
@@ -313,7 +331,7 @@ Result<void> WriteProcedure::switchOverOneByOne(const std::vector<RegisterWrite>
         return same;
     if (auto written = writeVerified(m_access, {values.begin() + 1, values.end()}); !written)
         return written;
-    if (!isNewTable() && changesPersistency()) {
+    if (commitsOnSwitch()) {
         if (auto committed = commitWith(persistencyWrites()); !committed)
             return committed;
     }
@@ -335,6 +353,9 @@ Result<AxisStatus> WriteProcedure::confirm()
         return fail(ErrorCode::VerifyMismatch,
             {{"what", axisText(plan.axis, now->axis.name)}, {"found", setupText(now->setup)},
                 {"expected", setupText(plan.after)}});
+    if (now && deletes()) {
+        AXISCOMP_CHECK(checkEmpty(access, plan.deletedSlot));
+    }
     return now;
 }
 
@@ -342,7 +363,7 @@ Result<WriteReport> WriteProcedure::finish(AxisStatus now)
 {
     const WritePlan& plan = m_write.plan;
     // The next write may take the slot of the old table.
-    if (!plan.before.slot.empty() && plan.before.slot != plan.after.slot)
+    if (!deletes() && !plan.before.slot.empty() && plan.before.slot != plan.after.slot)
         (void)m_store.recordOwnTable(
             plan.drive.serialNumber, plan.axis, {plan.before.slot, plan.before.tableCrc});
     AXISCOMP_CHECK(m_store.closeJournal(plan.drive.serialNumber, plan.axis));

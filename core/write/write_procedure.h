@@ -40,6 +40,8 @@ private:
     [[nodiscard]] Result<void> commitWith(const std::vector<RegisterWrite>& values);
     [[nodiscard]] Result<void> reachFlash(
         const std::vector<RegisterWrite>& values, bool& isCommitted);
+    [[nodiscard]] Result<void> recordSpent(int assumed);
+    [[nodiscard]] Result<void> deleteOldTable();
     [[nodiscard]] Result<void> switchOver();
     [[nodiscard]] Result<void> switchOverOneByOne(const std::vector<RegisterWrite>& values);
     [[nodiscard]] Result<AxisStatus> confirm();
@@ -63,10 +65,12 @@ private:
     [[nodiscard]] Result<void> closeJournal();
     [[nodiscard]] std::vector<std::string> touchedSlots() const;
     [[nodiscard]] bool isNewTable() const { return !m_write.file.empty(); }
+    [[nodiscard]] bool deletes() const { return !m_write.plan.deletedSlot.empty(); }
     [[nodiscard]] bool overwritesOwn() const;
     [[nodiscard]] bool switchesOff() const;
     [[nodiscard]] bool wantsPersistent() const;
     [[nodiscard]] bool changesPersistency() const;
+    [[nodiscard]] bool commitsOnSwitch() const;
     [[nodiscard]] std::vector<RegisterWrite> persistencyWrites() const;
     [[nodiscard]] const AxisBackup::File* backupOf(const std::string& slot) const;
     [[nodiscard]] Error outcome(ErrorCode code, const Error& reason, Text rollback) const;

@@ -16,6 +16,8 @@ Result<void> checkLargeAccepted(const WritePlan& plan, const WriteRequest& reque
 void WritePlanner::warn()
 {
     WritePlan& plan = m_write.plan;
+    if (!plan.deletedSlot.empty())
+        return warnOfDeletion();
     for (const DimSource& source : plan.after.sources)
         if (m_access.profile().isAfterCompensation(source.path))
             plan.warnings.push_back(AXISCOMP_TEXT("Error",

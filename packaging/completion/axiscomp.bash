@@ -20,6 +20,7 @@ _axiscomp_options()
         status) echo "--help --json $drive --axis --reset-flash-count" ;;
         persist | unpersist | evaluate | activate | deactivate) echo "--help --json $drive --axis" ;;
         write) echo "--help --json $drive --axis --data --dims --table --from --set-in --map --source1 --source2 --source3 --persistent --volatile --slot --accept-large --dry-run --value-unit --position-unit $incomplete $conversion $grid" ;;
+        delete) echo "--help --json $drive --axis --slot --dry-run" ;;
         read) echo "--help --json $drive --axis --output --to --target --to-sign --set-out $grid" ;;
         upload) echo "--help --json $drive --to" ;;
         download) echo "--help --json $drive --output" ;;
@@ -30,7 +31,7 @@ _axiscomp_options()
     esac
 }
 
-_axiscomp_commands="example inspect convert lookup formats axes status write persist unpersist evaluate activate deactivate read files upload download monitor backup restore recover"
+_axiscomp_commands="example inspect convert lookup formats axes status write persist unpersist delete evaluate activate deactivate read files upload download monitor backup restore recover"
 
 _axiscomp_formats="csv tamtbl aerotech-1d aerotech-2d icube isg-crosscomp isg-crosscomp2 isg-ssfk klipper linuxcnc pmac-1d pmac-2d rapidcode rapidcode-header siemens-cec siemens-eec reprap softmc softmc-basic"
 

@@ -51,6 +51,7 @@ private:
     [[nodiscard]] Obstacle evaluatingAlready() const;
     [[nodiscard]] Obstacle offAlready() const;
     [[nodiscard]] Obstacle noDriveTable() const;
+    [[nodiscard]] Obstacle nothingToDelete() const;
     [[nodiscard]] Obstacle mixture() const;
     [[nodiscard]] Obstacle notHomed() const;
     [[nodiscard]] Obstacle noBackup() const;
@@ -97,6 +98,9 @@ Obstacle Rules::obstacle(Action action) const
     case Action::RestorePrevious:
         return first(
             {&R::noChoice, &R::unreachable, &R::busy, &R::unknown, &R::active, &R::noBackup});
+    case Action::DeleteTable:
+        return first({&R::noChoice, &R::unreachable, &R::busy, &R::unknown, &R::active,
+            &R::nothingToDelete});
     case Action::FinishWrite:
         return first({&R::noChoice, &R::unreachable, &R::busy, &R::unknown, &R::nothingUnfinished,
             &R::active, &R::notFinishable});
@@ -206,6 +210,13 @@ Obstacle Rules::noDriveTable() const
 {
     if (!m_now.hasDriveTable)
         return tr("The axis has no table on the drive: write one first.");
+    return {};
+}
+
+Obstacle Rules::nothingToDelete() const
+{
+    if (!m_now.hasDriveTable)
+        return tr("The axis has no table on the drive.");
     return {};
 }
 
@@ -345,6 +356,8 @@ QString Rules::consequence(Action action) const
         return tr("Resets the fields to the drive's values.");
     case Action::RestorePrevious:
         return tr("Writes back the previous table and sources.");
+    case Action::DeleteTable:
+        return tr("Deletes the axis's table from the drive; a backup is kept.");
     case Action::FinishWrite:
         return tr("Completes the interrupted write.");
     case Action::UndoWrite:
@@ -413,6 +426,8 @@ QString taskText(Task task)
         return Rules::tr("evaluating");
     case Task::Deactivate:
         return Rules::tr("deactivating");
+    case Task::Delete:
+        return Rules::tr("deleting the table");
     case Task::Finish:
         return Rules::tr("finishing the write");
     case Task::Undo:

@@ -19,6 +19,7 @@ enum class Action {
     Deactivate,
     Revert,
     RestorePrevious,
+    DeleteTable, ///< that the axis uses
     FinishWrite, ///< one that did not end
     UndoWrite,
     Refresh,
@@ -27,8 +28,9 @@ enum class Action {
     Cancel,
 };
 inline constexpr std::array allActions{Action::Write, Action::Activate, Action::Evaluate,
-    Action::Deactivate, Action::Revert, Action::RestorePrevious, Action::FinishWrite,
-    Action::UndoWrite, Action::Refresh, Action::OpenData, Action::WriteSeveral, Action::Cancel};
+    Action::Deactivate, Action::Revert, Action::RestorePrevious, Action::DeleteTable,
+    Action::FinishWrite, Action::UndoWrite, Action::Refresh, Action::OpenData, Action::WriteSeveral,
+    Action::Cancel};
 
 struct ActionState {
     bool isEnabled = false;
@@ -45,6 +47,7 @@ enum class Task {
     Evaluate,
     Deactivate,
     Restore,
+    Delete,
     Finish,
     Undo,
 };
@@ -64,7 +67,7 @@ struct BusyState {
 [[nodiscard]] constexpr bool isWrite(Task task)
 {
     return task == Task::Write || task == Task::WriteSeveral || task == Task::Restore
-        || task == Task::Finish || task == Task::Undo;
+        || task == Task::Delete || task == Task::Finish || task == Task::Undo;
 }
 
 /// Everything that decides what can be done now, as plain values.

@@ -129,6 +129,22 @@ void OperationRunner::planWrite()
         m_request.sources.clear();
         m_request.persistency = Persistency::Persistent;
     }
+    askForPlan();
+}
+
+void OperationRunner::planDeletion()
+{
+    m_plan.reset();
+    m_plannedSetup = m_setup.edited();
+    m_request = deletionRequest();
+    m_request.expected = m_setup.baseline();
+    m_requestTable = {};
+    m_fileTable.reset();
+    askForPlan();
+}
+
+void OperationRunner::askForPlan()
+{
     begin<WritePlan>(
         Task::Plan,
         [axis = m_drives.currentAxis(), asked = m_request, table = m_fileTable](
@@ -159,7 +175,7 @@ void OperationRunner::planned(const Result<WritePlan>& result)
 
 void OperationRunner::dropPlan()
 {
-    if (m_task != Task::Write)
+    if (m_task != Task::Write && m_task != Task::Delete)
         m_plan.reset();
 }
 
@@ -179,13 +195,14 @@ void OperationRunner::write(bool acceptsLarge)
         return;
     }
     m_request.acceptsLarge = acceptsLarge;
+    const bool deletes = m_request.deletesTable;
     run<WriteReport>(
-        Task::Write,
+        deletes ? Task::Delete : Task::Write,
         [axis = m_drives.currentAxis(), asked = m_request, table = m_fileTable](
             auto& compensator, const auto& store, const auto& options) {
             return writeAxis(compensator, store, axis, withTable(asked, table), options);
         },
-        [this](const OperationEnd<WriteReport>& end) {
+        [this, deletes](const OperationEnd<WriteReport>& end) {
             m_plan.reset();
             if (end.outcome) {
                 expect(m_requestTable);
@@ -193,7 +210,7 @@ void OperationRunner::write(bool acceptsLarge)
                     m_axis.take(end.outcome->now, false); // that was read back too
             }
             m_axis.take(end.now);
-            if (end.outcome)
+            if (end.outcome && !deletes)
                 m_setup.setTable({}); // the drive has it now
             m_requestTable = {};
             m_fileTable.reset();

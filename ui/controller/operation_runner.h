@@ -36,6 +36,8 @@ public:
     /// Asks the drive what a write would change; planReady() follows, or an outcome that says why
     /// not.
     void planWrite();
+    /// The same for the deletion of the axis's table.
+    void planDeletion();
     /// Carries out plan(). acceptsLarge: as in WriteRequest.
     void write(bool acceptsLarge);
     /// Ends with the end-to-end proof, but for Deactivate.
@@ -80,6 +82,7 @@ private:
     void start(Task task, const Wording& place);
     void end();
     [[nodiscard]] QString busyText() const;
+    void askForPlan();
     void planned(const Result<WritePlan>& plan);
 
     const DriveProfile& m_profile;

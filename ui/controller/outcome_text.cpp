@@ -50,6 +50,10 @@ QString localTime(WallTime time)
 
 Outcome Outcomes::written(const WriteReport& report)
 {
+    if (!report.plan.deletedSlot.empty())
+        return {tr("Deleted and verified: %1 is empty, and the axis uses no table.")
+                    .arg(QString::fromStdString(report.plan.deletedSlot)),
+            false, QStringLiteral("backup: ") + QString::fromStdString(report.backup.string())};
     const QString persistency = report.now.setup.persistency == Persistency::Persistent
         ? tr("It is stored in flash.")
         : tr("It is volatile: a reboot of the drive restores the stored state.");

@@ -314,8 +314,15 @@ void WizardController::planWrite()
 
 void WizardController::write(bool acceptsLarge)
 {
-    if (m_parts->actions.mayStart(Action::Write))
+    const bool deletes = plan() && !plan()->deletedSlot.empty();
+    if (m_parts->actions.mayStart(deletes ? Action::DeleteTable : Action::Write))
         m_parts->runner.write(acceptsLarge);
+}
+
+void WizardController::planDeletion()
+{
+    if (m_parts->actions.mayStart(Action::DeleteTable))
+        m_parts->runner.planDeletion();
 }
 
 void WizardController::activate()

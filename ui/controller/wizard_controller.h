@@ -88,6 +88,8 @@ public:
     void evaluate();
     void deactivate();
     void restorePrevious();
+    /// Asks what deleting the axis's table would change; planReady() follows, as for planWrite.
+    void planDeletion();
     /// What an earlier write that did not end has left on the axis, a translated sentence; empty
     /// when there is none.
     [[nodiscard]] QString unfinishedWrite() const;

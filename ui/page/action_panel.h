@@ -26,6 +26,7 @@ public:
 Q_SIGNALS:
     void writeRequested();
     void restoreRequested();
+    void deleteRequested();
 
 private:
     void showActions();
@@ -43,6 +44,7 @@ private:
     QMenu* m_menu;
     QAction* m_evaluate;
     QAction* m_restore;
+    QAction* m_delete;
     QLabel* m_hintSymbol;
     QLabel* m_hint;
 };

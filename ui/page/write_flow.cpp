@@ -24,7 +24,7 @@ WriteFlow::WriteFlow(WizardController& controller, PreviewPanel& panel, QObject*
     });
     connect(&controller.setup(), &SetupModel::fieldChanged, this, &WriteFlow::back);
     connect(&controller, &WizardController::actionsChanged, this, [this] {
-        if (!m_controller.action(Action::Write).isEnabled && !m_controller.busy().isBusy)
+        if (!m_controller.action(m_action).isEnabled && !m_controller.busy().isBusy)
             back();
     });
     connect(&panel.writePreview(), &WritePreview::confirmed, this, &WriteFlow::confirm);
@@ -37,11 +37,26 @@ void WriteFlow::proceed()
         confirm();
         return;
     }
-    if (!m_controller.action(Action::Write).isEnabled)
+    begin(Action::Write);
+}
+
+void WriteFlow::proceedToDelete()
+{
+    back();
+    begin(Action::DeleteTable);
+}
+
+void WriteFlow::begin(Action action)
+{
+    if (!m_controller.action(action).isEnabled)
         return;
+    m_action = action;
     m_isPlanning = true;
     m_table = fileTable();
-    m_controller.planWrite();
+    if (action == Action::DeleteTable)
+        m_controller.planDeletion();
+    else
+        m_controller.planWrite();
 }
 
 void WriteFlow::back()
@@ -70,7 +85,8 @@ void WriteFlow::take()
         plan->flashOperations == 0 && plan->after.persistency == Persistency::Volatile;
     const bool hasRemarks =
         !plan->warnings.empty() || !plan->unitRemarks.empty() || !plan->largeCorrections.empty();
-    if (isVolatile && !hasRemarks && m_panel.writePreview().isSkippedForVolatile())
+    if (m_action == Action::Write && isVolatile && !hasRemarks
+        && m_panel.writePreview().isSkippedForVolatile())
         m_controller.write();
     else
         showPreview(true);

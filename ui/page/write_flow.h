@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/table/compensation_table.h"
+#include "ui/controller/action_rules.h"
 
 #include <QObject>
 
@@ -22,6 +23,8 @@ public:
 
     /// The Write button, or its key: also confirms a list that is shown.
     void proceed();
+    /// The same for the deletion of the axis's table.
+    void proceedToDelete();
     void back();
     [[nodiscard]] bool isPreviewing() const;
 
@@ -29,6 +32,7 @@ Q_SIGNALS:
     void previewingChanged(bool isPreviewing);
 
 private:
+    void begin(Action action);
     void take();
     void confirm();
     void showPreview(bool isShown);
@@ -36,6 +40,7 @@ private:
 
     WizardController& m_controller;
     PreviewPanel& m_panel;
+    Action m_action = Action::Write; ///< Write or DeleteTable: what the plan is of
     bool m_isPlanning = false;
     std::shared_ptr<const CompensationTable> m_table; ///< the file's, when the plan was asked for
 };

@@ -123,11 +123,12 @@ void WritePreview::retranslate()
     m_skip->setText(tr("Do not show this again &for volatile writes"));
     m_skip->setToolTip(tr(
         "Persistent writes always show the preview; the menu turns it back on for volatile ones"));
-    m_write->setText(tr("&Write"));
     m_back->setText(tr("Bac&k"));
     m_back->setToolTip(tr("Change nothing and go back (Esc)"));
     if (m_controller.plan())
         showPlan();
+    else
+        showAcceptance();
 }
 
 bool WritePreview::isSkippedForVolatile() const
@@ -151,8 +152,11 @@ void WritePreview::showAcceptance()
     const auto& plan = m_controller.plan();
     m_accept->setVisible(plan && !plan->largeCorrections.empty());
     m_write->setEnabled(isAccepted());
-    m_write->setToolTip(isAccepted() ? tr("Write this to the drive now")
-                                     : tr("Confirm the large corrections first"));
+    const bool deletes = plan && !plan->deletedSlot.empty();
+    m_write->setText(deletes ? tr("&Delete") : tr("&Write"));
+    m_write->setToolTip(!isAccepted() ? tr("Confirm the large corrections first")
+            : deletes                 ? tr("Delete this from the drive now")
+                                      : tr("Write this to the drive now"));
 }
 
 void WritePreview::showPlan()
@@ -163,13 +167,15 @@ void WritePreview::showPlan()
     const int axis = m_controller.currentAxis();
     const QString label =
         axis >= 0 ? m_controller.axes().at(static_cast<std::size_t>(axis)).label : QString();
-    m_title->setText(tr("What will be written to %1", "axis and drive").arg(label));
+    m_title->setText(plan->deletedSlot.empty()
+            ? tr("What will be written to %1", "axis and drive").arg(label)
+            : tr("What will be deleted from %1", "axis and drive").arg(label));
     fillRows(*plan);
     m_cost->setText(costText(*plan));
     const QStringList list = remarks(*plan);
     m_remarks->setText(list.join(u'\n'));
     m_remarks->setVisible(!list.isEmpty());
-    m_skip->setVisible(plan->flashOperations == 0 && list.isEmpty());
+    m_skip->setVisible(plan->deletedSlot.empty() && plan->flashOperations == 0 && list.isEmpty());
     m_accept->setChecked(false);
     showAcceptance();
     isAccepted() ? m_write->setFocus() : m_accept->setFocus();
@@ -182,6 +188,8 @@ void WritePreview::fillRows(const WritePlan& plan)
     const CompensationSetup& after = plan.after;
     const bool isNewTable = plan.slotReason != SlotReason::KeepTable;
     ++m_request;
+    if (!plan.deletedSlot.empty())
+        return fillDeletion(plan);
     if (isNewTable) {
         addRow(tr("Table"), tableText(before.slot, m_controller.driveTable().get()),
             tableText(after.slot, m_controller.selectedTable().get()));
@@ -202,6 +210,14 @@ void WritePreview::fillRows(const WritePlan& plan)
             persistencyText(after.persistency));
     if (m_rows->rowCount() == 0) // an earlier write is finished
         addRow(tr("Parameters"), tr("possibly not saved"), tr("saved"));
+}
+
+void WritePreview::fillDeletion(const WritePlan& plan)
+{
+    addRow(tr("Table"), tableText(plan.before.slot, m_controller.driveTable().get()),
+        tableText({}, nullptr));
+    addRow(QString::fromStdString(plan.deletedSlot), persistencyText(plan.before.persistency),
+        tr("empty", "slot"));
 }
 
 void WritePreview::addRow(const QString& field, const QString& before, const QString& after)
@@ -259,6 +275,8 @@ void WritePreview::showLargestChange(const LargestChange& change)
 
 QString WritePreview::costText(const WritePlan& plan) const
 {
+    if (plan.flashOperations == 0 && !plan.deletedSlot.empty())
+        return tr("Uses no flash operation.");
     if (plan.flashOperations == 0)
         return plan.after.persistency == Persistency::Volatile
             ? tr("Uses no flash operation. Volatile: lost on a reboot.")

@@ -40,6 +40,7 @@ Q_SIGNALS:
 private:
     void build();
     void fillRows(const WritePlan& plan);
+    void fillDeletion(const WritePlan& plan);
     void addRow(const QString& field, const QString& before, const QString& after);
     void askForLargestChange();
     void showLargestChange(const LargestChange& change);

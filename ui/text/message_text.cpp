@@ -26,6 +26,7 @@ constexpr std::array steps{
     Step{"commit", QT_TRANSLATE_NOOP("Step", "storing the table in flash")},
     Step{"switch", QT_TRANSLATE_NOOP("Step", "switching the axis over")},
     Step{"save", QT_TRANSLATE_NOOP("Step", "saving the parameters")},
+    Step{"delete", QT_TRANSLATE_NOOP("Step", "deleting the table")},
     Step{"done", QT_TRANSLATE_NOOP("Step", "reading back")},
     Step{"putting back", QT_TRANSLATE_NOOP("Step", "rolling back")},
     Step{"download", QT_TRANSLATE_NOOP("Step", "reading the table")},

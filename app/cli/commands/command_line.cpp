@@ -22,6 +22,7 @@ CommandLine::CommandLine()
     addStatusCommand(*this);
     addWriteCommand(*this);
     addPersistencyCommands(*this);
+    addDeleteCommand(*this);
     addActivationCommands(*this);
     addReadCommand(*this);
     addTransferCommands(*this);

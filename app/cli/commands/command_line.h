@@ -51,6 +51,7 @@ void addAxesCommand(CommandLine& line);
 void addStatusCommand(CommandLine& line);
 void addWriteCommand(CommandLine& line);
 void addPersistencyCommands(CommandLine& line);
+void addDeleteCommand(CommandLine& line);
 void addActivationCommands(CommandLine& line);
 void addReadCommand(CommandLine& line);
 void addTransferCommands(CommandLine& line);

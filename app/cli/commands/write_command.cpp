@@ -7,7 +7,6 @@
 #include "app/common/number_text.h"
 #include "core/compensator/multi_axis_write.h"
 #include "core/drive/axis_target.h"
-#include "core/text/token_scanner.h"
 
 #include <algorithm>
 #include <array>
@@ -30,15 +29,6 @@ struct WriteOptions {
     bool isDryRun = false;
     bool acceptsLarge = false;
 };
-
-/// "small1" and "tables/small1.TAMtbl" are the slot Small1; the rest is judged by the compensator.
-std::string slotName(const DriveProfile& profile, const std::string& text)
-{
-    const auto slot = std::ranges::find_if(profile.tableSlots, [&](const TableSlot& candidate) {
-        return sameLetters(candidate.name, text) || candidate.file == text;
-    });
-    return slot == profile.tableSlots.end() ? text : slot->name;
-}
 
 /// Those that were given, from dimension 1 on. Errors: SourceMissing for a gap.
 Result<std::vector<std::string>> givenSources(const WriteOptions& options)

@@ -152,11 +152,21 @@ Json toJson(const WritePlan& plan)
         {"axis", plan.axis}, {"before", setupJson(plan.drive.name, plan.before)},
         {"after", setupJson(plan.drive.name, plan.after)},
         {"slotReason", slotReasonName(plan.slotReason)}, {"tableBytes", plan.tableBytes},
+        {"deletedSlot", plan.deletedSlot.empty() ? Json(nullptr) : Json(plan.deletedSlot)},
         {"changes", std::move(changes)}, {"flashOperations", plan.flashOperations},
         {"flashOperationsLeft", plan.flashBudget.left},
         {"flashWaitSeconds", plan.flashBudget.wait.count()},
         {"largeCorrections", englishOf(plan.largeCorrections)},
         {"units", englishOf(plan.unitRemarks)}, {"warnings", englishOf(plan.warnings)}};
+}
+
+Json toJson(const SlotDeletion& plan)
+{
+    return {{"drive", plan.drive.name}, {"serialNumber", plan.drive.serialNumber},
+        {"deletedSlot", plan.slot}, {"file", plan.file}, {"tableBytes", plan.bytes},
+        {"persistent", plan.persistent}, {"flashOperations", plan.flashOperations},
+        {"flashOperationsLeft", plan.flashBudget.left},
+        {"flashWaitSeconds", plan.flashBudget.wait.count()}};
 }
 
 Json toJson(const WriteReport& report)

@@ -31,6 +31,7 @@ namespace axiscomp::app {
 [[nodiscard]] Json unfinishedToJson(
     const JournalEntry& entry, AxisCompensator::UnfinishedOutcome outcome);
 [[nodiscard]] Json toJson(const WritePlan& plan);
+[[nodiscard]] Json toJson(const SlotDeletion& plan);
 [[nodiscard]] Json toJson(const WriteReport& report);
 [[nodiscard]] Json toJson(const Proof& proof, int dimensions);
 /// {"path", "size", "maximumSize"}

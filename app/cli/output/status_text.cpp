@@ -29,6 +29,7 @@ constexpr std::array steps{
     Step{"commit", "store the table in flash"},
     Step{"switch", "switch the axis over and read back"},
     Step{"save", "save the parameters and read back"},
+    Step{"delete", "delete the table and look whether its slot is empty"},
     Step{"putting back", "put the old state back"},
     Step{"download", "download"},
 };

@@ -14,6 +14,8 @@ namespace axiscomp::app {
 namespace {
 
 constexpr int mostDecimals = 9;
+constexpr const char* endOfDemo =
+    "This was the demo: its drive and its backup end with this program.\n";
 
 std::string slotWords(const WritePlan& plan)
 {
@@ -33,12 +35,22 @@ std::string slotWords(const WritePlan& plan)
     return slot;
 }
 
-std::string flashWords(const WritePlan& plan)
+std::string flashWords(int operations, const FlashBudget& budget)
 {
-    if (plan.flashOperations == 0)
+    if (operations == 0)
         return "not used";
-    return plural(static_cast<std::uint64_t>(plan.flashOperations), "operation", "operations")
-        + "; " + budgetWords(plan.flashBudget);
+    return plural(static_cast<std::uint64_t>(operations), "operation", "operations") + "; "
+        + budgetWords(budget);
+}
+
+/// How what was deleted is had again.
+std::string deletedText(
+    const std::filesystem::path& backup, const std::string& endpoint, bool isDemo)
+{
+    if (isDemo)
+        return endOfDemo;
+    return labelled({{"Backup of the old state", backup.string()},
+        {"To have it again", "axiscomp restore --drive " + endpoint + " " + backup.string()}});
 }
 
 std::string tableWords(const WritePlan& plan, const CompensationTable& table, std::string_view unit)
@@ -95,7 +107,8 @@ std::string planText(const WritePlan& plan, const AxisInfo& axis)
     if (plan.changes.empty()) {
         text += "  The axis already has all of this.\n";
     } else {
-        TextTable changes({"what", "on the drive now", "will be written"});
+        TextTable changes({"what", "on the drive now",
+            plan.deletedSlot.empty() ? "will be written" : "afterwards"});
         for (const PlannedChange& change : plan.changes)
             changes.add({change.field, change.before, change.after});
         text += changes.text();
@@ -108,17 +121,39 @@ std::string planText(const WritePlan& plan, const AxisInfo& axis)
         lines.emplace_back("Table", tableWords(plan, *plan.table, unit));
         lines.emplace_back("Sign", signSentence(*plan.table, unit));
     }
-    lines.emplace_back("Flash", flashWords(plan));
+    lines.emplace_back("Flash", flashWords(plan.flashOperations, plan.flashBudget));
     return text + "\n" + labelled(lines, "  ");
+}
+
+std::string planText(const SlotDeletion& plan)
+{
+    TextTable changes({"what", "on the drive now", "afterwards"});
+    changes.add({plan.file,
+        plural(plan.bytes, "byte", "bytes") + (plan.persistent ? ", persistent" : ", volatile"),
+        "deleted"});
+    return "Plan for " + plan.slot + " of " + driveWords(plan.drive) + "\n\n" + changes.text()
+        + "\n" + labelled({{"Flash", flashWords(plan.flashOperations, plan.flashBudget)}}, "  ");
+}
+
+std::string deletionText(const SlotDeletion& plan, const std::filesystem::path& backup,
+    const std::string& endpoint, bool isDemo)
+{
+    return "\nDeleted and verified: " + plan.slot + " is empty.\n"
+        + deletedText(backup, endpoint, isDemo);
 }
 
 std::string reportText(const WriteReport& report, const std::string& endpoint, bool isDemo)
 {
     const AxisStatus& now = report.now;
-    std::string text = "\nWritten and verified: every byte of what was written was read back and "
-                       "compared.\n";
+    const std::string& deleted = report.plan.deletedSlot;
+    std::string text = deleted.empty()
+        ? "\nWritten and verified: every byte of what was written was read back and compared.\n"
+        : "\nDeleted and verified: " + deleted + " is empty, and " + axisWords(now.axis)
+            + " uses no table.\n";
+    if (!deleted.empty())
+        return text + deletedText(report.backup, endpoint, isDemo);
     if (isDemo)
-        return text + "This was the demo: its drive and its backup end with this program.\n";
+        return text + endOfDemo;
     text += labelled({{"Backup of the old state", report.backup.string()},
         {"Next",
             "axiscomp activate --drive " + endpoint + " --axis "

@@ -3,6 +3,7 @@
 
 #include "core/compensator/axis_compensator.h"
 
+#include <filesystem>
 #include <optional>
 #include <string>
 
@@ -15,6 +16,12 @@ namespace axiscomp::app {
 /// What the sign of the values means, at the largest of them: "where the encoder reads 40.0000 the
 /// reference says 40.0021: the drive will add +0.0021 mm".
 [[nodiscard]] std::string signSentence(const CompensationTable& table, std::string_view unit);
+
+[[nodiscard]] std::string planText(const SlotDeletion& plan);
+
+/// After a table that no axis uses was deleted.
+[[nodiscard]] std::string deletionText(const SlotDeletion& plan,
+    const std::filesystem::path& backup, const std::string& endpoint, bool isDemo);
 
 /// After a write: what was verified, where the old state is kept, what comes next.
 [[nodiscard]] std::string reportText(

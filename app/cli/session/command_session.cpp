@@ -4,8 +4,10 @@
 #include "app/cli/input/table_input.h"
 #include "app/cli/output/status_text.h"
 #include "app/common/arguments.h"
+#include "core/text/token_scanner.h"
 #include "drivecomm/link_factory.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
@@ -185,6 +187,14 @@ Result<int> CommandSession::axis()
         return axes.front().index;
     return wrongUsage(
         "the drive has several axes: choose one with --axis: " + listAxes(axes), m_options.command);
+}
+
+std::string slotName(const DriveProfile& profile, const std::string& text)
+{
+    const auto slot = std::ranges::find_if(profile.tableSlots, [&](const TableSlot& candidate) {
+        return sameLetters(candidate.name, text) || candidate.file == text;
+    });
+    return slot == profile.tableSlots.end() ? text : slot->name;
 }
 
 Result<SettledStatus> settledStatus(Environment& environment, CommandSession& session, int axis)

@@ -104,6 +104,9 @@ private:
     std::unique_ptr<AxisCompensator> m_compensator;
 };
 
+/// "small1" and "tables/small1.TAMtbl" are the slot Small1; the rest is judged by the compensator.
+[[nodiscard]] std::string slotName(const DriveProfile& profile, const std::string& text);
+
 /// The state of an axis; says on standard error what became of an earlier write that did not end,
 /// or that another program is writing.
 [[nodiscard]] Result<SettledStatus> settledStatus(

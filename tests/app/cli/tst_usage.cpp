@@ -18,8 +18,8 @@ using test::Sandbox;
 namespace {
 
 const QStringList commands{"example", "inspect", "convert", "lookup", "formats", "axes", "status",
-    "write", "persist", "unpersist", "evaluate", "activate", "deactivate", "read", "files",
-    "upload", "download", "monitor", "backup", "restore", "recover"};
+    "write", "persist", "unpersist", "delete", "evaluate", "activate", "deactivate", "read",
+    "files", "upload", "download", "monitor", "backup", "restore", "recover"};
 
 QString sourceFile(const QString& name)
 {

@@ -109,6 +109,12 @@ private:
             << Kind{having({trial(1, "Small1")}), making(Persistency::Persistent), 2};
         QTest::newRow("made volatile")
             << Kind{having({persistent(1, "Small1")}), making(Persistency::Volatile), 2};
+        QTest::newRow("deleted") << Kind{
+            having({persistent(1, "Small1")}), writing(deletionRequest()), 2};
+        QTest::newRow("deleted, volatile over another one in flash") << Kind{
+            having({persistent(1, "Small1"), trial(2, "Small1")}), writing(deletionRequest()), 1};
+        QTest::newRow("deleted, volatile")
+            << Kind{having({trial(1, "Small1")}), writing(deletionRequest()), 0};
         QTest::newRow("volatile, in place")
             << Kind{having({persistent(1, "Small1")}), writing(trial(2, "Small1")), 0};
     }

@@ -47,6 +47,7 @@ struct Scenario {
     bool hasOldTable;
     bool isSlotFree;
     bool keepsTable; ///< only persistency and sources change
+    bool deletes = false; ///< after: Persistent says that a reboot brings nothing back
 };
 
 constexpr std::array scenarios{
@@ -65,6 +66,10 @@ constexpr std::array scenarios{
         true, false, false},
     Scenario{"make persistent", Persistency::Volatile, Persistency::Persistent, true, true, true},
     Scenario{"make volatile", Persistency::Persistent, Persistency::Volatile, true, true, true},
+    Scenario{"delete, persistent", Persistency::Persistent, Persistency::Persistent, true, true,
+        false, true},
+    Scenario{"delete, volatile", Persistency::Volatile, Persistency::Persistent, true, true, false,
+        true},
 };
 
 /// A drive in the state before the write, and the write.
@@ -82,6 +87,8 @@ struct Begun : CompensatorFixture {
             request.table.reset();
             std::swap(request.sources[0], request.sources[1]);
         }
+        if (chosen.deletes)
+            request = deletionRequest();
         old = state();
     }
 
@@ -97,6 +104,10 @@ struct Begun : CompensatorFixture {
     }
 
     Result<WriteReport> write() { return compensator.write(0, request); }
+    [[nodiscard]] bool isEmpty(const std::string& file)
+    {
+        return drive.download(file).value_or(Bytes{}).empty();
+    }
 
     State old;
     WriteRequest request;
@@ -167,10 +178,16 @@ private Q_SLOTS:
                 where + ": Table is " + c.state().registers[0].c_str() + ", begun with "
                     + entry.step.c_str());
             QVERIFY2(!c.compensator.status(0)->unfinishedWrite, where + ": still unfinished");
+            if (chosen.deletes)
+                QVERIFY2(c.isEmpty("tables/small1.TAMtbl") == finishes, where + ": the slot");
             QVERIFY2(keptTables(c).isEmpty(), where + ": the kept table is still there");
             if (finishes && chosen.after == Persistency::Persistent) {
                 c.drive.reboot();
                 QVERIFY2(c.state() == wantedAfterReboot, where + ": gone after a reboot");
+            }
+            if (!finishes && chosen.deletes && chosen.before == Persistency::Persistent) {
+                c.drive.reboot();
+                QVERIFY2(c.state() == c.old, where + ": not as it was after a reboot");
             }
             WriteRequest next = exampleRequest(3);
             const auto following = c.compensator.write(0, next);
@@ -340,6 +357,30 @@ private Q_SLOTS:
             QCOMPARE(c.drive.download(slot->file).value_or(Bytes{}), *theirs);
             QCOMPARE(c.compensator.readTable(0)->values, exampleTable(2, finishes ? 2 : 1).values);
         }
+    }
+
+    /// After the deletion was interrupted somebody puts another table into the slot.
+    void aTableThatCameIntoTheSlotIsNotDeleted()
+    {
+        Begun c(scenarios.back());
+        c.link.forgetChange();
+        const int begin = c.link.exchanges();
+        Begun whole(scenarios.back());
+        whole.link.forgetChange();
+        VERIFY_RESULT(whole.write());
+        c.link.failAt(whole.link.firstChange() - begin + 1, LinkFault::DriveGone);
+        VERIFY_ERROR(c.write(), ErrorCode::RollbackFailed);
+        c.link.heal();
+        const auto entry = c.store.journal(4711, 0).value();
+        QVERIFY(entry.has_value());
+        const auto theirs =
+            encodeTamTable(exampleTable(1, 9), false, drivecomm::genericProfile().layout);
+        VERIFY_RESULT(c.drive.upload("tables/small1.TAMtbl", *theirs));
+        const auto recovery = c.compensator.recovery(*entry);
+        VERIFY_RESULT(recovery);
+        QVERIFY(recovery->finishObstacle->code == ErrorCode::ChangedMeanwhile);
+        VERIFY_ERROR(c.compensator.finishUnfinished(*entry), ErrorCode::ChangedMeanwhile);
+        QCOMPARE(c.drive.download("tables/small1.TAMtbl").value_or(Bytes{}), *theirs);
     }
 
     void aFailedWriteOverAnUnfinishedOneForgetsNothing()

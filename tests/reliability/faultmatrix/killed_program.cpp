@@ -23,6 +23,8 @@ public:
     {
         // The store of the trial, which made the old state.
         m_box.setVariable(QStringLiteral("XDG_STATE_HOME"), trial.folder.path());
+        if (trial.scenario().deletes)
+            return;
         const auto file =
             encodeTamTable(*trial.fullRequest().table, false, drivecomm::genericProfile().layout);
         m_data = m_box.file(QStringLiteral("new.TAMtbl"), asByteArray(*file));
@@ -30,6 +32,8 @@ public:
 
     [[nodiscard]] QStringList writeArguments(bool withTable) const
     {
+        if (trial.scenario().deletes)
+            return {"delete", "--drive", url(), "--axis", "0"};
         const WriteRequest request = trial.fullRequest();
         QStringList arguments{"write", "--drive", url(), "--axis", "0", "--dims", "2", "--source1",
             QString::fromStdString(request.sources[0]), "--source2",
@@ -83,7 +87,7 @@ std::string judgeStatus(const ProgramRun& status, WriteTrial& trial, const HeldS
     const QString held =
         status.json().value("unfinishedWrite").toObject().value("driveHolds").toString();
     const bool isTrue = held.isEmpty() || held == "Old" ? now == states.old
-        : held == "New" || held == "NewUnsaved"         ? now == states.wanted
+        : held == "New" || held == "NewUnsaved"         ? trial.isNew(now, states)
         : held == "Neither"                             ? trial.isSwitchedOff(now)
                                                         : false;
     if (!isTrue)
@@ -139,7 +143,9 @@ std::string runKilled(const KilledProgram& program, const RecordedProgram& recor
     if (auto wrong = judgeStatus(status, bench.trial, recorded.states); !wrong.empty())
         return wrong;
     const ProgramRun again = bench.writeAgain();
-    if (again.code != 0)
+    // It may have been deleted already.
+    const bool isThere = program.scenario->deletes && again.err.startsWith("error: NoTable");
+    if (again.code != 0 && !isThere)
         return "the next write failed: " + again.text().toStdString();
     bench.settle();
     if (!bench.trial.holdsWanted(recorded.states))

@@ -23,6 +23,9 @@ constexpr std::array scenarios{
     WriteScenario{"one by one: replace, persistent by persistent", P, P, true, true, false, true},
     WriteScenario{"one by one: make persistent", V, P, true, true, true, true},
     WriteScenario{"one by one: make volatile", P, V, true, true, true, true},
+    WriteScenario{"delete, volatile", V, V, true, true, false, false, true},
+    WriteScenario{"delete, persistent", P, V, true, true, false, false, true},
+    WriteScenario{"one by one: delete, persistent", P, V, true, true, false, true, true},
 };
 
 /// Tables of a drive program: with them there the axis has only one slot.
@@ -114,6 +117,8 @@ Result<void> WriteTrial::prepare()
 
 WriteRequest WriteTrial::fullRequest() const
 {
+    if (m_scenario.deletes)
+        return deletionRequest();
     const int seed = m_scenario.keepsTable ? 1 : 2;
     WriteRequest request = exampleRequest(seed, m_scenario.after);
     request.table = exampleTable(2, seed, m_points);
@@ -152,8 +157,22 @@ bool WriteTrial::isSwitchedOff(const State& state) const
     return canBeLeftOff() && state.registers[0] == "Disabled";
 }
 
+/// State does not say what a slot holds that no axis uses.
+bool WriteTrial::hasOldSlotEmpty(const HeldStates& states)
+{
+    const TableSlot* slot = drivecomm::genericProfile().slotNamed(states.old.registers[0]);
+    return slot && drive.download(slot->file).value_or(Bytes{}).empty();
+}
+
+bool WriteTrial::isNew(const State& state, const HeldStates& states)
+{
+    return state == states.wanted && (!m_scenario.deletes || hasOldSlotEmpty(states));
+}
+
 bool WriteTrial::holdsWanted(const HeldStates& states)
 {
+    if (m_scenario.deletes) // a reboot may have taken the sources, which stay as they are
+        return state().registers[0] == "Disabled" && hasOldSlotEmpty(states);
     return sameButSlot(state(), states.wanted);
 }
 
@@ -180,7 +199,7 @@ std::string WriteTrial::judge(
 {
     const State now = state();
     const bool isOld = now == states.old;
-    const bool isNew = now == states.wanted;
+    const bool isNewNow = isNew(now, states);
     const bool isRebooted =
         traits.reboots && (now == states.oldRebooted || now == states.wantedRebooted);
     const auto wrong = [&](const std::string& what) {
@@ -190,17 +209,18 @@ std::string WriteTrial::judge(
         return wrong("the compensation is on");
     // What a drive has forgotten may have freed another slot before one was chosen.
     if (report)
-        return isNew || (traits.reboots && holdsWanted(states)) ? ""
-                                                                : wrong("it is not the new state");
+        return isNewNow || (traits.reboots && holdsWanted(states))
+            ? ""
+            : wrong("it is not the new state");
     switch (report.error().code) {
     case ErrorCode::RollbackFailed:
         if (!canBeLeftOff() && !traits.reboots && !traits.refuses)
             return wrong("nothing had to be put back that could not be");
-        return isOld || isNew || isRebooted || isSwitchedOff(now)
+        return isOld || isNewNow || isRebooted || isSwitchedOff(now)
             ? ""
             : wrong("it is a mixture that could be activated");
     case ErrorCode::OutcomeUnknown:
-        return isOld || isNew || isRebooted ? "" : wrong("it is neither old nor new");
+        return isOld || isNewNow || isRebooted ? "" : wrong("it is neither old nor new");
     default:
         return isOld || isRebooted ? "" : wrong("it is not the old state");
     }
@@ -216,7 +236,10 @@ std::string WriteTrial::judgeAftermath(const Result<WriteReport>& report, const 
         if (auto wrong = judgeReboot(report, traits, states); !wrong.empty())
             return wrong;
     const auto again = compensator.write(0, fullRequest());
-    if (!again && again.error().code != ErrorCode::NothingToWrite)
+    const bool isThere = !again
+        && again.error().code
+            == (m_scenario.deletes ? ErrorCode::NoTable : ErrorCode::NothingToWrite);
+    if (!again && !isThere)
         return "the next write failed: " + saidBy(again);
     if (!holdsWanted(states))
         return "after the next write " + stateText(state(), states);
@@ -242,9 +265,9 @@ std::string WriteTrial::judgeAnswer(const HeldStates& states, const FaultTraits&
             return now == states.old;
         case Outcome::New:
         case Outcome::NewUnsaved:
-            return now == states.wanted;
+            return isNew(now, states);
         case Outcome::Neither:
-            return now != states.old && now != states.wanted && (canBeLeftOff() || traits.reboots);
+            return now != states.old && !isNew(now, states) && (canBeLeftOff() || traits.reboots);
         }
         return false;
     }();
@@ -264,14 +287,14 @@ std::string WriteTrial::judgeReboot(
     const bool isWithoutTable = m_scenario.before == Persistency::Volatile && now.table.empty();
     const bool isOldWithoutTable = isWithoutTable && now.registers == states.old.registers;
     const bool isOld = now == states.oldRebooted || isOldWithoutTable;
-    const bool isNew =
+    const bool isNewNow =
         now == states.wantedRebooted || (traits.reboots && sameButSlot(now, states.wantedRebooted));
     const bool isUnsaved = traits.losesCommands && (isOld || isSwitchedOff(now));
-    bool isRight = report ? isNew || isUnsaved : isOld;
+    bool isRight = report ? isNewNow || isUnsaved : isOld;
     if (!report
         && (report.error().code == ErrorCode::OutcomeUnknown
             || report.error().code == ErrorCode::RollbackFailed || traits.reboots))
-        isRight = isOld || isNew || isSwitchedOff(now) || isWithoutTable;
+        isRight = isOld || isNewNow || isSwitchedOff(now) || isWithoutTable;
     return isRight
         ? ""
         : "after a reboot " + stateText(now, states) + "; the program had said " + saidBy(report);

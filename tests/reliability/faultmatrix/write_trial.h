@@ -20,6 +20,7 @@ struct WriteScenario {
     bool isSlotFree; ///< otherwise the axis's only table is overwritten
     bool keepsTable; ///< only persistency and sources change
     bool isOneByOne = false; ///< the drive takes no two registers at one instant
+    bool deletes = false; ///< the table: afterwards its slot is empty
 };
 [[nodiscard]] std::span<const WriteScenario> writeScenarios();
 
@@ -70,6 +71,8 @@ public:
     /// Asks, reboots, and writes again, which must succeed without help.
     [[nodiscard]] std::string judgeAftermath(const Result<WriteReport>& report,
         const FaultTraits& traits, const HeldStates& states, const Aftermath& aftermath);
+    /// The new state, as it was planned.
+    [[nodiscard]] bool isNew(const State& state, const HeldStates& states);
     /// The new state, in whichever slot.
     [[nodiscard]] bool holdsWanted(const HeldStates& states);
     /// It cannot be activated, because its one slot was being overwritten or its registers one by
@@ -87,8 +90,9 @@ private:
     [[nodiscard]] Result<void> prepare();
     [[nodiscard]] bool canBeLeftOff() const
     {
-        return !m_scenario.isSlotFree || m_scenario.isOneByOne;
+        return !m_scenario.isSlotFree || m_scenario.isOneByOne || m_scenario.deletes;
     }
+    [[nodiscard]] bool hasOldSlotEmpty(const HeldStates& states);
     [[nodiscard]] std::string judgeAnswer(const HeldStates& states, const FaultTraits& traits);
     [[nodiscard]] std::string judgeReboot(
         const Result<WriteReport>& report, const FaultTraits& traits, const HeldStates& states);

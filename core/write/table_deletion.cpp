@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What the deletion of an axis's table adds to a write: its plan and its steps.
+#include "core/axis/slot_state.h"
+#include "core/axis/verified_transfer.h"
+#include "core/write/write_planner.h"
+#include "core/write/write_procedure.h"
+
+#include <algorithm>
+
+namespace axiscomp {
+
+WriteRequest deletionRequest()
+{
+    WriteRequest request;
+    request.deletesTable = true;
+    request.withoutTable = true;
+    request.dimensionality = 3; // whichever sources there are remain
+    return request;
+}
+
+/// The axis must not name the slot any more, in memory or in the saved parameters, before it is
+/// emptied.
+Result<void> WritePlanner::decideDeletion(const WriteRequest& request)
+{
+    WritePlan& plan = m_write.plan;
+    const std::string name = request.slot.value_or(m_status.setup.slot);
+    const auto refusal = [&](Text user) {
+        return fail(ErrorCode::SlotInUse,
+            {{"slot", name}, {"user", std::move(user)}, {"deleting", Verbatim{"table"}}});
+    };
+    const TableSlot* slot = m_access.profile().slotNamed(name);
+    if (!slot)
+        return fail(ErrorCode::NoTable, {{"axis", m_axis}, {"deleting", Verbatim{"table"}}});
+    AXISCOMP_CHECK(decideNoTable());
+    AXISCOMP_TRY(const auto readings,
+        m_access.readAvailable(slotStatePaths(m_access, m_drive, m_axis, name)));
+    m_write.slot = *slot;
+    m_write.slotBefore = slotState(m_access, m_drive, m_axis, name, readings);
+    if (!m_write.slotBefore.otherUser.isEmpty())
+        return refusal(m_write.slotBefore.otherUser);
+    if (const auto other = m_saved.otherUser(name, m_axis))
+        return refusal(AXISCOMP_TEXT("Error", "axis {axis} after a reboot").with("axis", *other));
+    const bool isNamed = std::ranges::any_of(m_saved.uses,
+        [&](const SavedState::Use& use) { return use.slot == name && use.axis == m_axis; });
+    m_write.saves =
+        !m_saved.isKnown || isNamed || m_write.slotBefore.persistent || m_saved.isCovered(name);
+    plan.deletedSlot = name;
+    if (!m_write.slotBefore.isEmpty())
+        plan.changes.push_back(
+            {slot->file, slotStateText(m_write.slotBefore).english(), "deleted"});
+    return {};
+}
+
+void WritePlanner::warnOfDeletion()
+{
+    WritePlan& plan = m_write.plan;
+    const Text axis = axisText(m_axis, m_status.axis.name);
+    if (m_saved.isCovered(plan.deletedSlot))
+        plan.warnings.push_back(AXISCOMP_TEXT(
+            "Error", "Flash may hold an older table in {slot}: that one is deleted too.")
+                                    .with("slot", plan.deletedSlot));
+    if (m_write.saves) {
+        plan.warnings.push_back(AXISCOMP_TEXT("Error",
+            "The parameters of all axes are saved before {slot} is emptied: otherwise {axis} could "
+            "look for the deleted table after a reboot.")
+                                    .with("slot", plan.deletedSlot)
+                                    .with("axis", axis));
+        return warnOfSaving();
+    }
+    const auto saved = std::ranges::find(m_saved.uses, m_axis, &SavedState::Use::axis);
+    if (saved != m_saved.uses.end())
+        plan.warnings.push_back(AXISCOMP_TEXT("Error",
+            "After a reboot {axis} uses the table in {slot} again, as its saved parameters say.")
+                                    .with("axis", axis)
+                                    .with("slot", saved->slot));
+}
+
+/// Whenever this is interrupted, no axis names a table that is gone, not even after a reboot.
+Result<void> WriteProcedure::deleteOldTable()
+{
+    AXISCOMP_CHECK(switchOver());
+    if (m_write.saves) {
+        AXISCOMP_CHECK(note("save", 0.93));
+        m_savedTouched = true;
+        AXISCOMP_CHECK(save(m_access));
+    }
+    AXISCOMP_CHECK(note("delete", 0.96));
+    const std::string& slot = m_write.plan.deletedSlot;
+    m_slotTouched = slot != m_write.plan.before.slot;
+    m_flashTouched = changesPersistency();
+    const auto deleted = deleteTable(m_access, slot);
+    if (!deleted) {
+        m_flash.noteRefusal(deleted.error());
+        if (!mayHaveSpentFlash(deleted.error()))
+            return deleted;
+    }
+    const auto spent = recordSpent(changesPersistency() ? 1 : 0);
+    if (!deleted)
+        return deleted;
+    AXISCOMP_CHECK(spent);
+    return m_store.recordCovered(m_write.plan.drive.serialNumber, slot, false);
+}
+
+} // namespace axiscomp
