@@ -126,8 +126,12 @@ Result<WriteReport> AxisCompensator::Private::write(
     if (prepared.plan.changes.empty() && !onlySaves && !unfinished)
         return fail(ErrorCode::NothingToWrite, {{"axis", axis}});
     AXISCOMP_CHECK(checkLargeAccepted(prepared.plan, request));
-    return WriteProcedure(access, store, sources, clock, std::move(prepared), std::move(unfinished))
-        .run();
+    // What an interrupted deletion has left to do is its end, and not another one.
+    const bool continues = unfinished && !unfinished->deletedSlot.empty()
+        && unfinished->deletedSlot == prepared.plan.deletedSlot;
+    WriteProcedure procedure(
+        access, store, sources, clock, std::move(prepared), std::move(unfinished));
+    return continues ? procedure.finishEarlier() : procedure.run();
 }
 
 Result<WriteReport> AxisCompensator::setPersistency(

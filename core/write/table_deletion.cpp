@@ -3,6 +3,7 @@
 // What the deletion of an axis's table adds to a write: its plan and its steps.
 #include "core/axis/slot_state.h"
 #include "core/axis/verified_transfer.h"
+#include "core/write/unfinished_write.h"
 #include "core/write/write_planner.h"
 #include "core/write/write_procedure.h"
 
@@ -19,12 +20,24 @@ WriteRequest deletionRequest()
     return request;
 }
 
+/// What the axis names, or what a deletion that did not end has still to empty.
+Result<std::string> WritePlanner::slotToDelete(const WriteRequest& request)
+{
+    const std::string name = request.slot.value_or(m_status.setup.slot);
+    AXISCOMP_TRY(const auto entry, m_store.journal(m_drive.serialNumber, m_axis));
+    if (!name.empty() || !entry || entry->deletedSlot.empty())
+        return name;
+    AXISCOMP_TRY(const auto unfinished, UnfinishedWrite::load(m_access, *entry));
+    AXISCOMP_TRY(const auto rest, unfinished.request(m_store, m_drive));
+    return rest.slot.value_or(name);
+}
+
 /// The axis must not name the slot any more, in memory or in the saved parameters, before it is
 /// emptied.
 Result<void> WritePlanner::decideDeletion(const WriteRequest& request)
 {
     WritePlan& plan = m_write.plan;
-    const std::string name = request.slot.value_or(m_status.setup.slot);
+    AXISCOMP_TRY(const std::string name, slotToDelete(request));
     const auto refusal = [&](Text user) {
         return fail(ErrorCode::SlotInUse,
             {{"slot", name}, {"user", std::move(user)}, {"deleting", Verbatim{"table"}}});

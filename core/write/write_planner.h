@@ -48,6 +48,7 @@ private:
     [[nodiscard]] Result<void> decideNewTable(const WriteRequest& request, Bytes file);
     [[nodiscard]] Result<void> noteStored(const Grid& grid);
     [[nodiscard]] Result<void> decideNoTable();
+    [[nodiscard]] Result<std::string> slotToDelete(const WriteRequest& request);
     [[nodiscard]] Result<void> decideDeletion(const WriteRequest& request);
     [[nodiscard]] std::string currentTable() const;
     [[nodiscard]] Result<void> decideFlash();

@@ -353,9 +353,13 @@ Result<AxisStatus> WriteProcedure::confirm()
         return fail(ErrorCode::VerifyMismatch,
             {{"what", axisText(plan.axis, now->axis.name)}, {"found", setupText(now->setup)},
                 {"expected", setupText(plan.after)}});
-    if (now && deletes()) {
-        AXISCOMP_CHECK(checkEmpty(access, plan.deletedSlot));
-    }
+    if (!now || !deletes())
+        return now;
+    auto empty = checkEmpty(access, plan.deletedSlot);
+    if (!empty && isUnreachable(empty.error().code))
+        empty = checkEmpty(access, plan.deletedSlot);
+    if (!empty)
+        return fail(empty.error());
     return now;
 }
 

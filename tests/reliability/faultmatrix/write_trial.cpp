@@ -289,7 +289,10 @@ std::string WriteTrial::judgeReboot(
     const bool isOld = now == states.oldRebooted || isOldWithoutTable;
     const bool isNewNow =
         now == states.wantedRebooted || (traits.reboots && sameButSlot(now, states.wantedRebooted));
-    const bool isUnsaved = traits.losesCommands && (isOld || isSwitchedOff(now));
+    // The axis names its slot again, which is empty: it cannot be activated.
+    const bool isNameOnly =
+        m_scenario.deletes && now.table.empty() && now.registers == states.old.registers;
+    const bool isUnsaved = traits.losesCommands && (isOld || isSwitchedOff(now) || isNameOnly);
     bool isRight = report ? isNewNow || isUnsaved : isOld;
     if (!report
         && (report.error().code == ErrorCode::OutcomeUnknown

@@ -156,7 +156,8 @@ private:
             QVERIFY(!decision[Action::Activate].isEnabled && !decision[Action::Evaluate].isEnabled);
         if (now.isActive)
             QVERIFY(!decision[Action::Write].isEnabled && !decision[Action::Activate].isEnabled
-                && !decision[Action::RestorePrevious].isEnabled);
+                && !decision[Action::RestorePrevious].isEnabled
+                && !decision[Action::DeleteTable].isEnabled);
         if (!now.isConnected)
             QVERIFY(!decision[Action::Deactivate].isEnabled);
         // Who can deactivate has something to deactivate.
@@ -268,6 +269,10 @@ void TestActionRules::reasons_data()
         "This axis has no backup yet; every write makes one.", [](S& s) { s.hasBackup = false; });
     row("restore: active", ready(), Action::RestorePrevious,
         "The compensation is active: deactivate it first.", [](S& s) { s.isActive = true; });
+    row("delete: no table", ready(), Action::DeleteTable, "The axis has no table on the drive.",
+        [](S& s) { s.hasDriveTable = false; });
+    row("delete: active", ready(), Action::DeleteTable,
+        "The compensation is active: deactivate it first.", [](S& s) { s.isActive = true; });
     row("cancel: nothing", ready(), Action::Cancel, "Nothing is running.", [](S&) {});
     row("cancel: twice", ready(), Action::Cancel, "It is already being stopped.",
         [](S& s) { s.task = Task::Write; });
@@ -307,9 +312,13 @@ void TestActionRules::consequences_data()
     row("cancel planning", Action::Cancel, "Stops what is running.");
     now.task = Task::Restore;
     row("cancel restoring", Action::Cancel, "Stops the write and rolls back.");
+    now.task = Task::Delete;
+    row("cancel deleting", Action::Cancel, "Stops the write and rolls back.");
     now.task = Task::Write;
     row("cancel writing", Action::Cancel, "Stops the write and rolls back.");
     now = ready();
+    row("delete", Action::DeleteTable,
+        "Deletes the axis's table from the drive; a backup is kept.");
     now.problem = damagedTable;
     row("deactivate an error", Action::Deactivate,
         "Switches the compensation off; table and settings stay on the drive.");

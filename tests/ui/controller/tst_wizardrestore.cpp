@@ -72,6 +72,34 @@ private Q_SLOTS:
         QCOMPARE(bench->setup().baseline().tableCrc, first);
     }
 
+    void theTableIsDeletedAsPlannedAndCanBeRestored()
+    {
+        ControllerFixture bench;
+        QVERIFY(bench.connect());
+        QVERIFY(!bench->action(Action::DeleteTable).isEnabled);
+        QVERIFY(bench.prepare2D(1));
+        bench->setup().setPersistency(Persistency::Persistent);
+        QVERIFY(bench.planAndWrite());
+        const std::uint32_t first = bench->setup().baseline().tableCrc;
+        QVERIFY(bench->action(Action::DeleteTable).isEnabled);
+        bench->planDeletion();
+        QVERIFY(bench.idle());
+        QVERIFY(bench->plan().has_value());
+        QCOMPARE(bench->plan()->deletedSlot, std::string("Small1"));
+        QCOMPARE(bench->plan()->flashOperations, 1);
+        QCOMPARE(bench->setup().baseline().tableCrc, first);
+        bench->write();
+        QVERIFY(bench.idle());
+        QVERIFY2(bench->outcome().startsWith(QStringLiteral("Deleted and verified: Small1")),
+            qPrintable(bench->outcome()));
+        QVERIFY(bench->setup().baseline().slot.empty());
+        QVERIFY(!bench->setup().isDirty());
+        QVERIFY(!bench->action(Action::DeleteTable).isEnabled);
+        bench->restorePrevious();
+        QVERIFY(bench.idle());
+        QCOMPARE(bench->setup().baseline().tableCrc, first);
+    }
+
     void anEarlierWriteThatDidNotEndIsSaidAndCanBeFinished()
     {
         ControllerFixture bench;

@@ -2,6 +2,7 @@
 #include "tests/ui/support/page_fixture.h"
 #include "tests/ui/support/window_test.h"
 
+#include <QAction>
 #include <QFileInfo>
 #include <QTableWidget>
 #include <QTest>
@@ -246,6 +247,33 @@ private Q_SLOTS:
         QVERIFY(bench.saysOutcome(QStringLiteral("stored in flash")));
         bench.served.drive.reboot();
         QVERIFY(bench.served.text(tableX) != "Disabled");
+    }
+
+    void theTableIsDeletedAfterItsPreview()
+    {
+        PageFixture bench;
+        auto& user = bench.user;
+        QVERIFY(bench.open());
+        QVERIFY(bench.choose2D());
+        QVERIFY(bench.write());
+        const auto before = bench.state();
+        QVERIFY(user.pickFromMenu("activateMenuButton", "activateMenu", Qt::Key_D));
+        QTRY_VERIFY(user.sees("confirmWriteButton"));
+        QVERIFY(user.the<QLabel>("previewTitle").text().contains(QStringLiteral("deleted")));
+        const auto& rows = user.the<QTableWidget>("previewRows");
+        QCOMPARE(rowOf(rows, QStringLiteral("Table"), 2), QStringLiteral("none"));
+        QCOMPARE(rowOf(rows, QStringLiteral("Small1"), 2), QStringLiteral("empty"));
+        QVERIFY(!user.sees("skipPreviewForVolatile"));
+        user.press(Qt::Key_Escape);
+        QTRY_VERIFY(!user.sees("writePreview"));
+        QVERIFY(bench.state() == before);
+
+        QVERIFY(user.pickFromMenu("activateMenuButton", "activateMenu", Qt::Key_D));
+        QTRY_VERIFY(user.sees("confirmWriteButton"));
+        QVERIFY(user.click("confirmWriteButton"));
+        QVERIFY(bench.saysOutcome(QStringLiteral("Small1 is empty")));
+        QCOMPARE(bench.served.text(tableX), std::string("Disabled"));
+        QVERIFY(!user.the<QAction>("deleteAction").isEnabled());
     }
 
     void anotherAxisIsChosenOnlyAfterAQuestionWhenSomethingIsUnwritten()
