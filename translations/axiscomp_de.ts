@@ -4371,6 +4371,50 @@
         <source>After a reboot {axis} uses the table in {slot} again, as its saved parameters say.</source>
         <translation>Nach einem Neustart verwendet {axis} wieder die Tabelle in {slot}, wie es in den gespeicherten Parametern steht.</translation>
     </message>
+    <message>
+        <source>the configuration names the table in {slot} for axis {axis}, but the drive has none there; write it into that slot first</source>
+        <translation>die Konfiguration nennt für Achse {axis} die Tabelle in {slot}, doch der Antrieb hat dort keine; schreiben Sie sie zuerst in diesen Slot</translation>
+    </message>
+    <message>
+        <source>the configuration has {unit} for axis {axis}, but the axis of the drive has {other}</source>
+        <translation>die Konfiguration hat für Achse {axis} die Einheit {unit}, die Achse des Antriebs aber {other}</translation>
+    </message>
+    <message>
+        <source>the profile has no slot {slot}</source>
+        <translation>das Profil hat keinen Slot {slot}</translation>
+    </message>
+    <message>
+        <source>the station {station} has no register {path}</source>
+        <translation>die Station {station} hat kein Register {path}</translation>
+    </message>
+    <message>
+        <source>the unit is {unit}, but the axis that is written has {other}</source>
+        <translation>die Einheit ist {unit}, die Achse, die geschrieben wird, hat aber {other}</translation>
+    </message>
+    <message>
+        <source>which station of {file} is meant is not certain; name one of: {known}</source>
+        <translation>welche Station von {file} gemeint ist, steht nicht fest; nennen Sie eine von diesen: {known}</translation>
+    </message>
+    <message>
+        <source>it is not a text in UTF-8</source>
+        <translation>sie ist kein Text in UTF-8</translation>
+    </message>
+    <message>
+        <source>it is not an XML document</source>
+        <translation>sie ist kein XML-Dokument</translation>
+    </message>
+    <message>
+        <source>it ends before {name} ends</source>
+        <translation>sie endet vor dem Ende von {name}</translation>
+    </message>
+    <message>
+        <source>a tag is not well-formed</source>
+        <translation>ein Tag ist nicht wohlgeformt</translation>
+    </message>
+    <message>
+        <source>{name} ends where it has not begun</source>
+        <translation>{name} endet, ohne begonnen zu haben</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>

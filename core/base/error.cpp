@@ -252,6 +252,12 @@ Text textOf(const Error& error)
                 "used up; write volatile, or reset the count with 'axiscomp status "
                 "--reset-flash-count'"),
             error.context};
+    if (error.code == ErrorCode::NoTable && error.context.contains("configured"))
+        return {
+            AXISCOMP_TEXT("Error",
+                "the configuration names the table in {slot} for axis {axis}, but the drive has "
+                "none there; write it into that slot first"),
+            error.context};
     if (error.code == ErrorCode::NoTable && error.context.contains("slot"))
         return {
             AXISCOMP_TEXT("Error", "{slot} is empty: there is nothing to delete"), error.context};

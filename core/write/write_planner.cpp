@@ -281,16 +281,16 @@ Result<void> WritePlanner::decideNewTable(const WriteRequest& request, Bytes fil
     return noteStored(request.table->grid);
 }
 
-/// Whether flash holds this table in the chosen slot already: storing it again costs nothing.
+/// Whether the chosen slot holds this table already, and its flash: storing it again costs nothing.
 Result<void> WritePlanner::noteStored(const Grid& grid)
 {
     const SlotState& there = m_write.slotBefore;
-    if (!there.persistent || there.elements != grid.pointCount() || there.crc != m_write.elementCrc)
+    if (there.elements != grid.pointCount() || there.crc != m_write.elementCrc)
         return {};
     AXISCOMP_TRY(auto readings, m_access.readAvailable(headerPaths(m_access, m_write.slot.name)));
     const auto header = headerFrom(m_access, readings, m_write.slot.name);
-    m_isStored = header && header->persistent && header->crc == m_write.elementCrc
-        && sameSpans(header->grid, grid);
+    m_isInSlot = header && header->crc == m_write.elementCrc && sameSpans(header->grid, grid);
+    m_isStored = m_isInSlot && there.persistent && header->persistent;
     return {};
 }
 

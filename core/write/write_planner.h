@@ -72,6 +72,7 @@ private:
     std::vector<AxisStatus> m_others; ///< the other axes, when the parameters will be saved
     SavedState m_saved;
     PreparedWrite m_write;
+    bool m_isInSlot = false; ///< the new table is in its slot already
     bool m_isStored = false; ///< the new table is in the flash of its slot already
 };
 

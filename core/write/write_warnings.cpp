@@ -29,7 +29,7 @@ void WritePlanner::warn()
             "No other slot is free: the table in {slot} is overwritten. A copy is kept in the "
             "backup.")
                                     .with("slot", plan.after.slot));
-    if (plan.slotReason == SlotReason::Named)
+    if (plan.slotReason == SlotReason::Named && !m_isInSlot)
         plan.warnings.push_back(AXISCOMP_TEXT(
             "Error", "What {slot} holds now is overwritten. A copy is kept in the backup.")
                                     .with("slot", plan.after.slot));

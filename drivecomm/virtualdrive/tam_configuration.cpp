@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "drivecomm/virtualdrive/tam_configuration.h"
 
+#include "core/configuration/tam_configuration.h"
 #include "core/io/local_file.h"
 #include "drivecomm/profile/profile_loader.h"
 #include "drivecomm/virtualdrive/firmware/drive_registers.h"
 
-#include <QXmlStreamReader>
+#include <QStringDecoder>
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -20,8 +20,6 @@ namespace axiscomp::drivecomm {
 
 namespace {
 
-constexpr std::uint64_t maximumBytes = std::uint64_t{64} << 20;
-constexpr std::size_t maximumRegisters = 100'000; ///< a drive has some 3000
 constexpr std::size_t longestValue = 64;
 constexpr int axisLimit = 64;
 constexpr std::int32_t firstSerialNumber = 100001; ///< for stations that have none
@@ -39,11 +37,6 @@ struct Station {
         return found == places.end() ? nullptr : &registers[found->second];
     }
 };
-
-std::string text(QStringView view)
-{
-    return view.toUtf8().toStdString();
-}
 
 /// The number of axes that a register's path asks for: 3 for "Axes[2]/...". None when the index is
 /// none that a drive can have.
@@ -93,112 +86,45 @@ Text located(std::string_view place, Text problem)
         .with("problem", std::move(problem));
 }
 
-class Parser {
-public:
-    Parser(std::string_view xml, const std::string& fileName)
-        : m_reader(QByteArray::fromRawData(xml.data(), static_cast<qsizetype>(xml.size())))
-        , m_fileName(fileName)
-    {
-    }
-
-    [[nodiscard]] Result<std::vector<Station>> parse()
-    {
-        while (!m_reader.atEnd()) {
-            Result<void> read;
-            switch (m_reader.readNext()) {
-            case QXmlStreamReader::DTD: // what it could define has no place in such a file
-                return wrong(AXISCOMP_TEXT("Error", "a document type is not allowed"));
-            case QXmlStreamReader::EntityReference:
-                return wrong(AXISCOMP_TEXT("Error", "entities are not allowed"));
-            case QXmlStreamReader::StartElement:
-                read = startElement();
-                break;
-            default:
-                break;
-            }
-            if (!read)
-                return fail(read.error());
-        }
-        if (m_reader.hasError())
-            return wrong(Verbatim{text(m_reader.errorString())});
-        return std::move(m_stations);
-    }
-
-private:
-    [[nodiscard]] tl::unexpected<Error> wrong(Text reason) const
-    {
-        return fail(ErrorCode::InvalidConfiguration,
-            {{"file", m_fileName}, {"line", m_reader.lineNumber()}, {"reason", std::move(reason)}});
-    }
-
-    [[nodiscard]] Result<void> startElement()
-    {
-        if (!m_rootSeen && m_reader.name() != u"TamTopology")
-            return wrong(AXISCOMP_TEXT("Error", "the root element is {name}, expected TamTopology")
-                             .with("name", text(m_reader.name())));
-        m_rootSeen = true;
-        if (m_reader.name() == u"TamStation")
-            return station();
-        if (m_reader.name() == u"TamModule")
-            m_reader.skipCurrentElement();
-        else if (m_reader.name() == u"RegisterComponent" && !m_stations.empty())
-            return registerComponent();
-        return {};
-    }
-
-    [[nodiscard]] Result<void> station()
-    {
-        const QXmlStreamAttributes attributes = m_reader.attributes();
-        Station& added = m_stations.emplace_back();
-        added.name = text(attributes.value(QLatin1String("Name")));
-        const std::string serial = text(attributes.value(QLatin1String("HardwareSerialNumber")));
-        if (serial.empty())
-            return {};
-        const Result<RegisterValue> number = registerValueFromText("Int32", serial);
-        if (!number)
-            return wrong(located("HardwareSerialNumber", textOf(number.error())));
-        added.serialNumber = std::get<std::int32_t>(*number);
-        return {};
-    }
-
-    [[nodiscard]] Result<void> registerComponent()
-    {
-        const QXmlStreamAttributes attributes = m_reader.attributes();
-        RegisterReading read{normalisedPath(text(attributes.value(QLatin1String("Address")))), 0,
-            text(attributes.value(QLatin1String("Type"))), {}};
-        if (read.path.empty() || read.type.empty()
-            || !attributes.hasAttribute(QLatin1String("Value")))
-            return wrong(
-                AXISCOMP_TEXT("Error", "a RegisterComponent needs Address, Type and Value"));
-        const std::optional<int> axes = axesNeeded(read.path);
+/// A station's registers with their values.
+Result<Station> stationOf(const TamStation& read, const std::string& fileName)
+{
+    Station station;
+    station.name = read.name;
+    station.serialNumber = read.serialNumber;
+    for (const TamRegister& each : read.registers) {
+        const auto wrong = [&](Text problem) {
+            return fail(ErrorCode::InvalidConfiguration,
+                {{"file", fileName}, {"line", each.line},
+                    {"reason", located(each.path, std::move(problem))}});
+        };
+        const std::optional<int> axes = axesNeeded(each.path);
         if (!axes)
-            return wrong(located(read.path,
-                AXISCOMP_TEXT("Error", "the axis index must be from 0 to {most}")
-                    .with("most", axisLimit - 1)));
-        Result<RegisterValue> value =
-            parseValue(read.type, text(attributes.value(QLatin1String("Value"))));
+            return wrong(AXISCOMP_TEXT("Error", "the axis index must be from 0 to {most}")
+                             .with("most", axisLimit - 1));
+        Result<RegisterValue> value = parseValue(each.type, each.value);
         if (!value)
-            return wrong(located(read.path, textOf(value.error())));
-        if (++m_registers > maximumRegisters)
-            return wrong(AXISCOMP_TEXT("Error", "there are more than {most} registers")
-                             .with("most", maximumRegisters));
-        read.value = *std::move(value);
-        Station& station = m_stations.back();
+            return wrong(textOf(value.error()));
         station.axes = std::max(station.axes, *axes);
-        const auto [place, isNew] = station.places.emplace(read.path, station.registers.size());
+        RegisterReading reading{each.path, 0, each.type, *std::move(value)};
+        const auto [place, isNew] = station.places.emplace(each.path, station.registers.size());
         if (isNew)
-            station.registers.push_back(std::move(read));
+            station.registers.push_back(std::move(reading));
         else
-            station.registers[place->second] = std::move(read);
-        return {};
+            station.registers[place->second] = std::move(reading);
     }
+    return station;
+}
 
-    QXmlStreamReader m_reader;
-    std::string m_fileName;
-    std::vector<Station> m_stations;
-    std::size_t m_registers = 0;
-    bool m_rootSeen = false;
-};
+/// In UTF-8. What says by its first bytes that it is UTF-16 is converted.
+std::string utf8Of(std::string_view xml)
+{
+    if (!xml.starts_with("\xFF\xFE") && !xml.starts_with("\xFE\xFF"))
+        return std::string(xml);
+    QStringDecoder decoder(QStringDecoder::Utf16);
+    const QString decoded = decoder(QByteArrayView(xml.data(), static_cast<qsizetype>(xml.size())));
+    return decoded.toStdString();
+}
 
 /// Makes a drive of what the file says about a station.
 class DriveMaker {
@@ -250,7 +176,7 @@ private:
         axis.name = name(m_paths.axisName, m_paths.axisNameWords, index);
         if (RegisterReading* unit = m_station.find(m_paths.positionUnit, {.axis = index}))
             if (auto* found = std::get_if<std::string>(&unit->value))
-                axis.unit = *found = knownUnit(*found);
+                axis.unit = *found = tamUnit(*found);
         const auto number = [&](std::string_view pattern) {
             const RegisterReading* found = m_station.find(pattern, {.axis = index});
             return found ? toDouble(found->value) : 0.0;
@@ -262,21 +188,6 @@ private:
             axis.high = usualRange(axis.unit);
         }
         return axis;
-    }
-
-    /// Real files write "degree" and "unspecified"; other names stay as they are.
-    [[nodiscard]] static std::string knownUnit(const std::string& unit)
-    {
-        const auto lower = [](unsigned char c) { return std::tolower(c); };
-        const auto same = [&](std::string_view name) {
-            return std::ranges::equal(unit, name, {}, lower, lower);
-        };
-        if (same("unspecified"))
-            return "None";
-        for (const std::string_view known : {"None", "Meter", "Millimeter", "Radian", "Degree"})
-            if (same(known))
-                return std::string(known);
-        return unit;
     }
 
     [[nodiscard]] static double usualRange(std::string_view unit)
@@ -297,15 +208,16 @@ private:
 Result<std::vector<VirtualDriveOptions>> parseTamConfiguration(
     std::string_view xml, const std::string& fileName)
 {
-    Result<std::vector<Station>> stations = Parser(xml, fileName).parse();
-    if (!stations)
-        return fail(stations.error());
+    const std::string text = utf8Of(xml);
+    AXISCOMP_TRY(const auto stations, readTamStations(text, fileName));
     std::vector<VirtualDriveOptions> drives;
-    for (Station& station : *stations)
+    for (const TamStation& read : stations) {
+        AXISCOMP_TRY(auto station, stationOf(read, fileName));
         if (station.axes > 0)
             drives.push_back(
                 DriveMaker(std::move(station))
                     .make(firstSerialNumber + static_cast<std::int32_t>(drives.size())));
+    }
     if (drives.empty())
         return fail(ErrorCode::InvalidConfiguration,
             {{"file", fileName}, {"line", 1},
@@ -317,7 +229,7 @@ Result<std::vector<VirtualDriveOptions>> parseTamConfiguration(
 
 Result<std::vector<VirtualDriveOptions>> loadTamConfiguration(const std::filesystem::path& file)
 {
-    const Result<Bytes> bytes = loadFile(file, maximumBytes);
+    const Result<Bytes> bytes = loadFile(file, maximumConfigurationSize);
     if (!bytes)
         return fail(bytes.error());
     return parseTamConfiguration(asText(*bytes), file.string());

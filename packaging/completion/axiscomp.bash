@@ -28,10 +28,11 @@ _axiscomp_options()
         backup) echo "--help --json $drive --output" ;;
         restore) echo "--help --json $drive --force" ;;
         recover) echo "--help --json $drive --axis --finish --undo" ;;
+        config) echo "--help --json $drive --from --output --station --force --dry-run" ;;
     esac
 }
 
-_axiscomp_commands="example inspect convert lookup formats axes status write persist unpersist delete evaluate activate deactivate read files upload download monitor backup restore recover"
+_axiscomp_commands="example inspect convert lookup formats axes status write persist unpersist delete evaluate activate deactivate read files upload download monitor backup restore recover config"
 
 _axiscomp_formats="csv tamtbl aerotech-1d aerotech-2d icube isg-crosscomp isg-crosscomp2 isg-ssfk klipper linuxcnc pmac-1d pmac-2d rapidcode rapidcode-header siemens-cec siemens-eec reprap softmc softmc-basic"
 
@@ -60,7 +61,13 @@ _axiscomp()
 
     case $prev in
         --dims) COMPREPLY=($(compgen -W "1 2 3" -- "$cur")); return ;;
-        --from | --as) COMPREPLY=($(compgen -W "$_axiscomp_formats" -- "$cur")); return ;;
+        --from | --as)
+            if [[ $command == config ]]; then
+                _filedir TAMcfg
+                return
+            fi
+            COMPREPLY=($(compgen -W "$_axiscomp_formats" -- "$cur"))
+            return ;;
         --sign | --to-sign) COMPREPLY=($(compgen -W "feedback command" -- "$cur")); return ;;
         --direction) COMPREPLY=($(compgen -W "mean positive negative" -- "$cur")); return ;;
         --fill) COMPREPLY=($(compgen -W "nearest plane smooth" -- "$cur")); return ;;
@@ -82,7 +89,7 @@ _axiscomp()
         --profile) _filedir json; return ;;
         --data) _filedir '@(csv|CSV|TAMtbl)'; return ;;
         -o | --output | --points) _filedir; return ;;
-        --axis | --table | --target | --value-unit | --position-unit | --tables | --timeout | --trust-certificate | --name | --rate | --count | --source[123]) return ;;
+        --axis | --station | --table | --target | --value-unit | --position-unit | --tables | --timeout | --trust-certificate | --name | --rate | --count | --source[123]) return ;;
     esac
 
     if [[ -z $command ]]; then
@@ -94,6 +101,10 @@ _axiscomp()
     else
         case $command in
             inspect | convert | lookup | upload | restore) _filedir ;;
+            config)
+                _filedir TAMcfg
+                [[ $prev == config ]] && COMPREPLY=($(compgen -W "show export import" -- "$cur"))
+                ;;
         esac
     fi
 }

@@ -58,5 +58,6 @@ void addTransferCommands(CommandLine& line);
 void addMonitorCommand(CommandLine& line);
 void addBackupCommands(CommandLine& line);
 void addRecoverCommand(CommandLine& line);
+void addConfigCommand(CommandLine& line);
 
 } // namespace axiscomp::app

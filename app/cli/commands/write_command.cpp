@@ -142,14 +142,6 @@ Result<std::vector<MappedColumn>> mappedColumns(Environment& environment,
     return columns;
 }
 
-std::string axisList(const std::vector<MappedColumn>& columns, std::size_t begin, std::size_t end)
-{
-    std::string list;
-    for (std::size_t n = begin; n < end; ++n)
-        list += (list.empty() ? "" : ", ") + columns[n].axis;
-    return list;
-}
-
 /// All are planned before the first is written; then one after the other.
 Result<ExitCode> writeMapped(Environment& environment, CommandSession& session,
     const WriteOptions& options, const TableInput& input, std::vector<MappedColumn> columns)
@@ -161,25 +153,11 @@ Result<ExitCode> writeMapped(Environment& environment, CommandSession& session,
         AXISCOMP_CHECK(finishTable(environment, options, input, column.pending, session, axis));
         writes.push_back({axis, column.pending.request});
     }
+    std::vector<std::string> names;
+    for (const MappedColumn& column : columns)
+        names.push_back(column.axis);
     AXISCOMP_TRY(
-        const auto plans, planMultiAxis(session.compensator(), writes, session.operation()));
-    for (std::size_t n = 0; n < writes.size() && !options.isDryRun; ++n)
-        AXISCOMP_CHECK(checkLargeAccepted(plans[n], writes[n].request));
-    Json documents = Json::array();
-    for (std::size_t n = 0; n < writes.size(); ++n) {
-        if (n > 0)
-            environment.print("\n");
-        auto document = writeAndReport(
-            environment, session, writes[n].axis, writes[n].request, options.isDryRun);
-        if (!document) {
-            if (n > 0)
-                environment.console().note(
-                    "note: written before the error: " + axisList(columns, 0, n)
-                    + "; not written: " + axisList(columns, n, columns.size()));
-            return fail(document.error());
-        }
-        documents.push_back(*std::move(document));
-    }
+        auto documents, writeSeveral(environment, session, writes, names, options.isDryRun));
     environment.document({{"writes", std::move(documents)}});
     return ExitCode::Done;
 }

@@ -59,6 +59,14 @@ Result<WriteReport> carryOut(
     return fail(std::move(error));
 }
 
+std::string axisList(std::span<const std::string> names)
+{
+    std::string list;
+    for (const std::string& name : names)
+        list += (list.empty() ? "" : ", ") + name;
+    return list;
+}
+
 } // namespace
 
 WriteInterruption::WriteInterruption(Environment& environment) : m_environment(environment)
@@ -137,6 +145,30 @@ Result<Json> writeAndReport(Environment& environment, CommandSession& session, i
         environment.print("Nothing had to be written.\n");
     }
     return json;
+}
+
+Result<Json> writeSeveral(Environment& environment, CommandSession& session,
+    std::span<const AxisWrite> writes, std::span<const std::string> names, bool isDryRun)
+{
+    AXISCOMP_TRY(
+        const auto plans, planMultiAxis(session.compensator(), writes, session.operation()));
+    for (std::size_t n = 0; n < writes.size() && !isDryRun; ++n)
+        AXISCOMP_CHECK(checkLargeAccepted(plans[n], writes[n].request));
+    Json documents = Json::array();
+    for (std::size_t n = 0; n < writes.size(); ++n) {
+        if (n > 0)
+            environment.print("\n");
+        auto document =
+            writeAndReport(environment, session, writes[n].axis, writes[n].request, isDryRun);
+        if (!document) {
+            if (n > 0)
+                environment.console().note("note: written before the error: "
+                    + axisList(names.first(n)) + "; not written: " + axisList(names.subspan(n)));
+            return fail(document.error());
+        }
+        documents.push_back(*std::move(document));
+    }
+    return documents;
 }
 
 Result<ExitCode> runWrite(Environment& environment, CommandSession& session, int axis,

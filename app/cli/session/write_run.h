@@ -2,6 +2,10 @@
 #pragma once
 
 #include "app/cli/session/command_session.h"
+#include "core/compensator/multi_axis_write.h"
+
+#include <span>
+#include <string>
 
 namespace axiscomp::app {
 
@@ -37,7 +41,11 @@ private:
 /// document: {"plan", "report"}.
 [[nodiscard]] Result<Json> writeAndReport(Environment& environment, CommandSession& session,
     int axis, const WriteRequest& request, bool isDryRun);
-/// The same, with its document.
+/// Plans all of them before the first is written, then one after the other. names: of their axes,
+/// for people. The documents of each.
+[[nodiscard]] Result<Json> writeSeveral(Environment& environment, CommandSession& session,
+    std::span<const AxisWrite> writes, std::span<const std::string> names, bool isDryRun);
+/// The same as writeAndReport, with its document.
 [[nodiscard]] Result<ExitCode> runWrite(Environment& environment, CommandSession& session, int axis,
     const WriteRequest& request, bool isDryRun);
 

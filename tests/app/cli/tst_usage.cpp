@@ -19,7 +19,7 @@ namespace {
 
 const QStringList commands{"example", "inspect", "convert", "lookup", "formats", "axes", "status",
     "write", "persist", "unpersist", "delete", "evaluate", "activate", "deactivate", "read",
-    "files", "upload", "download", "monitor", "backup", "restore", "recover"};
+    "files", "upload", "download", "monitor", "backup", "restore", "recover", "config"};
 
 QString sourceFile(const QString& name)
 {

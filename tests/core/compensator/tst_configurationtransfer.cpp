@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/compensator/configuration_transfer.h"
+#include "tests/support/compensator_fixture.h"
+#include "tests/support/test_registry.h"
+#include "tests/support/verify.h"
+
+#include <QTest>
+
+namespace tst_configurationtransfer {
+
+using namespace axiscomp;
+using namespace axiscomp::test;
+
+namespace {
+
+/// Two axes with tables, and their parameters; then both axes have none.
+struct Fixture : CompensatorFixture {
+    explicit Fixture(Persistency persistency = Persistency::Persistent)
+    {
+        for (const int axis : {0, 1}) {
+            QVERIFY(compensator.write(axis, exampleRequest(axis + 1, persistency)).has_value());
+            old.push_back(state(axis));
+        }
+        parameters = driveParameters(compensator).value_or(CompensationParameters{});
+        WriteRequest none;
+        none.withoutTable = true;
+        none.sources = {"", "", ""};
+        none.dimensionality = 3;
+        for (const int axis : {0, 1})
+            QVERIFY(compensator.write(axis, none).has_value());
+        link.forgetChange();
+    }
+    [[nodiscard]] Result<std::vector<AxisWrite>> writes()
+    {
+        return parameterWrites(compensator, drivecomm::genericProfile(), parameters);
+    }
+
+    std::vector<State> old;
+    CompensationParameters parameters;
+};
+
+} // namespace
+
+class TestConfigurationTransfer : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { failOnWarnings(); }
+
+    void theDriveGetsBackWhatWasTakenFromIt_data()
+    {
+        QTest::addColumn<bool>("persistent");
+        QTest::newRow("persistent") << true;
+        QTest::newRow("volatile") << false;
+    }
+    void theDriveGetsBackWhatWasTakenFromIt()
+    {
+        QFETCH(bool, persistent);
+        Fixture c(persistent ? Persistency::Persistent : Persistency::Volatile);
+        QCOMPARE(c.parameters.axes.size(), 2U);
+        QCOMPARE(c.parameters.serialNumber.value(), 4711);
+        const std::uint64_t spent = c.store.flashHistory(4711)->total;
+        const auto writes = c.writes();
+        VERIFY_RESULT(writes);
+        QCOMPARE(writes->size(), 2U);
+        QCOMPARE(c.link.firstChange(), 0);
+        const auto plans = planMultiAxis(c.compensator, *writes);
+        VERIFY_RESULT(plans);
+        for (const WritePlan& plan : *plans) {
+            QCOMPARE(plan.flashOperations, 0);
+            for (const Text& warning : plan.warnings)
+                QVERIFY2(warning.english().find("overwritten") == std::string::npos,
+                    warning.english().c_str());
+        }
+        for (const AxisWrite& write : *writes)
+            VERIFY_RESULT(c.compensator.write(write.axis, write.request));
+        QCOMPARE(c.store.flashHistory(4711)->total, spent);
+        for (const int axis : {0, 1}) {
+            QVERIFY(c.state(axis) == c.old[static_cast<std::size_t>(axis)]);
+            const std::string base = "Axes[" + std::to_string(axis) + "]/";
+            QCOMPARE(
+                c.text(base + "Commands/Compensations/Axis/Activation"), std::string("Disabled"));
+        }
+        if (persistent) {
+            c.drive.reboot();
+            QVERIFY(c.state(1) == c.old[1]);
+        }
+        const auto again = c.writes();
+        VERIFY_RESULT(again);
+        QVERIFY(again->empty());
+    }
+
+    void aTableThatIsNotThereIsSaid()
+    {
+        Fixture c;
+        c.parameters.axes[1].slot = "Small7";
+        const auto writes = c.writes();
+        VERIFY_ERROR(writes, ErrorCode::NoTable);
+        QCOMPARE(sentence(writes.error()),
+            std::string("the configuration names the table in Small7 for axis 1, but the drive has "
+                        "none there; write it into that slot first"));
+        QCOMPARE(c.link.firstChange(), 0);
+    }
+
+    void whatDoesNotFitTheAxisIsRefused()
+    {
+        Fixture c;
+        CompensationParameters good = c.parameters;
+        c.parameters.axes[0].unit = "Degree";
+        VERIFY_ERROR(c.writes(), ErrorCode::InvalidArgument);
+        c.parameters = good;
+        c.parameters.axes[0].sources[1] = 0;
+        VERIFY_ERROR(c.writes(), ErrorCode::SourceMissing);
+        c.parameters = good;
+        c.parameters.axes[0].sources[1] = 3; // no register has this address
+        const auto writes = c.writes();
+        VERIFY_RESULT(writes);
+        VERIFY_ERROR(planMultiAxis(c.compensator, *writes), ErrorCode::SourceNotFound);
+        c.parameters = good;
+        c.parameters.axes[0].axis = 2;
+        VERIFY_ERROR(c.writes(), ErrorCode::AxisNotFound);
+        QCOMPARE(c.link.firstChange(), 0);
+    }
+
+    void anAxisWhoseCompensationIsOnIsLeftAlone()
+    {
+        Fixture c;
+        const auto writes = c.writes();
+        VERIFY_RESULT(c.compensator.write(0, writes->front().request));
+        c.set("Axes[0]/Commands/Compensations/Axis/Activation", std::string("AddToEncoders"));
+        c.parameters.axes[0].slot.clear();
+        const auto off = c.writes();
+        VERIFY_RESULT(off);
+        VERIFY_ERROR(planMultiAxis(c.compensator, *off), ErrorCode::CompensationActive);
+    }
+
+    void anInterruptionLeavesTheOldOrTheNewState()
+    {
+        Fixture whole;
+        const auto wholeWrites = whole.writes();
+        const CompensatorFixture::State before = whole.state();
+        const int begin = whole.link.exchanges();
+        VERIFY_RESULT(whole.compensator.write(0, wholeWrites->front().request));
+        const int exchanges = whole.link.exchanges() - begin;
+        for (int exchange = 1; exchange <= exchanges; ++exchange) {
+            Fixture c;
+            const auto writes = c.writes();
+            c.link.failAt(exchange, LinkFault::DriveGone);
+            const auto written = c.compensator.write(0, writes->front().request);
+            c.link.heal();
+            const QByteArray where = "exchange " + QByteArray::number(exchange);
+            const CompensatorFixture::State now = c.state();
+            QVERIFY2(now == before || now == c.old[0], where);
+            QVERIFY2(!written || now == c.old[0], where);
+            if (const auto entry = c.store.journal(4711, 0).value()) {
+                VERIFY_RESULT(c.compensator.finishUnfinished(*entry));
+                QVERIFY2(c.state() == c.old[0], where);
+            }
+        }
+    }
+};
+
+AXISCOMP_TEST(TestConfigurationTransfer)
+
+} // namespace tst_configurationtransfer
+
+#include "tst_configurationtransfer.moc"
