@@ -166,12 +166,6 @@ Result<void> Merger::mergePair(const Group& group)
                 position.begin() + static_cast<std::ptrdiff_t>(m_table.axes.size()));
         }
     }
-    if (m_choice == DirectionChoice::Mean)
-        column.step = 0.0; // a mean of multiples may lie between two of them
-    else if (m_choice == DirectionChoice::Positive)
-        column.step = *positiveFactor * group.positive->step;
-    else
-        column.step = *negativeFactor * group.negative->step;
     m_result.losses.push_back(std::move(loss));
     m_result.table.columns.push_back(std::move(column));
     return {};

@@ -171,7 +171,6 @@ Result<ResampledTable> resampleOnto(
     result.table = table;
     std::vector<AxisInterpolant> interpolants;
     std::vector<Places> places;
-    bool isKept = true;
     for (std::size_t n = 0; n < plan.size(); ++n) {
         interpolants.emplace_back(table.axes[n], method);
         places.push_back(placesOf(interpolants[n], plan[n].knots));
@@ -179,18 +178,17 @@ Result<ResampledTable> resampleOnto(
         made.knots = plan[n].knots;
         made.step = plan[n].isKept ? made.step : 0.0;
         closeTurn(table.axes[n], plan[n], made, places[n]);
-        isKept = isKept && plan[n].isKept;
         result.grid.push_back(plan[n].grid);
         if (!plan[n].remark.isEmpty())
             result.report.remarks.push_back(plan[n].remark);
     }
+    const bool isKept = std::ranges::all_of(plan, &PlannedAxis::isKept);
     for (CompensationColumn& column : result.table.columns) {
         Values data{sizesOf(table), std::move(column.values)};
         for (std::size_t n = 0; n < plan.size(); ++n)
             if (!plan[n].isKept)
                 interpolateAlong(data, n, interpolants[n], places[n]);
         column.values = std::move(data.values);
-        column.step = isKept ? column.step : 0.0;
         if (!isKept)
             column.filled.clear(); // other points
         for (const double value : column.values)

@@ -112,8 +112,6 @@ Result<void> SignConverter::convert(Direction direction)
         negate(columns);
         return {};
     }
-    for (const std::size_t column : columns)
-        m_result.table.columns[column].step = 0.0;
     for (const Mover& mover : movers)
         if (auto fine = checkInvertible(m_source, mover); !fine)
             return fine;

@@ -61,7 +61,6 @@ Result<void> convertColumn(CompensationColumn& column, const std::string& unit)
     AXISCOMP_TRY(const auto factor, factorBetween(column.unit, unit));
     scale(column.values, factor);
     column.unit = unit;
-    column.step = (factor)(column.step);
     return {};
 }
 
@@ -188,19 +187,6 @@ Result<NeutralTable> inPositionUnits(const NeutralTable& table, std::vector<Text
                 .with("unit", unit));
     }
     return converted;
-}
-
-void roundToSteps(NeutralTable& table)
-{
-    const auto round = [](std::vector<double>& numbers, double step) {
-        if (step > 0.0)
-            for (double& number : numbers)
-                number = std::round(number / step) * step;
-    };
-    for (SourceAxis& axis : table.axes)
-        round(axis.knots, axis.step);
-    for (CompensationColumn& column : table.columns)
-        round(column.values, column.step);
 }
 
 } // namespace axiscomp

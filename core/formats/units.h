@@ -32,7 +32,4 @@ void takeUnits(NeutralTable& table, const SettingValues& settings, DiagnosticLis
 [[nodiscard]] Result<NeutralTable> inPositionUnits(
     const NeutralTable& table, std::vector<Text>& remarks);
 
-/// Rounds every number to multiples of the steps that axes and columns name; 0 stays as it is.
-void roundToSteps(NeutralTable& table);
-
 } // namespace axiscomp

@@ -43,7 +43,6 @@ struct CompensationColumn {
     std::string unit; ///< empty: the file does not say
     Direction direction = Direction::Both;
     std::vector<double> values; ///< pointCount() finite values, the first axis fastest
-    double step = 0.0; ///< values are multiples of this in the file; 0: decimal numbers
     /// Ascending: the points whose values were made up, not measured (missing_points.h).
     std::vector<std::uint32_t> filled = {};
 

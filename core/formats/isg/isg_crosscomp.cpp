@@ -99,13 +99,14 @@ std::optional<NeutralTable> build(const isg::List& list, const SettingValues& se
     SourceAxis& axis = table.axes.emplace_back();
     axis.name = std::to_string(*master);
     axis.unit = scale->unit(settingValues, "master-kind", list);
-    axis.knots = isg::scaled(*scale, setpoints->numbers, axis.step);
+    axis.knots = isg::scaled(*scale, setpoints->numbers);
+    axis.step = scale->numbers.stepOf(setpoints->numbers);
     if (!checkKnots(axis.knots, setpoints->lines, {}, list.diagnostics()))
         return std::nullopt;
     CompensationColumn& column = table.columns.emplace_back();
     column.target = list.axisNumber();
     column.unit = scale->unit(settingValues, "axis-kind", list);
-    column.values = isg::scaled(*scale, corrections->numbers, column.step);
+    column.values = isg::scaled(*scale, corrections->numbers);
     if (settingValues.yes("modulo")) {
         axis.wrap = axis.knots.back() - axis.knots.front();
         if (!isClosed(table, 0))

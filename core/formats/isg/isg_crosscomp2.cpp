@@ -157,8 +157,10 @@ std::optional<NeutralTable> build(const isg::List& list, const SettingValues& se
     table.sign = SignConvention::Command;
     for (Master* master : {&*master1, &*master2}) {
         SourceAxis& axis = table.axes.emplace_back(std::move(master->axis));
-        axis.knots = isg::scaled(
-            *scale, evenKnots(master->start, master->interval, master->size), axis.step);
+        const std::vector<double> numbers =
+            evenKnots(master->start, master->interval, master->size);
+        axis.knots = isg::scaled(*scale, numbers);
+        axis.step = scale->numbers.stepOf(numbers);
         const Text name = AXISCOMP_TEXT("Error", "master axis {number}").with("number", axis.name);
         if (!checkKnots(axis.knots, {}, name, list.diagnostics()))
             return std::nullopt;
@@ -166,7 +168,7 @@ std::optional<NeutralTable> build(const isg::List& list, const SettingValues& se
     CompensationColumn& column = table.columns.emplace_back();
     column.target = list.axisNumber();
     column.unit = scale->unit(settingValues, "axis-kind", list);
-    column.values = isg::scaled(*scale, corrections->numbers, column.step);
+    column.values = isg::scaled(*scale, corrections->numbers);
     checkModulo(list, table, 0, settingValues);
     checkModulo(list, table, 1, settingValues);
     return table;

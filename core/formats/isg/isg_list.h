@@ -147,9 +147,8 @@ struct Scale {
 /// From the entry unit and the settings.
 [[nodiscard]] Result<Scale> scaleForWriting(const SettingValues& settings);
 [[nodiscard]] std::optional<Scale> scaleOf(const List& list, const SettingValues& settings);
-/// The numbers of a field in the table's units. step: of what they are multiples, or 0.
-[[nodiscard]] std::vector<double> scaled(
-    const Scale& scale, const std::vector<double>& numbers, double& step);
+/// The numbers of a field in the table's units.
+[[nodiscard]] std::vector<double> scaled(const Scale& scale, const std::vector<double>& numbers);
 
 /// A table in the units of a list, with what its lines are made of.
 struct Draft {

@@ -74,7 +74,7 @@ void addColumn(NeutralTable& table, const isg::Field& field, const isg::Scale& s
     column.target = axis;
     column.unit = table.axes.front().unit;
     column.direction = direction;
-    column.values = isg::scaled(scale, field.numbers, column.step);
+    column.values = isg::scaled(scale, field.numbers);
 }
 
 std::optional<NeutralTable> build(const isg::List& list, const SettingValues& settingValues)
@@ -106,7 +106,8 @@ std::optional<NeutralTable> build(const isg::List& list, const SettingValues& se
     SourceAxis& axis = table.axes.emplace_back();
     axis.name = list.axisNumber();
     axis.unit = scale->unit(settingValues, "axis-kind", list);
-    axis.knots = isg::scaled(*scale, knots->numbers, axis.step);
+    axis.knots = isg::scaled(*scale, knots->numbers);
+    axis.step = scale->numbers.stepOf(knots->numbers);
     if (!checkKnots(axis.knots, knots->lines, {}, list.diagnostics()))
         return std::nullopt;
     addColumn(

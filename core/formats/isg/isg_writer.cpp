@@ -90,12 +90,11 @@ Result<Scale> scaleForWriting(const SettingValues& settings)
     return scale;
 }
 
-std::vector<double> scaled(const Scale& scale, const std::vector<double>& numbers, double& step)
+std::vector<double> scaled(const Scale& scale, const std::vector<double>& numbers)
 {
     std::vector<double> inUnits(numbers.size());
     for (std::size_t i = 0; i < numbers.size(); ++i)
         inUnits[i] = scale.numbers.fromFile(numbers[i]);
-    step = scale.numbers.stepOf(numbers);
     return inUnits;
 }
 

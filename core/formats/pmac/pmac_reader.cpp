@@ -342,7 +342,6 @@ NeutralTable tableOf(Definition& definition, const TextReading& reading, std::si
     column.values.push_back(0.0); // the entry that is left out
     for (const double entry : definition.entries)
         column.values.push_back(numbers.fromFile(entry));
-    column.step = 1.0 / numbers.perUnit;
     if (settings.has("counts-per-unit")) {
         takeUnits(table, settings, reading.diagnostics);
     } else {

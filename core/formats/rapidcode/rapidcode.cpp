@@ -299,11 +299,8 @@ std::vector<NeutralTable> parse(TextReading& source)
     column.target = header.text("output.axis");
     column.unit = agreedUnit(header, "output.unit", "value-unit", source);
     column.values = countsOf(contents, sizes[0], sizes.size() > 1 ? sizes[1] : 1, source);
-    const bool isWhole =
-        std::ranges::all_of(column.values, [](double count) { return count == std::round(count); });
     for (double& value : column.values)
         value /= *countsPerUnit;
-    column.step = isWhole ? 1.0 / std::abs(*countsPerUnit) : 0.0;
     table.columns.push_back(std::move(column));
     return {std::move(table)};
 }

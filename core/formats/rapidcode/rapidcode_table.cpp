@@ -102,7 +102,6 @@ Result<RapidCodeTable> rapidCodeTable(const FormatFacts& facts, const NeutralTab
     result.counts = std::move(counts);
     for (std::size_t i = 0; i < result.counts.size(); ++i)
         column.values[i] = static_cast<double>(result.counts[i]) / result.countsPerUnit;
-    column.step = 1.0 / std::abs(result.countsPerUnit);
     result.actsOnInput = ownAxis(table, table.columns.front()).has_value();
     if (converted.name.empty())
         converted.name = column.name;

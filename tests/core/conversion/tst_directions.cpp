@@ -27,8 +27,6 @@ NeutralTable backlashTable()
     addColumn(table, "Y", [](const Values&) { return 7.0; });
     addColumn(
         table, "X", [](const Values& p) { return p[0] - 1 - p[0] / 10; }, Direction::Negative);
-    for (CompensationColumn& column : table.columns)
-        column.step = 0.5;
     return table;
 }
 
@@ -49,16 +47,14 @@ private Q_SLOTS:
     {
         QTest::addColumn<DirectionChoice>("choice");
         QTest::addColumn<Values>("values");
-        QTest::addColumn<double>("step");
-        QTest::addRow("mean") << DirectionChoice::Mean << Values{-0.5, 9, 18.5} << 0.0;
-        QTest::addRow("positive") << DirectionChoice::Positive << Values{0, 10, 20} << 0.5;
-        QTest::addRow("negative") << DirectionChoice::Negative << Values{-1, 8, 17} << 0.5;
+        QTest::addRow("mean") << DirectionChoice::Mean << Values{-0.5, 9, 18.5};
+        QTest::addRow("positive") << DirectionChoice::Positive << Values{0, 10, 20};
+        QTest::addRow("negative") << DirectionChoice::Negative << Values{-1, 8, 17};
     }
     void aPairBecomesOneColumnForBothDirections()
     {
         QFETCH(DirectionChoice, choice);
         QFETCH(Values, values);
-        QFETCH(double, step);
         const NeutralTable table = backlashTable();
         const auto merged = mergeDirections(table, choice);
         VERIFY_RESULT(merged);
@@ -67,7 +63,6 @@ private Q_SLOTS:
         QCOMPARE(column.target, std::string("X"));
         QCOMPARE(column.direction, Direction::Both);
         QCOMPARE(column.values, values);
-        QCOMPARE(column.step, step);
         QCOMPARE(merged->table.columns[1], table.columns[1]); // Y is left as it is
         QCOMPARE(merged->table.axes, table.axes);
         QCOMPARE(merged->table.notes, table.notes);
@@ -150,7 +145,6 @@ private Q_SLOTS:
         addColumn(
             table, "X", [](const Values&) { return 750.0; }, Direction::Negative);
         table.columns[1].unit = "um";
-        table.columns[1].step = 50;
         const auto mean = mergeDirections(table, DirectionChoice::Mean);
         VERIFY_RESULT(mean);
         QCOMPARE(mean->table.columns[0].unit, std::string("mm"));
@@ -159,7 +153,6 @@ private Q_SLOTS:
         const auto negative = mergeDirections(table, DirectionChoice::Negative);
         VERIFY_RESULT(negative);
         QCOMPARE(negative->table.columns[0].values, (Values{0.75, 0.75}));
-        QCOMPARE(negative->table.columns[0].step, 0.05);
     }
 
     void aDirectionWithoutItsCounterpartMustBeChosen()

@@ -431,28 +431,12 @@ private Q_SLOTS:
 
     void theSameSignIsLeftAsItIs()
     {
-        auto table = tableOver({axisX({0, 1})}, "X", [](const Values& p) { return -9 * p[0]; });
-        table.columns[0].step = 1.0;
+        const auto table =
+            tableOver({axisX({0, 1})}, "X", [](const Values& p) { return -9 * p[0]; });
         const auto same = convertSign(table, SignConvention::Feedback, held);
         VERIFY_RESULT(same);
         QCOMPARE(same->table, table);
         QCOMPARE(same->example, examplePoint(table));
-    }
-
-    void convertedValuesAreNoMultiplesOfTheStepAnyMore()
-    {
-        auto table =
-            tableOver({axisX({0, 10, 20})}, "X", [](const Values& p) { return 0.01 * p[0]; });
-        table.columns[0].step = 0.1;
-        addColumn(table, "Y", [](const Values&) { return 0.1; });
-        const auto own = convertSign(table, SignConvention::Command, held);
-        VERIFY_RESULT(own);
-        QCOMPARE(own->table.columns[0].step, 0.0);
-        table.columns.erase(table.columns.begin());
-        table.columns[0].step = 0.1;
-        const auto cross = convertSign(table, SignConvention::Command, held);
-        VERIFY_RESULT(cross);
-        QCOMPARE(cross->table.columns[0].step, 0.1);
     }
 
     void tablesThatAreNotConsistentAreRefused_data()

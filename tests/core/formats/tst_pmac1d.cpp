@@ -175,7 +175,6 @@ private Q_SLOTS:
         QCOMPARE(table.axes[0].knots, (std::vector<double>{0, 1000, 2000, 3000, 4000}));
         QCOMPARE(table.columns[0].target, std::string("2"));
         QCOMPARE(table.columns[0].values, (std::vector<double>{0, 10, -5, 2, 0}));
-        QCOMPARE(table.columns[0].step, 1.0 / 16);
         QCOMPARE(table.notes, (std::vector<std::string>{"bowed screw"}));
         QCOMPARE(problemLines(*reading_table),
             std::string("warning 5:0 UnitNotGiven a table in counts|the setting counts-per-unit, "
