@@ -4317,31 +4317,31 @@
     </message>
     <message>
         <source>every combination of the positions</source>
-        <translation type="unfinished"></translation>
+        <translation>jede Kombination der Positionen</translation>
     </message>
     <message>
         <source>parameter 1020 of the axis shows the commanded position with the compensation in it</source>
-        <translation type="unfinished"></translation>
+        <translation>Parameter 1020 der Achse zeigt die Sollposition mit der Kompensation darin</translation>
     </message>
     <message>
         <source>at most {most} for older kernels</source>
-        <translation type="unfinished"></translation>
+        <translation>höchstens {most} für ältere Kernel</translation>
     </message>
     <message>
         <source>the table has {count} points; older kernels take at most {most}</source>
-        <translation type="unfinished"></translation>
+        <translation>die Tabelle hat {count} Punkte; ältere Kernel nehmen höchstens {most}</translation>
     </message>
     <message>
         <source>unit of the positions, in place of what the header says</source>
-        <translation type="unfinished"></translation>
+        <translation>Einheit der Positionen, anstelle dessen, was die Kopfzeile sagt</translation>
     </message>
     <message>
         <source>unit of the values, in place of what the header says</source>
-        <translation type="unfinished"></translation>
+        <translation>Einheit der Werte, anstelle dessen, was die Kopfzeile sagt</translation>
     </message>
     <message>
         <source>{number} ({name}, axes: {axes})</source>
-        <translation type="unfinished"></translation>
+        <translation>{number} ({name}, Achsen: {axes})</translation>
     </message>
     <message>
         <source>a table</source>
@@ -6243,47 +6243,47 @@
     <name>axiscomp::ui::ForeignChange</name>
     <message>
         <source>The axis has lost its homing, as after a restart of the drive: the compensation is off. Home the axis and activate again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Achse hat ihre Referenz verloren, wie nach einem Neustart des Antriebs: Die Kompensation ist aus. Referenzieren Sie die Achse und aktivieren Sie noch einmal.</translation>
     </message>
     <message>
         <source>The axis has lost its homing, as after a restart of the drive.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Achse hat ihre Referenz verloren, wie nach einem Neustart des Antriebs.</translation>
     </message>
     <message>
         <source>The compensation is off: something other than this window has switched it off.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Kompensation ist aus: Nicht dieses Fenster hat sie ausgeschaltet.</translation>
     </message>
     <message>
         <source>The compensation is on: something other than this window has switched it on.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Kompensation ist ein: Nicht dieses Fenster hat sie eingeschaltet.</translation>
     </message>
     <message>
         <source>The axis has no table any more.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Achse hat keine Tabelle mehr.</translation>
     </message>
     <message>
         <source>Its volatile table is gone: write it again, or make it persistent.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ihre flüchtige Tabelle ist weg: Schreiben Sie sie noch einmal, oder machen Sie sie dauerhaft.</translation>
     </message>
     <message>
         <source>dimensionality</source>
-        <translation type="unfinished"></translation>
+        <translation>Dimensionalität</translation>
     </message>
     <message>
         <source>source %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Quelle %1</translation>
     </message>
     <message>
         <source>table</source>
-        <translation type="unfinished"></translation>
+        <translation>Tabelle</translation>
     </message>
     <message>
         <source>persistency</source>
-        <translation type="unfinished"></translation>
+        <translation>Persistenz</translation>
     </message>
     <message>
         <source>Another program changed the settings of this axis on the drive: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein anderes Programm hat die Einstellungen dieser Achse auf dem Antrieb geändert: %1.</translation>
     </message>
 </context>
 <context>
@@ -7191,60 +7191,60 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
     <name>axiscomp::ui::StateField</name>
     <message>
         <source>OFF</source>
-        <translation type="unfinished"></translation>
+        <translation>AUS</translation>
     </message>
     <message>
         <source>EVALUATING</source>
-        <translation type="unfinished"></translation>
+        <translation>AUSWERTUNG</translation>
     </message>
     <message>
         <source>RAMPING</source>
-        <translation type="unfinished"></translation>
+        <translation>RAMPE</translation>
     </message>
     <message>
         <source>ACTIVE</source>
-        <translation type="unfinished"></translation>
+        <translation>AKTIV</translation>
     </message>
     <message>
         <source>ERROR</source>
-        <translation type="unfinished"></translation>
+        <translation>FEHLER</translation>
     </message>
     <message>
         <source>Output %1 · Index %2</source>
-        <translation type="unfinished">Ausgang %1 · Index %2</translation>
+        <translation>Ausgabe %1 · Index %2</translation>
     </message>
     <message>
         <source>The state of the compensation of this axis</source>
-        <translation type="unfinished">Der Zustand der Kompensation dieser Achse</translation>
+        <translation>Der Zustand der Kompensation dieser Achse</translation>
     </message>
     <message>
         <source>Live values of the drive: the compensation output and the table index</source>
-        <translation type="unfinished">Werte des Antriebs: der Ausgang der Kompensation und der Index in der Tabelle</translation>
+        <translation>Live-Werte des Antriebs: die Ausgabe der Kompensation und der Tabellenindex</translation>
     </message>
     <message>
         <source>since %1</source>
-        <translation type="unfinished"></translation>
+        <translation>seit %1</translation>
     </message>
     <message>
         <source>since before %1</source>
-        <translation type="unfinished"></translation>
+        <translation>seit vor %1</translation>
     </message>
     <message>
         <source>no table</source>
-        <translation type="unfinished">keine Tabelle</translation>
+        <translation>keine Tabelle</translation>
     </message>
     <message>
         <source>%1, CRC %2</source>
         <comment>table and checksum</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1, CRC %2</translation>
     </message>
     <message>
         <source>NOT CONNECTED</source>
-        <translation type="unfinished"></translation>
+        <translation>NICHT VERBUNDEN</translation>
     </message>
     <message>
         <source>as read at %1</source>
-        <translation type="unfinished"></translation>
+        <translation>gelesen um %1</translation>
     </message>
 </context>
 <context>
