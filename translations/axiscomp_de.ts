@@ -7651,5 +7651,18 @@ B - A: %3</translation>
         <source>Uses no flash operation.</source>
         <translation>Braucht keinen Flash-Vorgang.</translation>
     </message>
+    <message>
+        <source>&amp;Restore</source>
+        <translation>&amp;Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>What will be restored on %1</source>
+        <comment>axis and drive</comment>
+        <translation>Was auf %1 wiederhergestellt wird</translation>
+    </message>
+    <message>
+        <source>This is what the axis had before the write of %1.</source>
+        <translation>Das hatte die Achse vor dem Schreiben vom %1.</translation>
+    </message>
 </context>
 </TS>

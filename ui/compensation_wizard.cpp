@@ -118,8 +118,8 @@ void CompensationWizard::Private::connectParts()
     connect(page->actions, &ActionPanel::writeRequested, &writeFlow, &WriteFlow::proceed);
     connect(&writeFlow, &WriteFlow::previewingChanged, page->actions, &ActionPanel::setPreviewing);
     connect(page->actions, &ActionPanel::deleteRequested, &writeFlow, &WriteFlow::proceedToDelete);
-    connect(page->actions, &ActionPanel::restoreRequested, &controller,
-        &WizardController::restorePrevious);
+    connect(
+        page->actions, &ActionPanel::restoreRequested, &writeFlow, &WriteFlow::proceedToRestore);
     connect(page->preview, &PreviewPanel::saveExampleRequested, &files, &FileActions::saveExample);
     connect(&page->preview->writePreview(), &WritePreview::skipForVolatileChanged, &q,
         [this](bool isSkipped) { skipPreview(isSkipped); });

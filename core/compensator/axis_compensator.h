@@ -126,6 +126,11 @@ public:
     [[nodiscard]] Result<std::vector<WriteReport>> restore(
         const DriveBackup& backup, bool force, const OperationOptions& options = {});
 
+    /// What restoring one axis would write; changes nothing. Nothing of it has to be confirmed,
+    /// since the drive had it. Errors: OtherDrive, and those of plan.
+    [[nodiscard]] Result<WritePlan> planRestore(
+        const AxisBackup& backup, const OperationOptions& options = {});
+
     using UnfinishedOutcome = axiscomp::UnfinishedOutcome;
     using Recovery = axiscomp::Recovery;
     /// Which state the drive holds after an unfinished write; forgets that write when it is the new

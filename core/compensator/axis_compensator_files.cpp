@@ -131,6 +131,19 @@ Result<std::vector<WriteReport>> AxisCompensator::restore(
     return reports;
 }
 
+Result<WritePlan> AxisCompensator::planRestore(
+    const AxisBackup& backup, const OperationOptions& options)
+{
+    const RegisterAccess access = d->access(options);
+    AXISCOMP_TRY(const auto drive, d->identify(access));
+    AXISCOMP_CHECK(checkRestorable(access, {.axes = {backup}}, drive, false));
+    AXISCOMP_TRY(const auto request, restoreRequest(access, backup));
+    AXISCOMP_TRY(auto planned, plan(backup.axis, request, options));
+    planned.unitRemarks.clear();
+    planned.largeCorrections.clear();
+    return planned;
+}
+
 /// A drive that restarted while a later part was restored has lost what was volatile or not saved
 /// of an earlier one.
 Result<void> AxisCompensator::Private::checkRestored(const RegisterAccess& access,

@@ -111,6 +111,16 @@ OperationEnd<Activation> switchAxis(AxisCompensator& compensator,
     return {std::move(outcome), readAxis(compensator, storeRoot, axis, quietly(options))};
 }
 
+Result<PlannedRestoration> planRestoration(AxisCompensator& compensator,
+    const DriveProfile& profile, const std::filesystem::path& storeRoot, int axis,
+    const OperationOptions& options)
+{
+    AXISCOMP_TRY(const auto status, compensator.status(axis, options));
+    AXISCOMP_TRY(const auto previous, previousState(DriveStore(storeRoot), profile, status));
+    AXISCOMP_TRY(auto plan, compensator.planRestore(previous.backup, options));
+    return PlannedRestoration{{previous.backup.time, previous.file}, std::move(plan)};
+}
+
 OperationEnd<Restoration> restoreAxis(AxisCompensator& compensator, const DriveProfile& profile,
     const std::filesystem::path& storeRoot, int axis, const OperationOptions& options)
 {

@@ -74,6 +74,15 @@ struct Restoration {
     WallTime backupTime{};
     std::filesystem::path backup;
 };
+/// What restoreAxis would do now; changes nothing.
+struct PlannedRestoration {
+    Restoration state;
+    WritePlan plan;
+};
+[[nodiscard]] Result<PlannedRestoration> planRestoration(AxisCompensator& compensator,
+    const DriveProfile& profile, const std::filesystem::path& storeRoot, int axis,
+    const OperationOptions& options);
+
 /// The newest backup that differs from what the axis has now, written and verified as any other
 /// write. Errors: FileNotReadable when there is none, those of AxisCompensator::restore.
 [[nodiscard]] OperationEnd<Restoration> restoreAxis(AxisCompensator& compensator,

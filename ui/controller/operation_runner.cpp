@@ -143,8 +143,31 @@ void OperationRunner::planDeletion()
     askForPlan();
 }
 
+void OperationRunner::planRestoration()
+{
+    m_plan.reset();
+    m_plannedSetup = m_setup.edited();
+    m_requestTable = {};
+    m_fileTable.reset();
+    begin<PlannedRestoration>(
+        Task::Plan,
+        [axis = m_drives.currentAxis(), &profile = m_profile,
+            store = m_drives.connection()->session().storeRoot()](
+            AxisCompensator& compensator, const OperationOptions& options) {
+            return axiscomp::planRestoration(compensator, profile, store, axis, options);
+        },
+        [this](const Result<PlannedRestoration>& result) {
+            m_restoration.reset();
+            if (!result)
+                return planned(fail(result.error()));
+            m_restoration = result->state;
+            planned(result->plan);
+        });
+}
+
 void OperationRunner::askForPlan()
 {
+    m_restoration.reset();
     begin<WritePlan>(
         Task::Plan,
         [axis = m_drives.currentAxis(), asked = m_request, table = m_fileTable](
@@ -175,7 +198,7 @@ void OperationRunner::planned(const Result<WritePlan>& result)
 
 void OperationRunner::dropPlan()
 {
-    if (m_task != Task::Write && m_task != Task::Delete)
+    if (m_task != Task::Write && m_task != Task::Delete && m_task != Task::Restore)
         m_plan.reset();
 }
 
@@ -248,6 +271,7 @@ void OperationRunner::restorePrevious()
             return restoreAxis(compensator, profile, store, axis, options);
         },
         [this](const OperationEnd<Restoration>& end) {
+            m_plan.reset();
             if (end.outcome)
                 m_setup.revert(); // going back means the changes too
             m_axis.take(end.now);

@@ -38,6 +38,13 @@ public:
     void planWrite();
     /// The same for the deletion of the axis's table.
     void planDeletion();
+    /// The same for restorePrevious().
+    void planRestoration();
+    /// The backup that plan() is about; none: it is about something else.
+    [[nodiscard]] const std::optional<Restoration>& plannedRestoration() const
+    {
+        return m_restoration;
+    }
     /// Carries out plan(). acceptsLarge: as in WriteRequest.
     void write(bool acceptsLarge);
     /// Ends with the end-to-end proof, but for Deactivate.
@@ -104,6 +111,7 @@ private:
     WriteRequest m_request; ///< the same as a request, without its table
     LoadedTable m_requestTable; ///< in the units of the drive
     std::shared_ptr<const CompensationTable> m_fileTable; ///< the same as the file has it
+    std::optional<Restoration> m_restoration; ///< that m_plan is about
     std::optional<Proof> m_proof;
 };
 

@@ -5,7 +5,6 @@
 #include "ui/text/value_text.h"
 
 #include <QCoreApplication>
-#include <QDateTime>
 #include <QLocale>
 
 namespace axiscomp::ui {
@@ -38,14 +37,6 @@ QString errorDetail(const Error& error)
     if (!error.detail.empty())
         detail += QStringLiteral(" [") + QString::fromStdString(error.detail) + u']';
     return detail;
-}
-
-QString localTime(WallTime time)
-{
-    const auto seconds =
-        std::chrono::duration_cast<std::chrono::milliseconds>(time.time_since_epoch());
-    return QLocale().toString(
-        QDateTime::fromMSecsSinceEpoch(seconds.count()), QLocale::ShortFormat);
 }
 
 Outcome Outcomes::written(const WriteReport& report)
@@ -124,7 +115,7 @@ Outcome Outcomes::switched(Switch wanted, const Activation& activation)
 Outcome Outcomes::restored(const Restoration& restoration)
 {
     return {tr("Restored: the drive holds the state from before the write of %1.")
-                .arg(localTime(restoration.backupTime)),
+                .arg(localTimeText(restoration.backupTime)),
         false, QStringLiteral("backup: ") + QString::fromStdString(restoration.backup.string())};
 }
 
@@ -158,7 +149,7 @@ QString Outcomes::settled(AxisCompensator::UnfinishedOutcome outcome)
 QString Outcomes::unfinished(const SettledWrite& settledWrite)
 {
     return tr("The write of %1 was interrupted (last step: %2). %3")
-        .arg(localTime(settledWrite.entry.time),
+        .arg(localTimeText(settledWrite.entry.time),
             stepText(QString::fromStdString(settledWrite.entry.step)),
             settled(settledWrite.outcome));
 }

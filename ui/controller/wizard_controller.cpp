@@ -314,9 +314,23 @@ void WizardController::planWrite()
 
 void WizardController::write(bool acceptsLarge)
 {
+    if (plan() && plannedRestoration())
+        return restorePrevious();
     const bool deletes = plan() && !plan()->deletedSlot.empty();
     if (m_parts->actions.mayStart(deletes ? Action::DeleteTable : Action::Write))
         m_parts->runner.write(acceptsLarge);
+}
+
+void WizardController::planRestoration()
+{
+    if (m_parts->actions.mayStart(Action::RestorePrevious))
+        m_parts->runner.planRestoration();
+}
+
+std::optional<WallTime> WizardController::plannedRestoration() const
+{
+    const auto& restoration = m_parts->runner.plannedRestoration();
+    return restoration ? std::optional(restoration->backupTime) : std::nullopt;
 }
 
 void WizardController::planDeletion()

@@ -90,6 +90,10 @@ public:
     void restorePrevious();
     /// Asks what deleting the axis's table would change; planReady() follows, as for planWrite.
     void planDeletion();
+    /// The same for restorePrevious.
+    void planRestoration();
+    /// The time of the backup that plan() brings back; none: it is another plan.
+    [[nodiscard]] std::optional<WallTime> plannedRestoration() const;
     /// What an earlier write that did not end has left on the axis, a translated sentence; empty
     /// when there is none.
     [[nodiscard]] QString unfinishedWrite() const;

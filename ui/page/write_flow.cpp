@@ -46,6 +46,12 @@ void WriteFlow::proceedToDelete()
     begin(Action::DeleteTable);
 }
 
+void WriteFlow::proceedToRestore()
+{
+    back();
+    begin(Action::RestorePrevious);
+}
+
 void WriteFlow::begin(Action action)
 {
     if (!m_controller.action(action).isEnabled)
@@ -55,6 +61,8 @@ void WriteFlow::begin(Action action)
     m_table = fileTable();
     if (action == Action::DeleteTable)
         m_controller.planDeletion();
+    else if (action == Action::RestorePrevious)
+        m_controller.planRestoration();
     else
         m_controller.planWrite();
 }

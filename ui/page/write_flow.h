@@ -25,6 +25,8 @@ public:
     void proceed();
     /// The same for the deletion of the axis's table.
     void proceedToDelete();
+    /// The same for going back to the state before the last write.
+    void proceedToRestore();
     void back();
     [[nodiscard]] bool isPreviewing() const;
 
@@ -40,7 +42,7 @@ private:
 
     WizardController& m_controller;
     PreviewPanel& m_panel;
-    Action m_action = Action::Write; ///< Write or DeleteTable: what the plan is of
+    Action m_action = Action::Write; ///< Write, DeleteTable or RestorePrevious: what the plan is of
     bool m_isPlanning = false;
     std::shared_ptr<const CompensationTable> m_table; ///< the file's, when the plan was asked for
 };

@@ -153,7 +153,8 @@ void WritePreview::showAcceptance()
     m_accept->setVisible(plan && !plan->largeCorrections.empty());
     m_write->setEnabled(isAccepted());
     const bool deletes = plan && !plan->deletedSlot.empty();
-    m_write->setText(deletes ? tr("&Delete") : tr("&Write"));
+    const bool restores = plan && m_controller.plannedRestoration();
+    m_write->setText(restores ? tr("&Restore") : deletes ? tr("&Delete") : tr("&Write"));
     m_write->setToolTip(!isAccepted() ? tr("Confirm the large corrections first")
             : deletes                 ? tr("Delete this from the drive now")
                                       : tr("Write this to the drive now"));
@@ -167,7 +168,11 @@ void WritePreview::showPlan()
     const int axis = m_controller.currentAxis();
     const QString label =
         axis >= 0 ? m_controller.axes().at(static_cast<std::size_t>(axis)).label : QString();
-    m_title->setText(plan->deletedSlot.empty()
+    const auto restored = m_controller.plannedRestoration();
+    m_restored =
+        restored && plan->table ? std::make_shared<const CompensationTable>(*plan->table) : nullptr;
+    m_title->setText(restored ? tr("What will be restored on %1", "axis and drive").arg(label)
+            : plan->deletedSlot.empty()
             ? tr("What will be written to %1", "axis and drive").arg(label)
             : tr("What will be deleted from %1", "axis and drive").arg(label));
     fillRows(*plan);
@@ -175,7 +180,8 @@ void WritePreview::showPlan()
     const QStringList list = remarks(*plan);
     m_remarks->setText(list.join(u'\n'));
     m_remarks->setVisible(!list.isEmpty());
-    m_skip->setVisible(plan->deletedSlot.empty() && plan->flashOperations == 0 && list.isEmpty());
+    m_skip->setVisible(
+        !restored && plan->deletedSlot.empty() && plan->flashOperations == 0 && list.isEmpty());
     m_accept->setChecked(false);
     showAcceptance();
     isAccepted() ? m_write->setFocus() : m_accept->setFocus();
@@ -192,7 +198,7 @@ void WritePreview::fillRows(const WritePlan& plan)
         return fillDeletion(plan);
     if (isNewTable) {
         addRow(tr("Table"), tableText(before.slot, m_controller.driveTable().get()),
-            tableText(after.slot, m_controller.selectedTable().get()));
+            tableText(after.slot, newTable().get()));
         addRow(tr("Largest change"), {}, tr("computing …"));
         askForLargestChange();
     }
@@ -233,9 +239,14 @@ void WritePreview::addRow(const QString& field, const QString& before, const QSt
     }
 }
 
+std::shared_ptr<const CompensationTable> WritePreview::newTable() const
+{
+    return m_controller.plannedRestoration() ? m_restored : m_controller.selectedTable();
+}
+
 void WritePreview::askForLargestChange()
 {
-    const auto newTable = m_controller.selectedTable();
+    const auto newTable = this->newTable();
     const auto oldTable = m_controller.driveTable();
     if (!newTable)
         return;
@@ -258,7 +269,7 @@ void WritePreview::askForLargestChange()
 
 void WritePreview::showLargestChange(const LargestChange& change)
 {
-    const auto table = m_controller.selectedTable();
+    const auto table = newTable();
     const auto& status = m_controller.status();
     QTableWidgetItem* item = m_rows->item(largestChangeRow + 1, 2);
     if (!table || !status || !item)
@@ -289,6 +300,9 @@ QString WritePreview::costText(const WritePlan& plan) const
 QStringList WritePreview::remarks(const WritePlan& plan) const
 {
     QStringList list;
+    if (const auto restored = m_controller.plannedRestoration())
+        list +=
+            tr("This is what the axis had before the write of %1.").arg(localTimeText(*restored));
     if (plan.slotReason == SlotReason::OwnPrevious)
         list += tr("%1 held an earlier table of this axis; the current one stays complete until "
                    "the axis has switched to the new one.")

@@ -42,6 +42,7 @@ private:
     void fillRows(const WritePlan& plan);
     void fillDeletion(const WritePlan& plan);
     void addRow(const QString& field, const QString& before, const QString& after);
+    [[nodiscard]] std::shared_ptr<const CompensationTable> newTable() const;
     void askForLargestChange();
     void showLargestChange(const LargestChange& change);
     void showAcceptance();
@@ -61,6 +62,7 @@ private:
     QPushButton* m_write;
     QPushButton* m_back;
     int m_request = 0; ///< the newest question for the largest change
+    std::shared_ptr<const CompensationTable> m_restored; ///< of a plan that goes back
     std::shared_ptr<const CompensationTable> m_newTable; ///< that it is about
     std::shared_ptr<const CompensationTable> m_oldTable;
     std::optional<LargestChange> m_change; ///< between these two

@@ -2,6 +2,7 @@
 #include "ui/text/value_text.h"
 
 #include <QCoreApplication>
+#include <QDateTime>
 #include <QLocale>
 
 #include <algorithm>
@@ -141,6 +142,14 @@ QString smallValueText(double value, const std::string& positionUnit)
     const double small = value * unit->smallPerUnit;
     return withSign(small, QLocale().toString(small, 'f', decimals)) + u' '
         + QString::fromUtf8(unit->smallSymbol);
+}
+
+QString localTimeText(WallTime time)
+{
+    const auto sinceEpoch =
+        std::chrono::duration_cast<std::chrono::milliseconds>(time.time_since_epoch());
+    return QLocale().toString(
+        QDateTime::fromMSecsSinceEpoch(sinceEpoch.count()), QLocale::ShortFormat);
 }
 
 QString dimensionName(const Grid& grid, std::size_t dimension)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/wall_time.h"
 #include "core/drive/compensation_setup.h"
 #include "core/table/grid.h"
 
@@ -36,6 +37,9 @@ namespace axiscomp::ui {
 [[nodiscard]] QByteArray plainPosition(const GridAxis& axis, std::size_t index);
 /// "3:12"
 [[nodiscard]] QString durationText(int seconds);
+
+/// Date and time as people here write them.
+[[nodiscard]] QString localTimeText(WallTime time);
 
 /// The symbol of a drive's PositionUnit: "mm" for Millimeter; other names stay as they are.
 [[nodiscard]] QString unitSymbol(const std::string& positionUnit);

@@ -249,6 +249,35 @@ private Q_SLOTS:
         QVERIFY(bench.served.text(tableX) != "Disabled");
     }
 
+    void thePreviousTableComesBackAfterItsPreview()
+    {
+        PageFixture bench;
+        auto& user = bench.user;
+        QVERIFY(bench.open());
+        QVERIFY(bench.choose2D());
+        QVERIFY(bench.write());
+        const auto first = bench.state();
+        QVERIFY(user.choose("tableField", QStringLiteral("second")));
+        QVERIFY(bench.write());
+        const auto second = bench.state();
+        QVERIFY(!(first == second));
+        QVERIFY(user.pickFromMenu("activateMenuButton", "activateMenu", Qt::Key_P));
+        QTRY_VERIFY(user.sees("confirmWriteButton"));
+        QVERIFY(user.the<QLabel>("previewTitle").text().contains(QStringLiteral("restored")));
+        const auto& rows = user.the<QTableWidget>("previewRows");
+        QTRY_VERIFY2(!rowOf(rows, QStringLiteral("Largest change"), 2)
+                          .startsWith(QStringLiteral("computing")),
+            "no largest change");
+        QVERIFY2(user.the<QLabel>("previewRemarks")
+                     .text()
+                     .startsWith(QStringLiteral("This is what the axis had before the write of")),
+            qPrintable(user.the<QLabel>("previewRemarks").text()));
+        QVERIFY(bench.state() == second); // nothing has been written yet
+        QVERIFY(user.click("confirmWriteButton"));
+        QVERIFY(bench.saysOutcome(QStringLiteral("Restored")));
+        QVERIFY(bench.state() == first);
+    }
+
     void theTableIsDeletedAfterItsPreview()
     {
         PageFixture bench;
