@@ -50,6 +50,7 @@ JournalEntry entryFor(int axis)
     entry.newSlot = "Small2";
     entry.newCrc = 0x00c0ffee;
     entry.persistent = true;
+    entry.deletedSlot = "Small4";
     return entry;
 }
 

@@ -93,6 +93,8 @@ private Q_SLOTS:
     void itIsSetAsideAndCountsAsUsedUp_data();
     void itIsSetAsideAndCountsAsUsedUp();
     void whatCanBeReadIsRecovered();
+    void anOlderVersionIsTakenOver_data();
+    void anOlderVersionIsTakenOver();
     void damageThatShowsLaterIsTreatedAlike();
     void killedAnywhereItIsReplacedInTheEnd();
     void aProgramThatHasItOpenTakesTheNewOne();
@@ -156,6 +158,34 @@ void TestStoreDamage::whatCanBeReadIsRecovered()
     QCOMPARE(store.ownTables(serial, 0)->size(), std::size_t{1});
     QVERIFY(store.journal(serial, 0)->has_value());
     QCOMPARE(TrustedCertificates(m_root).all().size(), std::size_t{1});
+}
+
+void TestStoreDamage::anOlderVersionIsTakenOver_data()
+{
+    QTest::addColumn<bool>("isDamaged");
+    QTest::newRow("whole") << false;
+    QTest::newRow("damaged") << true;
+}
+
+/// Its journal does not know deletions.
+void TestStoreDamage::anOlderVersionIsTakenOver()
+{
+    QFETCH(bool, isDamaged);
+    sqlite::Connection(m_file, 0ms)
+        .run("ALTER TABLE journal DROP COLUMN deleted_slot; PRAGMA user_version = 1");
+    if (isDamaged)
+        damageFlashOperations(m_file);
+    DriveStore store(m_root);
+    const auto history = store.flashHistory(serial);
+    VERIFY_RESULT(history);
+    QCOMPARE(history->damagedRecord.has_value(), isDamaged);
+    const auto entry = store.journal(serial, 0);
+    VERIFY_RESULT(entry);
+    QVERIFY(*entry == entryFor(0));
+    JournalEntry deletion = entryFor(1);
+    deletion.deletedSlot = "Small3";
+    VERIFY_RESULT(store.openJournal(deletion));
+    QVERIFY(DriveStore(m_root).journal(serial, 1).value() == deletion);
 }
 
 void TestStoreDamage::damageThatShowsLaterIsTreatedAlike()

@@ -99,9 +99,10 @@ void TestUnusableStore::anotherProgramsDatabaseIsRefused()
 void TestUnusableStore::aNewerVersionIsRefused()
 {
     VERIFY_RESULT(DriveStore(m_root).recordFlash(serial, WallTime{}, 1));
+    const std::int64_t ours = sqlite::Connection(m_file, 0ms).number("PRAGMA user_version");
     sqlite::Connection(m_file, 0ms).run("PRAGMA user_version = 1000");
     expectRefused("a newer version of this program has written it; use that version");
-    sqlite::Connection(m_file, 0ms).run("PRAGMA user_version = 1");
+    sqlite::Connection(m_file, 0ms).run("PRAGMA user_version = " + std::to_string(ours));
     QCOMPARE(DriveStore(m_root).flashHistory(serial)->total, std::uint64_t{1});
 }
 
