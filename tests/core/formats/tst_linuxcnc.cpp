@@ -32,7 +32,7 @@ NeutralTable table(std::vector<double> knots, std::vector<double> forward,
     if (reverse) {
         result.columns.resize(2);
         result.columns[0].direction = Direction::Positive;
-        result.columns[1] = {{}, "#1", "mm", Direction::Negative, std::move(*reverse), 0.0};
+        result.columns[1] = {{}, "#1", "mm", Direction::Negative, std::move(*reverse)};
     }
     return result;
 }
