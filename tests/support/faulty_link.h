@@ -7,6 +7,7 @@
 #include <optional>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace axiscomp::test {
 
@@ -72,6 +73,8 @@ public:
     /// Changes what registers say and files hold on their way from the drive.
     std::function<void(RegisterReading&)> altersReading;
     std::function<void(Bytes&)> altersDownload;
+    /// The drive says yes to such a write and does nothing.
+    std::function<bool(const RegisterWrite&)> ignoresWrite;
     /// Told of every exchange before it begins: "identify", "read", "write", "list", "download",
     /// "upload".
     std::function<void(std::string_view what)> beginning;
@@ -104,7 +107,10 @@ public:
     {
         return pass<void>("write", exchange,
             [this, own = std::vector(writes.begin(), writes.end())](
-                const Exchange& e) { return m_inner.writeRegisters(own, e); });
+                const Exchange& e) mutable -> Result<void> {
+                const bool isIgnored = ignoresWrite && std::erase_if(own, ignoresWrite) > 0;
+                return isIgnored && own.empty() ? Result<void>() : m_inner.writeRegisters(own, e);
+            });
     }
     [[nodiscard]] Result<std::vector<DriveFile>> listFiles(const Exchange& exchange) override
     {

@@ -525,6 +525,28 @@ private Q_SLOTS:
         VERIFY_ERROR(f.compensator.restore(*backup, false), ErrorCode::OtherDrive);
         VERIFY_RESULT(f.compensator.restore(*backup, true));
     }
+
+    void aBackupOfAnAxisThatTheDriveDoesNotHaveIsRefused()
+    {
+        CompensatorFixture f; // axes 0 and 1
+        VERIFY_RESULT(f.compensator.write(0, exampleRequest()));
+        const auto backup = f.compensator.backup();
+        VERIFY_RESULT(backup);
+        const auto before = f.state();
+        for (const int axis : {-1, 2, 3}) {
+            DriveBackup other = *backup;
+            other.axes.resize(1);
+            other.axes[0].axis = axis;
+            for (RegisterWrite& write : other.axes[0].registers)
+                write.path.replace(5, 1, std::to_string(axis)); // Axes[0]
+            f.link.forgetChange();
+            const auto refused = f.compensator.restore(other, true);
+            VERIFY_ERROR(refused, ErrorCode::AxisNotFound);
+            QVERIFY(sentence(refused.error()).find("0 to 1") != std::string::npos);
+            QCOMPARE(f.link.firstChange(), 0);
+        }
+        QVERIFY(f.state() == before);
+    }
 };
 
 AXISCOMP_TEST(TestAxisCompensator)

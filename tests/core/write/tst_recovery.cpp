@@ -383,6 +383,46 @@ private Q_SLOTS:
         QCOMPARE(c.drive.download("tables/small1.TAMtbl").value_or(Bytes{}), *theirs);
     }
 
+    void anUnknownTableInTheSlotStaysWhereItIs()
+    {
+        for (const bool finishes : {true, false}) {
+            Interrupted c(6); // the new table has been uploaded
+            const TableSlot* slot = drivecomm::genericProfile().slotNamed(c.entry.newSlot);
+            const auto theirs =
+                encodeTamTable(exampleTable(1, 9), false, drivecomm::genericProfile().layout);
+            QVERIFY(c.drive.download(slot->file).has_value());
+            VERIFY_RESULT(c.drive.upload(slot->file, *theirs));
+            VERIFY_RESULT(finishes ? c.compensator.finishUnfinished(c.entry)
+                                   : c.compensator.undoUnfinished(c.entry));
+            QCOMPARE(c.drive.download(slot->file).value_or(Bytes{}), *theirs);
+            QCOMPARE(c.compensator.readTable(0)->values, exampleTable(2, finishes ? 2 : 1).values);
+            QCOMPARE(c.state().registers[0] == slot->name, false);
+        }
+    }
+
+    /// Its registers alone are not the new state, nor the old one's the old.
+    void anotherTableInTheSlotIsNeitherState()
+    {
+        using Outcome = AxisCompensator::UnfinishedOutcome;
+        const auto& layout = drivecomm::genericProfile().layout;
+        const auto theirs = encodeTamTable(exampleTable(2, 9), true, layout);
+        Interrupted c(6);
+        const TableSlot* slot = drivecomm::genericProfile().slotNamed(c.entry.newSlot);
+        const TableSlot* oldSlot = drivecomm::genericProfile().slotNamed(c.old.registers[0]);
+        VERIFY_RESULT(c.drive.upload(oldSlot->file, *theirs));
+        QCOMPARE(c.compensator.settleUnfinished(c.entry).value(), Outcome::Neither);
+        QVERIFY(c.isUnfinished());
+        VERIFY_RESULT(c.drive.upload(oldSlot->file, c.old.table));
+        QCOMPARE(c.compensator.settleUnfinished(c.entry).value(), Outcome::Old);
+
+        VERIFY_RESULT(c.drive.upload(slot->file, *theirs));
+        VERIFY_RESULT(c.drive.writeRegisters(c.entry.newRegisters));
+        QCOMPARE(c.compensator.settleUnfinished(c.entry).value(), Outcome::Neither);
+        VERIFY_RESULT(c.drive.upload(slot->file, c.wanted.table));
+        QCOMPARE(c.compensator.settleUnfinished(c.entry).value(), Outcome::NewUnsaved);
+        QVERIFY(c.isUnfinished());
+    }
+
     void aFailedWriteOverAnUnfinishedOneForgetsNothing()
     {
         Interrupted c;

@@ -1,0 +1,312 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Drives that say yes and do something else, or lack what others have.
+#include "tests/support/compensator_fixture.h"
+#include "tests/support/test_registry.h"
+#include "tests/support/verify.h"
+
+#include <QTest>
+
+namespace tst_stubborndrive {
+
+using namespace axiscomp;
+using namespace axiscomp::test;
+
+namespace {
+
+const std::string axisFolder = "Axes[0]/Parameters/Compensations/Axis/";
+
+const DriveProfile& profileOf(bool isOneByOne)
+{
+    static const DriveProfile oneByOne = [] {
+        DriveProfile changed = drivecomm::genericProfile();
+        changed.writesAtOneInstant = false;
+        return changed;
+    }();
+    return isOneByOne ? oneByOne : drivecomm::genericProfile();
+}
+
+const DriveProfile& profileWithoutCounters()
+{
+    static const DriveProfile profile = [] {
+        DriveProfile changed = drivecomm::genericProfile();
+        changed.registers.tableEraseCount = "Application/Tables/{slot}/NoSuchCount";
+        return changed;
+    }();
+    return profile;
+}
+
+bool switchesOff(const RegisterWrite& write)
+{
+    return write.path == axisFolder + "Table" && toText(write.value) == "Disabled";
+}
+
+/// Other sources than exampleRequest's, in a slot of its own.
+WriteRequest swapped(int seed, Persistency persistency, const char* slot)
+{
+    WriteRequest request = exampleRequest(seed, persistency);
+    std::swap(request.sources[0], request.sources[1]);
+    request.slot = slot;
+    return request;
+}
+
+WriteRequest into(WriteRequest request, const char* slot)
+{
+    request.slot = slot;
+    return request;
+}
+
+struct Written : CompensatorFixture {
+    explicit Written(const DriveProfile& profile, Persistency persistency = Persistency::Volatile)
+        : CompensatorFixture(inProcess(), profile)
+    {
+        VERIFY_RESULT(compensator.write(0, into(exampleRequest(1, persistency), "Small1")));
+        old = state();
+        link.beginning = [this](std::string_view what) { uploads += what == "upload" ? 1 : 0; };
+    }
+    [[nodiscard]] bool isUnfinished() { return store.journal(4711, 0).value().has_value(); }
+    [[nodiscard]] std::uint64_t operations() { return store.flashHistory(4711)->total; }
+
+    State old;
+    int uploads = 0;
+};
+
+/// How many exchanges a write takes.
+int exchangesOf(const WriteRequest& request)
+{
+    Written whole(drivecomm::genericProfile());
+    const int begin = whole.link.exchanges();
+    const auto written = whole.compensator.write(0, request);
+    return written ? whole.link.exchanges() - begin : 0;
+}
+
+/// Uses up flash operations, by the drive's count and by the store's, until this many are left.
+void leave(CompensatorFixture& f, int left)
+{
+    const auto& layout = drivecomm::genericProfile().layout;
+    for (int seed = 100; f.compensator.flashUse()->budget.left > left; ++seed) {
+        VERIFY_RESULT(f.drive.upload(
+            "tables/large2.TAMtbl", *encodeTamTable(exampleTable(1, seed), true, layout)));
+        VERIFY_RESULT(f.store.recordFlash(4711, f.wallTime(), 1));
+    }
+}
+
+} // namespace
+
+class TestStubbornDrive : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { failOnWarnings(); }
+
+    void anAxisThatStaysOnIsNotOverwritten_data()
+    {
+        QTest::addColumn<bool>("isOneByOne");
+        QTest::addColumn<Persistency>("persistency");
+        QTest::newRow("volatile") << false << Persistency::Volatile;
+        QTest::newRow("persistent") << false << Persistency::Persistent;
+        QTest::newRow("one by one, volatile") << true << Persistency::Volatile;
+        QTest::newRow("one by one, persistent") << true << Persistency::Persistent;
+    }
+    void anAxisThatStaysOnIsNotOverwritten()
+    {
+        QFETCH(bool, isOneByOne);
+        QFETCH(Persistency, persistency);
+        Written f(profileOf(isOneByOne), persistency);
+        f.link.ignoresWrite = switchesOff;
+        VERIFY_ERROR(f.compensator.write(0, into(exampleRequest(2, persistency), "Small1")),
+            ErrorCode::VerifyMismatch);
+        QCOMPARE(f.uploads, 0);
+        QVERIFY(f.state() == f.old);
+        QVERIFY(!f.isUnfinished());
+    }
+
+    void whereRegistersAreTakenOneByOneAnAxisThatStaysOnKeepsItsSources()
+    {
+        Written f(profileOf(true));
+        std::vector<std::string> written;
+        f.link.ignoresWrite = [&](const RegisterWrite& write) {
+            written.push_back(write.path);
+            return switchesOff(write);
+        };
+        VERIFY_ERROR(f.compensator.write(0, swapped(2, Persistency::Volatile, "Small2")),
+            ErrorCode::VerifyMismatch);
+        QVERIFY(std::ranges::find(written, axisFolder + "Dim1Source") == written.end());
+        QVERIFY(f.state() == f.old);
+    }
+
+    void registersThatDoNotGoBackAreSaid()
+    {
+        const WriteRequest request = swapped(2, Persistency::Persistent, "Small2");
+        const int exchanges = exchangesOf(request);
+        QVERIFY(exchanges > 10);
+        Written f(drivecomm::genericProfile());
+        const std::string before = f.old.registers[1];
+        f.link.failAt(exchanges, LinkFault::Refused);
+        f.link.ignoresWrite = [&](const RegisterWrite& write) {
+            return write.path == axisFolder + "Dim1Source" && toText(write.value) == before;
+        };
+        const auto report = f.compensator.write(0, request);
+        VERIFY_ERROR(report, ErrorCode::RollbackFailed);
+        QVERIFY(f.state() != f.old);
+        QVERIFY(f.isUnfinished());
+        // Once the drive does what it is told, the way back is still there.
+        f.link.ignoresWrite = {};
+        VERIFY_RESULT(f.compensator.undoUnfinished(*f.store.journal(4711, 0).value()));
+        QVERIFY(f.state() == f.old);
+    }
+
+    void anUndoWhoseRegistersDoNotGoBackStaysUnfinished()
+    {
+        const WriteRequest request = swapped(2, Persistency::Volatile, "Small2");
+        Written f(drivecomm::genericProfile());
+        const std::string before = f.old.registers[1];
+        f.link.failAt(exchangesOf(request), LinkFault::DriveGone);
+        QVERIFY(!f.compensator.write(0, request));
+        f.link.heal();
+        f.link.ignoresWrite = [&](const RegisterWrite& write) {
+            return write.path == axisFolder + "Dim1Source" && toText(write.value) == before;
+        };
+        VERIFY_ERROR(f.compensator.undoUnfinished(*f.store.journal(4711, 0).value()),
+            ErrorCode::VerifyMismatch);
+        QVERIFY(f.isUnfinished());
+        f.link.ignoresWrite = {};
+        VERIFY_RESULT(f.compensator.undoUnfinished(*f.store.journal(4711, 0).value()));
+        QVERIFY(f.state() == f.old);
+    }
+
+    /// One at each exchange of the way back, after the last step of the write was refused.
+    void whatIsStoredWrongWhilePuttingBackIsSaid_data()
+    {
+        QTest::addColumn<bool>("isInPlace");
+        QTest::newRow("in turn") << false;
+        QTest::newRow("in place") << true;
+    }
+    void whatIsStoredWrongWhilePuttingBackIsSaid()
+    {
+        QFETCH(bool, isInPlace);
+        const WriteRequest request =
+            swapped(2, Persistency::Volatile, isInPlace ? "Small1" : "Small2");
+        const int exchanges = exchangesOf(request);
+        QVERIFY(exchanges > 10);
+        int failed = 0;
+        bool isReached = true;
+        for (int at = 1; isReached; ++at) {
+            Written f(drivecomm::genericProfile());
+            const int wrong = f.link.exchanges() + exchanges + at;
+            f.link.failAt(exchanges, LinkFault::Refused);
+            f.link.beginning = [&](std::string_view) {
+                if (f.link.exchanges() == wrong)
+                    f.link.failAt(0, LinkFault::StoresWrong);
+            };
+            const auto report = f.compensator.write(0, request);
+            QVERIFY(!report);
+            isReached = f.link.exchanges() >= wrong;
+            const std::string place = std::to_string(at) + ": " + describe(report.error());
+            const bool isOld = f.state() == f.old;
+            const bool isSaid = report.error().code == ErrorCode::RollbackFailed;
+            QVERIFY2(isOld || isSaid, place.c_str());
+            QVERIFY2(f.isUnfinished() == isSaid, place.c_str());
+            if (isOld)
+                continue;
+            ++failed;
+            f.link.heal();
+            VERIFY_RESULT(f.compensator.undoUnfinished(*f.store.journal(4711, 0).value()));
+            QVERIFY2(f.state() == f.old, place.c_str());
+        }
+        QVERIFY(failed > 0);
+    }
+
+    void aDriveWithoutEraseCountersIsWrittenAndAccountedFor()
+    {
+        CompensatorFixture f(inProcess(), profileWithoutCounters());
+        const auto cycles = [&f](const char* slot) {
+            return std::stoi(f.text("Application/Tables/" + std::string(slot) + "/EraseCount"));
+        };
+        VERIFY_RESULT(
+            f.compensator.write(0, into(exampleRequest(1, Persistency::Persistent), "Small1")));
+        QCOMPARE(cycles("Small1"), 1);
+        QCOMPARE(f.store.flashHistory(4711)->total, std::uint64_t{1});
+        VERIFY_RESULT(f.compensator.write(0, swapped(2, Persistency::Persistent, "Small2")));
+        QCOMPARE(cycles("Small2"), 1);
+        QCOMPARE(f.store.flashHistory(4711)->total, std::uint64_t{2});
+        QCOMPARE(f.compensator.flashUse()->budget.left, 6);
+        QVERIFY(f.compensator.flashUse()->mostUsedSlot.empty());
+        VERIFY_RESULT(f.compensator.setPersistency(0, Persistency::Volatile));
+        QCOMPARE(cycles("Small2"), 2);
+        QCOMPARE(f.store.flashHistory(4711)->total, std::uint64_t{3});
+        const Bytes file =
+            *encodeTamTable(exampleTable(1, 1), true, drivecomm::genericProfile().layout);
+        VERIFY_RESULT(f.compensator.upload("tables/small5.TAMtbl", file));
+        QCOMPARE(f.store.flashHistory(4711)->total, std::uint64_t{4});
+    }
+
+    void aWriteThatFailsOnADriveWithoutEraseCountersIsPutBack()
+    {
+        const WriteRequest request = swapped(2, Persistency::Persistent, "Small2");
+        Written whole(profileWithoutCounters(), Persistency::Persistent);
+        const int begin = whole.link.exchanges();
+        VERIFY_RESULT(whole.compensator.write(0, request));
+        const int exchanges = whole.link.exchanges() - begin;
+        for (int at = 1; at <= exchanges; ++at) {
+            Written f(profileWithoutCounters(), Persistency::Persistent);
+            f.link.failAt(at, LinkFault::Refused);
+            const auto report = f.compensator.write(0, request);
+            const std::string place = std::to_string(at);
+            QVERIFY2(f.state() == (report ? whole.state() : f.old), place.c_str());
+            QVERIFY2(!f.isUnfinished(), place.c_str());
+        }
+    }
+
+    /// The new table is taken out of the flash of its slot with the very last operation.
+    void puttingBackMayUseTheLastFlashOperation()
+    {
+        const WriteRequest request = swapped(2, Persistency::Persistent, "Small2");
+        const int exchanges = exchangesOf(request);
+        for (const int left : {2, 1}) {
+            Written f(drivecomm::genericProfile());
+            leave(f, left);
+            const std::uint64_t before = f.operations();
+            f.link.failAt(exchanges, LinkFault::Refused);
+            VERIFY_ERROR(f.compensator.write(0, request), ErrorCode::DriveRejected);
+            QVERIFY(f.state() == f.old);
+            QCOMPARE(f.operations(), before + static_cast<std::uint64_t>(left));
+            QCOMPARE(f.compensator.flashUse()->budget.left, 0);
+            // With none left the table stays, and nothing is asked that the drive must refuse.
+            f.drive.reboot();
+            const Bytes stored = f.drive.download("tables/small2.TAMtbl").value_or(Bytes{});
+            QCOMPARE(stored.empty(), left == 2);
+            QVERIFY(!f.store.flashHistory(4711)->refusal);
+        }
+    }
+
+    void undoingMayUseTheLastFlashOperationAndDoesNotBeginWithoutOne()
+    {
+        const WriteRequest request = swapped(2, Persistency::Persistent, "Small2");
+        const int exchanges = exchangesOf(request);
+        for (const int left : {1, 0}) {
+            Written f(drivecomm::genericProfile());
+            f.link.failAt(exchanges, LinkFault::DriveGone);
+            QVERIFY(!f.compensator.write(0, request));
+            f.link.heal();
+            leave(f, left);
+            f.link.forgetChange();
+            const auto undone = f.compensator.undoUnfinished(*f.store.journal(4711, 0).value());
+            if (left == 0) {
+                VERIFY_ERROR(undone, ErrorCode::FlashWear);
+                QCOMPARE(f.link.firstChange(), 0);
+                QVERIFY(f.isUnfinished());
+                continue;
+            }
+            VERIFY_RESULT(undone);
+            QVERIFY(f.state() == f.old);
+            QCOMPARE(f.compensator.flashUse()->budget.left, 0);
+        }
+    }
+};
+
+AXISCOMP_TEST(TestStubbornDrive)
+
+} // namespace tst_stubborndrive
+
+#include "tst_stubborndrive.moc"
