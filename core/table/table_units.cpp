@@ -29,7 +29,7 @@ Result<double> driveFactor(const std::string& from, const std::string& to, const
 }
 
 /// "0.0021 mm"
-Quantity largestValue(const CompensationTable& table)
+Quantity largestCorrection(const CompensationTable& table)
 {
     float largest = 0.0F;
     for (const float value : table.values)
@@ -71,7 +71,7 @@ std::optional<Text> valueRemark(
             "largest correction is {largest}.");
     return pattern.with("before", before)
         .with("after", symbolOf(drive))
-        .with("largest", largestValue(converted));
+        .with("largest", largestCorrection(converted));
 }
 
 /// Brings the positions of a dimension into the unit of the drive.
