@@ -100,14 +100,18 @@ private Q_SLOTS:
 
     void onlyTheValuesChange_data()
     {
-        QTest::addColumn<QString>("file");
-        QTest::newRow("UTF-8 with a mark") << "two-drives.TAMcfg";
-        QTest::newRow("lines that end in CR LF") << "unspecified.TAMcfg";
+        QTest::addColumn<bool>("isFromWindows");
+        QTest::newRow("lines that end in LF") << false;
+        QTest::newRow("lines that end in CR LF") << true;
     }
     void onlyTheValuesChange()
     {
-        QFETCH(QString, file);
-        const std::string before = fileText(file.toLatin1().constData());
+        QFETCH(const bool, isFromWindows);
+        QString text = QString::fromStdString(fileText("two-drives.TAMcfg"));
+        text.remove(u'\r');
+        if (isFromWindows)
+            text.replace(u'\n', QStringLiteral("\r\n"));
+        const std::string before = text.toStdString();
         QVERIFY(!before.empty());
         const CompensationParameters old = parametersOf(before);
         CompensationParameters wanted = old;
