@@ -201,9 +201,11 @@ def tests_in(folder):
     listed = subprocess.run(["ctest", "--show-only=json-v1"], cwd=folder, check=True, capture_output=True)
     tests = {}
     for test in json.loads(listed.stdout)["tests"]:
+        if "command" not in test:  # its program is not built
+            continue
         of = {each["name"]: each["value"] for each in test.get("properties", [])}
         environment = dict(line.split("=", 1) for line in of.get("ENVIRONMENT", []))
-        tests[test["name"]] = Test(test.get("command", []), of.get("WORKING_DIRECTORY", str(folder)), environment)
+        tests[test["name"]] = Test(test["command"], of.get("WORKING_DIRECTORY", str(folder)), environment)
     return tests
 
 

@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/conversion/conversion.h"
+#include "core/conversion/table_export.h"
+#include "core/conversion/table_import.h"
 #include "core/table/position_unit.h"
 #include "core/table/table_layout.h"
+#include "core/table/tam_table.h"
 #include "tests/core/formats/format_checks.h"
 #include "tests/support/test_registry.h"
+
+#include <QFile>
+#include <QTemporaryDir>
 
 #include <algorithm>
 
@@ -96,6 +102,26 @@ bool contains(const std::vector<Text>& lines, std::string_view part)
     return test::mentions(test::joined(lines), part);
 }
 
+/// A file of this content, as a person understands it.
+TableImport imported(const QString& name, std::string_view content, const ImportChoices& choices)
+{
+    const QTemporaryDir folder;
+    QFile file(folder.filePath(name));
+    if (file.open(QIODevice::WriteOnly))
+        file.write(content.data(), static_cast<qint64>(content.size()));
+    file.close();
+    TableImportRequest request;
+    request.file = file.fileName().toStdString();
+    request.choices = choices;
+    request.layout = &layout();
+    return importTables(request);
+}
+
+std::vector<float> valuesOf(const TableImport& import)
+{
+    return import.data ? import.data->tables.front().values : std::vector<float>{};
+}
+
 } // namespace
 
 class TestConversion : public QObject {
@@ -103,6 +129,107 @@ class TestConversion : public QObject {
 
 private Q_SLOTS:
     void init() { test::failOnWarnings(); }
+
+    void whatAPersonSaysOfAFileCounts()
+    {
+        ImportChoices choices;
+        choices.format = &linuxcnc::format();
+        choices.settings = {{"type", "1"}, {"position-unit", "mm"}};
+        const QString name = QStringLiteral("x.comp");
+        const std::string text = "0 0.1 0.3\n10 0.1 0.3\n";
+        QVERIFY(imported(name, text, choices).refusal); // which direction?
+        choices.direction = DirectionChoice::Positive;
+        QCOMPARE(valuesOf(imported(name, text, choices)), (std::vector<float>{-0.1F, -0.1F}));
+        choices.direction = DirectionChoice::Negative;
+        QCOMPARE(valuesOf(imported(name, text, choices)), (std::vector<float>{-0.3F, -0.3F}));
+        choices.sign = SignConvention::Feedback;
+        QCOMPARE(valuesOf(imported(name, text, choices)), (std::vector<float>{0.3F, 0.3F}));
+    }
+
+    void whatAPersonSaysOfATargetAndATurnCounts()
+    {
+        ImportChoices choices;
+        choices.format = &softmc::format();
+        choices.settings = {{"position-unit", "mm"}, {"value-unit", "mm"}};
+        const std::string plain = "1 2\n0 0.5\n10 0.25\n";
+        const auto unstated = imported(QStringLiteral("x.txt"), plain, choices);
+        QVERIFY(unstated.refusal && unstated.refusal->code == ErrorCode::TargetNotKnown);
+        choices.target = "other";
+        QCOMPARE(valuesOf(imported(QStringLiteral("x.txt"), plain, choices)),
+            (std::vector<float>{-0.5F, -0.25F}));
+
+        ImportChoices turn;
+        turn.format = &icube::format();
+        turn.settings = {{"position-unit", "deg"}, {"wrap-range", "360"}};
+        const std::string round = "0,0\n180,0\n360,0\n";
+        const auto refused = imported(QStringLiteral("c.csv"), round, turn);
+        QVERIFY(refused.hasWrap && refused.refusal);
+        turn.dropsWrap = true;
+        QCOMPARE(valuesOf(imported(QStringLiteral("c.csv"), round, turn)), std::vector<float>(3));
+    }
+
+    void whatAPersonSaysOfTheUnitsOfADrivesFileCounts()
+    {
+        CompensationTable table;
+        table.name = "straightness";
+        table.grid.axes = {{.name = {}, .unit = {}, .start = 0, .distance = 10, .size = 2}};
+        table.values = {0.5F, 0.25F};
+        const auto file = encodeTamTable(table, false, layout());
+        VERIFY_RESULT(file);
+        ImportChoices choices;
+        choices.format = &tam_table::format();
+        choices.settings = {{"position-unit", "mm"}, {"value-unit", "um"}};
+        const auto import = imported(QStringLiteral("x.TAMtbl"), asText(*file), choices);
+        QVERIFY(import.data);
+        QCOMPARE(import.data->tables[0].unit, std::string("um"));
+        QCOMPARE(import.data->grid.axes[0].unit, std::string("mm"));
+    }
+
+    void aFileIsWrittenInTheSignThatAPersonSays()
+    {
+        CompensationTable table;
+        table.name = "Z";
+        table.unit = "mm";
+        table.grid.axes = {{.name = "X", .unit = "mm", .start = 0, .distance = 10, .size = 2}};
+        table.values = {0.5F, 0.25F};
+        ImportChoices choices;
+        choices.format = &softmc::format();
+        choices.target = "other";
+        const auto command = exportTable(table, choices, "x.txt", layout());
+        VERIFY_RESULT(command);
+        QCOMPARE(command->bytes, std::string("1 2\n0 -0.5\n10 -0.25\n"));
+        choices.sign = SignConvention::Feedback;
+        const auto feedback = exportTable(table, choices, "x.txt", layout());
+        VERIFY_RESULT(feedback);
+        QCOMPARE(feedback->bytes, std::string("1 2\n0 0.5\n10 0.25\n"));
+    }
+
+    void moreThanAFormatHoldsIsRefused()
+    {
+        NeutralTable table = test::tableOf(SignConvention::Feedback,
+            {test::evenAxis("X", "mm", 0, 1, 257)}, {test::waveColumn("X", "mm", 257, 1e-3)});
+        const std::vector tables{table};
+        VERIFY_ERROR(
+            convertTables(tables, requestFor(calibration_csv::format(), linuxcnc::format())),
+            ErrorCode::FormatCannotHold);
+    }
+
+    void positionsThatAreRoundedAndEndsThatAreHeldAreSaid()
+    {
+        NeutralTable table = test::tableOf(SignConvention::Feedback,
+            {test::evenAxis("1", "mm", 0.00003, 10, 3)}, {test::columnOf("1", "mm", {0, 0, 0})});
+        const auto rounded = convertTables(
+            std::vector{table}, requestFor(calibration_csv::format(), isg_ssfk::format()));
+        VERIFY_RESULT(rounded);
+        QVERIFY(std::abs(rounded->tables[0].positionRounding - 3e-5) < 1e-12);
+
+        table.sign = SignConvention::Command;
+        table.columns[0].values = {1, 0, -1};
+        const auto held = convertTables(
+            std::vector{table}, requestFor(rapidcode::format(), calibration_csv::format()));
+        VERIFY_RESULT(held);
+        QVERIFY(contains(held->remarks, "with the end values held"));
+    }
 
     void everyFormatIsConvertedIntoEveryOther_data()
     {

@@ -396,6 +396,24 @@ private Q_SLOTS:
         QVERIFY(std::abs(before - behind) < 0.01 * std::abs(behind));
     }
 
+    void theLastPointIsTheEndAndTheFirstOfTheNextTurnExactly()
+    {
+        for (int start = 0; start < 60; ++start) {
+            NeutralTable table;
+            table.axes = {axisX({0.1 * start, 0.1 * start + 1.7, 0.1 * start + 7.3})};
+            addColumn(table, "X", [](const Values& p) { return std::sin(p[0]); });
+            const auto plain = resample(table, request({byPoints(23)}));
+            VERIFY_RESULT(plain);
+            QVERIFY(plain->table.axes[0].knots.back() == table.axes[0].knots.back());
+            table.axes[0].wrap = 7.3; // a full turn
+            table.columns[0].values.back() = table.columns[0].values.front();
+            const auto turning = resample(table, request({byPoints(23)}));
+            VERIFY_RESULT(turning);
+            const Values& values = turning->table.columns[0].values;
+            QVERIFY2(values.back() == values.front(), QByteArray::number(start)); // no tolerance
+        }
+    }
+
     void severalColumnsAndDirectionsAreResampledAlike()
     {
         NeutralTable table;

@@ -429,6 +429,48 @@ private Q_SLOTS:
         QCOMPARE(converted->table.columns[0].values[0], -2.0); // at 358 deg it is 2
     }
 
+    void bothEndsOfAFullTurnStayTheSameExactly()
+    {
+        for (int start = 0; start < 60; ++start) {
+            SourceAxis axis = axisX({});
+            axis.wrap = 360;
+            for (int i = 0; i <= 7; ++i)
+                axis.knots.push_back(0.1 * start + i * (360.0 / 7));
+            auto table = tableOver({axis}, "X", [](const Values& p) { return std::sin(p[0]); });
+            table.columns[0].values.back() = table.columns[0].values.front();
+            const auto converted = convertSign(table, SignConvention::Command, held);
+            VERIFY_RESULT(converted);
+            const Values& values = converted->table.columns[0].values;
+            QVERIFY2(values.back() == values.front(), QByteArray::number(start)); // no tolerance
+        }
+    }
+
+    void aColumnForBothDirectionsIsMovedByTheirMean()
+    {
+        NeutralTable table;
+        table.axes = {axisX({0, 10, 20})};
+        addColumn(
+            table, "X", [](const Values&) { return 1.0; }, Direction::Positive);
+        addColumn(
+            table, "X", [](const Values&) { return 3.0; }, Direction::Negative);
+        addColumn(table, "Y", [](const Values& p) { return p[0]; });
+        const auto converted = convertSign(table, SignConvention::Command, held);
+        VERIFY_RESULT(converted);
+        QVERIFY(converted->table.columns[2].values == (Values{0, -8, -18}));
+    }
+
+    void aPlaceBehindTheLastKnotIsSaidWhereNothingIsAppliedThere()
+    {
+        const auto table = tableOver(
+            {axisX({0, 10})}, "X", [](const Values& p) { return p[0] == 0 ? 0.0 : -1.0; });
+        const auto ended = convertSign(table, SignConvention::Command, {.outside = Outside::Zero});
+        VERIFY_RESULT(ended);
+        QVERIFY(ended->usesHeldEnds);
+        const auto whole = convertSign(table, SignConvention::Command, held);
+        VERIFY_RESULT(whole);
+        QVERIFY(!whole->usesHeldEnds);
+    }
+
     void theSameSignIsLeftAsItIs()
     {
         const auto table =

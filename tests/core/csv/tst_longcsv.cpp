@@ -99,6 +99,28 @@ private Q_SLOTS:
         }
     }
 
+    /// Positions of 9 to 16 characters that begin with the same eight.
+    void longPositionsThatBeginAlikeAreToldApart()
+    {
+        QByteArray text = "X [mm],Y [mm],A\n";
+        constexpr int lines = 3000;
+        for (int i = 0; i < lines; ++i)
+            text += "100.0000" + QByteArray::number(i % 2) + ',' + QByteArray::number(i / 2)
+                + ",0.00" + QByteArray::number(i % 2 + 1) + '\n';
+        const CsvReading reading = parse(text, 2);
+        QVERIFY(reading.data);
+        QCOMPARE(reading.data->grid.axes[0].size, 2U);
+        QCOMPARE(reading.data->tables[0].values.size(), static_cast<std::size_t>(lines));
+    }
+
+    void theFinestPrintedDecimalSaysHowEvenPositionsMustBe()
+    {
+        const CsvReading reading = parse("X [mm],A\n0.000,0\n1.008,0\n2,0.001\n", 1);
+        QVERIFY(!reading.data);
+        QVERIFY(!describe(reading).isEmpty());
+        QVERIFY(describe(reading).front().contains("UnevenSpacing"));
+    }
+
     void theLargestFloatIsNoProblem()
     {
         const QByteArray place = QByteArray::number(777 % columns * 0.5) + ','
