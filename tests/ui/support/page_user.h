@@ -155,11 +155,17 @@ private:
     /// Through the window: what lies above the widget gets the click.
     static bool clickAt(QWidget& widget, const QPoint& place)
     {
-        QCoreApplication::processEvents(); // a layout may be under way
         const QWidget* window = widget.window();
-        const QPoint inWindow = widget.mapTo(window, place);
-        const QWidget* hit = window->childAt(inWindow);
-        if (hit != &widget && !widget.isAncestorOf(hit)) {
+        QPoint inWindow;
+        const QWidget* hit = nullptr;
+        const auto isHit = [&] {
+            inWindow = widget.mapTo(window, place);
+            hit = window->childAt(inWindow);
+            return hit == &widget || widget.isAncestorOf(hit);
+        };
+        constexpr int untilLaidOut = 5000; // a window may have to grow first
+        QCoreApplication::processEvents();
+        if (!QTest::qWaitFor(isHit, untilLaidOut)) {
             qInfo("%s is covered by %s", qPrintable(widget.objectName()),
                 hit ? qPrintable(
                     hit->objectName() + u' ' + QLatin1StringView(hit->metaObject()->className()))
