@@ -54,7 +54,8 @@ inline bool on(int fault)
 }}
 }}
 """
-PATIENCE = 240  # seconds for one test; a fault that makes it hang is found
+PATIENCE = 60  # seconds for one test, and so many times of what it takes without a fault:
+PATIENCE_FACTOR = 30  # a fault that makes it hang is found, a busy machine finds none
 
 
 class Wrong(Exception):
@@ -195,6 +196,7 @@ class Test:
     command: list
     folder: str
     environment: dict = field(default_factory=dict)
+    patience: float = 3600.0
 
 
 def tests_in(folder):
@@ -210,13 +212,13 @@ def tests_in(folder):
 
 
 def passes(test, number, log):
-    """Whether a test passes with a fault switched on; 0: none."""
+    """Whether a test passes with a fault switched on; number 0: none."""
     environment = {**os.environ, **test.environment, SWITCH: str(number)}
     with log.open("wb") as stream:
         process = subprocess.Popen(test.command, cwd=test.folder, env=environment, stdin=subprocess.DEVNULL,
                                    stdout=stream, stderr=subprocess.STDOUT, start_new_session=True)
         try:
-            return process.wait(PATIENCE) == 0
+            return process.wait(test.patience) == 0
         except subprocess.TimeoutExpired:
             return False
         finally:
@@ -226,6 +228,13 @@ def passes(test, number, log):
             except ProcessLookupError:
                 pass
             process.wait()
+
+
+def passes_clean(test, log):
+    begin = time.monotonic()
+    good = passes(test, 0, log)
+    test.patience = PATIENCE + PATIENCE_FACTOR * (time.monotonic() - begin)
+    return good
 
 
 def finder(fault, tests, logs):
@@ -256,7 +265,7 @@ def run(root, folder, chosen):
 
     survivors = []
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-        clean = pool.map(lambda name: passes(tests[name], 0, logs / f"none.{name}.log"), needed)
+        clean = pool.map(lambda name: passes_clean(tests[name], logs / f"none.{name}.log"), needed)
         if failed := [name for name, good in zip(needed, clean) if not good]:
             raise Wrong(f"without any fault these fail, see {logs}/none.*: {', '.join(failed)}")
         for fault, (name, seconds) in zip(selected, pool.map(lambda f: finder(f, tests, logs), selected)):

@@ -459,6 +459,14 @@ private Q_SLOTS:
         QVERIFY(converted->table.columns[2].values == (Values{0, -8, -18}));
     }
 
+    void theExampleIsOfAnAxisThatIsMoved()
+    {
+        auto table = tableOver({axisX({0, 10})}, "Y", [](const Values&) { return 5.0; });
+        addColumn(table, "X", [](const Values& p) { return p[0] == 0 ? 0.25 : 0.0; });
+        QVERIFY2(examplePoint(table).english().find("0.25 mm") != std::string::npos,
+            examplePoint(table).english().c_str());
+    }
+
     void aPlaceBehindTheLastKnotIsSaidWhereNothingIsAppliedThere()
     {
         const auto table = tableOver(
