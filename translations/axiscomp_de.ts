@@ -7153,8 +7153,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <translation>bei %1 zeigt die Referenz %2 weniger als der Geber: der Antrieb addiert %3</translation>
     </message>
     <message>
-        <source> (the file says %1, but the drive takes the values as %2)</source>
-        <translation> (die Datei nennt %1, der Antrieb nimmt die Werte aber als %2)</translation>
+        <source>the values are in %1, which cannot be converted to %2, the unit of the axis: they will not be written</source>
+        <translation>die Werte sind in %1, was sich nicht in %2 umrechnen lässt, die Einheit der Achse: Sie werden nicht geschrieben</translation>
     </message>
 </context>
 <context>
@@ -7227,7 +7227,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
     </message>
     <message>
         <source>since before %1</source>
-        <translation>seit vor %1</translation>
+        <translation>schon vor %1</translation>
     </message>
     <message>
         <source>no table</source>

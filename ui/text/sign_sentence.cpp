@@ -77,7 +77,14 @@ public:
     {
         if (m_value == 0.0)
             return tr("all values are 0: the drive will add nothing");
-        return (m_own >= 0 ? withReadings() : withDifference()) + unitNote();
+        const QString unit = QString::fromStdString(m_table.unit);
+        const bool isOfTheDrive =
+            unit.isEmpty() || m_unit.isEmpty() || isSameUnit(m_table.unit, m_unit.toStdString());
+        if (!isOfTheDrive) // what could be converted has been
+            return tr("the values are in %1, which cannot be converted to %2, the unit of the "
+                      "axis: they will not be written")
+                .arg(unit, m_unit);
+        return m_own >= 0 ? withReadings() : withDifference();
     }
 
 private:
@@ -128,15 +135,6 @@ private:
     {
         const QString unit = QString::fromStdString(m_table.grid.axes[dimension].unit);
         return unit.isEmpty() ? m_unit : unit;
-    }
-
-    /// The drive does not know what the file calls its unit.
-    [[nodiscard]] QString unitNote() const
-    {
-        const QString unit = QString::fromStdString(m_table.unit);
-        if (unit.isEmpty() || m_unit.isEmpty() || isSameUnit(m_table.unit, m_unit.toStdString()))
-            return {};
-        return tr(" (the file says %1, but the drive takes the values as %2)").arg(unit, m_unit);
     }
 
     const CompensationTable& m_table;

@@ -136,6 +136,7 @@ void filledBed(PageScene& scene)
     scene.click("acceptConversion");
     wait([&] { return scene.controller().dataFile().data != nullptr; }, "the data");
     scene.controller().setup().setTable({0});
+    scene.page().findChild<QTabWidget*>(QStringLiteral("previewTabs"))->setCurrentIndex(0);
     scene.settle();
 }
 

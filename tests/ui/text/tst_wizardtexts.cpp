@@ -171,16 +171,13 @@ private Q_SLOTS:
         QCOMPARE(signSentenceFor(table1D(numbers), axisX(), {}), sentence);
     }
 
-    void theSignSentenceShowsAUnitThatIsNotTheDrives()
+    void theSignSentencePromisesNothingThatCannotBeWritten()
     {
-        // Micrometres, for a drive that counts in millimetres: the mistake can be read.
-        QCOMPARE(signSentenceFor(table1D({0.0F, 2.1F, 0.0F}, "um"), axisX(), {}),
-            QStringLiteral(
-                "where the encoder reads 10.0 mm, the reference reads 12.1 mm: the drive "
-                "will add +2.1 mm (the file says um, but the drive takes the values as "
-                "mm)"));
-        QVERIFY(!signSentenceFor(table1D({0.0F, 2.1F, 0.0F}, "mm"), axisX(), {})
-                     .contains(QStringLiteral("the file says")));
+        QCOMPARE(signSentenceFor(table1D({0.0F, 2.1F, 0.0F}, "arcsec"), axisX(), {}),
+            QStringLiteral("the values are in arcsec, which cannot be converted to mm, the unit of "
+                           "the axis: they will not be written"));
+        QVERIFY(signSentenceFor(table1D({0.0F, 2.1F, 0.0F}, "mm"), axisX(), {})
+                    .contains(QStringLiteral("the drive will add +2.1 mm")));
     }
 
     void theSignSentenceNamesTheOtherDimensions()
