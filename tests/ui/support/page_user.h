@@ -14,6 +14,8 @@
 #include <QTimer>
 #include <QWindow>
 
+#include <functional>
+
 namespace axiscomp::test {
 
 /// What a person can do: see what is shown, press keys, click. Everything goes to the window, so
@@ -106,7 +108,7 @@ public:
             return cannot(combo, qPrintable(QStringLiteral("choose ") + entry));
         auto& box = the<QComboBox>(combo);
         bringIntoView(box);
-        const QPoint arrow(box.width() - 10, box.height() / 2);
+        const auto arrow = [&] { return QPoint(box.width() - 10, box.height() / 2); };
         if (!clickAt(box, arrow))
             return false;
         QAbstractItemView* list = box.view();
@@ -155,11 +157,16 @@ private:
     /// Through the window: what lies above the widget gets the click.
     static bool clickAt(QWidget& widget, const QPoint& place)
     {
+        return clickAt(widget, [&] { return place; });
+    }
+    /// place: where it is in the widget, whose size may still change.
+    static bool clickAt(QWidget& widget, const std::function<QPoint()>& place)
+    {
         const QWidget* window = widget.window();
         QPoint inWindow;
         const QWidget* hit = nullptr;
         const auto isHit = [&] {
-            inWindow = widget.mapTo(window, place);
+            inWindow = widget.mapTo(window, place());
             hit = window->childAt(inWindow);
             return hit == &widget || widget.isAncestorOf(hit);
         };
