@@ -73,6 +73,13 @@ struct GuardedDrive {
     VirtualDriveProcess drive;
 };
 
+const QByteArray machine = "<TamTopology><TamStation Name='Machine'>"
+                           "<RegisterComponent Type='SourceTable' Value='Disabled' "
+                           "Address='Axes[0]/Parameters/Compensations/Axis/Table'/>"
+                           "<RegisterComponent Type='UInt32' Value='0' "
+                           "Address='Axes[0]/Parameters/Compensations/Axis/Dim1Source'/>"
+                           "</TamStation></TamTopology>\n";
+
 /// Every command that talks to a drive, in an order in which each can be done.
 const QList<QStringList>& driveCommands()
 {
@@ -93,6 +100,8 @@ const QList<QStringList>& driveCommands()
         {"upload", "read.TAMtbl", "--to", "tables/small5.TAMtbl"},
         {"download", "tables/small5.TAMtbl", "-o", "download.TAMtbl"},
         {"backup", "-o", "backup.json"},
+        {"delete", "--slot", "small5"},
+        {"config", "export", "machine.TAMcfg"},
         {"restore", "backup.json"},
         {"recover", "--axis", "0"},
     };
@@ -148,6 +157,7 @@ private Q_SLOTS:
             isRight ? guarded.urlWith(password) : guarded.urlWith(password).replace("anna", "otto");
         const Sandbox box;
         box.file("line.csv", line1D);
+        box.file("machine.TAMcfg", machine);
         for (const QStringList& command : driveCommands()) {
             if (!isRight && (command.front() == "restore" || command.front() == "upload"))
                 continue; // there is no file

@@ -21,9 +21,9 @@ const QByteArray first1D = "X [mm],Error [mm]\n0,0\n40,0.0021\n80,-0.001\n";
 const QByteArray second1D = "X [mm],Error [mm]\n0,0\n40,0.0011\n80,-0.003\n";
 const QByteArray plane = "X,Y,T\n0,0,0\n50,0,0.001\n0,50,0.002\n50,50,-0.003\n";
 
-const QStringList planKeys{"after", "axis", "before", "changes", "drive", "flashOperations",
-    "flashOperationsLeft", "flashWaitSeconds", "largeCorrections", "serialNumber", "slotReason",
-    "tableBytes", "units", "warnings"};
+const QStringList planKeys{"after", "axis", "before", "changes", "deletedSlot", "drive",
+    "flashOperations", "flashOperationsLeft", "flashWaitSeconds", "largeCorrections",
+    "serialNumber", "slotReason", "tableBytes", "units", "warnings"};
 
 /// A drive, and the files of this test.
 struct Fixture {

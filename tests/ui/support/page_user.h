@@ -79,14 +79,20 @@ public:
         return widget.rect().center();
     }
     /// To the window that has the keyboard.
+    /// Between two windows there is none for a moment.
+    static QWindow* focusWindow()
+    {
+        static_cast<void>(waitFor([] { return QGuiApplication::focusWindow() != nullptr; }));
+        return QGuiApplication::focusWindow();
+    }
     static void press(Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::NoModifier)
     {
-        QTest::keyClick(QGuiApplication::focusWindow(), key, modifiers);
+        QTest::keyClick(focusWindow(), key, modifiers);
     }
     static void type(const QString& text)
     {
         for (const QChar c : text)
-            QTest::keyClick(QGuiApplication::focusWindow(), c.toLatin1());
+            QTest::keyClick(focusWindow(), c.toLatin1());
     }
     /// Types a text into a field and confirms it.
     [[nodiscard]] bool enter(const QByteArray& field, const QString& text)

@@ -76,8 +76,9 @@ bool isTheSameInBothLanguages(const QString& text)
 /// Live values come and go between two looks.
 bool isLive(const QString& place)
 {
-    static const QStringList live{QStringLiteral("liveValues"), QStringLiteral("readout"),
-        QStringLiteral("sourceNote"), QStringLiteral("logLines"), QStringLiteral("busyStep")};
+    static const QStringList live{QStringLiteral("liveValues"), QStringLiteral("stateDetail"),
+        QStringLiteral("readout"), QStringLiteral("sourceNote"), QStringLiteral("logLines"),
+        QStringLiteral("busyStep")};
     return std::ranges::any_of(live, [&](const QString& name) { return place.contains(name); });
 }
 
