@@ -71,7 +71,7 @@ private Q_SLOTS:
         const QJsonObject x = gantry.value("axes").toArray().at(0).toObject();
         QCOMPARE(x.keys(), (QStringList{"axis", "slot", "sources", "unit"}));
         QCOMPARE(x.value("slot").toString(), "Small4");
-        VERIFY_CODE(box.run({"config", "show", "missing.TAMcfg"}), 1);
+        VERIFY_CODE(box.run({"config", "show", "missing.TAMcfg"}), 3);
         box.file("bad.TAMcfg", "<TamTopology>\n<TamStation>\n");
         const ProgramRun bad = box.run({"config", "show", "bad.TAMcfg"});
         VERIFY_CODE(bad, 3);

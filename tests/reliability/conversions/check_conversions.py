@@ -226,6 +226,8 @@ def read_pmac_1d(side, case):
     return Table([knots], {BOTH: scaled(entries, value / per / 16)}, step=value / per / 16, wraps=True)
 
 
+UNEVEN = {"isg-crosscomp", "isg-ssfk", "icube", "linuxcnc"}
+
 READERS = {"csv": read_csv, "aerotech-1d": read_aerotech_1d, "aerotech-2d": read_aerotech_2d,
            "siemens-eec": read_siemens_eec, "siemens-cec": read_siemens_cec, "isg-ssfk": read_isg_ssfk,
            "isg-crosscomp": read_isg_crosscomp, "isg-crosscomp2": read_isg_crosscomp2, "softmc": read_softmc,
@@ -290,6 +292,18 @@ def merged(columns, choice):
     return columns
 
 
+def positions(table, columns, own, to):
+    """Where the points of the other file stand: x + f(x) where it takes uneven positions."""
+    if own is None or len(table.axes) > 1 or table.period or set(columns) != {BOTH}:
+        return table.axes
+    knots = table.axes[0]
+    distance = (knots[-1] - knots[0]) / (len(knots) - 1)
+    even = all(abs(x - knots[0] - i * distance) < 1e-9 * abs(distance) for i, x in enumerate(knots))
+    if even and to not in UNEVEN:
+        return table.axes
+    return [[x + value for x, value in zip(knots, columns[BOTH])]]
+
+
 def problem_of(case):
     """What the second file says wrongly; None: nothing."""
     if "refused" in case:
@@ -304,7 +318,8 @@ def problem_of(case):
         if (case[side]["sign"] == "feedback") != (case[side]["format"] in FEEDBACK):
             return "the program says another convention of " + case[side]["format"]
     pmac = case["to"]["format"] == "pmac-1d"
-    for n, (knots, others) in enumerate(zip(a.axes, b.axes)):
+    expected = positions(a, columns, own if changes else None, case["to"]["format"])
+    for n, (knots, others) in enumerate(zip(expected, b.axes)):
         others = others[:len(knots)] if pmac else others  # which may have a way back to its beginning
         allowed = 0.5001 * b.position_step + 1e-10 * (abs(knots[0]) + abs(knots[-1]))
         if len(knots) != len(others) or any(abs(x - y) > allowed for x, y in zip(knots, others)):
