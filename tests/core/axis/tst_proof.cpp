@@ -6,6 +6,9 @@
 #include "tests/support/test_registry.h"
 #include "tests/support/verify.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace tst_proof {
 
 using namespace axiscomp;
@@ -57,8 +60,8 @@ struct Written : CompensatorFixture {
     }
     Result<Proof> proofOf(Switch wanted)
     {
-        const auto activation = compensator.switchTo(0, wanted);
-        return activation ? *activation->proof : Result<Proof>(fail(activation.error()));
+        const auto switched = compensator.switchTo(0, wanted);
+        return switched ? *switched->proof : Result<Proof>(fail(switched.error()));
     }
 };
 
@@ -102,6 +105,22 @@ private Q_SLOTS:
         const std::string said = sentence(proof.error());
         QVERIFY2(said.find("the output at ") != std::string::npos, said.c_str());
         QVERIFY2(said.find("MasterPosition = ") != std::string::npos, said.c_str());
+    }
+
+    /// Eight roundings of float32, of the largest value.
+    void theToleranceIsThatOfSingleNumbers()
+    {
+        const WriteRequest request = wideRequest();
+        float largest = 0.0F;
+        for (const float value : request.table->values)
+            largest = std::max(largest, std::abs(value));
+        QVERIFY(tolerance() == 8.0 * std::ldexp(static_cast<double>(largest), -24));
+    }
+
+    void whatIsOffCannotBeProved()
+    {
+        Written f;
+        VERIFY_ERROR(f.compensator.prove(0), ErrorCode::CompensationError);
     }
 
     void anIndexThatDiffersIsFound_data()
@@ -150,6 +169,18 @@ private Q_SLOTS:
         VERIFY_ERROR(f.proofOf(Switch::Activate), ErrorCode::ProofFailed);
         f.link.altersReading = adding(indexPath(2), 0.1);
         VERIFY_ERROR(f.proofOf(Switch::Activate), ErrorCode::ProofFailed);
+    }
+
+    /// The axis moves by some 10 um from one request to the next.
+    void aSourceThatIsReadLaterThanTheOutputIsNoError()
+    {
+        DriveProfile profile = drivecomm::genericProfile();
+        for (const bool isOneInstant : {false, true}) {
+            profile.readsAtOneInstant = isOneInstant;
+            Written f(wideRequest(), profile);
+            f.link.altersReading = adding(test::masterX, 1e-3);
+            QCOMPARE(f.proofOf(Switch::Evaluate).has_value(), !isOneInstant);
+        }
     }
 
     void aProofThatFailsSwitchesOffAgain()
@@ -255,6 +286,16 @@ private Q_SLOTS:
             VERIFY_RESULT(proof);
             QVERIFY(proof->extent == Proof::Extent::OutsideTable);
         }
+    }
+
+    void outsideInTheSecondDimensionNothingIsProvedEither()
+    {
+        WriteRequest request = wideRequest();
+        request.table->grid.axes[1].start = -2000.0;
+        Written f(request);
+        const auto proof = f.proofOf(Switch::Evaluate);
+        VERIFY_RESULT(proof);
+        QVERIFY(proof->extent == Proof::Extent::OutsideTable);
     }
 
     void zerosProveNothingWhileActive()

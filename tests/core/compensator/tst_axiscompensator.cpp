@@ -47,6 +47,7 @@ private Q_SLOTS:
         CompensatorFixture f;
         QCOMPARE(f.compensator.findAxis("1").value_or(-1), 1);
         QCOMPARE(f.compensator.findAxis("Y").value_or(-1), 1);
+        VERIFY_ERROR(f.compensator.findAxis("2"), ErrorCode::AxisNotFound);
         const auto missing = f.compensator.findAxis("Z");
         VERIFY_ERROR(missing, ErrorCode::AxisNotFound);
         QCOMPARE(
@@ -316,6 +317,15 @@ private Q_SLOTS:
         QCOMPARE(status->axis.stateWord, "Evaluating");
         QCOMPARE(status->output, 0.0);
         VERIFY_RESULT(f.compensator.prove(0));
+    }
+
+    void anActiveCompensationIsNotEvaluated()
+    {
+        CompensatorFixture f;
+        VERIFY_RESULT(f.compensator.write(0, exampleRequest()));
+        VERIFY_RESULT(f.compensator.activate(0));
+        VERIFY_ERROR(f.compensator.evaluate(0), ErrorCode::CompensationActive);
+        QCOMPARE(f.text(activation), "AddToEncoders");
     }
 
     void aDriveThatRestartsWhileItIsSwitchedIsNotWaitedFor()
