@@ -141,6 +141,7 @@ PlotCanvas::PlotCanvas(QWidget* parent) : QObject(parent), d(std::make_unique<Pr
     d->secondCurve = plot.addGraph();
     d->curve = plot.addGraph();
     d->filled = plot.addGraph();
+    d->filled->setLayer(QStringLiteral("axes")); // above the map
     d->filled->setLineStyle(QCPGraph::lsNone);
     d->filled->removeFromLegend();
     d->marker = plot.addGraph();
