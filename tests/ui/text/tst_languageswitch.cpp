@@ -39,6 +39,7 @@ QString withoutData(QString text)
 {
     static const QRegularExpression data(QStringLiteral(
         "(https?|tam|serial)://?\\S+|demo:|\\S*[/\\\\]\\S*|0x[0-9a-f]+|\\S+\\.(csv|json|txt)"
+        "|Demo [XY] over X, Y|\\b[0-9A-F]{8}\\b"
         "|\\bTriamec-616\\b|\\bDemo\\b|\\b(Small|Large)\\d\\b|\\b(first|second|table \\d)\\b"
         "|\\b[XYZT]\\b|\\b[123]D\\b|[µm]?m\\b|°C|<[^>]*>|&\\w+;|\\bDim\\d|[A-Z][a-z]+[A-Z]\\w+"
         "|[A-Z][a-z]+: |X \\[mm\\].*"));
