@@ -78,11 +78,16 @@ public:
             return {16, widget.height() / 2};
         return widget.rect().center();
     }
-    /// To the window that has the keyboard.
-    /// Between two windows there is none for a moment.
+    /// The window that has the keyboard: between two windows there is none for a moment, and a menu
+    /// that was quickly closed can be told too late that it had it.
     static QWindow* focusWindow()
     {
-        static_cast<void>(waitFor([] { return QGuiApplication::focusWindow() != nullptr; }));
+        static_cast<void>(waitFor([] {
+            const QWindow* window = QGuiApplication::focusWindow();
+            if (window && !window->isVisible() && window->transientParent())
+                window->transientParent()->requestActivate();
+            return window && window->isVisible();
+        }));
         return QGuiApplication::focusWindow();
     }
     static void press(Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::NoModifier)
