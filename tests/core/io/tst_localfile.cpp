@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/io/local_file.h"
+#include "tests/support/file_content.h"
 #include "tests/support/kill_points.h"
 #include "tests/support/test_registry.h"
 #include "tests/support/verify.h"
@@ -17,15 +18,10 @@
 namespace tst_localfile {
 
 using namespace axiscomp;
+using axiscomp::test::contentOf;
 namespace fs = std::filesystem;
 
 namespace {
-
-std::string contentOf(const fs::path& file)
-{
-    std::ifstream stream(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 void put(const fs::path& file, std::string_view text)
 {

@@ -2,6 +2,7 @@
 #include "core/drive/compensation_setup.h"
 #include "core/store/drive_store.h"
 #include "core/store/sqlite.h"
+#include "tests/support/file_content.h"
 #include "tests/support/test_registry.h"
 #include "tests/support/verify.h"
 
@@ -18,6 +19,7 @@
 namespace tst_drivestore {
 
 using namespace axiscomp;
+using axiscomp::test::contentOf;
 using namespace std::chrono_literals;
 namespace fs = std::filesystem;
 
@@ -58,12 +60,6 @@ void put(const fs::path& file, std::string_view text)
 {
     fs::create_directories(file.parent_path());
     std::ofstream(file, std::ios::binary) << text;
-}
-
-std::string contentOf(const fs::path& file)
-{
-    std::ifstream stream(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
 }
 
 std::set<std::string> namesIn(const fs::path& folder)

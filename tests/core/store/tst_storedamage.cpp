@@ -3,6 +3,7 @@
 #include "core/store/drive_store.h"
 #include "core/store/sqlite.h"
 #include "core/store/trusted_certificates.h"
+#include "tests/support/file_content.h"
 #include "tests/support/kill_points.h"
 #include "tests/support/test_registry.h"
 #include "tests/support/verify.h"
@@ -14,6 +15,7 @@
 namespace tst_storedamage {
 
 using namespace axiscomp;
+using axiscomp::test::contentOf;
 using namespace std::chrono_literals;
 namespace fs = std::filesystem;
 
@@ -23,12 +25,6 @@ constexpr std::int32_t serial = 1559;
 constexpr int momentStep = 11; ///< of some hundred system calls
 const WallTime start = *utcFromText("2026-11-21T08:02:23Z");
 const FlashWearLimits limits{.operations = 8, .window = 10min};
-
-std::string contentOf(const fs::path& file)
-{
-    std::ifstream stream(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 void overwrite(const fs::path& file, std::streamoff offset, const std::string& bytes)
 {

@@ -2,6 +2,7 @@
 #include "core/store/drive_store.h"
 #include "core/store/sqlite.h"
 #include "core/store/trusted_certificates.h"
+#include "tests/support/file_content.h"
 #include "tests/support/kill_points.h"
 #include "tests/support/test_registry.h"
 #include "tests/support/verify.h"
@@ -16,18 +17,13 @@
 namespace tst_unusablestore {
 
 using namespace axiscomp;
+using axiscomp::test::contentOf;
 using namespace std::chrono_literals;
 namespace fs = std::filesystem;
 
 namespace {
 
 constexpr std::int32_t serial = 1559;
-
-std::string contentOf(const fs::path& file)
-{
-    std::ifstream stream(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 JournalEntry someEntry()
 {

@@ -205,6 +205,7 @@ void SerialLinkTest::sendsNothingButIdentifyToAStranger()
     VERIFY_ERROR(link->writeRegisters(writes, within(400ms)), ErrorCode::Timeout);
     const QRegularExpression identify(
         QStringLiteral("^#[0-9]{1,5} identify \\*[0-9a-f]{4}\\r\\n$"));
+    QTRY_VERIFY(stranger.heard().ends_with('\n'));
     const QString heard = QString::fromStdString(stranger.heard());
     QVERIFY2(identify.match(heard).hasMatch(), qPrintable(heard));
 }
@@ -303,21 +304,29 @@ void SerialLinkTest::worksAtOnceAfterAStoppedTransfer()
     const Bytes before = fullTable(0.002F);
     VERIFY_RESULT(served.drive.upload(small1, before));
     const auto link = serialLinkTo(served.server->url());
-    std::stop_source source;
-    Exchange exchange;
-    exchange.stop = source.get_token();
-    int seen = 0;
-    exchange.progress = [&](auto, auto) {
-        if (++seen == blocks)
-            source.request_stop();
+    const auto stopTransfer = [&] {
+        std::stop_source source;
+        Exchange exchange;
+        exchange.stop = source.get_token();
+        int seen = 0;
+        exchange.progress = [&](auto, auto) {
+            if (++seen == blocks)
+                source.request_stop();
+        };
+        if (isUpload)
+            VERIFY_ERROR(link->upload(small1, fullTable(), exchange), ErrorCode::Cancelled);
+        else
+            VERIFY_ERROR(link->download(small1, exchange), ErrorCode::Cancelled);
     };
-    if (isUpload)
-        VERIFY_ERROR(link->upload(small1, fullTable(), exchange), ErrorCode::Cancelled);
-    else
-        VERIFY_ERROR(link->download(small1, exchange), ErrorCode::Cancelled);
+    stopTransfer();
     QVERIFY(served.file(small1) == before);
-    // Less than it takes to find out that a line has to be synchronised.
-    VERIFY_RESULT(link->listFiles(within(450ms)));
+    // Less than it takes to find out that a line has to be synchronised. A machine that stands
+    // still for a moment gets a second try; a line that was out of step would be so again.
+    if (!link->listFiles(within(450ms))) {
+        VERIFY_RESULT(link->identify({}));
+        stopTransfer();
+        VERIFY_RESULT(link->listFiles(within(450ms)));
+    }
     VERIFY_RESULT(link->upload(small1, fullTable(), {}));
     QVERIFY(served.file(small1) == fullTable());
 }

@@ -126,9 +126,7 @@ private Q_SLOTS:
     {
         PageFixture bench;
         auto& user = bench.user;
-        QVERIFY(bench.open());
-        QVERIFY(bench.choose2D());
-        QVERIFY(bench.write());
+        QVERIFY(bench.openWritten());
         QVERIFY(user.pickFromMenu("activateMenuButton", "activateMenu", Qt::Key_E));
         QVERIFY(bench.saysOutcome(QStringLiteral("the drive adds nothing")));
         QTRY_COMPARE(user.the<QLabel>("compensationState").text(), QStringLiteral("EVALUATING"));
@@ -220,9 +218,7 @@ private Q_SLOTS:
     {
         PageFixture bench;
         auto& user = bench.user;
-        QVERIFY(bench.open());
-        QVERIFY(bench.choose2D());
-        QVERIFY(bench.write());
+        QVERIFY(bench.openWritten());
         QVERIFY(user.pickFromMenu("recentButton", "recentMenu", Qt::Key_C)); // Close File
         QTRY_VERIFY(!bench.controller().dataFile().data);
         QVERIFY(user.click("persistencyField"));
@@ -236,9 +232,7 @@ private Q_SLOTS:
     {
         PageFixture bench;
         auto& user = bench.user;
-        QVERIFY(bench.open());
-        QVERIFY(bench.choose2D());
-        QVERIFY(bench.write());
+        QVERIFY(bench.openWritten());
         const auto first = bench.state();
         QVERIFY(user.choose("tableField", QStringLiteral("second")));
         QVERIFY(bench.write());
@@ -266,9 +260,7 @@ private Q_SLOTS:
     {
         PageFixture bench;
         auto& user = bench.user;
-        QVERIFY(bench.open());
-        QVERIFY(bench.choose2D());
-        QVERIFY(bench.write());
+        QVERIFY(bench.openWritten());
         const auto before = bench.state();
         QVERIFY(user.pickFromMenu("activateMenuButton", "activateMenu", Qt::Key_D));
         QTRY_VERIFY(user.sees("confirmWriteButton"));
@@ -310,9 +302,7 @@ private Q_SLOTS:
     void anAxisThatIsNotHomedSaysSo()
     {
         PageFixture bench(PageFixture::twoAxes(false));
-        QVERIFY(bench.open());
-        QVERIFY(bench.choose2D());
-        QVERIFY(bench.write());
+        QVERIFY(bench.openWritten());
         QCOMPARE(bench.user.hint(), QStringLiteral("The axis must be homed first."));
         QVERIFY(!bench.user.the("activateButton").isEnabled());
         QVERIFY(bench.user.note("axisField").contains(QStringLiteral("not homed")));

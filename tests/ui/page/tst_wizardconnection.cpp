@@ -87,9 +87,7 @@ private Q_SLOTS:
     {
         PageFixture bench;
         auto& user = bench.user;
-        QVERIFY(bench.open());
-        QVERIFY(bench.choose2D());
-        QVERIFY(bench.write());
+        QVERIFY(bench.openWritten());
         QVERIFY(user.choose("tableField", QStringLiteral("second")));
         const auto written =
             bench.served.drive.writeRegisters({{activationX, std::string("Evaluate")}});
@@ -114,9 +112,7 @@ private Q_SLOTS:
     {
         PageFixture bench;
         auto& user = bench.user;
-        QVERIFY(bench.open());
-        QVERIFY(bench.choose2D());
-        QVERIFY(bench.write());
+        QVERIFY(bench.openWritten());
         QVERIFY(user.choose("tableField", QStringLiteral("second")));
         // From here on the page hears of nothing by itself before the write.
         QVERIFY(user.click("writeButton"));
@@ -138,9 +134,7 @@ private Q_SLOTS:
     {
         PageFixture bench;
         auto& user = bench.user;
-        QVERIFY(bench.open());
-        QVERIFY(bench.choose2D());
-        QVERIFY(bench.write());
+        QVERIFY(bench.openWritten());
         const auto before = bench.state();
         QVERIFY(user.choose("tableField", QStringLiteral("second")));
         QVERIFY(user.click("writeButton"));
@@ -182,9 +176,7 @@ private Q_SLOTS:
     {
         PageFixture bench;
         auto& user = bench.user;
-        QVERIFY(bench.open());
-        QVERIFY(bench.choose2D());
-        QVERIFY(bench.write());
+        QVERIFY(bench.openWritten());
         const auto before = bench.state();
         QVERIFY(user.choose("tableField", QStringLiteral("second")));
         QVERIFY(user.click("writeButton"));

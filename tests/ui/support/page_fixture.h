@@ -127,6 +127,9 @@ public:
         return user.click("writeButton") && user.click("confirmWriteButton") && idle();
     }
 
+    /// The axis has the first table of the file.
+    [[nodiscard]] bool openWritten() { return open() && choose2D() && write(); }
+
     [[nodiscard]] QString path(const QString& name) const { return folder.filePath(name); }
     [[nodiscard]] QString file(const QString& name, const QByteArray& content) const
     {
