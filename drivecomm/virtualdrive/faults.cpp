@@ -143,6 +143,11 @@ FaultPlan::Decision FaultPlan::next(bool isWrite)
 std::optional<std::uint64_t> FaultPlan::bytesUntilDrop() const
 {
     const std::scoped_lock lock(m_mutex);
+    return untilDrop();
+}
+
+std::optional<std::uint64_t> FaultPlan::untilDrop() const
+{
     std::optional<std::uint64_t> least;
     for (const FaultSpec& fault : m_faults)
         if (fault.kind == FaultSpec::Kind::DropAfter)
@@ -150,9 +155,28 @@ std::optional<std::uint64_t> FaultPlan::bytesUntilDrop() const
     return least;
 }
 
+FaultPlan::Carried FaultPlan::carry(
+    std::size_t bytes, const std::function<std::ptrdiff_t(std::size_t)>& send)
+{
+    const std::scoped_lock lock(m_mutex);
+    const auto left = untilDrop();
+    const std::ptrdiff_t sent =
+        send(left ? static_cast<std::size_t>(std::min<std::uint64_t>(bytes, *left)) : bytes);
+    if (sent <= 0)
+        return {sent, false};
+    const auto carried = static_cast<std::uint64_t>(sent);
+    count(carried);
+    return {sent, left == carried};
+}
+
 void FaultPlan::countBytes(std::uint64_t bytes)
 {
     const std::scoped_lock lock(m_mutex);
+    count(bytes);
+}
+
+void FaultPlan::count(std::uint64_t bytes)
+{
     std::erase_if(m_faults, [&](FaultSpec& fault) {
         if (fault.kind != FaultSpec::Kind::DropAfter)
             return false;

@@ -4,6 +4,7 @@
 #include "core/base/result.h"
 
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <mutex>
@@ -62,12 +63,23 @@ public:
     [[nodiscard]] std::optional<std::uint64_t> bytesUntilDrop() const;
     /// Counting the last of them spends the fault: whoever counts it cuts the connection.
     void countBytes(std::uint64_t bytes);
+    struct Carried {
+        std::ptrdiff_t bytes; ///< what send said; below 0: it failed
+        bool isCut; ///< the last byte before a cut was among them
+    };
+    /// Sends at most this many bytes (1 or more), at most those until a cut, and counts what was
+    /// sent: whoever receives them and asks then finds them counted. send must not wait, nor use
+    /// this plan.
+    Carried carry(std::size_t bytes, const std::function<std::ptrdiff_t(std::size_t)>& send);
     /// Requests and writes are counted from the beginning or the last clear(), bytes from here.
     void add(FaultSpec fault);
     /// No more faults; counting starts again.
     void clear();
 
 private:
+    [[nodiscard]] std::optional<std::uint64_t> untilDrop() const;
+    void count(std::uint64_t bytes);
+
     const Observer m_observer;
     mutable std::mutex m_mutex;
     std::vector<FaultSpec> m_faults;

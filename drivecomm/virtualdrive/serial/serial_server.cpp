@@ -91,9 +91,6 @@ struct SerialServer::Private {
     void wait();
     void receive(Clock::time_point now);
     void send(Clock::time_point now);
-    [[nodiscard]] std::size_t untilCut(std::size_t bytes) const;
-    /// False when the connection is cut here.
-    bool count(std::size_t bytes);
     void unplug();
 
     FaultPlan& faults;
@@ -118,23 +115,6 @@ SerialServer::Private::~Private()
         thread.join();
 }
 
-std::size_t SerialServer::Private::untilCut(std::size_t bytes) const
-{
-    const auto left = faults.bytesUntilDrop();
-    return left ? static_cast<std::size_t>(std::min<std::uint64_t>(bytes, *left)) : bytes;
-}
-
-bool SerialServer::Private::count(std::size_t bytes)
-{
-    const auto left = faults.bytesUntilDrop();
-    faults.countBytes(bytes);
-    if (left && *left <= bytes) {
-        unplug();
-        return false;
-    }
-    return true;
-}
-
 void SerialServer::Private::unplug()
 {
     conversation.hangUp();
@@ -152,10 +132,16 @@ void SerialServer::Private::unplug()
 void SerialServer::Private::receive(Clock::time_point now)
 {
     while (!incoming.bytes.empty() && incoming.arrival <= now) {
-        const std::size_t whole = untilCut(incoming.bytes.size());
+        const auto left = faults.bytesUntilDrop();
+        const std::size_t size = incoming.bytes.size();
+        const bool isCut = left && *left <= size;
+        const std::size_t whole = isCut ? static_cast<std::size_t>(*left) : size;
         conversation.feed(std::string_view(incoming.bytes).substr(0, whole), now);
-        if (!count(whole))
+        faults.countBytes(whole);
+        if (isCut) {
+            unplug();
             return;
+        }
         incoming.bytes.clear();
     }
     if (!incoming.bytes.empty() || waiting.size() > mostWaiting)
@@ -182,14 +168,17 @@ void SerialServer::Private::send(Clock::time_point now)
         }
         if (outgoing.arrival > now)
             return;
-        const std::size_t size = untilCut(outgoing.bytes.size());
-        const ssize_t sent = ::write(terminal.master().get(), outgoing.bytes.data(), size);
-        isFull = sent < 0;
-        if (sent < 0)
+        const auto carried = faults.carry(outgoing.bytes.size(), [this](std::size_t size) {
+            return ::write(terminal.master().get(), outgoing.bytes.data(), size);
+        });
+        isFull = carried.bytes < 0;
+        if (isFull)
             return;
-        outgoing.bytes.erase(0, static_cast<std::size_t>(sent));
-        if (!count(static_cast<std::size_t>(sent)))
+        outgoing.bytes.erase(0, static_cast<std::size_t>(carried.bytes));
+        if (carried.isCut) {
+            unplug();
             return;
+        }
     }
 }
 

@@ -340,27 +340,21 @@ void ConnectionRelay::Private::handle(Connection& c, short clientEvents, short s
 void ConnectionRelay::Private::pass(Connection& c, RelayLane& lane, const Socket& target)
 {
     while (!lane.isEmpty()) {
-        std::size_t size = lane.bytes.size() - lane.begin;
-        const std::optional<std::uint64_t> limit = faults.bytesUntilDrop();
-        if (limit)
-            size = static_cast<std::size_t>(std::min<std::uint64_t>(size, *limit));
-        ssize_t sent = 0;
-        if (size > 0) {
-            sent = ::send(target.get(), lane.bytes.data() + lane.begin, size, MSG_NOSIGNAL);
-            if (sent < 0 && (errno == EAGAIN || errno == EINTR || errno == ENOTCONN))
-                return;
-        }
-        if (sent < 0) {
+        const auto carried = faults.carry(lane.bytes.size() - lane.begin, [&](std::size_t size) {
+            return ::send(target.get(), lane.bytes.data() + lane.begin, size, MSG_NOSIGNAL);
+        });
+        if (carried.bytes < 0 && (errno == EAGAIN || errno == EINTR || errno == ENOTCONN))
+            return;
+        if (carried.bytes < 0) {
             c.isDead = &lane == &c.reply;
             lane.bytes.clear();
             lane.begin = 0;
             lane.discards = true;
             return;
         }
-        lane.begin += static_cast<std::size_t>(sent);
+        lane.begin += static_cast<std::size_t>(carried.bytes);
         c.lastPassed = Clock::now();
-        faults.countBytes(static_cast<std::uint64_t>(sent));
-        if (limit && static_cast<std::uint64_t>(sent) == *limit) {
+        if (carried.isCut) {
             c.isDead = true;
             return;
         }

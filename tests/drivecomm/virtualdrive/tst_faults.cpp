@@ -4,6 +4,7 @@
 #include "tests/drivecomm/virtualdrive/drive_fixture.h"
 #include "tests/support/test_registry.h"
 
+#include <future>
 #include <numeric>
 #include <thread>
 
@@ -30,6 +31,7 @@ private Q_SLOTS:
     void happensAtItsRequestOnly();
     void countsWritesApart();
     void slowAndRejectStay();
+    void whoeverReceivedBytesFindsThemCounted();
     void dropIsSpentByItsBytes();
     void clearStartsAgain();
     void countsOverAllThreads();
@@ -152,6 +154,30 @@ void TestFaults::slowAndRejectStay()
         QVERIFY(!plan.next(false).rejectCode);
         QVERIFY(plan.next(true).rejectCode == "FlashWear");
     }
+}
+
+/// Otherwise a recording of how much an exchange carries misses what was sent last.
+void TestFaults::whoeverReceivedBytesFindsThemCounted()
+{
+    FaultPlan plan;
+    plan.add({FaultSpec::Kind::DropAfter, 100, {}});
+    std::future<std::optional<std::uint64_t>> asked;
+    const auto first = plan.carry(60, [&](std::size_t size) {
+        asked = std::async(std::launch::async, [&plan] { return plan.bytesUntilDrop(); });
+        asked.wait_for(std::chrono::milliseconds(20));
+        return static_cast<std::ptrdiff_t>(size);
+    });
+    QCOMPARE(first.bytes, std::ptrdiff_t{60});
+    QVERIFY(!first.isCut);
+    QVERIFY(asked.get() == 40U);
+    const auto refused = plan.carry(60, [](std::size_t) { return std::ptrdiff_t{-1}; });
+    QCOMPARE(refused.bytes, std::ptrdiff_t{-1});
+    QVERIFY(!refused.isCut);
+    const auto last =
+        plan.carry(60, [](std::size_t size) { return static_cast<std::ptrdiff_t>(size); });
+    QCOMPARE(last.bytes, std::ptrdiff_t{40});
+    QVERIFY(last.isCut);
+    QVERIFY(!plan.bytesUntilDrop());
 }
 
 void TestFaults::dropIsSpentByItsBytes()
