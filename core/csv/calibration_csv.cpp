@@ -55,17 +55,14 @@ std::vector<std::string> axisHeaders(const Grid& grid)
 /// tables that are left are asked by their names.
 void takeTargets(CalibrationData& data, DiagnosticList& diagnostics)
 {
-    constexpr std::string_view key = "target:";
     const std::vector<std::string> headers = axisHeaders(data.grid);
     for (CompensationTable& table : data.tables)
         table.target = targetInHeader(table.name, headers);
-    const auto note = std::ranges::find_if(data.notes, [&](const std::string& line) {
-        return line.size() > key.size()
-            && sameLetters(std::string_view(line).substr(0, key.size()), key);
-    });
+    const auto note = std::ranges::find_if(
+        data.notes, [](const std::string& line) { return targetInComment(line).has_value(); });
     if (note == data.notes.end())
         return;
-    std::vector<std::string> said = targetList(std::string_view(*note).substr(key.size()));
+    std::vector<std::string> said = targetList(*targetInComment(*note));
     if (said.size() == 1)
         said.resize(data.tables.size(), said.front());
     std::vector<std::string> meant;

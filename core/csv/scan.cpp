@@ -3,6 +3,7 @@
 
 #include "core/csv/fast_rows.h"
 #include "core/csv/header.h"
+#include "core/table/target_axis.h"
 #include "core/text/line_reader.h"
 
 #include <cmath>
@@ -28,6 +29,8 @@ public:
 
 private:
     void readLine();
+    void keepNote(std::string_view comment, std::size_t lineNumber);
+    void reportDroppedNotes();
     bool useHeader(std::string_view line, std::size_t lineNumber);
     void readPlainRowsUntil(const char* until);
     void readDataLine(std::string_view line, std::size_t lineNumber);
@@ -56,6 +59,9 @@ private:
     std::size_t m_decimalLine = 0; ///< where the first decimal sign stands
     bool m_stop = false;
     std::vector<Cell> m_cells;
+    std::size_t m_noteBytes = 0;
+    std::size_t m_droppedNotes = 0;
+    std::size_t m_firstDroppedLine = 0;
     Scan m_scan;
 };
 
@@ -82,6 +88,7 @@ Scan Scanner::run()
                 readLine();
         }
     }
+    reportDroppedNotes();
     return std::move(m_scan);
 }
 
@@ -91,13 +98,35 @@ void Scanner::readLine()
     const std::string_view line = m_lines.next();
     const std::string_view content = trimmed(line);
     if (content.starts_with("//"))
-        m_scan.notes.emplace_back(trimmed(toUtf8(content.substr(2), m_encoding)));
+        keepNote(trimmed(content.substr(2)), lineNumber);
     else if (content.empty())
         return;
     else if (m_scan.headerLine == 0)
         m_stop = !useHeader(line, lineNumber);
     else
         readDataLine(line, lineNumber);
+}
+
+/// A file may have more comments than data; the target, which changes numbers, is never among those
+/// that are left out.
+void Scanner::keepNote(std::string_view comment, std::size_t lineNumber)
+{
+    constexpr std::size_t maximumNoteBytes = std::size_t{1} << 20U;
+    if (m_noteBytes + comment.size() <= maximumNoteBytes || targetInComment(comment)) {
+        m_noteBytes += comment.size();
+        m_scan.notes.push_back(toUtf8(comment, m_encoding));
+    } else if (m_droppedNotes++ == 0) {
+        m_firstDroppedLine = lineNumber;
+    }
+}
+
+void Scanner::reportDroppedNotes()
+{
+    if (m_droppedNotes > 0)
+        m_diagnostics.warning(DiagnosticCode::DroppedComments, m_firstDroppedLine, 0,
+            AXISCOMP_COUNTED("Error", "{count} more comment lines", "1 more comment line")
+                .with("count", m_droppedNotes),
+            AXISCOMP_TEXT("Error", "at most 1 MiB of comments"));
 }
 
 bool Scanner::useHeader(std::string_view line, std::size_t lineNumber)

@@ -166,6 +166,14 @@ std::string portableTarget(std::string_view statement, std::span<const std::stri
     return meant->source ? sourceTarget(*meant->source) : std::string(otherAxis);
 }
 
+std::optional<std::string_view> targetInComment(std::string_view comment)
+{
+    constexpr std::string_view key = "target:";
+    if (comment.size() <= key.size() || !sameLetters(comment.substr(0, key.size()), key))
+        return std::nullopt;
+    return comment.substr(key.size());
+}
+
 std::vector<std::string> targetList(std::string_view text)
 {
     std::vector<std::string> statements;

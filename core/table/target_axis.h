@@ -52,6 +52,9 @@ struct TargetAxis {
 [[nodiscard]] std::string portableTarget(
     std::string_view statement, std::span<const std::string> headers);
 
+/// What a comment "target: Z" of a calibration file states, " Z"; nothing: it is another comment.
+[[nodiscard]] std::optional<std::string_view> targetInComment(std::string_view comment);
+
 /// "X, Y": the statements of a list, blanks cut off.
 [[nodiscard]] std::vector<std::string> targetList(std::string_view text);
 

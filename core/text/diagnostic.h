@@ -44,6 +44,7 @@ enum class DiagnosticCode {
     FilledPoints,
     CroppedGrid,
     SnappedPositions,
+    DroppedComments,
     UnknownKey,
     UnitNotGiven,
     TargetNotKnown,

@@ -15,6 +15,12 @@ constexpr int shortBlocksThen = 24;
 /// empties its output when it ends).
 constexpr int repeatsAtTheEnd = 2;
 
+/// No answer of a receiver, but what a line of text begins with.
+bool beginsLine(std::uint8_t byte)
+{
+    return byte == '#' || byte == '\r' || byte == '\n' || (byte >= 'a' && byte <= 'z');
+}
+
 } // namespace
 
 Sender::Sender(std::string name, ByteView bytes, Clock::time_point now, const Patience& patience)
@@ -34,6 +40,10 @@ std::size_t Sender::feed(ByteView received, Clock::time_point now)
         if (isSecondCancel) {
             end(State::Cancelled);
             return i + 1;
+        }
+        if (m_step == Step::LastHeader && beginsLine(byte)) {
+            end(State::Done); // the receiver has gone on, and its answer was lost
+            return i;
         }
         m_hasSent = false;
         respond(byte, now);

@@ -65,6 +65,21 @@ private Q_SLOTS:
         }
     }
 
+    /// 30 comments of 64 KiB and then the target: only what changes no number is left out.
+    void commentsBeyondAMegabyteAreNotKept()
+    {
+        QByteArray text = "X [mm],Y [mm],E [mm]\n";
+        for (int n = 0; n < 30; ++n)
+            text += "// " + QByteArray(65536, static_cast<char>('a' + n % 26)) + '\n';
+        text += "// target: Y\n0,0,0.001\n1,0,0.002\n0,1,0.003\n1,1,0.004\n";
+        const CsvReading reading = parse(text, 2);
+        QCOMPARE(describe(reading),
+            QByteArrayList{"18:0 DroppedComments 14 more comment lines|at most 1 MiB of comments"});
+        QVERIFY(reading.data);
+        QCOMPARE(reading.data->notes.size(), std::size_t{16});
+        QCOMPARE(reading.data->tables[0].target, std::string("Y"));
+    }
+
     void aProblemIsInItsLine_data()
     {
         QTest::addColumn<QByteArray>("lineEnd");

@@ -23,6 +23,8 @@ const std::string file = "; granite\n"
 
 const auto with = test::changing(file);
 const std::string downwards = with("10 5 3", "-10 -5 3");
+const std::string rowsDownwards = with("10 5 3", "-10 5 3");
+const std::string columnsDownwards = with("10 5 3", "10 -5 3");
 const std::string turned = with("OFFSETCOL=5", "OFFSETCOL=5 NEGCOR SERIALNUMBER=12-3");
 
 NeutralTable plane(std::size_t columns)
@@ -45,6 +47,9 @@ void describe(test::FormatSample& sample)
     sample.applies(
         {{{0, -20}, 0.002}, {{5, -10}, -0.006, 1}, {{-2.5, -15}, 0.003}, {{-1e6, 1e6}, 0.004}});
     sample.applies({{{-5, -20}, 0.001}, {{-15, -30}, 0.006}, {{-5, -30}, 0.004}}, downwards);
+    sample.applies({{{-5, -30}, 0.004}, {{5, -20}, 0.003}, {{5, -30}, 0.006}}, rowsDownwards);
+    sample.applies(
+        {{{-5, -10}, 0.004}, {{-15, -20}, 0.003}, {{-15, -10}, 0.006}}, columnsDownwards);
     sample.applies({{{-5, -20}, -0.001}, {{-5, -20}, 0.001, 1}}, turned);
     // values may flow freely
     sample.applies({{{0, -10}, 0.005}}, with("1 -1  2 -2  3 -3\n4 -4", "1 -1\n2 -2 3\n-3 4 -4"));

@@ -157,6 +157,17 @@ private Q_SLOTS:
         QCOMPARE(table.axes[1].knots, (std::vector<double>{-1, 49}));
     }
 
+    /// 0.1 + 5 * ((110.3 - 0.1) / 5) is less than 110.3.
+    void theLastPointsAreExactlyAtTheMaxima()
+    {
+        READ_TABLE(table, format,
+            section({{"points", "\n  1, 2, 3, 4, 5, 6\n  1, 2, 3, 4, 5, 6"}, {"x_count", "6"},
+                {"min_x", "0.1"}, {"max_x", "110.3"}}),
+            {});
+        QCOMPARE(table.axes[0].knots.size(), std::size_t{6});
+        QVERIFY(table.axes[0].knots.back() == 110.3);
+    }
+
     void eachProfileIsATable()
     {
         const auto reading = format.read(section({}) + section({}, "hot bed"), {});

@@ -151,6 +151,18 @@ class TestSiemensEec : public QObject {
 private Q_SLOTS:
     void init() { test::failOnWarnings(); }
 
+    /// 3 * 0.1 is more than 0.3: the last point is where MAX says.
+    void theLastPointIsExactlyAtMax()
+    {
+        std::string text = with("STEP[0,X1]=1.0", "STEP[0,X1]=0.1");
+        text = test::with(text, "MIN[0,X1]=-200.0", "MIN[0,X1]=0");
+        text = test::with(text, "MAX[0,X1]=-198.0", "MAX[0,X1]=0.3");
+        text = test::with(text, "CHANDATA(1)\n", "CHANDATA(1)\n$AA_ENC_COMP[0,3,X1]=0.5\n");
+        READ_TABLE(table, format, text, {});
+        QCOMPARE(table.axes[0].knots.size(), std::size_t{4});
+        QVERIFY(table.axes[0].knots.back() == 0.3);
+    }
+
     void theExampleOfTheManualIsRead()
     {
         READ_TABLE(table, format, program, {});

@@ -135,6 +135,7 @@ private Q_SLOTS:
     void refusesATooLargeFile();
     void takesAFileWithoutASize();
     void leavesWhatComesAfterTheEnd();
+    void theNextLineEndsATransferWhoseLastAnswerWasLost();
     void readsHeadersOfOthers_data();
     void readsHeadersOfOthers();
     void repeatsTheSameBlockUnderANumber();
@@ -366,6 +367,31 @@ void YmodemTest::leavesWhatComesAfterTheEnd()
     rest.push_back(std::byte{'6'});
     QCOMPARE(receiver.feed(rest, now), whole);
     QCOMPARE(receiver.state(), State::Done);
+}
+
+/// rb empties its output when it ends, and its last ACK with it.
+void YmodemTest::theNextLineEndsATransferWhoseLastAnswerWasLost()
+{
+    const Bytes file = someFile(100, 1);
+    Clock::time_point now{std::chrono::hours(1)};
+    Sender sender("small1.TAMtbl", file, now);
+    const auto say = [&](std::initializer_list<int> values) {
+        now += 1ms;
+        return sender.feed(bytesOf(values), now);
+    };
+    say({'C'});
+    say({ack});
+    say({'C'});
+    say({ack});
+    say({ack});
+    say({'C'});
+    (void)sender.output();
+    QVERIFY(say({0x07}) == 1); // an ACK that the line changed: it is said again
+    QVERIFY(sender.isRunning());
+    const std::string line = "identify\r";
+    QCOMPARE(sender.feed(asBytes(line), now), std::size_t{0});
+    QVERIFY(sender.state() == State::Done);
+    QVERIFY(sender.output().empty());
 }
 
 void YmodemTest::readsHeadersOfOthers_data()
