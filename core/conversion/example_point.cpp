@@ -123,7 +123,7 @@ Text Sentence::about(const TextPattern& pattern) const
     if (!m_own)
         return std::move(text)
             .with("axis", target())
-            .with("offset", quantityOf(std::abs(m_value), m_column.unit));
+            .with("offset", Quantity{sixDigits(std::abs(m_value)), m_column.unit});
     return std::move(text)
         .with("axis", axisText(m_table, *m_own))
         .with("moved", movedPlace())

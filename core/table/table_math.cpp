@@ -6,20 +6,24 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <span>
+#include <vector>
 
 namespace axiscomp {
 
 namespace {
 
-std::array<double, 3> positionOf(const Grid& grid, std::size_t element)
+std::vector<double> pointsOfBoth(const GridAxis& one, const GridAxis* other)
 {
-    std::array<double, 3> position{};
-    for (std::size_t n = 0; n < grid.axes.size(); ++n) {
-        position[n] = grid.axes[n].position(element % grid.axes[n].size);
-        element /= grid.axes[n].size;
-    }
-    return position;
+    std::vector<double> points;
+    for (const GridAxis* axis : {&one, other})
+        for (std::size_t i = 0; axis && i < axis->size; ++i)
+            points.push_back(axis->position(i));
+    std::ranges::sort(points);
+    const auto repeated = std::ranges::unique(points);
+    points.erase(repeated.begin(), repeated.end());
+    return points;
 }
 
 } // namespace
@@ -81,18 +85,29 @@ std::size_t nearestIndex(const GridAxis& axis, double position)
 
 LargestChange largestChange(const CompensationTable& newTable, const CompensationTable* oldTable)
 {
-    std::optional<Lookup> old;
-    if (oldTable && oldTable->grid.dimensions() == newTable.grid.dimensions())
-        old.emplace(*oldTable);
     const std::size_t dimensions = newTable.grid.axes.size();
+    if (oldTable && oldTable->grid.axes.size() != dimensions)
+        oldTable = nullptr;
+    const Lookup now(newTable);
+    const std::optional<Lookup> before = oldTable ? std::optional<Lookup>(*oldTable) : std::nullopt;
+    // Between the points of both tables the difference is linear along each dimension, and beyond
+    // all of them it is held: it is largest at one of them.
+    std::array<std::vector<double>, 3> places{{{0.0}, {0.0}, {0.0}}};
+    for (std::size_t n = 0; n < dimensions; ++n)
+        places[n] =
+            pointsOfBoth(newTable.grid.axes[n], oldTable ? &oldTable->grid.axes[n] : nullptr);
     LargestChange largest;
-    for (std::size_t i = 0; i < newTable.values.size(); ++i) {
-        const std::array<double, 3> position = positionOf(newTable.grid, i);
-        const double before = old ? old->at(std::span(position).first(dimensions)) : 0.0;
-        const double change = static_cast<double>(newTable.values[i]) - before;
-        if (std::abs(change) > std::abs(largest.change) || i == 0)
-            largest = {change, position};
-    }
+    bool isFirst = true;
+    for (const double z : places[2])
+        for (const double y : places[1])
+            for (const double x : places[0]) {
+                const std::array<double, 3> position{x, y, z};
+                const auto used = std::span(position).first(dimensions);
+                const double change = now.at(used) - (before ? before->at(used) : 0.0);
+                if (isFirst || std::abs(change) > std::abs(largest.change))
+                    largest = {change, position};
+                isFirst = false;
+            }
     return largest;
 }
 

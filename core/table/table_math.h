@@ -21,15 +21,15 @@ namespace axiscomp {
 /// The index of the grid point nearest to a position, held at the ends.
 [[nodiscard]] std::size_t nearestIndex(const GridAxis& axis, double position);
 
-/// The point of a new table at which it differs most from the table that it replaces.
+/// The position at which a new table differs most from the table that it replaces.
 struct LargestChange {
     double change = 0.0; ///< new - old, in the tables' unit; old is 0 without a table
     std::array<double, 3> position{}; ///< of the point, one per dimension
 };
 
-/// At the new table's points, the old table as the drive looks it up (end values held). A table of
-/// other dimensions counts as none. Takes milliseconds for the largest tables: not for the window's
-/// thread.
+/// Over the whole travel, both tables as the drive looks them up: also where only one of them has
+/// points, and the other holds its end value. A table of other dimensions counts as none. Takes a
+/// while for the largest tables: not for the window's thread.
 [[nodiscard]] LargestChange largestChange(
     const CompensationTable& newTable, const CompensationTable* oldTable);
 

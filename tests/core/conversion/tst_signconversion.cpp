@@ -467,6 +467,14 @@ private Q_SLOTS:
             examplePoint(table).english().c_str());
     }
 
+    void theExampleHasNoMoreDigitsThanTellTheSize()
+    {
+        const auto table =
+            tableOver({axisX({0, 10})}, "Y", [](const Values&) { return 1.0 / 300.0; });
+        const std::string text = examplePoint(table).english();
+        QVERIFY2(text.find("0.00333333 mm above") != std::string::npos, text.c_str());
+    }
+
     void aPlaceBehindTheLastKnotIsSaidWhereNothingIsAppliedThere()
     {
         const auto table = tableOver(
