@@ -70,7 +70,8 @@ public:
     [[nodiscard]] int firstChange() const { return m_firstChange; }
     void forgetChange() { m_firstChange = 0; }
     std::function<void()> stopUser;
-    /// Changes what registers say and files hold on their way from the drive.
+    /// Changes what a drive says it is, what registers say and files hold on their way from it.
+    std::function<void(DriveIdentity&)> altersIdentity;
     std::function<void(RegisterReading&)> altersReading;
     std::function<void(Bytes&)> altersDownload;
     /// The drive says yes to such a write and does nothing.
@@ -82,8 +83,12 @@ public:
     [[nodiscard]] std::string endpoint() const override { return "test:"; }
     [[nodiscard]] Result<DriveIdentity> identify(const Exchange& exchange) override
     {
-        return pass<DriveIdentity>(
-            "identify", exchange, [this](const Exchange& e) { return m_inner.identify(e); });
+        return pass<DriveIdentity>("identify", exchange, [this](const Exchange& e) {
+            auto identity = m_inner.identify(e);
+            if (altersIdentity && identity)
+                altersIdentity(*identity);
+            return identity;
+        });
     }
     [[nodiscard]] Result<std::vector<RegisterReading>> readRegisters(
         std::span<const std::string> paths, const Exchange& exchange) override

@@ -129,6 +129,24 @@ private Q_SLOTS:
         QVERIFY(difference->columns[0].largest <= 1.01 * largest);
     }
 
+    /// Both tables are exact at their points and along X; between two lines of X they are not.
+    void theLargestDifferenceBetweenTwoLinesIsFound()
+    {
+        const auto e = tableOver({evenAxis("X", "mm", 0, 100, 2), evenAxis("Y", "mm", 0, 10, 2)},
+            "X", [](const Values& p) { return 0.02 * (5 - p[1]) * p[0]; });
+        const NeutralTable c = converted(e);
+        const auto difference = conversionDifference(e, held, c, held);
+        VERIFY_RESULT(difference);
+        const ControllerLookup feedback(e, 0, held);
+        const ControllerLookup command(c, 0, held);
+        const std::vector place{100.0, 5.0};
+        const double shift = command.at(place);
+        const double middle = std::abs(shift + feedback.at(std::vector{100.0 + shift, 5.0}));
+        QVERIFY(middle > 0.1);
+        QVERIFY2(difference->columns[0].largest >= middle - 1e-12,
+            std::to_string(difference->columns[0].largest).c_str());
+    }
+
     void aFlatnessMapIsFoundWhereTheOtherFormatNumbersItsAxes()
     {
         const auto a =

@@ -217,6 +217,25 @@ private Q_SLOTS:
                 QByteArray::number(noticed) + " times noticed");
     }
 
+    /// A drive was exchanged, or its address given to another one, while the write was planned.
+    void anotherDriveThanThePlannedOneIsNotWritten()
+    {
+        Case c(Persistency::Volatile);
+        const auto before = c.state();
+        int asked = 0;
+        c.link.forgetChange();
+        c.link.altersIdentity = [&asked](DriveIdentity& identity) {
+            if (++asked > 1)
+                identity.serialNumber = 4712;
+        };
+        const auto refused = c.compensator.write(0, inPlace(Persistency::Volatile));
+        VERIFY_ERROR(refused, ErrorCode::OtherDrive);
+        QCOMPARE(refused.error().context.english("expected"), std::string("4711"));
+        QCOMPARE(refused.error().context.english("found"), std::string("4712"));
+        QCOMPARE(c.link.firstChange(), 0);
+        QVERIFY(c.state() == before);
+    }
+
     void aBackupIsOfOneState()
     {
         Case whole(Persistency::Volatile);
