@@ -4415,6 +4415,10 @@
         <source>{name} ends where it has not begun</source>
         <translation>{name} endet, ohne begonnen zu haben</translation>
     </message>
+    <message>
+        <source>it has changed since it was read; export again</source>
+        <translation>sie hat sich geändert, seit sie gelesen wurde; noch einmal exportieren</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -5270,6 +5274,22 @@
         <source>deleting the table</source>
         <translation>Tabelle löschen</translation>
     </message>
+    <message>
+        <source>An earlier write was interrupted: finish or undo it first.</source>
+        <translation>Ein früherer Schreibvorgang wurde unterbrochen: zuerst vollenden oder rückgängig machen.</translation>
+    </message>
+    <message>
+        <source>Writes the table and source parameters of a TAM configuration to the drive.</source>
+        <translation>Schreibt die Parameter für Tabellen und Quellen aus einer TAM-Konfiguration in den Antrieb.</translation>
+    </message>
+    <message>
+        <source>Puts the drive&apos;s table and source parameters into a TAM configuration.</source>
+        <translation>Übernimmt die Parameter des Antriebs für Tabellen und Quellen in eine TAM-Konfiguration.</translation>
+    </message>
+    <message>
+        <source>importing parameters</source>
+        <translation>Parameter importieren</translation>
+    </message>
 </context>
 <context>
     <name>axiscomp::ui::AxisList</name>
@@ -6026,6 +6046,69 @@
     </message>
 </context>
 <context>
+    <name>axiscomp::ui::ExportConfigurationDialog</name>
+    <message>
+        <source>Export to TAM Configuration</source>
+        <translation>In TAM-Konfiguration exportieren</translation>
+    </message>
+    <message>
+        <source>Puts the table and source parameters of %1 into %2. Everything else in the file stays as it is; nothing on the drive changes.</source>
+        <translation>Übernimmt die Parameter von %1 für Tabellen und Quellen in %2. Alles andere in der Datei bleibt, wie es ist; am Antrieb ändert sich nichts.</translation>
+    </message>
+    <message>
+        <source>What the drive has</source>
+        <translation>Was der Antrieb hat</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Achse</translation>
+    </message>
+    <message>
+        <source>Slot</source>
+        <translation>Platz</translation>
+    </message>
+    <message>
+        <source>Sources</source>
+        <translation>Quellen</translation>
+    </message>
+    <message>
+        <source>&amp;Save As…</source>
+        <translation>&amp;Speichern unter…</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>Abbre&amp;chen</translation>
+    </message>
+    <message>
+        <source>Change nothing and go back (Esc)</source>
+        <translation>Nichts ändern und zurückgehen (Esc)</translation>
+    </message>
+    <message>
+        <source>no table</source>
+        <translation>keine Tabelle</translation>
+    </message>
+    <message>
+        <source>The drive is being read …</source>
+        <translation>Der Antrieb wird gelesen …</translation>
+    </message>
+    <message>
+        <source>Comparing …</source>
+        <translation>Wird verglichen …</translation>
+    </message>
+    <message>
+        <source>The configuration has all of this already.</source>
+        <translation>Die Konfiguration hat das alles bereits.</translation>
+    </message>
+    <message>
+        <source>Choose where to save the configuration</source>
+        <translation>Wählen, wo die Konfiguration gespeichert wird</translation>
+    </message>
+    <message>
+        <source>In the file, only Table and Dim1Source to Dim3Source of these axes will change.</source>
+        <translation>In der Datei ändern sich nur Table und Dim1Source bis Dim3Source dieser Achsen.</translation>
+    </message>
+</context>
+<context>
     <name>axiscomp::ui::ExportDialog</name>
     <message>
         <source>Export for Another Controller</source>
@@ -6092,6 +6175,22 @@
     <message>
         <source>Export for Another Controller</source>
         <translation>Für eine andere Steuerung exportieren</translation>
+    </message>
+    <message>
+        <source>Import TAM Configuration</source>
+        <translation>TAM-Konfiguration importieren</translation>
+    </message>
+    <message>
+        <source>Export to TAM Configuration</source>
+        <translation>In TAM-Konfiguration exportieren</translation>
+    </message>
+    <message>
+        <source>TAM configurations (*.TAMcfg)</source>
+        <translation>TAM-Konfigurationen (*.TAMcfg)</translation>
+    </message>
+    <message>
+        <source>Save TAM Configuration</source>
+        <translation>TAM-Konfiguration speichern</translation>
     </message>
 </context>
 <context>
@@ -6287,6 +6386,17 @@
     </message>
 </context>
 <context>
+    <name>axiscomp::ui::ImportConfigurationDialog</name>
+    <message>
+        <source>Import TAM Configuration</source>
+        <translation>TAM-Konfiguration importieren</translation>
+    </message>
+    <message>
+        <source>Writes the table and source parameters in %1 to the axes of %2, one after the other. The tables themselves must be on the drive. Each write makes a backup and is verified; no compensation is switched on.</source>
+        <translation>Schreibt die Parameter für Tabellen und Quellen aus %1 nacheinander auf die Achsen von %2. Die Tabellen selbst müssen im Antrieb sein. Jeder Schreibvorgang legt eine Sicherung an und wird verifiziert; keine Kompensation wird eingeschaltet.</translation>
+    </message>
+</context>
+<context>
     <name>axiscomp::ui::ImportDialog</name>
     <message>
         <source>Import Compensation Data</source>
@@ -6419,58 +6529,6 @@
         <source>Volatile, as on the page: a reboot of the drive restores the stored state.</source>
         <translation>Flüchtig wie auf der Seite: ein Neustart des Antriebs stellt den gespeicherten Zustand wieder her.</translation>
     </message>
-    <message>
-        <source>What will be written</source>
-        <translation>Was geschrieben wird</translation>
-    </message>
-    <message>
-        <source>Progress</source>
-        <translation>Fortschritt</translation>
-    </message>
-    <message>
-        <source>&amp;Write All</source>
-        <translation>Alle &amp;schreiben</translation>
-    </message>
-    <message>
-        <source>Write these to the drive now</source>
-        <translation>Diese jetzt in den Antrieb schreiben</translation>
-    </message>
-    <message>
-        <source>S&amp;top</source>
-        <translation>A&amp;nhalten</translation>
-    </message>
-    <message>
-        <source>Stops the writes; the current one is rolled back (Esc)</source>
-        <translation>Hält die Schreibvorgänge an; der laufende wird rückgängig gemacht (Esc)</translation>
-    </message>
-    <message>
-        <source>C&amp;lose</source>
-        <translation>Sch&amp;ließen</translation>
-    </message>
-    <message>
-        <source>Go back to the page (Esc)</source>
-        <translation>Zurück zur Seite (Esc)</translation>
-    </message>
-    <message>
-        <source>&amp;Cancel</source>
-        <translation>Abbre&amp;chen</translation>
-    </message>
-    <message>
-        <source>Change nothing and go back (Esc)</source>
-        <translation>Nichts ändern und zurückgehen (Esc)</translation>
-    </message>
-    <message>
-        <source>Asking the drive what would change …</source>
-        <translation>Der Antrieb wird gefragt, was sich ändern würde …</translation>
-    </message>
-    <message>
-        <source>The drive already has all of this.</source>
-        <translation>Der Antrieb hat das alles bereits.</translation>
-    </message>
-    <message>
-        <source>Confirm the large corrections first</source>
-        <translation>Bestätigen Sie zuerst die großen Korrekturen</translation>
-    </message>
 </context>
 <context>
     <name>axiscomp::ui::MultiAxisOutcome</name>
@@ -6510,6 +6568,10 @@
     <message>
         <source>Old state, complete: %1.</source>
         <translation>Alter Zustand, vollständig: %1.</translation>
+    </message>
+    <message>
+        <source>Stored in flash: %1. Volatile: %2; a reboot of the drive restores their stored state.</source>
+        <translation>Im Flash gespeichert: %1. Flüchtig: %2; ein Neustart des Antriebs stellt deren gespeicherten Zustand wieder her.</translation>
     </message>
 </context>
 <context>
@@ -6797,6 +6859,21 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
     <message>
         <source>&amp;Write Several Axes…</source>
         <translation>&amp;Mehrere Achsen schreiben…</translation>
+    </message>
+    <message>
+        <source>&amp;Import TAM Configuration…</source>
+        <translation>TAM-Konfiguration &amp;importieren…</translation>
+    </message>
+    <message>
+        <source>Export to &amp;TAM Configuration…</source>
+        <translation>In &amp;TAM-Konfiguration exportieren…</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::ParameterExport</name>
+    <message>
+        <source>Wrote %1: only compensation registers have changed.</source>
+        <translation>%1 geschrieben: nur Register der Kompensation haben sich geändert.</translation>
     </message>
 </context>
 <context>
@@ -7131,6 +7208,61 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
     </message>
 </context>
 <context>
+    <name>axiscomp::ui::SeveralWritesDialog</name>
+    <message>
+        <source>What will be written</source>
+        <translation>Was geschrieben wird</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>&amp;Write All</source>
+        <translation>Alle &amp;schreiben</translation>
+    </message>
+    <message>
+        <source>Write these to the drive now</source>
+        <translation>Diese jetzt in den Antrieb schreiben</translation>
+    </message>
+    <message>
+        <source>Confirm the large corrections first</source>
+        <translation>Bestätigen Sie zuerst die großen Korrekturen</translation>
+    </message>
+    <message>
+        <source>S&amp;top</source>
+        <translation>A&amp;nhalten</translation>
+    </message>
+    <message>
+        <source>Stops the writes; the current one is rolled back (Esc)</source>
+        <translation>Hält die Schreibvorgänge an; der laufende wird rückgängig gemacht (Esc)</translation>
+    </message>
+    <message>
+        <source>C&amp;lose</source>
+        <translation>Sch&amp;ließen</translation>
+    </message>
+    <message>
+        <source>Go back to the page (Esc)</source>
+        <translation>Zurück zur Seite (Esc)</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>Abbre&amp;chen</translation>
+    </message>
+    <message>
+        <source>Change nothing and go back (Esc)</source>
+        <translation>Nichts ändern und zurückgehen (Esc)</translation>
+    </message>
+    <message>
+        <source>Asking the drive what would change …</source>
+        <translation>Der Antrieb wird gefragt, was sich ändern würde …</translation>
+    </message>
+    <message>
+        <source>The drive already has all of this.</source>
+        <translation>Der Antrieb hat das alles bereits.</translation>
+    </message>
+</context>
+<context>
     <name>axiscomp::ui::SignSentence</name>
     <message>
         <source>all values are 0: the drive will add nothing</source>
@@ -7245,6 +7377,53 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
     <message>
         <source>as read at %1</source>
         <translation>gelesen um %1</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::StationChoice</name>
+    <message>
+        <source>The file is being read.</source>
+        <translation>Die Datei wird gelesen.</translation>
+    </message>
+    <message>
+        <source>The file has no station.</source>
+        <translation>Die Datei enthält keine Station.</translation>
+    </message>
+    <message>
+        <source>Select the station that is this drive.</source>
+        <translation>Die Station wählen, die dieser Antrieb ist.</translation>
+    </message>
+    <message>
+        <source>Confirm first that the station is meant.</source>
+        <translation>Zuerst bestätigen, dass diese Station gemeint ist.</translation>
+    </message>
+    <message>
+        <source>%1 has the serial number %2, the drive %3 has %4.</source>
+        <translation>%1 hat die Seriennummer %2, der Antrieb %3 hat %4.</translation>
+    </message>
+    <message>
+        <source>Stat&amp;ion</source>
+        <translation>Stat&amp;ion</translation>
+    </message>
+    <message>
+        <source>not selected</source>
+        <translation>nicht gewählt</translation>
+    </message>
+    <message>
+        <source>The drive in the configuration whose parameters are meant</source>
+        <translation>Der Antrieb in der Konfiguration, um dessen Parameter es geht</translation>
+    </message>
+    <message>
+        <source>These &amp;parameters are for this drive although the serial numbers differ</source>
+        <translation>Diese &amp;Parameter sind für diesen Antrieb, obwohl die Seriennummern verschieden sind</translation>
+    </message>
+    <message>
+        <source>The &amp;parameters of this drive are for this station although the serial numbers differ</source>
+        <translation>Die &amp;Parameter dieses Antriebs sind für diese Station, obwohl die Seriennummern verschieden sind</translation>
+    </message>
+    <message>
+        <source>The wrong drive would get the compensation of another machine</source>
+        <translation>Der falsche Antrieb bekäme die Kompensation einer anderen Maschine</translation>
     </message>
 </context>
 <context>

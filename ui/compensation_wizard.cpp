@@ -61,8 +61,8 @@ struct CompensationWizard::Private {
     void showConnections();
     void askAboutCertificate(const RejectedCertificate& certificate);
     void takeEndpoints(const QStringList& endpoints);
-    void writeMultiAxis();
-    void offerWriteSeveral();
+    void begin(Action action);
+    void offerActions();
     void chooseLanguage(const QString& chosen);
     void skipPreview(bool isSkipped);
     void announceTitle();
@@ -94,7 +94,7 @@ CompensationWizard::Private::Private(
     , menu(new PageMenu(&wizard))
     , page(new WizardPage(controller, *options.profile, style, *menu, &wizard))
     , dropFrame(new DropFrame(&wizard))
-    , files(controller, settings, page->setup->dataField(), options.profile->layout, wizard)
+    , files(controller, settings, page->setup->dataField(), *options.profile, wizard)
     , writeFlow(controller, *page->preview)
     , guard(controller, *page->messages)
     , messages(controller, *page->messages)
@@ -132,9 +132,9 @@ void CompensationWizard::Private::connectParts()
     };
     connect(&controller, &WizardController::selectedTableChanged, menu, offerExport);
     offerExport();
-    connect(menu, &PageMenu::writeSeveralRequested, &q, [this] { writeMultiAxis(); });
-    connect(&controller, &WizardController::actionsChanged, &q, [this] { offerWriteSeveral(); });
-    offerWriteSeveral();
+    connect(menu, &PageMenu::actionRequested, &q, [this](Action action) { begin(action); });
+    connect(&controller, &WizardController::actionsChanged, &q, [this] { offerActions(); });
+    offerActions();
     connect(menu, &PageMenu::languageChosen, &q,
         [this](const QString& chosen) { chooseLanguage(chosen); });
     connect(menu, &PageMenu::previewSkippedChosen, &q,
@@ -238,18 +238,22 @@ void CompensationWizard::Private::takeEndpoints(const QStringList& endpoints)
     });
 }
 
-void CompensationWizard::Private::writeMultiAxis()
+void CompensationWizard::Private::begin(Action action)
 {
-    if (!controller.action(Action::WriteSeveral).isEnabled)
+    if (!controller.action(action).isEnabled)
         return;
-    auto* dialog = new MultiAxisDialog(controller, &q);
-    dialog->open();
+    if (action == Action::ImportConfiguration)
+        files.importConfiguration();
+    else if (action == Action::ExportConfiguration)
+        files.exportConfiguration();
+    else
+        (new MultiAxisDialog(controller, &q))->open();
 }
 
-void CompensationWizard::Private::offerWriteSeveral()
+void CompensationWizard::Private::offerActions()
 {
-    const ActionState& state = controller.action(Action::WriteSeveral);
-    menu->showWriteSeveral(state.isEnabled, state.reason);
+    for (const Action action : PageMenu::drivenActions)
+        menu->showAction(action, controller.action(action));
 }
 
 void CompensationWizard::Private::chooseLanguage(const QString& chosen)

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <charconv>
+#include <memory>
+#include <utility>
 
 namespace axiscomp {
 
@@ -121,6 +123,31 @@ Result<std::vector<AxisWrite>> parameterWrites(AxisCompensator& compensator,
         writes.push_back(std::move(write));
     }
     return writes;
+}
+
+Result<PlannedTables> planImport(AxisCompensator& compensator, const DriveProfile& profile,
+    const TamConfiguration& configuration, std::size_t station, bool force,
+    const OperationOptions& options)
+{
+    const TamStation& from = configuration.stations.at(station);
+    AXISCOMP_TRY(const auto drive, compensator.identify(options));
+    if (!force)
+        AXISCOMP_CHECK(checkStationOfDrive(from, drive.serialNumber));
+    AXISCOMP_TRY(const auto parameters, stationParameters(from, profile, configuration.fileName));
+    OperationOptions quiet = options;
+    quiet.progress = {};
+    AXISCOMP_TRY(auto writes, parameterWrites(compensator, profile, parameters, quiet));
+    PlannedTables planned;
+    for (AxisWrite& write : writes) {
+        LoadedTable table;
+        if (write.request.table)
+            table =
+                loaded(std::make_shared<const CompensationTable>(*std::move(write.request.table)));
+        write.request.table.reset();
+        planned.tables.push_back({write.axis, std::move(table), std::move(write.request)});
+    }
+    AXISCOMP_TRY(planned.plans, planTables(compensator, planned.tables, quiet));
+    return planned;
 }
 
 } // namespace axiscomp

@@ -23,4 +23,11 @@ namespace axiscomp {
     const DriveProfile& profile, const CompensationParameters& parameters,
     const OperationOptions& options = {});
 
+/// The writes of parameterWrites for one station of a configuration, planned together; nothing is
+/// changed. Errors: those of stationParameters, parameterWrites and planMultiAxis; OtherDrive when
+/// the station has another serial number than the drive, unless force.
+[[nodiscard]] Result<PlannedTables> planImport(AxisCompensator& compensator,
+    const DriveProfile& profile, const TamConfiguration& configuration, std::size_t station,
+    bool force, const OperationOptions& options = {});
+
 } // namespace axiscomp

@@ -25,11 +25,19 @@ struct AxisWrite {
 [[nodiscard]] Result<std::vector<WritePlan>> planMultiAxis(AxisCompensator& compensator,
     std::span<const AxisWrite> writes, const OperationOptions& options = {});
 
-/// A table of the open file, and the axis that shall have it.
+/// A table, and the axis that shall have it.
 struct AxisTable {
     int axis = 0;
-    LoadedTable table; ///< copied into the request on the session's thread: it may be large
+    /// Copied into the request on the session's thread, as it may be large; none: the request says
+    /// what happens to the table.
+    LoadedTable table;
     WriteRequest request; ///< without its table
+};
+
+/// Tables and what writing them would change, in their order.
+struct PlannedTables {
+    std::vector<AxisTable> tables;
+    std::vector<WritePlan> plans;
 };
 
 /// Changes nothing. Errors: those of planMultiAxis.

@@ -51,14 +51,6 @@ Result<std::uint32_t> addressIn(const TamRegister* source, const std::string& fi
     return std::get<std::uint32_t>(*value);
 }
 
-std::string nameOf(const TamStation& station)
-{
-    std::string text = station.name.empty() ? "?" : shownText(station.name);
-    if (station.serialNumber)
-        text += " (" + std::to_string(*station.serialNumber) + ")";
-    return text;
-}
-
 /// Where a value is replaced.
 struct Change {
     std::size_t offset = 0;
@@ -93,7 +85,7 @@ public:
             {{"file", m_fileName}, {"line", lineOfStation()},
                 {"reason",
                     AXISCOMP_TEXT("Error", "the station {station} has no register {path}")
-                        .with("station", nameOf(m_station))
+                        .with("station", stationName(m_station))
                         .with("path", path)}});
     }
 
@@ -158,6 +150,15 @@ Result<CompensationParameters> stationParameters(
     return parameters;
 }
 
+Result<void> checkStationOfDrive(
+    const TamStation& station, std::optional<std::int32_t> serialNumber)
+{
+    if (serialNumber && station.serialNumber && station.serialNumber != serialNumber)
+        return fail(
+            ErrorCode::OtherDrive, {{"expected", *station.serialNumber}, {"found", *serialNumber}});
+    return {};
+}
+
 Result<std::size_t> stationFor(std::span<const TamStation> stations, const std::string& fileName,
     std::optional<std::int32_t> serialNumber, const std::string& name, bool force)
 {
@@ -175,7 +176,7 @@ Result<std::size_t> stationFor(std::span<const TamStation> stations, const std::
     if (matches.size() != 1) {
         std::vector<std::string> known;
         for (const TamStation& station : stations)
-            known.push_back(nameOf(station));
+            known.push_back(stationName(station));
         return fail(ErrorCode::InvalidArgument,
             {{"reason",
                 AXISCOMP_TEXT("Error",
@@ -183,9 +184,8 @@ Result<std::size_t> stationFor(std::span<const TamStation> stations, const std::
                     .with("file", fileName)
                     .with("known", known)}});
     }
-    const std::optional<std::int32_t> found = stations[matches.front()].serialNumber;
-    if (!force && serialNumber && found && found != serialNumber)
-        return fail(ErrorCode::OtherDrive, {{"expected", *found}, {"found", *serialNumber}});
+    if (!force)
+        AXISCOMP_CHECK(checkStationOfDrive(stations[matches.front()], serialNumber));
     return matches.front();
 }
 

@@ -35,6 +35,11 @@ struct CompensationParameters {
 [[nodiscard]] Result<CompensationParameters> stationParameters(
     const TamStation& station, const DriveProfile& profile, const std::string& fileName);
 
+/// That the station is not known to be another drive than the one with this serial number. Errors:
+/// OtherDrive.
+[[nodiscard]] Result<void> checkStationOfDrive(
+    const TamStation& station, std::optional<std::int32_t> serialNumber);
+
 /// The station of this drive: the one that `name` names (by name or serial number), else the one
 /// with the drive's serial number, else the only one if it states none. Errors:
 /// InvalidArgument with the stations that there are; OtherDrive when the only station, or the named

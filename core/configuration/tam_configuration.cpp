@@ -2,6 +2,7 @@
 #include "core/configuration/tam_configuration.h"
 
 #include "core/drive/register_value.h"
+#include "core/io/local_file.h"
 #include "core/text/token_scanner.h"
 #include "core/text/utf8.h"
 #include "core/text/xml_tags.h"
@@ -121,6 +122,24 @@ const TamRegister* TamStation::find(std::string_view path) const
 Result<std::vector<TamStation>> readTamStations(std::string_view text, const std::string& fileName)
 {
     return TamReader(text, fileName).read();
+}
+
+Result<TamConfiguration> loadTamConfiguration(
+    const std::filesystem::path& file, const std::string& fileName)
+{
+    TamConfiguration configuration;
+    configuration.fileName = fileName;
+    AXISCOMP_TRY(configuration.bytes, loadFile(file, maximumConfigurationSize));
+    AXISCOMP_TRY(configuration.stations, readTamStations(asText(configuration.bytes), fileName));
+    return configuration;
+}
+
+std::string stationName(const TamStation& station)
+{
+    std::string text = station.name.empty() ? "?" : shownText(station.name);
+    if (station.serialNumber)
+        text += " (" + std::to_string(*station.serialNumber) + ")";
+    return text;
 }
 
 std::string tamUnit(const std::string& word)

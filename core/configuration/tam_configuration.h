@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/bytes.h"
 #include "core/base/result.h"
 
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -40,6 +42,20 @@ struct TamStation {
 /// InvalidConfiguration with the line.
 [[nodiscard]] Result<std::vector<TamStation>> readTamStations(
     std::string_view text, const std::string& fileName);
+
+/// A configuration file, and what its stations have.
+struct TamConfiguration {
+    std::string fileName; ///< as errors say it
+    Bytes bytes;
+    std::vector<TamStation> stations;
+};
+
+/// Errors: those of loadFile and readTamStations.
+[[nodiscard]] Result<TamConfiguration> loadTamConfiguration(
+    const std::filesystem::path& file, const std::string& fileName);
+
+/// "Gantry (2207)", "Gantry" when it states no serial number, "?" in place of no name.
+[[nodiscard]] std::string stationName(const TamStation& station);
 
 /// The name of a unit as drives have it ("Degree", "None"): configurations write "degree" and
 /// "unspecified" too. Others stay as they are.

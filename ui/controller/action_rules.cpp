@@ -57,6 +57,7 @@ private:
     [[nodiscard]] Obstacle noBackup() const;
     [[nodiscard]] Obstacle noFlash() const;
     [[nodiscard]] Obstacle nothingUnfinished() const;
+    [[nodiscard]] Obstacle interrupted() const;
     [[nodiscard]] Obstacle notFinishable() const;
     [[nodiscard]] Obstacle notUndoable() const;
     // What the user has chosen
@@ -114,6 +115,10 @@ Obstacle Rules::obstacle(Action action) const
     case Action::WriteSeveral:
         return first(
             {&R::noChoice, &R::unreachable, &R::busy, &R::unknown, &R::reading, &R::notSeveral});
+    case Action::ImportConfiguration:
+    case Action::ExportConfiguration:
+        return first(
+            {&R::noChoice, &R::unreachable, &R::busy, &R::unknown, &R::reading, &R::interrupted});
     case Action::Cancel:
         break;
     }
@@ -262,6 +267,13 @@ Obstacle Rules::nothingUnfinished() const
     return {};
 }
 
+Obstacle Rules::interrupted() const
+{
+    if (m_now.unfinished != Unfinished::None)
+        return tr("An earlier write was interrupted: finish or undo it first.");
+    return {};
+}
+
 Obstacle Rules::notFinishable() const
 {
     return m_now.finishObstacle ? Obstacle(errorText(*m_now.finishObstacle)) : Obstacle();
@@ -368,6 +380,10 @@ QString Rules::consequence(Action action) const
         return tr("Opens a file of compensation data, .csv or .TAMtbl.");
     case Action::WriteSeveral:
         return tr("Writes several columns of the open file, each to its own axis.");
+    case Action::ImportConfiguration:
+        return tr("Writes the table and source parameters of a TAM configuration to the drive.");
+    case Action::ExportConfiguration:
+        return tr("Puts the drive's table and source parameters into a TAM configuration.");
     case Action::Cancel:
         break;
     }
@@ -420,6 +436,8 @@ QString taskText(Task task)
         return Rules::tr("writing");
     case Task::WriteSeveral:
         return Rules::tr("writing several axes");
+    case Task::Import:
+        return Rules::tr("importing parameters");
     case Task::Activate:
         return Rules::tr("activating");
     case Task::Evaluate:

@@ -25,12 +25,14 @@ enum class Action {
     Refresh,
     OpenData,
     WriteSeveral, ///< columns of the file, each to an axis of its own
+    ImportConfiguration, ///< parameters of a TAM configuration to the drive
+    ExportConfiguration, ///< the drive's parameters to a TAM configuration
     Cancel,
 };
 inline constexpr std::array allActions{Action::Write, Action::Activate, Action::Evaluate,
     Action::Deactivate, Action::Revert, Action::RestorePrevious, Action::DeleteTable,
     Action::FinishWrite, Action::UndoWrite, Action::Refresh, Action::OpenData, Action::WriteSeveral,
-    Action::Cancel};
+    Action::ImportConfiguration, Action::ExportConfiguration, Action::Cancel};
 
 struct ActionState {
     bool isEnabled = false;
@@ -43,6 +45,7 @@ enum class Task {
     Plan,
     Write,
     WriteSeveral,
+    Import, ///< of a TAM configuration
     Activate,
     Evaluate,
     Deactivate,
@@ -63,11 +66,17 @@ struct BusyState {
 /// "writing", translated.
 [[nodiscard]] QString taskText(Task task);
 
+/// Writes that were planned together, one after the other.
+[[nodiscard]] constexpr bool isMultiAxis(Task task)
+{
+    return task == Task::WriteSeveral || task == Task::Import;
+}
+
 /// The drive would be left to a roll-back if the task were stopped.
 [[nodiscard]] constexpr bool isWrite(Task task)
 {
-    return task == Task::Write || task == Task::WriteSeveral || task == Task::Restore
-        || task == Task::Delete || task == Task::Finish || task == Task::Undo;
+    return task == Task::Write || isMultiAxis(task) || task == Task::Restore || task == Task::Delete
+        || task == Task::Finish || task == Task::Undo;
 }
 
 /// Everything that decides what can be done now, as plain values.

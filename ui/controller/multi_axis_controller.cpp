@@ -10,9 +10,11 @@
 
 namespace axiscomp::ui {
 
-MultiAxisController::MultiAxisController(const DriveList& drives, AxisState& axis,
-    SetupModel& setup, const TableSelection& tables, OperationRunner& runner, LastOutcome& outcome)
-    : m_drives(drives)
+MultiAxisController::MultiAxisController(const DriveProfile& profile, const DriveList& drives,
+    AxisState& axis, SetupModel& setup, const TableSelection& tables, OperationRunner& runner,
+    LastOutcome& outcome)
+    : m_profile(profile)
+    , m_drives(drives)
     , m_axis(axis)
     , m_setup(setup)
     , m_tables(tables)
@@ -37,7 +39,6 @@ std::vector<DimSource> MultiAxisController::sources() const
 
 void MultiAxisController::plan(const std::vector<ColumnForAxis>& columns, bool keepsSources)
 {
-    drop();
     WriteRequest common;
     common.dimensionality = m_tables.file().file().data->grid.dimensions();
     common.persistency = m_setup.edited().persistency;
@@ -45,17 +46,38 @@ void MultiAxisController::plan(const std::vector<ColumnForAxis>& columns, bool k
         for (const DimSource& source : sources())
             common.sources.push_back(requestedSource(source));
     }
+    std::vector<AxisTable> tables;
     for (const ColumnForAxis& column : columns)
-        m_asked.push_back({column.axis, m_tables.file().table(column.column), common});
+        tables.push_back({column.axis, m_tables.file().table(column.column), common});
+    ask(Task::WriteSeveral,
+        [tables](AxisCompensator& compensator,
+            const OperationOptions& options) -> Result<PlannedTables> {
+            AXISCOMP_TRY(auto plans, planTables(compensator, tables, options));
+            return PlannedTables{tables, std::move(plans)};
+        });
+}
+
+void MultiAxisController::planImport(const std::shared_ptr<const TamConfiguration>& configuration,
+    std::size_t station, bool acceptsOther)
+{
+    ask(Task::Import,
+        [&profile = m_profile, configuration, station, acceptsOther](
+            AxisCompensator& compensator, const OperationOptions& options) {
+            return axiscomp::planImport(
+                compensator, profile, *configuration, station, acceptsOther, options);
+        });
+}
+
+void MultiAxisController::ask(Task task, DriveSession::Operation<PlannedTables> operation)
+{
+    drop();
+    m_task = task;
     m_stop = std::stop_source();
-    const auto ask = [tables = m_asked](
-                         AxisCompensator& compensator, const OperationOptions& options) {
-        return planTables(compensator, tables, options);
-    };
-    whenDone(m_drives.connection()->session().run<std::vector<WritePlan>>(ask, m_stop.get_token()),
-        this, [this, number = m_number](const Result<std::vector<WritePlan>>& plans) {
+    whenDone(m_drives.connection()->session().run<PlannedTables>(
+                 std::move(operation), m_stop.get_token()),
+        this, [this, number = m_number](const Result<PlannedTables>& planned) {
             if (number == m_number)
-                take(plans);
+                take(planned);
         });
 }
 
@@ -67,14 +89,19 @@ void MultiAxisController::drop()
     m_plans.reset();
 }
 
-void MultiAxisController::take(const Result<std::vector<WritePlan>>& plans)
+void MultiAxisController::take(const Result<PlannedTables>& found)
 {
-    m_plans = plans;
-    if (!plans && isLinkFailure(plans.error().code))
-        m_axis.take(fail(plans.error()));
-    // What has been shown is what is written: a drive that has changed since refuses it.
-    for (std::size_t n = 0; plans && n < m_asked.size(); ++n)
-        m_asked[n].request.expected = plans->at(n).before;
+    if (!found) {
+        m_plans = fail(found.error());
+        if (isLinkFailure(found.error().code))
+            m_axis.take(fail(found.error()));
+    } else {
+        m_plans = found->plans;
+        m_asked = found->tables;
+        // What has been shown is what is written: a drive that has changed since refuses it.
+        for (std::size_t n = 0; n < m_asked.size(); ++n)
+            m_asked[n].request.expected = found->plans.at(n).before;
+    }
     Q_EMIT planned();
 }
 
@@ -101,17 +128,19 @@ void MultiAxisController::write(bool acceptsLarge)
     for (AxisTable& asked : m_asked)
         asked.request.acceptsLarge = acceptsLarge;
     const std::vector<AxisEntry> axes = axesOfTables();
-    const bool isPersistent = m_asked.front().request.persistency == Persistency::Persistent;
+    std::vector<Persistency> persistencies;
+    for (const WritePlan& plan : **m_plans)
+        persistencies.push_back(plan.after.persistency);
     const auto turn = std::make_shared<std::atomic<std::size_t>>(0);
     m_runner.run<MultiAxisReport>(
-        Task::WriteSeveral,
+        m_task,
         [shown = m_drives.currentAxis(), tables = m_asked, turn](
             auto& compensator, const auto& store, const auto& options) {
             return writeTables(compensator, store, shown, tables, *turn, options);
         },
         [this, tables = m_asked](const OperationEnd<MultiAxisReport>& end) { take(tables, end); },
-        [axes, isPersistent](const Result<MultiAxisReport>& report) {
-            return multiAxisOutcome(axes, isPersistent, report);
+        [axes, persistencies](const Result<MultiAxisReport>& report) {
+            return multiAxisOutcome(axes, persistencies, report);
         },
         [axes, turn] { return axisNameOnDrive(axes.at(std::min(turn->load(), axes.size() - 1))); });
 }
@@ -127,7 +156,7 @@ void MultiAxisController::take(
         m_runner.expect(tables[n].table);
     }
     m_axis.take(end.now);
-    if (isShownAxisWritten)
+    if (isShownAxisWritten && m_task == Task::WriteSeveral)
         m_setup.setTable({}); // the drive has it now
     drop();
 }

@@ -1,36 +1,44 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/compensator/multi_axis_write.h"
+#include "core/compensator/configuration_transfer.h"
 #include "ui/controller/column_mapping.h"
 #include "ui/controller/operation_runner.h"
 
 #include <QObject>
 
+#include <memory>
 #include <optional>
 #include <stop_token>
 #include <vector>
 
 namespace axiscomp::ui {
 
-/// Several axes of the current drive, each with a column of the open file: what a write of all of
-/// them would change, and the write itself.
+/// Several axes of the current drive: what writing all of them would change, and the writes
+/// themselves. Each has a column of the open file, or its parameters of a TAM configuration.
 class MultiAxisController : public QObject {
     Q_OBJECT
 
 public:
     /// All of these must outlive this.
-    MultiAxisController(const DriveList& drives, AxisState& axis, SetupModel& setup,
-        const TableSelection& tables, OperationRunner& runner, LastOutcome& outcome);
+    MultiAxisController(const DriveProfile& profile, const DriveList& drives, AxisState& axis,
+        SetupModel& setup, const TableSelection& tables, OperationRunner& runner,
+        LastOutcome& outcome);
 
     /// Those of the setup, as many as the file has dimensions; empty when one is not set.
     [[nodiscard]] std::vector<DimSource> sources() const;
     /// Asks the drive what all of these would change; planned() follows unless another question
     /// does. keepsSources: each axis keeps its own, otherwise it gets sources().
     void plan(const std::vector<ColumnForAxis>& columns, bool keepsSources);
+    /// The same for the parameters of a station; axes that have them already are left out.
+    /// acceptsOther: the station may have another serial number than the drive.
+    void planImport(const std::shared_ptr<const TamConfiguration>& configuration,
+        std::size_t station, bool acceptsOther);
     /// The last question is of no interest any more.
     void drop();
-    /// One plan per column, in their order; none while the drive is being asked.
+    /// What write() will do: Task::WriteSeveral or Task::Import.
+    [[nodiscard]] Task task() const { return m_task; }
+    /// One plan per write, in their order; none while the drive is being asked.
     [[nodiscard]] const std::optional<Result<std::vector<WritePlan>>>& plans() const
     {
         return m_plans;
@@ -42,17 +50,20 @@ Q_SIGNALS:
     void planned();
 
 private:
-    void take(const Result<std::vector<WritePlan>>& plans);
+    void ask(Task task, DriveSession::Operation<PlannedTables> operation);
+    void take(const Result<PlannedTables>& found);
     void take(const std::vector<AxisTable>& tables, const OperationEnd<MultiAxisReport>& end);
     [[nodiscard]] std::vector<AxisEntry> axesOfTables() const;
 
+    const DriveProfile& m_profile;
     const DriveList& m_drives;
     AxisState& m_axis;
     SetupModel& m_setup;
     const TableSelection& m_tables;
     OperationRunner& m_runner;
     LastOutcome& m_outcome;
-    std::vector<AxisTable> m_asked; ///< what the drive was asked about
+    Task m_task = Task::WriteSeveral;
+    std::vector<AxisTable> m_asked; ///< what plans() are of
     std::optional<Result<std::vector<WritePlan>>> m_plans;
     int m_number = 0; ///< the newest question counts
     std::stop_source m_stop;

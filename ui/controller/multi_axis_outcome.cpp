@@ -18,11 +18,22 @@ class MultiAxisOutcomes {
     Q_DECLARE_TR_FUNCTIONS(axiscomp::ui::MultiAxisOutcome)
 
 public:
-    [[nodiscard]] static Outcome allWritten(const QStringList& axes, bool isPersistent)
+    [[nodiscard]] static Outcome allWritten(
+        const QStringList& axes, std::span<const Persistency> persistencies)
     {
-        const QString persistency = isPersistent
-            ? tr("They are stored in flash.")
-            : tr("They are volatile: a reboot of the drive restores the stored state.");
+        QStringList stored;
+        QStringList notStored;
+        for (qsizetype n = 0; n < axes.size(); ++n) {
+            const bool isStored =
+                persistencies[static_cast<std::size_t>(n)] == Persistency::Persistent;
+            (isStored ? stored : notStored) += axes[n];
+        }
+        const QString persistency = notStored.isEmpty() ? tr("They are stored in flash.")
+            : stored.isEmpty()
+            ? tr("They are volatile: a reboot of the drive restores the stored state.")
+            : tr("Stored in flash: %1. Volatile: %2; a reboot of the drive restores their stored "
+                 "state.")
+                  .arg(listed(stored), listed(notStored));
         return {tr("Written and verified: %1. %2").arg(listed(axes), persistency), false, {}};
     }
     [[nodiscard]] static Outcome nothingWritten(
@@ -65,8 +76,8 @@ private:
 
 } // namespace
 
-Outcome multiAxisOutcome(
-    std::span<const AxisEntry> axes, bool isPersistent, const Result<MultiAxisReport>& report)
+Outcome multiAxisOutcome(std::span<const AxisEntry> axes,
+    std::span<const Persistency> persistencies, const Result<MultiAxisReport>& report)
 {
     QStringList names;
     for (const AxisEntry& entry : axes)
@@ -79,7 +90,7 @@ Outcome multiAxisOutcome(
         if (!holdsNewState(write))
             return MultiAxisOutcomes::stoppedAt(names, static_cast<qsizetype>(n), write.error());
     }
-    return MultiAxisOutcomes::allWritten(names, isPersistent);
+    return MultiAxisOutcomes::allWritten(names, persistencies);
 }
 
 QString multiAxisErrorText(const Error& error, std::span<const AxisEntry> axes)

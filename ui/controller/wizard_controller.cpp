@@ -4,6 +4,7 @@
 #include "core/drive/axis_target.h"
 #include "core/drive/drive_units.h"
 #include "ui/controller/multi_axis_controller.h"
+#include "ui/controller/parameter_export.h"
 #include "ui/controller/wizard_actions.h"
 #include "ui/text/sign_sentence.h"
 
@@ -19,7 +20,8 @@ struct WizardController::Parts {
         , sources(drives, setup, log)
         , tables(options.profile->layout, setup, log)
         , runner(*options.profile, drives, axis, setup, tables, log, outcome)
-        , multiAxis(drives, axis, setup, tables, runner, outcome)
+        , multiAxis(*options.profile, drives, axis, setup, tables, runner, outcome)
+        , parameterExport(drives, axis, outcome)
         , actions(*options.profile, drives, axis, setup, sources, tables, runner, outcome)
     {
     }
@@ -34,6 +36,7 @@ struct WizardController::Parts {
     TableSelection tables;
     OperationRunner runner;
     MultiAxisController multiAxis;
+    ParameterExport parameterExport;
     WizardActions actions;
 };
 
@@ -138,11 +141,13 @@ void WizardController::wireOperations()
     connect(runner, &OperationRunner::busyChanged, &m_parts->actions, &WizardActions::update);
     connect(runner, &OperationRunner::planReady, this, &WizardController::planReady);
     connect(runner, &OperationRunner::ended, this, [this](Task task) {
-        if (task == Task::WriteSeveral)
+        if (isMultiAxis(task))
             Q_EMIT multiAxisWritten();
     });
     connect(&m_parts->multiAxis, &MultiAxisController::planned, this,
         &WizardController::multiAxisPlanned);
+    connect(&m_parts->parameterExport, &ParameterExport::parametersRead, this,
+        &WizardController::parametersRead);
     connect(&m_parts->actions, &WizardActions::changed, this, &WizardController::actionsChanged);
     connect(&m_parts->outcome, &LastOutcome::changed, this, &WizardController::outcomeChanged);
 }
@@ -170,6 +175,14 @@ const std::vector<AxisEntry>& WizardController::axes() const
 int WizardController::currentAxis() const
 {
     return m_parts->drives.currentIndex();
+}
+
+bool WizardController::isCurrentDrive(const AxisEntry& entry) const
+{
+    if (currentAxis() < 0)
+        return false;
+    const AxisEntry& now = axes().at(static_cast<std::size_t>(currentAxis()));
+    return now.endpoint == entry.endpoint && now.serialNumber == entry.serialNumber;
 }
 
 void WizardController::selectAxis(int index)
@@ -402,6 +415,16 @@ bool WizardController::planMultiAxis(const std::vector<ColumnForAxis>& columns, 
     return may;
 }
 
+bool WizardController::planImport(const std::shared_ptr<const TamConfiguration>& configuration,
+    std::size_t station, bool acceptsOther)
+{
+    m_parts->actions.update();
+    const bool may = action(Action::ImportConfiguration).isEnabled;
+    if (may)
+        m_parts->multiAxis.planImport(configuration, station, acceptsOther);
+    return may;
+}
+
 void WizardController::dropSeveral()
 {
     m_parts->multiAxis.drop();
@@ -414,8 +437,33 @@ const std::optional<Result<std::vector<WritePlan>>>& WizardController::multiAxis
 
 void WizardController::writeMultiAxis(bool acceptsLarge)
 {
-    if (m_parts->actions.mayStart(Action::WriteSeveral))
+    const bool imports = m_parts->multiAxis.task() == Task::Import;
+    if (m_parts->actions.mayStart(imports ? Action::ImportConfiguration : Action::WriteSeveral))
         m_parts->multiAxis.write(acceptsLarge);
+}
+
+bool WizardController::readParameters()
+{
+    m_parts->actions.update();
+    const bool may = action(Action::ExportConfiguration).isEnabled;
+    if (may)
+        m_parts->parameterExport.read();
+    return may;
+}
+
+void WizardController::dropParameters()
+{
+    m_parts->parameterExport.drop();
+}
+
+const std::optional<Result<CompensationParameters>>& WizardController::parameters() const
+{
+    return m_parts->parameterExport.parameters();
+}
+
+void WizardController::reportExport(const QString& fileName, const Result<void>& saved)
+{
+    m_parts->parameterExport.report(fileName, saved);
 }
 
 void WizardController::cancel()

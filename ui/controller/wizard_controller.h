@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/compensator/axis_compensator.h"
+#include "core/configuration/compensation_parameters.h"
 #include "core/conversion/import_choices.h"
 #include "ui/controller/action_rules.h"
 #include "ui/controller/column_mapping.h"
@@ -37,6 +38,8 @@ public:
     [[nodiscard]] const std::vector<DriveState>& drives() const;
     [[nodiscard]] const std::vector<AxisEntry>& axes() const;
     [[nodiscard]] int currentAxis() const; ///< index into axes(), -1 none
+    /// Whether the current axis is of the drive that this entry was of; it may be lost.
+    [[nodiscard]] bool isCurrentDrive(const AxisEntry& entry) const;
     /// Drops unwritten changes; the page asks first when setup().isDirty().
     void selectAxis(int index);
     void refresh();
@@ -112,9 +115,24 @@ public:
     void dropSeveral();
     /// One plan per column, in their order; none while the drive is being asked.
     [[nodiscard]] const std::optional<Result<std::vector<WritePlan>>>& multiAxisPlans() const;
+    /// The same question for the parameters of a station. acceptsOther: it may have another serial
+    /// number than the drive. False: action(Action::ImportConfiguration) says why not.
+    [[nodiscard]] bool planImport(const std::shared_ptr<const TamConfiguration>& configuration,
+        std::size_t station, bool acceptsOther);
     /// Carries out multiAxisPlans(), axis by axis; multiAxisWritten() follows, outcome() says what
     /// each axis holds. acceptsLarge: as in write().
     void writeMultiAxis(bool acceptsLarge = false);
+
+    // The parameters of the current drive for a TAM configuration
+    /// Reads them; parametersRead() follows. False: action(Action::ExportConfiguration) says why
+    /// not.
+    [[nodiscard]] bool readParameters();
+    /// The last question is of no interest any more.
+    void dropParameters();
+    /// None while the drive is being read.
+    [[nodiscard]] const std::optional<Result<CompensationParameters>>& parameters() const;
+    /// outcome() says what has become of the file.
+    void reportExport(const QString& fileName, const Result<void>& saved);
 
     void cancel();
     [[nodiscard]] const BusyState& busy() const;
@@ -158,6 +176,7 @@ Q_SIGNALS:
     void planReady();
     void multiAxisPlanned();
     void multiAxisWritten();
+    void parametersRead();
     void outcomeChanged();
 
 private:

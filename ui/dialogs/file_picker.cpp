@@ -13,7 +13,8 @@ void ask(QWidget& parent, const FileQuestion& question, std::function<void(const
     auto* dialog = new QFileDialog(&parent, question.title, {}, question.filter);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setObjectName(QStringLiteral("fileDialog"));
-    if (question.purpose == FileQuestion::Purpose::OpenData) {
+    if (question.purpose == FileQuestion::Purpose::OpenData
+        || question.purpose == FileQuestion::Purpose::OpenConfiguration) {
         dialog->setFileMode(QFileDialog::ExistingFile);
         dialog->setDirectory(question.start);
     } else {

@@ -11,7 +11,14 @@ namespace axiscomp::ui {
 
 /// What a file dialog is to ask.
 struct FileQuestion {
-    enum class Purpose { OpenData, SaveExample, SaveLog, ExportTable } purpose = Purpose::OpenData;
+    enum class Purpose {
+        OpenData,
+        OpenConfiguration,
+        SaveExample,
+        SaveLog,
+        ExportTable,
+        SaveConfiguration,
+    } purpose = Purpose::OpenData;
     QString title;
     QString filter;
     QString start; ///< folder, or proposed file

@@ -2,6 +2,7 @@
 #include "ui/dialogs/multi_axis_plan_view.h"
 
 #include "ui/controller/column_mapping.h"
+#include "ui/dialogs/row_list.h"
 #include "ui/session/axis_list.h"
 #include "ui/style/plain_label.h"
 #include "ui/text/message_text.h"
@@ -11,7 +12,6 @@
 #include <QCheckBox>
 #include <QHeaderView>
 #include <QLabel>
-#include <QTableWidget>
 
 #include <limits>
 #include <set>
@@ -47,9 +47,17 @@ QString afterText(const WritePlan& plan, std::span<const AxisEntry> axes)
     if (plan.table)
         lines += QStringLiteral("%1: %2").arg(
             QString::fromStdString(plan.table->name), gridText(plan.table->grid));
+    else if (plan.after.slot.empty())
+        lines += MultiAxisPlanView::tr("no table");
     lines += persistencyWord(plan.after.persistency);
     lines += sourceLines(plan.after.sources, axes);
     return lines.join(u'\n');
+}
+
+/// By the program, among the slots that are free.
+bool isChosen(SlotReason reason)
+{
+    return reason != SlotReason::Named && reason != SlotReason::KeepTable;
 }
 
 /// isTaken: an earlier write of the same plan takes it.
@@ -91,27 +99,13 @@ QStringList sourceLines(std::span<const DimSource> sources, std::span<const Axis
 
 MultiAxisPlanView::MultiAxisPlanView(QWidget* parent)
     : QWidget(parent)
-    , m_rows(new QTableWidget)
+    , m_rows(new RowList("multiAxisPlanRows", PlanColumnCount))
     , m_remarks(new PlainLabel)
     , m_accept(new QCheckBox)
 {
     setObjectName(QStringLiteral("multiAxisPlan"));
-    m_rows->setObjectName(QStringLiteral("multiAxisPlanRows"));
-    m_rows->setColumnCount(PlanColumnCount);
-    m_rows->verticalHeader()->hide();
-    m_rows->setEditTriggers(QAbstractItemView::NoEditTriggers);
-    m_rows->setSelectionMode(QAbstractItemView::NoSelection);
-    m_rows->setFocusPolicy(Qt::TabFocus);
-    m_rows->setTabKeyNavigation(false);
-    m_rows->setWordWrap(true);
-    m_rows->setShowGrid(false);
-    m_rows->setAlternatingRowColors(true);
-    m_rows->horizontalHeader()->setHighlightSections(false);
-    m_rows->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-    m_rows->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
     m_rows->horizontalHeader()->setSectionResizeMode(AxisColumn, QHeaderView::ResizeToContents);
     m_rows->horizontalHeader()->setSectionResizeMode(SlotColumn, QHeaderView::ResizeToContents);
-    m_rows->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_remarks->setObjectName(QStringLiteral("multiAxisRemarks"));
     m_remarks->setWordWrap(true);
     m_remarks->hide();
@@ -154,7 +148,9 @@ void MultiAxisPlanView::showPlans(std::span<const WritePlan> plans, std::span<co
     QStringList remarks;
     bool hasLarge = false;
     for (const WritePlan& plan : plans) {
-        addRow(plan, axes, !taken.insert(plan.after.slot).second);
+        const bool isTaken = isChosen(plan.slotReason) && !taken.insert(plan.after.slot).second;
+        m_rows->addRow({axisNameAmong(axes, plan.axis), beforeText(plan.before, axes),
+            afterText(plan, axes), slotText(plan, isTaken)});
         hasLarge = hasLarge || !plan.largeCorrections.empty();
         std::vector<Text> texts = plan.largeCorrections;
         texts.insert(texts.end(), plan.unitRemarks.begin(), plan.unitRemarks.end());
@@ -166,21 +162,6 @@ void MultiAxisPlanView::showPlans(std::span<const WritePlan> plans, std::span<co
     m_remarks->setText(remarks.join(u'\n'));
     m_remarks->setVisible(!remarks.isEmpty());
     m_accept->setVisible(hasLarge);
-}
-
-void MultiAxisPlanView::addRow(
-    const WritePlan& plan, std::span<const AxisEntry> axes, bool isSlotTaken)
-{
-    const int row = m_rows->rowCount();
-    m_rows->insertRow(row);
-    int column = 0;
-    for (const QString& text : {axisNameAmong(axes, plan.axis), beforeText(plan.before, axes),
-             afterText(plan, axes), slotText(plan, isSlotTaken)}) {
-        auto* item = new QTableWidgetItem(text);
-        item->setToolTip(text);
-        item->setTextAlignment(Qt::AlignLeft | Qt::AlignTop);
-        m_rows->setItem(row, column++, item);
-    }
 }
 
 QString MultiAxisPlanView::costText(std::span<const WritePlan> plans)

@@ -10,9 +10,10 @@
 
 class QCheckBox;
 class QLabel;
-class QTableWidget;
 
 namespace axiscomp::ui {
+
+class RowList;
 
 /// What several writes will change, one row per axis: on the drive, new, slot; and what to know
 /// about it.
@@ -37,9 +38,7 @@ Q_SIGNALS:
     void acceptedChanged();
 
 private:
-    void addRow(const WritePlan& plan, std::span<const AxisEntry> axes, bool isSlotTaken);
-
-    QTableWidget* m_rows;
+    RowList* m_rows;
     QLabel* m_remarks;
     QCheckBox* m_accept; ///< hidden: nothing is unusually large
 };

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/page/file_actions.h"
 
+#include "core/configuration/tam_configuration.h"
 #include "core/io/local_file.h"
 #include "ui/async/background_job.h"
 #include "ui/controller/wizard_controller.h"
 #include "ui/controller/wizard_settings.h"
+#include "ui/dialogs/export_configuration_dialog.h"
 #include "ui/dialogs/export_dialog.h"
 #include "ui/dialogs/file_filters.h"
+#include "ui/dialogs/import_configuration_dialog.h"
 #include "ui/dialogs/import_dialog.h"
 #include "ui/fields/data_file_field.h"
 #include "ui/text/message_text.h"
@@ -30,12 +33,12 @@ Bytes bytesOf(const std::string& text)
 } // namespace
 
 FileActions::FileActions(WizardController& controller, WizardSettings& settings,
-    DataFileField& field, const TableLayout& layout, QWidget& window, QObject* parent)
+    DataFileField& field, const DriveProfile& profile, QWidget& window, QObject* parent)
     : QObject(parent)
     , m_controller(controller)
     , m_settings(settings)
     , m_field(field)
-    , m_layout(layout)
+    , m_profile(profile)
     , m_window(window)
     , m_picker(systemFilePicker())
 {
@@ -88,7 +91,7 @@ void FileActions::askForImport(const QString& path)
         choices.format = m_controller.dataFile().format;
     choices.axisTarget = m_controller.axisTarget();
     m_import = new ImportDialog(
-        {path, m_controller.setup().edited().dimensionality, std::move(choices), m_layout},
+        {path, m_controller.setup().edited().dimensionality, std::move(choices), m_profile.layout},
         &m_window);
     connect(m_import, &ImportDialog::chosen, &m_controller, &WizardController::importData);
     m_import->open();
@@ -100,7 +103,7 @@ void FileActions::exportTable()
     if (!table)
         return;
     auto* dialog = new ExportDialog(
-        {table, QString::fromStdString(table->name), m_layout, m_controller.axisTarget()},
+        {table, QString::fromStdString(table->name), m_profile.layout, m_controller.axisTarget()},
         &m_window);
     connect(dialog, &ExportDialog::chosen, this, &FileActions::askWhereToExport);
     dialog->open();
@@ -128,11 +131,87 @@ void FileActions::saveExport(const QString& path,
 {
     if (path.isEmpty())
         return;
-    report(inBackground<Result<void>>([path, table, choices, layout = m_layout]() -> Result<void> {
-        const std::string name = QFileInfo(path).fileName().toStdString();
-        AXISCOMP_TRY(const auto exported, axiscomp::exportTable(*table, choices, name, layout));
-        return saveFile(QFileInfo(path).filesystemAbsoluteFilePath(), bytesOf(exported.bytes));
-    }));
+    report(inBackground<Result<void>>(
+        [path, table, choices, layout = m_profile.layout]() -> Result<void> {
+            const std::string name = QFileInfo(path).fileName().toStdString();
+            AXISCOMP_TRY(const auto exported, axiscomp::exportTable(*table, choices, name, layout));
+            return saveFile(QFileInfo(path).filesystemAbsoluteFilePath(), bytesOf(exported.bytes));
+        }));
+}
+
+void FileActions::importConfiguration()
+{
+    askForConfiguration(Action::ImportConfiguration, [this](const QString& path) {
+        return new ImportConfigurationDialog(m_controller, path, &m_window);
+    });
+}
+
+void FileActions::exportConfiguration()
+{
+    askForConfiguration(Action::ExportConfiguration, [this](const QString& path) {
+        auto* dialog = new ExportConfigurationDialog(m_controller, m_profile, path, &m_window);
+        connect(dialog, &ExportConfigurationDialog::chosen, this,
+            [this, path](const auto& from, const auto& text) { askWhereToSave(path, from, text); });
+        return dialog;
+    });
+}
+
+void FileActions::askForConfiguration(
+    Action action, const std::function<QDialog*(const QString& path)>& dialog)
+{
+    FileQuestion question;
+    question.purpose = FileQuestion::Purpose::OpenConfiguration;
+    question.title = action == Action::ImportConfiguration ? tr("Import TAM Configuration")
+                                                           : tr("Export to TAM Configuration");
+    question.filter = tr("TAM configurations (*.TAMcfg)");
+    question.start = m_settings.folder();
+    m_picker(m_window, question, [this, action, dialog](const QString& path) {
+        const ActionState state = m_controller.action(action);
+        if (path.isEmpty())
+            return;
+        if (state.isEnabled)
+            dialog(path)->open();
+        else
+            Q_EMIT failed(state.reason);
+    });
+}
+
+void FileActions::askWhereToSave(const QString& proposed,
+    const std::shared_ptr<const TamConfiguration>& from, const std::string& text)
+{
+    FileQuestion question;
+    question.purpose = FileQuestion::Purpose::SaveConfiguration;
+    question.title = tr("Save TAM Configuration");
+    question.filter = tr("TAM configurations (*.TAMcfg)");
+    question.start = proposed;
+    m_picker(m_window, question, [this, proposed, from, text](const QString& path) {
+        if (!path.isEmpty())
+            saveConfiguration(path, proposed, from, text);
+    });
+}
+
+/// What another program has put into the file since it was read is not lost.
+void FileActions::saveConfiguration(const QString& path, const QString& original,
+    const std::shared_ptr<const TamConfiguration>& from, const std::string& text)
+{
+    const auto place = QFileInfo(path).filesystemAbsoluteFilePath();
+    const bool isSameFile = QFileInfo(path) == QFileInfo(original);
+    const auto saved =
+        inBackground<Result<void>>([place, isSameFile, from, text]() -> Result<void> {
+            if (isSameFile) {
+                AXISCOMP_TRY(const auto now, loadFile(place, maximumConfigurationSize));
+                if (now != from->bytes)
+                    return fail(ErrorCode::FileNotWritable,
+                        {{"file", from->fileName},
+                            {"reason",
+                                AXISCOMP_TEXT(
+                                    "Error", "it has changed since it was read; export again")}});
+            }
+            return saveFile(place, asBytes(text));
+        });
+    whenDone(saved, this, [this, name = QFileInfo(path).fileName()](const Result<void>& result) {
+        m_controller.reportExport(name, result);
+    });
 }
 
 void FileActions::saveExample(int dimensionality)

@@ -2,7 +2,8 @@
 #pragma once
 
 #include "core/conversion/import_choices.h"
-#include "core/table/table_layout.h"
+#include "core/drive/drive_profile.h"
+#include "ui/controller/action_rules.h"
 #include "ui/dialogs/file_picker.h"
 
 #include <QFuture>
@@ -10,10 +11,14 @@
 #include <QPointer>
 
 #include <memory>
+#include <string>
+
+class QDialog;
 
 namespace axiscomp {
 struct CompensationTable;
-}
+struct TamConfiguration;
+} // namespace axiscomp
 
 namespace axiscomp::ui {
 
@@ -23,14 +28,15 @@ class WizardController;
 class WizardSettings;
 
 /// Everything of the page that asks for a file: opening data and how it is to be understood,
-/// exporting a table, saving an example, saving the log.
+/// exporting a table, parameters from and for a TAM configuration, saving an example, saving the
+/// log.
 class FileActions : public QObject {
     Q_OBJECT
 
 public:
     /// All references must outlive this; window is what dialogs belong to.
     FileActions(WizardController& controller, WizardSettings& settings, DataFileField& field,
-        const TableLayout& layout, QWidget& window, QObject* parent = nullptr);
+        const DriveProfile& profile, QWidget& window, QObject* parent = nullptr);
 
     void setPicker(FilePicker picker);
     void askAndOpen();
@@ -39,6 +45,10 @@ public:
     void askForImport(const QString& path);
     /// The selected table as a file of another controller.
     void exportTable();
+    /// The parameters of a TAM configuration to the current drive, which there must be.
+    void importConfiguration();
+    /// Those of the current drive to a TAM configuration.
+    void exportConfiguration();
     void saveExample(int dimensionality);
     void saveLog(const QString& text);
 
@@ -50,13 +60,20 @@ private:
         const std::shared_ptr<const CompensationTable>& table, const ImportChoices& choices);
     void saveExport(const QString& path, const std::shared_ptr<const CompensationTable>& table,
         const ImportChoices& choices);
+    /// dialog: gets what is picked, when the action is still possible then.
+    void askForConfiguration(
+        Action action, const std::function<QDialog*(const QString& path)>& dialog);
+    void askWhereToSave(const QString& proposed,
+        const std::shared_ptr<const TamConfiguration>& from, const std::string& text);
+    void saveConfiguration(const QString& path, const QString& original,
+        const std::shared_ptr<const TamConfiguration>& from, const std::string& text);
     void save(const QString& path, std::string text);
     void report(const QFuture<Result<void>>& saved);
 
     WizardController& m_controller;
     WizardSettings& m_settings;
     DataFileField& m_field;
-    const TableLayout& m_layout;
+    const DriveProfile& m_profile;
     QWidget& m_window;
     FilePicker m_picker;
     QPointer<ImportDialog> m_import;

@@ -16,6 +16,8 @@ PageMenu::PageMenu(QWidget* parent)
     , m_languageGroup(new QActionGroup(this))
     , m_systemLanguage(m_languages->addAction(QString()))
     , m_writeSeveral(addAction(QString()))
+    , m_importConfiguration(addAction(QString()))
+    , m_exportConfiguration(addAction(QString()))
     , m_preview(addAction(QString()))
     , m_export(addAction(symbolIcon(Symbol::Save), QString()))
     , m_saveLog(addAction(symbolIcon(Symbol::Save), QString()))
@@ -26,6 +28,8 @@ PageMenu::PageMenu(QWidget* parent)
     m_languages->setObjectName(QStringLiteral("languageMenu"));
     fillLanguages();
     m_writeSeveral->setObjectName(QStringLiteral("writeSeveralAction"));
+    m_importConfiguration->setObjectName(QStringLiteral("importConfigurationAction"));
+    m_exportConfiguration->setObjectName(QStringLiteral("exportConfigurationAction"));
     m_preview->setObjectName(QStringLiteral("previewVolatileAction"));
     m_preview->setCheckable(true);
     m_preview->setChecked(true);
@@ -34,7 +38,9 @@ PageMenu::PageMenu(QWidget* parent)
     addSeparator();
     m_about = addAction(QString());
     m_about->setObjectName(QStringLiteral("aboutAction"));
-    connect(m_writeSeveral, &QAction::triggered, this, &PageMenu::writeSeveralRequested);
+    for (const Action action : drivenActions)
+        connect(entryOf(action), &QAction::triggered, this,
+            [this, action] { Q_EMIT actionRequested(action); });
     connect(m_preview, &QAction::triggered, this,
         [this](bool isShown) { Q_EMIT previewSkippedChosen(!isShown); });
     connect(m_export, &QAction::triggered, this, &PageMenu::exportRequested);
@@ -82,10 +88,17 @@ void PageMenu::setExportEnabled(bool isEnabled)
                                    : tr("No table is selected."));
 }
 
-void PageMenu::showWriteSeveral(bool isEnabled, const QString& reason)
+QAction* PageMenu::entryOf(Action action) const
 {
-    m_writeSeveral->setEnabled(isEnabled);
-    m_writeSeveral->setToolTip(reason);
+    return action == Action::WriteSeveral       ? m_writeSeveral
+        : action == Action::ImportConfiguration ? m_importConfiguration
+                                                : m_exportConfiguration;
+}
+
+void PageMenu::showAction(Action action, const ActionState& state)
+{
+    entryOf(action)->setEnabled(state.isEnabled);
+    entryOf(action)->setToolTip(state.reason);
 }
 
 void PageMenu::retranslate()
@@ -93,6 +106,8 @@ void PageMenu::retranslate()
     m_languages->setTitle(tr("&Language"));
     m_systemLanguage->setText(tr("&System Language"));
     m_writeSeveral->setText(tr("&Write Several Axes…"));
+    m_importConfiguration->setText(tr("&Import TAM Configuration…"));
+    m_exportConfiguration->setText(tr("Export to &TAM Configuration…"));
     m_preview->setText(tr("Show &Preview Before Volatile Writes"));
     m_preview->setToolTip(tr("Persistent writes always show the preview"));
     m_export->setText(tr("&Export for Another Controller…"));

@@ -1,27 +1,35 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/controller/action_rules.h"
+
 #include <QMenu>
+
+#include <array>
 
 class QAction;
 class QActionGroup;
 
 namespace axiscomp::ui {
 
-/// What the page offers beside its daily work: several axes at once, language, the list before
-/// volatile writes, export, the log, about.
+/// What the page offers beside its daily work: several axes at once, TAM configurations, language,
+/// the list before volatile writes, export, the log, about.
 class PageMenu : public QMenu {
     Q_OBJECT
 
 public:
+    /// Those entries that a drive is needed for.
+    static constexpr std::array drivenActions{
+        Action::WriteSeveral, Action::ImportConfiguration, Action::ExportConfiguration};
+
     explicit PageMenu(QWidget* parent = nullptr);
 
     /// Empty: the system's.
     void showLanguage(const QString& language);
     void showPreviewSkipped(bool isSkipped);
     void setExportEnabled(bool isEnabled);
-    /// reason: why not, or what it does.
-    void showWriteSeveral(bool isEnabled, const QString& reason);
+    /// One of drivenActions.
+    void showAction(Action action, const ActionState& state);
     void retranslate();
 
 Q_SIGNALS:
@@ -29,9 +37,10 @@ Q_SIGNALS:
     void previewSkippedChosen(bool isSkipped);
     void saveLogRequested();
     void exportRequested();
-    void writeSeveralRequested();
+    void actionRequested(axiscomp::ui::Action action); ///< one of drivenActions
 
 private:
+    [[nodiscard]] QAction* entryOf(Action action) const;
     void fillLanguages();
     void showAbout();
 
@@ -39,6 +48,8 @@ private:
     QActionGroup* m_languageGroup;
     QAction* m_systemLanguage;
     QAction* m_writeSeveral;
+    QAction* m_importConfiguration;
+    QAction* m_exportConfiguration;
     QAction* m_preview;
     QAction* m_export;
     QAction* m_saveLog;

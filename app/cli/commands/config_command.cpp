@@ -25,20 +25,6 @@ struct ConfigOptions {
     bool force = false;
 };
 
-/// A configuration, and where its stations are in it.
-struct Configuration {
-    Bytes bytes;
-    std::vector<TamStation> stations;
-};
-
-Result<Configuration> loadConfiguration(const std::string& file)
-{
-    Configuration configuration;
-    AXISCOMP_TRY(configuration.bytes, loadFile(file, maximumConfigurationSize));
-    AXISCOMP_TRY(configuration.stations, readTamStations(asText(configuration.bytes), file));
-    return configuration;
-}
-
 std::string addressText(std::uint32_t address)
 {
     return address == 0 ? "none" : "0x" + hexText(address);
@@ -76,7 +62,7 @@ std::string parametersText(const CompensationParameters& parameters)
 Result<ExitCode> runShow(Environment& environment, const ConfigOptions& options)
 {
     AXISCOMP_TRY(const auto profile, profileOf(options.drive.profile));
-    AXISCOMP_TRY(const auto configuration, loadConfiguration(options.file));
+    AXISCOMP_TRY(const auto configuration, loadTamConfiguration(options.file, options.file));
     Json stations = Json::array();
     for (const TamStation& station : configuration.stations) {
         AXISCOMP_TRY(const auto parameters, stationParameters(station, profile, options.file));
@@ -91,7 +77,7 @@ Result<ExitCode> runShow(Environment& environment, const ConfigOptions& options)
 Result<ExitCode> exportParameters(Environment& environment, const ConfigOptions& options,
     const DriveProfile& profile, const CompensationParameters& parameters)
 {
-    AXISCOMP_TRY(const auto configuration, loadConfiguration(options.file));
+    AXISCOMP_TRY(const auto configuration, loadTamConfiguration(options.file, options.file));
     AXISCOMP_TRY(const auto index,
         stationFor(configuration.stations, options.file, parameters.serialNumber, options.station,
             options.force));
@@ -125,8 +111,8 @@ Result<ExitCode> runExport(Environment& environment, const ConfigOptions& option
                 return exportParameters(same, options, session.profile(), parameters);
             });
     AXISCOMP_TRY(const auto profile, profileOf(options.drive.profile));
-    AXISCOMP_TRY(const auto source, loadConfiguration(options.from));
-    AXISCOMP_TRY(const auto target, loadConfiguration(options.file));
+    AXISCOMP_TRY(const auto source, loadTamConfiguration(options.from, options.from));
+    AXISCOMP_TRY(const auto target, loadTamConfiguration(options.file, options.file));
     const auto serial =
         target.stations.size() == 1 ? target.stations.front().serialNumber : std::nullopt;
     AXISCOMP_TRY(const auto index,
@@ -139,7 +125,7 @@ Result<ExitCode> runExport(Environment& environment, const ConfigOptions& option
 Result<ExitCode> importParameters(
     Environment& environment, CommandSession& session, const ConfigOptions& options)
 {
-    AXISCOMP_TRY(const auto configuration, loadConfiguration(options.file));
+    AXISCOMP_TRY(const auto configuration, loadTamConfiguration(options.file, options.file));
     AXISCOMP_TRY(const auto drive, session.compensator().identify(session.operation()));
     AXISCOMP_TRY(const auto index,
         stationFor(configuration.stations, options.file, drive.serialNumber, options.station,

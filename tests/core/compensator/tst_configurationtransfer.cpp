@@ -39,6 +39,21 @@ struct Fixture : CompensatorFixture {
     CompensationParameters parameters;
 };
 
+TamStation station(const CompensationParameters& parameters)
+{
+    TamStation made;
+    made.serialNumber = parameters.serialNumber;
+    for (const AxisParameters& axis : parameters.axes) {
+        const std::string base =
+            "Axes[" + std::to_string(axis.axis) + "]/Parameters/Compensations/Axis/";
+        made.registers.push_back({base + "Table", "SourceTable", axis.slot});
+        for (std::size_t n = 0; n < axis.sources.size(); ++n)
+            made.registers.push_back({base + "Dim" + std::to_string(n + 1) + "Source", "UInt32",
+                std::to_string(axis.sources[n])});
+    }
+    return made;
+}
+
 } // namespace
 
 class TestConfigurationTransfer : public QObject {
@@ -99,6 +114,26 @@ private Q_SLOTS:
         QCOMPARE(sentence(writes.error()),
             std::string("the configuration names the table in Small7 for axis 1, but the drive has "
                         "none there; write it into that slot first"));
+        QCOMPARE(c.link.firstChange(), 0);
+    }
+
+    void anImportIsPlannedForItsOwnDrive()
+    {
+        Fixture c;
+        TamConfiguration configuration{"machine.TAMcfg", {}, {station(c.parameters)}};
+        const auto plan = [&](bool force) {
+            return planImport(c.compensator, drivecomm::genericProfile(), configuration, 0, force);
+        };
+        const auto planned = plan(false);
+        VERIFY_RESULT(planned);
+        QCOMPARE(planned->tables.size(), 2U);
+        QCOMPARE(planned->plans.size(), 2U);
+        QCOMPARE(planned->plans[1].after.slot, c.parameters.axes[1].slot);
+        configuration.stations[0].serialNumber = 7;
+        VERIFY_ERROR(plan(false), ErrorCode::OtherDrive);
+        VERIFY_RESULT(plan(true));
+        configuration.stations[0].serialNumber.reset();
+        VERIFY_RESULT(plan(false));
         QCOMPARE(c.link.firstChange(), 0);
     }
 

@@ -229,6 +229,16 @@ void TestActionRules::reasons_data()
         [](S& s) { s.fileTables = 2; });
     row("several: busy", ready(), Action::WriteSeveral, "Please wait: writing several axes.",
         [](S& s) { s.task = Task::WriteSeveral; });
+    row("import: unfinished", ready(), Action::ImportConfiguration,
+        "An earlier write was interrupted: finish or undo it first.",
+        [](S& s) { s.unfinished = Unfinished::Old; });
+    row("export: unfinished", ready(), Action::ExportConfiguration,
+        "An earlier write was interrupted: finish or undo it first.",
+        [](S& s) { s.unfinished = Unfinished::Unsaved; });
+    row("import: not connected", ready(), Action::ImportConfiguration,
+        "The drive is not connected.", [](S& s) { s.isConnected = false; });
+    row("export: busy", ready(), Action::ExportConfiguration, "Please wait: importing parameters.",
+        [](S& s) { s.task = Task::Import; });
     row("write: busy", changed(), Action::Write, "Please wait: activating.",
         [](S& s) { s.task = Task::Activate; });
     row("write: no axis", changed(), Action::Write, "Choose an axis first.",
@@ -319,6 +329,10 @@ void TestActionRules::consequences_data()
     now = ready();
     row("delete", Action::DeleteTable,
         "Deletes the axis's table from the drive; a backup is kept.");
+    row("import", Action::ImportConfiguration,
+        "Writes the table and source parameters of a TAM configuration to the drive.");
+    row("export", Action::ExportConfiguration,
+        "Puts the drive's table and source parameters into a TAM configuration.");
     now.problem = damagedTable;
     row("deactivate an error", Action::Deactivate,
         "Switches the compensation off; table and settings stay on the drive.");

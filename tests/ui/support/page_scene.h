@@ -5,6 +5,8 @@
 #include "tests/ui/support/page_stage.h"
 
 #include <QAbstractButton>
+#include <QAction>
+#include <QComboBox>
 #include <QSettings>
 #include <QTest>
 
@@ -97,6 +99,19 @@ public:
         click("confirmWriteButton");
         wait([this] { return !controller().busy().isBusy && !controller().setup().isDirty(); },
             "the end of the write");
+    }
+    /// The dialog for a TAM configuration, its first station confirmed to be the drive.
+    void beginConfiguration(const QString& file, const char* action)
+    {
+        m_wizard->setFilePicker(
+            [file](QWidget&, const ui::FileQuestion&,
+                const std::function<void(const QString&)>& answer) { answer(file); });
+        m_wizard->findChild<QAction*>(QLatin1StringView(action))->trigger();
+        auto* stations = m_wizard->findChild<QComboBox*>(QStringLiteral("stationField"));
+        wait([&] { return stations->isEnabled(); }, "the stations");
+        stations->setCurrentIndex(0);
+        Q_EMIT stations->activated(0);
+        click("acceptOtherStation");
     }
     void settle()
     {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "tests/ui/support/configuration_files.h"
 #include "tests/ui/support/page_fixture.h"
 
 #include <QAction>
@@ -190,6 +191,33 @@ inline bool exportDialog(PageFixture& bench)
         && bench.user.choose("conversionFormat", QStringLiteral("kw.crosscomp2"));
 }
 
+/// From the menu, with a configuration whose one station is another drive.
+inline bool configurationDialog(PageFixture& bench, const char* action, const char* dialog)
+{
+    if (!isWritten(bench))
+        return false;
+    bench.picked =
+        bench.file(QStringLiteral("other.TAMcfg"), tamConfiguration({{"Gantry", 2207, {{}, {}}}}));
+    bench.user.the<QAction>(action).trigger();
+    return PageUser::waitFor([&] { return bench.user.sees(dialog); })
+        && bench.user.choose("stationField", QStringLiteral("Gantry"))
+        && PageUser::waitFor([&] { return bench.user.sees("acceptOtherStation"); });
+}
+
+inline bool importConfiguration(PageFixture& bench)
+{
+    return configurationDialog(bench, "importConfigurationAction", "importConfigurationDialog")
+        && bench.user.click("acceptOtherStation")
+        && PageUser::waitFor([&] { return bench.user.the("writeSeveralButton").isEnabled(); });
+}
+
+inline bool exportConfiguration(PageFixture& bench)
+{
+    return configurationDialog(bench, "exportConfigurationAction", "exportConfigurationDialog")
+        && bench.user.click("acceptOtherStation")
+        && PageUser::waitFor([&] { return bench.user.the("saveConfigurationButton").isEnabled(); });
+}
+
 } // namespace page_states
 
 inline const std::vector<PageState>& allPageStates()
@@ -214,6 +242,8 @@ inline const std::vector<PageState>& allPageStates()
         {"connections", connections},
         {"import dialog", importDialog},
         {"export dialog", exportDialog},
+        {"import configuration", importConfiguration},
+        {"export configuration", exportConfiguration},
     };
     return all;
 }
@@ -221,7 +251,8 @@ inline const std::vector<PageState>& allPageStates()
 /// The window that has the keyboard in a state: the page's, or its dialog.
 inline QWidget& shownWindow(PageFixture& bench)
 {
-    for (const char* name : {"connectionsDialog", "importDialog", "exportDialog"}) {
+    for (const char* name : {"connectionsDialog", "importDialog", "exportDialog",
+             "importConfigurationDialog", "exportConfigurationDialog"}) {
         auto* dialog = bench.user.find(name);
         if (dialog && dialog->isVisible())
             return *dialog;

@@ -2,6 +2,7 @@
 // Renders every state of the page into PNG files, for a person to look at:
 // wizard-pictures FOLDER [STATE...]. QT_SCALE_FACTOR makes them larger, AXISCOMP_LONG_TEXTS makes
 // every text longer than any language needs.
+#include "tests/ui/support/configuration_files.h"
 #include "tests/ui/support/page_scene.h"
 #include "tests/ui/support/window_test.h"
 #include "ui/text/language.h"
@@ -449,6 +450,45 @@ void multiAxisFailed(PageScene& scene)
     scene.settle();
 }
 
+/// The table of X was taken away; the configuration, whose station has another serial number, gives
+/// it back.
+void importConfiguration(PageScene& scene)
+{
+    scene.choose2D();
+    scene.write();
+    const QString file = scene.stage().file(QStringLiteral("machine.TAMcfg"),
+        test::tamConfiguration({{"Gantry", 2207, {test::configuredAxis(scene.stage().drive(), 0)}},
+            {"Rotary Table", 2208, {{}}}}));
+    const std::string compensation = "Axes[0]/Parameters/Compensations/Axis/";
+    const auto written =
+        scene.stage().drive().writeRegisters({{compensation + "Table", std::string("Disabled")}});
+    scene.controller().refresh();
+    wait(
+        [&] {
+            const auto& status = scene.controller().status();
+            return written && status && status->setup.slot.empty()
+                && scene.controller().action(Action::ImportConfiguration).isEnabled;
+        },
+        "the axis without a table");
+    scene.beginConfiguration(file, "importConfigurationAction");
+    auto* write = scene.page().findChild<QPushButton*>(QStringLiteral("writeSeveralButton"));
+    wait([&] { return write->isEnabled(); }, "the plan");
+    QTest::qWait(200);
+}
+
+void exportConfiguration(PageScene& scene)
+{
+    scene.choose2D();
+    scene.write();
+    scene.beginConfiguration(
+        scene.stage().file(QStringLiteral("machine.TAMcfg"),
+            test::tamConfiguration({{"Gantry", 2207, {{}, {}}}, {"Rotary Table", 2208, {{}}}})),
+        "exportConfigurationAction");
+    auto* save = scene.page().findChild<QPushButton*>(QStringLiteral("saveConfigurationButton"));
+    wait([&] { return save->isEnabled(); }, "the parameters");
+    QTest::qWait(200);
+}
+
 struct State {
     const char* name;
     std::function<void(PageScene&)> make;
@@ -490,6 +530,8 @@ const std::vector<State>& states()
         {"export-dialog", exportDialog},
         {"several-axes", multiAxisAxes},
         {"several-axes-failed", multiAxisFailed},
+        {"import-configuration", importConfiguration},
+        {"export-configuration", exportConfiguration},
     };
     return all;
 }

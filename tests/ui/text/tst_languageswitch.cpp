@@ -2,6 +2,7 @@
 #include "core/csv/calibration_csv.h"
 #include "core/formats/table_format.h"
 #include "tests/support/verify.h"
+#include "tests/ui/support/configuration_files.h"
 #include "tests/ui/support/page_scene.h"
 #include "tests/ui/support/pseudo_language.h"
 #include "tests/ui/support/visible_texts.h"
@@ -38,9 +39,9 @@ const QSet<QString>& sameInBoth()
 QString withoutData(QString text)
 {
     static const QRegularExpression data(QStringLiteral(
-        "(https?|tam|serial)://?\\S+|demo:|\\S*[/\\\\]\\S*|0x[0-9a-f]+|\\S+\\.(csv|json|txt)"
+        "(https?|tam|serial)://?\\S+|demo:|\\S*[/\\\\]\\S*|0x[0-9a-f]+|\\S+\\.(csv|json|txt|TAMcfg)"
         "|Demo [XY] over X, Y|\\b[0-9A-F]{8}\\b"
-        "|\\bTriamec-616\\b|\\bDemo\\b|\\b(Small|Large)\\d\\b|\\b(first|second|table \\d)\\b"
+        "|\\b(Triamec-616|Demo|Gantry)\\b|\\b(Small|Large)\\d\\b|\\b(first|second|table \\d)\\b"
         "|\\b[XYZT]\\b|\\b[123]D\\b|[µm]?m\\b|°C|<[^>]*>|&\\w+;|\\bDim\\d|[A-Z][a-z]+[A-Z]\\w+"
         "|[A-Z][a-z]+: |X \\[mm\\].*"));
     return text.remove(data).remove(u'&');
@@ -105,6 +106,21 @@ QStringList plotTexts(const QWidget& window)
     return texts;
 }
 
+void showConfiguration(PageScene& scene, const char* action)
+{
+    scene.choose2D();
+    scene.write();
+    scene.beginConfiguration(scene.stage().file(QStringLiteral("machine.TAMcfg"),
+                                 test::tamConfiguration({{"Gantry", 2207, {{}, {}}}})),
+        action);
+    const auto hasText = [&](const char* label) {
+        const auto* reason = scene.page().findChild<QLabel*>(QLatin1StringView(label));
+        return reason && !reason->text().contains(QStringLiteral("…"));
+    };
+    test::wait([&] { return hasText("multiAxisReason") || hasText("exportConfigurationReason"); },
+        "the reason");
+}
+
 struct State {
     const char* name;
     std::function<void(PageScene&)> reach;
@@ -164,6 +180,10 @@ const std::vector<State>& states()
                 activate(scene);
                 scene.click("logButton");
             }},
+        {"import configuration",
+            [](PageScene& scene) { showConfiguration(scene, "importConfigurationAction"); }},
+        {"export configuration",
+            [](PageScene& scene) { showConfiguration(scene, "exportConfigurationAction"); }},
         {"connections",
             [](PageScene& scene) {
                 scene.showDrive();
