@@ -137,10 +137,10 @@ void TestConfigurationDialogs::theParametersOfTheDriveAreWrittenAfterTheirPlan()
     const auto without = stage.state();
     QVERIFY(stage.beginImport());
     QCOMPARE(stage.questions.back().purpose, Purpose::OpenConfiguration);
+    QTRY_VERIFY(stage.writeButton().isEnabled());
     QCOMPARE(
         stage.user.the<QComboBox>("stationField").currentText(), QStringLiteral("Stage-7 (1559)"));
     QVERIFY(!stage.user.sees("stationWarning"));
-    QTRY_VERIFY(stage.writeButton().isEnabled());
     QCOMPARE(stage.user.the<QTableWidget>("multiAxisPlanRows").rowCount(), 1);
     QVERIFY(stage.importSays("Uses no flash operation."));
     QVERIFY(stage.state() == without);

@@ -30,7 +30,8 @@ const QSet<QString>& sameInBoth()
     static const QSet<QString> words{QStringLiteral("Details"), QStringLiteral("Dim"),
         QStringLiteral("Problem"), QStringLiteral("System"), QStringLiteral("English"),
         QStringLiteral("Deutsch"), QStringLiteral("Index"), QStringLiteral("index"),
-        QStringLiteral("min"), QStringLiteral("max"), QStringLiteral("rms"), QStringLiteral("OK")};
+        QStringLiteral("min"), QStringLiteral("max"), QStringLiteral("rms"), QStringLiteral("OK"),
+        QStringLiteral("Station")};
     return words;
 }
 
