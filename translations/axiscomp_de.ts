@@ -4419,6 +4419,18 @@
         <source>it has changed since it was read; export again</source>
         <translation>sie hat sich geändert, seit sie gelesen wurde; noch einmal exportieren</translation>
     </message>
+    <message numerus="yes">
+        <source>{count} more comment lines</source>
+        <comment>1 more comment line</comment>
+        <translation>
+            <numerusform>1 weitere Kommentarzeile</numerusform>
+            <numerusform>{count} weitere Kommentarzeilen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>at most 1 MiB of comments</source>
+        <translation>höchstens 1 MiB Kommentare</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -4640,6 +4652,10 @@
     <message>
         <source>positions are snapped to the grid</source>
         <translation>Positionen werden auf das Gitter gelegt</translation>
+    </message>
+    <message>
+        <source>comments from here on are not kept with the table</source>
+        <translation>Kommentare ab hier werden nicht mit der Tabelle behalten</translation>
     </message>
 </context>
 <context>
