@@ -5,6 +5,7 @@
 #include "tests/ui/support/window_test.h"
 
 #include <QAbstractItemView>
+#include <QApplication>
 #include <QComboBox>
 #include <QDialog>
 #include <QLabel>
@@ -78,17 +79,24 @@ public:
             return {16, widget.height() / 2};
         return widget.rect().center();
     }
-    /// The window that has the keyboard: between two windows there is none for a moment, and a menu
-    /// that was quickly closed can be told too late that it had it.
+    /// The window that has the keyboard: between two windows there is none for a moment, and a list
+    /// or menu that was quickly closed can be told too late that it has it.
     static QWindow* focusWindow()
     {
         static_cast<void>(waitFor([] {
             const QWindow* window = QGuiApplication::focusWindow();
-            if (window && !window->isVisible() && window->transientParent())
-                window->transientParent()->requestActivate();
+            if (window && !window->isVisible())
+                activateOwnerOf(*window);
             return window && window->isVisible();
         }));
         return QGuiApplication::focusWindow();
+    }
+    static void activateOwnerOf(const QWindow& popup)
+    {
+        for (const QWidget* widget : QApplication::topLevelWidgets()) {
+            if (widget->windowHandle() == &popup && widget->parentWidget())
+                widget->parentWidget()->window()->activateWindow();
+        }
     }
     static void press(Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::NoModifier)
     {
