@@ -117,11 +117,16 @@ Result<ExitCode> lookUpForController(
     AXISCOMP_TRY(const auto index, chooseColumn(columns, options.input));
     NeutralTable table = columns[index];
     if (as != input.format || options.conversion.isAnything()) {
-        AXISCOMP_TRY(const auto request,
+        AXISCOMP_TRY(auto request,
             conversionRequest(options.conversion, *input.format, *as, table.axes.size()));
+        AXISCOMP_TRY(const auto profile, profileOf(options.input.profile));
+        request.writing.layout = &profile.layout;
         const NeutralTable tables[] = {table};
         AXISCOMP_TRY(auto conversion, convertTables(tables, request));
         table = std::move(conversion.written.held.front());
+        // The column that was asked for comes first; a format may add others that correct nothing.
+        if (table.columns.front().direction == Direction::Both)
+            table.columns.resize(1);
     }
     if (table.columns.size() > 1)
         return wrongUsage("the table has a value for each direction of motion: choose one with "
