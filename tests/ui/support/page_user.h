@@ -80,23 +80,25 @@ public:
         return widget.rect().center();
     }
     /// The window that has the keyboard: between two windows there is none for a moment, and a list
-    /// or menu that was quickly closed can be told too late that it has it.
+    /// or menu that was quickly closed can be told too late that it has it. A list of proposals
+    /// belongs to no window: it hands on what it gets.
     static QWindow* focusWindow()
     {
         static_cast<void>(waitFor([] {
             const QWindow* window = QGuiApplication::focusWindow();
-            if (window && !window->isVisible())
-                activateOwnerOf(*window);
-            return window && window->isVisible();
+            return window && (window->isVisible() || !activatesOwnerOf(*window));
         }));
         return QGuiApplication::focusWindow();
     }
-    static void activateOwnerOf(const QWindow& popup)
+    static bool activatesOwnerOf(const QWindow& popup)
     {
         for (const QWidget* widget : QApplication::topLevelWidgets()) {
-            if (widget->windowHandle() == &popup && widget->parentWidget())
+            if (widget->windowHandle() == &popup && widget->parentWidget()) {
                 widget->parentWidget()->window()->activateWindow();
+                return true;
+            }
         }
+        return false;
     }
     static void press(Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::NoModifier)
     {
