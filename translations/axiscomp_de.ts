@@ -1520,8 +1520,8 @@
         <translation>es hat keine Moduloachsen</translation>
     </message>
     <message>
-        <source>leave the modulo out when the axis stays within one revolution</source>
-        <translation>das Modulo weglassen, wenn die Achse innerhalb einer Umdrehung bleibt</translation>
+        <source>treat the axis as linear (--no-wrap) when it stays within one revolution</source>
+        <translation>die Achse als lineare behandeln (--no-wrap), wenn sie innerhalb einer Umdrehung bleibt</translation>
     </message>
     <message>
         <source>its values are offsets of the command</source>
@@ -1948,8 +1948,8 @@
         <translation>{target} hat nur Werte für die negative Richtung, also keine für die positive; die negative Richtung wählen</translation>
     </message>
     <message>
-        <source>a full turn of {axis} begins with the correction {begin} and ends with {end}; make both the same, or leave the modulo out</source>
-        <translation>eine volle Umdrehung von {axis} beginnt mit der Korrektur {begin} und endet mit {end}; beide gleich machen oder das Modulo weglassen</translation>
+        <source>a full turn of {axis} begins with the correction {begin} and ends with {end}; make both the same, or treat the axis as linear (--no-wrap)</source>
+        <translation>eine volle Umdrehung von {axis} beginnt mit der Korrektur {begin} und endet mit {end}; beide gleich machen oder die Achse als lineare behandeln (--no-wrap)</translation>
     </message>
     <message>
         <source>the numbers are too large to be added to each other</source>
@@ -2000,8 +2000,8 @@
         <translation>ein Raster hat entlang jeder Achse mindestens zwei Punkte; so viele zulassen</translation>
     </message>
     <message>
-        <source>a full turn of {axis} begins with {begin} and ends with {end}; make both the same, or leave the modulo out</source>
-        <translation>eine volle Umdrehung von {axis} beginnt mit {begin} und endet mit {end}; beide gleich machen oder das Modulo weglassen</translation>
+        <source>a full turn of {axis} begins with {begin} and ends with {end}; make both the same, or treat the axis as linear (--no-wrap)</source>
+        <translation>eine volle Umdrehung von {axis} beginnt mit {begin} und endet mit {end}; beide gleich machen oder die Achse als lineare behandeln (--no-wrap)</translation>
     </message>
     <message>
         <source>the values for {column} are too large to be interpolated</source>
@@ -3256,8 +3256,8 @@
         <translation>ihre Moduloachse ist keine Rundachse</translation>
     </message>
     <message>
-        <source>leave the modulo out</source>
-        <translation>das Modulo weglassen</translation>
+        <source>treat the axis as linear (--no-wrap)</source>
+        <translation>die Achse als lineare behandeln (--no-wrap)</translation>
     </message>
     <message>
         <source>it takes a column for both directions of motion, or one for each direction of one axis</source>
@@ -5701,8 +5701,8 @@
         <translation>&amp;Zwischen den Punkten</translation>
     </message>
     <message>
-        <source>Treat a modulo axis as a &amp;plain one</source>
-        <translation>Eine Moduloachse als &amp;normale Achse behandeln</translation>
+        <source>Treat a modulo axis as a &amp;linear one</source>
+        <translation>Eine Moduloachse als &amp;lineare Achse behandeln</translation>
     </message>
     <message>
         <source>&amp;Hold the end values beyond the data</source>
@@ -6539,7 +6539,7 @@
     </message>
     <message>
         <source>Persistent, as on the page: all tables are stored in flash.</source>
-        <translation>Persistent wie auf der Seite: alle Tabellen werden im Flash-Speicher abgelegt.</translation>
+        <translation>Dauerhaft wie auf der Seite: alle Tabellen werden im Flash-Speicher abgelegt.</translation>
     </message>
     <message>
         <source>Volatile, as on the page: a reboot of the drive restores the stored state.</source>
@@ -6830,7 +6830,7 @@
     </message>
     <message>
         <source>Persistent writes always show the preview</source>
-        <translation>Vor persistentem Schreiben erscheint die Vorschau immer</translation>
+        <translation>Vor dauerhaftem Schreiben erscheint die Vorschau immer</translation>
     </message>
     <message>
         <source>Save Lo&amp;g…</source>
@@ -7085,7 +7085,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
     </message>
     <message>
         <source>Persistent: stored in the drive&apos;s flash and kept over a reboot. Volatile: lost on a reboot. Applies to the table on the drive as well</source>
-        <translation>Persistent: im Flash-Speicher des Antriebs, bleibt über einen Neustart erhalten. Flüchtig: geht beim Neustart verloren. Gilt auch für die Tabelle im Antrieb</translation>
+        <translation>Dauerhaft: im Flash-Speicher des Antriebs, bleibt über einen Neustart erhalten. Flüchtig: geht beim Neustart verloren. Gilt auch für die Tabelle im Antrieb</translation>
     </message>
     <message>
         <source>Whether the table survives a reboot</source>
@@ -7718,7 +7718,7 @@ B - A: %3</translation>
     </message>
     <message>
         <source>Persistent writes always show the preview; the menu turns it back on for volatile ones</source>
-        <translation>Vor persistentem Schreiben erscheint die Vorschau immer; für flüchtiges schaltet das Menü sie wieder ein</translation>
+        <translation>Vor dauerhaftem Schreiben erscheint die Vorschau immer; für flüchtiges schaltet das Menü sie wieder ein</translation>
     </message>
     <message>
         <source>&amp;Write</source>

@@ -30,7 +30,7 @@ struct ConversionRequest {
     std::vector<std::string> targets;
     Adjustment adjustment;
     std::optional<DirectionChoice> direction; ///< merges values of two directions of motion
-    bool dropsWrap = false; ///< a modulo axis becomes a plain one
+    bool dropsWrap = false; ///< a modulo axis becomes a linear one
     std::variant<std::monostate, ResamplingRequest, WantedDeviation> resampling;
     TableWriteOptions writing;
 };

@@ -37,7 +37,7 @@ struct ImportChoices {
     MissingPoints missing = MissingPoints::Refuse;
     double snap = 0.0; ///< see CsvOptions
     ResamplingChoice resampling;
-    bool dropsWrap = false; ///< a modulo axis becomes a plain one
+    bool dropsWrap = false; ///< a modulo axis becomes a linear one
 
     friend bool operator==(const ImportChoices&, const ImportChoices&) = default;
     /// The targets for a conversion of this table, as ConversionRequest has them.

@@ -64,7 +64,7 @@ Result<void> checkClosed(const NeutralTable& table, const Mover& mover, std::siz
         return notConvertible(table, knotPosition(table, first),
             AXISCOMP_TEXT("Error",
                 "a full turn of {axis} begins with the correction {begin} and ends with {end}; "
-                "make both the same, or leave the modulo out")
+                "make both the same, or treat the axis as linear (--no-wrap)")
                 .with("axis", axisText(table, axis))
                 .with("begin", quantityOf(begin, unit))
                 .with("end", quantityOf(end, unit)));

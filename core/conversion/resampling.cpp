@@ -154,7 +154,7 @@ Result<void> checkResamplable(const NeutralTable& table)
                 if (std::abs(begin - end) > rounding * largest)
                     return resamplingImpossible(AXISCOMP_TEXT("Error",
                         "a full turn of {axis} begins with {begin} and ends with {end}; make both "
-                        "the same, or leave the modulo out")
+                        "the same, or treat the axis as linear (--no-wrap)")
                                                     .with("axis", axisText(table, n))
                                                     .with("begin", quantityOf(begin, column.unit))
                                                     .with("end", quantityOf(end, column.unit)));

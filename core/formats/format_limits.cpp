@@ -98,8 +98,8 @@ Result<void> Holding::check(const NeutralTable& table) const
         table.axes, [](const SourceAxis& axis) { return axis.wrap.has_value(); });
     if (wraps && !m_facts.holdsWrap)
         return refuse(AXISCOMP_TEXT("Error", "it has no modulo axes"),
-            AXISCOMP_TEXT(
-                "Error", "leave the modulo out when the axis stays within one revolution"));
+            AXISCOMP_TEXT("Error",
+                "treat the axis as linear (--no-wrap) when it stays within one revolution"));
     if (auto fits = checkKnotRule(table); !fits)
         return fits;
     return checkColumns(table);

@@ -295,7 +295,7 @@ void ConversionForm::nameRows()
     nameRow(*m_form, m_snap, tr("Snap &tolerance"));
     nameRow(*m_form, m_grid, tr("&Even grid"));
     nameRow(*m_form, m_method, tr("&Between points"));
-    m_dropsWrap->setText(tr("Treat a modulo axis as a &plain one"));
+    m_dropsWrap->setText(tr("Treat a modulo axis as a &linear one"));
     m_holds->setText(tr("&Hold the end values beyond the data"));
     m_dropsWrap->setAccessibleName(m_dropsWrap->text().remove(u'&'));
     m_holds->setAccessibleName(m_holds->text().remove(u'&'));

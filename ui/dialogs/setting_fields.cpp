@@ -239,6 +239,7 @@ QList<QWidget*> SettingFields::fields() const
 
 void SettingFields::retranslate(QSet<QChar> usedKeys)
 {
+    const QString absent = m_isWriting ? tr("not given") : tr("as the file says");
     for (const Row& row : m_rows) {
         const QString name = nameOf(row.setting, usedKeys);
         if (row.label)
@@ -251,13 +252,13 @@ void SettingFields::retranslate(QSet<QChar> usedKeys)
         const QString standard = qString(row.setting.standard);
         if (auto* combo = qobject_cast<QComboBox*>(row.field)) {
             combo->setItemText(
-                0, standard.isEmpty() ? tr("not given") : tr("default: %1").arg(word(standard)));
+                0, standard.isEmpty() ? absent : tr("default: %1").arg(word(standard)));
             for (int i = 1; i < combo->count(); ++i)
                 combo->setItemText(i, word(combo->itemData(i).toString()));
         }
         if (auto* line = qobject_cast<QLineEdit*>(row.field))
             line->setPlaceholderText(row.setting.isNeeded ? tr("needed")
-                    : standard.isEmpty()                  ? tr("not given")
+                    : standard.isEmpty()                  ? absent
                                                           : tr("default: %1").arg(standard));
     }
 }

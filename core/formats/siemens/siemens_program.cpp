@@ -407,7 +407,7 @@ Result<void> checkModulo(const FormatFacts& facts, const NeutralTable& table)
         return {};
     if (table.axes.front().unit != "deg")
         return cannotHold(facts, AXISCOMP_TEXT("Error", "its modulo axis is not rotary"),
-            AXISCOMP_TEXT("Error", "leave the modulo out"));
+            AXISCOMP_TEXT("Error", "treat the axis as linear (--no-wrap)"));
     return checkOnePeriod(facts, table, 0, 0.0);
 }
 
