@@ -50,6 +50,14 @@ set(AXISCOMP_COMMON_HEADERS
   <memory> <optional> <set> <span> <stop_token> <string> <string_view> <thread> <utility> <variant>
   <vector> <tl/expected.hpp>)
 
+# For the tests' own code beside the sanitizers: half of the time of a build went into optimising it and
+# into checks of its arithmetic. The product that it calls is compiled as before.
+function(axiscomp_compile_quickly target)
+  if(AXISCOMP_SANITIZE AND CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+    target_compile_options(${target} PRIVATE -O0 -fno-sanitize=undefined,float-cast-overflow)
+  endif()
+endfunction()
+
 # A static library axiscomp::NAME; the files of its folders come by axiscomp_add_sources.
 function(axiscomp_add_module name)
   cmake_parse_arguments(arg "" "" "PUBLIC_DEPS;PRIVATE_DEPS;PRECOMPILE" ${ARGN})
@@ -83,6 +91,7 @@ function(axiscomp_add_test_program name)
   add_executable(${target} ${PROJECT_SOURCE_DIR}/tests/support/test_main.cpp ${arg_SOURCES})
   set_target_properties(${target} PROPERTIES AUTOMOC ON)
   target_link_libraries(${target} PRIVATE axiscomp_options axiscomp_test_support ${arg_DEPS})
+  axiscomp_compile_quickly(${target})
   target_compile_definitions(${target} PRIVATE AXISCOMP_SOURCE_FOLDER="${PROJECT_SOURCE_DIR}")
   set(headers ${AXISCOMP_COMMON_HEADERS} <QTest>)
   if(arg_WINDOW)

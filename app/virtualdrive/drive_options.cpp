@@ -37,6 +37,7 @@ std::vector<VirtualAxis> makeAxes(int count)
         VirtualAxis axis;
         axis.name = i < names.size() ? names[i] : "Axis" + std::to_string(i);
         axis.unit = i < linearAxes || i >= names.size() ? "Millimeter" : "Degree";
+        axis.saysTravel = true;
         // Different periods, so that all places of a plane or a volume are visited.
         axis.periodSeconds += 7.0 * static_cast<double>(i);
         axes.push_back(std::move(axis));

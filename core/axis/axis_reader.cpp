@@ -28,12 +28,30 @@ void append(std::vector<std::string>& paths, const std::vector<std::string>& mor
     paths.insert(paths.end(), more.begin(), more.end());
 }
 
+std::vector<std::string> travelPaths(const RegisterAccess& access, int axis)
+{
+    const RegisterPaths& names = access.registers();
+    if (names.positionMinimum.empty() || names.positionMaximum.empty())
+        return {};
+    return {
+        access.axisPath(names.positionMinimum, axis), access.axisPath(names.positionMaximum, axis)};
+}
+
+std::optional<Travel> travelFrom(const RegisterAccess& access, const Readings& readings, int axis)
+{
+    const std::vector<std::string> paths = travelPaths(access, axis);
+    if (paths.empty())
+        return std::nullopt;
+    return travelBetween(numberAt(readings, paths[0]), numberAt(readings, paths[1]));
+}
+
 std::vector<std::string> infoPaths(const RegisterAccess& access, int axis)
 {
     const RegisterPaths& names = access.registers();
     std::vector<std::string> paths = access.axisPaths(names.axisName, axis, 0, names.axisNameWords);
     for (const std::string& pattern : {names.positionUnit, names.homingState, names.state})
         paths.push_back(access.axisPath(pattern, axis));
+    append(paths, travelPaths(access, axis));
     return paths;
 }
 
@@ -56,6 +74,7 @@ AxisInfo infoFrom(const RegisterAccess& access, const Readings& readings, int ax
     info.signalFolder = folderOf(access, names.state, axis, 1);
     info.name = axisNameFrom(access, readings, axis);
     info.unit = textAt(readings, access.axisPath(names.positionUnit, axis));
+    info.travel = travelFrom(access, readings, axis);
     info.homingWord = textAt(readings, access.axisPath(names.homingState, axis));
     info.isHomed = info.homingWord == access.enums().homingDone;
     info.stateWord = textAt(readings, access.axisPath(names.state, axis));
@@ -176,6 +195,12 @@ Result<std::vector<AxisInfo>> readAxes(const RegisterAccess& access, const Drive
             axes.push_back(infoFrom(access, readings, axis));
     }
     return axes;
+}
+
+Result<std::optional<Travel>> readTravel(const RegisterAccess& access, int axis)
+{
+    AXISCOMP_TRY(const auto readings, access.readAvailable(travelPaths(access, axis)));
+    return travelFrom(access, readings, axis);
 }
 
 Result<AxisStatus> readStatus(

@@ -21,6 +21,9 @@ namespace axiscomp {
 [[nodiscard]] Result<AxisStatus> readStatus(
     const RegisterAccess& access, const DriveIdentity& drive, int axis, SourceDirectory& sources);
 
+/// How far an axis travels; none: the drive does not say.
+[[nodiscard]] Result<std::optional<Travel>> readTravel(const RegisterAccess& access, int axis);
+
 [[nodiscard]] Error compensationActive(const AxisStatus& status);
 
 /// The same, with more registers that are read at the same instant; those that the drive does not

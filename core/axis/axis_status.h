@@ -4,6 +4,7 @@
 #include "core/drive/compensation_setup.h"
 #include "core/drive/drive_link.h"
 #include "core/drive/journal_entry.h"
+#include "core/drive/travel_coverage.h"
 #include "core/table/grid.h"
 
 #include <array>
@@ -35,6 +36,7 @@ struct AxisInfo {
     std::string signalFolder; ///< "Axes[0]/Signals/": those of what it measures and computes
     std::string name; ///< may be empty
     std::string unit; ///< the drive's PositionUnit: "Millimeter"
+    std::optional<Travel> travel; ///< none: the drive does not say
     std::string homingWord; ///< "HomingDone"
     bool isHomed = false;
     std::string stateWord; ///< "Active"; empty when the axis has no compensation registers

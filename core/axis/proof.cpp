@@ -3,11 +3,11 @@
 
 #include "core/axis/activation.h"
 #include "core/axis/axis_reader.h"
-#include "core/table/lookup.h"
+#include "core/axis/proof_rule.h"
+#include "core/axis/proved_part.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace axiscomp {
 
@@ -16,27 +16,16 @@ namespace {
 /// The axis moves between samples, so that they are not all the same place.
 constexpr std::chrono::milliseconds sampleInterval{20};
 
-/// The drive calculates with Single numbers: some roundings of half a unit in the last place each.
-constexpr double roundings = 8.0;
-constexpr double singleRounding = std::numeric_limits<float>::epsilon() / 2.0;
-
-Quantity exactNumber(double value)
-{
-    return {toText(RegisterValue{value})};
-}
-
 class Prover {
 public:
     Prover(const RegisterAccess& access, const AxisStatus& status, const CompensationTable& table)
         : m_access(access)
         , m_status(status)
         , m_table(table)
-        , m_lookup(table)
+        , m_rule(table)
+        , m_part(table.grid)
     {
-        double largest = 0.0;
-        for (const float value : table.values)
-            largest = std::max(largest, static_cast<double>(std::abs(value)));
-        m_proof.tolerance = roundings * singleRounding * largest;
+        m_proof.tolerance = m_rule.tolerance();
     }
 
     Result<Proof> run(int samples)
@@ -47,24 +36,29 @@ public:
             }
             AXISCOMP_CHECK(sample());
         }
-        m_proof.extent = !m_isWithin ? Proof::Extent::OutsideTable
-            : !m_hasContent          ? Proof::Extent::OnlyZeros
-                                     : Proof::Extent::Proved;
+        m_proof.provedShare = m_part.share();
+        m_proof.extent = m_part.seen().empty() ? Proof::Extent::OutsideTable
+            : m_isEvaluating                   ? Proof::Extent::IndicesOnly
+            : !m_hasContent                    ? Proof::Extent::OnlyZeros
+                                               : Proof::Extent::Proved;
         return m_proof;
     }
 
 private:
-    [[nodiscard]] std::size_t dimensions() const
-    {
-        return static_cast<std::size_t>(m_table.grid.dimensions());
-    }
-
     [[nodiscard]] std::vector<std::string> sourcePaths() const
     {
         std::vector<std::string> paths;
-        for (std::size_t n = 0; n < dimensions(); ++n)
+        for (std::size_t n = 0; n < m_table.grid.axes.size(); ++n)
             paths.push_back(m_status.setup.sources[n].path);
         return paths;
+    }
+
+    [[nodiscard]] std::array<double, 3> sourcesFrom(const Readings& readings) const
+    {
+        std::array<double, 3> sources{};
+        for (std::size_t n = 0; n < m_table.grid.axes.size(); ++n)
+            sources[n] = numberAt(readings, m_status.setup.sources[n].path);
+        return sources;
     }
 
     Result<void> sample()
@@ -83,12 +77,6 @@ private:
         }
         AXISCOMP_TRY(auto readings, m_access.read(paths));
 
-        Proof::Sample sample;
-        for (std::size_t n = 0; n < dimensions(); ++n) {
-            sample.sources[n] = numberAt(readings, m_status.setup.sources[n].path);
-            sample.indices[n] = numberAt(readings, indexPaths[n]);
-            sample.expectedIndices[n] = m_lookup.index(static_cast<int>(n), sample.sources[n]);
-        }
         const std::string state = textAt(readings, statePath);
         const bool isActive = state == m_access.enums().stateActive;
         if (!isActive && state != m_access.enums().stateEvaluating)
@@ -97,100 +85,45 @@ private:
                     {"hint",
                         AXISCOMP_TEXT("Error",
                             "only an active or an evaluating compensation can be proved")}});
-        sample.output = numberAt(readings, outputPath);
-        // While evaluating, the drive looks up but adds nothing.
-        sample.expected = isActive
-            ? m_lookup.at(std::span<const double>(sample.sources.data(), dimensions()))
-            : 0.0;
-        const bool isWithin = isWithinTable(sample);
-        m_isWithin = m_isWithin || isWithin;
-        // The indices are what an evaluation shows.
-        m_hasContent = m_hasContent || (isWithin && (!isActive || sample.expected != 0.0));
-        Motion motion;
+        ProofRule::Reading reading{
+            sourcesFrom(readings), numberAt(readings, outputPath), {}, isActive};
+        for (std::size_t n = 0; n < indexPaths.size(); ++n)
+            reading.indices[n] = numberAt(readings, indexPaths[n]);
+        const Proof::Sample sample = m_rule.sampleOf(reading);
+        m_isEvaluating = m_isEvaluating || !isActive;
+        if (isWithin(m_table.grid, sample.sources)) {
+            m_part.add(sample.sources);
+            m_hasContent = m_hasContent || sample.expected != 0.0;
+        }
+        ProofRule::Motion motion;
         if (!m_access.profile().readsAtOneInstant) {
-            AXISCOMP_TRY(auto moved, motionSince(sample));
-            motion = moved;
+            AXISCOMP_TRY(const auto later, m_access.read(sourcePaths()));
+            motion = m_rule.motionTo(sample, sourcesFrom(later));
         }
-        return compare(sample, motion);
-    }
-
-    [[nodiscard]] bool isWithinTable(const Proof::Sample& sample) const
-    {
-        for (std::size_t n = 0; n < dimensions(); ++n) {
-            const GridAxis& axis = m_table.grid.axes[n];
-            if (!(axis.start <= sample.sources[n] && sample.sources[n] <= axis.last()))
-                return false;
-        }
-        return true;
-    }
-
-    /// How far output and indices may have moved while a drive answered register by register.
-    struct Motion {
-        double output = 0.0;
-        std::array<double, 3> indices{};
-    };
-
-    Result<Motion> motionSince(const Proof::Sample& sample)
-    {
-        AXISCOMP_TRY(auto readings, m_access.read(sourcePaths()));
-        std::array<double, 3> sources{};
-        Motion motion;
-        for (std::size_t n = 0; n < dimensions(); ++n) {
-            sources[n] = numberAt(readings, m_status.setup.sources[n].path);
-            motion.indices[n] = std::abs(
-                m_lookup.index(static_cast<int>(n), sources[n]) - sample.expectedIndices[n]);
-        }
-        const double later = m_lookup.at(std::span<const double>(sources.data(), dimensions()));
-        motion.output = sample.expected == 0.0 ? 0.0 : std::abs(later - sample.expected);
-        return motion;
-    }
-
-    Result<void> compare(const Proof::Sample& sample, const Motion& motion)
-    {
-        const double difference = std::abs(sample.output - sample.expected);
-        m_proof.largestDifference = std::max(m_proof.largestDifference, difference);
+        m_proof.largestDifference =
+            std::max(m_proof.largestDifference, std::abs(sample.output - sample.expected));
         m_proof.samples.push_back(sample);
-        if (!(difference <= m_proof.tolerance + motion.output))
-            return mismatch(
-                AXISCOMP_TEXT("Error", "the output"), sample, sample.output, sample.expected);
-        for (std::size_t n = 0; n < dimensions(); ++n) {
-            const double tolerance = motion.indices[n]
-                + roundings * singleRounding * static_cast<double>(m_table.grid.axes[n].size);
-            if (!(std::abs(sample.indices[n] - sample.expectedIndices[n]) <= tolerance))
-                return mismatch(AXISCOMP_TEXT("Error", "the index of dimension {dimension}")
-                                    .with("dimension", n + 1),
-                    sample, sample.indices[n], sample.expectedIndices[n]);
-        }
-        return {};
-    }
-
-    [[nodiscard]] tl::unexpected<Error> mismatch(
-        Text what, const Proof::Sample& sample, double found, double expected) const
-    {
-        std::vector<Text> position;
-        for (std::size_t n = 0; n < dimensions(); ++n)
-            position.push_back(AXISCOMP_TEXT("Error", "{axis} = {position}")
-                                   .with("axis", m_status.setup.sources[n].path)
-                                   .with("position", exactNumber(sample.sources[n])));
-        return fail(ErrorCode::ProofFailed,
-            {{"axis", m_status.axis.index}, {"what", std::move(what)},
-                {"found", exactNumber(found)}, {"expected", exactNumber(expected)},
-                {"position", std::move(position)}});
+        return m_rule.compare(m_status, sample, motion);
     }
 
     const RegisterAccess& m_access;
     const AxisStatus& m_status;
     const CompensationTable& m_table;
-    Lookup m_lookup;
+    ProofRule m_rule;
+    ProvedPart m_part;
     Proof m_proof;
-    bool m_isWithin = false; ///< at least one sample
     bool m_hasContent = false;
+    bool m_isEvaluating = false;
 };
 
 } // namespace
 
 Text notProvedText(Proof::Extent extent)
 {
+    if (extent == Proof::Extent::IndicesOnly)
+        return AXISCOMP_TEXT("Error",
+            "The drive looks up where it should, but adds nothing while it evaluates. Activate to "
+            "prove what it adds.");
     if (extent == Proof::Extent::OutsideTable)
         return AXISCOMP_TEXT("Error",
             "The axis is outside of the table, where the values at its ends hold. Move the axis "

@@ -18,7 +18,8 @@ struct Proof {
     /// What the samples can show. Beyond the ends of a table, and where it is 0, a wrong table
     /// looks like the right one.
     enum class Extent {
-        Proved, ///< at least one sample within the table, and with an output while Active
+        Proved, ///< at least one sample within the table and with an output
+        IndicesOnly, ///< within the table, but the compensation evaluates: nothing is added
         OutsideTable,
         OnlyZeros,
     };
@@ -33,6 +34,7 @@ struct Proof {
     double largestDifference = 0.0; ///< |output - expected|
     double tolerance = 0.0; ///< float32 rounding of the table's largest value
     Extent extent = Extent::Proved;
+    double provedShare = 0.0; ///< the share of the table's cells in which a sample was, 0 to 1
 };
 
 /// Why nothing is proved although nothing differs, and what to do about it, as a sentence; for

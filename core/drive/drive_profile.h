@@ -32,6 +32,8 @@ struct RegisterPaths {
     std::string axisName; ///< {axis}, {n} = 0 .. axisNameWords - 1
     int axisNameWords = 0;
     std::string positionUnit; ///< {axis}, as all below
+    std::string positionMinimum; ///< how far the axis travels; empty: the drive does not say
+    std::string positionMaximum;
     std::string table;
     std::string source; ///< {n} = 1, 2, 3
     std::string coggingTable;

@@ -14,6 +14,16 @@ bool sameSpans(const Grid& a, const Grid& b)
     });
 }
 
+bool isWithin(const Grid& grid, std::span<const double> positions)
+{
+    for (std::size_t n = 0; n < grid.axes.size(); ++n) {
+        const GridAxis& axis = grid.axes[n];
+        if (!(axis.start <= positions[n] && positions[n] <= axis.last()))
+            return false;
+    }
+    return true;
+}
+
 bool pointsAreDistinct(const GridAxis& axis)
 {
     const double largest = std::max(std::abs(axis.start), std::abs(axis.last()));

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -42,6 +43,10 @@ struct Grid {
 
 /// The same sizes, starts and distances, whatever the names and units.
 [[nodiscard]] bool sameSpans(const Grid& a, const Grid& b);
+
+/// Whether a position is on the grid or between its points, in every dimension. positions: one per
+/// dimension.
+[[nodiscard]] bool isWithin(const Grid& grid, std::span<const double> positions);
 
 /// False where the distance is below some thirty times the resolution of the positions: neighbours
 /// would be one place, or at uneven places, and a lookup could not tell which of them is meant. Or

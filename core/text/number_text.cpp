@@ -3,6 +3,7 @@
 
 #include <array>
 #include <charconv>
+#include <cmath>
 
 namespace axiscomp {
 
@@ -47,6 +48,19 @@ std::string roundedText(double value)
     const auto result = std::to_chars(
         buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, digits);
     return {buffer.data(), result.ptr};
+}
+
+std::string percentText(double share)
+{
+    constexpr double roundingAllowance = 1.0 + 1e-12;
+    const double percent = 100.0 * share * roundingAllowance;
+    if (!(percent > 0.0))
+        return "0";
+    if (share >= 1.0)
+        return "100";
+    const double scale =
+        percent >= 10.0 ? 1.0 : std::pow(10.0, 1.0 - std::floor(std::log10(percent)));
+    return roundedText(std::floor(percent * scale) / scale);
 }
 
 std::string shortestText(double value)

@@ -13,6 +13,10 @@ namespace axiscomp {
 /// A computed number without the rounding of doubles: 12 digits.
 [[nodiscard]] std::string roundedText(double value);
 
+/// A share of 0 to 1 in percent, rounded down to whole ones, and below 10 % to two digits: only the
+/// whole is "100", and only nothing is "0".
+[[nodiscard]] std::string percentText(double share);
+
 /// The fewest characters that are exactly this number again: with an exponent where that is
 /// shorter.
 [[nodiscard]] std::string shortestText(double value);

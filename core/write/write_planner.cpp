@@ -126,6 +126,8 @@ Result<PreparedWrite> WritePlanner::prepare(int axis, const WriteRequest& reques
         decided = decideTable(converted);
     }
     if (decided)
+        decided = decideCoverage();
+    if (decided)
         decided = decideSaving();
     if (decided)
         decided = decideFlash();
@@ -197,6 +199,26 @@ Result<WriteRequest> WritePlanner::inUnitsOfDrive(const WriteRequest& request)
     WriteRequest result = request;
     result.table = m_write.plan.table;
     return result;
+}
+
+Result<void> WritePlanner::decideCoverage()
+{
+    WritePlan& plan = m_write.plan;
+    const CompensationSetup& after = plan.after;
+    const Grid* grid = plan.table ? &plan.table->grid
+        : m_status.table          ? &m_status.table->grid
+                                  : nullptr;
+    if (!grid || after.slot.empty() || grid->dimensions() != after.dimensionality)
+        return {};
+    AXISCOMP_TRY(plan.coverage,
+        travelCoverage(m_access.profile(),
+            std::span(after.sources).first(static_cast<std::size_t>(after.dimensionality)), *grid,
+            [this](int axis) -> Result<std::optional<Travel>> {
+                if (axis == m_axis)
+                    return m_status.axis.travel;
+                return readTravel(m_access, axis);
+            }));
+    return {};
 }
 
 Result<void> WritePlanner::decideNoTable()

@@ -58,6 +58,7 @@ private:
     [[nodiscard]] Result<std::vector<SlotFacts>> slotFacts();
     [[nodiscard]] Result<void> lookInto(std::vector<SlotFacts>& slots);
     void listChanges();
+    [[nodiscard]] Result<void> decideCoverage();
     void warn();
     void warnOfDeletion();
     void warnOfSaving();

@@ -1,9 +1,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // What a person should know before a write.
+#include "core/text/number_text.h"
 #include "core/write/write_planner.h"
 
 namespace axiscomp {
+
+namespace {
+
+Text coverageText(const DimensionCoverage& coverage)
+{
+    const TextPattern pattern = coverage.share > 0.0
+        ? AXISCOMP_TEXT("Error",
+            "Dimension {number} of the table reaches from {first} to {last}: {percent} of the "
+            "travel of axis {axis}, {low} to {high}. Beyond the table the drive holds the value "
+            "of its end.")
+        : AXISCOMP_TEXT("Error",
+            "Dimension {number} of the table reaches from {first} to {last}: outside the travel "
+            "of axis {axis}, {low} to {high}. The drive holds the value of one end everywhere.");
+    const auto number = [](double position) { return Quantity{roundedText(position)}; };
+    return pattern.with("number", coverage.dimension + 1)
+        .with("first", number(coverage.table.low))
+        .with("last", number(coverage.table.high))
+        .with("percent", Quantity{percentText(coverage.share), "%"})
+        .with("axis", coverage.axis)
+        .with("low", number(coverage.travel.low))
+        .with("high", number(coverage.travel.high));
+}
+
+} // namespace
 
 Result<void> checkLargeAccepted(const WritePlan& plan, const WriteRequest& request)
 {
@@ -18,6 +43,11 @@ void WritePlanner::warn()
     WritePlan& plan = m_write.plan;
     if (!plan.deletedSlot.empty())
         return warnOfDeletion();
+    const bool isNews =
+        plan.slotReason != SlotReason::KeepTable || plan.before.sources != plan.after.sources;
+    for (const DimensionCoverage& dimension : plan.coverage)
+        if (isNews && dimension.share < 1.0)
+            plan.warnings.push_back(coverageText(dimension));
     for (const DimSource& source : plan.after.sources)
         if (m_access.profile().isAfterCompensation(source.path))
             plan.warnings.push_back(AXISCOMP_TEXT("Error",

@@ -20,6 +20,7 @@ struct PathKey {
     std::string_view key;
     std::string RegisterPaths::*member;
     std::string_view placeholders; ///< all of them, each one exactly once
+    bool isOptional = false;
 };
 
 constexpr std::array pathKeys{
@@ -30,6 +31,8 @@ constexpr std::array pathKeys{
     PathKey{"reboot", &RegisterPaths::reboot, ""},
     PathKey{"axisName", &RegisterPaths::axisName, "{axis}{n}"},
     PathKey{"positionUnit", &RegisterPaths::positionUnit, "{axis}"},
+    PathKey{"positionMinimum", &RegisterPaths::positionMinimum, "{axis}", true},
+    PathKey{"positionMaximum", &RegisterPaths::positionMaximum, "{axis}", true},
     PathKey{"table", &RegisterPaths::table, "{axis}"},
     PathKey{"source", &RegisterPaths::source, "{axis}{n}"},
     PathKey{"coggingTable", &RegisterPaths::coggingTable, "{axis}"},
@@ -251,15 +254,18 @@ std::string readWord(const JsonNode& node)
 RegisterPaths readRegisterPaths(const JsonNode& node)
 {
     std::vector<std::string_view> keys;
+    std::vector<std::string_view> optional;
     for (const PathKey& row : pathKeys)
-        keys.push_back(row.key);
+        (row.isOptional ? optional : keys).push_back(row.key);
     for (const WordCountKey& row : wordCountKeys)
         keys.push_back(row.key);
-    node.expectMembers(keys);
+    node.expectMembers(keys, optional);
 
     RegisterPaths paths;
     std::map<std::string, std::string_view> usedBy;
     for (const PathKey& row : pathKeys) {
+        if (row.isOptional && !node.has(row.key))
+            continue;
         const JsonNode place = node[row.key];
         paths.*row.member = readPattern(place, row.placeholders);
         const auto [used, isNew] = usedBy.emplace(paths.*row.member, row.key);

@@ -97,8 +97,8 @@ VirtualDriveOptions demoDriveOptions()
     VirtualDriveOptions options;
     options.name = "Demo";
     options.serialNumber = 100042;
-    options.axes = {
-        {"X", "Millimeter", 0.0, rangeX, 40.0, true}, {"Y", "Millimeter", 0.0, rangeY, 30.0, true}};
+    options.axes = {{"X", "Millimeter", 0.0, rangeX, 40.0, true, true},
+        {"Y", "Millimeter", 0.0, rangeY, 30.0, true, true}};
     return options;
 }
 

@@ -181,8 +181,8 @@ private:
             const RegisterReading* found = m_station.find(pattern, {.axis = index});
             return found ? toDouble(found->value) : 0.0;
         };
-        axis.low = number(registers::positionMinimum);
-        axis.high = number(registers::positionMaximum);
+        axis.low = number(m_paths.positionMinimum);
+        axis.high = number(m_paths.positionMaximum);
         if (!(axis.low < axis.high)) {
             axis.low = 0.0;
             axis.high = usualRange(axis.unit);

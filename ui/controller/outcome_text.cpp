@@ -23,6 +23,7 @@ public:
     [[nodiscard]] static Outcome notWritten(const Error& error);
     [[nodiscard]] static Outcome switched(Switch wanted, const Activation& activation);
     [[nodiscard]] static QString proved(const Proof& proof, const AxisInfo& axis);
+    [[nodiscard]] static Outcome contradicted(const Error& error);
     [[nodiscard]] static Outcome restored(const Restoration& restoration);
     [[nodiscard]] static Outcome recovered(bool finishes, const Result<WriteReport>& report);
     [[nodiscard]] static QString settled(AxisCompensator::UnfinishedOutcome outcome);
@@ -79,9 +80,8 @@ QString Outcomes::proved(const Proof& proof, const AxisInfo& axis)
     QString difference = smallValueText(proof.largestDifference, axis.unit);
     if (difference.startsWith(u'+'))
         difference.remove(0, 1); // a size
-    return tr("Proved: largest difference %1 in %2 samples.")
-        .arg(difference)
-        .arg(proof.samples.size());
+    return tr("Proved over %1 of the table: largest difference %2. Move the axis to prove more.")
+        .arg(percentageText(proof.provedShare), difference);
 }
 
 Outcome Outcomes::switched(Switch wanted, const Activation& activation)
@@ -94,6 +94,8 @@ Outcome Outcomes::switched(Switch wanted, const Activation& activation)
     if (!activation.proof)
         return {state, false, {}};
     const Result<Proof>& proof = *activation.proof;
+    if (proof && proof->extent == Proof::Extent::IndicesOnly)
+        return {state + u' ' + tr("Its table indices are right."), false, {}};
     if (proof && proof->extent != Proof::Extent::Proved)
         return {
             state + u' ' + tr("Not proved.") + u' ' + sentenceText(notProvedText(proof->extent)),
@@ -110,6 +112,15 @@ Outcome Outcomes::switched(Switch wanted, const Activation& activation)
             true, errorDetail(proof.error())};
     return {tr("%1 But the proof failed: deactivate it unless you know why. %2").arg(state, reason),
         true, errorDetail(proof.error())};
+}
+
+/// The axis moves: switching off here and now is for the user to decide.
+Outcome Outcomes::contradicted(const Error& error)
+{
+    return {tr("The compensation is active, but the drive contradicts its table. Stop the axis and "
+               "deactivate. %1")
+                .arg(errorText(error)),
+        true, errorDetail(error)};
 }
 
 Outcome Outcomes::restored(const Restoration& restoration)
@@ -183,6 +194,11 @@ Outcome settledOutcome(const SettledWrite& settled)
     const bool isDone = settled.outcome == Unfinished::New;
     return {Outcomes::unfinished(settled), !isDone,
         QStringLiteral("backup: ") + QString::fromStdString(settled.entry.backup.string())};
+}
+
+Outcome movingProofFailure(const Error& error)
+{
+    return Outcomes::contradicted(error);
 }
 
 Outcome errorOutcome(const Error& error)

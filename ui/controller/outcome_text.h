@@ -21,6 +21,8 @@ struct Outcome {
 [[nodiscard]] Outcome settledOutcome(const SettledWrite& settled);
 /// Of finishing or undoing a write that did not end.
 [[nodiscard]] Outcome recoveryOutcome(bool finishes, const Result<WriteReport>& report);
+/// Of a drive that does not add what its table says, while it is active.
+[[nodiscard]] Outcome movingProofFailure(const Error& error);
 /// Of an operation that changes nothing.
 [[nodiscard]] Outcome errorOutcome(const Error& error);
 

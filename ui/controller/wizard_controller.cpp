@@ -5,6 +5,7 @@
 #include "core/drive/drive_units.h"
 #include "ui/controller/multi_axis_controller.h"
 #include "ui/controller/parameter_export.h"
+#include "ui/controller/proof_follower.h"
 #include "ui/controller/wizard_actions.h"
 #include "ui/text/sign_sentence.h"
 
@@ -17,6 +18,7 @@ struct WizardController::Parts {
         : profile(*options.profile)
         , drives(options, log, outcome)
         , axis(options, drives, setup, log, outcome)
+        , proof(*options.profile, axis, outcome)
         , sources(drives, setup, log)
         , tables(options.profile->layout, setup, log)
         , runner(*options.profile, drives, axis, setup, tables, log, outcome)
@@ -32,6 +34,7 @@ struct WizardController::Parts {
     SetupModel setup;
     DriveList drives;
     AxisState axis;
+    ProofFollower proof;
     SourceCheck sources;
     TableSelection tables;
     OperationRunner runner;
@@ -61,6 +64,7 @@ void WizardController::wireDrives()
     connect(drives, &DriveList::currentAxisChanged, this, &WizardController::currentAxisChanged);
     connect(drives, &DriveList::axisLeft, this, [this] {
         m_parts->axis.forget();
+        m_parts->proof.forget();
         m_parts->runner.forget();
         m_parts->tables.driveTable().clear();
         m_parts->setup.clear();
@@ -84,6 +88,7 @@ void WizardController::wireAxis()
     connect(axis, &AxisState::taken, this, [this](bool isComplete) {
         m_parts->tables.driveTable().follow(
             *m_parts->drives.connection(), *m_parts->axis.status(), isComplete);
+        m_parts->proof.take(driveTable());
     });
     connect(axis, &AxisState::statusChanged, this, &WizardController::updateUnits);
     connect(axis, &AxisState::statusChanged, this, &WizardController::statusChanged);
@@ -487,6 +492,11 @@ bool WizardController::isWriting() const
 const std::optional<WritePlan>& WizardController::plan() const
 {
     return m_parts->runner.plan();
+}
+
+const std::optional<MovingProof>& WizardController::movingProof() const
+{
+    return m_parts->proof.proof();
 }
 
 const std::optional<Proof>& WizardController::proof() const

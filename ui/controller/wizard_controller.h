@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/axis/moving_proof.h"
 #include "core/compensator/axis_compensator.h"
 #include "core/configuration/compensation_parameters.h"
 #include "core/conversion/import_choices.h"
@@ -141,6 +142,8 @@ public:
 
     [[nodiscard]] const std::optional<WritePlan>& plan() const;
     [[nodiscard]] const std::optional<Proof>& proof() const; ///< of the last activation
+    /// What has been seen of the table since it became active; none while it is not.
+    [[nodiscard]] const std::optional<MovingProof>& movingProof() const;
     [[nodiscard]] QString
     outcome() const; ///< of the last operation, a translated sentence; may be empty
     [[nodiscard]] bool isOutcomeAnError() const;

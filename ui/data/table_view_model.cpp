@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace axiscomp::ui {
 
@@ -131,6 +132,17 @@ const TableViewModel::Table& TableViewModel::table() const
 const TableViewModel::Table& TableViewModel::drawn() const
 {
     return d->drawn;
+}
+
+bool TableViewModel::showsDriveTable() const
+{
+    return d->table && d->table == d->onDrive;
+}
+
+bool TableViewModel::isAtSlice(const std::array<double, 3>& place) const
+{
+    const GridAxis& axis = d->table->grid.axes[d->cutDimension];
+    return std::abs(place[d->cutDimension] - axis.position(d->cutIndex)) < axis.distance;
 }
 
 TableViewModel::Table TableViewModel::second() const

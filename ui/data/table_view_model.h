@@ -5,6 +5,7 @@
 
 #include <QObject>
 
+#include <array>
 #include <memory>
 #include <optional>
 
@@ -46,6 +47,10 @@ public:
     [[nodiscard]] const Table& table() const;
     /// What is drawn: the table, or the slice of it that is chosen (3D).
     [[nodiscard]] const Table& drawn() const;
+    /// Whether table() is the one on the drive.
+    [[nodiscard]] bool showsDriveTable() const;
+    /// Whether a slice is the border of, or within, the cell around a place.
+    [[nodiscard]] bool isAtSlice(const std::array<double, 3>& place) const;
     /// 1D: the drive's table beside another one; otherwise null.
     [[nodiscard]] Table second() const;
     /// The largest |value| of table(): half of a scale that is symmetric about zero.

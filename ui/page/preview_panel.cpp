@@ -265,6 +265,8 @@ void PreviewPanel::showMarker()
     m_plot->setMarker(isPlace
             ? std::optional(TablePlot::Marker{status->sourceValues, status->output})
             : std::nullopt);
+    const auto& proof = m_controller.movingProof();
+    m_plot->setProved(proof && m_applied->isOfDrive() ? &proof->part() : nullptr);
 }
 
 void PreviewPanel::showFacts()

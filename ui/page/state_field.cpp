@@ -57,13 +57,24 @@ QString timeText(const QDateTime& time)
     return QLocale().toString(time.time(), QStringLiteral("HH:mm:ss"));
 }
 
+/// Whether the drive holds the value of an end, since a source is beyond the table.
+bool isOutsideTable(const AxisStatus& status)
+{
+    return status.table && status.setup.dimensionality == status.table->grid.dimensions()
+        && !isWithin(status.table->grid, status.sourceValues);
+}
+
 QString liveText(const AxisStatus& status)
 {
     QStringList indices;
     for (int n = 0; n < status.setup.dimensionality; ++n)
         indices += QLocale().toString(status.indices.at(static_cast<std::size_t>(n)), 'f', 2);
-    return StateField::tr("Output %1 · Index %2")
-        .arg(smallValueText(status.output, status.axis.unit), indices.join(QStringLiteral(" / ")));
+    const QString text = StateField::tr("Output %1 · Index %2")
+                             .arg(smallValueText(status.output, status.axis.unit),
+                                 indices.join(QStringLiteral(" / ")));
+    return isOutsideTable(status)
+        ? text + QStringLiteral(" · ") + StateField::tr("outside the table: end value held")
+        : text;
 }
 
 } // namespace
@@ -157,6 +168,26 @@ QString StateField::tableText() const
     return tr("%1, CRC %2", "table and checksum").arg(name, crc);
 }
 
+/// Never "proved" before something was seen that a wrong table would have shown.
+QString StateField::proofText() const
+{
+    const auto& proof = m_controller.movingProof();
+    if (!proof)
+        return {};
+    if (proof->failure())
+        return tr("contradicts its table");
+    if (!proof->hasContent())
+        return tr("not proved yet");
+    return tr("proved over %1 of the table").arg(percentageText(proof->part().share()));
+}
+
+QString StateField::detailText() const
+{
+    QStringList parts{sinceText(), tableText(), proofText()};
+    parts.removeAll(QString());
+    return parts.join(QStringLiteral(" · "));
+}
+
 void StateField::display()
 {
     const auto& status = m_controller.status();
@@ -168,8 +199,7 @@ void StateField::display()
     m_detail->setVisible(status.has_value());
     if (status) {
         m_live->setText(liveText(*status));
-        m_detail->setText(isLive ? sinceText() + QStringLiteral(" · ") + tableText()
-                                 : tr("as read at %1").arg(timeText(m_read)));
+        m_detail->setText(isLive ? detailText() : tr("as read at %1").arg(timeText(m_read)));
     }
     QPalette texts = palette();
     if (!isLive)

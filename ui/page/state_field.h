@@ -37,6 +37,8 @@ private:
     [[nodiscard]] bool isConnected() const;
     [[nodiscard]] QString sinceText() const;
     [[nodiscard]] QString tableText() const;
+    [[nodiscard]] QString proofText() const;
+    [[nodiscard]] QString detailText() const;
 
     WizardController& m_controller;
     QLabel* m_state;

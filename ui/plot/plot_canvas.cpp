@@ -106,6 +106,7 @@ struct PlotCanvas::Private {
     QCPGraph* curve = nullptr;
     QCPGraph* secondCurve = nullptr;
     QCPGraph* filled = nullptr; ///< points that were made up, not measured
+    QCPGraph* proved = nullptr;
     QCPGraph* marker = nullptr;
     QCPColorMap* map = nullptr;
     QCPColorScale* scale = nullptr;
@@ -144,6 +145,10 @@ PlotCanvas::PlotCanvas(QWidget* parent) : QObject(parent), d(std::make_unique<Pr
     d->filled->setLayer(QStringLiteral("axes")); // above the map
     d->filled->setLineStyle(QCPGraph::lsNone);
     d->filled->removeFromLegend();
+    d->proved = plot.addGraph();
+    d->proved->setObjectName(QStringLiteral("provedPart"));
+    d->proved->setLayer(QStringLiteral("overlay"));
+    d->proved->removeFromLegend();
     d->marker = plot.addGraph();
     d->marker->setLayer(QStringLiteral("overlay"));
     d->marker->removeFromLegend();
@@ -298,6 +303,11 @@ void PlotCanvas::setPalette(const QPalette& palette)
     plot.legend->setTextColor(text);
     plot.legend->setBorderPen(QPen(grid));
     const QColor marker = dark ? QColor(255, 200, 60) : QColor(120, 60, 0);
+    QColor proved = dark ? QColor(90, 220, 130) : QColor(0, 140, 60);
+    constexpr int seeThrough = 130;
+    proved.setAlpha(seeThrough);
+    constexpr double provedWidth = 6.0;
+    d->proved->setPen(QPen(proved, provedWidth));
     d->marker->setScatterStyle(
         QCPScatterStyle(QCPScatterStyle::ssDiamond, QPen(text, 1.5), QBrush(marker), 11));
     d->filled->setScatterStyle(
@@ -316,6 +326,16 @@ void PlotCanvas::setMarker(const std::optional<std::array<double, 2>>& position,
     d->marker->data()->clear();
     if (position)
         d->marker->addData((*position)[0], d->isMap() ? (*position)[1] : value);
+    paintOverlay();
+}
+
+void PlotCanvas::setProved(const QVector<double>& keys, const QVector<double>& values)
+{
+    d->proved->setLineStyle(d->isMap() ? QCPGraph::lsNone : QCPGraph::lsLine);
+    d->proved->setScatterStyle(d->isMap()
+            ? QCPScatterStyle(QCPScatterStyle::ssDisc, d->proved->pen().color(), 4.0)
+            : QCPScatterStyle(QCPScatterStyle::ssNone));
+    d->proved->setData(keys, values);
     paintOverlay();
 }
 

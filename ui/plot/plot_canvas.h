@@ -36,6 +36,9 @@ public:
 
     /// In positions of the drawn axes; none hides it.
     void setMarker(const std::optional<std::array<double, 2>>& position, double value);
+    /// Marks what has been proved: the curve between grid points, or the middles of cells of a map.
+    /// NaN interrupts a curve. Same sizes; empty hides it.
+    void setProved(const QVector<double>& keys, const QVector<double>& values);
     void setCrosshair(const std::optional<GridPoint>& point);
     void setCursor(int which, const std::optional<GridPoint>& point); ///< 0 = A, 1 = B
 

@@ -14,6 +14,9 @@
 #include <QMouseEvent>
 #include <QToolButton>
 
+#include <algorithm>
+#include <limits>
+
 #include "ui/plot/custom_plot.h"
 #include "ui/style/plain_label.h"
 
@@ -95,6 +98,7 @@ void TablePlot::showTable()
     d->hovered.reset();
     retranslate();
     setCursorsShown(d->hasCursors);
+    showProved();
     showMarker();
 }
 
@@ -113,6 +117,45 @@ void TablePlot::showMarker()
     const std::array<double, 2> position{d->marker->positions[d->shown.dimensionOf(0)],
         d->isMap() ? d->marker->positions[d->shown.dimensionOf(1)] : 0.0};
     d->canvas->setMarker(position, d->marker->output);
+}
+
+void TablePlot::setProved(const ProvedPart* part)
+{
+    const auto count = [](const ProvedPart* proved) { return proved ? proved->seen().size() : 0; };
+    if (count(part) == count(d->proved ? &*d->proved : nullptr))
+        return;
+    d->proved = part ? std::optional(*part) : std::nullopt;
+    showProved();
+}
+
+/// Of a slice: the cells on both sides of it.
+void TablePlot::showProved()
+{
+    QVector<double> keys;
+    QVector<double> values;
+    const auto& drawn = d->shown.drawn();
+    const bool isOfDrive = drawn && d->proved && d->shown.showsDriveTable()
+        && sameSpans(d->proved->grid(), d->shown.table()->grid);
+    std::vector<std::size_t> cells = isOfDrive ? d->proved->seen() : std::vector<std::size_t>();
+    std::ranges::sort(cells);
+    for (const std::size_t cell : cells) {
+        const std::array<double, 3> middle = d->proved->middleOf(cell);
+        if (d->shown.isCut() && !d->shown.isAtSlice(middle))
+            continue;
+        if (d->isMap()) {
+            keys += middle[d->shown.dimensionOf(0)];
+            values += middle[d->shown.dimensionOf(1)];
+            continue;
+        }
+        const GridAxis& axis = drawn->grid.axes[0];
+        for (const std::size_t point : {cell, cell + 1}) {
+            keys += axis.position(point);
+            values += static_cast<double>(drawn->values[point]);
+        }
+        keys += axis.position(cell + 1);
+        values += std::numeric_limits<double>::quiet_NaN();
+    }
+    d->canvas->setProved(keys, values);
 }
 
 QFuture<QString> TablePlot::exportTo(const QString& path) const

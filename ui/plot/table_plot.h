@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/axis/proved_part.h"
+
 #include <QFuture>
 #include <QWidget>
 
@@ -35,6 +37,9 @@ public:
         double output = 0.0;
     };
     void setMarker(const std::optional<Marker>& marker);
+    /// What has been proved of the table on the drive, which the picture shows only with that
+    /// table; null hides it.
+    void setProved(const ProvedPart* part);
 
     /// format by the file's ending: png, pdf, csv (the values shown). An empty text is success,
     /// otherwise a translated sentence. The file is written on another thread.
@@ -50,6 +55,7 @@ private:
     void retranslate();
     void showTable();
     void showMarker();
+    void showProved();
     void showCurrent();
     void currentChanged();
     void showReadout();

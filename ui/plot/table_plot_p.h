@@ -20,6 +20,7 @@ struct TablePlot::Private {
 
     TableViewModel& shown;
     std::optional<Marker> marker;
+    std::optional<ProvedPart> proved; ///< of the table on the drive
     bool hasCursors = false;
     std::size_t activeCursor = 0;
     std::array<GridPoint, 2> cursors;

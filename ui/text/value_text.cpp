@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/text/value_text.h"
 
+#include "core/text/number_text.h"
+
 #include <QCoreApplication>
 #include <QDateTime>
 #include <QLocale>
@@ -117,6 +119,12 @@ QByteArray plainPosition(const GridAxis& axis, std::size_t index)
     const bool isZero = std::abs(position) < axis.distance * 1e-9;
     return QByteArray::number(
         isZero ? 0.0 : position, 'g', static_cast<int>(std::clamp(digits, fewest, most)));
+}
+
+QString percentageText(double share)
+{
+    QString text = qString(percentText(share));
+    return text.replace(u'.', QLocale().decimalPoint()) + QStringLiteral(" %");
 }
 
 QString durationText(int seconds)

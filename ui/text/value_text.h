@@ -35,6 +35,8 @@ namespace axiscomp::ui {
 /// The same two for other programs: decimal point, no sign for positive numbers.
 [[nodiscard]] QByteArray plainValue(float value);
 [[nodiscard]] QByteArray plainPosition(const GridAxis& axis, std::size_t index);
+/// "3.4 %": of the whole, rounded down, so that only all of it is 100 %.
+[[nodiscard]] QString percentageText(double share);
 /// "3:12"
 [[nodiscard]] QString durationText(int seconds);
 

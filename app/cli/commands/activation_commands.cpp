@@ -5,6 +5,7 @@
 #include "app/cli/session/command_session.h"
 #include "app/common/number_text.h"
 #include "core/compensator/axis_compensator.h"
+#include "core/text/number_text.h"
 
 namespace axiscomp::app {
 
@@ -24,16 +25,21 @@ void noteState(Environment& environment, const Activation& activation)
         environment.console().note("note: the compensation was switched off again");
 }
 
-void printProof(Environment& environment, Switch wanted, const Proof& proof)
+void printProof(Environment& environment, const Proof& proof)
 {
-    if (proof.extent != Proof::Extent::Proved) {
+    const std::string share = percentText(proof.provedShare) + " % of the table";
+    switch (proof.extent) {
+    case Proof::Extent::Proved:
+        environment.print("\nProof: what the drive adds is what the table says, over " + share
+            + ". Only where the axis has been is proved.\n");
+        return;
+    case Proof::Extent::IndicesOnly:
+        environment.print("\nThe drive looks up where it should, over " + share
+            + "; it adds nothing while it evaluates.\n");
+        return;
+    default:
         environment.print("\nNot proved.\n");
         environment.warn("nothing is proved: " + notProvedText(proof.extent).english());
-    } else {
-        environment.print(wanted == Switch::Activate
-                ? "\nProof: what the drive adds is what the table says.\n"
-                : "\nProof: the drive looks up where it should; it adds nothing while it "
-                  "evaluates.\n");
     }
 }
 
@@ -59,7 +65,7 @@ Result<ExitCode> runActivation(
         // Output and indices of a moment in which the compensation works.
         const int dimensions = status.table ? status.table->grid.dimensions() : 0;
         json["proof"] = toJson(proof, dimensions);
-        printProof(environment, wanted, proof);
+        printProof(environment, proof);
         environment.print(proofText(proof, status));
     }
     environment.document(json);

@@ -103,6 +103,7 @@ Json toJson(const Error& error, const Json& diagnostics)
 Json toJson(const AxisInfo& axis)
 {
     return {{"index", axis.index}, {"name", axis.name}, {"unit", axis.unit},
+        {"travel", axis.travel ? Json{axis.travel->low, axis.travel->high} : Json(nullptr)},
         {"homing", axis.homingWord}, {"state", textOrNull(axis.stateWord)}};
 }
 
@@ -142,8 +143,18 @@ Json unfinishedToJson(const JournalEntry& entry, AxisCompensator::UnfinishedOutc
         {"driveHolds", outcomeName(outcome)}, {"backup", entry.backup.string()}};
 }
 
+Json toJson(const DimensionCoverage& coverage)
+{
+    return {{"dimension", coverage.dimension + 1}, {"axis", coverage.axis},
+        {"travel", {coverage.travel.low, coverage.travel.high}},
+        {"table", {coverage.table.low, coverage.table.high}}, {"share", coverage.share}};
+}
+
 Json toJson(const WritePlan& plan)
 {
+    Json coverage = Json::array();
+    for (const DimensionCoverage& dimension : plan.coverage)
+        coverage.push_back(toJson(dimension));
     Json changes = Json::array();
     for (const PlannedChange& change : plan.changes)
         changes.push_back(
@@ -155,7 +166,7 @@ Json toJson(const WritePlan& plan)
         {"deletedSlot", plan.deletedSlot.empty() ? Json(nullptr) : Json(plan.deletedSlot)},
         {"changes", std::move(changes)}, {"flashOperations", plan.flashOperations},
         {"flashOperationsLeft", plan.flashBudget.left},
-        {"flashWaitSeconds", plan.flashBudget.wait.count()},
+        {"flashWaitSeconds", plan.flashBudget.wait.count()}, {"coverage", std::move(coverage)},
         {"largeCorrections", englishOf(plan.largeCorrections)},
         {"units", englishOf(plan.unitRemarks)}, {"warnings", englishOf(plan.warnings)}};
 }
@@ -183,7 +194,8 @@ Json toJson(const Proof& proof, int dimensions)
                 {"expected", sample.expected}, {"indices", numbers(sample.indices, dimensions)},
                 {"expectedIndices", numbers(sample.expectedIndices, dimensions)}});
     return {{"samples", std::move(samples)}, {"largestDifference", proof.largestDifference},
-        {"tolerance", proof.tolerance}, {"proved", proof.extent == Proof::Extent::Proved}};
+        {"tolerance", proof.tolerance}, {"provedShare", proof.provedShare},
+        {"proved", proof.extent == Proof::Extent::Proved}};
 }
 
 Json toJson(const DriveFile& file)

@@ -192,6 +192,14 @@ void VirtualDrive::Private::defineAxisSignals(int index)
     // Behind the others, whose addresses state folders of earlier versions name as sources.
     position(registers::actualPosition, 0, false,
         [](const Axis& axis, DriveTime at) { return axis.motion.actualPosition(at); });
+    const VirtualAxis& axis = options.axes[self];
+    for (const auto& [pattern, limit] : {std::pair(&profile.registers.positionMinimum, axis.low),
+             std::pair(&profile.registers.positionMaximum, axis.high)})
+        define(*pattern, {.axis = index},
+            {.path = {},
+                .type = "Double",
+                .value = axis.saysTravel ? limit : 0.0,
+                .role = RegisterRole::Value});
 }
 
 void VirtualDrive::Private::defineCompensation(int index)

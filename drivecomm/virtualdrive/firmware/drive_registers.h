@@ -26,12 +26,6 @@ inline constexpr int applicationFloats = 256;
 inline constexpr std::string_view homingCommand = "Axes[{axis}]/Commands/Homing/Command";
 inline constexpr std::string_view homingStart = "Start";
 
-/// Of TAM configuration files: the range of an axis.
-inline constexpr std::string_view positionMinimum =
-    "Axes[{axis}]/Parameters/PathPlanner/PositionMinimum";
-inline constexpr std::string_view positionMaximum =
-    "Axes[{axis}]/Parameters/PathPlanner/PositionMaximum";
-
 inline constexpr std::string_view idle = "Idle";
 
 } // namespace axiscomp::drivecomm::registers

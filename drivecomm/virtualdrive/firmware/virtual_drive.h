@@ -26,6 +26,7 @@ struct VirtualAxis {
     double high = 100.0;
     double periodSeconds = 60.0;
     bool homed = true;
+    bool saysTravel = false; ///< low and high are limits that the drive shows; 0 and 0 otherwise
 };
 
 struct VirtualDriveOptions {

@@ -151,14 +151,17 @@ private Q_SLOTS:
         const ProgramRun evaluated = box.run(with(drive, {"evaluate", "--axis", "0", "--json"}));
         VERIFY_CODE(evaluated, 0);
         QCOMPARE(evaluated.json().value("status").toObject().value("state"), "Evaluating");
+        QVERIFY(!evaluated.json().value("proof").toObject().value("proved").toBool(true));
 
         const ProgramRun activated = box.run(with(drive, {"activate", "--axis", "0", "--json"}));
         VERIFY_CODE(activated, 0);
         QCOMPARE(activated.json().keys(), (QStringList{"proof", "status"}));
         QCOMPARE(activated.json().value("status").toObject().value("state"), "Active");
         const QJsonObject proof = activated.json().value("proof").toObject();
-        QCOMPARE(
-            proof.keys(), (QStringList{"largestDifference", "proved", "samples", "tolerance"}));
+        QCOMPARE(proof.keys(),
+            (QStringList{"largestDifference", "proved", "provedShare", "samples", "tolerance"}));
+        QVERIFY(proof.value("provedShare").toDouble() > 0.0);
+        QVERIFY(proof.value("provedShare").toDouble() < 1.0);
         QVERIFY(proof.value("tolerance").toDouble() > 0.0);
         QVERIFY(proof.value("proved").toBool());
         QVERIFY(proof.value("largestDifference").toDouble() <= proof.value("tolerance").toDouble());
@@ -169,7 +172,7 @@ private Q_SLOTS:
 
         const ProgramRun text = box.run(with(drive, {"activate", "--axis", "0"}));
         VERIFY_CODE(text, 0);
-        QVERIFY2(text.out.contains("Proof: what the drive adds is what the table says."),
+        QVERIFY2(text.out.contains("Proof: what the drive adds is what the table says, over "),
             text.out.constData());
 
         const ProgramRun off = box.run(with(drive, {"deactivate", "--axis", "0", "--json"}));

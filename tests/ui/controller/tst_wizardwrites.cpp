@@ -58,10 +58,10 @@ private Q_SLOTS:
         QCOMPARE(bench->status()->axis.stateWord, "Active");
         QVERIFY(bench->proof().has_value());
         QCOMPARE(bench->proof()->samples.size(), std::size_t{5});
-        QVERIFY2(bench->outcome().startsWith(
-                     QStringLiteral("The compensation is active. Proved: largest difference ")),
+        QVERIFY2(
+            bench->outcome().startsWith(QStringLiteral("The compensation is active. Proved over ")),
             qPrintable(bench->outcome()));
-        QVERIFY(bench->outcome().endsWith(QStringLiteral(" in 5 samples.")));
+        QVERIFY(bench->outcome().endsWith(QStringLiteral("Move the axis to prove more.")));
         QCOMPARE(bench->action(Action::Activate).reason,
             QStringLiteral("The compensation is already active."));
 
@@ -101,9 +101,64 @@ private Q_SLOTS:
         QVERIFY(bench.idle());
         QCOMPARE(bench->status()->axis.stateWord, "Evaluating");
         QVERIFY(bench->outcome().startsWith(
-            QStringLiteral("The compensation is being evaluated: the drive adds nothing. Proved")));
+            QStringLiteral("The compensation is being evaluated: the drive adds nothing. Its table "
+                           "indices are right.")));
+        QVERIFY(!bench->outcome().contains(QStringLiteral("roved")));
+        QVERIFY(!bench->movingProof());
         QVERIFY(bench->action(Action::Deactivate).isEnabled);
         QVERIFY(bench->action(Action::Activate).isEnabled);
+    }
+
+    void theProofGrowsWhileTheAxisMovesAndEndsWithTheActivation()
+    {
+        ControllerFixture bench;
+        QVERIFY(bench.connect());
+        QVERIFY(bench.prepare2D());
+        QVERIFY(bench.planAndWrite());
+        QVERIFY(!bench->movingProof());
+        bench->activate();
+        QVERIFY(bench.idle());
+        QTRY_VERIFY(bench->driveTable());
+        QVERIFY(bench.readLive());
+        QVERIFY(bench->movingProof());
+        const double first = bench->movingProof()->part().share();
+        QVERIFY(first > 0.0);
+        for (int i = 0; i < 10; ++i) {
+            bench.drive().milliseconds += 3000;
+            QVERIFY(bench.readLive());
+        }
+        QVERIFY(bench->movingProof()->part().share() > first);
+        QVERIFY(!bench->movingProof()->failure());
+        bench->deactivate();
+        QVERIFY(bench.idle());
+        QVERIFY(!bench->movingProof());
+    }
+
+    void aDriveThatContradictsItsTableWhileActiveIsAnErrorOnce()
+    {
+        ControllerFixture bench;
+        QVERIFY(bench.connect());
+        QVERIFY(bench.prepare2D());
+        QVERIFY(bench.planAndWrite());
+        bench->activate();
+        QVERIFY(bench.idle());
+        QTRY_VERIFY(bench->driveTable());
+        QVERIFY(bench.readLive());
+        QVERIFY(!bench->isOutcomeAnError());
+        bench.drive().faults.load()->altersReading = [](RegisterReading& reading) {
+            if (reading.path == "Axes[0]/Signals/Compensations/Axis/Output")
+                reading.value = std::get<float>(reading.value) + 1e-4F;
+        };
+        QSignalSpy outcomes(&bench.controller(), &WizardController::outcomeChanged);
+        for (int i = 0; i < 3; ++i)
+            QVERIFY(bench.readLive());
+        QCOMPARE(outcomes.count(), 1);
+        QVERIFY(bench->isOutcomeAnError());
+        QVERIFY2(bench->outcome().startsWith(
+                     QStringLiteral("The compensation is active, but the drive contradicts its "
+                                    "table. Stop the axis and deactivate. ")),
+            qPrintable(bench->outcome()));
+        QVERIFY(bench->movingProof()->failure());
     }
 
     void whatTheUserChangesWhileAWriteIsPlannedStopsIt()

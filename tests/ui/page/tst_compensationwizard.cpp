@@ -4,6 +4,7 @@
 
 #include <QAction>
 #include <QFileInfo>
+#include <QRegularExpression>
 #include <QTableWidget>
 #include <QTest>
 #include <QTreeWidget>
@@ -114,10 +115,14 @@ private Q_SLOTS:
 
         // Active, and proved.
         QVERIFY(user.click("activateButton"));
-        QVERIFY(bench.saysOutcome(QStringLiteral("Proved: largest difference")));
+        QVERIFY(bench.saysOutcome(QStringLiteral("Proved over")));
         QTRY_COMPARE(bench.served.text(stateX), std::string("Active"));
         QTRY_COMPARE(user.the<QLabel>("compensationState").text(), QStringLiteral("ACTIVE"));
         QVERIFY(user.the<QLabel>("liveValues").text().contains(QStringLiteral("µm")));
+        QTRY_VERIFY2(user.the<QLabel>("stateDetail")
+                         .text()
+                         .contains(QRegularExpression(QStringLiteral("proved over [\\d.]+ % of"))),
+            qPrintable(user.the<QLabel>("stateDetail").text()));
         QVERIFY(!user.the("writeButton").isEnabled());
         QCOMPARE(user.hint(), QStringLiteral("The compensation is active."));
     }
