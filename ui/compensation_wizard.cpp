@@ -6,6 +6,7 @@
 #include "ui/dialogs/certificate_dialog.h"
 #include "ui/dialogs/connections_dialog.h"
 #include "ui/dialogs/multi_axis_dialog.h"
+#include "ui/history/backup_dialog.h"
 #include "ui/page/action_panel.h"
 #include "ui/page/drive_bar.h"
 #include "ui/page/drop_frame.h"
@@ -61,6 +62,8 @@ struct CompensationWizard::Private {
     void showConnections();
     void askAboutCertificate(const RejectedCertificate& certificate);
     void takeEndpoints(const QStringList& endpoints);
+    void showBackups();
+    void restore(const BackupChoice& choice);
     void begin(Action action);
     void offerActions();
     void chooseLanguage(const QString& chosen);
@@ -120,6 +123,7 @@ void CompensationWizard::Private::connectParts()
     connect(page->actions, &ActionPanel::deleteRequested, &writeFlow, &WriteFlow::proceedToDelete);
     connect(
         page->actions, &ActionPanel::restoreRequested, &writeFlow, &WriteFlow::proceedToRestore);
+    connect(page->actions, &ActionPanel::backupsRequested, &q, [this] { showBackups(); });
     connect(page->preview, &PreviewPanel::saveExampleRequested, &files, &FileActions::saveExample);
     connect(&page->preview->writePreview(), &WritePreview::skipForVolatileChanged, &q,
         [this](bool isSkipped) { skipPreview(isSkipped); });
@@ -236,6 +240,37 @@ void CompensationWizard::Private::takeEndpoints(const QStringList& endpoints)
         page->messages->remove(QStringLiteral("demoMessage"));
         controller.setEndpoints(endpoints);
     });
+}
+
+void CompensationWizard::Private::showBackups()
+{
+    if (!controller.status())
+        return;
+    auto* dialog = new BackupDialog(
+        controller, *options.profile, options.storeRoot, files.picker(), &q);
+    connect(dialog, &BackupDialog::chosen, &q,
+        [this](const BackupChoice& choice) { restore(choice); });
+    dialog->open();
+}
+
+/// A backup of another axis of the drive goes to that axis.
+void CompensationWizard::Private::restore(const BackupChoice& choice)
+{
+    const auto& axes = controller.axes();
+    const int current = controller.currentAxis();
+    for (std::size_t i = 0; i < axes.size(); ++i) {
+        const bool isMeant = axes[i].axis.index == choice.axis && controller.isCurrentDrive(axes[i]);
+        if (!isMeant || static_cast<int>(i) == current)
+            continue;
+        guard.loseChanges(
+            CompensationWizard::tr("Discard and Chan&ge Axis"), [this, index = static_cast<int>(i),
+                                                                    choice] {
+                controller.selectAxis(index);
+                writeFlow.proceedToRestore(choice);
+            });
+        return;
+    }
+    writeFlow.proceedToRestore(choice);
 }
 
 void CompensationWizard::Private::begin(Action action)

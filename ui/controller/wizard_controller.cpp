@@ -327,6 +327,11 @@ void WizardController::planWrite()
 
 void WizardController::write(bool acceptsLarge)
 {
+    if (plan() && plannedRestoration() && m_parts->runner.chosenBackup()) {
+        if (m_parts->actions.mayStart(Action::RestoreBackup))
+            m_parts->runner.restoreChosen();
+        return;
+    }
     if (plan() && plannedRestoration())
         return restorePrevious();
     const bool deletes = plan() && !plan()->deletedSlot.empty();
@@ -338,6 +343,12 @@ void WizardController::planRestoration()
 {
     if (m_parts->actions.mayStart(Action::RestorePrevious))
         m_parts->runner.planRestoration();
+}
+
+void WizardController::planRestoration(const BackupChoice& choice)
+{
+    if (m_parts->actions.mayStart(Action::RestoreBackup))
+        m_parts->runner.planRestoration(choice);
 }
 
 std::optional<WallTime> WizardController::plannedRestoration() const

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/compensator/axis_compensator.h"
+#include "core/compensator/axis_operations.h"
 #include "core/configuration/compensation_parameters.h"
 #include "core/conversion/import_choices.h"
 #include "ui/controller/action_rules.h"
@@ -95,6 +96,8 @@ public:
     void planDeletion();
     /// The same for restorePrevious.
     void planRestoration();
+    /// The same for a backup of the current axis; write() brings it back.
+    void planRestoration(const BackupChoice& choice);
     /// The time of the backup that plan() brings back; none: it is another plan.
     [[nodiscard]] std::optional<WallTime> plannedRestoration() const;
     /// What an earlier write that did not end has left on the axis, a translated sentence; empty
