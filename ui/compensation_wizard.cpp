@@ -66,6 +66,9 @@ struct CompensationWizard::Private {
     void restore(const BackupChoice& choice);
     void begin(Action action);
     void offerActions();
+    void offerHistory();
+    void undo();
+    void redo();
     void chooseLanguage(const QString& chosen);
     void skipPreview(bool isSkipped);
     void announceTitle();
@@ -139,6 +142,12 @@ void CompensationWizard::Private::connectParts()
     connect(menu, &PageMenu::actionRequested, &q, [this](Action action) { begin(action); });
     connect(&controller, &WizardController::actionsChanged, &q, [this] { offerActions(); });
     offerActions();
+    connect(menu, &PageMenu::undoRequested, &q, [this] { undo(); });
+    connect(menu, &PageMenu::redoRequested, &q, [this] { redo(); });
+    for (const auto changed : {&WizardController::busyChanged, &WizardController::actionsChanged})
+        connect(&controller, changed, &q, [this] { offerHistory(); });
+    connect(&controller.history(), &SetupHistory::changed, &q, [this] { offerHistory(); });
+    offerHistory();
     connect(menu, &PageMenu::languageChosen, &q,
         [this](const QString& chosen) { chooseLanguage(chosen); });
     connect(menu, &PageMenu::previewSkippedChosen, &q,
@@ -172,6 +181,9 @@ void CompensationWizard::Private::addShortcuts()
         if (controller.action(Action::Revert).isEnabled)
             controller.setup().revert();
     });
+    addShortcut(Qt::CTRL | Qt::Key_Z, [this] { undo(); });
+    addShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_Z, [this] { redo(); });
+    addShortcut(Qt::CTRL | Qt::Key_Y, [this] { redo(); });
     addShortcut(Qt::CTRL | Qt::Key_L, [this] { page->showLog(!page->isLogShown()); });
 }
 
@@ -291,6 +303,26 @@ void CompensationWizard::Private::offerActions()
         menu->showAction(action, controller.action(action));
 }
 
+void CompensationWizard::Private::offerHistory()
+{
+    const bool isBusy = controller.busy().isBusy;
+    const SetupHistory& history = controller.history();
+    menu->showHistory(
+        isBusy ? QString() : history.undoText(), isBusy ? QString() : history.redoText());
+}
+
+void CompensationWizard::Private::undo()
+{
+    if (!controller.busy().isBusy)
+        controller.history().undo();
+}
+
+void CompensationWizard::Private::redo()
+{
+    if (!controller.busy().isBusy)
+        controller.history().redo();
+}
+
 void CompensationWizard::Private::chooseLanguage(const QString& chosen)
 {
     settings.setLanguage(chosen);
@@ -366,6 +398,7 @@ void CompensationWizard::changeEvent(QEvent* event)
     if (event->type() == QEvent::LanguageChange && d) {
         d->controller.retranslate();
         d->menu->retranslate();
+        d->offerHistory();
         d->page->retranslate();
         d->messages.retranslate();
         d->announceTitle();

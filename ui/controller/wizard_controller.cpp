@@ -19,6 +19,7 @@ struct WizardController::Parts {
         , axis(options, drives, setup, log, outcome)
         , sources(drives, setup, log)
         , tables(options.profile->layout, setup, log)
+        , history(setup, tables)
         , runner(*options.profile, drives, axis, setup, tables, log, outcome)
         , multiAxis(*options.profile, drives, axis, setup, tables, runner, outcome)
         , parameterExport(drives, axis, outcome)
@@ -34,6 +35,7 @@ struct WizardController::Parts {
     AxisState axis;
     SourceCheck sources;
     TableSelection tables;
+    SetupHistory history;
     OperationRunner runner;
     MultiAxisController multiAxis;
     ParameterExport parameterExport;
@@ -65,10 +67,13 @@ void WizardController::wireDrives()
         m_parts->tables.driveTable().clear();
         m_parts->setup.clear();
         m_parts->sources.forget();
+        m_parts->history.clear();
     });
     connect(drives, &DriveList::axisReady, this, [this](bool isAnother) {
-        if (isAnother)
+        if (isAnother) {
             m_parts->sources.forget();
+            m_parts->history.clear();
+        }
         m_parts->axis.begin(isAnother);
     });
     connect(drives, &DriveList::progressed, &m_parts->runner, &OperationRunner::showProgress);
@@ -141,6 +146,8 @@ void WizardController::wireOperations()
     connect(runner, &OperationRunner::busyChanged, &m_parts->actions, &WizardActions::update);
     connect(runner, &OperationRunner::planReady, this, &WizardController::planReady);
     connect(runner, &OperationRunner::ended, this, [this](Task task) {
+        if (isWrite(task))
+            m_parts->history.clear();
         if (isMultiAxis(task))
             Q_EMIT multiAxisWritten();
     });
@@ -212,6 +219,11 @@ SetupModel& WizardController::setup()
 const SetupModel& WizardController::setup() const
 {
     return m_parts->setup;
+}
+
+SetupHistory& WizardController::history()
+{
+    return m_parts->history;
 }
 
 const std::optional<AxisStatus>& WizardController::status() const

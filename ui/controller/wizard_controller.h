@@ -7,6 +7,7 @@
 #include "core/conversion/import_choices.h"
 #include "ui/controller/action_rules.h"
 #include "ui/controller/column_mapping.h"
+#include "ui/controller/setup_history.h"
 #include "ui/controller/setup_model.h"
 #include "ui/controller/wizard_log.h"
 #include "ui/controller/wizard_options.h"
@@ -48,6 +49,8 @@ public:
     // The setup of the current axis
     [[nodiscard]] SetupModel& setup();
     [[nodiscard]] const SetupModel& setup() const;
+    /// Of setup() and dataFile(); cleared with another axis and by a write.
+    [[nodiscard]] SetupHistory& history();
     [[nodiscard]] const std::optional<AxisStatus>& status() const; ///< as last read
     [[nodiscard]] const std::vector<DimSource>& sourceShortlist() const;
     /// Path, tam:// URI or hex address, checked against the drive; then setup() has it, or
