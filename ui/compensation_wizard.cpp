@@ -6,6 +6,7 @@
 #include "ui/dialogs/certificate_dialog.h"
 #include "ui/dialogs/connections_dialog.h"
 #include "ui/dialogs/multi_axis_dialog.h"
+#include "ui/history/backup_dialog.h"
 #include "ui/page/action_panel.h"
 #include "ui/page/drive_bar.h"
 #include "ui/page/drop_frame.h"
@@ -61,8 +62,13 @@ struct CompensationWizard::Private {
     void showConnections();
     void askAboutCertificate(const RejectedCertificate& certificate);
     void takeEndpoints(const QStringList& endpoints);
+    void showBackups();
+    void restore(const BackupChoice& choice);
     void begin(Action action);
     void offerActions();
+    void offerHistory();
+    void undo();
+    void redo();
     void chooseLanguage(const QString& chosen);
     void skipPreview(bool isSkipped);
     void announceTitle();
@@ -120,6 +126,7 @@ void CompensationWizard::Private::connectParts()
     connect(page->actions, &ActionPanel::deleteRequested, &writeFlow, &WriteFlow::proceedToDelete);
     connect(
         page->actions, &ActionPanel::restoreRequested, &writeFlow, &WriteFlow::proceedToRestore);
+    connect(page->actions, &ActionPanel::backupsRequested, &q, [this] { showBackups(); });
     connect(page->preview, &PreviewPanel::saveExampleRequested, &files, &FileActions::saveExample);
     connect(&page->preview->writePreview(), &WritePreview::skipForVolatileChanged, &q,
         [this](bool isSkipped) { skipPreview(isSkipped); });
@@ -135,6 +142,12 @@ void CompensationWizard::Private::connectParts()
     connect(menu, &PageMenu::actionRequested, &q, [this](Action action) { begin(action); });
     connect(&controller, &WizardController::actionsChanged, &q, [this] { offerActions(); });
     offerActions();
+    connect(menu, &PageMenu::undoRequested, &q, [this] { undo(); });
+    connect(menu, &PageMenu::redoRequested, &q, [this] { redo(); });
+    for (const auto changed : {&WizardController::busyChanged, &WizardController::actionsChanged})
+        connect(&controller, changed, &q, [this] { offerHistory(); });
+    connect(&controller.history(), &SetupHistory::changed, &q, [this] { offerHistory(); });
+    offerHistory();
     connect(menu, &PageMenu::languageChosen, &q,
         [this](const QString& chosen) { chooseLanguage(chosen); });
     connect(menu, &PageMenu::previewSkippedChosen, &q,
@@ -168,6 +181,9 @@ void CompensationWizard::Private::addShortcuts()
         if (controller.action(Action::Revert).isEnabled)
             controller.setup().revert();
     });
+    addShortcut(Qt::CTRL | Qt::Key_Z, [this] { undo(); });
+    addShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_Z, [this] { redo(); });
+    addShortcut(Qt::CTRL | Qt::Key_Y, [this] { redo(); });
     addShortcut(Qt::CTRL | Qt::Key_L, [this] { page->showLog(!page->isLogShown()); });
 }
 
@@ -238,6 +254,37 @@ void CompensationWizard::Private::takeEndpoints(const QStringList& endpoints)
     });
 }
 
+void CompensationWizard::Private::showBackups()
+{
+    if (!controller.status())
+        return;
+    auto* dialog = new BackupDialog(
+        controller, *options.profile, options.storeRoot, files.picker(), &q);
+    connect(dialog, &BackupDialog::chosen, &q,
+        [this](const BackupChoice& choice) { restore(choice); });
+    dialog->open();
+}
+
+/// A backup of another axis of the drive goes to that axis.
+void CompensationWizard::Private::restore(const BackupChoice& choice)
+{
+    const auto& axes = controller.axes();
+    const int current = controller.currentAxis();
+    for (std::size_t i = 0; i < axes.size(); ++i) {
+        const bool isMeant = axes[i].axis.index == choice.axis && controller.isCurrentDrive(axes[i]);
+        if (!isMeant || static_cast<int>(i) == current)
+            continue;
+        guard.loseChanges(
+            CompensationWizard::tr("Discard and Chan&ge Axis"), [this, index = static_cast<int>(i),
+                                                                    choice] {
+                controller.selectAxis(index);
+                writeFlow.proceedToRestore(choice);
+            });
+        return;
+    }
+    writeFlow.proceedToRestore(choice);
+}
+
 void CompensationWizard::Private::begin(Action action)
 {
     if (!controller.action(action).isEnabled)
@@ -254,6 +301,26 @@ void CompensationWizard::Private::offerActions()
 {
     for (const Action action : PageMenu::drivenActions)
         menu->showAction(action, controller.action(action));
+}
+
+void CompensationWizard::Private::offerHistory()
+{
+    const bool isBusy = controller.busy().isBusy;
+    const SetupHistory& history = controller.history();
+    menu->showHistory(
+        isBusy ? QString() : history.undoText(), isBusy ? QString() : history.redoText());
+}
+
+void CompensationWizard::Private::undo()
+{
+    if (!controller.busy().isBusy)
+        controller.history().undo();
+}
+
+void CompensationWizard::Private::redo()
+{
+    if (!controller.busy().isBusy)
+        controller.history().redo();
 }
 
 void CompensationWizard::Private::chooseLanguage(const QString& chosen)
@@ -331,6 +398,7 @@ void CompensationWizard::changeEvent(QEvent* event)
     if (event->type() == QEvent::LanguageChange && d) {
         d->controller.retranslate();
         d->menu->retranslate();
+        d->offerHistory();
         d->page->retranslate();
         d->messages.retranslate();
         d->announceTitle();

@@ -127,9 +127,9 @@ public:
         const DriveBackup& backup, bool force, const OperationOptions& options = {});
 
     /// What restoring one axis would write; changes nothing. Nothing of it has to be confirmed,
-    /// since the drive had it. Errors: OtherDrive, and those of plan.
+    /// since the drive had it. Errors: OtherDrive unless force, and those of plan.
     [[nodiscard]] Result<WritePlan> planRestore(
-        const AxisBackup& backup, const OperationOptions& options = {});
+        const AxisBackup& backup, bool force, const OperationOptions& options = {});
 
     using UnfinishedOutcome = axiscomp::UnfinishedOutcome;
     using Recovery = axiscomp::Recovery;

@@ -132,11 +132,11 @@ Result<std::vector<WriteReport>> AxisCompensator::restore(
 }
 
 Result<WritePlan> AxisCompensator::planRestore(
-    const AxisBackup& backup, const OperationOptions& options)
+    const AxisBackup& backup, bool force, const OperationOptions& options)
 {
     const RegisterAccess access = d->access(options);
     AXISCOMP_TRY(const auto drive, d->identify(access));
-    AXISCOMP_CHECK(checkRestorable(access, {.axes = {backup}}, drive, false));
+    AXISCOMP_CHECK(checkRestorable(access, {.axes = {backup}}, drive, force));
     AXISCOMP_TRY(const auto request, restoreRequest(access, backup));
     AXISCOMP_TRY(auto planned, plan(backup.axis, request, options));
     planned.unitRemarks.clear();

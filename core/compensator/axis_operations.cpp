@@ -2,6 +2,7 @@
 #include "core/compensator/axis_operations.h"
 
 #include "core/base/error.h"
+#include "core/write/kept_backup.h"
 #include "core/write/previous_state.h"
 
 #include <algorithm>
@@ -30,6 +31,25 @@ Result<SettledWrite> settle(
         AXISCOMP_TRY(settled.recovery, compensator.recovery(entry, options));
     }
     return settled;
+}
+
+Result<AxisBackup> chosenBackup(const BackupChoice& choice, const DriveProfile& profile)
+{
+    AXISCOMP_TRY(auto axes, axisBackupsIn(choice.file, profile));
+    const auto found = std::ranges::find(axes, choice.axis, &AxisBackup::axis);
+    if (found != axes.end())
+        return std::move(*found);
+    return fail(ErrorCode::InvalidBackup,
+        {{"file", Verbatim{choice.file.string()}},
+            {"reason",
+                AXISCOMP_TEXT("Error", "it has nothing of axis {axis}").with("axis", choice.axis)}});
+}
+
+Result<Restoration> restoreBackup(AxisCompensator& compensator, const AxisBackup& backup,
+    const std::filesystem::path& file, bool force, const OperationOptions& options)
+{
+    AXISCOMP_CHECK(compensator.restore({.axes = {backup}}, force, options));
+    return Restoration{backup.time, file};
 }
 
 } // namespace
@@ -117,8 +137,16 @@ Result<PlannedRestoration> planRestoration(AxisCompensator& compensator,
 {
     AXISCOMP_TRY(const auto status, compensator.status(axis, options));
     AXISCOMP_TRY(const auto previous, previousState(DriveStore(storeRoot), profile, status));
-    AXISCOMP_TRY(auto plan, compensator.planRestore(previous.backup, options));
+    AXISCOMP_TRY(auto plan, compensator.planRestore(previous.backup, false, options));
     return PlannedRestoration{{previous.backup.time, previous.file}, std::move(plan)};
+}
+
+Result<PlannedRestoration> planRestoration(AxisCompensator& compensator,
+    const DriveProfile& profile, const BackupChoice& choice, const OperationOptions& options)
+{
+    AXISCOMP_TRY(const auto backup, chosenBackup(choice, profile));
+    AXISCOMP_TRY(auto plan, compensator.planRestore(backup, choice.acceptsOther, options));
+    return PlannedRestoration{{backup.time, choice.file}, std::move(plan)};
 }
 
 OperationEnd<Restoration> restoreAxis(AxisCompensator& compensator, const DriveProfile& profile,
@@ -128,15 +156,22 @@ OperationEnd<Restoration> restoreAxis(AxisCompensator& compensator, const DriveP
         AXISCOMP_TRY(auto status, compensator.status(axis, options));
         DriveStore store(storeRoot);
         AXISCOMP_TRY(auto previous, previousState(store, profile, status));
-        DriveBackup backup;
-        backup.axes = {previous.backup};
-        auto reports = compensator.restore(backup, false, options);
-        if (!reports)
-            return fail(reports.error());
-        return Restoration{previous.backup.time, previous.file};
+        return restoreBackup(compensator, previous.backup, previous.file, false, options);
     };
     auto outcome = restore();
     return {std::move(outcome), readAxis(compensator, storeRoot, axis, quietly(options))};
+}
+
+OperationEnd<Restoration> restoreAxis(AxisCompensator& compensator, const DriveProfile& profile,
+    const std::filesystem::path& storeRoot, const BackupChoice& choice,
+    const OperationOptions& options)
+{
+    const auto restore = [&]() -> Result<Restoration> {
+        AXISCOMP_TRY(const auto backup, chosenBackup(choice, profile));
+        return restoreBackup(compensator, backup, choice.file, choice.acceptsOther, options);
+    };
+    auto outcome = restore();
+    return {std::move(outcome), readAxis(compensator, storeRoot, choice.axis, quietly(options))};
 }
 
 OperationEnd<WriteReport> recoverAxis(AxisCompensator& compensator,

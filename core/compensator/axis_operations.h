@@ -83,11 +83,26 @@ struct PlannedRestoration {
     const DriveProfile& profile, const std::filesystem::path& storeRoot, int axis,
     const OperationOptions& options);
 
+/// A backup that a person has chosen among several.
+struct BackupChoice {
+    std::filesystem::path file;
+    int axis = 0; ///< whose backup it is, and which gets it
+    bool acceptsOther = false; ///< it may be of a drive with another serial number
+};
+/// The same for a backup that was chosen.
+[[nodiscard]] Result<PlannedRestoration> planRestoration(AxisCompensator& compensator,
+    const DriveProfile& profile, const BackupChoice& choice, const OperationOptions& options);
+
 /// The newest backup that differs from what the axis has now, written and verified as any other
 /// write. Errors: FileNotReadable when there is none, those of AxisCompensator::restore.
 [[nodiscard]] OperationEnd<Restoration> restoreAxis(AxisCompensator& compensator,
     const DriveProfile& profile, const std::filesystem::path& storeRoot, int axis,
     const OperationOptions& options);
+/// The same for a backup that was chosen. Errors: InvalidBackup when it is not of that axis, those
+/// of AxisCompensator::restore.
+[[nodiscard]] OperationEnd<Restoration> restoreAxis(AxisCompensator& compensator,
+    const DriveProfile& profile, const std::filesystem::path& storeRoot,
+    const BackupChoice& choice, const OperationOptions& options);
 
 /// Finishes or undoes a write that did not end. Errors: those of AxisCompensator.
 [[nodiscard]] OperationEnd<WriteReport> recoverAxis(AxisCompensator& compensator,

@@ -80,6 +80,12 @@ std::vector<std::filesystem::path> backupFiles(const StoreFolder& folder, std::o
     return files;
 }
 
+std::optional<WallTime> timeOfBackup(const std::filesystem::path& file, int axis)
+{
+    const auto backup = asBackupFile(file, axis);
+    return backup ? std::optional(backup->time) : std::nullopt;
+}
+
 void pruneBackups(const StoreFolder& folder, std::optional<int> axis,
     const std::filesystem::path& justMade, const std::filesystem::path& inJournal)
 {

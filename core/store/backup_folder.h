@@ -19,6 +19,9 @@ namespace axiscomp {
 [[nodiscard]] std::vector<std::filesystem::path> backupFiles(
     const StoreFolder& folder, std::optional<int> axis);
 
+/// By the name of a backup of the axis; none: it is not such a name.
+[[nodiscard]] std::optional<WallTime> timeOfBackup(const std::filesystem::path& file, int axis);
+
 /// Deletes what a crash left behind, and the backups of the axis beyond the newest 50; not the one
 /// that was just made, nor the one that the axis's journal names (may be empty). What cannot be
 /// deleted stays.

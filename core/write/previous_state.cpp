@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/write/previous_state.h"
 
-#include "core/io/local_file.h"
 #include "core/table/tam_table.h"
+#include "core/write/kept_backup.h"
 
 #include <algorithm>
 
@@ -14,12 +14,6 @@ std::string registerText(const AxisBackup& backup, const std::string& path)
 {
     const auto found = std::ranges::find(backup.registers, path, &RegisterWrite::path);
     return found == backup.registers.end() ? std::string() : toText(found->value);
-}
-
-std::string slotOf(const DriveProfile& profile, const AxisBackup& backup)
-{
-    return registerText(
-        backup, expandPath(profile.registers.table, {.axis = backup.axis, .slot = {}, .n = {}}));
 }
 
 bool sameSources(const DriveProfile& profile, const AxisBackup& backup, const AxisStatus& status)
@@ -47,13 +41,6 @@ bool sameTable(const DriveProfile& profile, const AxisBackup::File& file, const 
         && sameSpans(decoded->table.grid, status.table->grid);
 }
 
-/// Only what the axis used: what else lay in the slots that the write touched stays as it is now.
-void keepOnlyUsed(const DriveProfile& profile, AxisBackup& backup)
-{
-    const std::string used = slotOf(profile, backup);
-    std::erase_if(backup.files, [&](const AxisBackup::File& file) { return file.slot != used; });
-}
-
 bool isCurrent(const DriveProfile& profile, const AxisBackup& backup, const AxisStatus& status)
 {
     if (!sameSources(profile, backup, status))
@@ -70,15 +57,12 @@ Result<PreviousState> previousState(
     const int axis = status.axis.index;
     std::optional<Error> problem;
     for (const std::filesystem::path& file : store.backups(status.drive.serialNumber, axis)) {
-        auto bytes = loadOrdinaryFile(file, maximumBackupSize);
-        auto read = bytes ? readBackup(asText(*bytes), file.string())
-                          : Result<DriveBackup>(fail(bytes.error()));
+        auto read = axisBackupsIn(file, profile);
         if (!read) {
             problem = problem.value_or(read.error());
             continue;
         }
-        for (AxisBackup& backup : read->axes) {
-            keepOnlyUsed(profile, backup);
+        for (AxisBackup& backup : *read) {
             if (backup.axis == axis && !isCurrent(profile, backup, status))
                 return PreviousState{std::move(backup), file};
         }

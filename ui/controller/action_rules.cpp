@@ -99,6 +99,8 @@ Obstacle Rules::obstacle(Action action) const
     case Action::RestorePrevious:
         return first(
             {&R::noChoice, &R::unreachable, &R::busy, &R::unknown, &R::active, &R::noBackup});
+    case Action::RestoreBackup:
+        return first({&R::noChoice, &R::unreachable, &R::busy, &R::unknown, &R::active});
     case Action::DeleteTable:
         return first({&R::noChoice, &R::unreachable, &R::busy, &R::unknown, &R::active,
             &R::nothingToDelete});
@@ -368,6 +370,8 @@ QString Rules::consequence(Action action) const
         return tr("Resets the fields to the drive's values.");
     case Action::RestorePrevious:
         return tr("Writes back the previous table and sources.");
+    case Action::RestoreBackup:
+        return tr("Writes back a backup that you choose.");
     case Action::DeleteTable:
         return tr("Deletes the axis's table from the drive; a backup is kept.");
     case Action::FinishWrite:

@@ -19,6 +19,7 @@ enum class Action {
     Deactivate,
     Revert,
     RestorePrevious,
+    RestoreBackup, ///< one that the user has chosen
     DeleteTable, ///< that the axis uses
     FinishWrite, ///< one that did not end
     UndoWrite,
@@ -30,7 +31,8 @@ enum class Action {
     Cancel,
 };
 inline constexpr std::array allActions{Action::Write, Action::Activate, Action::Evaluate,
-    Action::Deactivate, Action::Revert, Action::RestorePrevious, Action::DeleteTable,
+    Action::Deactivate, Action::Revert, Action::RestorePrevious,
+    Action::RestoreBackup, Action::DeleteTable,
     Action::FinishWrite, Action::UndoWrite, Action::Refresh, Action::OpenData, Action::WriteSeveral,
     Action::ImportConfiguration, Action::ExportConfiguration, Action::Cancel};
 

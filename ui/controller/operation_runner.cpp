@@ -145,18 +145,31 @@ void OperationRunner::planDeletion()
 
 void OperationRunner::planRestoration()
 {
+    m_choice.reset();
+    askForRestoration([axis = m_drives.currentAxis(), &profile = m_profile,
+                          store = m_drives.connection()->session().storeRoot()](
+                          AxisCompensator& compensator, const OperationOptions& options) {
+        return axiscomp::planRestoration(compensator, profile, store, axis, options);
+    });
+}
+
+void OperationRunner::planRestoration(const BackupChoice& choice)
+{
+    m_choice = choice;
+    askForRestoration([choice, &profile = m_profile](
+                          AxisCompensator& compensator, const OperationOptions& options) {
+        return axiscomp::planRestoration(compensator, profile, choice, options);
+    });
+}
+
+void OperationRunner::askForRestoration(DriveSession::Operation<PlannedRestoration> question)
+{
     m_plan.reset();
     m_plannedSetup = m_setup.edited();
     m_requestTable = {};
     m_fileTable.reset();
     begin<PlannedRestoration>(
-        Task::Plan,
-        [axis = m_drives.currentAxis(), &profile = m_profile,
-            store = m_drives.connection()->session().storeRoot()](
-            AxisCompensator& compensator, const OperationOptions& options) {
-            return axiscomp::planRestoration(compensator, profile, store, axis, options);
-        },
-        [this](const Result<PlannedRestoration>& result) {
+        Task::Plan, std::move(question), [this](const Result<PlannedRestoration>& result) {
             m_restoration.reset();
             if (!result)
                 return planned(fail(result.error()));
@@ -264,12 +277,26 @@ void OperationRunner::switchTo(Switch wanted)
 
 void OperationRunner::restorePrevious()
 {
+    restore([axis = m_drives.currentAxis(), &profile = m_profile](
+                auto& compensator, const auto& store, const auto& options) {
+        return restoreAxis(compensator, profile, store, axis, options);
+    });
+}
+
+void OperationRunner::restoreChosen()
+{
+    restore([choice = *m_choice, &profile = m_profile](
+                auto& compensator, const auto& store, const auto& options) {
+        return restoreAxis(compensator, profile, store, choice, options);
+    });
+}
+
+void OperationRunner::restore(std::function<OperationEnd<Restoration>(
+        AxisCompensator&, const std::filesystem::path& store, const OperationOptions&)>
+        operation)
+{
     run<Restoration>(
-        Task::Restore,
-        [axis = m_drives.currentAxis(), &profile = m_profile](
-            auto& compensator, const auto& store, const auto& options) {
-            return restoreAxis(compensator, profile, store, axis, options);
-        },
+        Task::Restore, std::move(operation),
         [this](const OperationEnd<Restoration>& end) {
             m_plan.reset();
             if (end.outcome)

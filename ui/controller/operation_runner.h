@@ -40,6 +40,8 @@ public:
     void planDeletion();
     /// The same for restorePrevious().
     void planRestoration();
+    /// The same for restoreChosen().
+    void planRestoration(const BackupChoice& choice);
     /// The backup that plan() is about; none: it is about something else.
     [[nodiscard]] const std::optional<Restoration>& plannedRestoration() const
     {
@@ -50,6 +52,9 @@ public:
     /// Ends with the end-to-end proof, but for Deactivate.
     void switchTo(Switch wanted);
     void restorePrevious();
+    /// The backup that plannedRestoration() was asked for by choice; none: the previous state.
+    [[nodiscard]] const std::optional<BackupChoice>& chosenBackup() const { return m_choice; }
+    void restoreChosen();
     /// Finishes or undoes the write that did not end.
     void recover(bool finishes);
     void cancel();
@@ -90,6 +95,10 @@ private:
     void end();
     [[nodiscard]] QString busyText() const;
     void askForPlan();
+    void askForRestoration(DriveSession::Operation<PlannedRestoration> question);
+    void restore(std::function<OperationEnd<Restoration>(
+            AxisCompensator&, const std::filesystem::path& store, const OperationOptions&)>
+            operation);
     void planned(const Result<WritePlan>& plan);
 
     const DriveProfile& m_profile;
@@ -112,6 +121,7 @@ private:
     LoadedTable m_requestTable; ///< in the units of the drive
     std::shared_ptr<const CompensationTable> m_fileTable; ///< the same as the file has it
     std::optional<Restoration> m_restoration; ///< that m_plan is about
+    std::optional<BackupChoice> m_choice; ///< by which m_restoration was asked for
     std::optional<Proof> m_proof;
 };
 

@@ -38,11 +38,6 @@ template <typename Use> auto withMember(Field field, const Use& use)
     return use([n = sourceIndex(field)](auto& setup) -> auto& { return setup.sources[n]; });
 }
 
-bool sameValue(Field field, const EditedSetup& a, const EditedSetup& b)
-{
-    return withMember(field, [&](auto member) { return member(a) == member(b); });
-}
-
 void copyValue(Field field, const EditedSetup& from, EditedSetup& to)
 {
     withMember(field, [&](auto member) { member(to) = member(from); });
@@ -74,6 +69,11 @@ QVariant valueOf(Field field, const EditedSetup& setup)
 }
 
 } // namespace
+
+bool sameValue(Field field, const EditedSetup& a, const EditedSetup& b)
+{
+    return withMember(field, [&](auto member) { return member(a) == member(b); });
+}
 
 std::string requestedSource(const DimSource& source)
 {
@@ -140,6 +140,12 @@ template <typename Change> void SetupModel::apply(const Change& change)
     }
 }
 
+template <typename Change> void SetupModel::applyForUser(const Change& change)
+{
+    apply(change);
+    Q_EMIT changedByUser();
+}
+
 void SetupModel::setBaseline(const CompensationSetup& setup)
 {
     apply([&] {
@@ -151,6 +157,7 @@ void SetupModel::setBaseline(const CompensationSetup& setup)
         m_baseline = setup;
         m_edited = followed;
     });
+    Q_EMIT changedOtherwise();
 }
 
 void SetupModel::reset(const CompensationSetup& setup, TableChoice table)
@@ -160,6 +167,7 @@ void SetupModel::reset(const CompensationSetup& setup, TableChoice table)
         m_edited = asEdited(setup);
         m_edited.table = table;
     });
+    Q_EMIT changedOtherwise();
 }
 
 void SetupModel::clear()
@@ -168,26 +176,36 @@ void SetupModel::clear()
         m_baseline.reset();
         m_edited = {};
     });
+    Q_EMIT changedOtherwise();
+}
+
+void SetupModel::put(const EditedSetup& values, std::span<const Field> fields)
+{
+    apply([&] {
+        for (const Field field : fields)
+            copyValue(field, values, m_edited);
+    });
+    Q_EMIT changedOtherwise();
 }
 
 void SetupModel::setDimensionality(int dimensionality)
 {
-    apply([&] { m_edited.dimensionality = dimensionality; });
+    applyForUser([&] { m_edited.dimensionality = dimensionality; });
 }
 
 void SetupModel::setSource(int dimension, const DimSource& source)
 {
-    apply([&] { m_edited.sources.at(static_cast<std::size_t>(dimension - 1)) = source; });
+    applyForUser([&] { m_edited.sources.at(static_cast<std::size_t>(dimension - 1)) = source; });
 }
 
 void SetupModel::setTable(TableChoice table)
 {
-    apply([&] { m_edited.table = table; });
+    applyForUser([&] { m_edited.table = table; });
 }
 
 void SetupModel::setPersistency(Persistency persistency)
 {
-    apply([&] { m_edited.persistency = persistency; });
+    applyForUser([&] { m_edited.persistency = persistency; });
 }
 
 bool SetupModel::isDirty(Field field) const
@@ -211,13 +229,13 @@ bool SetupModel::isDirty() const
 void SetupModel::revert(Field field)
 {
     if (m_baseline)
-        apply([&] { copyValue(field, asEdited(*m_baseline), m_edited); });
+        applyForUser([&] { copyValue(field, asEdited(*m_baseline), m_edited); });
 }
 
 void SetupModel::revert()
 {
     if (m_baseline)
-        apply([&] { m_edited = asEdited(*m_baseline); });
+        applyForUser([&] { m_edited = asEdited(*m_baseline); });
 }
 
 QString SetupModel::problem(Field field) const

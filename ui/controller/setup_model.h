@@ -8,6 +8,7 @@
 
 #include <array>
 #include <optional>
+#include <span>
 
 namespace axiscomp::ui {
 
@@ -35,6 +36,8 @@ struct EditedSetup {
     Persistency persistency = Persistency::Volatile;
     friend bool operator==(const EditedSetup&, const EditedSetup&) = default;
 };
+
+[[nodiscard]] bool sameValue(Field field, const EditedSetup& a, const EditedSetup& b);
 
 /// As a request names it: by its path, by its address when it has none.
 [[nodiscard]] std::string requestedSource(const DimSource& source);
@@ -70,7 +73,10 @@ public:
     /// Another axis: the edited value becomes the drive's, but for the table.
     void reset(const CompensationSetup& setup, TableChoice table = {});
     void clear();
+    /// Puts these fields to the values of another setup; not as a change of the user.
+    void put(const EditedSetup& values, std::span<const Field> fields);
 
+    // What the user changes
     void setDimensionality(int dimensionality);
     void setSource(int dimension, const DimSource& source); ///< dimension 1, 2, 3
     void setTable(TableChoice table);
@@ -90,9 +96,12 @@ public:
 Q_SIGNALS:
     /// A value of the field, or whether it is changed, is different now.
     void fieldChanged(axiscomp::ui::Field field);
+    void changedByUser(); ///< behind all fieldChanged of one change
+    void changedOtherwise();
 
 private:
     template <typename Change> void apply(const Change& change);
+    template <typename Change> void applyForUser(const Change& change);
 
     std::optional<CompensationSetup> m_baseline;
     EditedSetup m_edited;

@@ -58,7 +58,7 @@ void TableSelection::followFile(
     else if (!isSameFile || !before || (isOpened && !chosen))
         m_setup.setTable({0});
     else if (chosen && *chosen < static_cast<int>(before->tables.size()))
-        m_setup.setTable({sameTableIn(*before, *chosen, *now)});
+        takeSameTable(*before, *chosen, *now);
     if (now)
         m_log.add(LogLine::Kind::Information,
             [path = m_file.file().path, points = now->grid.pointCount(),
@@ -70,6 +70,26 @@ void TableSelection::followFile(
             });
     for (const Text& remark : m_file.file().report)
         m_log.add(LogLine::Kind::Information, [remark] { return sentenceText(remark); });
+    noteSelected();
+    if (now && isSameFile && before)
+        Q_EMIT fileReadAgain();
+    else
+        Q_EMIT fileOpened();
+}
+
+/// The user has not chosen another one.
+void TableSelection::takeSameTable(
+    const CalibrationData& before, int index, const CalibrationData& now)
+{
+    EditedSetup edited = m_setup.edited();
+    edited.table = {sameTableIn(before, index, now)};
+    m_setup.put(edited, std::array{Field::Table});
+}
+
+void TableSelection::putBack(const OpenedFile& opened)
+{
+    m_isOpening = opened.file.isReading;
+    m_file.putBack(opened);
     noteSelected();
 }
 

@@ -26,6 +26,8 @@ public:
     void readAgain();
     [[nodiscard]] DataFileModel& file() { return m_file; }
     [[nodiscard]] const DataFileModel& file() const { return m_file; }
+    /// As it was; the setup follows by itself.
+    void putBack(const OpenedFile& opened);
     [[nodiscard]] DriveTable& driveTable() { return m_driveTable; }
     [[nodiscard]] const DriveTable& driveTable() const { return m_driveTable; }
     /// In the units of the drive as far as they can be converted. None: the one on the drive, which
@@ -39,9 +41,12 @@ public:
 
 Q_SIGNALS:
     void changed(); ///< selected()
+    void fileOpened(); ///< or closed
+    void fileReadAgain();
 
 private:
     void followFile(const std::shared_ptr<const CalibrationData>& before, bool isSameFile);
+    void takeSameTable(const CalibrationData& before, int index, const CalibrationData& now);
     void followField(Field field);
     void noteFailure(const LoadedFile& failed);
     void noteSelected();

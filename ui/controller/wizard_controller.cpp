@@ -21,6 +21,7 @@ struct WizardController::Parts {
         , proof(*options.profile, axis, outcome)
         , sources(drives, setup, log)
         , tables(options.profile->layout, setup, log)
+        , history(setup, tables)
         , runner(*options.profile, drives, axis, setup, tables, log, outcome)
         , multiAxis(*options.profile, drives, axis, setup, tables, runner, outcome)
         , parameterExport(drives, axis, outcome)
@@ -37,6 +38,7 @@ struct WizardController::Parts {
     ProofFollower proof;
     SourceCheck sources;
     TableSelection tables;
+    SetupHistory history;
     OperationRunner runner;
     MultiAxisController multiAxis;
     ParameterExport parameterExport;
@@ -69,10 +71,13 @@ void WizardController::wireDrives()
         m_parts->tables.driveTable().clear();
         m_parts->setup.clear();
         m_parts->sources.forget();
+        m_parts->history.clear();
     });
     connect(drives, &DriveList::axisReady, this, [this](bool isAnother) {
-        if (isAnother)
+        if (isAnother) {
             m_parts->sources.forget();
+            m_parts->history.clear();
+        }
         m_parts->axis.begin(isAnother);
     });
     connect(drives, &DriveList::progressed, &m_parts->runner, &OperationRunner::showProgress);
@@ -146,6 +151,8 @@ void WizardController::wireOperations()
     connect(runner, &OperationRunner::busyChanged, &m_parts->actions, &WizardActions::update);
     connect(runner, &OperationRunner::planReady, this, &WizardController::planReady);
     connect(runner, &OperationRunner::ended, this, [this](Task task) {
+        if (isWrite(task))
+            m_parts->history.clear();
         if (isMultiAxis(task))
             Q_EMIT multiAxisWritten();
     });
@@ -217,6 +224,11 @@ SetupModel& WizardController::setup()
 const SetupModel& WizardController::setup() const
 {
     return m_parts->setup;
+}
+
+SetupHistory& WizardController::history()
+{
+    return m_parts->history;
 }
 
 const std::optional<AxisStatus>& WizardController::status() const
@@ -332,6 +344,11 @@ void WizardController::planWrite()
 
 void WizardController::write(bool acceptsLarge)
 {
+    if (plan() && plannedRestoration() && m_parts->runner.chosenBackup()) {
+        if (m_parts->actions.mayStart(Action::RestoreBackup))
+            m_parts->runner.restoreChosen();
+        return;
+    }
     if (plan() && plannedRestoration())
         return restorePrevious();
     const bool deletes = plan() && !plan()->deletedSlot.empty();
@@ -343,6 +360,12 @@ void WizardController::planRestoration()
 {
     if (m_parts->actions.mayStart(Action::RestorePrevious))
         m_parts->runner.planRestoration();
+}
+
+void WizardController::planRestoration(const BackupChoice& choice)
+{
+    if (m_parts->actions.mayStart(Action::RestoreBackup))
+        m_parts->runner.planRestoration(choice);
 }
 
 std::optional<WallTime> WizardController::plannedRestoration() const

@@ -3,10 +3,12 @@
 
 #include "core/axis/moving_proof.h"
 #include "core/compensator/axis_compensator.h"
+#include "core/compensator/axis_operations.h"
 #include "core/configuration/compensation_parameters.h"
 #include "core/conversion/import_choices.h"
 #include "ui/controller/action_rules.h"
 #include "ui/controller/column_mapping.h"
+#include "ui/controller/setup_history.h"
 #include "ui/controller/setup_model.h"
 #include "ui/controller/wizard_log.h"
 #include "ui/controller/wizard_options.h"
@@ -48,6 +50,8 @@ public:
     // The setup of the current axis
     [[nodiscard]] SetupModel& setup();
     [[nodiscard]] const SetupModel& setup() const;
+    /// Of setup() and dataFile(); cleared with another axis and by a write.
+    [[nodiscard]] SetupHistory& history();
     [[nodiscard]] const std::optional<AxisStatus>& status() const; ///< as last read
     [[nodiscard]] const std::vector<DimSource>& sourceShortlist() const;
     /// Path, tam:// URI or hex address, checked against the drive; then setup() has it, or
@@ -96,6 +100,8 @@ public:
     void planDeletion();
     /// The same for restorePrevious.
     void planRestoration();
+    /// The same for a backup of the current axis; write() brings it back.
+    void planRestoration(const BackupChoice& choice);
     /// The time of the backup that plan() brings back; none: it is another plan.
     [[nodiscard]] std::optional<WallTime> plannedRestoration() const;
     /// What an earlier write that did not end has left on the axis, a translated sentence; empty

@@ -79,6 +79,25 @@ void DataFileModel::cancelReading()
     Q_EMIT changed();
 }
 
+OpenedFile DataFileModel::opened() const
+{
+    return {m_file, m_tables, m_stamp, m_dimensions};
+}
+
+void DataFileModel::putBack(const OpenedFile& opened)
+{
+    m_loader.cancel();
+    m_file = opened.file;
+    m_tables = opened.tables;
+    m_stamp = opened.stamp;
+    m_dimensions = opened.dimensions;
+    watch();
+    if (m_file.isReading)
+        return open(m_file.readingPath, m_dimensions, choicesFor(m_file.readingPath));
+    lookAtDisk();
+    Q_EMIT changed();
+}
+
 void DataFileModel::take(const LoadedFile& loaded)
 {
     const bool isSameFile = loaded.path == m_file.path;

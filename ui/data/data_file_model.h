@@ -11,6 +11,14 @@
 
 namespace axiscomp::ui {
 
+/// An open file with all that was read of it.
+struct OpenedFile {
+    DataFile file;
+    std::vector<LoadedTable> tables;
+    FileStamp stamp;
+    int dimensions = 1;
+};
+
 /// The open file of compensation data: opens, reads again and watches it. A file with errors leaves
 /// the data of the one before.
 class DataFileModel : public QObject {
@@ -32,6 +40,10 @@ public:
     [[nodiscard]] ImportChoices choicesFor(const QString& path) const;
     void close();
     void cancelReading();
+    [[nodiscard]] OpenedFile opened() const;
+    /// As it was, without reading it again; what was being read then is read now. changed()
+    /// follows, dataReplaced() does not.
+    void putBack(const OpenedFile& opened);
 
 Q_SIGNALS:
     void changed();

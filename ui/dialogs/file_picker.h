@@ -14,6 +14,7 @@ struct FileQuestion {
     enum class Purpose {
         OpenData,
         OpenConfiguration,
+        OpenBackup,
         SaveExample,
         SaveLog,
         ExportTable,

@@ -24,6 +24,20 @@ class SourceLineEdit final : public QLineEdit {
 public:
     using QLineEdit::QLineEdit;
 
+    bool event(QEvent* event) override
+    {
+        // What is not being typed is undone by the page, as every other field.
+        if (event->type() == QEvent::ShortcutOverride
+            && !static_cast<const SourceCombo*>(parentWidget())->isTyping()) {
+            const auto* key = static_cast<QKeyEvent*>(event);
+            if (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo)) {
+                event->ignore();
+                return false;
+            }
+        }
+        return QLineEdit::event(event);
+    }
+
 protected:
     void paintEvent(QPaintEvent* event) override
     {

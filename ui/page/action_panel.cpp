@@ -39,6 +39,7 @@ ActionPanel::ActionPanel(WizardController& controller, QWidget* parent)
     , m_menu(new QMenu(this))
     , m_evaluate(m_menu->addAction(QString()))
     , m_restore(m_menu->addAction(QString()))
+    , m_backups(m_menu->addAction(QString()))
     , m_delete(m_menu->addAction(QString()))
     , m_hintSymbol(new PlainLabel)
     , m_hint(new PlainLabel)
@@ -48,6 +49,7 @@ ActionPanel::ActionPanel(WizardController& controller, QWidget* parent)
     m_menu->setToolTipsVisible(true);
     m_evaluate->setObjectName(QStringLiteral("evaluateAction"));
     m_restore->setObjectName(QStringLiteral("restoreAction"));
+    m_backups->setObjectName(QStringLiteral("backupsAction"));
     m_delete->setObjectName(QStringLiteral("deleteAction"));
     m_activateMore->setMenu(m_menu);
     m_revert->setIcon(symbolIcon(Symbol::Revert));
@@ -87,6 +89,7 @@ void ActionPanel::connectActions()
     connect(m_deactivate, &QPushButton::clicked, &m_controller, &WizardController::deactivate);
     connect(m_evaluate, &QAction::triggered, &m_controller, &WizardController::evaluate);
     connect(m_restore, &QAction::triggered, this, &ActionPanel::restoreRequested);
+    connect(m_backups, &QAction::triggered, this, &ActionPanel::backupsRequested);
     connect(m_delete, &QAction::triggered, this, &ActionPanel::deleteRequested);
     connect(&m_controller, &WizardController::actionsChanged, this, &ActionPanel::showActions);
 }
@@ -97,10 +100,11 @@ void ActionPanel::retranslate()
     m_revert->setText(tr("Re&vert All"));
     m_activate->setText(tr("&Activate"));
     m_activateMore->setAccessibleName(tr("More actions"));
-    m_activateMore->setToolTip(tr("Evaluate, restore the previous table, or delete the table"));
+    m_activateMore->setToolTip(tr("Evaluate, restore a backup, or delete the table"));
     m_deactivate->setText(tr("D&eactivate"));
     m_evaluate->setText(tr("&Evaluate (Adds Nothing)"));
     m_restore->setText(tr("Restore &Previous Table…"));
+    m_backups->setText(tr("Restore &Backup…"));
     m_delete->setText(tr("&Delete Table…"));
     m_hint->setAccessibleName(tr("Next step"));
     showActions();
@@ -143,6 +147,8 @@ void ActionPanel::showActions()
         tr("The drive looks up the table and shows the indices, but adds nothing"));
     apply(*m_restore, Action::RestorePrevious,
         tr("Writes back the table and settings from before the last write"));
+    m_backups->setEnabled(m_controller.status().has_value());
+    m_backups->setToolTip(tr("Shows the backups of this drive and restores the one you choose"));
     apply(*m_delete, Action::DeleteTable,
         tr("Deletes the axis's table from the drive and frees its slot"));
     if (m_isPreviewing) {

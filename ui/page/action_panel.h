@@ -26,6 +26,7 @@ public:
 Q_SIGNALS:
     void writeRequested();
     void restoreRequested();
+    void backupsRequested();
     void deleteRequested();
 
 private:
@@ -44,6 +45,7 @@ private:
     QMenu* m_menu;
     QAction* m_evaluate;
     QAction* m_restore;
+    QAction* m_backups;
     QAction* m_delete;
     QLabel* m_hintSymbol;
     QLabel* m_hint;

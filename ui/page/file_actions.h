@@ -39,6 +39,7 @@ public:
         const DriveProfile& profile, QWidget& window, QObject* parent = nullptr);
 
     void setPicker(FilePicker picker);
+    [[nodiscard]] const FilePicker& picker() const { return m_picker; }
     void askAndOpen();
     void open(const QString& path);
     /// Asks how the file is to be understood.

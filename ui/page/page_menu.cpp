@@ -12,6 +12,8 @@ namespace axiscomp::ui {
 
 PageMenu::PageMenu(QWidget* parent)
     : QMenu(parent)
+    , m_undo(addAction(QString()))
+    , m_redo(addAction(QString()))
     , m_languages(addMenu(QString()))
     , m_languageGroup(new QActionGroup(this))
     , m_systemLanguage(m_languages->addAction(QString()))
@@ -25,6 +27,9 @@ PageMenu::PageMenu(QWidget* parent)
 {
     setObjectName(QStringLiteral("pageMenu"));
     setToolTipsVisible(true);
+    m_undo->setObjectName(QStringLiteral("undoAction"));
+    m_redo->setObjectName(QStringLiteral("redoAction"));
+    insertSeparator(m_languages->menuAction());
     m_languages->setObjectName(QStringLiteral("languageMenu"));
     fillLanguages();
     m_writeSeveral->setObjectName(QStringLiteral("writeSeveralAction"));
@@ -43,6 +48,8 @@ PageMenu::PageMenu(QWidget* parent)
             [this, action] { Q_EMIT actionRequested(action); });
     connect(m_preview, &QAction::triggered, this,
         [this](bool isShown) { Q_EMIT previewSkippedChosen(!isShown); });
+    connect(m_undo, &QAction::triggered, this, &PageMenu::undoRequested);
+    connect(m_redo, &QAction::triggered, this, &PageMenu::redoRequested);
     connect(m_export, &QAction::triggered, this, &PageMenu::exportRequested);
     connect(m_saveLog, &QAction::triggered, this, &PageMenu::saveLogRequested);
     connect(m_about, &QAction::triggered, this, &PageMenu::showAbout);
@@ -88,6 +95,21 @@ void PageMenu::setExportEnabled(bool isEnabled)
                                    : tr("No table is selected."));
 }
 
+void PageMenu::showHistory(const QString& undo, const QString& redo)
+{
+    m_undoText = undo;
+    m_redoText = redo;
+    // The keys are the page's: those of a closed menu do nothing.
+    m_undo->setText((undo.isEmpty() ? tr("&Undo") : tr("&Undo: %1").arg(undo))
+        + QStringLiteral("\tCtrl+Z"));
+    m_redo->setText((redo.isEmpty() ? tr("&Redo") : tr("&Redo: %1").arg(redo))
+        + QStringLiteral("\tCtrl+Shift+Z"));
+    m_undo->setEnabled(!undo.isEmpty());
+    m_redo->setEnabled(!redo.isEmpty());
+    m_undo->setToolTip(tr("Takes the last change of the fields back; the drive is not reached"));
+    m_redo->setToolTip(tr("Makes the change that was undone again"));
+}
+
 QAction* PageMenu::entryOf(Action action) const
 {
     return action == Action::WriteSeveral       ? m_writeSeveral
@@ -103,6 +125,7 @@ void PageMenu::showAction(Action action, const ActionState& state)
 
 void PageMenu::retranslate()
 {
+    showHistory(m_undoText, m_redoText);
     m_languages->setTitle(tr("&Language"));
     m_systemLanguage->setText(tr("&System Language"));
     m_writeSeveral->setText(tr("&Write Several Axes…"));

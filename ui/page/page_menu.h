@@ -28,6 +28,8 @@ public:
     void showLanguage(const QString& language);
     void showPreviewSkipped(bool isSkipped);
     void setExportEnabled(bool isEnabled);
+    /// What can be undone and done again, a phrase each; empty: nothing, or not now.
+    void showHistory(const QString& undo, const QString& redo);
     /// One of drivenActions.
     void showAction(Action action, const ActionState& state);
     void retranslate();
@@ -35,6 +37,8 @@ public:
 Q_SIGNALS:
     void languageChosen(const QString& language);
     void previewSkippedChosen(bool isSkipped);
+    void undoRequested();
+    void redoRequested();
     void saveLogRequested();
     void exportRequested();
     void actionRequested(axiscomp::ui::Action action); ///< one of drivenActions
@@ -44,6 +48,10 @@ private:
     void fillLanguages();
     void showAbout();
 
+    QString m_undoText;
+    QString m_redoText;
+    QAction* m_undo;
+    QAction* m_redo;
     QMenu* m_languages;
     QActionGroup* m_languageGroup;
     QAction* m_systemLanguage;

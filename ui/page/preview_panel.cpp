@@ -73,6 +73,7 @@ PreviewPanel::PreviewPanel(
     , m_lines(new FileLinesView)
     , m_problems(new ProblemList(this))
     , m_writePreview(new WritePreview(controller))
+    , m_notes(new QWidget)
     , m_facts(selectableLabel("tableFacts"))
     , m_size(selectableLabel("tableSize"))
     , m_warnings(selectableLabel("tableWarnings"))
@@ -105,15 +106,18 @@ void PreviewPanel::build()
     QFont signFont = m_sign->font();
     signFont.setItalic(true);
     m_sign->setFont(signFont);
+    m_explanationBlock = buildExplanation();
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(6);
-    layout->addWidget(buildExplanation());
+    layout->addWidget(m_explanationBlock);
     layout->addWidget(m_stack, 1);
-    layout->addWidget(m_facts);
-    layout->addWidget(m_size);
-    layout->addWidget(m_warnings);
-    layout->addWidget(m_sign);
+    auto* notes = new QVBoxLayout(m_notes);
+    notes->setContentsMargins(0, 0, 0, 0);
+    notes->setSpacing(6);
+    for (QLabel* label : {m_facts, m_size, m_warnings, m_sign})
+        notes->addWidget(label);
+    layout->addWidget(m_notes);
 }
 
 QWidget* PreviewPanel::buildExplanation()
@@ -193,6 +197,9 @@ WritePreview& PreviewPanel::writePreview()
 void PreviewPanel::showWritePreview(bool isShown)
 {
     m_stack->setCurrentWidget(isShown ? static_cast<QWidget*>(m_writePreview) : m_tabs);
+    // The preview says all of this itself, of the table that it is about.
+    m_explanationBlock->setVisible(!isShown);
+    m_notes->setVisible(!isShown);
     if (isShown)
         m_writePreview->showPlan();
 }

@@ -58,6 +58,7 @@ private:
 
     WizardController& m_controller;
     const DriveProfile& m_profile;
+    QWidget* m_explanationBlock = nullptr;
     QLabel* m_title;
     QLabel* m_explanation;
     QLabel* m_exampleLabel;
@@ -72,6 +73,7 @@ private:
     FileLinesView* m_lines;
     ProblemList* m_problems;
     WritePreview* m_writePreview;
+    QWidget* m_notes; ///< about the selected table: the labels below
     QLabel* m_facts;
     QLabel* m_size;
     QLabel* m_warnings;

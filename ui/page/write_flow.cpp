@@ -17,7 +17,10 @@ WriteFlow::WriteFlow(WizardController& controller, PreviewPanel& panel, QObject*
         if (m_controller.isOutcomeAnError())
             m_isPlanning = false;
     });
-    connect(&controller, &WizardController::currentAxisChanged, this, &WriteFlow::back);
+    connect(&controller, &WizardController::currentAxisChanged, this, [this] {
+        m_choice.reset();
+        back();
+    });
     connect(&controller, &WizardController::selectedTableChanged, this, [this] {
         if (fileTable() != m_table)
             back();
@@ -27,6 +30,8 @@ WriteFlow::WriteFlow(WizardController& controller, PreviewPanel& panel, QObject*
         if (!m_controller.action(m_action).isEnabled && !m_controller.busy().isBusy)
             back();
     });
+    connect(&controller, &WizardController::statusChanged, this, &WriteFlow::restoreChosen);
+    connect(&controller, &WizardController::busyChanged, this, &WriteFlow::restoreChosen);
     connect(&panel.writePreview(), &WritePreview::confirmed, this, &WriteFlow::confirm);
     connect(&panel.writePreview(), &WritePreview::backRequested, this, &WriteFlow::back);
 }
@@ -50,6 +55,26 @@ void WriteFlow::proceedToRestore()
 {
     back();
     begin(Action::RestorePrevious);
+}
+
+void WriteFlow::proceedToRestore(const BackupChoice& choice)
+{
+    back();
+    m_choice = choice;
+    restoreChosen();
+}
+
+void WriteFlow::restoreChosen()
+{
+    const auto& status = m_controller.status();
+    if (!m_choice || !status || status->axis.index != m_choice->axis
+        || m_controller.busy().isBusy)
+        return;
+    const BackupChoice choice = *std::exchange(m_choice, std::nullopt);
+    m_action = Action::RestoreBackup;
+    m_isPlanning = true;
+    m_table = fileTable();
+    m_controller.planRestoration(choice); // or says why not
 }
 
 void WriteFlow::begin(Action action)

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/table/compensation_table.h"
+#include "core/compensator/axis_operations.h"
 #include "ui/controller/action_rules.h"
 
 #include <QObject>
 
 #include <memory>
+#include <optional>
 
 namespace axiscomp::ui {
 
@@ -27,6 +28,8 @@ public:
     void proceedToDelete();
     /// The same for going back to the state before the last write.
     void proceedToRestore();
+    /// The same for a backup that was chosen, as soon as its axis is the current one and read.
+    void proceedToRestore(const BackupChoice& choice);
     void back();
     [[nodiscard]] bool isPreviewing() const;
 
@@ -38,11 +41,13 @@ private:
     void take();
     void confirm();
     void showPreview(bool isShown);
+    void restoreChosen();
     [[nodiscard]] std::shared_ptr<const CompensationTable> fileTable() const;
 
     WizardController& m_controller;
     PreviewPanel& m_panel;
-    Action m_action = Action::Write; ///< Write, DeleteTable or RestorePrevious: what the plan is of
+    Action m_action = Action::Write; ///< what the plan is of
+    std::optional<BackupChoice> m_choice; ///< waits for its axis
     bool m_isPlanning = false;
     std::shared_ptr<const CompensationTable> m_table; ///< the file's, when the plan was asked for
 };

@@ -2,10 +2,13 @@
 #include "ui/page/write_preview.h"
 
 #include "ui/async/background_job.h"
+#include "ui/plot/change_pictures.h"
+#include "ui/style/warning_list.h"
 #include "ui/session/axis_list.h"
 #include "ui/style/plain_label.h"
 #include "ui/style/symbols.h"
 #include "ui/text/message_text.h"
+#include "ui/text/sign_sentence.h"
 #include "ui/text/value_text.h"
 
 #include <QBoxLayout>
@@ -13,6 +16,8 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QTableWidget>
 
 namespace axiscomp::ui {
@@ -41,8 +46,12 @@ WritePreview::WritePreview(WizardController& controller, QWidget* parent)
     : QWidget(parent)
     , m_controller(controller)
     , m_title(new PlainLabel)
+    , m_scroll(new QScrollArea)
     , m_introduction(noteLabel("previewIntroduction"))
+    , m_warnings(new WarningList)
     , m_rows(new QTableWidget)
+    , m_pictures(new ChangePictures)
+    , m_sign(noteLabel("previewSign"))
     , m_cost(noteLabel("previewCost"))
     , m_remarks(noteLabel("previewRemarks"))
     , m_accept(new QCheckBox)
@@ -56,6 +65,12 @@ WritePreview::WritePreview(WizardController& controller, QWidget* parent)
     connect(m_back, &QPushButton::clicked, this, &WritePreview::backRequested);
     connect(m_accept, &QCheckBox::toggled, this, &WritePreview::showAcceptance);
     connect(m_skip, &QCheckBox::toggled, this, &WritePreview::skipForVolatileChanged);
+    connect(&m_controller, &WizardController::statusChanged, this, [this] {
+        // The old table may still have been on its way when the plan was there.
+        const auto& plan = m_controller.plan();
+        if (isVisible() && plan && m_controller.driveTable() != m_oldTable)
+            fillRows(*plan);
+    });
     retranslate();
 }
 
@@ -91,26 +106,50 @@ void WritePreview::build()
     m_write->setDefault(true);
     m_back->setObjectName(QStringLiteral("backButton"));
     m_back->setAutoDefault(true);
+    buildScrolled();
     auto* buttons = new QHBoxLayout;
-    buttons->addWidget(m_skip);
     buttons->addStretch(1);
     buttons->addWidget(m_back);
     buttons->addWidget(m_write);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(10);
     layout->addWidget(m_title);
-    layout->addWidget(m_introduction);
-    layout->addWidget(m_rows);
-    layout->addWidget(m_cost);
-    layout->addWidget(m_remarks);
+    layout->addWidget(m_scroll, 1);
     layout->addWidget(m_accept);
+    layout->addWidget(m_skip);
     layout->addLayout(buttons);
-    layout->addStretch(1);
+    setTabOrder(m_scroll, m_rows);
     setTabOrder(m_rows, m_accept);
     setTabOrder(m_accept, m_skip);
     setTabOrder(m_skip, m_back);
     setTabOrder(m_back, m_write);
+}
+
+/// What there is to read scrolls where the window is small; what there is to press stays.
+void WritePreview::buildScrolled()
+{
+    m_warnings->setObjectName(QStringLiteral("previewWarnings"));
+    QFont italic = m_sign->font();
+    italic.setItalic(true);
+    m_sign->setFont(italic);
+    auto* scrolled = new QWidget;
+    auto* layout = new QVBoxLayout(scrolled);
+    layout->setContentsMargins(0, 0, 8, 0);
+    layout->setSpacing(8);
+    layout->addWidget(m_introduction);
+    layout->addWidget(m_warnings);
+    layout->addWidget(m_rows);
+    layout->addWidget(m_pictures);
+    layout->addWidget(m_sign);
+    layout->addWidget(m_remarks);
+    layout->addWidget(m_cost);
+    layout->addStretch(1);
+    m_scroll->setObjectName(QStringLiteral("previewScroll"));
+    m_scroll->setFrameShape(QFrame::NoFrame);
+    m_scroll->setWidgetResizable(true);
+    m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_scroll->setFocusPolicy(Qt::TabFocus);
+    m_scroll->setWidget(scrolled);
 }
 
 void WritePreview::retranslate()
@@ -119,6 +158,7 @@ void WritePreview::retranslate()
         "Nothing on the drive has changed yet. The old table and settings are backed up first."));
     m_rows->setHorizontalHeaderLabels({tr("Field"), tr("On the drive"), tr("New")});
     m_rows->setAccessibleName(tr("What will be written"));
+    m_scroll->setAccessibleName(tr("Preview"));
     m_accept->setText(tr("These large corrections are &right: their unit has been checked"));
     m_skip->setText(tr("Do not show this again &for volatile writes"));
     m_skip->setToolTip(tr(
@@ -180,10 +220,12 @@ void WritePreview::showPlan()
     const QStringList list = remarks(*plan);
     m_remarks->setText(list.join(u'\n'));
     m_remarks->setVisible(!list.isEmpty());
-    m_skip->setVisible(
-        !restored && plan->deletedSlot.empty() && plan->flashOperations == 0 && list.isEmpty());
+    m_warnings->setWarnings(warnings(*plan));
+    m_skip->setVisible(!restored && plan->deletedSlot.empty() && plan->flashOperations == 0
+        && list.isEmpty() && m_warnings->warnings().isEmpty());
     m_accept->setChecked(false);
     showAcceptance();
+    m_scroll->verticalScrollBar()->setValue(0);
     isAccepted() ? m_write->setFocus() : m_accept->setFocus();
 }
 
@@ -194,13 +236,15 @@ void WritePreview::fillRows(const WritePlan& plan)
     const CompensationSetup& after = plan.after;
     const bool isNewTable = plan.slotReason != SlotReason::KeepTable;
     ++m_request;
+    m_pictures->setVisible(false);
+    m_sign->setVisible(false);
     if (!plan.deletedSlot.empty())
         return fillDeletion(plan);
     if (isNewTable) {
         addRow(tr("Table"), tableText(before.slot, m_controller.driveTable().get()),
             tableText(after.slot, newTable().get()));
         addRow(tr("Largest change"), {}, tr("computing …"));
-        askForLargestChange();
+        askForChange(newTable(), m_controller.driveTable());
     }
     if (before.dimensionality != after.dimensionality)
         addRow(tr("Dimensionality"), tr("%1D").arg(before.dimensionality),
@@ -224,6 +268,7 @@ void WritePreview::fillDeletion(const WritePlan& plan)
         tableText({}, nullptr));
     addRow(QString::fromStdString(plan.deletedSlot), persistencyText(plan.before.persistency),
         tr("empty", "slot"));
+    askForChange(nullptr, m_controller.driveTable());
 }
 
 void WritePreview::addRow(const QString& field, const QString& before, const QString& after)
@@ -244,43 +289,50 @@ std::shared_ptr<const CompensationTable> WritePreview::newTable() const
     return m_controller.plannedRestoration() ? m_restored : m_controller.selectedTable();
 }
 
-void WritePreview::askForLargestChange()
+void WritePreview::askForChange(const SharedTable& newTable, const SharedTable& oldTable)
 {
-    const auto newTable = this->newTable();
-    const auto oldTable = m_controller.driveTable();
-    if (!newTable)
+    if (!newTable && !oldTable)
         return;
     if (m_change && newTable == m_newTable && oldTable == m_oldTable) {
-        showLargestChange(*m_change);
+        showChange(*m_change);
         return;
     }
     m_newTable = newTable;
     m_oldTable = oldTable;
     m_change.reset();
-    const auto change = inBackground<LargestChange>(
-        [newTable, oldTable] { return largestChange(*newTable, oldTable.get()); });
-    whenDone(change, this, [this, request = m_request](const LargestChange& largest) {
+    const auto change = inBackground<Change>([newTable, oldTable] {
+        return Change{tableChange(newTable, oldTable), newTable ? loaded(newTable) : LoadedTable{}};
+    });
+    whenDone(change, this, [this, request = m_request](const Change& computed) {
         if (request != m_request)
             return;
-        m_change = largest;
-        showLargestChange(largest);
+        m_change = computed;
+        showChange(computed);
     });
 }
 
-void WritePreview::showLargestChange(const LargestChange& change)
+void WritePreview::showChange(const Change& change)
 {
-    const auto table = newTable();
+    const auto& plan = m_controller.plan();
     const auto& status = m_controller.status();
-    QTableWidgetItem* item = m_rows->item(largestChangeRow + 1, 2);
-    if (!table || !status || !item)
+    if (!plan || !status)
         return;
-    QStringList places;
-    for (std::size_t n = 0; n < table->grid.axes.size(); ++n)
-        places += QStringLiteral("%1 %2").arg(
-            dimensionName(table->grid, n), numberText(change.position.at(n)));
-    item->setText(tr("%1 at %2", "value at position")
-                      .arg(smallValueText(change.change, status->axis.unit),
-                          places.join(QStringLiteral(", "))));
+    m_pictures->setChange(change.tables, status->axis.unit);
+    m_pictures->setVisible(true);
+    if (!change.newTable.table)
+        return;
+    const QString sign = m_controller.plannedRestoration()
+        ? signSentenceFor(change.newTable, status->axis, plan->after.sources)
+        : m_controller.signSentence();
+    m_sign->setText(sign);
+    m_sign->setVisible(!sign.isEmpty());
+    QTableWidgetItem* item = m_rows->item(largestChangeRow + 1, 2);
+    if (!item)
+        return;
+    // Without an old table, or with one of other dimensions, the whole new one is the change.
+    const TablePicture& largest =
+        change.tables.difference.drawn ? change.tables.difference : change.tables.after;
+    item->setText(changeText(largest.largest, largest.grid, status->axis.unit));
     item->setToolTip(item->text());
 }
 
@@ -307,12 +359,17 @@ QStringList WritePreview::remarks(const WritePlan& plan) const
         list += tr("%1 held an earlier table of this axis; the current one stays complete until "
                    "the axis has switched to the new one.")
                     .arg(QString::fromStdString(plan.after.slot));
-    for (const Text& remark : plan.largeCorrections)
-        list += sentenceText(remark);
     for (const Text& remark : plan.unitRemarks)
         list += sentenceText(remark);
-    for (const Text& warning : plan.warnings)
-        list += sentenceText(warning);
+    return list;
+}
+
+QStringList WritePreview::warnings(const WritePlan& plan)
+{
+    QStringList list;
+    for (const auto* texts : {&plan.largeCorrections, &plan.warnings})
+        for (const Text& warning : *texts)
+            list += sentenceText(warning);
     return list;
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/table/table_math.h"
 #include "ui/controller/wizard_controller.h"
+#include "ui/data/table_change.h"
 
 #include <QWidget>
 
@@ -12,12 +12,16 @@
 class QCheckBox;
 class QLabel;
 class QPushButton;
+class QScrollArea;
 class QTableWidget;
 
 namespace axiscomp::ui {
 
+class ChangePictures;
+class WarningList;
+
 /// The list of what a write will change, shown in the page before it happens: field, on the drive,
-/// new; what it costs; what to know about it.
+/// new; the tables as small pictures; what it costs; what to know about it.
 class WritePreview : public QWidget {
     Q_OBJECT
 
@@ -38,34 +42,46 @@ Q_SIGNALS:
     void skipForVolatileChanged(bool isSkipped);
 
 private:
+    using SharedTable = std::shared_ptr<const CompensationTable>;
+    struct Change {
+        TableChange tables;
+        LoadedTable newTable;
+    };
+
     void build();
+    void buildScrolled();
     void fillRows(const WritePlan& plan);
     void fillDeletion(const WritePlan& plan);
     void addRow(const QString& field, const QString& before, const QString& after);
-    [[nodiscard]] std::shared_ptr<const CompensationTable> newTable() const;
-    void askForLargestChange();
-    void showLargestChange(const LargestChange& change);
+    [[nodiscard]] SharedTable newTable() const;
+    void askForChange(const SharedTable& newTable, const SharedTable& oldTable);
+    void showChange(const Change& change);
     void showAcceptance();
     [[nodiscard]] QString costText(const WritePlan& plan) const;
     [[nodiscard]] QStringList remarks(const WritePlan& plan) const;
+    [[nodiscard]] static QStringList warnings(const WritePlan& plan);
     [[nodiscard]] QString sourceText(const DimSource& source) const;
     [[nodiscard]] QString tableText(const std::string& slot, const CompensationTable* table) const;
 
     WizardController& m_controller;
     QLabel* m_title;
+    QScrollArea* m_scroll;
     QLabel* m_introduction;
+    WarningList* m_warnings;
     QTableWidget* m_rows;
+    ChangePictures* m_pictures;
+    QLabel* m_sign;
     QLabel* m_cost;
     QLabel* m_remarks;
     QCheckBox* m_accept;
     QCheckBox* m_skip;
     QPushButton* m_write;
     QPushButton* m_back;
-    int m_request = 0; ///< the newest question for the largest change
-    std::shared_ptr<const CompensationTable> m_restored; ///< of a plan that goes back
-    std::shared_ptr<const CompensationTable> m_newTable; ///< that it is about
-    std::shared_ptr<const CompensationTable> m_oldTable;
-    std::optional<LargestChange> m_change; ///< between these two
+    int m_request = 0; ///< the newest question for the change
+    SharedTable m_restored; ///< of a plan that goes back
+    SharedTable m_newTable; ///< that m_change is about; null: it is taken away
+    SharedTable m_oldTable;
+    std::optional<Change> m_change;
 };
 
 } // namespace axiscomp::ui

@@ -84,9 +84,10 @@ private Q_SLOTS:
         QVERIFY(user.click("writeButton"));
         QTRY_VERIFY(user.sees("acceptLargeCorrections"));
         QVERIFY(!user.the("confirmWriteButton").isEnabled());
-        QVERIFY(user.the<QLabel>("previewRemarks")
-                    .text()
-                    .contains(QStringLiteral("The largest correction, 2 mm, is 5 % of the range")));
+        const auto warnings = user.the("previewWarnings").findChildren<QLabel*>("warningText");
+        QCOMPARE(warnings.size(), 1);
+        QVERIFY(warnings.front()->text().contains(
+            QStringLiteral("The largest correction, 2 mm, is 5 % of the range")));
         test::PageUser::press(Qt::Key_Return, Qt::ControlModifier);
         QVERIFY(bench.idle());
         QVERIFY(bench.state() == before);

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/ui/support/page_fixture.h"
+#include "tests/ui/support/window_test.h"
+#include "ui/controller/table_selection.h"
+
+#include <QAction>
+#include <QTest>
+
+namespace tst_setuphistory {
+
+using namespace axiscomp;
+using namespace axiscomp::ui;
+using test::PageFixture;
+
+namespace {
+
+void undo()
+{
+    test::PageUser::press(Qt::Key_Z, Qt::ControlModifier);
+}
+
+void redo()
+{
+    test::PageUser::press(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+}
+
+} // namespace
+
+/// Undo and redo of what the user changes on the page.
+class TestSetupHistory : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { test::failOnWindowWarnings(); }
+
+    void everyChangeOfAFieldIsUndoneAndDoneAgain()
+    {
+        PageFixture bench;
+        auto& user = bench.user;
+        QVERIFY(bench.open());
+        const auto onDrive = bench.state();
+        const SetupModel& setup = bench.controller().setup();
+        SetupHistory& history = bench.controller().history();
+        std::vector<EditedSetup> states{setup.edited()};
+        QVERIFY(history.undoText().isEmpty());
+        bench.picked = bench.superData();
+        QVERIFY(user.choose("dimensionalityField", QStringLiteral("2D")));
+        QCOMPARE(history.undoText(), QStringLiteral("Dimensionality"));
+        states.push_back(setup.edited());
+        QVERIFY(user.click("openButton"));
+        QTRY_COMPARE(history.undoText(), QStringLiteral("Compensation data"));
+        states.push_back(setup.edited());
+        const auto data = bench.controller().dataFile().data;
+        QVERIFY(user.choose("tableField", QStringLiteral("second")));
+        QCOMPARE(history.undoText(), QStringLiteral("Table"));
+        states.push_back(setup.edited());
+        QVERIFY(user.enter("source1Field",
+            QStringLiteral("Axes[0]/Signals/PositionController/MasterPosition")));
+        QTRY_COMPARE(history.undoText(), QStringLiteral("Dim1 Source"));
+        states.push_back(setup.edited());
+        QVERIFY(user.click("persistencyField"));
+        QCOMPARE(history.undoText(), QStringLiteral("Persistency"));
+        states.push_back(setup.edited());
+        QVERIFY(user.click("revertAllButton"));
+        QCOMPARE(history.undoText(), QStringLiteral("Several fields"));
+        QVERIFY(!setup.isDirty());
+
+        for (std::size_t n = states.size(); n-- > 0;) {
+            undo();
+            QVERIFY2(setup.edited() == states[n], qPrintable(QString::number(n)));
+        }
+        QVERIFY(history.undoText().isEmpty());
+        QVERIFY(!bench.controller().dataFile().data);
+        undo(); // there is nothing more
+        QVERIFY(setup.edited() == states[0]);
+        for (std::size_t n = 1; n < states.size(); ++n) {
+            redo();
+            QVERIFY2(setup.edited() == states[n], qPrintable(QString::number(n)));
+        }
+        QCOMPARE(bench.controller().dataFile().data, data); // it was not read again
+        redo();
+        QVERIFY(!setup.isDirty());
+        QVERIFY(history.redoText().isEmpty());
+        QVERIFY(bench.state() == onDrive);
+    }
+
+    void afterAWriteAndWithAnotherAxisThereIsNothingToUndo()
+    {
+        PageFixture bench;
+        auto& user = bench.user;
+        QVERIFY(bench.open());
+        QVERIFY(bench.choose2D());
+        QVERIFY(!bench.controller().history().undoText().isEmpty());
+        QVERIFY(bench.write());
+        QVERIFY(bench.controller().history().undoText().isEmpty());
+        QVERIFY(user.click("persistencyField"));
+        QVERIFY(!bench.controller().history().undoText().isEmpty());
+        bench.controller().selectAxis(1);
+        QTRY_VERIFY(bench.controller().status().has_value()
+            && bench.controller().status()->axis.index == 1);
+        QVERIFY(bench.controller().history().undoText().isEmpty());
+        QVERIFY(bench.controller().history().redoText().isEmpty());
+        QVERIFY(!user.the<QAction>("undoAction").isEnabled());
+    }
+
+    void aFieldThatIsBeingTypedInKeepsItsOwnUndo()
+    {
+        PageFixture bench;
+        auto& user = bench.user;
+        QVERIFY(bench.open());
+        QVERIFY(user.choose("dimensionalityField", QStringLiteral("2D")));
+        QVERIFY(user.click("source1Field"));
+        auto* field = user.the<QComboBox>("source1Field").lineEdit();
+        const QString committed = field->text();
+        test::PageUser::press(Qt::Key_End);
+        test::PageUser::type(QStringLiteral("qq"));
+        QVERIFY(field->text() != committed);
+        undo();
+        QCOMPARE(field->text(), committed);
+        QCOMPARE(bench.controller().setup().edited().dimensionality, 2);
+        test::PageUser::press(Qt::Key_Escape); // what was typed is given up
+        undo();
+        QTRY_COMPARE(bench.controller().setup().edited().dimensionality, 1);
+    }
+
+    void theMenuSaysWhatIsUndone()
+    {
+        PageFixture bench;
+        auto& user = bench.user;
+        QVERIFY(bench.open());
+        auto& entry = user.the<QAction>("undoAction");
+        QVERIFY(!entry.isEnabled());
+        QVERIFY(user.choose("dimensionalityField", QStringLiteral("3D")));
+        QVERIFY(entry.isEnabled());
+        QVERIFY2(entry.text().contains(QStringLiteral("Dimensionality")), qPrintable(entry.text()));
+        entry.trigger();
+        QCOMPARE(bench.controller().setup().edited().dimensionality, 1);
+        QVERIFY(!entry.isEnabled());
+        auto& again = user.the<QAction>("redoAction");
+        QVERIFY(again.text().contains(QStringLiteral("Dimensionality")));
+        again.trigger();
+        QCOMPARE(bench.controller().setup().edited().dimensionality, 3);
+    }
+
+    void aFieldThatTheUserHasLeftAloneFollowsTheDriveAlsoWhenAnotherIsUndone()
+    {
+        SetupModel setup;
+        const TableLayout layout = drivecomm::genericProfile().layout;
+        WizardLog log;
+        TableSelection tables(layout, setup, log);
+        SetupHistory history(setup, tables);
+        CompensationSetup baseline;
+        setup.reset(baseline);
+        setup.setPersistency(Persistency::Persistent);
+        baseline.sources[0] = {0x2000, "Axes[1]/Signals/PositionController/MasterPosition"};
+        setup.setBaseline(baseline); // somebody else
+        history.undo();
+        QCOMPARE(setup.edited().persistency, Persistency::Volatile);
+        QVERIFY(setup.edited().sources[0] == baseline.sources[0]);
+        QVERIFY(!setup.isDirty());
+    }
+};
+
+AXISCOMP_WINDOW_TEST(TestSetupHistory)
+
+} // namespace tst_setuphistory
+
+#include "tst_setuphistory.moc"

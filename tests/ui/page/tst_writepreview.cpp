@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/ui/support/page_fixture.h"
+#include "tests/ui/support/window_test.h"
+#include "ui/style/contrast.h"
+
+#include <QCheckBox>
+#include <QTest>
+
+#include <cmath>
+
+namespace tst_writepreview {
+
+using namespace axiscomp;
+using namespace axiscomp::ui;
+using test::PageFixture;
+
+namespace {
+
+QStringList textsOf(const QWidget& widget, const char* name)
+{
+    QStringList texts;
+    for (const QLabel* label : widget.findChildren<QLabel*>(QLatin1StringView(name)))
+        texts += label->text();
+    return texts;
+}
+
+/// The largest value of PageFixture::superData, as the page says it.
+QString largestOf(double factor)
+{
+    double largest = 0.0;
+    for (int y = 0; y <= 30; y += 5)
+        for (int x = 0; x <= 40; x += 4) {
+            const double value = factor * 0.002 * std::sin(x / 6.0 + y / 9.0 + 1);
+            largest = std::abs(value) > std::abs(largest) ? value : largest;
+        }
+    return QStringLiteral("%1%2 µm")
+        .arg(largest < 0.0 ? u'-' : u'+')
+        .arg(std::abs(largest) * 1000.0, 0, 'f', 3);
+}
+
+QString lineOf(PageFixture& bench, const char* picture)
+{
+    return textsOf(bench.user.the(picture), "thumbnailLine").value(0);
+}
+
+bool plan(PageFixture& bench)
+{
+    return bench.user.click("writeButton")
+        && test::PageUser::waitFor([&] { return bench.user.sees("pictureAfter"); });
+}
+
+} // namespace
+
+/// The list of what a write will change: what it warns of, and what it shows.
+class TestWritePreview : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { test::failOnWindowWarnings(); }
+
+    void aWarningHasItsSymbolAndColourAndARemarkHasNot()
+    {
+        PageFixture bench;
+        auto& user = bench.user;
+        QVERIFY(bench.open());
+        QVERIFY(bench.choose2D());
+        user.the<QCheckBox>("skipPreviewForVolatile").setChecked(true);
+        QVERIFY(user.click("persistencyField"));
+        QVERIFY(bench.write());
+        // A volatile table over a persistent one, in other units than the axis has.
+        bench.picked = bench.file(
+            QStringLiteral("um.csv"), "X [mm],Y [mm],E [um]\n0,0,0\n40,0,2\n0,30,1\n40,30,0\n");
+        QVERIFY(user.click("openButton"));
+        QTRY_VERIFY(bench.controller().dataFile().path == bench.picked);
+        QVERIFY(user.choose("tableField", QStringLiteral("E")));
+        QVERIFY(user.click("persistencyField"));
+        QVERIFY(plan(bench));
+        const QWidget& warnings = user.the("previewWarnings");
+        QVERIFY(warnings.isVisible());
+        const QStringList said = textsOf(warnings, "warningText");
+        QCOMPARE(said.size(), 1);
+        QVERIFY2(said.front().startsWith(QStringLiteral("The new table is volatile: after a")),
+            qPrintable(said.front()));
+        for (const QLabel* symbol : warnings.findChildren<QLabel*>("warningSymbol"))
+            QVERIFY(!symbol->pixmap().isNull());
+        QCOMPARE(warnings.findChildren<QLabel*>("warningSymbol").size(), 1);
+        QCOMPARE(user.the("previewWarnings").grab().toImage().pixelColor(4, warnings.height() / 2),
+            fillColor(Tone::Warning, warnings.palette()));
+        const QString remarks = user.the<QLabel>("previewRemarks").text();
+        QVERIFY2(
+            remarks.contains(QStringLiteral("converted from um to mm")), qPrintable(remarks));
+        QVERIFY(!remarks.contains(said.front()));
+        QVERIFY(!user.sees("skipPreviewForVolatile"));
+        QVERIFY2(user.the<QLabel>("previewSign").text().contains(
+                     QStringLiteral("the drive will add +")),
+            qPrintable(user.the<QLabel>("previewSign").text()));
+    }
+
+    void theOldTheNewAndTheirDifferenceAreShownWithTheirLargestValues()
+    {
+        PageFixture bench;
+        auto& user = bench.user;
+        QVERIFY(bench.open());
+        QVERIFY(bench.choose2D());
+        QVERIFY(plan(bench));
+        QVERIFY(!user.sees("previewWarnings"));
+        QVERIFY(!user.sees("pictureBefore"));
+        QVERIFY(!user.sees("pictureDifference"));
+        QVERIFY2(lineOf(bench, "pictureAfter").contains(largestOf(1.0)),
+            qPrintable(lineOf(bench, "pictureAfter")));
+        QVERIFY(user.click("confirmWriteButton"));
+        QVERIFY(bench.idle());
+
+        QVERIFY(user.choose("tableField", QStringLiteral("second"))); // is - first
+        QVERIFY(plan(bench));
+        QTRY_VERIFY(user.sees("pictureDifference"));
+        QCOMPARE(textsOf(user.the("changePictures"), "thumbnailTitle"),
+            QStringList({QStringLiteral("On the drive"), QStringLiteral("New"),
+                QStringLiteral("Difference, new − old")}));
+        QVERIFY(lineOf(bench, "pictureBefore").contains(largestOf(1.0)));
+        QVERIFY(lineOf(bench, "pictureAfter").contains(largestOf(-1.0)));
+        QVERIFY2(lineOf(bench, "pictureDifference").contains(largestOf(-2.0)),
+            qPrintable(lineOf(bench, "pictureDifference")));
+        // Nothing beside it speaks of another table.
+        QVERIFY(!user.sees("signSentence"));
+        QVERIFY(!user.sees("tableFacts"));
+        user.press(Qt::Key_Escape);
+        QTRY_VERIFY(user.sees("signSentence"));
+    }
+
+    void whatIsDeletedIsShown()
+    {
+        PageFixture bench;
+        auto& user = bench.user;
+        QVERIFY(bench.openWritten());
+        QVERIFY(user.pickFromMenu("activateMenuButton", "activateMenu", Qt::Key_D));
+        QTRY_VERIFY(user.sees("pictureBefore"));
+        QVERIFY(!user.sees("pictureAfter"));
+        QVERIFY(!user.sees("previewSign"));
+        QVERIFY(lineOf(bench, "pictureBefore").contains(largestOf(1.0)));
+    }
+
+    void ofThreeDimensionsTheMiddleSliceIsShownAndSaid()
+    {
+        PageFixture bench;
+        auto& user = bench.user;
+        QVERIFY(bench.open());
+        QByteArray text = "X [mm],Y [mm],Z [mm],E [mm]\n";
+        for (int z = 0; z <= 40; z += 20)
+            for (int y = 0; y <= 30; y += 10)
+                for (int x = 0; x <= 40; x += 10)
+                    text += QByteArray::number(x) + ',' + QByteArray::number(y) + ','
+                        + QByteArray::number(z) + ',' + QByteArray::number(x * z * 1e-6) + '\n';
+        bench.picked = bench.file(QStringLiteral("volume.csv"), text);
+        QVERIFY(user.choose("dimensionalityField", QStringLiteral("3D")));
+        QVERIFY(user.click("openButton"));
+        for (const auto& [field, source] : {std::pair("source1Field", "Axes[0]/Signals/"
+                                                                      "PositionController/"
+                                                                      "MasterPosition"),
+                 std::pair(
+                     "source2Field", "Axes[1]/Signals/PositionController/MasterPosition"),
+                 std::pair("source3Field", "Axes[0]/Signals/General/MotorTemperature")})
+            QVERIFY(user.enter(field, QLatin1StringView(source)));
+        QTRY_VERIFY(bench.controller().action(Action::Write).isEnabled);
+        QVERIFY(plan(bench));
+        QCOMPARE(lineOf(bench, "pictureAfter"),
+            QStringLiteral("largest +1.600 µm at X 40, Y 0, Z 40; shown: the middle slice, Z 20"));
+    }
+};
+
+AXISCOMP_WINDOW_TEST(TestWritePreview)
+
+} // namespace tst_writepreview
+
+#include "tst_writepreview.moc"
