@@ -4431,6 +4431,22 @@
         <source>at most 1 MiB of comments</source>
         <translation>höchstens 1 MiB Kommentare</translation>
     </message>
+    <message>
+        <source>The drive looks up where it should, but adds nothing while it evaluates. Activate to prove what it adds.</source>
+        <translation>Der Antrieb schlägt an der richtigen Stelle nach, addiert beim Auswerten aber nichts. Aktivieren Sie, um nachzuweisen, was er addiert.</translation>
+    </message>
+    <message>
+        <source>it has nothing of axis {axis}</source>
+        <translation>sie enthält nichts von der Achse {axis}</translation>
+    </message>
+    <message>
+        <source>Dimension {number} of the table reaches from {first} to {last}: {percent} of the travel of axis {axis}, {low} to {high}. Beyond the table the drive holds the value of its end.</source>
+        <translation>Dimension {number} der Tabelle reicht von {first} bis {last}: {percent} des Verfahrwegs von Achse {axis}, {low} bis {high}. Außerhalb der Tabelle hält der Antrieb den Endwert.</translation>
+    </message>
+    <message>
+        <source>Dimension {number} of the table reaches from {first} to {last}: outside the travel of axis {axis}, {low} to {high}. The drive holds the value of one end everywhere.</source>
+        <translation>Dimension {number} der Tabelle reicht von {first} bis {last}: außerhalb des Verfahrwegs von Achse {axis}, {low} bis {high}. Der Antrieb hält überall einen Endwert.</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -5008,16 +5024,24 @@
         <translation>Weiter in der Vorschau rechts</translation>
     </message>
     <message>
-        <source>Evaluate, restore the previous table, or delete the table</source>
-        <translation>Auswerten, die vorherige Tabelle wiederherstellen oder die Tabelle löschen</translation>
-    </message>
-    <message>
         <source>&amp;Delete Table…</source>
         <translation>Tabelle &amp;löschen …</translation>
     </message>
     <message>
         <source>Deletes the axis&apos;s table from the drive and frees its slot</source>
         <translation>Löscht die Tabelle der Achse vom Antrieb und gibt ihren Slot frei</translation>
+    </message>
+    <message>
+        <source>Evaluate, restore a backup, or delete the table</source>
+        <translation>Auswerten, eine Sicherung wiederherstellen oder die Tabelle löschen</translation>
+    </message>
+    <message>
+        <source>Restore &amp;Backup…</source>
+        <translation>Siche&amp;rung wiederherstellen…</translation>
+    </message>
+    <message>
+        <source>Shows the backups of this drive and restores the one you choose</source>
+        <translation>Zeigt die Sicherungen dieses Antriebs und stellt die gewählte wieder her</translation>
     </message>
 </context>
 <context>
@@ -5306,6 +5330,10 @@
         <source>importing parameters</source>
         <translation>Parameter importieren</translation>
     </message>
+    <message>
+        <source>Writes back a backup that you choose.</source>
+        <translation>Stellt eine Sicherung wieder her, die Sie wählen.</translation>
+    </message>
 </context>
 <context>
     <name>axiscomp::ui::AxisList</name>
@@ -5347,6 +5375,141 @@
     <message>
         <source>The drive is in error: %1.</source>
         <translation>Der Antrieb meldet einen Fehler: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::BackupDialog</name>
+    <message>
+        <source>damaged</source>
+        <comment>backup</comment>
+        <translation>beschädigt</translation>
+    </message>
+    <message>
+        <source>last write</source>
+        <comment>what was done after the backup</comment>
+        <translation>letzter Schreibvorgang</translation>
+    </message>
+    <message>
+        <source>new table</source>
+        <comment>what was done after the backup</comment>
+        <translation>neue Tabelle</translation>
+    </message>
+    <message>
+        <source>table deleted</source>
+        <comment>what was done after the backup</comment>
+        <translation>Tabelle gelöscht</translation>
+    </message>
+    <message>
+        <source>settings changed</source>
+        <comment>what was done after the backup</comment>
+        <translation>Einstellungen geändert</translation>
+    </message>
+    <message>
+        <source>undone, or nothing changed</source>
+        <comment>what was done after the backup</comment>
+        <translation>rückgängig gemacht, oder nichts geändert</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <comment>table</comment>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>Restore Backup</source>
+        <translation>Sicherung wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Before each write this computer keeps what the axis had. Choose what %1 shall have again; the preview shows what that changes before anything is written.</source>
+        <translation>Vor jedem Schreiben bewahrt dieser Rechner auf, was die Achse hatte. Wählen Sie, was %1 wieder haben soll; die Vorschau zeigt, was sich dadurch ändert, bevor etwas geschrieben wird.</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Datum</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Achse</translation>
+    </message>
+    <message>
+        <source>Table</source>
+        <translation>Tabelle</translation>
+    </message>
+    <message>
+        <source>CRC</source>
+        <translation>CRC</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Vor</translation>
+    </message>
+    <message>
+        <source>Backups, the newest first</source>
+        <translation>Sicherungen, die neueste zuerst</translation>
+    </message>
+    <message>
+        <source>Restore the backup of an&amp;other drive to this one</source>
+        <translation>Sicherung eines an&amp;deren Antriebs auf diesem wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Open Backup &amp;File…</source>
+        <translation>Sicherungs&amp;datei öffnen…</translation>
+    </message>
+    <message>
+        <source>Choose from a file that is kept elsewhere, such as one of a drive that was replaced</source>
+        <translation>Aus einer Datei wählen, die woanders liegt, etwa der eines ersetzten Antriebs</translation>
+    </message>
+    <message>
+        <source>&amp;Restore…</source>
+        <translation>&amp;Wiederherstellen…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Open Backup File</source>
+        <translation>Sicherungsdatei öffnen</translation>
+    </message>
+    <message>
+        <source>Backups (*.json)</source>
+        <translation>Sicherungen (*.json)</translation>
+    </message>
+    <message>
+        <source>%1, drive %2</source>
+        <comment>axis and serial number</comment>
+        <translation>%1, Antrieb %2</translation>
+    </message>
+    <message>
+        <source>This backup is damaged: %1</source>
+        <translation>Diese Sicherung ist beschädigt: %1</translation>
+    </message>
+    <message>
+        <source>This backup is of the drive with the serial number %1; this one is %2.</source>
+        <translation>Diese Sicherung ist von dem Antrieb mit der Seriennummer %1; dieser hier ist %2.</translation>
+    </message>
+    <message>
+        <source>Table of the backup</source>
+        <translation>Tabelle der Sicherung</translation>
+    </message>
+    <message>
+        <source>There is no backup of this drive on this computer.</source>
+        <translation>Auf diesem Rechner ist keine Sicherung dieses Antriebs.</translation>
+    </message>
+    <message>
+        <source>The backups are being read.</source>
+        <translation>Die Sicherungen werden gelesen.</translation>
+    </message>
+    <message>
+        <source>A damaged backup cannot be restored.</source>
+        <translation>Eine beschädigte Sicherung kann nicht wiederhergestellt werden.</translation>
+    </message>
+    <message>
+        <source>Confirm first that the backup of another drive is meant.</source>
+        <translation>Bestätigen Sie zuerst, dass die Sicherung eines anderen Antriebs gemeint ist.</translation>
+    </message>
+    <message>
+        <source>Show what restoring this backup would change</source>
+        <translation>Zeigen, was das Wiederherstellen dieser Sicherung ändern würde</translation>
     </message>
 </context>
 <context>
@@ -5425,6 +5588,35 @@
     <message>
         <source>Accept this certificate for this address from now on</source>
         <translation>Dieses Zertifikat ab jetzt für diese Adresse annehmen</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::ChangePictures</name>
+    <message>
+        <source>On the drive</source>
+        <translation>Im Antrieb</translation>
+    </message>
+    <message>
+        <source>New</source>
+        <translation>Neu</translation>
+    </message>
+    <message>
+        <source>Difference, new − old</source>
+        <translation>Differenz, neu − alt</translation>
+    </message>
+    <message>
+        <source>largest %1</source>
+        <translation>größter Wert %1</translation>
+    </message>
+    <message>
+        <source>%1; shown: the middle slice, %2 %3</source>
+        <comment>largest value, dimension, place</comment>
+        <translation>%1; gezeigt: der mittlere Schnitt, %2 %3</translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <comment>value at position</comment>
+        <translation>%1 bei %2</translation>
     </message>
 </context>
 <context>
@@ -6738,10 +6930,6 @@
         <translation>Das Schreiben wurde abgebrochen.</translation>
     </message>
     <message>
-        <source>Proved: largest difference %1 in %2 samples.</source>
-        <translation>Nachgewiesen: größte Abweichung %1 bei %2 Stichproben.</translation>
-    </message>
-    <message>
         <source>The compensation is off.</source>
         <translation>Die Kompensation ist ausgeschaltet.</translation>
     </message>
@@ -6813,6 +7001,18 @@
         <source>Deleted and verified: %1 is empty, and the axis uses no table.</source>
         <translation>Gelöscht und geprüft: %1 ist leer, und die Achse verwendet keine Tabelle.</translation>
     </message>
+    <message>
+        <source>Proved over %1 of the table: largest difference %2. Move the axis to prove more.</source>
+        <translation>Nachgewiesen über %1 der Tabelle: größte Abweichung %2. Bewegen Sie die Achse, um mehr nachzuweisen.</translation>
+    </message>
+    <message>
+        <source>Its table indices are right.</source>
+        <translation>Die Tabellenindizes stimmen.</translation>
+    </message>
+    <message>
+        <source>The compensation is active, but the drive contradicts its table. Stop the axis and deactivate. %1</source>
+        <translation>Die Kompensation ist aktiv, aber der Antrieb widerspricht seiner Tabelle. Halten Sie die Achse an und deaktivieren Sie. %1</translation>
+    </message>
 </context>
 <context>
     <name>axiscomp::ui::PageMenu</name>
@@ -6883,6 +7083,30 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
     <message>
         <source>Export to &amp;TAM Configuration…</source>
         <translation>In &amp;TAM-Konfiguration exportieren…</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>&amp;Undo: %1</source>
+        <translation>&amp;Rückgängig: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Wiederholen</translation>
+    </message>
+    <message>
+        <source>&amp;Redo: %1</source>
+        <translation>&amp;Wiederholen: %1</translation>
+    </message>
+    <message>
+        <source>Takes the last change of the fields back; the drive is not reached</source>
+        <translation>Nimmt die letzte Änderung der Felder zurück; der Antrieb wird nicht erreicht</translation>
+    </message>
+    <message>
+        <source>Makes the change that was undone again</source>
+        <translation>Macht die zurückgenommene Änderung noch einmal</translation>
     </message>
 </context>
 <context>
@@ -6995,6 +7219,37 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
     <message>
         <source>needed</source>
         <translation>nötig</translation>
+    </message>
+    <message>
+        <source>as the file says</source>
+        <translation>wie in der Datei</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::SetupHistory</name>
+    <message>
+        <source>Dimensionality</source>
+        <translation>Dimensionalität</translation>
+    </message>
+    <message>
+        <source>Table</source>
+        <translation>Tabelle</translation>
+    </message>
+    <message>
+        <source>Persistency</source>
+        <translation>Persistenz</translation>
+    </message>
+    <message>
+        <source>Dim%1 Source</source>
+        <translation>Dim%1-Quelle</translation>
+    </message>
+    <message>
+        <source>Compensation data</source>
+        <translation>Kompensationsdaten</translation>
+    </message>
+    <message>
+        <source>Several fields</source>
+        <translation>Mehrere Felder</translation>
     </message>
 </context>
 <context>
@@ -7394,6 +7649,22 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <source>as read at %1</source>
         <translation>gelesen um %1</translation>
     </message>
+    <message>
+        <source>outside the table: end value held</source>
+        <translation>außerhalb der Tabelle: Endwert gehalten</translation>
+    </message>
+    <message>
+        <source>contradicts its table</source>
+        <translation>widerspricht der Tabelle</translation>
+    </message>
+    <message>
+        <source>not proved yet</source>
+        <translation>noch nicht nachgewiesen</translation>
+    </message>
+    <message>
+        <source>proved over %1 of the table</source>
+        <translation>über %1 der Tabelle nachgewiesen</translation>
+    </message>
 </context>
 <context>
     <name>axiscomp::ui::StationChoice</name>
@@ -7661,6 +7932,17 @@ B - A: %3</translation>
     </message>
 </context>
 <context>
+    <name>axiscomp::ui::WarningList</name>
+    <message>
+        <source>Warnings</source>
+        <translation>Warnungen</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>Warnung</translation>
+    </message>
+</context>
+<context>
     <name>axiscomp::ui::WizardController</name>
     <message>
         <source>Wait for the current operation before selecting another axis.</source>
@@ -7774,11 +8056,6 @@ B - A: %3</translation>
         <translation>keine Tabelle</translation>
     </message>
     <message>
-        <source>%1 at %2</source>
-        <comment>value at position</comment>
-        <translation>%1 bei %2</translation>
-    </message>
-    <message>
         <source>Uses no flash operation. Volatile: lost on a reboot.</source>
         <translation>Braucht keinen Flash-Vorgang. Flüchtig: geht beim Neustart verloren.</translation>
     </message>
@@ -7858,6 +8135,10 @@ B - A: %3</translation>
     <message>
         <source>This is what the axis had before the write of %1.</source>
         <translation>Das hatte die Achse vor dem Schreiben vom %1.</translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation>Vorschau</translation>
     </message>
 </context>
 </TS>

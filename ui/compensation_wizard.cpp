@@ -2,6 +2,7 @@
 #include "ui/compensation_wizard.h"
 
 #include "core/drive/drive_profile.h"
+#include "ui/controller/setup_history.h"
 #include "ui/controller/wizard_settings.h"
 #include "ui/dialogs/certificate_dialog.h"
 #include "ui/dialogs/connections_dialog.h"
@@ -258,10 +259,10 @@ void CompensationWizard::Private::showBackups()
 {
     if (!controller.status())
         return;
-    auto* dialog = new BackupDialog(
-        controller, *options.profile, options.storeRoot, files.picker(), &q);
-    connect(dialog, &BackupDialog::chosen, &q,
-        [this](const BackupChoice& choice) { restore(choice); });
+    auto* dialog =
+        new BackupDialog(controller, *options.profile, options.storeRoot, files.picker(), &q);
+    connect(
+        dialog, &BackupDialog::chosen, &q, [this](const BackupChoice& choice) { restore(choice); });
     dialog->open();
 }
 
@@ -271,12 +272,12 @@ void CompensationWizard::Private::restore(const BackupChoice& choice)
     const auto& axes = controller.axes();
     const int current = controller.currentAxis();
     for (std::size_t i = 0; i < axes.size(); ++i) {
-        const bool isMeant = axes[i].axis.index == choice.axis && controller.isCurrentDrive(axes[i]);
+        const bool isMeant =
+            axes[i].axis.index == choice.axis && controller.isCurrentDrive(axes[i]);
         if (!isMeant || static_cast<int>(i) == current)
             continue;
-        guard.loseChanges(
-            CompensationWizard::tr("Discard and Chan&ge Axis"), [this, index = static_cast<int>(i),
-                                                                    choice] {
+        guard.loseChanges(CompensationWizard::tr("Discard and Chan&ge Axis"),
+            [this, index = static_cast<int>(i), choice] {
                 controller.selectAxis(index);
                 writeFlow.proceedToRestore(choice);
             });

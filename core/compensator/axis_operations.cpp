@@ -42,7 +42,8 @@ Result<AxisBackup> chosenBackup(const BackupChoice& choice, const DriveProfile& 
     return fail(ErrorCode::InvalidBackup,
         {{"file", Verbatim{choice.file.string()}},
             {"reason",
-                AXISCOMP_TEXT("Error", "it has nothing of axis {axis}").with("axis", choice.axis)}});
+                AXISCOMP_TEXT("Error", "it has nothing of axis {axis}")
+                    .with("axis", choice.axis)}});
 }
 
 Result<Restoration> restoreBackup(AxisCompensator& compensator, const AxisBackup& backup,

@@ -2,7 +2,7 @@
 #include "ui/controller/axis_state.h"
 
 #include "ui/async/background_job.h"
-#include "ui/controller/foreign_change.h"
+#include "ui/outcome/foreign_change.h"
 #include "ui/text/message_text.h"
 
 namespace axiscomp::ui {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/controller/last_outcome.h"
-#include "ui/controller/wizard_log.h"
 #include "ui/controller/wizard_options.h"
+#include "ui/outcome/last_outcome.h"
+#include "ui/outcome/wizard_log.h"
 #include "ui/session/drive_connection.h"
 
 #include <QObject>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/compensator/multi_axis_write.h"
-#include "ui/controller/outcome_text.h"
+#include "ui/outcome/outcome_text.h"
 #include "ui/session/axis_entry.h"
 
 #include <span>

@@ -3,7 +3,7 @@
 
 #include "core/axis/moving_proof.h"
 #include "ui/controller/axis_state.h"
-#include "ui/controller/last_outcome.h"
+#include "ui/outcome/last_outcome.h"
 
 #include <QObject>
 

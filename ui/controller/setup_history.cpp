@@ -92,9 +92,8 @@ void SetupHistory::note()
         return;
     State state = now();
     std::vector<Field> changed;
-    std::ranges::copy_if(allFields, std::back_inserter(changed), [&](Field field) {
-        return !sameValue(field, m_last.edited, state.edited);
-    });
+    std::ranges::copy_if(allFields, std::back_inserter(changed),
+        [&](Field field) { return !sameValue(field, m_last.edited, state.edited); });
     const bool isOfFile = m_last.file.file.path != state.file.file.path;
     State before = std::exchange(m_last, std::move(state));
     if (m_setup.hasBaseline() && (!changed.empty() || isOfFile))
@@ -112,8 +111,8 @@ void SetupHistory::apply(const State& state, const std::vector<Field>& fields, b
 {
     {
         const QScopedValueRollback applying(m_isApplying, true);
-        const bool isOfFile = withFile
-            || std::ranges::find(fields, Field::Dimensionality) != fields.end();
+        const bool isOfFile =
+            withFile || std::ranges::find(fields, Field::Dimensionality) != fields.end();
         if (isOfFile)
             m_tables.putBack(state.file);
         m_setup.put(state.edited, fields);

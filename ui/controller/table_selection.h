@@ -3,9 +3,9 @@
 
 #include "core/table/table_units.h"
 #include "ui/controller/setup_model.h"
-#include "ui/controller/wizard_log.h"
 #include "ui/data/data_file_model.h"
 #include "ui/data/drive_table.h"
+#include "ui/outcome/wizard_log.h"
 
 #include <QObject>
 

@@ -6,6 +6,7 @@
 #include "ui/controller/multi_axis_controller.h"
 #include "ui/controller/parameter_export.h"
 #include "ui/controller/proof_follower.h"
+#include "ui/controller/setup_history.h"
 #include "ui/controller/wizard_actions.h"
 #include "ui/text/sign_sentence.h"
 

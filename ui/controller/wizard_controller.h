@@ -8,11 +8,10 @@
 #include "core/conversion/import_choices.h"
 #include "ui/controller/action_rules.h"
 #include "ui/controller/column_mapping.h"
-#include "ui/controller/setup_history.h"
 #include "ui/controller/setup_model.h"
-#include "ui/controller/wizard_log.h"
 #include "ui/controller/wizard_options.h"
 #include "ui/data/data_file_state.h"
+#include "ui/outcome/wizard_log.h"
 #include "ui/session/axis_entry.h"
 
 #include <QObject>
@@ -24,6 +23,8 @@
 #include <vector>
 
 namespace axiscomp::ui {
+
+class SetupHistory;
 
 /// Everything of the wizard but its widgets: which drives and axes there are, the setup of the
 /// chosen axis, the open file, what runs, and each action with its reason. Never blocks: drives are

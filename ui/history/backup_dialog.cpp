@@ -217,8 +217,8 @@ QTreeWidgetItem* BackupDialog::itemFor(const KeptBackup& backup) const
     QString axis = backup.axisName.empty() ? QString::number(backup.axis)
                                            : QString::fromStdString(backup.axisName);
     if (isOther(backup))
-        axis = tr("%1, drive %2", "axis and serial number").arg(axis).arg(
-            backup.drive.serialNumber);
+        axis =
+            tr("%1, drive %2", "axis and serial number").arg(axis).arg(backup.drive.serialNumber);
     item->setText(BackupAxisColumn, axis);
     item->setText(BackupTableColumn, tableOf(backup));
     if (backup.table)
@@ -263,8 +263,8 @@ void BackupDialog::showPicture(const KeptBackup& backup)
 {
     m_picture->setPicture(nullptr, 1.0);
     m_picture->setTexts(tr("Table of the backup"), QString());
-    m_pictureJob.start([table = backup.table](
-                           const std::stop_token&) { return tableChange(table, nullptr); });
+    m_pictureJob.start(
+        [table = backup.table](const std::stop_token&) { return tableChange(table, nullptr); });
 }
 
 void BackupDialog::drawPicture(const TableChange& change)
@@ -273,8 +273,7 @@ void BackupDialog::drawPicture(const TableChange& change)
     if (!backup)
         return;
     m_picture->setPicture(change.after.drawn, change.scale());
-    m_picture->setTexts(
-        tr("Table of the backup"), pictureText(change.after, unitOf(backup->axis)));
+    m_picture->setTexts(tr("Table of the backup"), pictureText(change.after, unitOf(backup->axis)));
 }
 
 std::string BackupDialog::unitOf(int axis) const

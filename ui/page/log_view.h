@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/controller/wizard_log.h"
+#include "ui/outcome/wizard_log.h"
 
 #include <QWidget>
 

@@ -100,8 +100,8 @@ void PageMenu::showHistory(const QString& undo, const QString& redo)
     m_undoText = undo;
     m_redoText = redo;
     // The keys are the page's: those of a closed menu do nothing.
-    m_undo->setText((undo.isEmpty() ? tr("&Undo") : tr("&Undo: %1").arg(undo))
-        + QStringLiteral("\tCtrl+Z"));
+    m_undo->setText(
+        (undo.isEmpty() ? tr("&Undo") : tr("&Undo: %1").arg(undo)) + QStringLiteral("\tCtrl+Z"));
     m_redo->setText((redo.isEmpty() ? tr("&Redo") : tr("&Redo: %1").arg(redo))
         + QStringLiteral("\tCtrl+Shift+Z"));
     m_undo->setEnabled(!undo.isEmpty());

@@ -60,8 +60,8 @@ QString changeText(const LargestChange& change, const Grid& grid, const std::str
 {
     QStringList places;
     for (std::size_t n = 0; n < grid.axes.size(); ++n)
-        places += QStringLiteral("%1 %2").arg(
-            dimensionName(grid, n), numberText(change.position.at(n)));
+        places +=
+            QStringLiteral("%1 %2").arg(dimensionName(grid, n), numberText(change.position.at(n)));
     return ChangePictures::tr("%1 at %2", "value at position")
         .arg(smallValueText(change.change, unit), places.join(QStringLiteral(", ")));
 }

@@ -54,8 +54,8 @@ private Q_SLOTS:
         QVERIFY(user.choose("tableField", QStringLiteral("second")));
         QCOMPARE(history.undoText(), QStringLiteral("Table"));
         states.push_back(setup.edited());
-        QVERIFY(user.enter("source1Field",
-            QStringLiteral("Axes[0]/Signals/PositionController/MasterPosition")));
+        QVERIFY(user.enter(
+            "source1Field", QStringLiteral("Axes[0]/Signals/PositionController/MasterPosition")));
         QTRY_COMPARE(history.undoText(), QStringLiteral("Dim1 Source"));
         states.push_back(setup.edited());
         QVERIFY(user.click("persistencyField"));

@@ -87,12 +87,11 @@ private Q_SLOTS:
         QCOMPARE(user.the("previewWarnings").grab().toImage().pixelColor(4, warnings.height() / 2),
             fillColor(Tone::Warning, warnings.palette()));
         const QString remarks = user.the<QLabel>("previewRemarks").text();
-        QVERIFY2(
-            remarks.contains(QStringLiteral("converted from um to mm")), qPrintable(remarks));
+        QVERIFY2(remarks.contains(QStringLiteral("converted from um to mm")), qPrintable(remarks));
         QVERIFY(!remarks.contains(said.front()));
         QVERIFY(!user.sees("skipPreviewForVolatile"));
-        QVERIFY2(user.the<QLabel>("previewSign").text().contains(
-                     QStringLiteral("the drive will add +")),
+        QVERIFY2(
+            user.the<QLabel>("previewSign").text().contains(QStringLiteral("the drive will add +")),
             qPrintable(user.the<QLabel>("previewSign").text()));
     }
 
@@ -154,11 +153,11 @@ private Q_SLOTS:
         bench.picked = bench.file(QStringLiteral("volume.csv"), text);
         QVERIFY(user.choose("dimensionalityField", QStringLiteral("3D")));
         QVERIFY(user.click("openButton"));
-        for (const auto& [field, source] : {std::pair("source1Field", "Axes[0]/Signals/"
-                                                                      "PositionController/"
-                                                                      "MasterPosition"),
-                 std::pair(
-                     "source2Field", "Axes[1]/Signals/PositionController/MasterPosition"),
+        for (const auto& [field, source] : {std::pair("source1Field",
+                                                "Axes[0]/Signals/"
+                                                "PositionController/"
+                                                "MasterPosition"),
+                 std::pair("source2Field", "Axes[1]/Signals/PositionController/MasterPosition"),
                  std::pair("source3Field", "Axes[0]/Signals/General/MotorTemperature")})
             QVERIFY(user.enter(field, QLatin1StringView(source)));
         QTRY_VERIFY(bench.controller().action(Action::Write).isEnabled);

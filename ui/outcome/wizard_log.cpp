@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/controller/wizard_log.h"
+#include "ui/outcome/wizard_log.h"
 
-#include "ui/controller/outcome_text.h"
+#include "ui/outcome/outcome_text.h"
 #include "ui/style/contrast.h"
 #include "ui/style/symbols.h"
 #include "ui/text/message_text.h"

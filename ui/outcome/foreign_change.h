@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/axis/axis_status.h"
-#include "ui/controller/outcome_text.h"
+#include "ui/outcome/outcome_text.h"
 
 namespace axiscomp::ui {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/controller/foreign_change.h"
+#include "ui/outcome/foreign_change.h"
 
 #include <QCoreApplication>
 #include <QStringList>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/controller/outcome_text.h"
-#include "ui/controller/wizard_log.h"
+#include "ui/outcome/outcome_text.h"
+#include "ui/outcome/wizard_log.h"
 
 #include <QObject>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/controller/outcome_text.h"
+#include "ui/outcome/outcome_text.h"
 
 #include "ui/text/message_text.h"
 #include "ui/text/value_text.h"

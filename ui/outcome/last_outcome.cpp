@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/controller/last_outcome.h"
+#include "ui/outcome/last_outcome.h"
 
 #include <utility>
 
