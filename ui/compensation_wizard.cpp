@@ -2,10 +2,12 @@
 #include "ui/compensation_wizard.h"
 
 #include "core/drive/drive_profile.h"
+#include "ui/controller/setup_history.h"
 #include "ui/controller/wizard_settings.h"
 #include "ui/dialogs/certificate_dialog.h"
 #include "ui/dialogs/connections_dialog.h"
 #include "ui/dialogs/multi_axis_dialog.h"
+#include "ui/help/guide_window.h"
 #include "ui/history/backup_dialog.h"
 #include "ui/page/action_panel.h"
 #include "ui/page/drive_bar.h"
@@ -25,6 +27,7 @@
 #include "ui/style/plain_tool_tips.h"
 #include "ui/text/language.h"
 
+#include <QApplication>
 #include <QBoxLayout>
 #include <QDragEnterEvent>
 #include <QFileInfo>
@@ -71,6 +74,7 @@ struct CompensationWizard::Private {
     void redo();
     void chooseLanguage(const QString& chosen);
     void skipPreview(bool isSkipped);
+    void showGuide(const GuidePlace& place);
     void announceTitle();
 
     CompensationWizard& q;
@@ -87,6 +91,7 @@ struct CompensationWizard::Private {
     UnsavedChangesGuard guard;
     MessagePresenter messages;
     QPointer<ConnectionsDialog> connections;
+    QPointer<GuideWindow> guide;
     bool isStarted = false;
 };
 
@@ -152,6 +157,7 @@ void CompensationWizard::Private::connectParts()
         [this](const QString& chosen) { chooseLanguage(chosen); });
     connect(menu, &PageMenu::previewSkippedChosen, &q,
         [this](bool isSkipped) { skipPreview(isSkipped); });
+    connect(menu, &PageMenu::guideRequested, &q, [this] { showGuide({}); });
     connect(menu, &PageMenu::saveLogRequested, &q, [this] { files.saveLog(page->log->text()); });
     const auto announce = [this] { announceTitle(); };
     connect(&controller, &WizardController::currentAxisChanged, &q, announce);
@@ -173,6 +179,8 @@ void CompensationWizard::Private::addShortcuts()
         if (controller.action(Action::Refresh).isEnabled)
             controller.refresh();
     });
+    addShortcut(QKeySequence::HelpContents,
+        [this] { showGuide(guidePlaceOf(QApplication::focusWidget())); });
     addShortcut(QKeySequence::Open, [this] { files.askAndOpen(); });
     addShortcut(Qt::CTRL | Qt::Key_Return, [this] { writeFlow.proceed(); });
     addShortcut(Qt::CTRL | Qt::Key_Enter, [this] { writeFlow.proceed(); });
@@ -258,10 +266,10 @@ void CompensationWizard::Private::showBackups()
 {
     if (!controller.status())
         return;
-    auto* dialog = new BackupDialog(
-        controller, *options.profile, options.storeRoot, files.picker(), &q);
-    connect(dialog, &BackupDialog::chosen, &q,
-        [this](const BackupChoice& choice) { restore(choice); });
+    auto* dialog =
+        new BackupDialog(controller, *options.profile, options.storeRoot, files.picker(), &q);
+    connect(
+        dialog, &BackupDialog::chosen, &q, [this](const BackupChoice& choice) { restore(choice); });
     dialog->open();
 }
 
@@ -271,18 +279,18 @@ void CompensationWizard::Private::restore(const BackupChoice& choice)
     const auto& axes = controller.axes();
     const int current = controller.currentAxis();
     for (std::size_t i = 0; i < axes.size(); ++i) {
-        const bool isMeant = axes[i].axis.index == choice.axis && controller.isCurrentDrive(axes[i]);
+        const bool isMeant =
+            axes[i].axis.index == choice.axis && controller.isCurrentDrive(axes[i]);
         if (!isMeant || static_cast<int>(i) == current)
             continue;
-        guard.loseChanges(
-            CompensationWizard::tr("Discard and Chan&ge Axis"), [this, index = static_cast<int>(i),
-                                                                    choice] {
+        guard.loseChanges(CompensationWizard::tr("Discard and Chan&ge Axis"),
+            [this, index = static_cast<int>(i), choice] {
                 controller.selectAxis(index);
-                writeFlow.proceedToRestore(choice);
+                writeFlow.restore(choice);
             });
         return;
     }
-    writeFlow.proceedToRestore(choice);
+    writeFlow.restore(choice);
 }
 
 void CompensationWizard::Private::begin(Action action)
@@ -335,6 +343,13 @@ void CompensationWizard::Private::skipPreview(bool isSkipped)
     settings.setPreviewSkippedForVolatile(isSkipped);
     menu->showPreviewSkipped(isSkipped);
     page->preview->writePreview().setSkippedForVolatile(isSkipped);
+}
+
+void CompensationWizard::Private::showGuide(const GuidePlace& place)
+{
+    if (!guide)
+        guide = new GuideWindow(&q);
+    guide->showPlace(place);
 }
 
 void CompensationWizard::Private::announceTitle()
