@@ -42,7 +42,8 @@ Result<AxisBackup> chosenBackup(const BackupChoice& choice, const DriveProfile& 
     return fail(ErrorCode::InvalidBackup,
         {{"file", Verbatim{choice.file.string()}},
             {"reason",
-                AXISCOMP_TEXT("Error", "it has nothing of axis {axis}").with("axis", choice.axis)}});
+                AXISCOMP_TEXT("Error", "it has nothing of axis {axis}")
+                    .with("axis", choice.axis)}});
 }
 
 Result<Restoration> restoreBackup(AxisCompensator& compensator, const AxisBackup& backup,
@@ -146,6 +147,10 @@ Result<PlannedRestoration> planRestoration(AxisCompensator& compensator,
 {
     AXISCOMP_TRY(const auto backup, chosenBackup(choice, profile));
     AXISCOMP_TRY(auto plan, compensator.planRestore(backup, choice.acceptsOther, options));
+    if (backup.drive.serialNumber != plan.drive.serialNumber)
+        plan.warnings.push_back(AXISCOMP_TEXT(
+            "Error", "The backup is of another drive, the one with the serial number {number}.")
+                                    .with("number", backup.drive.serialNumber));
     return PlannedRestoration{{backup.time, choice.file}, std::move(plan)};
 }
 

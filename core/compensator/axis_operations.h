@@ -101,8 +101,8 @@ struct BackupChoice {
 /// The same for a backup that was chosen. Errors: InvalidBackup when it is not of that axis, those
 /// of AxisCompensator::restore.
 [[nodiscard]] OperationEnd<Restoration> restoreAxis(AxisCompensator& compensator,
-    const DriveProfile& profile, const std::filesystem::path& storeRoot,
-    const BackupChoice& choice, const OperationOptions& options);
+    const DriveProfile& profile, const std::filesystem::path& storeRoot, const BackupChoice& choice,
+    const OperationOptions& options);
 
 /// Finishes or undoes a write that did not end. Errors: those of AxisCompensator.
 [[nodiscard]] OperationEnd<WriteReport> recoverAxis(AxisCompensator& compensator,

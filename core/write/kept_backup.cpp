@@ -75,7 +75,7 @@ void sayWrites(std::vector<KeptBackup>& newestFirst, const DriveProfile& profile
         KeptBackup& before = newestFirst[i];
         if (before.problem || after.problem)
             continue;
-        before.write = !sameTable(before, after) ? after.table ? Write::NewTable : Write::NoTable
+        before.write = !sameTable(before, after)   ? after.table ? Write::NewTable : Write::NoTable
             : sameSettings(before, after, profile) ? Write::Nothing
                                                    : Write::Settings;
     }

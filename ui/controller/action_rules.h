@@ -31,10 +31,9 @@ enum class Action {
     Cancel,
 };
 inline constexpr std::array allActions{Action::Write, Action::Activate, Action::Evaluate,
-    Action::Deactivate, Action::Revert, Action::RestorePrevious,
-    Action::RestoreBackup, Action::DeleteTable,
-    Action::FinishWrite, Action::UndoWrite, Action::Refresh, Action::OpenData, Action::WriteSeveral,
-    Action::ImportConfiguration, Action::ExportConfiguration, Action::Cancel};
+    Action::Deactivate, Action::Revert, Action::RestorePrevious, Action::RestoreBackup,
+    Action::DeleteTable, Action::FinishWrite, Action::UndoWrite, Action::Refresh, Action::OpenData,
+    Action::WriteSeveral, Action::ImportConfiguration, Action::ExportConfiguration, Action::Cancel};
 
 struct ActionState {
     bool isEnabled = false;

@@ -81,6 +81,12 @@ SetupHistory::SetupHistory(SetupModel& setup, TableSelection& tables)
     connect(&m_steps, &QUndoStack::indexChanged, this, &SetupHistory::changed);
 }
 
+/// The stack says that it is emptied: there is nobody left who could ask what that means.
+SetupHistory::~SetupHistory()
+{
+    m_steps.disconnect(this);
+}
+
 SetupHistory::State SetupHistory::now() const
 {
     return {m_setup.edited(), m_tables.file().opened()};
@@ -92,9 +98,8 @@ void SetupHistory::note()
         return;
     State state = now();
     std::vector<Field> changed;
-    std::ranges::copy_if(allFields, std::back_inserter(changed), [&](Field field) {
-        return !sameValue(field, m_last.edited, state.edited);
-    });
+    std::ranges::copy_if(allFields, std::back_inserter(changed),
+        [&](Field field) { return !sameValue(field, m_last.edited, state.edited); });
     const bool isOfFile = m_last.file.file.path != state.file.file.path;
     State before = std::exchange(m_last, std::move(state));
     if (m_setup.hasBaseline() && (!changed.empty() || isOfFile))
@@ -112,8 +117,8 @@ void SetupHistory::apply(const State& state, const std::vector<Field>& fields, b
 {
     {
         const QScopedValueRollback applying(m_isApplying, true);
-        const bool isOfFile = withFile
-            || std::ranges::find(fields, Field::Dimensionality) != fields.end();
+        const bool isOfFile =
+            withFile || std::ranges::find(fields, Field::Dimensionality) != fields.end();
         if (isOfFile)
             m_tables.putBack(state.file);
         m_setup.put(state.edited, fields);

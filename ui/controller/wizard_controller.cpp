@@ -5,6 +5,7 @@
 #include "core/drive/drive_units.h"
 #include "ui/controller/multi_axis_controller.h"
 #include "ui/controller/parameter_export.h"
+#include "ui/controller/setup_history.h"
 #include "ui/controller/wizard_actions.h"
 #include "ui/text/sign_sentence.h"
 

@@ -7,7 +7,6 @@
 #include "core/conversion/import_choices.h"
 #include "ui/controller/action_rules.h"
 #include "ui/controller/column_mapping.h"
-#include "ui/controller/setup_history.h"
 #include "ui/controller/setup_model.h"
 #include "ui/controller/wizard_log.h"
 #include "ui/controller/wizard_options.h"
@@ -23,6 +22,8 @@
 #include <vector>
 
 namespace axiscomp::ui {
+
+class SetupHistory;
 
 /// Everything of the wizard but its widgets: which drives and axes there are, the setup of the
 /// chosen axis, the open file, what runs, and each action with its reason. Never blocks: drives are

@@ -214,11 +214,10 @@ QTreeWidgetItem* BackupDialog::itemFor(const KeptBackup& backup) const
     item->setText(DateColumn,
         backup.time ? localTimeText(*backup.time)
                     : QString::fromStdString(backup.file.filename().string()));
-    QString axis = backup.axisName.empty() ? QString::number(backup.axis)
-                                           : QString::fromStdString(backup.axisName);
+    QString axis = nameOf(backup);
     if (isOther(backup))
-        axis = tr("%1, drive %2", "axis and serial number").arg(axis).arg(
-            backup.drive.serialNumber);
+        axis =
+            tr("%1, drive %2", "axis and serial number").arg(axis).arg(backup.drive.serialNumber);
     item->setText(BackupAxisColumn, axis);
     item->setText(BackupTableColumn, tableOf(backup));
     if (backup.table)
@@ -263,8 +262,8 @@ void BackupDialog::showPicture(const KeptBackup& backup)
 {
     m_picture->setPicture(nullptr, 1.0);
     m_picture->setTexts(tr("Table of the backup"), QString());
-    m_pictureJob.start([table = backup.table](
-                           const std::stop_token&) { return tableChange(table, nullptr); });
+    m_pictureJob.start(
+        [table = backup.table](const std::stop_token&) { return tableChange(table, nullptr); });
 }
 
 void BackupDialog::drawPicture(const TableChange& change)
@@ -273,16 +272,30 @@ void BackupDialog::drawPicture(const TableChange& change)
     if (!backup)
         return;
     m_picture->setPicture(change.after.drawn, change.scale());
-    m_picture->setTexts(
-        tr("Table of the backup"), pictureText(change.after, unitOf(backup->axis)));
+    m_picture->setTexts(tr("Table of the backup"), pictureText(change.after, unitOf(backup->axis)));
+}
+
+const AxisEntry* BackupDialog::entryOf(int axis) const
+{
+    const auto& axes = m_controller.axes();
+    const auto found = std::ranges::find_if(axes, [&](const AxisEntry& entry) {
+        return entry.axis.index == axis && m_controller.isCurrentDrive(entry);
+    });
+    return found == axes.end() ? nullptr : &*found;
 }
 
 std::string BackupDialog::unitOf(int axis) const
 {
-    for (const AxisEntry& entry : m_controller.axes())
-        if (entry.axis.index == axis && m_controller.isCurrentDrive(entry))
-            return entry.axis.unit;
-    return {};
+    const AxisEntry* entry = entryOf(axis);
+    return entry ? entry->axis.unit : std::string();
+}
+
+/// As the backup has it; it need not have one, and the axis of another drive has another name.
+QString BackupDialog::nameOf(const KeptBackup& backup) const
+{
+    const AxisEntry* entry = isOther(backup) ? nullptr : entryOf(backup.axis);
+    const std::string& name = backup.axisName.empty() && entry ? entry->axis.name : backup.axisName;
+    return name.empty() ? QString::number(backup.axis) : QString::fromStdString(name);
 }
 
 QString BackupDialog::obstacle() const

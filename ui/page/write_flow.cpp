@@ -57,7 +57,7 @@ void WriteFlow::proceedToRestore()
     begin(Action::RestorePrevious);
 }
 
-void WriteFlow::proceedToRestore(const BackupChoice& choice)
+void WriteFlow::restore(const BackupChoice& choice)
 {
     back();
     m_choice = choice;
@@ -67,8 +67,7 @@ void WriteFlow::proceedToRestore(const BackupChoice& choice)
 void WriteFlow::restoreChosen()
 {
     const auto& status = m_controller.status();
-    if (!m_choice || !status || status->axis.index != m_choice->axis
-        || m_controller.busy().isBusy)
+    if (!m_choice || !status || status->axis.index != m_choice->axis || m_controller.busy().isBusy)
         return;
     const BackupChoice choice = *std::exchange(m_choice, std::nullopt);
     m_action = Action::RestoreBackup;

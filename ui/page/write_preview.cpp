@@ -3,10 +3,10 @@
 
 #include "ui/async/background_job.h"
 #include "ui/plot/change_pictures.h"
-#include "ui/style/warning_list.h"
 #include "ui/session/axis_list.h"
 #include "ui/style/plain_label.h"
 #include "ui/style/symbols.h"
+#include "ui/style/warning_list.h"
 #include "ui/text/message_text.h"
 #include "ui/text/sign_sentence.h"
 #include "ui/text/value_text.h"
@@ -81,6 +81,7 @@ void WritePreview::build()
     titleFont.setPointSizeF(titleFont.pointSizeF() * 1.2);
     titleFont.setBold(true);
     m_title->setFont(titleFont);
+    m_title->setWordWrap(true);
     m_rows->setObjectName(QStringLiteral("previewRows"));
     m_rows->setColumnCount(3);
     m_rows->verticalHeader()->hide();

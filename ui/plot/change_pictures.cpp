@@ -10,6 +10,12 @@
 
 namespace axiscomp::ui {
 
+namespace {
+
+constexpr int widestPicture = 50; // in letters: one alone stays small
+
+} // namespace
+
 ChangePictures::ChangePictures(QWidget* parent)
     : QWidget(parent)
     , m_before(new TableThumbnail)
@@ -23,8 +29,11 @@ ChangePictures::ChangePictures(QWidget* parent)
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(10);
-    for (TableThumbnail* thumbnail : {m_before, m_after, m_difference})
+    for (TableThumbnail* thumbnail : {m_before, m_after, m_difference}) {
+        thumbnail->setMaximumWidth(widestPicture * fontMetrics().averageCharWidth());
         layout->addWidget(thumbnail, 1);
+    }
+    layout->addStretch();
 }
 
 void ChangePictures::setChange(const TableChange& change, const std::string& unit)
@@ -60,8 +69,8 @@ QString changeText(const LargestChange& change, const Grid& grid, const std::str
 {
     QStringList places;
     for (std::size_t n = 0; n < grid.axes.size(); ++n)
-        places += QStringLiteral("%1 %2").arg(
-            dimensionName(grid, n), numberText(change.position.at(n)));
+        places +=
+            QStringLiteral("%1 %2").arg(dimensionName(grid, n), numberText(change.position.at(n)));
     return ChangePictures::tr("%1 at %2", "value at position")
         .arg(smallValueText(change.change, unit), places.join(QStringLiteral(", ")));
 }

@@ -71,8 +71,7 @@ TableThumbnail::TableThumbnail(QWidget* parent)
 
 TableThumbnail::~TableThumbnail() = default;
 
-void TableThumbnail::setPicture(
-    const std::shared_ptr<const CompensationTable>& drawn, double scale)
+void TableThumbnail::setPicture(const std::shared_ptr<const CompensationTable>& drawn, double scale)
 {
     const double half = std::max(scale, smallestScale);
     m_canvas->show(drawn, nullptr, half);

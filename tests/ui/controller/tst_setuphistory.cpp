@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/support/page_fixture.h"
 #include "tests/ui/support/window_test.h"
+#include "ui/controller/setup_history.h"
 #include "ui/controller/table_selection.h"
 
 #include <QAction>
@@ -54,8 +55,8 @@ private Q_SLOTS:
         QVERIFY(user.choose("tableField", QStringLiteral("second")));
         QCOMPARE(history.undoText(), QStringLiteral("Table"));
         states.push_back(setup.edited());
-        QVERIFY(user.enter("source1Field",
-            QStringLiteral("Axes[0]/Signals/PositionController/MasterPosition")));
+        QVERIFY(user.enter(
+            "source1Field", QStringLiteral("Axes[0]/Signals/PositionController/MasterPosition")));
         QTRY_COMPARE(history.undoText(), QStringLiteral("Dim1 Source"));
         states.push_back(setup.edited());
         QVERIFY(user.click("persistencyField"));

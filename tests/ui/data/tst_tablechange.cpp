@@ -70,8 +70,8 @@ private Q_SLOTS:
     void theDifferenceIsShownWhereOnlyOneOfTheTablesHasPoints()
     {
         // The old table ends at 20 with 0.2 and holds it; the new one begins at 10 with 0.
-        const auto old = tableOf(
-            {axis("X", 0.0, 10.0, 3)}, [](double x, double, double) { return 0.01 * x; });
+        const auto old =
+            tableOf({axis("X", 0.0, 10.0, 3)}, [](double x, double, double) { return 0.01 * x; });
         const auto now =
             tableOf({axis("X", 10.0, 15.0, 3)}, [](double x, double, double) { return x - 10.0; });
         const TableChange change = tableChange(now, old);
@@ -93,12 +93,14 @@ private Q_SLOTS:
 
     void ofThreeDimensionsTheMiddleSliceIsDrawn()
     {
-        const Function value = [](double x, double y, double z) { return x + 10.0 * y + 100.0 * z; };
+        const Function value = [](double x, double y, double z) {
+            return x + 10.0 * y + 100.0 * z;
+        };
         const auto now = tableOf(
             {axis("X", 0.0, 1.0, 3), axis("Y", 0.0, 1.0, 2), axis("Z", 2.0, 2.0, 5)}, value);
-        const auto old = tableOf(
-            {axis("X", 0.0, 1.0, 3), axis("Y", 0.0, 1.0, 2), axis("Z", 0.0, 5.0, 3)},
-            [&](double x, double y, double z) { return value(x, y, z) - 7.0; });
+        const auto old =
+            tableOf({axis("X", 0.0, 1.0, 3), axis("Y", 0.0, 1.0, 2), axis("Z", 0.0, 5.0, 3)},
+                [&](double x, double y, double z) { return value(x, y, z) - 7.0; });
         const TableChange change = tableChange(now, old);
         QCOMPARE(change.after.cutAt, std::optional(6.0));
         QCOMPARE(change.before.cutAt, std::optional(5.0)); // its slice that is nearest

@@ -81,7 +81,7 @@ private Q_SLOTS:
         QVERIFY(list.topLevelItem(1)->text(Table).contains(QStringLiteral("11 × 7 points")));
         list.setCurrentItem(list.topLevelItem(1));
         QTRY_VERIFY(user.the("backupPicture")
-                        .findChild<QLabel*>("thumbnailLine")
+                        .findChild<QLabel*>(QStringLiteral("thumbnailLine"))
                         ->text()
                         .contains(QStringLiteral("µm at X ")));
         QVERIFY(user.click("restoreBackupButton"));
@@ -102,8 +102,8 @@ private Q_SLOTS:
         QVERIFY(bench.openWritten());
         const auto written = bench.state(0);
         QVERIFY(user.choose("axisField", QStringLiteral("Y · ")));
-        QTRY_VERIFY(bench.controller().currentAxis() == 1
-            && bench.controller().status().has_value());
+        QTRY_VERIFY(
+            bench.controller().currentAxis() == 1 && bench.controller().status().has_value());
         const auto other = bench.state(1);
         QVERIFY(openList(bench)); // the only one is of X, from before it had a table
         QVERIFY(user.click("restoreBackupButton"));
@@ -158,10 +158,11 @@ private Q_SLOTS:
         QVERIFY(user.click("restoreBackupButton"));
         QVERIFY(user.isThere());
         QTRY_VERIFY(user.sees("confirmWriteButton"));
-        const auto warnings = user.the("previewWarnings").findChildren<QLabel*>("warningText");
+        const auto warnings =
+            user.the("previewWarnings").findChildren<QLabel*>(QStringLiteral("warningText"));
         QCOMPARE(warnings.size(), 1);
-        QVERIFY2(
-            warnings.front()->text().contains(QStringLiteral("7007")), qPrintable(warnings.front()->text()));
+        QVERIFY2(warnings.front()->text().contains(QStringLiteral("7007")),
+            qPrintable(warnings.front()->text()));
         QVERIFY(bench.state() == before);
         QVERIFY(user.click("confirmWriteButton"));
         QVERIFY(bench.saysOutcome(QStringLiteral("Restored")));
