@@ -7,6 +7,7 @@
 #include "ui/dialogs/certificate_dialog.h"
 #include "ui/dialogs/connections_dialog.h"
 #include "ui/dialogs/multi_axis_dialog.h"
+#include "ui/help/guide_window.h"
 #include "ui/history/backup_dialog.h"
 #include "ui/page/action_panel.h"
 #include "ui/page/drive_bar.h"
@@ -26,6 +27,7 @@
 #include "ui/style/plain_tool_tips.h"
 #include "ui/text/language.h"
 
+#include <QApplication>
 #include <QBoxLayout>
 #include <QDragEnterEvent>
 #include <QFileInfo>
@@ -72,6 +74,7 @@ struct CompensationWizard::Private {
     void redo();
     void chooseLanguage(const QString& chosen);
     void skipPreview(bool isSkipped);
+    void showGuide(const GuidePlace& place);
     void announceTitle();
 
     CompensationWizard& q;
@@ -88,6 +91,7 @@ struct CompensationWizard::Private {
     UnsavedChangesGuard guard;
     MessagePresenter messages;
     QPointer<ConnectionsDialog> connections;
+    QPointer<GuideWindow> guide;
     bool isStarted = false;
 };
 
@@ -153,6 +157,7 @@ void CompensationWizard::Private::connectParts()
         [this](const QString& chosen) { chooseLanguage(chosen); });
     connect(menu, &PageMenu::previewSkippedChosen, &q,
         [this](bool isSkipped) { skipPreview(isSkipped); });
+    connect(menu, &PageMenu::guideRequested, &q, [this] { showGuide({}); });
     connect(menu, &PageMenu::saveLogRequested, &q, [this] { files.saveLog(page->log->text()); });
     const auto announce = [this] { announceTitle(); };
     connect(&controller, &WizardController::currentAxisChanged, &q, announce);
@@ -174,6 +179,8 @@ void CompensationWizard::Private::addShortcuts()
         if (controller.action(Action::Refresh).isEnabled)
             controller.refresh();
     });
+    addShortcut(QKeySequence::HelpContents,
+        [this] { showGuide(guidePlaceOf(QApplication::focusWidget())); });
     addShortcut(QKeySequence::Open, [this] { files.askAndOpen(); });
     addShortcut(Qt::CTRL | Qt::Key_Return, [this] { writeFlow.proceed(); });
     addShortcut(Qt::CTRL | Qt::Key_Enter, [this] { writeFlow.proceed(); });
@@ -279,11 +286,11 @@ void CompensationWizard::Private::restore(const BackupChoice& choice)
         guard.loseChanges(CompensationWizard::tr("Discard and Chan&ge Axis"),
             [this, index = static_cast<int>(i), choice] {
                 controller.selectAxis(index);
-                writeFlow.proceedToRestore(choice);
+                writeFlow.restore(choice);
             });
         return;
     }
-    writeFlow.proceedToRestore(choice);
+    writeFlow.restore(choice);
 }
 
 void CompensationWizard::Private::begin(Action action)
@@ -336,6 +343,13 @@ void CompensationWizard::Private::skipPreview(bool isSkipped)
     settings.setPreviewSkippedForVolatile(isSkipped);
     menu->showPreviewSkipped(isSkipped);
     page->preview->writePreview().setSkippedForVolatile(isSkipped);
+}
+
+void CompensationWizard::Private::showGuide(const GuidePlace& place)
+{
+    if (!guide)
+        guide = new GuideWindow(&q);
+    guide->showPlace(place);
 }
 
 void CompensationWizard::Private::announceTitle()

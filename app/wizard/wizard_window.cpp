@@ -12,6 +12,16 @@ namespace {
 
 const QLatin1StringView geometryKey("window/geometry");
 constexpr QSize usualSize(1280, 800);
+constexpr QSize largestFirstSize(1680, 1050);
+
+/// Most of the screen, but not more than the page has use for.
+QSize firstSize(const QSize& available)
+{
+    return (available * 0.85)
+        .expandedTo(usualSize)
+        .boundedTo(largestFirstSize)
+        .boundedTo(available);
+}
 
 } // namespace
 
@@ -31,7 +41,7 @@ WizardWindow::WizardWindow(const ui::WizardOptions& options, QSettings& settings
         });
     connect(m_wizard, &ui::CompensationWizard::closeRequested, this, &QWidget::close);
     if (!restoreGeometry(settings.value(geometryKey).toByteArray()))
-        resize(usualSize);
+        resize(firstSize(screen()->availableSize()));
     keepOnScreen();
 }
 

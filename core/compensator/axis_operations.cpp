@@ -147,6 +147,10 @@ Result<PlannedRestoration> planRestoration(AxisCompensator& compensator,
 {
     AXISCOMP_TRY(const auto backup, chosenBackup(choice, profile));
     AXISCOMP_TRY(auto plan, compensator.planRestore(backup, choice.acceptsOther, options));
+    if (backup.drive.serialNumber != plan.drive.serialNumber)
+        plan.warnings.push_back(AXISCOMP_TEXT(
+            "Error", "The backup is of another drive, the one with the serial number {number}.")
+                                    .with("number", backup.drive.serialNumber));
     return PlannedRestoration{{backup.time, choice.file}, std::move(plan)};
 }
 

@@ -81,6 +81,12 @@ SetupHistory::SetupHistory(SetupModel& setup, TableSelection& tables)
     connect(&m_steps, &QUndoStack::indexChanged, this, &SetupHistory::changed);
 }
 
+/// The stack says that it is emptied: there is nobody left who could ask what that means.
+SetupHistory::~SetupHistory()
+{
+    m_steps.disconnect(this);
+}
+
 SetupHistory::State SetupHistory::now() const
 {
     return {m_setup.edited(), m_tables.file().opened()};

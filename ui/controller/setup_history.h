@@ -22,6 +22,7 @@ class SetupHistory : public QObject {
 public:
     /// Both must outlive the history.
     SetupHistory(SetupModel& setup, TableSelection& tables);
+    ~SetupHistory() override;
 
     /// What undo() and redo() would do, a translated phrase ("Table"); empty: there is nothing.
     [[nodiscard]] QString undoText() const;

@@ -36,6 +36,8 @@ DataFileField::DataFileField(QWidget* parent)
     m_name->setReadOnly(true);
     m_progress->setObjectName(QStringLiteral("dataProgress"));
     m_progress->setRange(0, readingSteps);
+    m_progress->setMinimumWidth(
+        m_progress->fontMetrics().horizontalAdvance(QStringLiteral("100 %")));
     m_open->setObjectName(QStringLiteral("openButton"));
     m_open->setIcon(symbolIcon(Symbol::Open));
     m_open->setAutoDefault(true);

@@ -121,7 +121,7 @@ SourceCombo::SourceCombo(QWidget* parent) : QComboBox(parent)
     setInsertPolicy(NoInsert);
     setFocusPolicy(Qt::StrongFocus);
     setSizeAdjustPolicy(AdjustToMinimumContentsLengthWithIcon);
-    setMinimumContentsLength(12);
+    setMinimumContentsLength(9);
     setMaxVisibleItems(12);
     setItemDelegate(new SourceDelegate(this));
     completer()->setCompletionMode(QCompleter::PopupCompletion);

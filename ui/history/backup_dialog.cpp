@@ -214,8 +214,7 @@ QTreeWidgetItem* BackupDialog::itemFor(const KeptBackup& backup) const
     item->setText(DateColumn,
         backup.time ? localTimeText(*backup.time)
                     : QString::fromStdString(backup.file.filename().string()));
-    QString axis = backup.axisName.empty() ? QString::number(backup.axis)
-                                           : QString::fromStdString(backup.axisName);
+    QString axis = nameOf(backup);
     if (isOther(backup))
         axis =
             tr("%1, drive %2", "axis and serial number").arg(axis).arg(backup.drive.serialNumber);
@@ -276,12 +275,27 @@ void BackupDialog::drawPicture(const TableChange& change)
     m_picture->setTexts(tr("Table of the backup"), pictureText(change.after, unitOf(backup->axis)));
 }
 
+const AxisEntry* BackupDialog::entryOf(int axis) const
+{
+    const auto& axes = m_controller.axes();
+    const auto found = std::ranges::find_if(axes, [&](const AxisEntry& entry) {
+        return entry.axis.index == axis && m_controller.isCurrentDrive(entry);
+    });
+    return found == axes.end() ? nullptr : &*found;
+}
+
 std::string BackupDialog::unitOf(int axis) const
 {
-    for (const AxisEntry& entry : m_controller.axes())
-        if (entry.axis.index == axis && m_controller.isCurrentDrive(entry))
-            return entry.axis.unit;
-    return {};
+    const AxisEntry* entry = entryOf(axis);
+    return entry ? entry->axis.unit : std::string();
+}
+
+/// As the backup has it; it need not have one, and the axis of another drive has another name.
+QString BackupDialog::nameOf(const KeptBackup& backup) const
+{
+    const AxisEntry* entry = isOther(backup) ? nullptr : entryOf(backup.axis);
+    const std::string& name = backup.axisName.empty() && entry ? entry->axis.name : backup.axisName;
+    return name.empty() ? QString::number(backup.axis) : QString::fromStdString(name);
 }
 
 QString BackupDialog::obstacle() const

@@ -6,6 +6,7 @@
 #include "ui/async/background_job.h"
 #include "ui/data/table_change.h"
 #include "ui/dialogs/file_picker.h"
+#include "ui/session/axis_entry.h"
 
 #include <QDialog>
 
@@ -54,7 +55,9 @@ private:
     void showCurrent();
     void showPicture(const KeptBackup& backup);
     void drawPicture(const TableChange& change);
+    [[nodiscard]] const AxisEntry* entryOf(int axis) const;
     [[nodiscard]] std::string unitOf(int axis) const;
+    [[nodiscard]] QString nameOf(const KeptBackup& backup) const;
     void updateButtons();
     [[nodiscard]] QTreeWidgetItem* itemFor(const KeptBackup& backup) const;
     [[nodiscard]] const KeptBackup* current() const;

@@ -134,6 +134,7 @@ void MessageStack::show(const Message& message)
     QAccessibleEvent event(bar, QAccessible::Alert);
     bar->setAccessibleName(message.text);
     QAccessible::updateAccessibility(&event);
+    Q_EMIT shown();
 }
 
 void MessageStack::remove(const QString& id)
@@ -146,6 +147,12 @@ void MessageStack::remove(const QString& id)
     m_layout->removeWidget(bar);
     bar->deleteLater();
     setVisible(m_layout->count() > 0);
+}
+
+int MessageStack::heightOfOne() const
+{
+    const int button = QPushButton(QStringLiteral("X")).sizeHint().height();
+    return qMax(2 * fontMetrics().lineSpacing(), button) + 12;
 }
 
 bool MessageStack::contains(const QString& id) const

@@ -42,6 +42,11 @@ public:
     [[nodiscard]] bool contains(const QString& id) const;
     /// Empty: there is none.
     [[nodiscard]] QString text(const QString& id) const;
+    /// Of a message with two lines of text, or with buttons.
+    [[nodiscard]] int heightOfOne() const;
+
+Q_SIGNALS:
+    void shown(); ///< a message that was not there
 
 private:
     [[nodiscard]] QWidget* find(const QString& id) const;

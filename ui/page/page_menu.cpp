@@ -23,7 +23,9 @@ PageMenu::PageMenu(QWidget* parent)
     , m_preview(addAction(QString()))
     , m_export(addAction(symbolIcon(Symbol::Save), QString()))
     , m_saveLog(addAction(symbolIcon(Symbol::Save), QString()))
-    , m_about(nullptr)
+    , m_help(addMenu(QString()))
+    , m_guide(m_help->addAction(QString()))
+    , m_about(m_help->addAction(QString()))
 {
     setObjectName(QStringLiteral("pageMenu"));
     setToolTipsVisible(true);
@@ -40,8 +42,9 @@ PageMenu::PageMenu(QWidget* parent)
     m_preview->setChecked(true);
     m_export->setObjectName(QStringLiteral("exportAction"));
     m_saveLog->setObjectName(QStringLiteral("saveLogAction"));
-    addSeparator();
-    m_about = addAction(QString());
+    insertSeparator(m_help->menuAction());
+    m_help->setObjectName(QStringLiteral("helpMenu"));
+    m_guide->setObjectName(QStringLiteral("guideAction"));
     m_about->setObjectName(QStringLiteral("aboutAction"));
     for (const Action action : drivenActions)
         connect(entryOf(action), &QAction::triggered, this,
@@ -52,6 +55,7 @@ PageMenu::PageMenu(QWidget* parent)
     connect(m_redo, &QAction::triggered, this, &PageMenu::redoRequested);
     connect(m_export, &QAction::triggered, this, &PageMenu::exportRequested);
     connect(m_saveLog, &QAction::triggered, this, &PageMenu::saveLogRequested);
+    connect(m_guide, &QAction::triggered, this, &PageMenu::guideRequested);
     connect(m_about, &QAction::triggered, this, &PageMenu::showAbout);
     retranslate();
 }
@@ -136,6 +140,8 @@ void PageMenu::retranslate()
     m_export->setText(tr("&Export for Another Controller…"));
     setExportEnabled(m_export->isEnabled());
     m_saveLog->setText(tr("Save Lo&g…"));
+    m_help->setTitle(tr("&Help"));
+    m_guide->setText(tr("User &Guide") + QStringLiteral("\tF1"));
     m_about->setText(tr("&About"));
 }
 

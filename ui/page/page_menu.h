@@ -40,6 +40,7 @@ Q_SIGNALS:
     void undoRequested();
     void redoRequested();
     void saveLogRequested();
+    void guideRequested();
     void exportRequested();
     void actionRequested(axiscomp::ui::Action action); ///< one of drivenActions
 
@@ -61,6 +62,8 @@ private:
     QAction* m_preview;
     QAction* m_export;
     QAction* m_saveLog;
+    QMenu* m_help;
+    QAction* m_guide;
     QAction* m_about;
 };
 

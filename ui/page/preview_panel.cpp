@@ -59,9 +59,6 @@ PreviewPanel::PreviewPanel(
     : QWidget(parent)
     , m_controller(controller)
     , m_profile(profile)
-    , m_title(new PlainLabel)
-    , m_explanation(selectableLabel("explanation"))
-    , m_exampleLabel(new PlainLabel)
     , m_example(new QPushButton)
     , m_stack(new QStackedWidget)
     , m_tabs(new QTabWidget)
@@ -92,7 +89,6 @@ PreviewPanel::PreviewPanel(
 void PreviewPanel::build()
 {
     m_plot->setObjectName(QStringLiteral("tablePlot"));
-    m_plot->addTool(m_applied);
     m_tabs->setObjectName(QStringLiteral("previewTabs"));
     m_tabs->setDocumentMode(true);
     m_valuesStack->setObjectName(QStringLiteral("valuesStack"));
@@ -100,17 +96,28 @@ void PreviewPanel::build()
     m_valuesStack->addWidget(m_lines);
     m_tabs->addTab(m_plot, QString());
     m_tabs->addTab(m_valuesStack, QString());
+    m_example->setObjectName(QStringLiteral("saveExampleButton"));
+    m_example->setIcon(symbolIcon(Symbol::Save));
+    m_example->setAutoDefault(true);
+    // Above picture and values, since it is about both; and the page can be narrower.
+    constexpr int appliedLetters = 16;
+    m_applied->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    m_applied->setMinimumContentsLength(appliedLetters);
+    auto* corner = new QWidget;
+    auto* tools = new QHBoxLayout(corner);
+    tools->setContentsMargins(0, 0, 0, 2);
+    tools->addWidget(m_applied);
+    tools->addWidget(m_example);
+    m_tabs->setCornerWidget(corner);
     m_problems->hide();
     m_stack->addWidget(m_tabs);
     m_stack->addWidget(m_writePreview);
     QFont signFont = m_sign->font();
     signFont.setItalic(true);
     m_sign->setFont(signFont);
-    m_explanationBlock = buildExplanation();
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(6);
-    layout->addWidget(m_explanationBlock);
     layout->addWidget(m_stack, 1);
     auto* notes = new QVBoxLayout(m_notes);
     notes->setContentsMargins(0, 0, 0, 0);
@@ -118,31 +125,6 @@ void PreviewPanel::build()
     for (QLabel* label : {m_facts, m_size, m_warnings, m_sign})
         notes->addWidget(label);
     layout->addWidget(m_notes);
-}
-
-QWidget* PreviewPanel::buildExplanation()
-{
-    m_title->setObjectName(QStringLiteral("explanationTitle"));
-    QFont titleFont = m_title->font();
-    titleFont.setBold(true);
-    titleFont.setPointSizeF(titleFont.pointSizeF() * 1.15);
-    m_title->setFont(titleFont);
-    m_example->setObjectName(QStringLiteral("saveExampleButton"));
-    m_example->setIcon(symbolIcon(Symbol::Save));
-    m_example->setAutoDefault(true);
-    auto* block = new QWidget;
-    auto* top = new QHBoxLayout;
-    top->setSpacing(8);
-    top->addWidget(m_title);
-    top->addStretch(1);
-    top->addWidget(m_exampleLabel);
-    top->addWidget(m_example);
-    auto* layout = new QVBoxLayout(block);
-    layout->setContentsMargins(0, 0, 0, 4);
-    layout->setSpacing(4);
-    layout->addLayout(top);
-    layout->addWidget(m_explanation);
-    return block;
 }
 
 void PreviewPanel::addTabShortcuts()
@@ -198,7 +180,6 @@ void PreviewPanel::showWritePreview(bool isShown)
 {
     m_stack->setCurrentWidget(isShown ? static_cast<QWidget*>(m_writePreview) : m_tabs);
     // The preview says all of this itself, of the table that it is about.
-    m_explanationBlock->setVisible(!isShown);
     m_notes->setVisible(!isShown);
     if (isShown)
         m_writePreview->showPlan();
@@ -211,12 +192,6 @@ bool PreviewPanel::isWritePreviewShown() const
 
 void PreviewPanel::retranslate()
 {
-    m_title->setText(tr("Compensate the position errors of an axis"));
-    m_explanation->setText(
-        tr("Select the axis and the registers that its error depends on. Open a file of positions "
-           "and compensation values (reference minus encoder) and select a table. Write uploads "
-           "and verifies table and settings; Activate switches the compensation on. Orange fields "
-           "differ from the drive; nothing reaches the drive before Write."));
     m_example->setText(tr("Save Exa&mple…"));
     const std::array<std::pair<QWidget*, QString>, 2> pages{
         {{m_plot, tr("Picture")}, {m_valuesStack, tr("Values")}}};
@@ -238,7 +213,6 @@ void PreviewPanel::retranslate()
 void PreviewPanel::showExample()
 {
     const int dimensionality = m_controller.setup().edited().dimensionality;
-    m_exampleLabel->setText(tr("Example file for %1D:").arg(dimensionality));
     m_example->setToolTip(
         tr("Save a small %1D calibration file as an example").arg(dimensionality));
     m_example->setAccessibleDescription(m_example->toolTip());

@@ -23,7 +23,7 @@ class ValuesView;
 class WizardController;
 class WritePreview;
 
-/// The right side of the page: what the page does, the table as picture and as values, the problems
+/// The right side of the page: the table as picture and as values, the problems
 /// of the file, and, before a write, the list of what will be written.
 class PreviewPanel : public QWidget {
     Q_OBJECT
@@ -43,7 +43,6 @@ Q_SIGNALS:
 
 private:
     void build();
-    [[nodiscard]] QWidget* buildExplanation();
     void addTabShortcuts();
     void connectController();
     void connectProblems();
@@ -58,10 +57,6 @@ private:
 
     WizardController& m_controller;
     const DriveProfile& m_profile;
-    QWidget* m_explanationBlock = nullptr;
-    QLabel* m_title;
-    QLabel* m_explanation;
-    QLabel* m_exampleLabel;
     QPushButton* m_example;
     QStackedWidget* m_stack;
     QTabWidget* m_tabs;

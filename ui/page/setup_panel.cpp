@@ -23,7 +23,7 @@ QComboBox* comboBox(const char* name)
     combo->setObjectName(QLatin1StringView(name));
     combo->setFocusPolicy(Qt::StrongFocus);
     combo->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    combo->setMinimumContentsLength(12);
+    combo->setMinimumContentsLength(9);
     return combo;
 }
 

@@ -14,6 +14,7 @@
 #include <QBoxLayout>
 #include <QFrame>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QSplitter>
 
 namespace axiscomp::ui {
@@ -30,6 +31,16 @@ QFrame* rule()
     line->setFrameShadow(QFrame::Sunken);
     return line;
 }
+
+/// Scrolls in height only: its bar is beside the fields, never over them.
+class FieldScroll final : public QScrollArea {
+public:
+    [[nodiscard]] QSize minimumSizeHint() const override
+    {
+        const int bar = verticalScrollBar()->sizeHint().width();
+        return {widget()->minimumSizeHint().width() + bar, QScrollArea::minimumSizeHint().height()};
+    }
+};
 
 } // namespace
 
@@ -70,7 +81,7 @@ WizardPage::WizardPage(WizardController& controller, const DriveProfile& profile
     layout->setContentsMargins(margin, spacing, margin, spacing);
     layout->setSpacing(spacing);
     layout->addWidget(driveBar);
-    layout->addWidget(messages);
+    layout->addWidget(buildMessages());
     layout->addWidget(rule());
     layout->addWidget(m_rows, 1);
     layout->addWidget(rule());
@@ -79,10 +90,27 @@ WizardPage::WizardPage(WizardController& controller, const DriveProfile& profile
     connect(log, &LogView::closeRequested, this, [this] { showLog(false); });
 }
 
+/// Of a fixed height: a message that comes or goes moves nothing that somebody is about to press.
+/// The newest one is seen, the others are scrolled to.
+QWidget* WizardPage::buildMessages()
+{
+    auto* area = new QScrollArea;
+    area->setObjectName(QStringLiteral("messageArea"));
+    area->setFrameShape(QFrame::NoFrame);
+    area->setWidgetResizable(true);
+    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    area->setFocusPolicy(Qt::NoFocus);
+    area->setWidget(messages);
+    area->setFixedHeight(messages->heightOfOne());
+    connect(messages, &MessageStack::shown, area->verticalScrollBar(),
+        [bar = area->verticalScrollBar()] { bar->setValue(0); });
+    return area;
+}
+
 QWidget* WizardPage::buildLeft()
 {
     // The fields scroll where the screen is small or the letters are large; the buttons stay.
-    auto* scroll = new QScrollArea;
+    auto* scroll = new FieldScroll;
     scroll->setObjectName(QStringLiteral("setupScroll"));
     scroll->setFrameShape(QFrame::NoFrame);
     scroll->setWidgetResizable(true);
@@ -90,7 +118,6 @@ QWidget* WizardPage::buildLeft()
     scroll->setFocusPolicy(Qt::NoFocus);
     scroll->setWidget(setup);
     auto* left = new QWidget;
-    left->setMinimumWidth(360);
     auto* layout = new QVBoxLayout(left);
     layout->setContentsMargins(0, 0, margin, 0);
     layout->setSpacing(spacing);

@@ -48,6 +48,7 @@ public:
     StatusStrip* const status;
 
 private:
+    [[nodiscard]] QWidget* buildMessages();
     [[nodiscard]] QWidget* buildLeft();
 
     QSplitter* m_columns;

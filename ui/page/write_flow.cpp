@@ -57,7 +57,7 @@ void WriteFlow::proceedToRestore()
     begin(Action::RestorePrevious);
 }
 
-void WriteFlow::proceedToRestore(const BackupChoice& choice)
+void WriteFlow::restore(const BackupChoice& choice)
 {
     back();
     m_choice = choice;

@@ -29,7 +29,7 @@ public:
     /// The same for going back to the state before the last write.
     void proceedToRestore();
     /// The same for a backup that was chosen, as soon as its axis is the current one and read.
-    void proceedToRestore(const BackupChoice& choice);
+    void restore(const BackupChoice& choice);
     void back();
     [[nodiscard]] bool isPreviewing() const;
 

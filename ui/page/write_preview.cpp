@@ -81,6 +81,7 @@ void WritePreview::build()
     titleFont.setPointSizeF(titleFont.pointSizeF() * 1.2);
     titleFont.setBold(true);
     m_title->setFont(titleFont);
+    m_title->setWordWrap(true);
     m_rows->setObjectName(QStringLiteral("previewRows"));
     m_rows->setColumnCount(3);
     m_rows->verticalHeader()->hide();

@@ -10,6 +10,12 @@
 
 namespace axiscomp::ui {
 
+namespace {
+
+constexpr int widestPicture = 50; // in letters: one alone stays small
+
+} // namespace
+
 ChangePictures::ChangePictures(QWidget* parent)
     : QWidget(parent)
     , m_before(new TableThumbnail)
@@ -23,8 +29,11 @@ ChangePictures::ChangePictures(QWidget* parent)
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(10);
-    for (TableThumbnail* thumbnail : {m_before, m_after, m_difference})
+    for (TableThumbnail* thumbnail : {m_before, m_after, m_difference}) {
+        thumbnail->setMaximumWidth(widestPicture * fontMetrics().averageCharWidth());
         layout->addWidget(thumbnail, 1);
+    }
+    layout->addStretch();
 }
 
 void ChangePictures::setChange(const TableChange& change, const std::string& unit)

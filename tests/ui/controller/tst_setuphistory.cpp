@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/support/page_fixture.h"
 #include "tests/ui/support/window_test.h"
+#include "ui/controller/setup_history.h"
 #include "ui/controller/table_selection.h"
 
 #include <QAction>

@@ -81,7 +81,7 @@ private Q_SLOTS:
         QVERIFY(list.topLevelItem(1)->text(Table).contains(QStringLiteral("11 × 7 points")));
         list.setCurrentItem(list.topLevelItem(1));
         QTRY_VERIFY(user.the("backupPicture")
-                        .findChild<QLabel*>("thumbnailLine")
+                        .findChild<QLabel*>(QStringLiteral("thumbnailLine"))
                         ->text()
                         .contains(QStringLiteral("µm at X ")));
         QVERIFY(user.click("restoreBackupButton"));
@@ -158,7 +158,8 @@ private Q_SLOTS:
         QVERIFY(user.click("restoreBackupButton"));
         QVERIFY(user.isThere());
         QTRY_VERIFY(user.sees("confirmWriteButton"));
-        const auto warnings = user.the("previewWarnings").findChildren<QLabel*>("warningText");
+        const auto warnings =
+            user.the("previewWarnings").findChildren<QLabel*>(QStringLiteral("warningText"));
         QCOMPARE(warnings.size(), 1);
         QVERIFY2(warnings.front()->text().contains(QStringLiteral("7007")),
             qPrintable(warnings.front()->text()));

@@ -84,7 +84,8 @@ private Q_SLOTS:
         QVERIFY(user.click("writeButton"));
         QTRY_VERIFY(user.sees("acceptLargeCorrections"));
         QVERIFY(!user.the("confirmWriteButton").isEnabled());
-        const auto warnings = user.the("previewWarnings").findChildren<QLabel*>("warningText");
+        const auto warnings =
+            user.the("previewWarnings").findChildren<QLabel*>(QStringLiteral("warningText"));
         QCOMPARE(warnings.size(), 1);
         QVERIFY(warnings.front()->text().contains(
             QStringLiteral("The largest correction, 2 mm, is 5 % of the range")));

@@ -30,7 +30,9 @@ QString largestOf(double factor)
     double largest = 0.0;
     for (int y = 0; y <= 30; y += 5)
         for (int x = 0; x <= 40; x += 4) {
-            const double value = factor * 0.002 * std::sin(x / 6.0 + y / 9.0 + 1);
+            // The file has seven decimals.
+            const double value =
+                factor * std::round(0.002 * std::sin(x / 6.0 + y / 9.0 + 1) * 1e7) / 1e7;
             largest = std::abs(value) > std::abs(largest) ? value : largest;
         }
     return QStringLiteral("%1%2 µm")
@@ -68,11 +70,11 @@ private Q_SLOTS:
         QVERIFY(user.click("persistencyField"));
         QVERIFY(bench.write());
         // A volatile table over a persistent one, in other units than the axis has.
-        bench.picked = bench.file(
-            QStringLiteral("um.csv"), "X [mm],Y [mm],E [um]\n0,0,0\n40,0,2\n0,30,1\n40,30,0\n");
+        bench.picked = bench.file(QStringLiteral("um.csv"),
+            "X [mm],Y [mm],height [um]\n0,0,0\n40,0,2\n0,30,1\n40,30,0\n");
         QVERIFY(user.click("openButton"));
         QTRY_VERIFY(bench.controller().dataFile().path == bench.picked);
-        QVERIFY(user.choose("tableField", QStringLiteral("E")));
+        QVERIFY(user.choose("tableField", QStringLiteral("height")));
         QVERIFY(user.click("persistencyField"));
         QVERIFY(plan(bench));
         const QWidget& warnings = user.the("previewWarnings");
@@ -81,9 +83,9 @@ private Q_SLOTS:
         QCOMPARE(said.size(), 1);
         QVERIFY2(said.front().startsWith(QStringLiteral("The new table is volatile: after a")),
             qPrintable(said.front()));
-        for (const QLabel* symbol : warnings.findChildren<QLabel*>("warningSymbol"))
+        for (const QLabel* symbol : warnings.findChildren<QLabel*>(QStringLiteral("warningSymbol")))
             QVERIFY(!symbol->pixmap().isNull());
-        QCOMPARE(warnings.findChildren<QLabel*>("warningSymbol").size(), 1);
+        QCOMPARE(warnings.findChildren<QLabel*>(QStringLiteral("warningSymbol")).size(), 1);
         QCOMPARE(user.the("previewWarnings").grab().toImage().pixelColor(4, warnings.height() / 2),
             fillColor(Tone::Warning, warnings.palette()));
         const QString remarks = user.the<QLabel>("previewRemarks").text();

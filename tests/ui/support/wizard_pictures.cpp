@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Renders every state of the page into PNG files, for a person to look at:
 // wizard-pictures FOLDER [STATE...]. QT_SCALE_FACTOR makes them larger, AXISCOMP_LONG_TEXTS makes
-// every text longer than any language needs.
+// every text longer than any language needs, AXISCOMP_PAGE_SIZE=960x540 makes the page smaller.
 #include "tests/ui/support/configuration_files.h"
 #include "tests/ui/support/page_scene.h"
 #include "tests/ui/support/window_test.h"
@@ -70,6 +70,52 @@ void writePreview(PageScene& scene)
         },
         "the list");
     scene.settle();
+}
+
+void showPreview(PageScene& scene)
+{
+    scene.click("writeButton");
+    wait(
+        [&] {
+            return scene.page().findChild<QWidget*>(QStringLiteral("pictureAfter"))->isVisible();
+        },
+        "the pictures");
+    scene.settle();
+}
+
+/// A volatile table over a persistent one.
+void previewWarning(PageScene& scene)
+{
+    scene.choose2D();
+    scene.write();
+    scene.openData(scene.stage().superData(5));
+    scene.controller().setup().setTable({1});
+    scene.controller().setup().setPersistency(Persistency::Volatile);
+    showPreview(scene);
+}
+
+void showDialog(PageScene& scene, const char* action, const char* dialog)
+{
+    scene.page().findChild<QAction*>(QLatin1StringView(action))->trigger();
+    wait([&] { return scene.page().findChild<QDialog*>(QLatin1StringView(dialog)); }, dialog);
+    QTest::qWait(600);
+}
+
+void backups(PageScene& scene)
+{
+    previewWarning(scene);
+    scene.click("confirmWriteButton");
+    scene.settle();
+    showDialog(scene, "backupsAction", "backupDialog");
+    auto* list = scene.page().findChild<QTreeWidget*>(QStringLiteral("backups"));
+    list->setCurrentItem(list->topLevelItem(0));
+    QTest::qWait(300);
+}
+
+void guide(PageScene& scene)
+{
+    unwritten2D(scene);
+    showDialog(scene, "guideAction", "guideWindow");
 }
 
 /// Micrometres for an axis in millimetres, more of them than are likely.
@@ -200,6 +246,12 @@ void table3D(PageScene& scene)
     scene.settle();
 }
 
+void preview3D(PageScene& scene)
+{
+    table3D(scene);
+    showPreview(scene);
+}
+
 void showValues(PageScene& scene, int row, int column)
 {
     scene.page().findChild<QTabWidget*>(QStringLiteral("previewTabs"))->setCurrentIndex(1);
@@ -241,6 +293,12 @@ void curve1D(PageScene& scene)
     scene.write();
     scene.controller().setup().setTable({1});
     scene.settle();
+}
+
+void preview1D(PageScene& scene)
+{
+    curve1D(scene);
+    showPreview(scene);
 }
 
 void curve1DValues(PageScene& scene)
@@ -501,6 +559,11 @@ const std::vector<State>& states()
         {"first-start", firstStart},
         {"unwritten-2d", unwritten2D},
         {"write-preview", writePreview},
+        {"preview-warning", previewWarning},
+        {"preview-1d", preview1D},
+        {"preview-3d", preview3D},
+        {"backups", backups},
+        {"guide", guide},
         {"large-corrections", largeCorrections},
         {"refused-angle", refusedAngle},
         {"incomplete-bed", incompleteBed},
@@ -539,6 +602,9 @@ const std::vector<State>& states()
 void render(const State& state, const QString& file)
 {
     PageScene scene(state.isHomed);
+    const QStringList size = qEnvironmentVariable("AXISCOMP_PAGE_SIZE").split(u'x');
+    if (size.size() == 2)
+        scene.page().resize(size[0].toInt(), size[1].toInt());
     state.make(scene);
     scene.page().setFocus();
     QWidget* shown = &scene.page();
