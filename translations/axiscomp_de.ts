@@ -4447,6 +4447,10 @@
         <source>Dimension {number} of the table reaches from {first} to {last}: outside the travel of axis {axis}, {low} to {high}. The drive holds the value of one end everywhere.</source>
         <translation>Dimension {number} der Tabelle reicht von {first} bis {last}: außerhalb des Verfahrwegs von Achse {axis}, {low} bis {high}. Der Antrieb hält überall einen Endwert.</translation>
     </message>
+    <message>
+        <source>The backup is of another drive, the one with the serial number {number}.</source>
+        <translation>Die Sicherung ist von einem anderen Antrieb, dem mit der Seriennummer {number}.</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -6594,6 +6598,17 @@
     </message>
 </context>
 <context>
+    <name>axiscomp::ui::GuideWindow</name>
+    <message>
+        <source>User Guide</source>
+        <translation>Benutzerhandbuch</translation>
+    </message>
+    <message>
+        <source>User guide</source>
+        <translation>Benutzerhandbuch</translation>
+    </message>
+</context>
+<context>
     <name>axiscomp::ui::ImportConfigurationDialog</name>
     <message>
         <source>Import TAM Configuration</source>
@@ -7108,6 +7123,14 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <source>Makes the change that was undone again</source>
         <translation>Macht die zurückgenommene Änderung noch einmal</translation>
     </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Hilfe</translation>
+    </message>
+    <message>
+        <source>User &amp;Guide</source>
+        <translation>Benutzer&amp;handbuch</translation>
+    </message>
 </context>
 <context>
     <name>axiscomp::ui::ParameterExport</name>
@@ -7119,24 +7142,12 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
 <context>
     <name>axiscomp::ui::PreviewPanel</name>
     <message>
-        <source>Compensate the position errors of an axis</source>
-        <translation>Die Positionsfehler einer Achse kompensieren</translation>
-    </message>
-    <message>
-        <source>Select the axis and the registers that its error depends on. Open a file of positions and compensation values (reference minus encoder) and select a table. Write uploads and verifies table and settings; Activate switches the compensation on. Orange fields differ from the drive; nothing reaches the drive before Write.</source>
-        <translation>Die Achse und die Register wählen, von denen ihr Fehler abhängt. Eine Datei mit Positionen und Kompensationswerten (Referenz minus Geber) öffnen und eine Tabelle wählen. Schreiben überträgt und verifiziert Tabelle und Einstellungen; Aktivieren schaltet die Kompensation ein. Orange Felder weichen vom Antrieb ab; vor dem Schreiben erreicht nichts den Antrieb.</translation>
-    </message>
-    <message>
         <source>Save Exa&amp;mple…</source>
         <translation>&amp;Beispiel speichern…</translation>
     </message>
     <message>
         <source>Picture</source>
         <translation>Bild</translation>
-    </message>
-    <message>
-        <source>Example file for %1D:</source>
-        <translation>Beispieldatei für %1D:</translation>
     </message>
     <message>
         <source>Save a small %1D calibration file as an example</source>
