@@ -46,6 +46,7 @@ protected:
 
 private:
     void build();
+    void addMapActions();
     void connectTools();
     void retranslate();
     void showTable();
