@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The window's picture and values of the largest tables, drawn offscreen at the size that they have
 // on the page. The time of copying as many pixels as the picture has is the measure for a machine.
+#include "core/table/contours.h"
 #include "ui/data/values_model.h"
 #include "ui/plot/plot_canvas.h"
+#include "ui/plot/surface_image.h"
 
 #include <benchmark/benchmark.h>
 
@@ -10,6 +12,7 @@
 #include <QImage>
 
 #include "ui/plot/custom_plot.h"
+#include "ui/plot/table_map.h"
 
 #include <cmath>
 
@@ -102,6 +105,41 @@ void map724Crosshair(benchmark::State& state)
     }
 }
 
+/// 28 long lines and rings.
+CompensationTable hills()
+{
+    CompensationTable table = *waves({724, 724});
+    for (std::size_t i = 0; i < table.values.size(); ++i)
+        table.values[i] = static_cast<float>(0.003 * std::sin(0.01 * static_cast<double>(i % 724))
+            * std::cos(0.013 * static_cast<double>(i / 724)));
+    return table;
+}
+
+void contours724(benchmark::State& state)
+{
+    const CompensationTable table = hills();
+    for (auto _ : state)
+        benchmark::DoNotOptimize(contours(table, contourLevels(table)));
+}
+
+/// samples: along each dimension.
+void surface724(benchmark::State& state, int samples)
+{
+    const SurfaceSight sight{std::make_shared<const CompensationTable>(hills()), 30.0, 35.0, 1000.0,
+        {-0.003, 0.003}, pageSize};
+    for (auto _ : state)
+        benchmark::DoNotOptimize(surfaceImage(
+            sight, divergingGradient(false), QCPRange(-0.003, 0.003), Qt::black, samples));
+}
+void surface724Turning(benchmark::State& state)
+{
+    surface724(state, 100);
+}
+void surface724Whole(benchmark::State& state)
+{
+    surface724(state, 4096);
+}
+
 /// What a view asks for to draw 24 rows of 8 cells, somewhere in 720 x 720.
 void valuesScreen(benchmark::State& state)
 {
@@ -128,6 +166,9 @@ BENCHMARK(map724Change)->Unit(benchmark::kMicrosecond);
 BENCHMARK(map724Crosshair)->Unit(benchmark::kMicrosecond);
 BENCHMARK(curve100000Redraw)->Unit(benchmark::kMicrosecond);
 BENCHMARK(curve100000Change)->Unit(benchmark::kMicrosecond);
+BENCHMARK(contours724)->Unit(benchmark::kMicrosecond);
+BENCHMARK(surface724Turning)->Unit(benchmark::kMicrosecond);
+BENCHMARK(surface724Whole)->Unit(benchmark::kMicrosecond);
 BENCHMARK(valuesScreen)->Unit(benchmark::kMicrosecond);
 
 } // namespace

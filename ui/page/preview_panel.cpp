@@ -8,6 +8,7 @@
 #include "ui/page/problem_list.h"
 #include "ui/page/write_preview.h"
 #include "ui/plot/controller_combo.h"
+#include "ui/plot/surface_view.h"
 #include "ui/plot/table_plot.h"
 #include "ui/plot/values_view.h"
 #include "ui/style/contrast.h"
@@ -64,6 +65,7 @@ PreviewPanel::PreviewPanel(
     , m_tabs(new QTabWidget)
     , m_shown(new TableViewModel(this))
     , m_plot(new TablePlot(*m_shown))
+    , m_surface(new SurfaceView(*m_shown, this))
     , m_applied(new ControllerCombo)
     , m_valuesStack(new QStackedWidget)
     , m_values(new ValuesView(*m_shown))
@@ -109,6 +111,8 @@ void PreviewPanel::build()
     tools->addWidget(m_applied);
     tools->addWidget(m_example);
     m_tabs->setCornerWidget(corner);
+    m_surface->setObjectName(QStringLiteral("surfaceView"));
+    m_surface->hide();
     m_problems->hide();
     m_stack->addWidget(m_tabs);
     m_stack->addWidget(m_writePreview);
@@ -129,7 +133,7 @@ void PreviewPanel::build()
 
 void PreviewPanel::addTabShortcuts()
 {
-    for (int index = 0; index < 3; ++index) {
+    for (int index = 0; index < 4; ++index) {
         auto* shortcut = new QShortcut(QKeySequence(Qt::CTRL | (Qt::Key_1 + index)), this);
         connect(shortcut, &QShortcut::activated, this, [this, index] {
             if (index >= m_tabs->count() || isWritePreviewShown())
@@ -156,6 +160,7 @@ void PreviewPanel::connectProblems()
 void PreviewPanel::connectController()
 {
     connect(m_shown, &TableViewModel::changed, this, &PreviewPanel::showFacts);
+    connect(m_shown, &TableViewModel::changed, this, &PreviewPanel::showSurfaceTab);
     connect(m_applied, &ControllerCombo::changed, this, &PreviewPanel::showApplied);
     connect(m_example, &QPushButton::clicked, this,
         [this] { Q_EMIT saveExampleRequested(m_controller.setup().edited().dimensionality); });
@@ -193,10 +198,12 @@ bool PreviewPanel::isWritePreviewShown() const
 void PreviewPanel::retranslate()
 {
     m_example->setText(tr("Save Exa&mple…"));
-    const std::array<std::pair<QWidget*, QString>, 2> pages{
-        {{m_plot, tr("Picture")}, {m_valuesStack, tr("Values")}}};
+    const std::array<std::pair<QWidget*, QString>, 3> pages{
+        {{m_plot, tr("Picture")}, {m_valuesStack, tr("Values")}, {m_surface, tr("Surface")}}};
     for (const auto& [page, title] : pages) {
         const int index = m_tabs->indexOf(page);
+        if (index < 0)
+            continue;
         m_tabs->setTabText(index, title);
         m_tabs->setTabToolTip(index, tr("%1 (Ctrl+%2)").arg(title).arg(index + 1));
     }
@@ -231,6 +238,25 @@ void PreviewPanel::showApplied()
     showFacts();
 }
 
+/// A curve has none. What is shown stays while the next table is read.
+void PreviewPanel::showSurfaceTab()
+{
+    if (!m_shown->table())
+        return;
+    const int index = m_tabs->indexOf(m_surface);
+    const bool isWanted = m_shown->table()->grid.dimensions() > 1;
+    if (isWanted == (index >= 0))
+        return;
+    if (!isWanted) {
+        m_tabs->removeTab(index);
+        m_surface->hide();
+        return;
+    }
+    const int place = m_tabs->indexOf(m_valuesStack) + 1;
+    m_tabs->insertTab(place, m_surface, tr("Surface"));
+    m_tabs->setTabToolTip(place, tr("%1 (Ctrl+%2)").arg(tr("Surface")).arg(place + 1));
+}
+
 void PreviewPanel::showMarker()
 {
     const auto& status = m_controller.status();
@@ -243,9 +269,11 @@ void PreviewPanel::showMarker()
         const DimSource& source = status->setup.sources.at(n);
         isPlace = source.isSet() && source == edited.sources.at(n);
     }
-    m_plot->setMarker(isPlace
-            ? std::optional(TablePlot::Marker{status->sourceValues, status->output})
-            : std::nullopt);
+    const auto marker = isPlace
+        ? std::optional(TablePlot::Marker{status->sourceValues, status->output})
+        : std::nullopt;
+    m_plot->setMarker(marker);
+    m_surface->setMarker(marker);
     const auto& proof = m_controller.movingProof();
     m_plot->setProved(proof && m_applied->isOfDrive() ? &proof->part() : nullptr);
 }

@@ -18,13 +18,14 @@ class ControllerCombo;
 class FileLinesView;
 class ProblemList;
 class TableViewModel;
+class SurfaceView;
 class TablePlot;
 class ValuesView;
 class WizardController;
 class WritePreview;
 
-/// The right side of the page: the table as picture and as values, the problems
-/// of the file, and, before a write, the list of what will be written.
+/// The right side of the page: the table as picture, values and surface, the problems of the file,
+/// and, before a write, the list of what will be written.
 class PreviewPanel : public QWidget {
     Q_OBJECT
 
@@ -48,6 +49,7 @@ private:
     void connectProblems();
     void showTables();
     void showApplied();
+    void showSurfaceTab();
     void showFacts();
     void showMarker();
     void showProblems();
@@ -62,6 +64,7 @@ private:
     QTabWidget* m_tabs;
     TableViewModel* m_shown;
     TablePlot* m_plot;
+    SurfaceView* m_surface;
     ControllerCombo* m_applied;
     QStackedWidget* m_valuesStack; ///< the table's values, or the file's lines
     ValuesView* m_values;

@@ -4,7 +4,11 @@
 #include "core/table/table_math.h"
 #include "ui/style/contrast.h"
 
+#include "ui/plot/cross_sections.h"
 #include "ui/plot/custom_plot.h"
+#include "ui/plot/map_contours.h"
+#include "ui/plot/map_points.h"
+#include "ui/plot/table_map.h"
 
 #include <algorithm>
 
@@ -12,43 +16,9 @@ namespace axiscomp::ui {
 
 namespace {
 
-/// A table in the plot library's form. Its own way, cell by cell with checks, takes as long as
-/// drawing.
-class TableMapData final : public QCPColorMapData {
-public:
-    TableMapData(const CompensationTable& table, double largest)
-        : QCPColorMapData(static_cast<int>(table.grid.axes[0].size),
-            static_cast<int>(table.grid.axes[1].size),
-            QCPRange(table.grid.axes[0].start, table.grid.axes[0].last()),
-            QCPRange(table.grid.axes[1].start, table.grid.axes[1].last()))
-    {
-        std::ranges::transform(
-            table.values, mData, [](float value) { return static_cast<double>(value); });
-        mDataBounds = QCPRange(-largest, largest);
-        mDataModified = true;
-    }
-};
-
 bool isDark(const QPalette& palette)
 {
     return palette.color(QPalette::Base).lightness() < 128;
-}
-
-/// Blue below zero, red above, the background's own lightness at zero: equal amounts look equally
-/// strong, and the two signs differ for colour-blind eyes too.
-QCPColorGradient divergingGradient(bool dark)
-{
-    QCPColorGradient gradient;
-    gradient.clearColorStops();
-    gradient.setColorInterpolation(QCPColorGradient::ciRGB);
-    const std::array<QColor, 5> light{QColor(5, 70, 140), QColor(90, 155, 205),
-        QColor(247, 247, 247), QColor(225, 120, 85), QColor(150, 15, 35)};
-    const std::array<QColor, 5> night{QColor(120, 195, 255), QColor(45, 105, 165),
-        QColor(38, 38, 40), QColor(175, 75, 50), QColor(255, 165, 130)};
-    const std::array<QColor, 5>& colors = dark ? night : light;
-    for (std::size_t i = 0; i < colors.size(); ++i)
-        gradient.setColorStopAt(static_cast<double>(i) / 4.0, colors[i]);
-    return gradient;
 }
 
 void stylePen(QCPAxis* axis, const QColor& text, const QColor& grid)
@@ -108,15 +78,24 @@ struct PlotCanvas::Private {
     QCPGraph* filled = nullptr; ///< points that were made up, not measured
     QCPGraph* proved = nullptr;
     QCPGraph* marker = nullptr;
-    QCPColorMap* map = nullptr;
+    TableMap* map = nullptr;
+    MapPoints* points = nullptr;
+    MapContours* contours = nullptr;
+    CrossSections* sections = nullptr;
+    bool hasPoints = false;
+    bool hasContours = false;
+    bool hasSections = false;
+    std::optional<GridPoint> sectionPoint;
     QCPColorScale* scale = nullptr;
     std::unique_ptr<Cross> crosshair;
+    std::unique_ptr<Cross> sectionCross; ///< where nothing else says where the sections are
     std::array<std::unique_ptr<Cross>, 2> cursors;
     std::array<QCPItemText*, 2> cursorLabels{};
 
     std::shared_ptr<const CompensationTable> table;
     std::shared_ptr<const CompensationTable> second;
     double range = 1.0;
+    QString xLabel;
     bool isDrawn = false; ///< a layer alone can be drawn only after the whole was
 
     [[nodiscard]] bool isMap() const { return table && table->grid.dimensions() == 2; }
@@ -153,16 +132,18 @@ PlotCanvas::PlotCanvas(QWidget* parent) : QObject(parent), d(std::make_unique<Pr
     d->marker->setLayer(QStringLiteral("overlay"));
     d->marker->removeFromLegend();
     d->marker->setLineStyle(QCPGraph::lsNone);
-    d->map = new QCPColorMap(plot.xAxis, plot.yAxis);
+    d->map = new TableMap(plot);
     d->map->removeFromLegend();
-    d->map->setInterpolate(false);
-    d->map->setTightBoundary(false);
+    d->points = new MapPoints(plot);
+    d->contours = new MapContours(plot); // its labels are above the points
     d->scale = new QCPColorScale(&plot);
     d->scale->setBarWidth(12);
     d->scale->setRangeDrag(false);
     d->scale->setRangeZoom(false);
     d->map->setColorScale(d->scale);
+    d->sections = new CrossSections(plot);
     d->crosshair = std::make_unique<Cross>(plot);
+    d->sectionCross = std::make_unique<Cross>(plot);
     for (std::size_t which = 0; which < d->cursors.size(); ++which) {
         d->cursors[which] = std::make_unique<Cross>(plot);
         auto* label = new QCPItemText(&plot);
@@ -194,29 +175,49 @@ void PlotCanvas::show(std::shared_ptr<const CompensationTable> table,
     d->second = std::move(second);
     d->range = scale;
     d->crosshair->hide();
+    d->sectionPoint.reset();
     d->curve->data()->clear();
     d->secondCurve->data()->clear();
     d->map->setVisible(d->isMap());
-    QCPLayoutGrid* layout = d->plot->plotLayout();
-    const bool hasScale = layout->elementCount() > 0 && d->scale->layout() == layout;
-    if (d->isMap() && !hasScale)
-        layout->addElement(0, 1, d->scale);
-    if (!d->isMap() && hasScale) {
-        layout->take(d->scale);
-        layout->simplify();
-    }
-    d->scale->setVisible(d->isMap());
+    layOut();
     d->plot->legend->setVisible(d->table && !d->isMap() && d->second);
     if (d->isMap())
         showMap();
     else if (d->table)
         showCurve();
     showFilled();
+    setGridPointsShown(d->hasPoints);
+    setContoursShown(d->hasContours);
+    d->sections->setTable(d->isMap() ? d->table : nullptr);
+    showSections();
     if (!isSameGrid)
         return resetZoom();
     if (!d->isMap())
         fitValues();
     replot();
+}
+
+/// The map's curves beside and below it, its scale at the right of all.
+void PlotCanvas::layOut()
+{
+    const bool hasSections = d->hasSections && d->isMap();
+    QCPLayoutGrid* layout = d->plot->plotLayout();
+    for (QCPLayoutElement* element : std::initializer_list<QCPLayoutElement*>{
+             d->scale, d->sections->beside(), d->sections->below()})
+        if (element->layout() == layout)
+            layout->take(element);
+    layout->simplify();
+    if (hasSections) {
+        layout->addElement(0, 1, d->sections->beside());
+        layout->addElement(1, 0, d->sections->below());
+    }
+    if (d->isMap())
+        layout->addElement(0, hasSections ? 2 : 1, d->scale);
+    d->scale->setVisible(d->isMap());
+    d->sections->setVisible(hasSections);
+    // The curve below has them.
+    d->plot->xAxis->setTickLabels(!hasSections);
+    d->plot->xAxis->setLabel(hasSections ? QString() : d->xLabel);
 }
 
 void PlotCanvas::showCurve()
@@ -249,8 +250,53 @@ void PlotCanvas::showCurve()
 
 void PlotCanvas::showMap()
 {
-    d->map->setData(new TableMapData(*d->table, d->range)); // the map takes it over
+    d->map->setTable(d->table);
     d->map->setDataRange(QCPRange(-d->range, d->range));
+}
+
+void PlotCanvas::setGridPointsShown(bool isShown)
+{
+    d->hasPoints = isShown;
+    d->points->setTable(isShown && d->isMap() ? d->table : nullptr);
+    replot();
+}
+
+void PlotCanvas::setContoursShown(bool isShown)
+{
+    d->hasContours = isShown;
+    d->contours->setTable(isShown && d->isMap() ? d->table : nullptr);
+    replot();
+}
+
+void PlotCanvas::setSectionsShown(bool isShown)
+{
+    d->hasSections = isShown;
+    layOut();
+    showSections();
+    replot();
+}
+
+void PlotCanvas::setSectionPoint(const std::optional<GridPoint>& point)
+{
+    d->sectionPoint = point;
+    showSections();
+}
+
+void PlotCanvas::showSections()
+{
+    d->sectionCross->hide();
+    if (!d->hasSections || !d->isMap())
+        return;
+    const auto& axes = d->table->grid.axes;
+    std::array<double, 2> place{
+        (axes[0].start + axes[0].last()) / 2.0, (axes[1].start + axes[1].last()) / 2.0};
+    if (d->sectionPoint)
+        place = {d->xOf(*d->sectionPoint), d->yOf(*d->sectionPoint)};
+    else if (!d->marker->data()->isEmpty())
+        place = {d->marker->dataMainKey(0), d->marker->dataMainValue(0)};
+    if (!d->sectionPoint)
+        d->sectionCross->show(place[0], place[1]);
+    d->sections->setPlace(place);
 }
 
 /// Crosses, as far as they can be told apart.
@@ -269,8 +315,10 @@ void PlotCanvas::showFilled()
 
 void PlotCanvas::setLabels(const QString& x, const QString& y, const QString& value)
 {
-    d->plot->xAxis->setLabel(x);
+    d->xLabel = x;
+    d->plot->xAxis->setLabel(d->hasSections && d->isMap() ? QString() : x);
     d->plot->yAxis->setLabel(d->isMap() ? y : value);
+    d->sections->setLabels(x);
     d->scale->axis()->setLabel(value);
 }
 
@@ -290,7 +338,10 @@ void PlotCanvas::setPalette(const QPalette& palette)
     plot.setBackground(base);
     for (QCPAxis* axis : {plot.xAxis, plot.yAxis, plot.xAxis2, plot.yAxis2, d->scale->axis()})
         stylePen(axis, text, grid);
+    for (QCPAxis* axis : d->sections->axes())
+        stylePen(axis, text, grid);
     d->map->setGradient(divergingGradient(dark));
+    d->contours->setColors(text, base);
     const QColor curve = dark ? QColor(110, 185, 255) : QColor(5, 80, 160);
     const auto recolor = [](QCPGraph& graph, const QColor& color) {
         QPen pen = graph.pen();
@@ -298,6 +349,8 @@ void PlotCanvas::setPalette(const QPalette& palette)
         graph.setPen(pen);
     };
     recolor(*d->curve, curve);
+    d->sections->setPen(QPen(curve, 1.5));
+    d->sectionCross->setPen(QPen(grid, 1, Qt::DashLine));
     recolor(*d->secondCurve, grid);
     plot.legend->setBrush(base);
     plot.legend->setTextColor(text);
@@ -312,6 +365,7 @@ void PlotCanvas::setPalette(const QPalette& palette)
         QCPScatterStyle(QCPScatterStyle::ssDiamond, QPen(text, 1.5), QBrush(marker), 11));
     d->filled->setScatterStyle(
         QCPScatterStyle(QCPScatterStyle::ssCross, QPen(text, 1.0), Qt::NoBrush, 7));
+    d->points->setColors(text, base);
     d->crosshair->setPen(QPen(text, 1, Qt::DotLine));
     const std::array<QColor, 2> cursorColors{text, marker};
     for (std::size_t which = 0; which < d->cursors.size(); ++which) {
@@ -326,6 +380,7 @@ void PlotCanvas::setMarker(const std::optional<std::array<double, 2>>& position,
     d->marker->data()->clear();
     if (position)
         d->marker->addData((*position)[0], d->isMap() ? (*position)[1] : value);
+    showSections();
     paintOverlay();
 }
 
@@ -375,16 +430,18 @@ std::optional<GridPoint> PlotCanvas::pointAt(const QPointF& pixel) const
 
 void PlotCanvas::resetZoom()
 {
+    // A little more than the table: the points at its ends are seen whole.
+    constexpr double margin = 1.04;
     if (d->isMap()) {
-        // The outer cells whole: their points are in the middle of them.
         const auto& axes = d->table->grid.axes;
         for (const auto& [drawn, axis] :
-            {std::pair(d->plot->xAxis, &axes[0]), std::pair(d->plot->yAxis, &axes[1])})
-            drawn->setRange(
-                axis->start - axis->distance / 2.0, axis->last() + axis->distance / 2.0);
+            {std::pair(d->plot->xAxis, &axes[0]), std::pair(d->plot->yAxis, &axes[1])}) {
+            drawn->setRange(axis->start, axis->last());
+            drawn->scaleRange(margin, drawn->range().center());
+        }
     } else if (d->table) {
         d->plot->xAxis->setRange(d->table->grid.axes[0].start, d->table->grid.axes[0].last());
-        d->plot->xAxis->scaleRange(1.04, d->plot->xAxis->range().center());
+        d->plot->xAxis->scaleRange(margin, d->plot->xAxis->range().center());
         fitValues();
     }
     replot();

@@ -33,6 +33,14 @@ public:
     void setLabels(const QString& x, const QString& y, const QString& value);
     void setNames(const QString& first, const QString& second);
     void setPalette(const QPalette& palette);
+    /// The grid points of a map, where they can be told apart.
+    void setGridPointsShown(bool isShown);
+    /// Lines of equal value over a map.
+    void setContoursShown(bool isShown);
+    /// Curves along both axes of a map, through the place of setSectionPoint.
+    void setSectionsShown(bool isShown);
+    /// None: through the marker, or through the middle without one.
+    void setSectionPoint(const std::optional<GridPoint>& point);
 
     /// In positions of the drawn axes; none hides it.
     void setMarker(const std::optional<std::array<double, 2>>& position, double value);
@@ -54,6 +62,8 @@ private:
     void showCurve();
     void showMap();
     void showFilled();
+    void layOut();
+    void showSections();
     void fitValues();
     void paintOverlay();
 

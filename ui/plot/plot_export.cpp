@@ -16,8 +16,7 @@
 #include <QPicture>
 
 #include "ui/plot/custom_plot.h"
-
-#include <algorithm>
+#include "ui/plot/table_map.h"
 
 namespace axiscomp::ui {
 
@@ -58,39 +57,23 @@ QString savePng(const QImage& image, const QString& path)
 /// A picture in lines and letters; the map apart from it, because coding its cells takes long.
 struct Drawing {
     QPicture lines;
-    std::shared_ptr<const CompensationTable> mapped; ///< null: a curve
-    QCPColorGradient gradient;
-    QCPRange range;
-    QRectF mapPlace; ///< in the picture's pixels, half a cell beyond the outer points
-    QRect clip;
+    MapSection map; ///< without a table: a curve
 };
 
-QCPColorMap* visibleMap(QCustomPlot& plot)
+TableMap* visibleMap(QCustomPlot& plot)
 {
     for (int i = 0; i < plot.plottableCount(); ++i) {
-        auto* map = qobject_cast<QCPColorMap*>(plot.plottable(i));
+        auto* map = dynamic_cast<TableMap*>(plot.plottable(i));
         if (map && map->visible())
             return map;
     }
     return nullptr;
 }
 
-QRectF placeOf(const CompensationTable& table, const QCustomPlot& plot)
-{
-    const auto edges = [](const GridAxis& axis, const QCPAxis& drawn) {
-        const double half = axis.distance / 2.0;
-        return std::pair(
-            drawn.coordToPixel(axis.start - half), drawn.coordToPixel(axis.last() + half));
-    };
-    const auto [left, right] = edges(table.grid.axes[0], *plot.xAxis);
-    const auto [bottom, top] = edges(table.grid.axes[1], *plot.yAxis);
-    return {QPointF(left, top), QPointF(right, bottom)};
-}
-
 Drawing drawingOf(QCustomPlot& plot, const std::shared_ptr<const CompensationTable>& shown)
 {
     Drawing drawing;
-    QCPColorMap* map = visibleMap(plot);
+    TableMap* map = visibleMap(plot);
     const QRect viewport = plot.viewport();
     plot.setViewport(QRect(0, 0, pictureWidth, pictureHeight));
     plot.setBackground(QBrush(Qt::NoBrush));
@@ -107,48 +90,23 @@ Drawing drawingOf(QCustomPlot& plot, const std::shared_ptr<const CompensationTab
         QCPPainter painter(&drawing.lines);
         plot.toPainter(&painter, pictureWidth, pictureHeight);
     }
-    if (map) {
-        drawing.mapped = shown;
-        drawing.gradient = map->gradient();
-        drawing.range = map->dataRange();
-        drawing.mapPlace = placeOf(*shown, plot);
-        drawing.clip = plot.axisRect()->rect();
-    }
+    if (map)
+        drawing.map = sectionOf(*map, shown);
     setShown(true);
     plot.setViewport(viewport);
     return drawing;
 }
 
-QImage mapImage(Drawing& drawing)
-{
-    const Grid& grid = drawing.mapped->grid;
-    const int width = static_cast<int>(grid.axes[0].size);
-    const int height = static_cast<int>(grid.axes[1].size);
-    QImage image(width, height, QImage::Format_RGB32);
-    std::vector<double> row(grid.axes[0].size);
-    const float* values = drawing.mapped->values.data();
-    for (int y = 0; y < height; ++y, values += width) {
-        std::copy_n(values, width, row.begin());
-        auto* pixels = reinterpret_cast<QRgb*>(image.scanLine(height - 1 - y));
-        drawing.gradient.colorize(row.data(), drawing.range, pixels, width);
-    }
-    return image;
-}
-
-void paintMap(QPainter& painter, Drawing& drawing)
+void paintMap(QPainter& painter, const MapSection& map)
 {
     // Larger than the page shows: readers of documents blur small images.
-    constexpr int pixelsPerCell = 3;
-    const QImage cells = mapImage(drawing);
-    const QSize size(std::max(cells.width(), pictureWidth * pixelsPerCell),
-        std::max(cells.height(), pictureHeight * pixelsPerCell));
-    painter.save();
-    painter.setClipRect(drawing.clip);
-    painter.drawImage(drawing.mapPlace, cells.scaled(size));
-    painter.restore();
+    constexpr double pixelsPerPixel = 3.0;
+    if (map.place.isEmpty())
+        return;
+    painter.drawImage(map.place, imageOf(map, (map.place.size() * pixelsPerPixel).toSize()));
 }
 
-QString savePdf(Drawing drawing, const QString& path)
+QString savePdf(const Drawing& drawing, const QString& path)
 {
     QByteArray bytes;
     QBuffer buffer(&bytes);
@@ -161,8 +119,8 @@ QString savePdf(Drawing drawing, const QString& path)
         writer.setPageSize(QPageSize(QSizeF(pictureWidth, pictureHeight) * pointsPerPixel,
             QPageSize::Point, QString(), QPageSize::ExactMatch));
         QPainter painter(&writer);
-        if (drawing.mapped)
-            paintMap(painter, drawing);
+        if (drawing.map.table)
+            paintMap(painter, drawing.map);
         painter.drawPicture(0, 0, drawing.lines);
     }
     return savedAs(path, bytes);

@@ -5,12 +5,14 @@
 #include "ui/plot/table_content_combo.h"
 #include "ui/plot/table_plot_p.h"
 
+#include <QAction>
 #include <QApplication>
 #include <QBoxLayout>
 #include <QEvent>
 #include <QFileDialog>
 #include <QKeyEvent>
 #include <QLabel>
+#include <QMenu>
 #include <QMouseEvent>
 #include <QToolButton>
 
@@ -45,6 +47,9 @@ void TablePlot::build()
     };
     d->contentBox = new TableContentCombo(d->shown, this);
     d->contentBox->setObjectName(QStringLiteral("plotContent"));
+    d->showButton = tool("plotShow");
+    d->showButton->setPopupMode(QToolButton::InstantPopup);
+    d->showButton->setMenu(new QMenu(d->showButton));
     d->cursorsButton = tool("plotCursors");
     d->cursorsButton->setCheckable(true);
     d->resetButton = tool("plotResetZoom");
@@ -52,7 +57,7 @@ void TablePlot::build()
     d->tools = new QHBoxLayout;
     d->tools->addWidget(d->contentBox);
     d->tools->addStretch(1);
-    for (QToolButton* button : {d->cursorsButton, d->resetButton, d->exportButton})
+    for (QToolButton* button : {d->showButton, d->cursorsButton, d->resetButton, d->exportButton})
         d->tools->addWidget(button);
 
     d->canvas = new PlotCanvas(this);
@@ -61,6 +66,7 @@ void TablePlot::build()
     plot.setFocusPolicy(Qt::StrongFocus);
     plot.setMouseTracking(true);
     plot.installEventFilter(this);
+    addMapActions();
     d->slice = new SliceRow(d->shown, this);
     d->readout = new PlainLabel(this);
     d->readout->setObjectName(QStringLiteral("plotReadout"));
@@ -73,6 +79,24 @@ void TablePlot::build()
     layout->addWidget(&plot, 1);
     layout->addWidget(d->slice);
     layout->addWidget(d->readout);
+}
+
+void TablePlot::addMapActions()
+{
+    const auto action = [this](const char* name, Qt::Key key, auto method) {
+        QAction* added = d->showButton->menu()->addAction(QString());
+        added->setObjectName(QLatin1StringView(name));
+        added->setCheckable(true);
+        added->setShortcut(key);
+        added->setShortcutContext(Qt::WidgetShortcut); // a letter is one everywhere else
+        added->setShortcutVisibleInContextMenu(true);
+        d->canvas->plot().addAction(added);
+        connect(added, &QAction::toggled, d->canvas, method);
+        return added;
+    };
+    d->pointsAction = action("plotPoints", Qt::Key_G, &PlotCanvas::setGridPointsShown);
+    d->contoursAction = action("plotContours", Qt::Key_C, &PlotCanvas::setContoursShown);
+    d->sectionsAction = action("plotSections", Qt::Key_X, &PlotCanvas::setSectionsShown);
 }
 
 void TablePlot::addTool(QWidget* tool)
@@ -95,6 +119,9 @@ void TablePlot::showTable()
     d->canvas->show(d->shown.drawn(), d->shown.second(), d->shown.scale());
     for (QToolButton* button : {d->cursorsButton, d->resetButton, d->exportButton})
         button->setEnabled(d->shown.drawn() != nullptr);
+    d->showButton->setVisible(d->isMap());
+    for (QAction* action : d->showButton->menu()->actions())
+        action->setEnabled(d->isMap());
     d->hovered.reset();
     retranslate();
     setCursorsShown(d->hasCursors);

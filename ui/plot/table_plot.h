@@ -51,6 +51,7 @@ protected:
 
 private:
     void build();
+    void addMapActions();
     void connectTools();
     void retranslate();
     void showTable();

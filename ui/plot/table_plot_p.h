@@ -6,6 +6,7 @@
 
 #include <QPointF>
 
+class QAction;
 class QHBoxLayout;
 class QLabel;
 class QToolButton;
@@ -29,6 +30,10 @@ struct TablePlot::Private {
 
     TableContentCombo* contentBox = nullptr;
     QHBoxLayout* tools = nullptr;
+    QToolButton* showButton = nullptr; ///< its menu has what a map can show besides
+    QAction* pointsAction = nullptr;
+    QAction* contoursAction = nullptr;
+    QAction* sectionsAction = nullptr;
     QToolButton* cursorsButton = nullptr;
     QToolButton* resetButton = nullptr;
     QToolButton* exportButton = nullptr;

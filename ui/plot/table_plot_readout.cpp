@@ -4,6 +4,7 @@
 #include "ui/plot/table_plot_p.h"
 #include "ui/text/value_text.h"
 
+#include <QAction>
 #include <QLabel>
 #include <QToolButton>
 
@@ -40,6 +41,17 @@ void TablePlot::retranslate()
 {
     d->contentBox->retranslate();
     d->slice->retranslate();
+    d->showButton->setText(tr("Show"));
+    constexpr int arrow = 14; // the style draws it over the text
+    d->showButton->setMinimumWidth(d->showButton->sizeHint().width() + arrow);
+    d->showButton->setToolTip(tr("What is drawn over the map"));
+    d->pointsAction->setText(tr("&Grid points"));
+    d->pointsAction->setToolTip(tr("The points of the table, where they are far enough apart"));
+    d->contoursAction->setText(tr("&Contours"));
+    d->contoursAction->setToolTip(tr("Lines of equal value"));
+    d->sectionsAction->setText(tr("Cross-&sections"));
+    d->sectionsAction->setToolTip(tr("The values along both axes through the cross-hair or the "
+                                     "cursor, or else through the position of the axis"));
     d->cursorsButton->setText(tr("C&ursors"));
     d->cursorsButton->setToolTip(tr("Two cursors and their difference. Arrow keys move the cursor, "
                                     "Space changes between A and B, a click sets it."));
@@ -48,7 +60,7 @@ void TablePlot::retranslate()
                                   "Shift and drag zooms into a rectangle, dragging moves."));
     d->exportButton->setText(tr("Save picture…"));
     d->exportButton->setToolTip(tr("Save as PNG or PDF, or the values shown as CSV"));
-    for (QToolButton* button : {d->cursorsButton, d->resetButton, d->exportButton})
+    for (QToolButton* button : {d->showButton, d->cursorsButton, d->resetButton, d->exportButton})
         button->setAccessibleDescription(button->toolTip());
     d->canvas->setNames(tr("selected"), tr("on the drive"));
     QCustomPlot& plot = d->canvas->plot();
@@ -75,6 +87,9 @@ void TablePlot::showCurrent()
         d->cursors[d->activeCursor] = *current;
         d->canvas->setCursor(static_cast<int>(d->activeCursor), current);
     }
+    d->canvas->setSectionPoint(d->hasCursors ? std::optional(d->cursors[d->activeCursor])
+            : d->hovered                     ? d->hovered
+                                             : current);
     d->canvas->setCrosshair(d->hasCursors ? std::nullopt : d->hovered ? d->hovered : current);
     showReadout();
 }

@@ -72,7 +72,7 @@ private Q_SLOTS:
         QCOMPARE(drive.keys(), (QStringList{"axes", "drive", "endpoint", "serialNumber"}));
         QCOMPARE(drive.value("drive").toString(), "First");
         const QJsonObject axis = drive.value("axes").toArray().at(0).toObject();
-        QCOMPARE(axis.keys(), (QStringList{"homing", "index", "name", "state", "unit"}));
+        QCOMPARE(axis.keys(), (QStringList{"homing", "index", "name", "state", "travel", "unit"}));
         QCOMPARE(axis.value("unit").toString(), "Millimeter");
         const QJsonObject broken = drives.at(1).toObject();
         QCOMPARE(broken.keys(), (QStringList{"endpoint", "error"}));

@@ -5,6 +5,7 @@
 #include "tests/ui/support/configuration_files.h"
 #include "tests/ui/support/page_scene.h"
 #include "tests/ui/support/window_test.h"
+#include "ui/plot/surface_view.h"
 #include "ui/text/language.h"
 
 #include <QAction>
@@ -252,6 +253,31 @@ void preview3D(PageScene& scene)
     showPreview(scene);
 }
 
+/// Everything that can be drawn over a map, and its cross-sections.
+void mapDetails(PageScene& scene)
+{
+    scene.choose2D();
+    for (const char* name : {"plotPoints", "plotContours", "plotSections"})
+        scene.page().findChild<QAction*>(QLatin1StringView(name))->setChecked(true);
+    QTest::qWait(200);
+    scene.settle();
+}
+
+void showSurface(PageScene& scene)
+{
+    auto* tabs = scene.page().findChild<QTabWidget*>(QStringLiteral("previewTabs"));
+    auto* view = scene.page().findChild<SurfaceView*>(QStringLiteral("surfaceView"));
+    tabs->setCurrentWidget(view);
+    wait([&] { return view->isWhole(); }, "the surface");
+    scene.settle();
+}
+
+void surface2D(PageScene& scene)
+{
+    scene.choose2D();
+    showSurface(scene);
+}
+
 void showValues(PageScene& scene, int row, int column)
 {
     scene.page().findChild<QTabWidget*>(QStringLiteral("previewTabs"))->setCurrentIndex(1);
@@ -264,6 +290,12 @@ void values2D(PageScene& scene)
 {
     scene.choose2D();
     showValues(scene, 5, 2);
+}
+
+void surface3D(PageScene& scene)
+{
+    table3D(scene);
+    showSurface(scene);
 }
 
 void values3D(PageScene& scene)
@@ -573,6 +605,9 @@ const std::vector<State>& states()
         {"active", active},
         {"bad-file", badFile},
         {"bad-file-lines", badFileLines},
+        {"map-details", mapDetails},
+        {"surface-2d", surface2D},
+        {"surface-3d", surface3D},
         {"values-2d", values2D},
         {"values-3d", values3D},
         {"difference", difference},
