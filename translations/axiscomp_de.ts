@@ -7173,6 +7173,10 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <source>%1 (Ctrl+%2)</source>
         <translation>%1 (Strg+%2)</translation>
     </message>
+    <message>
+        <source>Surface</source>
+        <translation>Fläche</translation>
+    </message>
 </context>
 <context>
     <name>axiscomp::ui::ProblemList</name>
@@ -7748,6 +7752,49 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
     </message>
 </context>
 <context>
+    <name>axiscomp::ui::SurfaceView</name>
+    <message>
+        <source>Heights</source>
+        <translation>Überhöhung</translation>
+    </message>
+    <message>
+        <source>How many times too high the errors are drawn, compared with the axes (+ and -)</source>
+        <translation>Wievielmal zu hoch die Fehler im Vergleich zu den Achsen gezeichnet werden (+ und -)</translation>
+    </message>
+    <message>
+        <source>Exaggeration</source>
+        <translation>Überhöhung</translation>
+    </message>
+    <message>
+        <source>fitting</source>
+        <translation>passend</translation>
+    </message>
+    <message>
+        <source>First view</source>
+        <translation>Anfangsansicht</translation>
+    </message>
+    <message>
+        <source>See the surface as at first (Home). Arrow keys and dragging turn it.</source>
+        <translation>Die Fläche wie am Anfang zeigen (Pos1). Pfeiltasten und Ziehen drehen sie.</translation>
+    </message>
+    <message>
+        <source>Surface of the table</source>
+        <translation>Fläche der Tabelle</translation>
+    </message>
+    <message>
+        <source>difference</source>
+        <translation>Differenz</translation>
+    </message>
+    <message>
+        <source>compensation</source>
+        <translation>Kompensation</translation>
+    </message>
+    <message>
+        <source>heights × %1</source>
+        <translation>Überhöhung × %1</translation>
+    </message>
+</context>
+<context>
     <name>axiscomp::ui::TableContentCombo</name>
     <message>
         <source>Selected table</source>
@@ -7841,6 +7888,38 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
 B - A: %3</source>
         <translation>A: %1     B: %2
 B - A: %3</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Anzeigen</translation>
+    </message>
+    <message>
+        <source>What is drawn over the map</source>
+        <translation>Was über die Karte gezeichnet wird</translation>
+    </message>
+    <message>
+        <source>&amp;Grid points</source>
+        <translation>Stütz&amp;stellen</translation>
+    </message>
+    <message>
+        <source>The points of the table, where they are far enough apart</source>
+        <translation>Die Stützstellen der Tabelle, wo sie weit genug auseinander liegen</translation>
+    </message>
+    <message>
+        <source>&amp;Contours</source>
+        <translation>&amp;Höhenlinien</translation>
+    </message>
+    <message>
+        <source>Lines of equal value</source>
+        <translation>Linien gleichen Werts</translation>
+    </message>
+    <message>
+        <source>Cross-&amp;sections</source>
+        <translation>S&amp;chnitte</translation>
+    </message>
+    <message>
+        <source>The values along both axes through the cross-hair or the cursor, or else through the position of the axis</source>
+        <translation>Die Werte entlang beider Achsen durch das Fadenkreuz oder den Cursor, sonst durch die Position der Achse</translation>
     </message>
 </context>
 <context>
