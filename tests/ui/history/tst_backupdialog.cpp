@@ -83,7 +83,7 @@ private Q_SLOTS:
         QTRY_VERIFY(user.the("backupPicture")
                         .findChild<QLabel*>(QStringLiteral("thumbnailLine"))
                         ->text()
-                        .contains(QStringLiteral("µm at X ")));
+                        .contains(QStringLiteral("µm at Dim 1 ")));
         QVERIFY(user.click("restoreBackupButton"));
         QTRY_VERIFY(!user.find("backupDialog"));
         QVERIFY(user.isThere());
