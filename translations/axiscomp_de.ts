@@ -5824,11 +5824,11 @@
     <name>axiscomp::ui::ControllerCombo</name>
     <message>
         <source>As applied by %1</source>
-        <translation>Wie von %1 angewendet</translation>
+        <translation>Wie in %1</translation>
     </message>
     <message>
         <source>As applied by the drive</source>
-        <translation>Wie vom Antrieb angewendet</translation>
+        <translation>Wie im Antrieb</translation>
     </message>
     <message>
         <source>The table as the drive applies it, or converted to another controller&apos;s convention: its sign, and its rules beyond the ends</source>
@@ -7143,7 +7143,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
     <name>axiscomp::ui::PreviewPanel</name>
     <message>
         <source>Save Exa&amp;mple…</source>
-        <translation>&amp;Beispiel speichern…</translation>
+        <translation>&amp;Beispiel…</translation>
     </message>
     <message>
         <source>Picture</source>
@@ -7881,7 +7881,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
     </message>
     <message>
         <source>Save picture…</source>
-        <translation>Bild speichern…</translation>
+        <translation>Speichern…</translation>
     </message>
     <message>
         <source>A: %1     B: %2
@@ -7891,7 +7891,7 @@ B - A: %3</translation>
     </message>
     <message>
         <source>Show</source>
-        <translation>Anzeigen</translation>
+        <translation>Zeigen</translation>
     </message>
     <message>
         <source>What is drawn over the map</source>

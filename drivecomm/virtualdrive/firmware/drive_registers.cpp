@@ -197,8 +197,8 @@ void VirtualDrive::Private::defineAxisSignals(int index)
              std::pair(&profile.registers.positionMaximum, axis.high)})
         define(*pattern, {.axis = index},
             {.path = {},
-                .type = "Double",
-                .value = axis.saysTravel ? limit : 0.0,
+                .type = "Single",
+                .value = axis.saysTravel ? static_cast<float>(limit) : 0.0F,
                 .role = RegisterRole::Value});
 }
 

@@ -16,8 +16,8 @@ namespace {
 struct Travelling : CompensatorFixture {
     Travelling()
     {
-        set("Axes[0]/Parameters/PathPlanner/PositionMinimum", -10.0);
-        set("Axes[0]/Parameters/PathPlanner/PositionMaximum", 90.0);
+        set("Axes[0]/Parameters/PathPlanner/PositionMinimum", -10.0F);
+        set("Axes[0]/Parameters/PathPlanner/PositionMaximum", 90.0F);
     }
 };
 

@@ -19,7 +19,8 @@ using namespace axiscomp::drivecomm::test;
 bool mayBeMissing(const std::string& key)
 {
     static const std::set<std::string> optional{"description", "positionKinds", "errorNotHomed",
-        "errorNoTable", "errorDimensionMismatch", "errorBadSource", "errorBadTable"};
+        "errorNoTable", "errorDimensionMismatch", "errorBadSource", "errorBadTable",
+        "positionMinimum", "positionMaximum"};
     return optional.contains(key);
 }
 
@@ -68,6 +69,16 @@ private Q_SLOTS:
         const auto profile = parseProfile(document.dump(), "own.json");
         VERIFY_RESULT(profile);
         QVERIFY(profile->enums.errorNotHomed.empty());
+    }
+
+    void aProfileWithoutTheTravelOfAnAxisIsStillGood()
+    {
+        json document = genericJson();
+        document["registers"].erase("positionMinimum");
+        document["registers"].erase("positionMaximum");
+        const auto profile = parseProfile(document.dump(), "own.json");
+        VERIFY_RESULT(profile);
+        QVERIFY(profile->registers.positionMinimum.empty());
     }
 
     void anUnknownKeyIsNamed_data()

@@ -113,7 +113,7 @@ void TestDriveRegisters::hasNothingThatTheProfileDoesNotReach()
     };
     QCOMPARE(count("General"), std::size_t{7 + 1 + 1 + 1 + 1});
     QCOMPARE(count("Axes[0]"), count("Axes[1]"));
-    QCOMPARE(count("Axes[0]"), std::size_t{4 + 1 + 4 + 1 + 1 + 6 + 2 + 6});
+    QCOMPARE(count("Axes[0]"), std::size_t{4 + 1 + 4 + 1 + 1 + 6 + 2 + 6 + 2});
     QCOMPARE(count("Application/Tables"), std::size_t{10 * (1 + 1 + 9 + 1 + 1 + 1 + 1)});
     QCOMPARE(count("Application"), std::size_t{512} + count("Application/Tables"));
     QCOMPARE(count(""), count("General") + 2 * count("Axes[0]") + count("Application"));

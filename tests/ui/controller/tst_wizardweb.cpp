@@ -221,7 +221,8 @@ private:
         operation.begin(bench);
         QVERIFY(bench.idle());
         QTRY_VERIFY(!bench.isConnected());
-        QVERIFY(!bench->outcome().isEmpty());
+        // That a write has succeeded is not said any more: who knows what the drive holds now.
+        QVERIFY(!bench->outcome().isEmpty() || !bench->setup().isDirty());
         QCOMPARE(bench->hint(), QStringLiteral("The drive is not connected."));
         if (bench->isOutcomeAnError())
             QVERIFY(bench->setup().edited() == edited);

@@ -86,9 +86,10 @@ private Q_SLOTS:
         QVERIFY(!user.the("confirmWriteButton").isEnabled());
         const auto warnings =
             user.the("previewWarnings").findChildren<QLabel*>(QStringLiteral("warningText"));
-        QCOMPARE(warnings.size(), 1);
+        QCOMPARE(warnings.size(), 2); // one for each dimension
         QVERIFY(warnings.front()->text().contains(
             QStringLiteral("The largest correction, 2 mm, is 5 % of the range")));
+        QVERIFY(warnings.back()->text().contains(QStringLiteral("dimension 2, 30 mm")));
         test::PageUser::press(Qt::Key_Return, Qt::ControlModifier);
         QVERIFY(bench.idle());
         QVERIFY(bench.state() == before);

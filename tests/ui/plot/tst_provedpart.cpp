@@ -118,7 +118,7 @@ private Q_SLOTS:
     }
 };
 
-AXISCOMP_TEST(TestProvedPart)
+AXISCOMP_WINDOW_TEST(TestProvedPart)
 
 } // namespace tst_provedpart
 

@@ -36,6 +36,9 @@ struct Fixture {
         view->resize(640, 480);
         view->show();
         plot = view->findChild<QCustomPlot*>(QStringLiteral("plotCanvas"));
+        view->activateWindow();
+        plot->setFocus(); // its keys are shortcuts
+        static_cast<void>(QTest::qWaitFor([this] { return plot->hasFocus(); }));
         plot->replot(QCustomPlot::rpImmediateRefresh);
     }
     [[nodiscard]] QString readout() const

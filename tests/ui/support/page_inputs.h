@@ -61,6 +61,8 @@ namespace axiscomp::test {
             || qobject_cast<const QDialogButtonBox*>(parent))
             return false;
     }
+    if (input.objectName() == QStringLiteral("appliedBy"))
+        return false; // as the tools of the picture, which it is about
     if (input.objectName() == QStringLiteral("activateMenuButton"))
         return false; // one key further than Activate
     return isField(input) || qobject_cast<const QPushButton*>(&input);
