@@ -197,10 +197,13 @@ Result<std::vector<AxisInfo>> readAxes(const RegisterAccess& access, const Drive
     return axes;
 }
 
-Result<std::optional<Travel>> readTravel(const RegisterAccess& access, int axis)
+Result<PositionFacts> readPositionFacts(const RegisterAccess& access, int axis)
 {
-    AXISCOMP_TRY(const auto readings, access.readAvailable(travelPaths(access, axis)));
-    return travelFrom(access, readings, axis);
+    const std::string unit = access.axisPath(access.registers().positionUnit, axis);
+    std::vector<std::string> paths{unit};
+    append(paths, travelPaths(access, axis));
+    AXISCOMP_TRY(const auto readings, access.readAvailable(std::move(paths)));
+    return PositionFacts{textAt(readings, unit), travelFrom(access, readings, axis)};
 }
 
 Result<AxisStatus> readStatus(

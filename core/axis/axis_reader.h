@@ -21,8 +21,12 @@ namespace axiscomp {
 [[nodiscard]] Result<AxisStatus> readStatus(
     const RegisterAccess& access, const DriveIdentity& drive, int axis, SourceDirectory& sources);
 
-/// How far an axis travels; none: the drive does not say.
-[[nodiscard]] Result<std::optional<Travel>> readTravel(const RegisterAccess& access, int axis);
+/// What a table that looks up the position of an axis has to fit to.
+struct PositionFacts {
+    std::string unit; ///< the drive's PositionUnit; empty: the drive does not say
+    std::optional<Travel> travel; ///< none: the drive does not say
+};
+[[nodiscard]] Result<PositionFacts> readPositionFacts(const RegisterAccess& access, int axis);
 
 [[nodiscard]] Error compensationActive(const AxisStatus& status);
 

@@ -108,6 +108,7 @@ Result<PreparedWrite> WritePlanner::prepare(int axis, const WriteRequest& reques
     AXISCOMP_TRY(auto saved, m_store.savedState(m_drive.serialNumber));
     m_saved = std::move(saved);
     m_write = {};
+    m_positionFacts.clear();
     WritePlan& plan = m_write.plan;
     plan.drive = m_drive;
     plan.axis = axis;
@@ -172,15 +173,16 @@ Result<void> WritePlanner::decideSources(const WriteRequest& request)
     return {};
 }
 
-/// Values are in the unit of the axis, positions in that of the axis whose position a source is.
-Result<std::string> WritePlanner::unitOf(int axis)
+/// Of this axis, or of another one whose position is a source.
+Result<PositionFacts> WritePlanner::positionFacts(int axis)
 {
     if (axis == m_axis)
-        return m_status.axis.unit;
-    const std::string path = m_access.axisPath(m_access.registers().positionUnit, axis);
-    AXISCOMP_TRY(const auto readings, m_access.readAvailable({path}));
-    const auto unit = readings.find(path);
-    return unit == readings.end() ? std::string() : toText(unit->second.value);
+        return PositionFacts{m_status.axis.unit, m_status.axis.travel};
+    const auto known = m_positionFacts.find(axis);
+    if (known != m_positionFacts.end())
+        return known->second;
+    AXISCOMP_TRY(auto facts, readPositionFacts(m_access, axis));
+    return m_positionFacts.emplace(axis, std::move(facts)).first->second;
 }
 
 Result<WriteRequest> WritePlanner::inUnitsOfDrive(const WriteRequest& request)
@@ -191,7 +193,10 @@ Result<WriteRequest> WritePlanner::inUnitsOfDrive(const WriteRequest& request)
     AXISCOMP_TRY(const auto units,
         driveUnits(m_access.profile(),
             std::span(after.sources).first(static_cast<std::size_t>(after.dimensionality)), m_axis,
-            [this](int axis) { return unitOf(axis); }));
+            [this](int axis) -> Result<std::string> {
+                AXISCOMP_TRY(auto facts, positionFacts(axis));
+                return std::move(facts.unit);
+            }));
     AXISCOMP_TRY(auto converted, inDriveUnits(*request.table, units));
     m_write.plan.unitRemarks = std::move(converted.remarks);
     m_write.plan.table = std::move(converted.table);
@@ -214,9 +219,8 @@ Result<void> WritePlanner::decideCoverage()
         travelCoverage(m_access.profile(),
             std::span(after.sources).first(static_cast<std::size_t>(after.dimensionality)), *grid,
             [this](int axis) -> Result<std::optional<Travel>> {
-                if (axis == m_axis)
-                    return m_status.axis.travel;
-                return readTravel(m_access, axis);
+                AXISCOMP_TRY(const auto facts, positionFacts(axis));
+                return facts.travel;
             }));
     return {};
 }

@@ -8,6 +8,8 @@
 #include "core/write/slot_choice.h"
 #include "core/write/write_plan.h"
 
+#include <map>
+
 namespace axiscomp {
 
 /// A plan with what carrying it out needs and what its reader does not.
@@ -41,7 +43,7 @@ public:
 
 private:
     [[nodiscard]] Result<void> decideSources(const WriteRequest& request);
-    [[nodiscard]] Result<std::string> unitOf(int axis);
+    [[nodiscard]] Result<PositionFacts> positionFacts(int axis);
     [[nodiscard]] Result<WriteRequest> inUnitsOfDrive(const WriteRequest& request);
     [[nodiscard]] Result<void> decideTable(const WriteRequest& request);
     [[nodiscard]] Result<bool> isThere(const WriteRequest& request, const CompensationTable& table);
@@ -70,6 +72,7 @@ private:
     WallTime m_now;
     int m_axis = 0;
     AxisStatus m_status;
+    std::map<int, PositionFacts> m_positionFacts; ///< of other axes
     std::vector<AxisStatus> m_others; ///< the other axes, when the parameters will be saved
     SavedState m_saved;
     PreparedWrite m_write;
