@@ -125,7 +125,7 @@ function(axiscomp_add_tests part)
       add_dependencies(threaded-tests test_${part})
     endif()
     set_tests_properties(${test} PROPERTIES
-      LABELS "${labels}" TIMEOUT 900
+      LABELS "${labels}" TIMEOUT 1800
       ENVIRONMENT "QT_QPA_PLATFORM=offscreen;LC_ALL=C.UTF-8")
   endforeach()
 endfunction()
