@@ -4451,6 +4451,10 @@
         <source>The backup is of another drive, the one with the serial number {number}.</source>
         <translation>Die Sicherung ist von einem anderen Antrieb, dem mit der Seriennummer {number}.</translation>
     </message>
+    <message>
+        <source>a full {dimensions}D grid of {points} points</source>
+        <translation>ein volles {dimensions}D-Gitter mit {points} Punkten</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -4676,6 +4680,14 @@
     <message>
         <source>comments from here on are not kept with the table</source>
         <translation>Kommentare ab hier werden nicht mit der Tabelle behalten</translation>
+    </message>
+    <message>
+        <source>the file has another dimensionality than the one chosen</source>
+        <translation>die Datei hat eine andere Dimensionalität als die gewählte</translation>
+    </message>
+    <message>
+        <source>choose the dimensionality that the file has (--dims)</source>
+        <translation>die Dimensionalität der Datei wählen (--dims)</translation>
     </message>
 </context>
 <context>
@@ -7219,6 +7231,14 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
     <message>
         <source>Click a problem, or press Enter, to see the file&apos;s line.</source>
         <translation>Ein Klick auf einen Fehler oder die Eingabetaste zeigt die Zeile der Datei.</translation>
+    </message>
+    <message>
+        <source>&amp;Use %1D</source>
+        <translation>%1D &amp;verwenden</translation>
+    </message>
+    <message>
+        <source>Sets the dimensionality to %1D and reads the file again.</source>
+        <translation>Setzt die Dimensionalität auf %1D und liest die Datei neu.</translation>
     </message>
 </context>
 <context>

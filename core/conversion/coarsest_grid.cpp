@@ -4,6 +4,7 @@
 #include "core/conversion/resampling.h"
 #include "core/neutral/table_motion.h"
 #include "core/table/position_unit.h"
+#include "core/text/number_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -228,15 +229,6 @@ double GridSearch::countOf(const Sizes& sizes)
     return count;
 }
 
-/// "3 x 4"
-std::string sizesOf(const std::vector<std::size_t>& points)
-{
-    std::string text;
-    for (const std::size_t size : points)
-        text += (text.empty() ? "" : " x ") + std::to_string(size);
-    return text;
-}
-
 Result<double> GridSearch::deviationOf(const Sizes& sizes) const
 {
     std::vector<PlannedAxis> plan;
@@ -307,7 +299,7 @@ Result<CoarsestGrid> GridSearch::refined(const Sizes& fewest) const
             "a deviation of {deviation} takes more points than allowed; it takes at least "
             "{sizes} points; allow more points or a larger deviation");
     return resamplingImpossible(reason.with("deviation", quantity(m_wanted))
-                                    .with("sizes", sizesOf(wasTried ? grid.points : fewest))
+                                    .with("sizes", sizeText(wasTried ? grid.points : fewest))
                                     .with("found", quantity(grid.deviation)));
 }
 

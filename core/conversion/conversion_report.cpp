@@ -2,6 +2,7 @@
 #include "core/conversion/conversion.h"
 #include "core/neutral/table_motion.h"
 #include "core/table/compensation_table.h"
+#include "core/text/number_text.h"
 
 #include <algorithm>
 #include <array>
@@ -58,15 +59,6 @@ Text signLine(const ConversionRequest& request, const Text& example)
         .with("example", example);
 }
 
-/// "3 x 4"
-std::string knotCounts(const NeutralTable& table)
-{
-    std::string text;
-    for (const SourceAxis& axis : table.axes)
-        text += (text.empty() ? "" : " x ") + std::to_string(axis.knots.size());
-    return text;
-}
-
 Text resamplingLine(const TableConversion& table, std::size_t column)
 {
     const ResamplingReport& report = *table.resampling;
@@ -75,8 +67,8 @@ Text resamplingLine(const TableConversion& table, std::size_t column)
     return AXISCOMP_TEXT("Error",
         "resampled from {before} points to {after} points: at the positions of the source it is "
         "off by at most {largest}, {rms} rms")
-        .with("before", knotCounts(table.source))
-        .with("after", knotCounts(table.result))
+        .with("before", sizeText(knotCounts(table.source)))
+        .with("after", sizeText(knotCounts(table.result)))
         .with("largest", amountOf(deviation.largest, unit))
         .with("rms", amountOf(deviation.rms, unit));
 }

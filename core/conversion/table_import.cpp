@@ -138,6 +138,7 @@ void Import::readCsv()
     m_result.isCancelled = reading.cancelled;
     m_result.problems = std::move(reading.diagnostics);
     m_result.suppressedProblems = reading.suppressed;
+    m_result.fullGrid = std::move(reading.fullGrid);
     if (reading.data)
         take(*std::move(reading.data));
     else if (!isOnlyUneven)

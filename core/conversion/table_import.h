@@ -31,6 +31,7 @@ struct TableImport {
     /// Why the choices do not suffice: other ones may.
     std::optional<Error> refusal;
     std::vector<Text> report; ///< of conversions
+    std::optional<FullGrid> fullGrid; ///< what a calibration file is instead (calibration_csv.h)
     int sourceAxes = 0; ///< of the tables of the file, 0: there are none
     bool hasDirections = false;
     bool hasWrap = false;

@@ -5,6 +5,7 @@
 #include "core/csv/table_reader.h"
 #include "core/io/local_file.h"
 #include "core/table/target_axis.h"
+#include "core/text/number_text.h"
 #include "core/text/token_scanner.h"
 
 #include <algorithm>
@@ -130,16 +131,7 @@ void parse(
         options.progress(1.0);
 }
 
-} // namespace
-
-bool CsvReading::hasErrors() const
-{
-    return suppressed > 0 || std::ranges::any_of(diagnostics, [](const Diagnostic& d) {
-        return d.severity == Severity::Error;
-    });
-}
-
-CsvReading parseCalibrationCsv(std::string_view text, const CsvOptions& options)
+CsvReading parseAs(std::string_view text, const CsvOptions& options)
 {
     CsvReading reading;
     DiagnosticList diagnostics(options.maximumDiagnostics);
@@ -152,6 +144,62 @@ CsvReading parseCalibrationCsv(std::string_view text, const CsvOptions& options)
     }
     reading.diagnostics = diagnostics.take();
     reading.suppressed = diagnostics.suppressed();
+    return reading;
+}
+
+/// Only points that occur twice make a grid of more dimensions: with other errors the file has
+/// something else to be mended first.
+std::optional<FullGrid> gridOfMoreDimensions(
+    std::string_view text, const CsvOptions& options, const CsvReading& reading)
+{
+    const bool repeats = std::ranges::any_of(reading.diagnostics,
+        [](const Diagnostic& d) { return d.code == DiagnosticCode::DuplicatePoint; });
+    if (!repeats || reading.data || reading.cancelled)
+        return std::nullopt;
+    CsvOptions other = options;
+    other.missing = MissingPoints::Refuse;
+    other.maximumDiagnostics = 1;
+    other.progress = {};
+    for (other.dimensions = options.dimensions + 1; other.dimensions <= 3; ++other.dimensions) {
+        const CsvReading grid = parseAs(text, other);
+        if (!grid.data)
+            continue;
+        FullGrid found{other.dimensions, {}};
+        for (const GridAxis& axis : grid.data->grid.axes)
+            found.points.push_back(axis.size);
+        return found;
+    }
+    return std::nullopt;
+}
+
+Diagnostic ofOtherDimensionality(const FullGrid& grid)
+{
+    return {Severity::Error, DiagnosticCode::OtherDimensionality, 0, 0,
+        AXISCOMP_TEXT("Error", "a full {dimensions}D grid of {points} points")
+            .with("dimensions", grid.dimensions)
+            .with("points", Verbatim{sizeText(grid.points)}),
+        {}, {}};
+}
+
+} // namespace
+
+bool CsvReading::hasErrors() const
+{
+    return suppressed > 0 || std::ranges::any_of(diagnostics, [](const Diagnostic& d) {
+        return d.severity == Severity::Error;
+    });
+}
+
+CsvReading parseCalibrationCsv(std::string_view text, const CsvOptions& options)
+{
+    CsvReading reading = parseAs(text, options);
+    reading.fullGrid = gridOfMoreDimensions(text, options, reading);
+    if (reading.fullGrid) {
+        const auto first =
+            std::ranges::find(reading.diagnostics, Severity::Error, &Diagnostic::severity);
+        reading.diagnostics = {ofOtherDimensionality(*reading.fullGrid), Diagnostic(*first)};
+        reading.suppressed = 0;
+    }
     return reading;
 }
 

@@ -5,6 +5,7 @@
 #include "core/table/missing_points.h"
 #include "core/text/diagnostic.h"
 
+#include <cstddef>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -42,8 +43,19 @@ struct CsvOptions {
         progress; ///< 0..1, on the calling thread, a few hundred times
 };
 
+/// What the lines are when they are no grid of the dimensionality that was chosen.
+struct FullGrid {
+    int dimensions = 2;
+    std::vector<std::size_t> points; ///< per dimension
+
+    friend bool operator==(const FullGrid&, const FullGrid&) = default;
+};
+
 struct CsvReading {
     std::optional<CalibrationData> data; ///< only without an error
+    /// A full grid of more dimensions than were chosen; never of fewer, since positions would
+    /// become corrections. The diagnostics are then that, and the first error.
+    std::optional<FullGrid> fullGrid;
     /// Of each dimension, only with acceptsUneven and with data. Where they are uneven, the grid of
     /// the data has their number, their first and their mean distance.
     std::vector<std::vector<double>> knots;

@@ -35,6 +35,14 @@ std::size_t NeutralTable::pointCount() const
     return count;
 }
 
+std::vector<std::size_t> knotCounts(const NeutralTable& table)
+{
+    std::vector<std::size_t> counts;
+    for (const SourceAxis& axis : table.axes)
+        counts.push_back(axis.knots.size());
+    return counts;
+}
+
 bool isEven(const SourceAxis& axis)
 {
     const EvenSpacing spacing = fitEvenSpacing(axis.knots, noDecimals);

@@ -62,6 +62,8 @@ struct NeutralTable {
     friend bool operator==(const NeutralTable&, const NeutralTable&) = default;
 };
 
+[[nodiscard]] std::vector<std::size_t> knotCounts(const NeutralTable& table); ///< of each axis
+
 /// Whether knots lie on start + i * distance but for the rounding of doubles.
 [[nodiscard]] bool isEven(const SourceAxis& axis);
 [[nodiscard]] bool isEven(const NeutralTable& table);

@@ -25,6 +25,7 @@ enum class DiagnosticCode {
     DuplicatePoint,
     MissingPoint,
     UnevenSpacing,
+    OtherDimensionality,
     TooFewPoints,
     TooLarge,
     NotText,

@@ -50,6 +50,14 @@ std::string roundedText(double value)
     return {buffer.data(), result.ptr};
 }
 
+std::string sizeText(std::span<const std::size_t> counts)
+{
+    std::string text;
+    for (const std::size_t count : counts)
+        text += (text.empty() ? "" : " x ") + std::to_string(count);
+    return text;
+}
+
 std::string percentText(double share)
 {
     constexpr double roundingAllowance = 1.0 + 1e-12;

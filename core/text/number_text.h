@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 
 namespace axiscomp {
@@ -16,6 +18,9 @@ namespace axiscomp {
 /// A share of 0 to 1 in percent, rounded down to whole ones, and below 10 % to two digits: only the
 /// whole is "100", and only nothing is "0".
 [[nodiscard]] std::string percentText(double share);
+
+/// "31 x 21": the points of a grid in each dimension, or what else is counted per dimension.
+[[nodiscard]] std::string sizeText(std::span<const std::size_t> counts);
 
 /// The fewest characters that are exactly this number again: with an exponent where that is
 /// shorter.

@@ -41,6 +41,12 @@ void TableSelection::open(const QString& path, const ImportChoices& choices)
     m_file.open(path, m_setup.edited().dimensionality, choices);
 }
 
+void TableSelection::openAs(const QString& path, int dimensions)
+{
+    m_setup.setDimensionality(dimensions);
+    open(path, m_file.choicesFor(path));
+}
+
 void TableSelection::readAgain()
 {
     const QString path = m_file.file().path;

@@ -22,6 +22,9 @@ public:
 
     /// The file's first table is selected, unless another one of the same file is.
     void open(const QString& path, const ImportChoices& choices);
+    /// The same for a file that is a grid of another dimensionality than the setup's, which gets
+    /// it; with what the user has said about the file.
+    void openAs(const QString& path, int dimensions);
     /// The open file, which may have changed; what was selected stays selected.
     void readAgain();
     [[nodiscard]] DataFileModel& file() { return m_file; }

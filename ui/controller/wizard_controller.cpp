@@ -271,6 +271,12 @@ void WizardController::importData(const QString& path, const ImportChoices& choi
     m_parts->tables.open(path, known);
 }
 
+void WizardController::openDataAs(const QString& path, int dimensions)
+{
+    if (m_parts->actions.mayStart(Action::OpenData))
+        m_parts->tables.openAs(path, dimensions);
+}
+
 ImportChoices WizardController::importChoices(const QString& path) const
 {
     return m_parts->tables.file().choicesFor(path);

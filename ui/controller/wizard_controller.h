@@ -66,6 +66,8 @@ public:
     void openData(const QString& path);
     /// The same with what the user has said about the file.
     void importData(const QString& path, const ImportChoices& choices);
+    /// A file that is a grid of another dimensionality than the setup's: the setup gets that.
+    void openDataAs(const QString& path, int dimensions);
     /// What the user has said about the file so far.
     [[nodiscard]] ImportChoices importChoices(const QString& path) const;
     /// The open file, which may have changed; what was chosen stays chosen.

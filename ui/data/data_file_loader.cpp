@@ -18,6 +18,7 @@ void take(LoadedFile& file, TableImport import)
     file.report = std::move(import.report);
     file.problems = std::move(import.problems);
     file.suppressedProblems = import.suppressedProblems;
+    file.fullGrid = std::move(import.fullGrid);
     file.refusal = std::move(import.refusal);
     if (file.refusal && file.problems.empty())
         file.problems.push_back(

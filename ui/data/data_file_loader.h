@@ -39,6 +39,7 @@ struct LoadedFile {
     std::vector<LoadedTable> tables; ///< those of data, kept alive with it
     std::vector<Diagnostic> problems; ///< warnings too
     std::size_t suppressedProblems = 0;
+    std::optional<FullGrid> fullGrid; ///< what it is instead
 };
 
 /// Reads and parses files of compensation data on a thread of its own: calibration CSV by the

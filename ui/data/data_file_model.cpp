@@ -106,6 +106,7 @@ void DataFileModel::take(const LoadedFile& loaded)
     m_file.problemsPath = loaded.problems.empty() ? QString() : loaded.path;
     m_file.problems = loaded.problems;
     m_file.suppressedProblems = loaded.suppressedProblems;
+    m_file.fullGrid = loaded.fullGrid;
     const auto before = m_file.data;
     if (loaded.data) {
         m_file.data = loaded.data;

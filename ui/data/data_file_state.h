@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,7 @@ struct DataFile {
     std::vector<Text> report; ///< of the conversion of data
     std::vector<Diagnostic> problems;
     std::size_t suppressedProblems = 0;
+    std::optional<FullGrid> fullGrid; ///< what the file with the problems is instead
     QString problemsPath; ///< the file that has the problems: after a bad one, not that of data
     bool isReading = false;
     QString readingPath; ///< the file that is being read

@@ -152,6 +152,8 @@ void PreviewPanel::connectProblems()
             m_valuesStack->setCurrentWidget(m_lines);
             m_tabs->setCurrentWidget(m_valuesStack);
         });
+    connect(
+        m_problems, &ProblemList::dimensionsChosen, &m_controller, &WizardController::openDataAs);
     connect(m_lines, &FileLinesView::stepRequested, m_problems, &ProblemList::step);
     connect(m_lines, &FileLinesView::closeRequested, this,
         [this] { m_valuesStack->setCurrentWidget(m_values); });
@@ -334,7 +336,7 @@ void PreviewPanel::showProblems()
     const bool hasErrors = std::ranges::any_of(file.problems,
         [](const Diagnostic& problem) { return problem.severity == Severity::Error; });
     const int index = m_tabs->indexOf(m_problems);
-    if (m_problems->setProblems(file.problemsPath, file.problems, file.suppressedProblems))
+    if (m_problems->setProblems(file))
         m_valuesStack->setCurrentWidget(m_values);
     if (file.problems.empty()) {
         if (index >= 0)

@@ -11,6 +11,7 @@
 #include <QFileInfo>
 #include <QHeaderView>
 #include <QLabel>
+#include <QPushButton>
 #include <QTreeWidget>
 
 #include <algorithm>
@@ -31,12 +32,17 @@ QString placeText(std::size_t number)
 ProblemList::ProblemList(QWidget* parent)
     : QWidget(parent)
     , m_title(new PlainLabel)
+    , m_useDimensions(new QPushButton)
     , m_list(new QTreeWidget)
 {
     setObjectName(QStringLiteral("problemList"));
     build();
     connect(m_list, &QTreeWidget::itemClicked, this, &ProblemList::open);
     connect(m_list, &QTreeWidget::itemActivated, this, &ProblemList::open);
+    connect(m_useDimensions, &QPushButton::clicked, this, [this] {
+        if (m_fullGrid)
+            Q_EMIT dimensionsChosen(m_path, m_fullGrid->dimensions);
+    });
     retranslate();
 }
 
@@ -53,18 +59,23 @@ void ProblemList::build()
     m_list->header()->setStretchLastSection(true);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 6, 0, 0);
-    layout->addWidget(m_title);
+    m_useDimensions->setObjectName(QStringLiteral("useDimensions"));
+    auto* head = new QHBoxLayout;
+    head->addWidget(m_title, 1);
+    head->addWidget(m_useDimensions);
+    layout->addLayout(head);
     layout->addWidget(m_list, 1);
 }
 
-bool ProblemList::setProblems(
-    const QString& path, const std::vector<Diagnostic>& problems, std::size_t suppressed)
+bool ProblemList::setProblems(const DataFile& file)
 {
-    if (m_path == path && m_problems == problems && m_suppressed == suppressed)
+    if (m_path == file.problemsPath && m_problems == file.problems
+        && m_suppressed == file.suppressedProblems && m_fullGrid == file.fullGrid)
         return false;
-    m_path = path;
-    m_problems = problems;
-    m_suppressed = suppressed;
+    m_path = file.problemsPath;
+    m_problems = file.problems;
+    m_suppressed = file.suppressedProblems;
+    m_fullGrid = file.fullGrid;
     fill();
     return true;
 }
@@ -103,6 +114,13 @@ void ProblemList::fill()
     if (m_suppressed > 0)
         title += u' ' + tr("Further problems: %1.").arg(countText(m_suppressed));
     m_title->setText(title);
+    m_useDimensions->setVisible(m_fullGrid.has_value());
+    if (!m_fullGrid)
+        return;
+    m_useDimensions->setText(tr("&Use %1D").arg(m_fullGrid->dimensions));
+    m_useDimensions->setToolTip(
+        tr("Sets the dimensionality to %1D and reads the file again.").arg(m_fullGrid->dimensions));
+    m_useDimensions->setAccessibleDescription(m_useDimensions->toolTip());
 }
 
 void ProblemList::open()

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/text/diagnostic.h"
+#include "ui/data/data_file_state.h"
 #include "ui/data/file_lines_model.h"
 
 #include <QWidget>
@@ -9,6 +9,7 @@
 #include <vector>
 
 class QLabel;
+class QPushButton;
 class QTreeWidget;
 
 namespace axiscomp::ui {
@@ -21,9 +22,8 @@ class ProblemList : public QWidget {
 public:
     explicit ProblemList(QWidget* parent = nullptr);
 
-    /// suppressed: how many more errors there are than the list has. Whether these are new ones.
-    bool setProblems(
-        const QString& path, const std::vector<Diagnostic>& problems, std::size_t suppressed);
+    /// Those of the file. Whether they are new ones.
+    bool setProblems(const DataFile& file);
     void retranslate();
 
     /// Opens the next (1) or the previous (-1) problem, round the ends.
@@ -31,6 +31,8 @@ public:
 
 Q_SIGNALS:
     void opened(const QString& path, const axiscomp::ui::ProblemPlace& place);
+    /// The file is to be read as the grid that it is.
+    void dimensionsChosen(const QString& path, int dimensions);
 
 private:
     void build();
@@ -38,10 +40,12 @@ private:
     void open();
 
     QLabel* m_title;
+    QPushButton* m_useDimensions;
     QTreeWidget* m_list;
     QString m_path;
     std::vector<Diagnostic> m_problems;
     std::size_t m_suppressed = 0;
+    std::optional<FullGrid> m_fullGrid;
 };
 
 } // namespace axiscomp::ui

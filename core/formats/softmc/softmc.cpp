@@ -37,15 +37,6 @@ struct Shape {
     std::size_t rows = 0;
 };
 
-/// "3 x 4"
-std::string sizesText(const Shape& shape)
-{
-    std::string text;
-    for (const std::size_t size : shape.sizes)
-        text += (text.empty() ? "" : " x ") + std::to_string(size);
-    return text;
-}
-
 std::optional<Shape> readShape(const std::vector<Token>& tokens, DiagnosticList& diagnostics)
 {
     const Token& first = tokens.front();
@@ -223,7 +214,7 @@ std::vector<NeutralTable> parse(TextReading& reading)
     if (rows.lines.size() != shape->rows) {
         diagnostics.error(DiagnosticCode::Contradiction, 1, 0,
             AXISCOMP_TEXT("Error", "a header of {sizes} = {number} rows, and {number2} rows")
-                .with("sizes", sizesText(*shape))
+                .with("sizes", sizeText(shape->sizes))
                 .with("number", shape->rows)
                 .with("number2", rows.lines.size()),
             AXISCOMP_TEXT("Error", "as many rows as the header says"));

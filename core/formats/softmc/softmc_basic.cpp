@@ -50,15 +50,6 @@ std::string assignment(const std::string& array, std::size_t axis, std::size_t p
         + "] = " + toText(value) + '\n';
 }
 
-/// "3 x 4"
-std::string shapeText(const NeutralTable& table)
-{
-    std::string text;
-    for (const SourceAxis& axis : table.axes)
-        text += (text.empty() ? "" : " x ") + std::to_string(axis.knots.size());
-    return text;
-}
-
 Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWriteOptions& options)
 {
     AXISCOMP_TRY(
@@ -75,7 +66,7 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
     AXISCOMP_TRY(auto table, inSettingUnits(tables.front(), values, written.remarks));
     std::string& text = written.bytes;
     const bool hasOneAxis = table.axes.size() == 1;
-    text = "' Compensation table " + name + ": " + shapeText(table)
+    text = "' Compensation table " + name + ": " + sizeText(knotCounts(table))
         + (hasOneAxis ? " points\n" : " points, the first source fastest\n");
     for (std::size_t point = 0; point < table.pointCount(); ++point) {
         std::size_t rest = point;
@@ -95,7 +86,7 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
                 "the table {name} must be defined in the program, with {count} points, the first "
                 "source fastest, and not be in use (CompActive = 0) while the lines run"))
                                   .with("name", name)
-                                  .with("count", shapeText(table)));
+                                  .with("count", sizeText(knotCounts(table))));
     written.held.push_back(std::move(table));
     return written;
 }

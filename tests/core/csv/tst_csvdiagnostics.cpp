@@ -104,10 +104,17 @@ private Q_SLOTS:
             {"3:0 DuplicatePoint X = 0 in line 2 and again in line 3|",
                 "5:0 DuplicatePoint X = 0 in line 2 and again in line 5|"});
         row("a plane read as a line", 1, "X,Y,T\n0,0,0\n1,0,0\n0,1,0\n1,1,0\n",
-            {"4:0 DuplicatePoint X = 0 in line 2 and again in line 4|every position once (or is "
-             "the dimensionality 2?)",
-                "5:0 DuplicatePoint X = 1 in line 3 and again in line 5|every position once (or is "
+            {"0:0 OtherDimensionality a full 2D grid of 2 x 2 points|",
+                "4:0 DuplicatePoint X = 0 in line 2 and again in line 4|every position once (or is "
                 "the dimensionality 2?)"});
+        row("a space read as a line", 1,
+            "X,Y,Z,T\n0,0,0,0\n1,0,0,0\n2,0,0,1\n0,1,0,0\n1,1,0,2\n2,1,0,0\n0,0,5,0\n1,0,5,0\n"
+            "2,0,5,0\n0,1,5,0\n1,1,5,0\n2,1,5,0\n",
+            {"0:0 OtherDimensionality a full 3D grid of 3 x 2 x 2 points|", "5:0 DuplicatePoint"});
+        row("a plane with a hole read as a line", 1, "X,Y,T\n0,0,0\n1,0,0\n0,1,0\n",
+            {"4:0 DuplicatePoint X = 0 in line 2 and again in line 4|"});
+        row("a plane with a word read as a line", 1, "X,Y,T\n0,0,0\n1,0,0\n0,1,0\n1,1,x\n",
+            {"4:0 DuplicatePoint", "5:3 NotANumber x|", "5:0 DuplicatePoint"});
         row("missing points", 2, "X [mm],Y,T\n0,0,1\n1,0,1\n0,5,1\n",
             {"0:0 MissingPoint no line for X = 1 mm, Y = 5 (missing: 1 of 4 points)|every "
              "combination of the positions"});
@@ -162,6 +169,32 @@ private Q_SLOTS:
             QCOMPARE(diagnostic.severity, Severity::Error);
             QVERIFY2(isSentence(message(diagnostic)), message(diagnostic).c_str());
         }
+    }
+
+    void aGridOfFewerDimensionsIsNeverProposed()
+    {
+        // Its positions would become corrections.
+        for (const QByteArray text :
+            {"X,Y,T\n0,0,0\n1,1,1e-3\n2,2,0\n", "X,Y,T\n0,7,0\n1,7,1e-3\n2,7,0\n"}) {
+            QVERIFY(parse(text, 1).data);
+            const CsvReading reading = parse(text, 2);
+            QVERIFY(!reading.data);
+            QVERIFY2(!reading.fullGrid, text.constData());
+        }
+    }
+
+    void aGridOfMoreDimensionsIsProposedWithItsSize()
+    {
+        const QByteArray text = "X,Y,T\n0,0,0\n1,0,0\n2,0,0\n0,1,0\n1,1,0\n2,1,1e-3\n";
+        const CsvReading reading = parse(text, 1);
+        QVERIFY(reading.fullGrid);
+        QCOMPARE(*reading.fullGrid, (FullGrid{2, {3, 2}}));
+        QVERIFY(!parse(text, reading.fullGrid->dimensions).hasErrors());
+        CsvOptions filling;
+        filling.missing = MissingPoints::Nearest;
+        QCOMPARE(parse(text, 1, filling).fullGrid, reading.fullGrid);
+        filling.maximumDiagnostics = 0;
+        QVERIFY(!parse(text, 1, filling).data);
     }
 
     void aWarningDoesNotStopTheFile_data()

@@ -8,6 +8,7 @@
 #include "ui/page/problem_list.h"
 
 #include <QLabel>
+#include <QPushButton>
 #include <QSignalSpy>
 #include <QStackedWidget>
 #include <QTabWidget>
@@ -172,11 +173,12 @@ private Q_SLOTS:
     void aClickOrEnterOpensTheProblem()
     {
         ProblemList list;
-        list.setProblems(QStringLiteral("/bad.csv"),
-            {{Severity::Error, DiagnosticCode::NotANumber, 3, 2, Verbatim{"two"},
-                 Verbatim{"a number"}},
-                {Severity::Warning, DiagnosticCode::ConstantTable, 0, 2, {}, {}}},
-            0);
+        DataFile file;
+        file.problemsPath = QStringLiteral("/bad.csv");
+        file.problems = {{Severity::Error, DiagnosticCode::NotANumber, 3, 2, Verbatim{"two"},
+                             Verbatim{"a number"}},
+            {Severity::Warning, DiagnosticCode::ConstantTable, 0, 2, {}, {}}};
+        list.setProblems(file);
         list.resize(500, 300);
         list.show();
         QVERIFY(QTest::qWaitForWindowActive(&list));
@@ -285,6 +287,38 @@ private Q_SLOTS:
         QVERIFY(bench.fileRead());
         QCOMPARE(stack->currentWidget()->objectName(), QStringLiteral("valuesView"));
         QCOMPARE(tabs->count(), 2);
+    }
+
+    void aFullGridOfMoreDimensionsIsReadAsThatByOneButton()
+    {
+        ControllerFixture bench;
+        QVERIFY(bench.connect());
+        bench->setup().setDimensionality(1);
+        PreviewPanel panel(bench.controller(), drivecomm::genericProfile());
+        panel.show();
+        QByteArray plane = "X [mm],Y [mm],table [mm]\n";
+        for (int i = 0; i < 31 * 21; ++i)
+            plane += QByteArray::number(i % 31) + ',' + QByteArray::number(i / 31) + ','
+                + QByteArray::number(i % 3 * 0.001) + '\n';
+        bench->openData(bench.file(QStringLiteral("line.csv"), "X,table\n0,0.001\n1,0.002\n"));
+        QVERIFY(bench.fileRead());
+        bench->openData(bench.file(QStringLiteral("plane.csv"), plane));
+        QVERIFY(bench.fileRead());
+        auto* use = child<QPushButton>(panel, "useDimensions");
+        auto* problems = child<QTreeWidget>(panel, "problems");
+        QCOMPARE(problems->topLevelItemCount(), 2);
+        QVERIFY2(problems->topLevelItem(0)->text(2).contains(QStringLiteral("31 x 21")),
+            qPrintable(problems->topLevelItem(0)->text(2)));
+        QVERIFY(!use->isHidden());
+        QCOMPARE(use->text(), QStringLiteral("&Use 2D"));
+        use->click();
+        QTRY_COMPARE(bench->dataFile().path.section(u'/', -1), QStringLiteral("plane.csv"));
+        QCOMPARE(bench->setup().edited().dimensionality, 2);
+        QVERIFY(bench->dataFile().problems.empty());
+        QCOMPARE(bench->selectedTable()->grid.pointCount(), 651U);
+        bench->openData(bench.file(QStringLiteral("bad.csv"), "X,Y,table\n0,1,x\n1,2,3\n"));
+        QVERIFY(bench.fileRead());
+        QVERIFY(use->isHidden());
     }
 };
 
