@@ -7193,28 +7193,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
 <context>
     <name>axiscomp::ui::ProblemList</name>
     <message>
-        <source>Line</source>
-        <translation>Zeile</translation>
-    </message>
-    <message>
-        <source>Column</source>
-        <translation>Spalte</translation>
-    </message>
-    <message>
-        <source>Problem</source>
-        <translation>Fehler</translation>
-    </message>
-    <message>
         <source>Problems of the file</source>
         <translation>Fehler der Datei</translation>
-    </message>
-    <message>
-        <source>error, line %1</source>
-        <translation>Fehler, Zeile %1</translation>
-    </message>
-    <message>
-        <source>warning, line %1</source>
-        <translation>Warnung, Zeile %1</translation>
     </message>
     <message>
         <source>%1 cannot be used; the previous selection is kept.</source>
@@ -7239,6 +7219,29 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
     <message>
         <source>Sets the dimensionality to %1D and reads the file again.</source>
         <translation>Setzt die Dimensionalität auf %1D und liest die Datei neu.</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::ProblemModel</name>
+    <message>
+        <source>error, line %1</source>
+        <translation>Fehler, Zeile %1</translation>
+    </message>
+    <message>
+        <source>warning, line %1</source>
+        <translation>Warnung, Zeile %1</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Zeile</translation>
+    </message>
+    <message>
+        <source>Column</source>
+        <translation>Spalte</translation>
+    </message>
+    <message>
+        <source>Problem</source>
+        <translation>Fehler</translation>
     </message>
 </context>
 <context>

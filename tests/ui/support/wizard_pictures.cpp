@@ -22,6 +22,7 @@
 #include <QTableView>
 #include <QTextStream>
 #include <QTranslator>
+#include <QTreeView>
 #include <QTreeWidget>
 
 #include <cmath>
@@ -229,9 +230,9 @@ void badFile(PageScene& scene)
 void badFileLines(PageScene& scene)
 {
     badFile(scene);
-    auto* problems = scene.page().findChild<QTreeWidget*>(QStringLiteral("problems"));
-    problems->setCurrentItem(problems->topLevelItem(0));
-    Q_EMIT problems->itemActivated(problems->topLevelItem(0), 0);
+    auto* problems = scene.page().findChild<QTreeView*>(QStringLiteral("problems"));
+    problems->setCurrentIndex(problems->model()->index(0, 0));
+    Q_EMIT problems->activated(problems->currentIndex());
     scene.settle();
 }
 
