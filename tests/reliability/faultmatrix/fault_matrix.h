@@ -51,8 +51,8 @@ struct MatrixCase {
 /// the names of the cases.
 [[nodiscard]] std::vector<std::string> runCases(std::span<const MatrixCase> cases, int threads);
 
-/// Which cases run: all of them, or of those over a wire a seeded part in which every scenario,
-/// fault, attachment and step is met.
+/// Which cases run: all of them, or a seeded part in which every scenario, fault, attachment and
+/// step is met.
 class MatrixChoice {
 public:
     /// AXISCOMP_FAULT_MATRIX=all; AXISCOMP_FAULT_SEED=N chooses another part.
