@@ -4455,6 +4455,526 @@
         <source>a full {dimensions}D grid of {points} points</source>
         <translation>ein volles {dimensions}D-Gitter mit {points} Punkten</translation>
     </message>
+    <message numerus="yes">
+        <source>{file} is not a valid measurement: {count} problems</source>
+        <comment>{file} is not a valid measurement: one problem</comment>
+        <translation>
+            <numerusform>{file} ist keine gültige Messung: ein Problem</numerusform>
+            <numerusform>{file} ist keine gültige Messung: {count} Probleme</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>{file} does not say its units; state them with --unit and --value-unit</source>
+        <translation>{file} nennt seine Einheiten nicht; geben Sie sie mit --unit und --value-unit an</translation>
+    </message>
+    <message>
+        <source>the readings of the instrument in {file} do not follow the axis one to one</source>
+        <translation>die Anzeigen des Messgeräts in {file} folgen der Achse nicht eins zu eins</translation>
+    </message>
+    <message>
+        <source>{file} has no targets; the figures of the standard need a measurement of runs over targets</source>
+        <translation>{file} hat keine Zielpositionen; die Kennwerte der Norm brauchen eine Messung mit Durchläufen über Zielpositionen</translation>
+    </message>
+    <message>
+        <source>an error in mm</source>
+        <translation>eine Abweichung in mm</translation>
+    </message>
+    <message>
+        <source>a position without a bidirectional mean</source>
+        <translation>eine Position ohne Mittelwert beider Richtungen</translation>
+    </message>
+    <message>
+        <source>the same positions in both blocks</source>
+        <translation>dieselben Positionen in beiden Blöcken</translation>
+    </message>
+    <message>
+        <source>no block of a direction</source>
+        <translation>kein Block einer Richtung</translation>
+    </message>
+    <message>
+        <source>a block Forward Directional Avg Error; the mean of both directions alone says nothing of either</source>
+        <translation>ein Block „Forward Directional Avg Error“; der Mittelwert beider Richtungen allein sagt nichts über die einzelne</translation>
+    </message>
+    <message>
+        <source>means of a linear measurement (.pos)</source>
+        <translation>Mittelwerte einer Längenmessung (.pos)</translation>
+    </message>
+    <message>
+        <source>TGT_DATA[i]=, REF_DATA_FWD[i,j]=, REF_DATA_BWD[i,j]= or KEY=</source>
+        <translation>TGT_DATA[i]=, REF_DATA_FWD[i,j]=, REF_DATA_BWD[i,j]= oder SCHLÜSSEL=</translation>
+    </message>
+    <message>
+        <source>the position of a target</source>
+        <translation>die Lage einer Zielposition</translation>
+    </message>
+    <message>
+        <source>a second target {number}</source>
+        <translation>eine zweite Zielposition {number}</translation>
+    </message>
+    <message>
+        <source>each target once</source>
+        <translation>jede Zielposition einmal</translation>
+    </message>
+    <message>
+        <source>a position of the reference</source>
+        <translation>eine Position der Referenz</translation>
+    </message>
+    <message>
+        <source>{key}: {said}, but {found} are there</source>
+        <translation>{key}: {said}, vorhanden sind {found}</translation>
+    </message>
+    <message>
+        <source>the whole file</source>
+        <translation>die ganze Datei</translation>
+    </message>
+    <message>
+        <source>a length or an angle: mm, um, m, inch, deg, arcsec, mrad</source>
+        <translation>eine Länge oder ein Winkel: mm, um, m, inch, deg, arcsec, mrad</translation>
+    </message>
+    <message>
+        <source>the number of a target, TGT_DATA[{number}]=</source>
+        <translation>die Nummer einer Zielposition, TGT_DATA[{number}]=</translation>
+    </message>
+    <message>
+        <source>data of an ISO 230-2 test</source>
+        <translation>Daten einer Prüfung nach ISO 230-2</translation>
+    </message>
+    <message>
+        <source>a head such as i|tgt_pos(i) [mm]|ref_pos(i,1) [mm]|</source>
+        <translation>ein Kopf wie i|tgt_pos(i) [mm]|ref_pos(i,1) [mm]|</translation>
+    </message>
+    <message>
+        <source>a position</source>
+        <translation>eine Position</translation>
+    </message>
+    <message>
+        <source>{value}, as the head of the table has</source>
+        <translation>{value} wie im Kopf der Tabelle</translation>
+    </message>
+    <message>
+        <source>a report by a program that is known to print forward and backward the other way round</source>
+        <translation>ein Bericht eines Programms, das vorwärts und rückwärts bekanntermaßen vertauscht ausgibt</translation>
+    </message>
+    <message>
+        <source>report of an ISO 230-2 test, with its results</source>
+        <translation>Bericht einer Prüfung nach ISO 230-2 mit Ergebnissen</translation>
+    </message>
+    <message>
+        <source>a line with the names of the columns, such as target [mm]</source>
+        <translation>eine Zeile mit den Namen der Spalten, zum Beispiel target [mm]</translation>
+    </message>
+    <message>
+        <source>no column {column} for {role}</source>
+        <translation>keine Spalte {column} für {role}</translation>
+    </message>
+    <message numerus="yes">
+        <source>the name of a column, or its number from 1 to {count}</source>
+        <comment>the name of the column, or 1</comment>
+        <translation>
+            <numerusform>der Name der Spalte oder 1</numerusform>
+            <numerusform>der Name einer Spalte oder ihre Nummer von 1 bis {count}</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>two columns for {role}</source>
+        <translation>zwei Spalten für {role}</translation>
+    </message>
+    <message>
+        <source>one; name the columns with --columns</source>
+        <translation>eine; benennen Sie die Spalten mit --columns</translation>
+    </message>
+    <message>
+        <source>a column for {role}</source>
+        <translation>eine Spalte für {role}</translation>
+    </message>
+    <message>
+        <source>one of these words before the =: {known}</source>
+        <translation>eines dieser Wörter vor dem =: {known}</translation>
+    </message>
+    <message>
+        <source>a unit in brackets behind the name, such as {example}, or --unit and --value-unit</source>
+        <translation>eine Einheit in Klammern hinter dem Namen, zum Beispiel {example}, oder --unit und --value-unit</translation>
+    </message>
+    <message>
+        <source>column {column}</source>
+        <translation>Spalte {column}</translation>
+    </message>
+    <message>
+        <source>the unit {unit} of column {column}</source>
+        <translation>die Einheit {unit} der Spalte {column}</translation>
+    </message>
+    <message>
+        <source>an angle as the targets are</source>
+        <translation>ein Winkel wie die Zielpositionen</translation>
+    </message>
+    <message>
+        <source>a length as the targets are</source>
+        <translation>eine Länge wie die Zielpositionen</translation>
+    </message>
+    <message>
+        <source>corrected: none, or corrected: 20C</source>
+        <translation>corrected: none oder corrected: 20C</translation>
+    </message>
+    <message>
+        <source>values: deviation, or values: reference</source>
+        <translation>values: deviation oder values: reference</translation>
+    </message>
+    <message>
+        <source>sign: deviation (reference minus target), or sign: correction (its opposite)</source>
+        <translation>sign: deviation (Referenz minus Zielposition) oder sign: correction (das Gegenteil)</translation>
+    </message>
+    <message>
+        <source>a temperature in deg C, such as 20.4</source>
+        <translation>eine Temperatur in °C, zum Beispiel 20.4</translation>
+    </message>
+    <message>
+        <source>a coefficient of expansion in 1/K, such as 11.5e-6</source>
+        <translation>ein Ausdehnungskoeffizient in 1/K, zum Beispiel 11.5e-6</translation>
+    </message>
+    <message>
+        <source>compensation: off, on, or crc: with the checksum of the table, such as crc:1c291ca3</source>
+        <translation>compensation: off, on oder crc: mit der Prüfsumme der Tabelle, zum Beispiel crc:1c291ca3</translation>
+    </message>
+    <message>
+        <source>&quot;{text}&quot; names no columns; write target=1,direction=3,deviation=5, with numbers or names of columns</source>
+        <translation>„{text}“ benennt keine Spalten; schreiben Sie target=1,direction=3,deviation=5 mit Nummern oder Namen von Spalten</translation>
+    </message>
+    <message>
+        <source>no columns X and Y</source>
+        <translation>keine Spalten X und Y</translation>
+    </message>
+    <message>
+        <source>columns X and Y, or X, Y and Z, with the positions</source>
+        <translation>Spalten X und Y, oder X, Y und Z, mit den Positionen</translation>
+    </message>
+    <message>
+        <source>no column of values</source>
+        <translation>keine Spalte mit Werten</translation>
+    </message>
+    <message>
+        <source>at least one behind the positions, such as dX [um]</source>
+        <translation>mindestens eine hinter den Positionen, zum Beispiel dX [um]</translation>
+    </message>
+    <message>
+        <source>a line for each point</source>
+        <translation>eine Zeile für jeden Punkt</translation>
+    </message>
+    <message>
+        <source>CSV of values at positions of 2 or 3 axes</source>
+        <translation>CSV mit Werten an Positionen von 2 oder 3 Achsen</translation>
+    </message>
+    <message>
+        <source>run, number of the target and deviation, such as 1 1 0.21</source>
+        <translation>Durchlauf, Nummer der Zielposition und Abweichung, zum Beispiel 1 1 0.21</translation>
+    </message>
+    <message>
+        <source>a deviation</source>
+        <translation>eine Abweichung</translation>
+    </message>
+    <message>
+        <source>a whole number from 1</source>
+        <translation>eine ganze Zahl ab 1</translation>
+    </message>
+    <message numerus="yes">
+        <source>a number from 1 to {count}, as there are targets</source>
+        <comment>1, the only target</comment>
+        <translation>
+            <numerusform>1, die einzige Zielposition</numerusform>
+            <numerusform>eine Nummer von 1 bis {count}, so viele Zielpositionen gibt es</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the whole file; save it again from the instrument&apos;s software</source>
+        <translation>die ganze Datei; speichern Sie sie aus der Software des Messgeräts neu</translation>
+    </message>
+    <message>
+        <source>File type: rtl or rta, which says the units</source>
+        <translation>File type: rtl oder rta, woraus die Einheiten folgen</translation>
+    </message>
+    <message>
+        <source>sections TARGET DATA:: and DEVIATIONS:: with their numbers</source>
+        <translation>Abschnitte TARGET DATA:: und DEVIATIONS:: mit ihren Zahlen</translation>
+    </message>
+    <message numerus="yes">
+        <source>{count} runs of a unidirectional file that are exactly 0 throughout</source>
+        <comment>1 run of a unidirectional file that is exactly 0 throughout</comment>
+        <translation>
+            <numerusform>1 Durchlauf einer einseitigen Messung, der überall genau 0 ist</numerusform>
+            <numerusform>{count} Durchläufe einer einseitigen Messung, die überall genau 0 sind</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>a run whose target numbers rise or fall throughout</source>
+        <translation>ein Durchlauf, dessen Zielnummern durchgehend steigen oder fallen</translation>
+    </message>
+    <message>
+        <source>linear and angular measurements (.rtl, .rta)</source>
+        <translation>Längen- und Winkelmessungen (.rtl, .rta)</translation>
+    </message>
+    <message>
+        <source>the reference has a unit that is 1000 times smaller, as um for mm</source>
+        <translation>die Referenz hat eine 1000-mal kleinere Einheit, zum Beispiel um statt mm</translation>
+    </message>
+    <message>
+        <source>the reference has a unit that is 1000 times larger, as m for mm</source>
+        <translation>die Referenz hat eine 1000-mal größere Einheit, zum Beispiel m statt mm</translation>
+    </message>
+    <message>
+        <source>the reference is in mm and the encoder in inch</source>
+        <translation>die Referenz ist in mm und der Geber in Zoll</translation>
+    </message>
+    <message>
+        <source>the reference is in inch and the encoder in mm</source>
+        <translation>die Referenz ist in Zoll und der Geber in mm</translation>
+    </message>
+    <message>
+        <source>the factor of the interferometer is wrong: it counts half</source>
+        <translation>der Faktor des Interferometers stimmt nicht: es zählt die Hälfte</translation>
+    </message>
+    <message>
+        <source>the factor of the interferometer is wrong: it counts double</source>
+        <translation>der Faktor des Interferometers stimmt nicht: es zählt doppelt</translation>
+    </message>
+    <message>
+        <source>the reference is in degrees and the encoder in radians</source>
+        <translation>die Referenz ist in Grad und der Geber in Radiant</translation>
+    </message>
+    <message>
+        <source>the reference is in radians and the encoder in degrees</source>
+        <translation>die Referenz ist in Radiant und der Geber in Grad</translation>
+    </message>
+    <message>
+        <source>the instrument counts the other way; if so, say it with --invert-reference</source>
+        <translation>das Messgerät zählt andersherum; wenn das so ist, geben Sie --invert-reference an</translation>
+    </message>
+    <message>
+        <source>1; {meaning}: correct the file, or state the unit with --value-unit</source>
+        <translation>1; {meaning}: berichtigen Sie die Datei oder geben Sie die Einheit mit --value-unit an</translation>
+    </message>
+    <message>
+        <source>1 within 1 %; check which columns are reference and encoder, and their units</source>
+        <translation>1 auf 1 % genau; prüfen Sie, welche Spalten Referenz und Geber sind, und ihre Einheiten</translation>
+    </message>
+    <message numerus="yes">
+        <source>{count} targets</source>
+        <comment>1 target</comment>
+        <translation>
+            <numerusform>1 Zielposition</numerusform>
+            <numerusform>{count} Zielpositionen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>at least 2 different positions that the axis was sent to</source>
+        <translation>mindestens 2 verschiedene Positionen, die die Achse angefahren hat</translation>
+    </message>
+    <message>
+        <source>target {target}, {direction}, run {run} in line {first} and in line {second}</source>
+        <translation>Zielposition {target}, {direction}, Durchlauf {run} in Zeile {first} und in Zeile {second}</translation>
+    </message>
+    <message>
+        <source>one value for each target, direction and run</source>
+        <translation>ein Wert für jede Zielposition, jede Richtung und jeden Durchlauf</translation>
+    </message>
+    <message>
+        <source>{up} up and {down} down</source>
+        <translation>{up} aufwärts und {down} abwärts</translation>
+    </message>
+    <message>
+        <source>as many in each direction</source>
+        <translation>gleich viele in jeder Richtung</translation>
+    </message>
+    <message numerus="yes">
+        <source>no value for {places} ({count} are missing)</source>
+        <comment>no value for {places}</comment>
+        <translation>
+            <numerusform>kein Wert für {places}</numerusform>
+            <numerusform>kein Wert für {places} ({count} fehlen)</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>a value for every target in every run</source>
+        <translation>ein Wert für jede Zielposition in jedem Durchlauf</translation>
+    </message>
+    <message>
+        <source>values that rise by {slope} with the target</source>
+        <translation>Werte, die mit der Zielposition um {slope} steigen</translation>
+    </message>
+    <message>
+        <source>deviations, which hardly follow it</source>
+        <translation>Abweichungen, die ihr kaum folgen</translation>
+    </message>
+    <message>
+        <source>a largest deviation of {value} over {travel}</source>
+        <translation>eine größte Abweichung von {value} auf {travel}</translation>
+    </message>
+    <message>
+        <source>more than a billionth of the travel</source>
+        <translation>mehr als ein Milliardstel des Wegs</translation>
+    </message>
+    <message>
+        <source>at most 1 % of the travel</source>
+        <translation>höchstens 1 % des Wegs</translation>
+    </message>
+    <message>
+        <source>the reference moves {slope} times as far as the axis</source>
+        <translation>die Referenz bewegt sich {slope}-mal so weit wie die Achse</translation>
+    </message>
+    <message>
+        <source>no column target</source>
+        <translation>keine Spalte target</translation>
+    </message>
+    <message>
+        <source>a column target, or which column it is: --columns &apos;target=1,direction=2,...&apos;</source>
+        <translation>eine Spalte target, oder welche Spalte es ist: --columns &apos;target=1,direction=2,...&apos;</translation>
+    </message>
+    <message>
+        <source>no column direction</source>
+        <translation>keine Spalte direction</translation>
+    </message>
+    <message>
+        <source>a column direction with + and -, or --direction-from order when the runs rise and fall</source>
+        <translation>eine Spalte direction mit + und -, oder --direction-from order, wenn die Durchläufe steigen und fallen</translation>
+    </message>
+    <message>
+        <source>neither deviation nor reference</source>
+        <translation>weder deviation noch reference</translation>
+    </message>
+    <message>
+        <source>both deviation and reference</source>
+        <translation>sowohl deviation als auch reference</translation>
+    </message>
+    <message>
+        <source>either a column deviation (reference minus target) or a column reference (position)</source>
+        <translation>entweder eine Spalte deviation (Referenz minus Zielposition) oder eine Spalte reference (Position)</translation>
+    </message>
+    <message>
+        <source>+ or -, up or down, forward or backward</source>
+        <translation>+ oder -, up oder down, forward oder backward</translation>
+    </message>
+    <message>
+        <source>line {line}</source>
+        <translation>Zeile {line}</translation>
+    </message>
+    <message>
+        <source>at least two targets one after the other in each run, so that its direction shows</source>
+        <translation>mindestens zwei Zielpositionen nacheinander in jedem Durchlauf, damit seine Richtung zu sehen ist</translation>
+    </message>
+    <message>
+        <source>CSV with a line for each value</source>
+        <translation>CSV mit einer Zeile für jeden Wert</translation>
+    </message>
+    <message>
+        <source>no column encoder</source>
+        <translation>keine Spalte encoder</translation>
+    </message>
+    <message>
+        <source>no column reference</source>
+        <translation>keine Spalte reference</translation>
+    </message>
+    <message>
+        <source>columns encoder and reference</source>
+        <translation>Spalten encoder und reference</translation>
+    </message>
+    <message numerus="yes">
+        <source>{count} samples</source>
+        <comment>1 sample</comment>
+        <translation>
+            <numerusform>1 Messpunkt</numerusform>
+            <numerusform>{count} Messpunkte</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>at least {count} samples of an axis that moves</source>
+        <translation>mindestens {count} Messpunkte einer Achse, die sich bewegt</translation>
+    </message>
+    <message numerus="yes">
+        <source>{count} samples after turns, until the axis had moved {overrun}</source>
+        <comment>1 sample after a turn, until the axis had moved {overrun}</comment>
+        <translation>
+            <numerusform>1 Messpunkt nach einer Umkehr, bis die Achse {overrun} gefahren war</numerusform>
+            <numerusform>{count} Messpunkte nach Umkehrungen, bis die Achse {overrun} gefahren war</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>CSV of encoder and reference positions without targets</source>
+        <translation>CSV mit Geber- und Referenzpositionen ohne Zielpositionen</translation>
+    </message>
+    <message>
+        <source>columns of runs that are either deviations or positions</source>
+        <translation>Spalten von Durchläufen, die Abweichungen oder Positionen sein können</translation>
+    </message>
+    <message>
+        <source>which it is: // values: deviation or // values: reference in the file, or --values</source>
+        <translation>was davon: // values: deviation oder // values: reference in der Datei, oder --values</translation>
+    </message>
+    <message>
+        <source>a column target before those of the runs</source>
+        <translation>eine Spalte target vor denen der Durchläufe</translation>
+    </message>
+    <message>
+        <source>CSV with a line for each target</source>
+        <translation>CSV mit einer Zeile für jede Zielposition</translation>
+    </message>
+    <message>
+        <source>angles do not change with temperature or air: the correction is for lengths</source>
+        <translation>Winkel ändern sich nicht mit Temperatur oder Luft: die Korrektur ist für Längen</translation>
+    </message>
+    <message>
+        <source>the file says that its values are corrected to 20 deg C already; correcting them again would make them wrong</source>
+        <translation>nach der Datei sind die Werte schon auf 20 °C korrigiert; eine weitere Korrektur würde sie verfälschen</translation>
+    </message>
+    <message>
+        <source>the file does not say whether its values are corrected to 20 deg C already; if they are not, say so with --not-corrected</source>
+        <translation>die Datei sagt nicht, ob ihre Werte schon auf 20 °C korrigiert sind; wenn nicht, geben Sie --not-corrected an</translation>
+    </message>
+    <message>
+        <source>a temperature is in deg C and a coefficient of expansion in 1/K, such as 22.5 and 11.5e-6</source>
+        <translation>eine Temperatur ist in °C und ein Ausdehnungskoeffizient in 1/K, zum Beispiel 22.5 und 11.5e-6</translation>
+    </message>
+    <message>
+        <source>the air of run {run} {direction} is not known; the dead path needs pressure, temperature and humidity of every run</source>
+        <translation>die Luft während Durchlauf {run} {direction} ist nicht bekannt; die Totstrecke braucht Druck, Temperatur und Feuchte jedes Durchlaufs</translation>
+    </message>
+    <message>
+        <source>a number that is not negative</source>
+        <translation>eine Zahl, die nicht negativ ist</translation>
+    </message>
+    <message>
+        <source>the uncertainty budget is wrong: {reason}</source>
+        <translation>das Unsicherheitsbudget ist falsch: {reason}</translation>
+    </message>
+    <message>
+        <source>&quot;{text}&quot; is no angle; write a number that is not negative and its unit, such as 5arcsec</source>
+        <translation>„{text}“ ist kein Winkel; schreiben Sie eine nicht negative Zahl mit Einheit, zum Beispiel 5arcsec</translation>
+    </message>
+    <message>
+        <source>&quot;{text}&quot; is no length; write a number that is not negative and its unit, such as 10um</source>
+        <translation>„{text}“ ist keine Länge; schreiben Sie eine nicht negative Zahl mit Einheit, zum Beispiel 10um</translation>
+    </message>
+    <message>
+        <source>&quot;{text}&quot; is no tolerance; write a figure and its limit, such as A=10um; the figures are A, A+, A-, R, R+, R-, E, E+, E-, B, Bm and M</source>
+        <translation>„{text}“ ist keine Toleranz; schreiben Sie einen Kennwert und seine Grenze, zum Beispiel A=10um; die Kennwerte sind A, A+, A-, R, R+, R-, E, E+, E-, B, Bm und M</translation>
+    </message>
+    <message>
+        <source>&quot;{text}&quot; names nothing that can be excluded; write down:1:1 for a value (direction, target, run), run:up:3 or target:7</source>
+        <translation>„{text}“ benennt nichts, was ausgeschlossen werden kann; schreiben Sie down:1:1 für einen Wert (Richtung, Zielposition, Durchlauf), run:up:3 oder target:7</translation>
+    </message>
+    <message>
+        <source>there is no value {exclusion}: the measurement has {targets} targets, {up} runs up and {down} runs down</source>
+        <translation>es gibt keinen Wert {exclusion}: die Messung hat {targets} Zielpositionen, {up} Durchläufe aufwärts und {down} abwärts</translation>
+    </message>
+    <message>
+        <source>only runs over targets can be joined; one file has {kind}</source>
+        <translation>nur Durchläufe über Zielpositionen können verbunden werden; eine Datei enthält {kind}</translation>
+    </message>
+    <message>
+        <source>a measurement of lengths and one of angles cannot be joined</source>
+        <translation>eine Messung von Längen und eine von Winkeln können nicht verbunden werden</translation>
+    </message>
+    <message>
+        <source>measurements with different tables, or with and without compensation, cannot be joined</source>
+        <translation>Messungen mit verschiedenen Tabellen oder mit und ohne Kompensation können nicht verbunden werden</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -4465,6 +4985,177 @@
     <message>
         <source>All files (*)</source>
         <translation>Alle Dateien (*)</translation>
+    </message>
+</context>
+<context>
+    <name>Measurement</name>
+    <message>
+        <source>temperature on record</source>
+        <translation>Temperatur festgehalten</translation>
+    </message>
+    <message>
+        <source>instrument on record</source>
+        <translation>Messgerät festgehalten</translation>
+    </message>
+    <message>
+        <source>feed on record</source>
+        <translation>Vorschub festgehalten</translation>
+    </message>
+    <message>
+        <source>dwell on record</source>
+        <translation>Verweilzeit festgehalten</translation>
+    </message>
+    <message>
+        <source>at least {due} targets over {range}: {count}</source>
+        <translation>mindestens {due} Zielpositionen auf {range}: {count}</translation>
+    </message>
+    <message>
+        <source>a target about every 250 mm on an axis above 2 m: {count} over {range}</source>
+        <translation>eine Zielposition etwa alle 250 mm bei einer Achse über 2 m: {count} auf {range}</translation>
+    </message>
+    <message>
+        <source>at least 5 targets, and 5 for each metre: {count} over {range}</source>
+        <translation>mindestens 5 Zielpositionen und 5 je Meter: {count} auf {range}</translation>
+    </message>
+    <message>
+        <source>a run in each direction on an axis above 2 m, for E, B and M alone: {count}</source>
+        <translation>ein Durchlauf in jeder Richtung bei einer Achse über 2 m, nur für E, B und M: {count}</translation>
+    </message>
+    <message>
+        <source>5 runs in each direction: the file has means</source>
+        <translation>5 Durchläufe in jeder Richtung: die Datei enthält Mittelwerte</translation>
+    </message>
+    <message>
+        <source>5 runs in each direction: {count} values where there are fewest</source>
+        <translation>5 Durchläufe in jeder Richtung: {count} Werte, wo es am wenigsten sind</translation>
+    </message>
+    <message>
+        <source>every target is approached in both directions</source>
+        <translation>jede Zielposition ist in beiden Richtungen angefahren</translation>
+    </message>
+    <message>
+        <source>the targets are not all at the same place of a period of the axis; no period is stated</source>
+        <translation>die Zielpositionen liegen nicht alle an derselben Stelle einer Periode der Achse; es ist keine Periode angegeben</translation>
+    </message>
+    <message>
+        <source>the targets are not all at the same place of the period {period}</source>
+        <translation>die Zielpositionen liegen nicht alle an derselben Stelle der Periode {period}</translation>
+    </message>
+    <message>
+        <source>reversal value B</source>
+        <translation>Umkehrspanne B</translation>
+    </message>
+    <message>
+        <source>mean reversal value</source>
+        <translation>mittlere Umkehrspanne</translation>
+    </message>
+    <message>
+        <source>range of the mean deviation M</source>
+        <translation>Spanne der mittleren Abweichung M</translation>
+    </message>
+    <message>
+        <source>systematic deviation E, up</source>
+        <translation>systematische Abweichung E, aufwärts</translation>
+    </message>
+    <message>
+        <source>systematic deviation E, down</source>
+        <translation>systematische Abweichung E, abwärts</translation>
+    </message>
+    <message>
+        <source>systematic deviation E</source>
+        <translation>systematische Abweichung E</translation>
+    </message>
+    <message>
+        <source>repeatability R, up</source>
+        <translation>Wiederholpräzision R, aufwärts</translation>
+    </message>
+    <message>
+        <source>repeatability R, down</source>
+        <translation>Wiederholpräzision R, abwärts</translation>
+    </message>
+    <message>
+        <source>repeatability R</source>
+        <translation>Wiederholpräzision R</translation>
+    </message>
+    <message>
+        <source>accuracy A, up</source>
+        <translation>Genauigkeit A, aufwärts</translation>
+    </message>
+    <message>
+        <source>accuracy A, down</source>
+        <translation>Genauigkeit A, abwärts</translation>
+    </message>
+    <message>
+        <source>accuracy A</source>
+        <translation>Genauigkeit A</translation>
+    </message>
+    <message>
+        <source>the runs {direction} drift by {drift} from the first to the last, more than their spread explains</source>
+        <translation>die Durchläufe {direction} driften vom ersten zum letzten um {drift}, mehr als ihre Streuung erklärt</translation>
+    </message>
+    <message>
+        <source>more than a fifth of the values {direction} do not fit the others: the measurement was disturbed, and nothing is proposed</source>
+        <translation>mehr als ein Fünftel der Werte {direction} passt nicht zu den anderen: die Messung war gestört, es wird nichts vorgeschlagen</translation>
+    </message>
+    <message numerus="yes">
+        <source>{count} values excluded, not an evaluation by ISO 230-2</source>
+        <comment>1 value excluded, not an evaluation by ISO 230-2</comment>
+        <translation>
+            <numerusform>1 Wert ausgeschlossen, keine Auswertung nach ISO 230-2</numerusform>
+            <numerusform>{count} Werte ausgeschlossen, keine Auswertung nach ISO 230-2</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the file says {figure} = {published}</source>
+        <translation>die Datei sagt: {figure} = {published}</translation>
+    </message>
+    <message>
+        <source>{statement}, which is less than its own {figure} = {published}</source>
+        <translation>{statement}, das ist weniger als in derselben Datei {figure} = {published}</translation>
+    </message>
+    <message>
+        <source>{statement}; computed from its values: {computed}</source>
+        <translation>{statement}; aus ihren Werten berechnet: {computed}</translation>
+    </message>
+    <message>
+        <source>passed</source>
+        <translation>erfüllt</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>nicht erfüllt</translation>
+    </message>
+    <message>
+        <source>undecided</source>
+        <translation>nicht entscheidbar</translation>
+    </message>
+    <message>
+        <source>not defined</source>
+        <translation>nicht definiert</translation>
+    </message>
+    <message>
+        <source>means of runs</source>
+        <translation>Mittelwerte von Durchläufen</translation>
+    </message>
+    <message>
+        <source>a track without targets</source>
+        <translation>eine Aufzeichnung ohne Zielpositionen</translation>
+    </message>
+    <message>
+        <source>points of a plane or space</source>
+        <translation>Punkte einer Ebene oder eines Raums</translation>
+    </message>
+    <message>
+        <source>runs over targets</source>
+        <translation>Durchläufe über Zielpositionen</translation>
+    </message>
+    <message>
+        <source>up</source>
+        <translation>aufwärts</translation>
+    </message>
+    <message>
+        <source>down</source>
+        <translation>abwärts</translation>
     </message>
 </context>
 <context>
@@ -4688,6 +5379,94 @@
     <message>
         <source>choose the dimensionality that the file has (--dims)</source>
         <translation>die Dimensionalität der Datei wählen (--dims)</translation>
+    </message>
+    <message>
+        <source>the columns do not say what was measured</source>
+        <translation>die Spalten sagen nicht, was gemessen wurde</translation>
+    </message>
+    <message>
+        <source>the unit of a column is not known</source>
+        <translation>die Einheit einer Spalte ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>a length and an angle are mixed</source>
+        <translation>eine Länge und ein Winkel sind vermischt</translation>
+    </message>
+    <message>
+        <source>correct the unit in the file, or state it</source>
+        <translation>berichtigen Sie die Einheit in der Datei oder geben Sie sie an</translation>
+    </message>
+    <message>
+        <source>this is not a direction</source>
+        <translation>das ist keine Richtung</translation>
+    </message>
+    <message>
+        <source>this is not the number of a run</source>
+        <translation>das ist keine Nummer eines Durchlaufs</translation>
+    </message>
+    <message>
+        <source>the same value is there twice</source>
+        <translation>derselbe Wert ist zweimal da</translation>
+    </message>
+    <message>
+        <source>delete one of the two lines, or give each run its number</source>
+        <translation>löschen Sie eine der beiden Zeilen oder geben Sie jedem Durchlauf seine Nummer</translation>
+    </message>
+    <message>
+        <source>the file holds another number than it says</source>
+        <translation>die Datei enthält eine andere Anzahl, als sie angibt</translation>
+    </message>
+    <message>
+        <source>there are too few targets</source>
+        <translation>es sind zu wenige Zielpositionen</translation>
+    </message>
+    <message>
+        <source>there is no target of this number</source>
+        <translation>es gibt keine Zielposition dieser Nummer</translation>
+    </message>
+    <message>
+        <source>the instrument does not follow the axis one to one</source>
+        <translation>das Messgerät folgt der Achse nicht eins zu eins</translation>
+    </message>
+    <message>
+        <source>values are missing</source>
+        <translation>es fehlen Werte</translation>
+    </message>
+    <message>
+        <source>the figures are made of the values that are there</source>
+        <translation>die Kennwerte entstehen aus den vorhandenen Werten</translation>
+    </message>
+    <message>
+        <source>the directions have different numbers of runs</source>
+        <translation>die Richtungen haben verschieden viele Durchläufe</translation>
+    </message>
+    <message>
+        <source>the values look like positions instead of deviations</source>
+        <translation>die Werte sehen aus wie Positionen statt Abweichungen</translation>
+    </message>
+    <message>
+        <source>if they are positions of the reference, say so: --values reference, or name the column reference</source>
+        <translation>wenn es Positionen der Referenz sind, geben Sie das an: --values reference, oder nennen Sie die Spalte reference</translation>
+    </message>
+    <message>
+        <source>the size of the values is unusual</source>
+        <translation>die Größe der Werte ist ungewöhnlich</translation>
+    </message>
+    <message>
+        <source>the two directions may have been exchanged</source>
+        <translation>die beiden Richtungen sind vielleicht vertauscht</translation>
+    </message>
+    <message>
+        <source>compare with the data, and exchange them if so</source>
+        <translation>vergleichen Sie mit den Daten und vertauschen Sie sie gegebenenfalls</translation>
+    </message>
+    <message>
+        <source>a result in the file is not what its values give</source>
+        <translation>ein Ergebnis in der Datei passt nicht zu ihren Werten</translation>
+    </message>
+    <message>
+        <source>not everything in the file is used</source>
+        <translation>nicht alles in der Datei wird verwendet</translation>
     </message>
 </context>
 <context>

@@ -16,6 +16,7 @@ enum class ExitCode : int {
     NoConnection = 5,
     ReadBackDiffers = 6,
     FlashWear = 7,
+    ToleranceNotMet = 8, ///< failed, undecided or not defined (judge)
     Stopped = 130,
 };
 

@@ -31,6 +31,19 @@ constexpr std::array errorRows{
     ErrorRow{ErrorCode::InvalidCalibration, "InvalidCalibration", ErrorClass::InputFile,
         AXISCOMP_COUNTED("Error", "{file} is not a valid calibration file: {count} problems",
             "{file} is not a valid calibration file: one problem")},
+    ErrorRow{ErrorCode::InvalidMeasurement, "InvalidMeasurement", ErrorClass::InputFile,
+        AXISCOMP_COUNTED("Error", "{file} is not a valid measurement: {count} problems",
+            "{file} is not a valid measurement: one problem")},
+    ErrorRow{ErrorCode::UnitMissing, "UnitMissing", ErrorClass::Request,
+        AXISCOMP_TEXT(
+            "Error", "{file} does not say its units; state them with --unit and --value-unit")},
+    ErrorRow{ErrorCode::InstrumentScale, "InstrumentScale", ErrorClass::InputFile,
+        AXISCOMP_TEXT(
+            "Error", "the readings of the instrument in {file} do not follow the axis one to one")},
+    ErrorRow{ErrorCode::NoTargets, "NoTargets", ErrorClass::InputFile,
+        AXISCOMP_TEXT("Error",
+            "{file} has no targets; the figures of the standard need a measurement of runs over "
+            "targets")},
     ErrorRow{ErrorCode::InvalidTable, "InvalidTable", ErrorClass::InputFile,
         AXISCOMP_TEXT("Error",
             "this is not a valid TAM table: {field} at offset {offset} is {found}, expected "

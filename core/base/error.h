@@ -21,6 +21,10 @@ enum class ErrorCode {
     FileNotWritable, ///< file, reason
     FileTooLarge, ///< file, size, limit
     InvalidCalibration, ///< file, count: the diagnostics are beside it
+    InvalidMeasurement, ///< file, count: the diagnostics are beside it
+    UnitMissing, ///< file
+    InstrumentScale, ///< file
+    NoTargets, ///< file
     InvalidTable, ///< field, offset, found, expected (TAM table, docs/tamtbl.md)
     InvalidProfile, ///< file, path (JSON path), reason
     InvalidConfiguration, ///< file, line, reason (TAM configuration)

@@ -88,8 +88,8 @@ Text withDimensionalityHint(Text expected, int dimensions)
         .with("dimensions", dimensions);
 }
 
-std::optional<Header> readHeader(std::string_view line, std::size_t lineNumber, int dimensions,
-    Encoding encoding, DiagnosticList& diagnostics)
+std::optional<Header> readColumnNames(
+    std::string_view line, std::size_t lineNumber, Encoding encoding, DiagnosticList& diagnostics)
 {
     Header header{csvSeparator(line), {}};
     std::vector<Cell> cells;
@@ -108,7 +108,19 @@ std::optional<Header> readHeader(std::string_view line, std::size_t lineNumber, 
             AXISCOMP_TEXT("Error", "the names of the columns, not numbers"));
         return std::nullopt;
     }
+    for (const Cell& cell : cells)
+        header.columns.push_back(columnName(cellText(cell, encoding)));
+    return header;
+}
+
+std::optional<Header> readHeader(std::string_view line, std::size_t lineNumber, int dimensions,
+    Encoding encoding, DiagnosticList& diagnostics)
+{
+    std::optional<Header> header = readColumnNames(line, lineNumber, encoding, diagnostics);
+    if (!header)
+        return std::nullopt;
     const auto positions = static_cast<std::size_t>(dimensions);
+    const std::size_t count = header->columns.size();
     if (count < positions + 1) {
         diagnostics.error(DiagnosticCode::TooFewColumns, lineNumber, 0,
             AXISCOMP_COUNTED("Error", "{count} columns", "1 column").with("count", count),
@@ -121,9 +133,7 @@ std::optional<Header> readHeader(std::string_view line, std::size_t lineNumber, 
                 line, count));
         return std::nullopt;
     }
-    for (const Cell& cell : cells)
-        header.columns.push_back(columnName(cellText(cell, encoding)));
-    nameTables(header.columns, positions);
+    nameTables(header->columns, positions);
     return header;
 }
 

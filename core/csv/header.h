@@ -10,7 +10,12 @@ struct Header {
     std::vector<ColumnName> columns; ///< tables have a name, each its own
 };
 
-/// Reads the header line. None: it cannot be used, and diagnostics say why.
+/// The names and units of the columns of a header line as they stand there. None: it cannot be
+/// used, and diagnostics say why.
+[[nodiscard]] std::optional<Header> readColumnNames(
+    std::string_view line, std::size_t lineNumber, Encoding encoding, DiagnosticList& diagnostics);
+
+/// Reads the header line of a calibration file. None: it cannot be used, and diagnostics say why.
 [[nodiscard]] std::optional<Header> readHeader(std::string_view line, std::size_t lineNumber,
     int dimensions, Encoding encoding, DiagnosticList& diagnostics);
 

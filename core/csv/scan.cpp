@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/csv/scan.h"
 
-#include "core/csv/fast_rows.h"
+#include "core/csv/cell_reader.h"
 #include "core/csv/header.h"
 #include "core/table/target_axis.h"
 #include "core/text/line_reader.h"
@@ -21,6 +21,7 @@ public:
         , m_encoding(text.encoding())
         , m_text(text.body())
         , m_lines(m_text)
+        , m_cells(m_encoding, diagnostics)
     {
         m_scan.dimensions = options.dimensions;
     }
@@ -34,17 +35,8 @@ private:
     bool useHeader(std::string_view line, std::size_t lineNumber);
     void readPlainRowsUntil(const char* until);
     void readDataLine(std::string_view line, std::size_t lineNumber);
-    bool checkCells(std::string_view line, std::size_t lineNumber, std::size_t count);
-    void reportColumnCount(std::string_view line, std::size_t lineNumber, std::size_t count);
-    bool readPositions(std::size_t lineNumber, RowStore::Block& block);
+    bool readPositions(RowStore::Block& block);
     void readValues(std::size_t lineNumber, RowStore::Block& block);
-    bool readNumber(std::size_t lineNumber, std::size_t column, Number& number);
-    bool decideDecimal(std::string_view cell, std::size_t lineNumber, std::size_t column);
-    [[nodiscard]] bool isMissing(std::size_t column) const
-    {
-        return column > m_scan.positions.size() && isNoValue(m_cells[column - 1].text);
-    }
-    void reportFault(NumberFault fault, std::size_t lineNumber, std::size_t column);
     [[nodiscard]] std::size_t maximumRows() const
     {
         return m_options.maximumCells / m_scan.columns.size();
@@ -55,10 +47,8 @@ private:
     Encoding m_encoding;
     std::string_view m_text;
     LineReader m_lines;
-    CellFormat m_format;
-    std::size_t m_decimalLine = 0; ///< where the first decimal sign stands
+    CellReader m_cells;
     bool m_stop = false;
-    std::vector<Cell> m_cells;
     std::size_t m_noteBytes = 0;
     std::size_t m_droppedNotes = 0;
     std::size_t m_firstDroppedLine = 0;
@@ -136,11 +126,14 @@ bool Scanner::useHeader(std::string_view line, std::size_t lineNumber)
         readHeader(line, lineNumber, m_scan.dimensions, m_encoding, m_diagnostics);
     if (!header)
         return false;
-    m_format.separator = header->separator;
-    m_format.decimal = header->separator == ';' ? '\0' : '.';
+    m_cells.begin(header->separator, header->columns.size(), lineNumber);
     m_scan.columns = std::move(header->columns);
     m_scan.ranges.resize(m_scan.tables());
     const auto dimensions = static_cast<std::size_t>(m_scan.dimensions);
+    m_cells.setNoValueHint(dimensions + 1,
+        AXISCOMP_TEXT("Error",
+            "{expected}; points without a value can be filled or left out (--fill, --crop, or "
+            "Missing points in the import)"));
     m_scan.positions.assign(dimensions, PositionColumn(m_text));
     m_scan.rows = RowStore(dimensions == 1 ? 0 : dimensions, m_scan.tables());
     return true;
@@ -149,8 +142,8 @@ bool Scanner::useHeader(std::string_view line, std::size_t lineNumber)
 void Scanner::readPlainRowsUntil(const char* until)
 {
     const std::size_t row = m_scan.rows.size();
-    const char* const position =
-        readPlainRows(m_scan, m_format, m_lines.position(), until, m_lines.end(), maximumRows());
+    const char* const position = readPlainRows(
+        m_scan, m_cells.format(), m_lines.position(), until, m_lines.end(), maximumRows());
     const std::size_t rows = m_scan.rows.size() - row;
     if (rows == 0)
         return;
@@ -171,10 +164,9 @@ void Scanner::readDataLine(std::string_view line, std::size_t lineNumber)
         m_scan.complete = false;
         return;
     }
-    const std::size_t count = splitCells(line, m_format.separator, m_scan.columns.size(), m_cells);
     RowStore::Block& block = m_scan.rows.open();
-    const bool wellFormed = checkCells(line, lineNumber, count);
-    const bool placed = wellFormed && readPositions(lineNumber, block);
+    const bool wellFormed = m_cells.take(line, lineNumber);
+    const bool placed = wellFormed && readPositions(block);
     if (wellFormed)
         readValues(lineNumber, block);
     if (!placed) {
@@ -185,70 +177,22 @@ void Scanner::readDataLine(std::string_view line, std::size_t lineNumber)
     ++block.rows;
 }
 
-bool Scanner::checkCells(std::string_view line, std::size_t lineNumber, std::size_t count)
-{
-    for (std::size_t i = 0; i < m_cells.size(); ++i) {
-        if (m_cells[i].quoting != Quoting::NotClosed && m_cells[i].quoting != Quoting::TextBehind)
-            continue;
-        m_diagnostics.error(DiagnosticCode::UnterminatedQuote, lineNumber, i + 1,
-            Verbatim{excerpt(m_cells[i].text, m_encoding)},
-            m_cells[i].quoting == Quoting::NotClosed
-                ? AXISCOMP_TEXT("Error", "a closing \" in the same line")
-                : AXISCOMP_TEXT(
-                    "Error", "a separator or the end of the line after the closing \""));
-        return false;
-    }
-    if (count == m_scan.columns.size())
-        return true;
-    reportColumnCount(line, lineNumber, count);
-    return false;
-}
-
-void Scanner::reportColumnCount(std::string_view line, std::size_t lineNumber, std::size_t count)
-{
-    const std::size_t due = m_scan.columns.size();
-    const char other = m_format.separator == ',' ? ';' : ',';
-    const std::string separator(1, m_format.separator);
-    Text expected = AXISCOMP_TEXT("Error", "{count} as in the header (line {line})")
-                        .with("count", due)
-                        .with("line", m_scan.headerLine);
-    if (m_format.separator == ',' && count > due)
-        expected = AXISCOMP_TEXT("Error",
-            "{expected}; if the commas are decimal commas, separate the columns with ; in every "
-            "line")
-                       .with("expected", expected);
-    else if (count < due && line.find(other) != std::string_view::npos)
-        expected = AXISCOMP_TEXT("Error",
-            "{expected}; the header separates its columns with {separator}, so every line must")
-                       .with("expected", expected)
-                       .with("separator", separator);
-    else if (count < due && line.find('\t') != std::string_view::npos)
-        expected = AXISCOMP_TEXT(
-            "Error", "{expected}; separate the columns with {separator} instead of tabs")
-                       .with("expected", expected)
-                       .with("separator", separator);
-    m_diagnostics.error(DiagnosticCode::ColumnCount, lineNumber, 0,
-        AXISCOMP_COUNTED("Error", "{count} columns", "1 column").with("count", count),
-        std::move(expected));
-}
-
-bool Scanner::readPositions(std::size_t lineNumber, RowStore::Block& block)
+bool Scanner::readPositions(RowStore::Block& block)
 {
     bool good = true;
     if (m_scan.dimensions == 1) {
         Number position;
-        good = readNumber(lineNumber, 1, position);
+        good = m_cells.readNumber(1, position);
         if (good)
             m_scan.positions[0].append(position);
         return good;
     }
     for (std::size_t d = 0; d < m_scan.positions.size(); ++d) {
-        const std::string_view cell = trimmed(m_cells[d].text);
         NumberFault fault = NumberFault::None;
         std::optional<std::uint32_t> id;
-        if (decideDecimal(cell, lineNumber, d + 1)) {
-            id = m_scan.positions[d].intern(cell, m_format.decimal, fault);
-            reportFault(fault, lineNumber, d + 1);
+        if (m_cells.decideDecimal(d + 1)) {
+            id = m_scan.positions[d].intern(m_cells.text(d + 1), m_cells.format().decimal, fault);
+            m_cells.reportFault(fault, d + 1);
         }
         good = good && id;
         block.ids[d * m_scan.rows.blockRows() + block.rows] = id.value_or(0);
@@ -262,77 +206,19 @@ void Scanner::readValues(std::size_t lineNumber, RowStore::Block& block)
     for (std::size_t table = 0; table < m_scan.tables(); ++table) {
         Number number;
         float stored = 0.0F;
-        if (isMissing(positions + table + 1) && m_options.missing != MissingPoints::Refuse) {
+        if (m_options.missing != MissingPoints::Refuse
+            && m_cells.hasNoValue(positions + table + 1)) {
             stored = std::numeric_limits<float>::quiet_NaN();
-        } else if (readNumber(lineNumber, positions + table + 1, number)) {
+        } else if (m_cells.readNumber(positions + table + 1, number)) {
             stored = static_cast<float>(number.value);
             if (!std::isfinite(stored))
                 m_diagnostics.error(DiagnosticCode::NotFinite, lineNumber, positions + table + 1,
-                    Verbatim{excerpt(m_cells[positions + table].text, m_encoding)},
+                    Verbatim{excerpt(m_cells.cell(positions + table + 1).text, m_encoding)},
                     AXISCOMP_TEXT("Error", "a value that fits float32 (below 3.4e38)"));
             m_scan.ranges[table].add(number.value, stored, m_scan.rows.size());
         }
         block.values[table * m_scan.rows.blockRows() + block.rows] = stored;
     }
-}
-
-bool Scanner::readNumber(std::size_t lineNumber, std::size_t column, Number& number)
-{
-    const std::string_view cell = trimmed(m_cells[column - 1].text);
-    if (!decideDecimal(cell, lineNumber, column))
-        return false;
-    const NumberFault fault = parseNumber(cell, m_format.decimal, number);
-    reportFault(fault, lineNumber, column);
-    return fault == NumberFault::None;
-}
-
-bool Scanner::decideDecimal(std::string_view cell, std::size_t lineNumber, std::size_t column)
-{
-    const bool comma = cell.find(',') != std::string_view::npos;
-    const bool point = cell.find('.') != std::string_view::npos;
-    if (m_format.separator == ',' || (!comma && !point)
-        || cell.find_first_not_of("0123456789+-.,eE") != std::string_view::npos)
-        return true;
-    const char sign = comma ? ',' : '.';
-    if (m_format.decimal == '\0') {
-        m_format.decimal = sign;
-        m_decimalLine = lineNumber;
-    }
-    if (sign == m_format.decimal && !(comma && point))
-        return true;
-    const TextPattern expected = comma && point
-        ? AXISCOMP_TEXT("Error", "no sign between the thousands")
-        : m_format.decimal == ',' ? AXISCOMP_TEXT("Error", "a decimal comma as in line {line}")
-                                  : AXISCOMP_TEXT("Error", "a decimal point as in line {line}");
-    m_diagnostics.error(DiagnosticCode::MixedDecimals, lineNumber, column,
-        Verbatim{excerpt(cell, m_encoding)}, expected.with("line", m_decimalLine));
-    return false;
-}
-
-void Scanner::reportFault(NumberFault fault, std::size_t lineNumber, std::size_t column)
-{
-    if (fault == NumberFault::None)
-        return;
-    const std::string_view cell = m_cells[column - 1].text;
-    const std::string example = m_format.decimal == ',' ? "0,5" : "0.5";
-    Text expected = AXISCOMP_TEXT("Error", "a number such as {example}").with("example", example);
-    if (fault == NumberFault::NotFinite)
-        expected =
-            AXISCOMP_TEXT("Error", "a finite number such as {example}").with("example", example);
-    else if (fault == NumberFault::TooSmall)
-        expected = AXISCOMP_TEXT("Error", "0 or a number that is not as close to it");
-    else if (m_format.separator == ',' && cell.find(',') != std::string_view::npos)
-        expected =
-            AXISCOMP_TEXT("Error", "{expected}; decimal commas need the separator ; in every line")
-                .with("expected", expected);
-    if (isMissing(column))
-        expected = AXISCOMP_TEXT("Error",
-            "{expected}; points without a value can be filled or left out (--fill, --crop, or "
-            "Missing points in the import)")
-                       .with("expected", expected);
-    m_diagnostics.error(
-        fault == NumberFault::NotFinite ? DiagnosticCode::NotFinite : DiagnosticCode::NotANumber,
-        lineNumber, column, Verbatim{excerpt(cell, m_encoding)}, std::move(expected));
 }
 
 } // namespace

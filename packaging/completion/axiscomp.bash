@@ -8,13 +8,16 @@ _axiscomp_options()
     local conversion="--target --sign --direction --no-wrap --scale --offset --zero"
     local incomplete="--fill --crop --snap"
     local grid="--points --distance --within --method --hold"
+    local measurement="--from --exclude --swap-directions --columns --skip-lines --unit --value-unit --values --direction-from --invert-reference --overrun"
     case $1 in
         "") echo "--help --version" ;;
         example) echo "--help --json --dims --tables --output" ;;
         inspect) echo "--help --json --dims --from --set-in --profile $incomplete" ;;
         convert) echo "--help --json --value-unit --accept-large --dims --table --from --set-in --to --set-out --persistent --volatile --name --profile --to-sign $incomplete $conversion $grid" ;;
         lookup) echo "--help --json --dims --table --points --outside --as --from --set-in --set-out --profile --to-sign $incomplete $conversion" ;;
-        formats) echo "--help --json --markdown" ;;
+        formats) echo "--help --json --markdown --measurements" ;;
+        runs) echo "--help --json --output $measurement" ;;
+        judge) echo "--help --json --tolerance --uncertainty --outliers --period --vdi --temperature --expansion --reference-temperature --reference-expansion --datum --not-corrected $measurement" ;;
         axes) echo "--help --json --find --any-baud $drive" ;;
         files) echo "--help --json $drive" ;;
         status) echo "--help --json $drive --axis --reset-flash-count" ;;
@@ -32,9 +35,11 @@ _axiscomp_options()
     esac
 }
 
-_axiscomp_commands="example inspect convert lookup formats axes status write persist unpersist delete evaluate activate deactivate read files upload download monitor backup restore recover config"
+_axiscomp_commands="example inspect convert lookup formats runs judge axes status write persist unpersist delete evaluate activate deactivate read files upload download monitor backup restore recover config"
 
 _axiscomp_formats="csv tamtbl aerotech-1d aerotech-2d icube isg-crosscomp isg-crosscomp2 isg-ssfk klipper linuxcnc pmac-1d pmac-2d rapidcode rapidcode-header siemens-cec siemens-eec reprap softmc softmc-basic"
+
+_axiscomp_measurements="runs wide track points renishaw api-pos ecmc ecmc-report"
 
 _axiscomp_slots="small1 small2 small3 small4 small5 small6 small7 small8 large1 large2"
 
@@ -66,10 +71,17 @@ _axiscomp()
                 _filedir TAMcfg
                 return
             fi
+            if [[ $command == runs || $command == judge ]]; then
+                COMPREPLY=($(compgen -W "$_axiscomp_measurements" -- "$cur"))
+                return
+            fi
             COMPREPLY=($(compgen -W "$_axiscomp_formats" -- "$cur"))
             return ;;
         --sign | --to-sign) COMPREPLY=($(compgen -W "feedback command" -- "$cur")); return ;;
         --direction) COMPREPLY=($(compgen -W "mean positive negative" -- "$cur")); return ;;
+        --outliers) COMPREPLY=($(compgen -W "mad grubbs none" -- "$cur")); return ;;
+        --values) COMPREPLY=($(compgen -W "deviation reference" -- "$cur")); return ;;
+        --direction-from) COMPREPLY=($(compgen -W "order" -- "$cur")); return ;;
         --fill) COMPREPLY=($(compgen -W "nearest plane smooth" -- "$cur")); return ;;
         --method) COMPREPLY=($(compgen -W "linear cubic" -- "$cur")); return ;;
         --to)
@@ -88,8 +100,8 @@ _axiscomp()
             return ;;
         --profile) _filedir json; return ;;
         --data) _filedir '@(csv|CSV|TAMtbl)'; return ;;
-        -o | --output | --points) _filedir; return ;;
-        --axis | --station | --table | --target | --value-unit | --position-unit | --tables | --timeout | --trust-certificate | --name | --rate | --count | --source[123]) return ;;
+        -o | --output | --points | --uncertainty) _filedir; return ;;
+        --axis | --station | --table | --target | --value-unit | --position-unit | --tables | --timeout | --trust-certificate | --name | --rate | --count | --source[123] | --exclude | --columns | --skip-lines | --unit | --overrun | --tolerance | --period | --temperature | --expansion | --reference-temperature | --reference-expansion | --datum) return ;;
     esac
 
     if [[ -z $command ]]; then
@@ -100,7 +112,7 @@ _axiscomp()
         COMPREPLY=($(compgen -W "$(_axiscomp_paths)" -- "$cur"))
     else
         case $command in
-            inspect | convert | lookup | upload | restore) _filedir ;;
+            inspect | convert | lookup | runs | judge | upload | restore) _filedir ;;
             config)
                 _filedir TAMcfg
                 [[ $prev == config ]] && COMPREPLY=($(compgen -W "show export import" -- "$cur"))

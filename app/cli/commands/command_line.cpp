@@ -18,6 +18,8 @@ CommandLine::CommandLine()
     addConvertCommand(*this);
     addLookupCommand(*this);
     addFormatsCommand(*this);
+    addRunsCommand(*this);
+    addJudgeCommand(*this);
     addAxesCommand(*this);
     addStatusCommand(*this);
     addWriteCommand(*this);

@@ -47,6 +47,8 @@ void addInspectCommand(CommandLine& line);
 void addConvertCommand(CommandLine& line);
 void addLookupCommand(CommandLine& line);
 void addFormatsCommand(CommandLine& line);
+void addRunsCommand(CommandLine& line);
+void addJudgeCommand(CommandLine& line);
 void addAxesCommand(CommandLine& line);
 void addStatusCommand(CommandLine& line);
 void addWriteCommand(CommandLine& line);

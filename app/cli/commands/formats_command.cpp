@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/commands/command_line.h"
 #include "app/cli/output/formats_text.h"
+#include "app/cli/output/measurement_formats_text.h"
 #include "app/common/arguments.h"
 #include "app/common/text_table.h"
 #include "core/formats/table_format.h"
@@ -12,6 +13,7 @@ namespace {
 struct FormatsOptions {
     std::string name;
     bool markdown = false;
+    bool measurements = false;
 };
 
 Json settingsJson(const FormatFacts& facts)
@@ -58,8 +60,26 @@ std::string listText()
     return table.text("");
 }
 
+Result<ExitCode> describeMeasurements(Environment& environment, const FormatsOptions& options)
+{
+    if (!options.name.empty()) {
+        AXISCOMP_TRY(const auto format, measurementFormatNamed(options.name));
+        environment.print(measurementFormatText(*format));
+        environment.document(measurementFormatJson(*format));
+        return ExitCode::Done;
+    }
+    Json list = Json::array();
+    for (const MeasurementFormat* format : measurementFormats())
+        list.push_back(measurementFormatJson(*format));
+    environment.print(options.markdown ? measurementFormatsPage() : measurementFormatsList());
+    environment.document({{"formats", std::move(list)}});
+    return ExitCode::Done;
+}
+
 Result<ExitCode> runFormats(Environment& environment, const FormatsOptions& options)
 {
+    if (options.measurements)
+        return describeMeasurements(environment, options);
     if (!options.name.empty()) {
         AXISCOMP_TRY(const auto format, formatNamed(options.name));
         environment.print(formatText(*format));
@@ -84,6 +104,8 @@ void addFormatsCommand(CommandLine& line)
         [options](Environment& environment) { return runFormats(environment, *options); });
     command->add_option("NAME", options->name, "One format: its rules, limits and settings");
     command->add_flag("--markdown", options->markdown, "All of them, as the page docs/formats.md");
+    command->add_flag("--measurements", options->measurements,
+        "The formats of measurements instead of those of tables");
 }
 
 } // namespace axiscomp::app

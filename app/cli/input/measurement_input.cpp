@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/input/measurement_input.h"
+
+#include "app/cli/input/table_input.h"
+#include "app/common/arguments.h"
+#include "app/common/number_text.h"
+#include "app/common/standard_streams.h"
+#include "core/io/local_file.h"
+#include "core/metrology/run_selection.h"
+
+#include <QCryptographicHash>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace axiscomp::app {
+
+namespace {
+
+Result<MeasurementReadOptions> readOptionsOf(
+    Environment& environment, const MeasurementInputOptions& options)
+{
+    MeasurementReadOptions reading;
+    if (!options.columns.empty()) {
+        AXISCOMP_TRY(auto columns, columnMappingFromText(options.columns));
+        reading.columns = std::move(columns);
+    }
+    reading.skippedLines = options.skippedLines;
+    reading.unit = options.unit;
+    reading.valueUnit = options.valueUnit;
+    if (!options.values.empty())
+        reading.values = options.values == "reference" ? MeasurementReadOptions::Values::Reference
+                                                       : MeasurementReadOptions::Values::Deviation;
+    reading.takesDirectionFromOrder = !options.directionFrom.empty();
+    reading.invertsReference = options.invertsReference;
+    reading.overrun = options.overrun;
+    reading.stop = environment.stopToken();
+    return reading;
+}
+
+std::string sha256Of(std::string_view text)
+{
+    const QByteArray digest =
+        QCryptographicHash::hash(QByteArrayView(text.data(), static_cast<qsizetype>(text.size())),
+            QCryptographicHash::Sha256);
+    return digest.toHex().toStdString();
+}
+
+Result<std::string> wholeFile(
+    Environment& environment, const std::string& file, std::size_t maximumBytes)
+{
+    if (file == standardStream)
+        return readStandardInput(environment.interrupt(), maximumBytes);
+    AXISCOMP_TRY(const auto bytes, loadFile(file, maximumBytes));
+    return std::string(asText(bytes));
+}
+
+Result<Measurement> readOne(Environment& environment, const MeasurementInputOptions& options,
+    const MeasurementReadOptions& reading, const std::string& file, MeasurementInput& input)
+{
+    AXISCOMP_TRY(const auto text, wholeFile(environment, file, reading.maximumBytes));
+    const std::string name = std::filesystem::path(file).filename().string();
+    AXISCOMP_TRY(const auto format,
+        options.from.empty() ? chooseMeasurementFormat(text, name, reading)
+                             : measurementFormatNamed(options.from));
+    MeasurementReading result = format->read(text, reading);
+    if (result.cancelled)
+        return fail(ErrorCode::Cancelled);
+    const std::string shown = displayName(file);
+    environment.diagnose(shown, result.diagnostics);
+    if (result.suppressed > 0)
+        environment.console().note(shown + ": "
+            + plural(result.suppressed, "further error is", "further errors are") + " not listed");
+    if (!result.measurement)
+        return fail(measurementError(shown, result));
+    input.warnings.insert(
+        input.warnings.end(), result.diagnostics.begin(), result.diagnostics.end());
+    input.sources.push_back({file, std::string(format->facts.name), sha256Of(text)});
+    return std::move(*result.measurement);
+}
+
+} // namespace
+
+void addMeasurementOptions(CLI::App& command, MeasurementInputOptions& options)
+{
+    command
+        .add_option("FILE", options.files,
+            "Measurement files, joined when there are several; - for standard input")
+        ->required();
+    command
+        .add_option("--from", options.from, "Format of the files, if their content leaves it open")
+        ->option_text("FORMAT");
+    command
+        .add_option("--exclude", options.excluded,
+            "Leave values out: down:1:1 (direction, target, run), run:up:3 or target:7, with "
+            "commas "
+            "between them")
+        ->option_text("WHAT");
+    command.add_flag("--swap-directions", options.swapsDirections, "Exchange up and down");
+    const std::string group = "What a file leaves open";
+    command
+        .add_option("--columns", options.columns,
+            "Which column of a CSV file is what, by number or name: 'target=1,direction=3,"
+            "deviation=5'")
+        ->option_text("MAPPING")
+        ->group(group);
+    command
+        .add_option("--skip-lines", options.skippedLines, "Lines before the header of a CSV file")
+        ->option_text("N")
+        ->group(group);
+    command.add_option("--unit", options.unit, "Unit of targets and encoder")
+        ->option_text("UNIT")
+        ->group(group);
+    command.add_option("--value-unit", options.valueUnit, "Unit of deviations and reference")
+        ->option_text("UNIT")
+        ->group(group);
+    command
+        .add_option("--values", options.values,
+            "What the values are: deviation (reference minus target) or reference (positions)")
+        ->option_text("KIND")
+        ->check(CLI::IsMember(std::vector<std::string>{"deviation", "reference"}))
+        ->group(group);
+    command
+        .add_option("--direction-from", options.directionFrom,
+            "order: the direction of a run follows from the order of its targets")
+        ->option_text("order")
+        ->check(CLI::IsMember(std::vector<std::string>{"order"}))
+        ->group(group);
+    command
+        .add_flag(
+            "--invert-reference", options.invertsReference, "The instrument counts the other way")
+        ->group(group);
+    command
+        .add_option("--overrun", options.overrun,
+            "How far a track moves after a turn before its samples count, in mm or deg; 1 % of the "
+            "range unless given")
+        ->option_text("DISTANCE")
+        ->check(CLI::NonNegativeNumber.description(""))
+        ->group(group);
+}
+
+Result<MeasurementInput> readMeasurements(
+    Environment& environment, const MeasurementInputOptions& options)
+{
+    AXISCOMP_TRY(const auto reading, readOptionsOf(environment, options));
+    if (std::ranges::count(options.files, standardStream) > 1)
+        return wrongUsage("standard input can be read once", options.command);
+    MeasurementInput input;
+    std::vector<Measurement> measurements;
+    for (const std::string& file : options.files) {
+        AXISCOMP_TRY(auto measurement, readOne(environment, options, reading, file, input));
+        measurements.push_back(std::move(measurement));
+    }
+    AXISCOMP_TRY(auto whole, joined(measurements));
+    if (options.swapsDirections)
+        swapDirections(whole);
+    if (!options.excluded.empty()) {
+        AXISCOMP_TRY(const auto exclusions, exclusionsFromText(options.excluded));
+        AXISCOMP_CHECK(exclude(whole, exclusions));
+    }
+    input.measurement = std::move(whole);
+    return input;
+}
+
+} // namespace axiscomp::app

@@ -1,0 +1,380 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/output/judgement_output.h"
+
+#include "app/common/number_text.h"
+#include "app/common/text_table.h"
+#include "core/metrology/run_selection.h"
+
+#include <algorithm>
+
+namespace axiscomp::app {
+
+namespace {
+
+using Lines = std::vector<std::pair<std::string, std::string>>;
+
+/// Figures are shown in um, and in arc seconds for angles.
+class FineUnit {
+public:
+    explicit FineUnit(const Measurement& measurement)
+        : m_factor(measurement.isAngular ? 3600.0 : 1000.0)
+        , m_symbol(measurement.isAngular ? "arcsec" : "um")
+    {
+    }
+
+    [[nodiscard]] std::string text(double value) const { return fixedText(value * m_factor, 3); }
+    [[nodiscard]] std::string text(const std::optional<double>& value) const
+    {
+        return value ? text(*value) : "-";
+    }
+    [[nodiscard]] std::string withSymbol(double value) const
+    {
+        return withUnit(text(value), m_symbol);
+    }
+    [[nodiscard]] const std::string& symbol() const { return m_symbol; }
+
+private:
+    double m_factor;
+    std::string m_symbol;
+};
+
+/// One line of the table of figures.
+struct FigureLine {
+    std::optional<Iso230Figure> up;
+    std::optional<Iso230Figure> down;
+    Iso230Figure both;
+    bool isRange;
+};
+constexpr std::array figureLines{
+    FigureLine{Iso230Figure::AUp, Iso230Figure::ADown, Iso230Figure::A, true},
+    FigureLine{Iso230Figure::RUp, Iso230Figure::RDown, Iso230Figure::R, false},
+    FigureLine{Iso230Figure::EUp, Iso230Figure::EDown, Iso230Figure::E, true},
+    FigureLine{std::nullopt, std::nullopt, Iso230Figure::B, false},
+    FigureLine{std::nullopt, std::nullopt, Iso230Figure::MeanReversal, false},
+    FigureLine{std::nullopt, std::nullopt, Iso230Figure::M, true},
+};
+
+std::string placeText(const Iso230Figures& figures, const FigureLine& line)
+{
+    const AxisFigure& figure = figures[line.both];
+    if (!figure.value || line.both == Iso230Figure::MeanReversal)
+        return {};
+    const std::string high = shortText(figures.targets[figure.high].position);
+    return line.isRange ? high + " and " + shortText(figures.targets[figure.low].position) : high;
+}
+
+std::string figuresText(
+    const Measurement& measurement, const Iso230Figures& figures, const std::string& heading)
+{
+    const FineUnit unit(measurement);
+    TextTable table({"figure", ">up", ">down", ">both",
+        "at target [" + std::string(positionUnit(measurement)) + "]"});
+    const auto cell = [&](const std::optional<Iso230Figure>& figure) {
+        return figure ? unit.text(figures[*figure].value) : std::string();
+    };
+    for (const FigureLine& line : figureLines)
+        table.add({figureText(line.both).words, cell(line.up), cell(line.down), cell(line.both),
+            placeText(figures, line)});
+    return heading + ", in " + unit.symbol() + "\n" + table.text();
+}
+
+std::string targetsText(const Measurement& measurement, const Iso230Figures& figures)
+{
+    const FineUnit unit(measurement);
+    TextTable table({">number", ">target [" + std::string(positionUnit(measurement)) + "]", ">n up",
+        ">mean up", ">s up", ">n down", ">mean down", ">s down", ">mean", ">B", ">R"});
+    for (const TargetFigures& target : figures.targets)
+        table.add({std::to_string(target.target + 1), shortText(target.position),
+            std::to_string(target.up.n), unit.text(target.up.mean), unit.text(target.up.s),
+            std::to_string(target.down.n), unit.text(target.down.mean), unit.text(target.down.s),
+            unit.text(target.mean), unit.text(target.reversal), unit.text(target.repeatability)});
+    return "Targets, in " + unit.symbol() + "\n" + table.text();
+}
+
+std::string driftText(const Measurement& measurement, const Judgement& judgement)
+{
+    const FineUnit unit(measurement);
+    TextTable table({"direction", ">first to last", ">per run", ">s without offsets", "drift"});
+    bool hasAny = false;
+    for (const Approach direction : {Approach::Up, Approach::Down}) {
+        const DirectionDrift& drift =
+            direction == Approach::Up ? judgement.driftUp : judgement.driftDown;
+        if (!drift.firstToLast)
+            continue;
+        hasAny = true;
+        table.add({std::string(approachName(direction)), unit.text(drift.firstToLast),
+            unit.text(drift.trendPerRun), unit.text(drift.sWithoutOffsets),
+            drift.isSuspected ? "suspected" : "not suspected"});
+    }
+    if (!hasAny)
+        return {};
+    std::string text = "\nDrift of the runs, in " + unit.symbol() + "\n" + table.text();
+    if (judgement.withoutOffsets) {
+        const auto& without = *judgement.withoutOffsets;
+        text += "  Without the offsets of the runs: A " + unit.text(without[Iso230Figure::A].value)
+            + ", R " + unit.text(without[Iso230Figure::R].value) + "\n";
+    }
+    return text;
+}
+
+std::string outliersText(const Measurement& measurement, const Outliers& outliers)
+{
+    if (outliers.rule == OutlierRule::None || measurement.kind != MeasurementKind::Runs)
+        return {};
+    std::string text = "\nOutliers by the rule " + std::string(outlierRuleName(outliers.rule));
+    if (outliers.up.flagged.empty() && outliers.down.flagged.empty())
+        return text + ": none\n";
+    TextTable table({"direction", ">target", ">run", ">score", "to leave it out"});
+    for (const DirectionOutliers* one : {&outliers.up, &outliers.down})
+        for (const Outlier& outlier : one->flagged)
+            table.add({std::string(approachName(outlier.direction)),
+                shortText(measurement.targets[outlier.target]), std::to_string(outlier.run),
+                fixedText(outlier.score, 3), "--exclude " + exclusionText(exclusionOf(outlier))});
+    return text + ", a proposal; nothing was left out\n" + table.text();
+}
+
+std::string complianceText(const std::vector<ComplianceLine>& lines)
+{
+    TextTable table({"", "condition of ISO 230-2"});
+    for (const ComplianceLine& line : lines)
+        table.add({!line.isMet ? "not known"
+                : *line.isMet  ? "met"
+                               : "not met",
+            line.text.english() + (line.isAssumed ? " (assumption)" : "")});
+    return "\nMeasured as the standard wants it?\n" + table.text();
+}
+
+std::string vdiText(const Measurement& measurement, const Vdi3441Figures& vdi)
+{
+    const FineUnit unit(measurement);
+    return "\nVDI/DGQ 3441 (assumption: its text was not at hand), in " + unit.symbol() + "\n"
+        + labelled({{"P", unit.text(vdi.p)}, {"Pa", unit.text(vdi.pa)},
+                       {"U largest", unit.text(vdi.uMax)}, {"U mean", unit.text(vdi.uMean)},
+                       {"Ps largest", unit.text(vdi.psMax)}, {"Ps mean", unit.text(vdi.psMean)}},
+            "  ");
+}
+
+std::string verdictsText(const Measurement& measurement, const std::vector<Verdict>& verdicts)
+{
+    if (verdicts.empty())
+        return {};
+    const FineUnit unit(measurement);
+    TextTable table({"figure", ">value", ">tolerance", "uncertainty", "verdict"});
+    for (const Verdict& verdict : verdicts)
+        table.add({figureText(verdict.tolerance.figure).words,
+            verdict.value ? unit.withSymbol(*verdict.value) : "-",
+            unit.withSymbol(verdict.tolerance.value),
+            verdict.uncertainty ? "U " + unit.withSymbol(*verdict.uncertainty)
+                                : "uncertainty not stated",
+            verdictText(verdict.result).words});
+    return "\nVerdict\n" + table.text();
+}
+
+Json numberOrNull(const std::optional<double>& value)
+{
+    return value ? Json(*value) : Json(nullptr);
+}
+
+Json directionJson(const DirectionFigures& figures)
+{
+    return {{"n", figures.n}, {"mean", numberOrNull(figures.mean)}, {"s", numberOrNull(figures.s)},
+        {"R", numberOrNull(figures.repeatability)}, {"low", numberOrNull(figures.low)},
+        {"high", numberOrNull(figures.high)}};
+}
+
+Json perTargetJson(const Iso230Figures& figures)
+{
+    Json list = Json::array();
+    for (const TargetFigures& target : figures.targets)
+        list.push_back({{"target", target.position}, {"up", directionJson(target.up)},
+            {"down", directionJson(target.down)}, {"mean", numberOrNull(target.mean)},
+            {"B", numberOrNull(target.reversal)}, {"R", numberOrNull(target.repeatability)}});
+    return list;
+}
+
+/// A number for a maximum, the highest and the lowest place for a range.
+Json whereJson(const Iso230Figures& figures)
+{
+    Json where = Json::object();
+    const auto number = [&figures](std::size_t index) { return figures.targets[index].target + 1; };
+    for (const Iso230Figure figure : allIso230Figures()) {
+        const AxisFigure& place = figures[figure];
+        if (!place.value || figure == Iso230Figure::MeanReversal)
+            continue;
+        const bool isMaximum = figure == Iso230Figure::B || figure == Iso230Figure::R
+            || figure == Iso230Figure::RUp || figure == Iso230Figure::RDown;
+        where[std::string(figureName(figure))] =
+            isMaximum ? Json(number(place.high)) : Json{number(place.high), number(place.low)};
+    }
+    return where;
+}
+
+Json driftJson(const DirectionDrift& drift)
+{
+    return {{"offset", drift.offset}, {"slope", drift.slope},
+        {"trendPerRun", numberOrNull(drift.trendPerRun)},
+        {"trendPerHour", numberOrNull(drift.trendPerHour)},
+        {"trendPerKelvin", numberOrNull(drift.trendPerKelvin)},
+        {"firstToLast", numberOrNull(drift.firstToLast)},
+        {"sWithoutOffsets", numberOrNull(drift.sWithoutOffsets)}, {"suspected", drift.isSuspected}};
+}
+
+Json outliersJson(const Outliers& outliers)
+{
+    Json flagged = Json::array();
+    Json disturbed = Json::array();
+    for (const Approach direction : {Approach::Up, Approach::Down}) {
+        const DirectionOutliers& one = direction == Approach::Up ? outliers.up : outliers.down;
+        for (const Outlier& outlier : one.flagged)
+            flagged.push_back({{"direction", approachName(outlier.direction)},
+                {"target", outlier.target + 1}, {"run", outlier.run}, {"score", outlier.score}});
+        if (one.isDisturbed)
+            disturbed.push_back(approachName(direction));
+    }
+    return {{"rule", outlierRuleName(outliers.rule)},
+        {"limit", outliers.limit > 0.0 ? Json(outliers.limit) : Json(nullptr)},
+        {"sigma",
+            {{"up", numberOrNull(outliers.up.sigma)}, {"down", numberOrNull(outliers.down.sigma)}}},
+        {"flagged", std::move(flagged)}, {"disturbed", std::move(disturbed)}};
+}
+
+Json excludedJson(const Measurement& measurement)
+{
+    Json list = Json::array();
+    for (const RunValue& value : measurement.values)
+        if (!value.isUsed)
+            list.push_back({{"direction", approachName(value.direction)},
+                {"target", value.target + 1}, {"run", value.run}});
+    return list;
+}
+
+Json publishedJson(const PublishedCheck& published)
+{
+    if (published.comparisons.empty())
+        return nullptr;
+    Json list = Json::object();
+    for (const PublishedComparison& one : published.comparisons)
+        list[std::string(figureName(one.figure))] = {{"value", one.published},
+            {"computed", numberOrNull(one.computed)}, {"tolerance", one.tolerance},
+            {"agrees", one.agrees}};
+    return list;
+}
+
+Json textsJson(const std::vector<Text>& texts)
+{
+    Json list = Json::array();
+    for (const Text& text : texts)
+        list.push_back(text.english());
+    return list;
+}
+
+Json complianceJson(const std::vector<ComplianceLine>& lines)
+{
+    Json list = Json::array();
+    for (const ComplianceLine& line : lines)
+        list.push_back({{"rule", line.rule}, {"text", line.text.english()},
+            {"met", line.isMet ? Json(*line.isMet) : Json(nullptr)},
+            {"assumption", line.isAssumed}});
+    return list;
+}
+
+Json verdictsJson(const std::vector<Verdict>& verdicts)
+{
+    Json list = Json::array();
+    for (const Verdict& verdict : verdicts)
+        list.push_back({{"figure", figureName(verdict.tolerance.figure)},
+            {"value", numberOrNull(verdict.value)}, {"tolerance", verdict.tolerance.value},
+            {"U", numberOrNull(verdict.uncertainty)}, {"result", verdictName(verdict.result)}});
+    return list;
+}
+
+Json vdiJson(const std::optional<Vdi3441Figures>& vdi)
+{
+    if (!vdi)
+        return nullptr;
+    return {{"P", vdi->p}, {"Pa", vdi->pa}, {"Umax", vdi->uMax}, {"Umean", vdi->uMean},
+        {"Psmax", vdi->psMax}, {"Psmean", vdi->psMean}};
+}
+
+} // namespace
+
+std::string measurementSummary(const Measurement& measurement)
+{
+    const std::string unit(positionUnit(measurement));
+    if (measurement.kind == MeasurementKind::Points)
+        return plural(measurement.points.size(), "point", "points") + " of "
+            + std::to_string(measurement.points.axes.size()) + " axes, "
+            + plural(measurement.points.columns.size(), "column", "columns") + " of values";
+    if (measurement.kind == MeasurementKind::Track)
+        return plural(measurement.track.size(), "sample", "samples") + " over "
+            + withUnit(shortText(measurement.range()), unit);
+    const bool isMeans = measurement.kind == MeasurementKind::Averages;
+    const auto runs = [&](Approach direction) {
+        const auto count = static_cast<std::uint64_t>(measurement.runCount(direction));
+        const std::string name(approachName(direction));
+        if (isMeans)
+            return (count > 0 ? "means " : "no means ") + name;
+        return plural(count, "run ", "runs ") + name;
+    };
+    return plural(measurement.targets.size(), "target", "targets") + " from "
+        + shortText(measurement.targets.front()) + " to "
+        + withUnit(shortText(measurement.targets.back()), unit) + ", " + runs(Approach::Up) + ", "
+        + runs(Approach::Down);
+}
+
+std::string judgementText(const Measurement& measurement, const Judgement& judgement)
+{
+    const std::size_t excluded = measurement.excludedCount();
+    std::string text = figuresText(measurement, judgement.figures,
+        excluded > 0 ? plural(excluded, "value", "values")
+                + " excluded, not an evaluation by ISO 230-2; figures of the others"
+                     : "Figures of ISO 230-2:2014");
+    if (judgement.ofAllValues)
+        text += "\n"
+            + figuresText(
+                measurement, *judgement.ofAllValues, "Figures of ISO 230-2:2014, of all values");
+    text += "\n" + targetsText(measurement, judgement.figures);
+    text += driftText(measurement, judgement);
+    text += outliersText(measurement, judgement.outliers);
+    if (judgement.vdi)
+        text += vdiText(measurement, *judgement.vdi);
+    text += complianceText(judgement.compliance);
+    return text + verdictsText(measurement, judgement.verdicts);
+}
+
+Json axisFiguresJson(const Iso230Figures& figures)
+{
+    Json axis = Json::object();
+    for (const Iso230Figure figure : allIso230Figures())
+        axis[std::string(figureName(figure))] = numberOrNull(figures[figure].value);
+    return axis;
+}
+
+Json judgementJson(const Measurement& measurement, const Judgement& judgement)
+{
+    Json warnings = Json::array();
+    for (const JudgeWarning& warning : judgement.warnings)
+        warnings.push_back({{"code", warning.name}, {"message", warning.text.english()}});
+    return {{"standard", "ISO 230-2:2014"}, {"unit", positionUnit(measurement)},
+        {"targets", measurement.targets},
+        {"runs",
+            {{"up", measurement.runCount(Approach::Up)},
+                {"down", measurement.runCount(Approach::Down)}}},
+        {"excluded", excludedJson(measurement)}, {"perTarget", perTargetJson(judgement.figures)},
+        {"axis", axisFiguresJson(judgement.figures)},
+        {"axisOfAllValues",
+            judgement.ofAllValues ? axisFiguresJson(*judgement.ofAllValues) : Json(nullptr)},
+        {"where", whereJson(judgement.figures)}, {"vdi3441", vdiJson(judgement.vdi)},
+        {"drift",
+            {{"up", driftJson(judgement.driftUp)}, {"down", driftJson(judgement.driftDown)},
+                {"axisWithoutOffsets",
+                    judgement.withoutOffsets ? axisFiguresJson(*judgement.withoutOffsets)
+                                             : Json(nullptr)}}},
+        {"outliers", outliersJson(judgement.outliers)},
+        {"published", publishedJson(judgement.published)},
+        {"contradictions", textsJson(judgement.published.contradictions)},
+        {"compliance", complianceJson(judgement.compliance)},
+        {"verdict", verdictsJson(judgement.verdicts)}, {"warnings", std::move(warnings)}};
+}
+
+} // namespace axiscomp::app

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/metrology/formats/measurement_formats.h"
+#include "core/metrology/formats/run_assembly.h"
+#include "core/text/text_file.h"
+#include "core/text/token_scanner.h"
+#include "core/text/utf8.h"
+
+#include <algorithm>
+#include <array>
+
+namespace axiscomp::api_pos {
+
+namespace {
+
+constexpr std::array<std::string_view, 1> extensions{".pos"};
+constexpr std::array kinds{MeasurementKind::Averages};
+constexpr std::array<std::string_view, 2> rules{
+    "Blocks begin with a line Position and Bidirectional Avg Error, Forward Directional Avg Error "
+    "or Reverse Directional Avg Error; lines of position and error in mm follow. The file holds "
+    "means, so nothing can be said of repeatability and accuracy.",
+    "Where there is no block for the reverse direction, its mean is 2 x bidirectional - forward.",
+};
+constexpr std::array<std::string_view, 1> assumptions{
+    "An error is the measured position minus the target. Everything else in the file becomes a "
+    "note.",
+};
+
+enum class Block { None, Bidirectional, Forward, Reverse };
+
+struct Entry {
+    double position = 0.0;
+    double error = 0.0;
+    std::size_t line = 0;
+};
+
+std::optional<Block> blockOf(std::string_view line)
+{
+    std::vector<Token> words;
+    splitTokens({line, 1, 1}, " \t", words);
+    const bool isHead = words.size() >= 4 && sameLetters(words[0].text, "Position")
+        && sameLetters(words.back().text, "Error");
+    if (!isHead)
+        return std::nullopt;
+    if (sameLetters(words[1].text, "Bidirectional"))
+        return Block::Bidirectional;
+    if (sameLetters(words[1].text, "Forward"))
+        return Block::Forward;
+    return sameLetters(words[1].text, "Reverse") ? std::optional(Block::Reverse) : std::nullopt;
+}
+
+class Reader {
+public:
+    Reader(Measurement& measurement, DiagnosticList& diagnostics, Encoding encoding)
+        : m_measurement(measurement)
+        , m_diagnostics(diagnostics)
+        , m_encoding(encoding)
+    {
+    }
+
+    void takeLine(const Token& line);
+    [[nodiscard]] std::vector<RawRunValue> values();
+
+private:
+    [[nodiscard]] std::vector<Entry>& entries()
+    {
+        return m_blocks[static_cast<std::size_t>(m_block)];
+    }
+    [[nodiscard]] const std::vector<Entry>& entriesOf(Block block) const
+    {
+        return m_blocks[static_cast<std::size_t>(block)];
+    }
+    void addFollowing(std::vector<RawRunValue>& values);
+
+    Measurement& m_measurement;
+    DiagnosticList& m_diagnostics;
+    Encoding m_encoding;
+    Block m_block = Block::None;
+    std::array<std::vector<Entry>, 4> m_blocks;
+};
+
+void Reader::takeLine(const Token& line)
+{
+    const Token content = trimmedToken(line);
+    if (const auto block = blockOf(content.text)) {
+        m_block = *block;
+        return;
+    }
+    std::vector<Token> words;
+    splitTokens(content, " \t", words);
+    const bool isPair = m_block != Block::None && words.size() == 2 && numberOf(words[0].text);
+    if (isPair) {
+        const auto position =
+            readNumber(words[0], AXISCOMP_TEXT("Error", "a position in mm"), m_diagnostics);
+        const auto error =
+            readNumber(words[1], AXISCOMP_TEXT("Error", "an error in mm"), m_diagnostics);
+        if (position && error)
+            entries().push_back({*position, *error, content.line});
+        return;
+    }
+    constexpr std::size_t mostNotes = 1000;
+    if (content && m_measurement.notes.size() < mostNotes)
+        m_measurement.notes.push_back(shownText(toUtf8(content.text, m_encoding), 1000));
+}
+
+RawRunValue valueOf(const Entry& entry, Approach direction, double error)
+{
+    RawRunValue raw;
+    raw.target = entry.position;
+    raw.value.direction = direction;
+    raw.value.deviation = error;
+    raw.value.line = entry.line;
+    return raw;
+}
+
+/// The reverse direction where only the mean of both and the forward one are there.
+void Reader::addFollowing(std::vector<RawRunValue>& values)
+{
+    const std::vector<Entry>& both = entriesOf(Block::Bidirectional);
+    for (const Entry& forward : entriesOf(Block::Forward)) {
+        const auto mean = std::ranges::find(both, forward.position, &Entry::position);
+        if (mean == both.end())
+            m_diagnostics.error(DiagnosticCode::CountMismatch, forward.line, 0,
+                AXISCOMP_TEXT("Error", "a position without a bidirectional mean"),
+                AXISCOMP_TEXT("Error", "the same positions in both blocks"));
+        else
+            values.push_back(valueOf(forward, Approach::Down, 2.0 * mean->error - forward.error));
+    }
+}
+
+std::vector<RawRunValue> Reader::values()
+{
+    std::vector<RawRunValue> values;
+    for (const Entry& entry : entriesOf(Block::Forward))
+        values.push_back(valueOf(entry, Approach::Up, entry.error));
+    for (const Entry& entry : entriesOf(Block::Reverse))
+        values.push_back(valueOf(entry, Approach::Down, entry.error));
+    if (entriesOf(Block::Reverse).empty())
+        addFollowing(values);
+    if (values.empty() && !m_diagnostics.hasErrors())
+        m_diagnostics.error(DiagnosticCode::Syntax, 0, 0,
+            AXISCOMP_TEXT("Error", "no block of a direction"),
+            AXISCOMP_TEXT("Error",
+                "a block Forward Directional Avg Error; the mean of both directions alone says "
+                "nothing of either"));
+    return values;
+}
+
+void parse(std::string_view text, const MeasurementReadOptions& options, Measurement& measurement,
+    DiagnosticList& diagnostics)
+{
+    measurement.kind = MeasurementKind::Averages;
+    const TextInspection inspection(text, options.stop, diagnostics);
+    if (diagnostics.hasErrors())
+        return;
+    Reader reader(measurement, diagnostics, inspection.encoding());
+    TextLines lines(inspection.body());
+    while (const auto line = lines.next()) {
+        if (options.stop.stop_requested())
+            return;
+        reader.takeLine(*line);
+    }
+    assembleRuns(reader.values(), options, measurement, diagnostics);
+}
+
+MeasurementReading read(std::string_view text, const MeasurementReadOptions& options)
+{
+    return readMeasurementText(text, options, parse);
+}
+
+MeasurementRecognition recognise(std::string_view text)
+{
+    TextLines lines(text);
+    while (const auto line = lines.next())
+        if (blockOf(line->text))
+            return MeasurementRecognition::Certain;
+    return MeasurementRecognition::No;
+}
+
+} // namespace
+
+const MeasurementFormat& format()
+{
+    static const MeasurementFormat format{
+        .facts = {.name = "api-pos",
+            .origin = "API laser software",
+            .description = AXISCOMP_TEXT("Error", "means of a linear measurement (.pos)"),
+            .extensions = extensions,
+            .kinds = kinds,
+            .rules = rules,
+            .assumptions = assumptions},
+        .recognise = recognise,
+        .read = read};
+    return format;
+}
+
+} // namespace axiscomp::api_pos

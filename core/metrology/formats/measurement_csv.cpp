@@ -1,0 +1,428 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/metrology/formats/measurement_csv.h"
+
+#include "core/base/wall_time.h"
+#include "core/csv/fields.h"
+#include "core/table/position_unit.h"
+#include "core/text/token_scanner.h"
+#include "core/text/utf8.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+namespace axiscomp {
+
+namespace {
+
+constexpr std::array unitEndings{std::string_view("_mm"), std::string_view("_um"),
+    std::string_view("_deg"), std::string_view("_arcsec")};
+
+/// "target_mm" is "target" with the unit mm.
+csv::ColumnName withUnitOfName(csv::ColumnName column)
+{
+    if (!column.unit.empty())
+        return column;
+    for (const std::string_view ending : unitEndings) {
+        const std::size_t length = column.name.size();
+        if (length <= ending.size()
+            || !sameLetters(std::string_view(column.name).substr(length - ending.size()), ending))
+            continue;
+        column.unit = std::string(ending.substr(1));
+        column.name.resize(length - ending.size());
+        return column;
+    }
+    return column;
+}
+
+std::string lowerCase(std::string text)
+{
+    for (char& c : text)
+        if (c >= 'A' && c <= 'Z')
+            c = static_cast<char>(c - 'A' + 'a');
+    return text;
+}
+
+/// "20.4 C" is 20.4: the number at the beginning, when nothing but a unit follows.
+std::optional<double> numberWithUnit(
+    std::string_view text, std::initializer_list<std::string_view> units)
+{
+    const std::size_t end = text.find_first_of(" \t");
+    const auto number = numberOf(text.substr(0, end));
+    const std::string_view unit =
+        end == std::string_view::npos ? std::string_view() : trimmed(text.substr(end));
+    const bool isKnown = unit.empty() || std::ranges::any_of(units, [unit](std::string_view known) {
+        return sameLetters(unit, known);
+    });
+    return number && std::isfinite(*number) && isKnown ? number : std::nullopt;
+}
+
+/// "2026-11-21T09:30:00", with or without Z, a blank in place of the T.
+std::optional<double> isoSeconds(std::string_view text)
+{
+    std::string iso(text);
+    if (iso.size() > 10 && iso[10] == ' ')
+        iso[10] = 'T';
+    if (!iso.ends_with('Z'))
+        iso += 'Z';
+    const auto time = utcFromText(iso);
+    if (!time)
+        return std::nullopt;
+    return std::chrono::duration<double>(time->time_since_epoch()).count();
+}
+
+} // namespace
+
+std::optional<MeasurementUnit> measurementUnit(std::string_view symbol)
+{
+    if (const auto length = unitFactor(symbol, "mm"))
+        return MeasurementUnit{*length, false};
+    if (const auto angle = unitFactor(symbol, "deg"))
+        return MeasurementUnit{*angle, true};
+    return std::nullopt;
+}
+
+std::optional<Approach> approachOf(std::string_view text)
+{
+    constexpr std::array<std::string_view, 7> up{
+        "+", "up", "fwd", "forward", "1", "positive", "+1"};
+    constexpr std::array<std::string_view, 8> down{
+        "-", "down", "bwd", "backward", "rev", "-1", "negative", "reverse"};
+    const auto isOne = [text](std::string_view word) { return sameLetters(text, word); };
+    if (std::ranges::any_of(up, isOne))
+        return Approach::Up;
+    if (std::ranges::any_of(down, isOne))
+        return Approach::Down;
+    return std::nullopt;
+}
+
+std::vector<std::string> headerNames(std::string_view text)
+{
+    LineReader lines(text.starts_with("\xEF\xBB\xBF") ? text.substr(3) : text);
+    while (!lines.atEnd()) {
+        const std::string_view line = lines.next();
+        if (isCsvComment(line))
+            continue;
+        DiagnosticList ignored(1);
+        const auto header = csv::readColumnNames(line, 1, Encoding::Utf8, ignored);
+        std::vector<std::string> names;
+        if (header)
+            for (const csv::ColumnName& column : header->columns)
+                names.push_back(lowerCase(withUnitOfName(column).name));
+        return names;
+    }
+    return {};
+}
+
+MeasurementCsv::MeasurementCsv(std::string_view text, const MeasurementReadOptions& options,
+    Measurement& measurement, DiagnosticList& diagnostics)
+    : m_options(options)
+    , m_measurement(measurement)
+    , m_diagnostics(diagnostics)
+    , m_inspection(text, options.stop, diagnostics)
+    , m_lines(m_inspection.body())
+    , m_cells(m_inspection.encoding(), diagnostics)
+{
+}
+
+bool MeasurementCsv::readHeader()
+{
+    if (m_diagnostics.hasErrors())
+        return false;
+    for (std::size_t i = 0; i < m_options.skippedLines && !m_lines.atEnd(); ++i)
+        static_cast<void>(m_lines.next());
+    while (!m_lines.atEnd()) {
+        const std::size_t lineNumber = m_lines.lineNumber();
+        const std::string_view line = m_lines.next();
+        const std::string_view content = trimmed(line);
+        if (content.starts_with("//"))
+            takeComment(trimmed(content.substr(2)), lineNumber);
+        if (isCsvComment(line))
+            continue;
+        m_headerLine = lineNumber;
+        auto header =
+            csv::readColumnNames(line, lineNumber, m_inspection.encoding(), m_diagnostics);
+        if (!header)
+            return false;
+        for (csv::ColumnName& column : header->columns)
+            m_columns.push_back(withUnitOfName(std::move(column)));
+        m_isKnown.assign(m_columns.size(), false);
+        m_cells.begin(header->separator, m_columns.size(), lineNumber);
+        return !m_diagnostics.hasErrors();
+    }
+    m_diagnostics.error(DiagnosticCode::NoHeader, 0, 0, {},
+        AXISCOMP_TEXT("Error", "a line with the names of the columns, such as target [mm]"));
+    return false;
+}
+
+std::size_t MeasurementCsv::column(
+    std::string_view role, std::initializer_list<std::string_view> names)
+{
+    m_askedRoles.push_back(lowerCase(std::string(role)));
+    const auto isCalled = [](const csv::ColumnName& column, std::string_view name) {
+        return sameLetters(column.name, name);
+    };
+    const auto mapping = std::ranges::find_if(m_options.columns,
+        [role](const ColumnMapping& one) { return sameLetters(one.role, role); });
+    if (mapping == m_options.columns.end() && !m_options.columns.empty())
+        return 0;
+    std::vector<std::size_t> found;
+    for (std::size_t i = 0; i < m_columns.size(); ++i) {
+        const bool isMeant = mapping != m_options.columns.end()
+            ? isCalled(m_columns[i], mapping->column)
+            : isCalled(m_columns[i], role)
+                || std::ranges::any_of(
+                    names, [&](std::string_view name) { return isCalled(m_columns[i], name); });
+        if (isMeant)
+            found.push_back(i + 1);
+    }
+    if (mapping != m_options.columns.end()) {
+        const auto number = wholeNumberOf(mapping->column);
+        if (number && *number >= 1 && static_cast<std::size_t>(*number) <= m_columns.size())
+            found = {static_cast<std::size_t>(*number)};
+        if (found.empty())
+            error(DiagnosticCode::MissingColumn, 0,
+                AXISCOMP_TEXT("Error", "no column {column} for {role}")
+                    .with("column", mapping->column)
+                    .with("role", role),
+                AXISCOMP_COUNTED("Error", "the name of a column, or its number from 1 to {count}",
+                    "the name of the column, or 1")
+                    .with("count", m_columns.size()));
+    }
+    if (found.size() > 1)
+        error(DiagnosticCode::MissingColumn, found[1],
+            AXISCOMP_TEXT("Error", "two columns for {role}").with("role", role),
+            AXISCOMP_TEXT("Error", "one; name the columns with --columns"));
+    for (const std::size_t one : found)
+        markKnown(one);
+    return found.empty() ? 0 : found.front();
+}
+
+void MeasurementCsv::checkMapping()
+{
+    for (const ColumnMapping& mapping : m_options.columns)
+        if (std::ranges::find(m_askedRoles, lowerCase(mapping.role)) == m_askedRoles.end())
+            error(DiagnosticCode::MissingColumn, 0,
+                AXISCOMP_TEXT("Error", "a column for {role}").with("role", mapping.role),
+                AXISCOMP_TEXT("Error", "one of these words before the =: {known}")
+                    .with("known", m_askedRoles));
+}
+
+void MeasurementCsv::noteUnknownColumns()
+{
+    for (std::size_t i = 0; i < m_columns.size(); ++i)
+        if (!m_isKnown[i] && !m_columns[i].name.empty())
+            m_measurement.notes.push_back("column not used: " + m_columns[i].name);
+}
+
+std::optional<MeasurementUnit> MeasurementCsv::unit(std::size_t column, const std::string& stated)
+{
+    const csv::ColumnName& name = m_columns[column - 1];
+    const std::string& symbol = stated.empty() ? name.unit : stated;
+    const Text expected = AXISCOMP_TEXT("Error",
+        "a unit in brackets behind the name, such as {example}, or --unit "
+        "and --value-unit")
+                              .with("example", Verbatim{name.name + " [mm]"});
+    if (symbol.empty()) {
+        error(DiagnosticCode::UnitMissing, column,
+            AXISCOMP_TEXT("Error", "column {column}").with("column", name.name), expected);
+        return std::nullopt;
+    }
+    if (!stated.empty() && !name.unit.empty() && !isSameUnit(stated, name.unit))
+        m_measurement.notes.push_back(
+            "column " + name.name + ": unit stated as " + stated + ", the file says " + name.unit);
+    const auto known = measurementUnit(symbol);
+    if (!known)
+        error(DiagnosticCode::UnitMissing, column,
+            AXISCOMP_TEXT("Error", "the unit {unit} of column {column}")
+                .with("unit", symbol)
+                .with("column", name.name),
+            AXISCOMP_TEXT("Error", "a length or an angle: mm, um, m, inch, deg, arcsec, mrad"));
+    return known;
+}
+
+void MeasurementCsv::checkSameKind(const std::optional<MeasurementUnit>& a,
+    const std::optional<MeasurementUnit>& b, std::size_t column)
+{
+    if (a && b && a->isAngular != b->isAngular)
+        error(DiagnosticCode::UnitMixed, column,
+            AXISCOMP_TEXT("Error", "column {column}").with("column", m_columns[column - 1].name),
+            a->isAngular ? AXISCOMP_TEXT("Error", "an angle as the targets are")
+                         : AXISCOMP_TEXT("Error", "a length as the targets are"));
+}
+
+bool MeasurementCsv::next()
+{
+    while (!m_lines.atEnd()) {
+        m_line = m_lines.lineNumber();
+        if ((m_line & 0xfffU) == 0 && m_options.stop.stop_requested())
+            return false;
+        const std::string_view line = m_lines.next();
+        if (isCsvComment(line)) {
+            const std::string_view content = trimmed(line);
+            if (!content.empty())
+                takeComment(trimmed(content.substr(2)), m_line);
+        } else if (m_cells.take(line, m_line)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+std::optional<double> MeasurementCsv::number(std::size_t column)
+{
+    Number number;
+    if (!m_cells.readNumber(column, number))
+        return std::nullopt;
+    const double half = 0.5 * std::pow(10.0, number.lastDecimal);
+    m_halfUnit = m_halfUnit == 0.0 ? half : std::min(m_halfUnit, half);
+    return number.value;
+}
+
+std::optional<double> MeasurementCsv::optionalNumber(std::size_t column)
+{
+    return column == 0 || isEmpty(column) ? std::nullopt : number(column);
+}
+
+std::optional<double> MeasurementCsv::time(std::size_t column)
+{
+    if (column == 0 || isEmpty(column))
+        return std::nullopt;
+    const auto iso = isoSeconds(text(column));
+    return iso ? iso : number(column);
+}
+
+std::string MeasurementCsv::shown(std::string_view text) const
+{
+    return excerpt(text, m_inspection.encoding());
+}
+
+void MeasurementCsv::error(DiagnosticCode code, std::size_t column, Text found, Text expected)
+{
+    m_diagnostics.error(
+        code, m_line == 0 ? m_headerLine : m_line, column, std::move(found), std::move(expected));
+}
+
+void MeasurementCsv::takeComment(std::string_view comment, std::size_t line)
+{
+    constexpr std::size_t mostNoteBytes = std::size_t{1} << 20U;
+    const std::string text = shownText(toUtf8(comment, m_inspection.encoding()), 1000);
+    const std::size_t colon = text.find(':');
+    const std::string_view key = trimmed(std::string_view(text).substr(0, colon));
+    const std::string value(colon == std::string::npos
+            ? std::string_view()
+            : trimmed(std::string_view(text).substr(colon + 1)));
+    if (colon != std::string::npos && takeStatement(key, value, line))
+        return;
+    m_noteBytes += text.size();
+    if (!text.empty() && m_noteBytes <= mostNoteBytes)
+        m_measurement.notes.push_back(text);
+}
+
+bool MeasurementCsv::takeStatement(std::string_view key, const std::string& value, std::size_t line)
+{
+    if (takeText(key, value) || takeNumber(key, value, line))
+        return true;
+    if (sameLetters(key, "compensation")) {
+        takeCompensation(value, line);
+    } else if (sameLetters(key, "corrected")) {
+        if (sameLetters(value, "none"))
+            m_measurement.header.corrected = MeasurementHeader::Corrected::None;
+        else if (sameLetters(value, "20C") || sameLetters(value, "20 C"))
+            m_measurement.header.corrected = MeasurementHeader::Corrected::To20Celsius;
+        else
+            refuse(line, value, AXISCOMP_TEXT("Error", "corrected: none, or corrected: 20C"));
+    } else if (sameLetters(key, "values")) {
+        m_comments.holdsReference = sameLetters(value, "reference");
+        if (!*m_comments.holdsReference && !sameLetters(value, "deviation"))
+            refuse(line, value, AXISCOMP_TEXT("Error", "values: deviation, or values: reference"));
+    } else if (sameLetters(key, "sign")) {
+        m_comments.holdsCorrections = sameLetters(value, "correction");
+        if (!m_comments.holdsCorrections && !sameLetters(value, "deviation"))
+            refuse(line, value,
+                AXISCOMP_TEXT("Error",
+                    "sign: deviation (reference minus target), or sign: correction (its "
+                    "opposite)"));
+    } else {
+        return false;
+    }
+    return true;
+}
+
+bool MeasurementCsv::takeText(std::string_view key, const std::string& value)
+{
+    MeasurementHeader& header = m_measurement.header;
+    struct Entry {
+        std::string_view key;
+        std::string MeasurementHeader::*member;
+    };
+    constexpr std::array entries{Entry{"machine", &MeasurementHeader::machine},
+        Entry{"axis", &MeasurementHeader::axis},
+        Entry{"instrument", &MeasurementHeader::instrument},
+        Entry{"serial", &MeasurementHeader::serial},
+        Entry{"operator", &MeasurementHeader::operatorName},
+        Entry{"date", &MeasurementHeader::date}, Entry{"feed", &MeasurementHeader::feed},
+        Entry{"dwell", &MeasurementHeader::dwell}};
+    if (sameLetters(key, "axiscomp runs"))
+        return true;
+    for (const Entry& entry : entries)
+        if (sameLetters(key, entry.key)) {
+            header.*entry.member = value;
+            return true;
+        }
+    return false;
+}
+
+bool MeasurementCsv::takeNumber(std::string_view key, const std::string& value, std::size_t line)
+{
+    MeasurementHeader& header = m_measurement.header;
+    const bool isAir = sameLetters(key, "air temperature");
+    if (isAir || sameLetters(key, "material temperature")) {
+        const auto number = numberWithUnit(value, {"C", "degC", "deg C", "\u00b0C"});
+        (isAir ? header.airTemperature : header.materialTemperature) = number;
+        if (!number)
+            refuse(line, value, AXISCOMP_TEXT("Error", "a temperature in deg C, such as 20.4"));
+        return true;
+    }
+    if (!sameLetters(key, "expansion"))
+        return false;
+    header.expansion = numberWithUnit(value, {"1/K", "/K"});
+    if (!header.expansion)
+        refuse(line, value,
+            AXISCOMP_TEXT("Error", "a coefficient of expansion in 1/K, such as 11.5e-6"));
+    return true;
+}
+
+void MeasurementCsv::takeCompensation(const std::string& value, std::size_t line)
+{
+    MeasuredState& state = m_measurement.header.compensation;
+    if (sameLetters(value, "off")) {
+        state = {MeasuredState::Kind::Off, {}};
+        return;
+    }
+    if (sameLetters(value, "on")) {
+        state = {MeasuredState::Kind::On, {}};
+        return;
+    }
+    std::uint32_t crc = 0;
+    const std::string_view digits =
+        value.size() > 4 ? std::string_view(value).substr(4) : std::string_view();
+    const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), crc, 16);
+    if (sameLetters(std::string_view(value).substr(0, 4), "crc:") && read.ec == std::errc{}
+        && read.ptr == digits.data() + digits.size())
+        state = {MeasuredState::Kind::On, crc};
+    else
+        refuse(line, value,
+            AXISCOMP_TEXT("Error",
+                "compensation: off, on, or crc: with the checksum of the table, such as "
+                "crc:1c291ca3"));
+}
+
+void MeasurementCsv::refuse(std::size_t line, std::string_view value, const TextPattern& expected)
+{
+    m_diagnostics.error(
+        DiagnosticCode::Syntax, line, 0, Verbatim{excerpt(value, Encoding::Utf8)}, expected);
+}
+
+} // namespace axiscomp

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/csv/cell_reader.h"
+#include "core/csv/header.h"
+#include "core/metrology/formats/measurement_format.h"
+#include "core/text/line_reader.h"
+
+#include <initializer_list>
+
+namespace axiscomp {
+
+/// The factor of a unit to mm or deg.
+struct MeasurementUnit {
+    double factor = 1.0;
+    bool isAngular = false;
+};
+/// Nothing for what is no unit of length or angle.
+[[nodiscard]] std::optional<MeasurementUnit> measurementUnit(std::string_view symbol);
+
+/// What the comments of a file say beside the header.
+struct MeasurementComments {
+    std::optional<bool> holdsReference; ///< "values: reference" or "values: deviation"
+    bool holdsCorrections = false; ///< "sign: correction": the opposite of deviations
+};
+
+/// A CSV file of a measurement: comments with what is said of it, one header, data lines. Text,
+/// separators and numbers as in a calibration file (docs/calibration-csv.md). Columns count from 1.
+class MeasurementCsv {
+public:
+    MeasurementCsv(std::string_view text, const MeasurementReadOptions& options,
+        Measurement& measurement, DiagnosticList& diagnostics);
+
+    /// Reads up to the header line. False: there is none that can be used, which is reported.
+    bool readHeader();
+    [[nodiscard]] const std::vector<csv::ColumnName>& columns() const { return m_columns; }
+    [[nodiscard]] std::size_t headerLine() const { return m_headerLine; }
+
+    /// The column of a role: the one that the user mapped, or the only one with one of these names.
+    /// 0: there is none. Two of a kind are reported.
+    std::size_t column(std::string_view role, std::initializer_list<std::string_view> names);
+    /// What was mapped must be among what was asked for by column(); otherwise it is reported.
+    void checkMapping();
+    /// Columns that nobody asked for, and that are no part of a measurement, become a note.
+    void noteUnknownColumns();
+    /// For columns that are found in another way than by column().
+    void markKnown(std::size_t column) { m_isKnown[column - 1] = true; }
+
+    /// The unit of a column: stated, or in brackets behind the name, or "_mm" at its end. Nothing
+    /// when it is missing or unknown, which is reported.
+    std::optional<MeasurementUnit> unit(std::size_t column, const std::string& stated);
+    /// Reports columns of which one is a length and the other an angle.
+    void checkSameKind(const std::optional<MeasurementUnit>& a,
+        const std::optional<MeasurementUnit>& b, std::size_t column);
+
+    /// The next data line with as many cells as the header. False: the end, or stopped.
+    bool next();
+    [[nodiscard]] std::size_t line() const { return m_line; }
+    [[nodiscard]] std::string_view text(std::size_t column) const { return m_cells.text(column); }
+    [[nodiscard]] bool isEmpty(std::size_t column) const { return m_cells.hasNoValue(column); }
+    /// Nothing: the cell is no number, which is reported.
+    std::optional<double> number(std::size_t column);
+    /// Nothing for column 0 and for empty cells as well.
+    std::optional<double> optionalNumber(std::size_t column);
+    /// Seconds, or the time of day of ISO 8601 in seconds.
+    std::optional<double> time(std::size_t column);
+    [[nodiscard]] std::string shown(std::string_view text) const;
+
+    void error(DiagnosticCode code, std::size_t column, Text found, Text expected);
+    [[nodiscard]] const MeasurementComments& comments() const { return m_comments; }
+    /// How finely the numbers of this column are printed: half of the last digit.
+    [[nodiscard]] double halfUnit() const { return m_halfUnit; }
+
+private:
+    void takeComment(std::string_view comment, std::size_t line);
+    bool takeStatement(std::string_view key, const std::string& value, std::size_t line);
+    bool takeText(std::string_view key, const std::string& value);
+    bool takeNumber(std::string_view key, const std::string& value, std::size_t line);
+    void takeCompensation(const std::string& value, std::size_t line);
+    void refuse(std::size_t line, std::string_view value, const TextPattern& expected);
+
+    const MeasurementReadOptions& m_options;
+    Measurement& m_measurement;
+    DiagnosticList& m_diagnostics;
+    TextInspection m_inspection;
+    LineReader m_lines;
+    csv::CellReader m_cells;
+    std::vector<csv::ColumnName> m_columns;
+    std::vector<bool> m_isKnown;
+    std::vector<std::string> m_askedRoles;
+    MeasurementComments m_comments;
+    std::size_t m_headerLine = 0;
+    std::size_t m_line = 0;
+    std::size_t m_noteBytes = 0;
+    double m_halfUnit = 0.0;
+};
+
+/// "up", "forward", "+", "-1" ... in capital or small letters.
+[[nodiscard]] std::optional<Approach> approachOf(std::string_view text);
+
+/// The header line of a file's beginning as lower case names, without units. Empty when there is
+/// none. For recognising.
+[[nodiscard]] std::vector<std::string> headerNames(std::string_view text);
+
+} // namespace axiscomp

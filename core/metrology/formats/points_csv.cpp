@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/metrology/formats/measurement_csv.h"
+#include "core/metrology/formats/measurement_formats.h"
+#include "core/metrology/formats/run_assembly.h"
+#include "core/text/token_scanner.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace axiscomp::points_csv {
+
+namespace {
+
+constexpr std::array<std::string_view, 1> extensions{".csv"};
+constexpr std::array kinds{MeasurementKind::Points};
+constexpr std::array<std::string_view, 2> rules{
+    "Columns X and Y, or X, Y and Z, then any number of value columns such as dX, dY, or the "
+    "coordinates of the reference Xr, Yr, Zr, whose difference to X, Y, Z is the value.",
+    "Points may stand in any order, may be repeated, and need not be a grid.",
+};
+constexpr std::array<std::string_view, 3> axisNames{"X", "Y", "Z"};
+
+/// A column of values, or of reference coordinates less those of an axis.
+struct ValueColumn {
+    std::size_t column = 0;
+    std::string name;
+    double factor = 1.0;
+    std::optional<std::size_t> axis; ///< whose position is subtracted
+};
+
+class Reader {
+public:
+    Reader(MeasurementCsv& csv, const MeasurementReadOptions& options, Measurement& measurement,
+        DiagnosticList& diagnostics)
+        : m_csv(csv)
+        , m_options(options)
+        , m_points(measurement.points)
+        , m_diagnostics(diagnostics)
+    {
+    }
+
+    void run()
+    {
+        if (findAxes() && findValues())
+            readPoints();
+    }
+
+private:
+    [[nodiscard]] bool findAxes();
+    [[nodiscard]] bool findValues();
+    void findMappedValues();
+    [[nodiscard]] std::optional<std::size_t> axisOfReference(std::string_view name) const;
+    void addValues(std::size_t column, std::string name, std::optional<std::size_t> axis);
+    void readPoints();
+    bool readPoint();
+
+    MeasurementCsv& m_csv;
+    const MeasurementReadOptions& m_options;
+    MeasuredPoints& m_points;
+    DiagnosticList& m_diagnostics;
+    std::vector<std::size_t> m_axes; ///< columns
+    std::vector<MeasurementUnit> m_units; ///< of the axes
+    std::vector<ValueColumn> m_values;
+};
+
+bool Reader::findAxes()
+{
+    for (const std::string_view name : axisNames) {
+        const std::size_t column = m_csv.column(name, {});
+        if (column == 0)
+            break;
+        const auto unit = m_csv.unit(column, m_options.unit);
+        if (!unit)
+            continue;
+        m_axes.push_back(column);
+        m_units.push_back(*unit);
+        m_points.axes.emplace_back(name);
+    }
+    if (m_axes.size() < 2 && !m_diagnostics.hasErrors())
+        m_csv.error(DiagnosticCode::MissingColumn, 0, AXISCOMP_TEXT("Error", "no columns X and Y"),
+            AXISCOMP_TEXT("Error", "columns X and Y, or X, Y and Z, with the positions"));
+    return !m_diagnostics.hasErrors();
+}
+
+void Reader::addValues(std::size_t column, std::string name, std::optional<std::size_t> axis)
+{
+    m_csv.markKnown(column);
+    const auto unit = m_csv.unit(column, m_options.valueUnit);
+    m_csv.checkSameKind(m_units.front(), unit, column);
+    if (axis)
+        name = "d" + m_points.axes[*axis];
+    m_values.push_back({column, std::move(name), unit ? unit->factor : 1.0, axis});
+    m_points.columns.push_back(m_values.back().name);
+}
+
+/// With a mapping, the value columns are those that it names beside the axes.
+void Reader::findMappedValues()
+{
+    for (const ColumnMapping& mapping : m_options.columns) {
+        const bool isAxis = std::ranges::any_of(axisNames,
+            [&mapping](std::string_view name) { return sameLetters(name, mapping.role); });
+        const std::size_t column = isAxis ? 0 : m_csv.column(mapping.role, {});
+        if (column != 0)
+            addValues(column, mapping.role, axisOfReference(mapping.role));
+    }
+}
+
+/// "Xr" holds positions of X.
+std::optional<std::size_t> Reader::axisOfReference(std::string_view name) const
+{
+    for (std::size_t a = 0; a < m_axes.size(); ++a)
+        if (sameLetters(name, m_points.axes[a] + "r"))
+            return a;
+    return std::nullopt;
+}
+
+bool Reader::findValues()
+{
+    if (!m_options.columns.empty())
+        findMappedValues();
+    for (std::size_t i = 0; i < m_csv.columns().size() && m_options.columns.empty(); ++i) {
+        const std::string& name = m_csv.columns()[i].name;
+        if (!name.empty() && std::ranges::find(m_axes, i + 1) == m_axes.end())
+            addValues(i + 1, name, axisOfReference(name));
+    }
+    if (m_values.empty())
+        m_csv.error(DiagnosticCode::MissingColumn, 0, AXISCOMP_TEXT("Error", "no column of values"),
+            AXISCOMP_TEXT("Error", "at least one behind the positions, such as dX [um]"));
+    return !m_diagnostics.hasErrors();
+}
+
+bool Reader::readPoint()
+{
+    std::array<double, axisNames.size()> position{};
+    bool isGood = true;
+    for (std::size_t a = 0; a < m_axes.size(); ++a) {
+        const auto number = m_csv.number(m_axes[a]);
+        isGood = isGood && number;
+        position[a] = number.value_or(0.0) * m_units[a].factor;
+    }
+    std::vector<double> values;
+    for (const ValueColumn& column : m_values) {
+        const auto number = m_csv.number(column.column);
+        isGood = isGood && number;
+        const double scaled = number.value_or(0.0) * column.factor;
+        values.push_back(!column.axis ? scaled : scaled - position[*column.axis]);
+    }
+    if (!isGood)
+        return false;
+    for (std::size_t a = 0; a < m_axes.size(); ++a)
+        m_points.positions[a].push_back(position[a]);
+    for (std::size_t v = 0; v < values.size(); ++v) {
+        m_points.values[v].push_back(values[v]);
+        isGood = isGood && std::isfinite(values[v]);
+    }
+    if (!isGood)
+        m_csv.error(DiagnosticCode::NotFinite, 0, {},
+            AXISCOMP_TEXT("Error", "numbers that a computer can hold; check their size"));
+    return isGood;
+}
+
+void Reader::readPoints()
+{
+    m_points.positions.resize(m_axes.size());
+    m_points.values.resize(m_values.size());
+    while (m_csv.next())
+        readPoint();
+    for (std::size_t v = 0; v < m_values.size() && !m_diagnostics.hasErrors(); ++v) {
+        if (!m_values[v].axis)
+            continue;
+        const std::vector<double>& encoder = m_points.positions[*m_values[v].axis];
+        std::vector<double> reference = m_points.values[v];
+        for (std::size_t i = 0; i < reference.size(); ++i)
+            reference[i] += encoder[i];
+        checkInstrumentScale(encoder, reference, m_diagnostics);
+    }
+    if (m_points.size() == 0 && !m_diagnostics.hasErrors())
+        m_diagnostics.error(DiagnosticCode::TooFewPoints, m_csv.headerLine(), 0,
+            AXISCOMP_TEXT("Error", "no data lines after the header"),
+            AXISCOMP_TEXT("Error", "a line for each point"));
+}
+
+void parse(std::string_view text, const MeasurementReadOptions& options, Measurement& measurement,
+    DiagnosticList& diagnostics)
+{
+    measurement.kind = MeasurementKind::Points;
+    MeasurementCsv csv(text, options, measurement, diagnostics);
+    if (csv.readHeader())
+        Reader(csv, options, measurement, diagnostics).run();
+}
+
+MeasurementReading read(std::string_view text, const MeasurementReadOptions& options)
+{
+    return readMeasurementText(text, options, parse);
+}
+
+/// A calibration file for two axes may have the same header: only what nothing else has is certain.
+MeasurementRecognition recognise(std::string_view text)
+{
+    const std::vector<std::string> names = headerNames(text);
+    const bool hasPlane = names.size() > 2 && names[0] == "x" && names[1] == "y";
+    return hasPlane ? MeasurementRecognition::Possible : MeasurementRecognition::No;
+}
+
+} // namespace
+
+const MeasurementFormat& format()
+{
+    static const MeasurementFormat format{
+        .facts = {.name = "points",
+            .origin = "grid plates and trackers",
+            .description = AXISCOMP_TEXT("Error", "CSV of values at positions of 2 or 3 axes"),
+            .extensions = extensions,
+            .kinds = kinds,
+            .rules = rules},
+        .recognise = recognise,
+        .read = read};
+    return format;
+}
+
+} // namespace axiscomp::points_csv

@@ -1,0 +1,314 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/metrology/formats/run_assembly.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <map>
+#include <new>
+#include <numbers>
+#include <tuple>
+
+namespace axiscomp {
+
+namespace {
+
+/// Six digits: enough to recognise a number.
+std::string shortNumber(double value)
+{
+    std::array<char, 32> buffer{};
+    const auto result = std::to_chars(
+        buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, 6);
+    return {buffer.data(), result.ptr};
+}
+
+Quantity position(double value, const Measurement& measurement)
+{
+    return {shortNumber(value), std::string(positionUnit(measurement))};
+}
+
+/// The slope of y over x by least squares; nothing when x does not move.
+std::optional<double> slopeOf(std::span<const double> x, std::span<const double> y)
+{
+    double meanX = 0.0;
+    double meanY = 0.0;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        meanX += x[i] / static_cast<double>(x.size());
+        meanY += y[i] / static_cast<double>(x.size());
+    }
+    double xx = 0.0;
+    double xy = 0.0;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        xx += (x[i] - meanX) * (x[i] - meanX);
+        xy += (x[i] - meanX) * (y[i] - meanY);
+    }
+    const double slope = xy / xx;
+    return xx > 0.0 && std::isfinite(slope) ? std::optional(slope) : std::nullopt;
+}
+
+/// A way to be wrong by a factor.
+struct ScaleMistake {
+    double factor;
+    TextPattern meaning;
+};
+constexpr std::array scaleMistakes{
+    ScaleMistake{1000.0,
+        AXISCOMP_TEXT(
+            "Error", "the reference has a unit that is 1000 times smaller, as um for mm")},
+    ScaleMistake{0.001,
+        AXISCOMP_TEXT("Error", "the reference has a unit that is 1000 times larger, as m for mm")},
+    ScaleMistake{25.4, AXISCOMP_TEXT("Error", "the reference is in mm and the encoder in inch")},
+    ScaleMistake{
+        1.0 / 25.4, AXISCOMP_TEXT("Error", "the reference is in inch and the encoder in mm")},
+    ScaleMistake{
+        0.5, AXISCOMP_TEXT("Error", "the factor of the interferometer is wrong: it counts half")},
+    ScaleMistake{
+        2.0, AXISCOMP_TEXT("Error", "the factor of the interferometer is wrong: it counts double")},
+    ScaleMistake{180.0 / std::numbers::pi,
+        AXISCOMP_TEXT("Error", "the reference is in degrees and the encoder in radians")},
+    ScaleMistake{std::numbers::pi / 180.0,
+        AXISCOMP_TEXT("Error", "the reference is in radians and the encoder in degrees")},
+};
+constexpr double scaleTolerance = 0.01;
+
+Text scaleExplanation(double slope)
+{
+    if (std::abs(slope + 1.0) < scaleTolerance)
+        return AXISCOMP_TEXT(
+            "Error", "the instrument counts the other way; if so, say it with --invert-reference");
+    for (const ScaleMistake& mistake : scaleMistakes)
+        if (std::abs(std::abs(slope) / mistake.factor - 1.0) < scaleTolerance)
+            return AXISCOMP_TEXT(
+                "Error", "1; {meaning}: correct the file, or state the unit with --value-unit")
+                .with("meaning", mistake.meaning);
+    return AXISCOMP_TEXT(
+        "Error", "1 within 1 %; check which columns are reference and encoder, and their units");
+}
+
+/// Puts the values of one file together.
+class Assembly {
+public:
+    Assembly(const MeasurementReadOptions& options, Measurement& measurement,
+        DiagnosticList& diagnostics)
+        : m_options(options)
+        , m_measurement(measurement)
+        , m_diagnostics(diagnostics)
+    {
+    }
+
+    void run(std::vector<RawRunValue> values);
+
+private:
+    void takeReferences(std::vector<RawRunValue>& values);
+    bool findTargets(const std::vector<RawRunValue>& values);
+    void countRuns();
+    void checkDuplicates();
+    void checkCompleteness();
+    void checkDirection(Approach direction);
+    void checkSizes();
+
+    const MeasurementReadOptions& m_options;
+    Measurement& m_measurement;
+    DiagnosticList& m_diagnostics;
+};
+
+void Assembly::run(std::vector<RawRunValue> values)
+{
+    takeReferences(values);
+    if (!findTargets(values))
+        return;
+    for (RawRunValue& raw : values) {
+        raw.value.target = targetIndex(m_measurement.targets, raw.target);
+        m_measurement.values.push_back(raw.value);
+    }
+    countRuns();
+    sortValues(m_measurement.values);
+    checkDuplicates();
+    if (m_diagnostics.hasErrors())
+        return;
+    checkCompleteness();
+    checkSizes();
+}
+
+void Assembly::takeReferences(std::vector<RawRunValue>& values)
+{
+    std::vector<double> encoder;
+    std::vector<double> reference;
+    for (RawRunValue& raw : values) {
+        if (!raw.reference)
+            continue;
+        if (m_options.invertsReference)
+            raw.reference = -*raw.reference;
+        raw.value.deviation = *raw.reference - raw.target;
+        encoder.push_back(raw.value.encoder.value_or(raw.target));
+        reference.push_back(*raw.reference);
+    }
+    if (!reference.empty())
+        checkInstrumentScale(encoder, reference, m_diagnostics);
+}
+
+bool Assembly::findTargets(const std::vector<RawRunValue>& values)
+{
+    std::vector<double> positions;
+    for (const RawRunValue& raw : values) {
+        positions.push_back(raw.target);
+        if (std::isfinite(raw.target) && std::isfinite(raw.value.deviation))
+            continue;
+        m_diagnostics.error(DiagnosticCode::NotFinite, raw.value.line, 0, {},
+            AXISCOMP_TEXT("Error", "numbers that a computer can hold; check their size"));
+        return false;
+    }
+    m_measurement.targets = distinctTargets(std::move(positions));
+    const std::vector<double>& targets = m_measurement.targets;
+    const bool isFinite = targets.empty() || std::isfinite(targets.back() - targets.front());
+    if (targets.size() >= 2 && isFinite)
+        return true;
+    m_diagnostics.error(DiagnosticCode::TooFewTargets, 0, 0,
+        AXISCOMP_COUNTED("Error", "{count} targets", "1 target").with("count", targets.size()),
+        AXISCOMP_TEXT("Error", "at least 2 different positions that the axis was sent to"));
+    return false;
+}
+
+/// Runs without a number are counted as they come, for each target and direction.
+void Assembly::countRuns()
+{
+    std::map<std::pair<Approach, std::size_t>, int> counts;
+    for (RunValue& value : m_measurement.values)
+        if (value.run == 0)
+            value.run = ++counts[{value.direction, value.target}];
+}
+
+void Assembly::checkDuplicates()
+{
+    const std::vector<RunValue>& values = m_measurement.values;
+    const auto key = [](const RunValue& v) { return std::tuple(v.direction, v.target, v.run); };
+    for (std::size_t i = 1; i < values.size(); ++i) {
+        if (key(values[i]) != key(values[i - 1]))
+            continue;
+        m_diagnostics.error(DiagnosticCode::DuplicateValue, values[i].line, 0,
+            AXISCOMP_TEXT("Error",
+                "target {target}, {direction}, run {run} in line {first} and in line {second}")
+                .with("target", position(m_measurement.targets[values[i].target], m_measurement))
+                .with("direction", approachText(values[i].direction))
+                .with("run", values[i].run)
+                .with("first", values[i - 1].line)
+                .with("second", values[i].line),
+            AXISCOMP_TEXT("Error", "one value for each target, direction and run"));
+    }
+}
+
+void Assembly::checkCompleteness()
+{
+    checkDirection(Approach::Up);
+    checkDirection(Approach::Down);
+    const int up = m_measurement.runCount(Approach::Up);
+    const int down = m_measurement.runCount(Approach::Down);
+    if (up != down && up > 0 && down > 0)
+        m_diagnostics.warning(DiagnosticCode::UnequalRuns, 0, 0,
+            AXISCOMP_TEXT("Error", "{up} up and {down} down").with("up", up).with("down", down),
+            AXISCOMP_TEXT("Error", "as many in each direction"));
+}
+
+void Assembly::checkDirection(Approach direction)
+{
+    std::map<int, std::vector<bool>> runs;
+    for (const RunValue& value : m_measurement.values) {
+        if (value.direction != direction)
+            continue;
+        std::vector<bool>& seen = runs[value.run];
+        seen.resize(m_measurement.targets.size());
+        seen[value.target] = true;
+    }
+    constexpr std::size_t mostNamed = 3;
+    std::vector<std::string> named;
+    std::size_t missing = 0;
+    for (const auto& [run, seen] : runs)
+        for (std::size_t target = 0; target < seen.size(); ++target)
+            if (!seen[target] && ++missing <= mostNamed)
+                named.push_back(std::string(approachName(direction)) + ":"
+                    + std::to_string(target + 1) + ":" + std::to_string(run));
+    if (missing > mostNamed)
+        named.emplace_back("...");
+    if (missing > 0)
+        m_diagnostics.warning(DiagnosticCode::IncompleteRuns, 0, 0,
+            AXISCOMP_COUNTED(
+                "Error", "no value for {places} ({count} are missing)", "no value for {places}")
+                .with("count", missing)
+                .with("places", named),
+            AXISCOMP_TEXT("Error", "a value for every target in every run"));
+}
+
+void Assembly::checkSizes()
+{
+    std::vector<double> targets;
+    std::vector<double> deviations;
+    double largest = 0.0;
+    for (const RunValue& value : m_measurement.values) {
+        targets.push_back(m_measurement.targets[value.target]);
+        deviations.push_back(value.deviation);
+        largest = std::max(largest, std::abs(value.deviation));
+    }
+    const auto slope = slopeOf(targets, deviations);
+    if (slope && std::abs(*slope - 1.0) < scaleTolerance) {
+        m_diagnostics.warning(DiagnosticCode::ValuesLookLikePositions, 0, 0,
+            AXISCOMP_TEXT("Error", "values that rise by {slope} with the target")
+                .with("slope", Quantity{shortNumber(*slope)}),
+            AXISCOMP_TEXT("Error", "deviations, which hardly follow it"));
+        return;
+    }
+    const double travel = m_measurement.range();
+    constexpr double most = 0.01;
+    constexpr double least = 1e-9;
+    if (largest > 0.0 && (largest > most * travel || largest < least * travel))
+        m_diagnostics.warning(DiagnosticCode::UnitSuspicious, 0, 0,
+            AXISCOMP_TEXT("Error", "a largest deviation of {value} over {travel}")
+                .with("value", position(largest, m_measurement))
+                .with("travel", position(travel, m_measurement)),
+            largest < most * travel ? AXISCOMP_TEXT("Error", "more than a billionth of the travel")
+                                    : AXISCOMP_TEXT("Error", "at most 1 % of the travel"));
+}
+
+} // namespace
+
+void assembleRuns(std::vector<RawRunValue> values, const MeasurementReadOptions& options,
+    Measurement& measurement, DiagnosticList& diagnostics)
+{
+    if (!diagnostics.hasErrors())
+        Assembly(options, measurement, diagnostics).run(std::move(values));
+}
+
+void checkInstrumentScale(
+    std::span<const double> encoder, std::span<const double> reference, DiagnosticList& diagnostics)
+{
+    const auto slope = slopeOf(encoder, reference);
+    if (!slope || std::abs(*slope - 1.0) <= scaleTolerance)
+        return;
+    diagnostics.error(DiagnosticCode::InstrumentScale, 0, 0,
+        AXISCOMP_TEXT("Error", "the reference moves {slope} times as far as the axis")
+            .with("slope", Quantity{shortNumber(*slope)}),
+        scaleExplanation(*slope));
+}
+
+MeasurementReading readMeasurementText(std::string_view text, const MeasurementReadOptions& options,
+    void (*parse)(std::string_view text, const MeasurementReadOptions& options,
+        Measurement& measurement, DiagnosticList& diagnostics))
+{
+    MeasurementReading reading;
+    DiagnosticList diagnostics(options.maximumDiagnostics);
+    Measurement measurement;
+    try {
+        parse(text, options, measurement, diagnostics);
+    } catch (const std::bad_alloc&) {
+        diagnostics.error(DiagnosticCode::IoError, 0, 0,
+            AXISCOMP_TEXT("Error", "there is not enough memory"), {});
+    }
+    reading.cancelled = options.stop.stop_requested();
+    if (!diagnostics.hasErrors() && !reading.cancelled)
+        reading.measurement = std::move(measurement);
+    reading.suppressed = diagnostics.suppressed();
+    reading.diagnostics = diagnostics.take();
+    return reading;
+}
+
+} // namespace axiscomp

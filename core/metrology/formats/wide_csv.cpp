@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/metrology/formats/measurement_csv.h"
+#include "core/metrology/formats/measurement_formats.h"
+#include "core/metrology/formats/run_assembly.h"
+#include "core/text/token_scanner.h"
+
+#include <array>
+
+namespace axiscomp::wide_csv {
+
+namespace {
+
+constexpr std::array<std::string_view, 1> extensions{".csv"};
+constexpr std::array kinds{MeasurementKind::Runs};
+constexpr std::array<std::string_view, 3> rules{
+    "One line for each target, a column for each run: target, up1, up2, ..., down1, down2, ... "
+    "(also fwd or forward, bwd, backward or rev, with or without _). Empty cells are values that "
+    "are missing.",
+    "The file says // values: deviation, or // values: reference; without that it is asked "
+    "(--values), since both are common.",
+    "Units stand in brackets or behind the name (target_mm); the columns of runs need one, too.",
+};
+
+/// "up_3" and "up3" are run 3 in positive direction.
+struct RunName {
+    Approach direction = Approach::Up;
+    int run = 1;
+};
+
+std::optional<RunName> runName(std::string_view name)
+{
+    const std::size_t digits = name.find_last_not_of("0123456789") + 1;
+    std::string_view word = name.substr(0, digits);
+    if (word.ends_with('_') || word.ends_with(' '))
+        word.remove_suffix(1);
+    const auto run = wholeNumberOf(name.substr(digits));
+    const bool isWord = !word.empty() && word.find_first_of("+-1") == std::string_view::npos;
+    const auto direction = isWord ? approachOf(word) : std::nullopt;
+    constexpr long most = 1'000'000;
+    if (!direction || !run || *run < 1 || *run > most)
+        return std::nullopt;
+    return RunName{*direction, static_cast<int>(*run)};
+}
+
+struct RunColumn {
+    std::size_t column = 0;
+    RunName run;
+    double factor = 1.0;
+};
+
+std::vector<RunColumn> runColumns(MeasurementCsv& csv, const MeasurementReadOptions& options,
+    const std::optional<MeasurementUnit>& target)
+{
+    std::vector<RunColumn> columns;
+    for (std::size_t i = 0; i < csv.columns().size(); ++i) {
+        const auto run = runName(csv.columns()[i].name);
+        if (!run)
+            continue;
+        csv.markKnown(i + 1);
+        const auto unit = csv.unit(i + 1, options.valueUnit);
+        csv.checkSameKind(target, unit, i + 1);
+        columns.push_back({i + 1, *run, unit ? unit->factor : 1.0});
+    }
+    return columns;
+}
+
+/// Nothing: neither the file nor the user says it, which is reported.
+std::optional<bool> holdsReference(MeasurementCsv& csv, const MeasurementReadOptions& options)
+{
+    if (options.values != MeasurementReadOptions::Values::AsFileSays)
+        return options.values == MeasurementReadOptions::Values::Reference;
+    if (!csv.comments().holdsReference)
+        csv.error(DiagnosticCode::MissingColumn, 0,
+            AXISCOMP_TEXT("Error", "columns of runs that are either deviations or positions"),
+            AXISCOMP_TEXT("Error",
+                "which it is: // values: deviation or // values: reference in the file, or "
+                "--values"));
+    return csv.comments().holdsReference;
+}
+
+void parse(std::string_view text, const MeasurementReadOptions& options, Measurement& measurement,
+    DiagnosticList& diagnostics)
+{
+    measurement.kind = MeasurementKind::Runs;
+    MeasurementCsv csv(text, options, measurement, diagnostics);
+    if (!csv.readHeader())
+        return;
+    const std::size_t target = csv.column("target", {"position"});
+    if (target == 0) {
+        csv.error(DiagnosticCode::MissingColumn, 0, AXISCOMP_TEXT("Error", "no column target"),
+            AXISCOMP_TEXT("Error", "a column target before those of the runs"));
+        return;
+    }
+    const auto targetUnit = csv.unit(target, options.unit);
+    const std::vector<RunColumn> columns = runColumns(csv, options, targetUnit);
+    const auto isReference = holdsReference(csv, options);
+    if (!targetUnit || !isReference || diagnostics.hasErrors())
+        return;
+    measurement.isAngular = targetUnit->isAngular;
+    std::vector<RawRunValue> values;
+    while (csv.next()) {
+        const auto position = csv.number(target);
+        for (const RunColumn& column : columns) {
+            const auto number = csv.optionalNumber(column.column);
+            if (!position || !number)
+                continue;
+            RawRunValue raw;
+            raw.target = *position * targetUnit->factor;
+            raw.value.direction = column.run.direction;
+            raw.value.run = column.run.run;
+            raw.value.line = csv.line();
+            const double scaled = *number * column.factor;
+            if (*isReference)
+                raw.reference = scaled;
+            else
+                raw.value.deviation = csv.comments().holdsCorrections ? -scaled : scaled;
+            values.push_back(raw);
+        }
+    }
+    csv.noteUnknownColumns();
+    assembleRuns(std::move(values), options, measurement, diagnostics);
+}
+
+MeasurementReading read(std::string_view text, const MeasurementReadOptions& options)
+{
+    return readMeasurementText(text, options, parse);
+}
+
+MeasurementRecognition recognise(std::string_view text)
+{
+    bool hasTarget = false;
+    std::size_t runs = 0;
+    for (const std::string& name : headerNames(text)) {
+        hasTarget = hasTarget || name == "target" || name == "position";
+        runs += runName(name) ? 1 : 0;
+    }
+    return hasTarget && runs > 0 ? MeasurementRecognition::Certain : MeasurementRecognition::No;
+}
+
+} // namespace
+
+const MeasurementFormat& format()
+{
+    static const MeasurementFormat format{
+        .facts = {.name = "wide",
+            .origin = "spreadsheets",
+            .description = AXISCOMP_TEXT("Error", "CSV with a line for each target"),
+            .extensions = extensions,
+            .kinds = kinds,
+            .rules = rules},
+        .recognise = recognise,
+        .read = read};
+    return format;
+}
+
+} // namespace axiscomp::wide_csv

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/result.h"
+#include "core/metrology/measurement.h"
+
+#include <map>
+
+namespace axiscomp {
+
+// Corrections before judging. None is made without being asked for.
+
+/// Proposed for steel where nobody knows better; it has to be accepted.
+inline constexpr double steelExpansionPerKelvin = 11.5e-6;
+
+struct TemperatureCorrection {
+    double materialCelsius = 20.0; ///< of the axis's scale
+    double expansionPerKelvin = 0.0; ///< of the axis's scale
+    double referenceCelsius = 20.0;
+    double referenceExpansionPerKelvin = 0.0; ///< 0: a laser compensated for its wavelength
+    std::optional<double> datum; ///< position that does not move, in mm; nothing: the first target
+    bool isConfirmed = false; ///< the user says that the values are not corrected yet
+};
+
+/// As it would be at 20 deg C: positions from the datum are multiplied by
+/// (1 + a_r (T_r - 20)) / (1 + a (T - 20)). Errors: InvalidArgument when the file says that the
+/// values are corrected already, when it does not say it and nobody confirms it, for angles, and
+/// for temperatures and coefficients that cannot be.
+[[nodiscard]] Result<Measurement> correctedForTemperature(
+    Measurement measurement, const TemperatureCorrection& correction);
+
+/// Air on the path of a laser.
+struct AirState {
+    double pressureKilopascal = 101.325;
+    double celsius = 20.0;
+    double humidityPercent = 50.0;
+};
+/// n = 1 + 7.86e-4 p / (273 + t) - 1.5e-11 h (t^2 + 160): the shop-floor formula of NIST's
+/// Engineering Metrology Toolbox, appendix B.
+[[nodiscard]] double refractiveIndex(const AirState& air);
+
+struct DeadPathCorrection {
+    double lengthMm = 0.0; ///< between the interferometer and the reflector at the zero setting
+    AirState atZero; ///< when the instrument was set to zero
+    std::map<std::pair<Approach, int>, AirState> duringRun; ///< of each direction and run
+};
+/// Adds -D (n_j / n_0 - 1) to each deviation of run j, for an axis that moves away from the
+/// interferometer. Errors: InvalidArgument for angles, and for a run whose air is not known.
+[[nodiscard]] Result<Measurement> correctedForDeadPath(
+    Measurement measurement, const DeadPathCorrection& correction);
+
+} // namespace axiscomp

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/metrology/judge/judgement.h"
+
+#include "core/text/number_text.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace axiscomp {
+
+namespace {
+
+/// In um or arcsec, as figures are shown.
+Quantity fineQuantity(double value, const Measurement& measurement)
+{
+    const double factor = measurement.isAngular ? 3600.0 : 1000.0;
+    std::array<char, 352> buffer{};
+    const auto end = std::to_chars(
+        buffer.data(), buffer.data() + buffer.size(), value * factor, std::chars_format::fixed, 3);
+    return {std::string(buffer.data(), end.ptr), measurement.isAngular ? "arcsec" : "um"};
+}
+
+void warnOfDrift(Judgement& result, const Measurement& measurement, const DirectionDrift& drift,
+    Approach direction)
+{
+    if (!drift.isSuspected)
+        return;
+    result.warnings.push_back({"DriftSuspected",
+        AXISCOMP_TEXT("Measurement",
+            "the runs {direction} drift by {drift} from the first to the last, more than their "
+            "spread explains")
+            .with("direction", approachText(direction))
+            .with("drift", fineQuantity(*drift.firstToLast, measurement))});
+}
+
+void warnOfDisturbance(Judgement& result, const DirectionOutliers& outliers, Approach direction)
+{
+    if (outliers.isDisturbed)
+        result.warnings.push_back({"DisturbedMeasurement",
+            AXISCOMP_TEXT("Measurement",
+                "more than a fifth of the values {direction} do not fit the others: the "
+                "measurement was disturbed, and nothing is proposed")
+                .with("direction", approachText(direction))});
+}
+
+} // namespace
+
+bool Judgement::isWithinTolerances() const
+{
+    return std::ranges::all_of(
+        verdicts, [](const Verdict& verdict) { return verdict.result == VerdictResult::Passed; });
+}
+
+Judgement judge(const Measurement& measurement, const JudgeOptions& options)
+{
+    Judgement result;
+    result.figures = iso230Figures(measurement);
+    Measurement whole = measurement;
+    for (RunValue& value : whole.values)
+        value.isUsed = true;
+    const std::size_t excluded = measurement.excludedCount();
+    if (excluded > 0) {
+        result.ofAllValues = iso230Figures(whole);
+        result.warnings.push_back({"ValuesExcluded",
+            AXISCOMP_COUNTED("Measurement",
+                "{count} values excluded, not an evaluation by ISO 230-2",
+                "1 value excluded, not an evaluation by ISO 230-2")
+                .with("count", excluded)});
+    }
+    if (measurement.kind == MeasurementKind::Runs) {
+        result.driftUp = driftOf(measurement, Approach::Up);
+        result.driftDown = driftOf(measurement, Approach::Down);
+        result.outliers = findOutliers(measurement, options.outlierRule);
+    }
+    warnOfDrift(result, measurement, result.driftUp, Approach::Up);
+    warnOfDrift(result, measurement, result.driftDown, Approach::Down);
+    if (result.driftUp.isSuspected || result.driftDown.isSuspected)
+        result.withoutOffsets = iso230Figures(withoutDrift(measurement, DriftRemoval::Offset));
+    warnOfDisturbance(result, result.outliers.up, Approach::Up);
+    warnOfDisturbance(result, result.outliers.down, Approach::Down);
+    // What a file says is said of all of its values.
+    result.published = checkPublished(whole, excluded > 0 ? *result.ofAllValues : result.figures);
+    for (const Text& contradiction : result.published.contradictions)
+        result.warnings.push_back({"PublishedContradiction", contradiction});
+    result.compliance = complianceOf(measurement, result.figures, options.period);
+    if (options.wantsVdi)
+        result.vdi = vdi3441Figures(result.figures);
+    result.verdicts = verdicts(result.figures, options.tolerances, options.uncertainty);
+    return result;
+}
+
+} // namespace axiscomp

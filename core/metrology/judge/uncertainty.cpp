@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/metrology/judge/uncertainty.h"
+
+#include "core/io/strict_json.h"
+#include "core/table/position_unit.h"
+#include "core/text/token_scanner.h"
+
+#include <cmath>
+
+namespace axiscomp {
+
+namespace {
+
+/// Half of a range of a rectangular distribution is 1.73 standard deviations: r / (2 sqrt 3) * 2.
+constexpr double rectangular = 0.6;
+
+tl::unexpected<Error> wrongAmount(Text reason)
+{
+    return fail(ErrorCode::InvalidArgument, {{"reason", std::move(reason)}});
+}
+
+/// A member that may be missing.
+double memberOr(const JsonNode& node, std::string_view key, double fallback)
+{
+    if (!node.has(key))
+        return fallback;
+    const double number = node[key].number();
+    if (!std::isfinite(number) || (number < 0.0 && key != "temperature"))
+        node[key].refuse(AXISCOMP_TEXT("Error", "a number that is not negative"));
+    return number;
+}
+
+} // namespace
+
+Uncertainty uncertaintyOf(const UncertaintyBudget& budget)
+{
+    constexpr double standardCelsius = 20.0;
+    Uncertainty result;
+    result.device = budget.deviceMm + budget.devicePpm * 1e-6 * budget.lengthMm;
+    result.misalignment = budget.lengthMm * (1.0 - std::cos(budget.misalignmentMrad * 1e-3));
+    result.temperature =
+        rectangular * budget.expansionPerKelvin * budget.lengthMm * budget.temperatureRangeKelvin;
+    result.coefficient = rectangular * std::abs(budget.materialCelsius - standardCelsius)
+        * budget.lengthMm * budget.expansionRangePerKelvin;
+    result.environment = rectangular * budget.environmentMm;
+    result.total = std::sqrt(result.device * result.device
+        + result.misalignment * result.misalignment + result.temperature * result.temperature
+        + result.coefficient * result.coefficient + result.environment * result.environment);
+    return result;
+}
+
+Result<UncertaintyBudget> uncertaintyBudgetFromJson(std::string_view text, double defaultLengthMm)
+{
+    StrictJson json(text, {.size = std::size_t{64} * 1024});
+    const JsonNode root = json.root();
+    constexpr std::array<std::string_view, 9> keys{"length", "device", "devicePpm", "misalignment",
+        "expansion", "temperatureRange", "temperature", "expansionRange", "environment"};
+    root.expectMembers(std::span<const std::string_view>(), keys);
+    UncertaintyBudget budget;
+    budget.lengthMm = memberOr(root, "length", defaultLengthMm);
+    budget.deviceMm = memberOr(root, "device", 0.0);
+    budget.devicePpm = memberOr(root, "devicePpm", 0.0);
+    budget.misalignmentMrad = memberOr(root, "misalignment", 0.0);
+    budget.expansionPerKelvin = memberOr(root, "expansion", 0.0);
+    budget.temperatureRangeKelvin = memberOr(root, "temperatureRange", 0.0);
+    budget.materialCelsius = memberOr(root, "temperature", 20.0);
+    budget.expansionRangePerKelvin = memberOr(root, "expansionRange", 0.0);
+    budget.environmentMm = memberOr(root, "environment", 0.0);
+    if (json.problem())
+        return wrongAmount(AXISCOMP_TEXT("Error", "the uncertainty budget is wrong: {reason}")
+                               .with("reason", json.problem()->reason));
+    return budget;
+}
+
+Result<double> amountFromText(std::string_view text, bool isAngular)
+{
+    // A unit has no digit and may follow without a blank: the longest number counts.
+    std::size_t length = text.find_first_not_of("0123456789.+-eE");
+    if (length == std::string_view::npos)
+        length = text.size();
+    while (length > 0 && !numberOf(text.substr(0, length)))
+        --length;
+    const auto number = numberOf(text.substr(0, length));
+    const std::string_view unit = trimmedToken({text.substr(length), 0, 1}).text;
+    const std::string_view own = isAngular ? "deg" : "mm";
+    const auto factor = unit.empty() ? std::optional(1.0) : unitFactor(unit, own);
+    if (!number || !factor || !(*number >= 0.0) || !std::isfinite(*number))
+        return wrongAmount(
+            (isAngular ? AXISCOMP_TEXT("Error",
+                 "\"{text}\" is no angle; write a number that is not negative and its unit, such "
+                 "as 5arcsec")
+                       : AXISCOMP_TEXT("Error",
+                           "\"{text}\" is no length; write a number that is not negative and its "
+                           "unit, such as 10um"))
+                .with("text", text));
+    return *number * *factor;
+}
+
+Result<std::vector<Tolerance>> tolerancesFromText(std::string_view text, bool isAngular)
+{
+    std::vector<Token> parts;
+    splitCells({text, 0, 1}, ',', parts);
+    std::vector<Tolerance> tolerances;
+    for (const Token& part : parts) {
+        const std::size_t equals = part.text.find('=');
+        const auto figure = figureNamed(trimmedToken({part.text.substr(0, equals), 0, 1}).text);
+        if (equals == std::string_view::npos || !figure)
+            return wrongAmount(AXISCOMP_TEXT("Error",
+                "\"{text}\" is no tolerance; write a figure and its limit, such as A=10um; the "
+                "figures are A, A+, A-, R, R+, R-, E, E+, E-, B, Bm and M")
+                                   .with("text", part.text));
+        AXISCOMP_TRY(const double value,
+            amountFromText(trimmedToken({part.text.substr(equals + 1), 0, 1}).text, isAngular));
+        tolerances.push_back({*figure, value});
+    }
+    return tolerances;
+}
+
+std::string_view verdictName(VerdictResult result)
+{
+    switch (result) {
+    case VerdictResult::Passed:
+        return "passed";
+    case VerdictResult::Failed:
+        return "failed";
+    case VerdictResult::Undecided:
+        return "undecided";
+    case VerdictResult::NotDefined:
+        break;
+    }
+    return "notDefined";
+}
+
+TextPattern verdictText(VerdictResult result)
+{
+    switch (result) {
+    case VerdictResult::Passed:
+        return AXISCOMP_TEXT("Measurement", "passed");
+    case VerdictResult::Failed:
+        return AXISCOMP_TEXT("Measurement", "failed");
+    case VerdictResult::Undecided:
+        return AXISCOMP_TEXT("Measurement", "undecided");
+    case VerdictResult::NotDefined:
+        break;
+    }
+    return AXISCOMP_TEXT("Measurement", "not defined");
+}
+
+std::vector<Verdict> verdicts(const Iso230Figures& figures, std::span<const Tolerance> tolerances,
+    std::optional<double> uncertainty)
+{
+    std::vector<Verdict> results;
+    for (const Tolerance& tolerance : tolerances) {
+        Verdict verdict{
+            tolerance, figures[tolerance.figure].value, uncertainty, VerdictResult::NotDefined};
+        if (verdict.value) {
+            const double size = std::abs(*verdict.value);
+            const double u = uncertainty.value_or(0.0);
+            if (size + u <= tolerance.value)
+                verdict.result = VerdictResult::Passed;
+            else if (size - u > tolerance.value)
+                verdict.result = VerdictResult::Failed;
+            else
+                verdict.result = VerdictResult::Undecided;
+        }
+        results.push_back(verdict);
+    }
+    return results;
+}
+
+} // namespace axiscomp

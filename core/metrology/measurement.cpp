@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/metrology/measurement.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace axiscomp {
+
+std::string_view approachName(Approach direction)
+{
+    return direction == Approach::Up ? "up" : "down";
+}
+
+TextPattern approachText(Approach direction)
+{
+    return direction == Approach::Up ? AXISCOMP_TEXT("Measurement", "up")
+                                     : AXISCOMP_TEXT("Measurement", "down");
+}
+
+std::string_view measurementKindName(MeasurementKind kind)
+{
+    switch (kind) {
+    case MeasurementKind::Averages:
+        return "averages";
+    case MeasurementKind::Track:
+        return "track";
+    case MeasurementKind::Points:
+        return "points";
+    case MeasurementKind::Runs:
+        break;
+    }
+    return "runs";
+}
+
+TextPattern measurementKindText(MeasurementKind kind)
+{
+    switch (kind) {
+    case MeasurementKind::Averages:
+        return AXISCOMP_TEXT("Measurement", "means of runs");
+    case MeasurementKind::Track:
+        return AXISCOMP_TEXT("Measurement", "a track without targets");
+    case MeasurementKind::Points:
+        return AXISCOMP_TEXT("Measurement", "points of a plane or space");
+    case MeasurementKind::Runs:
+        break;
+    }
+    return AXISCOMP_TEXT("Measurement", "runs over targets");
+}
+
+double Measurement::range() const
+{
+    if (hasTargets())
+        return targets.empty() ? 0.0 : targets.back() - targets.front();
+    if (track.empty())
+        return 0.0;
+    const auto [low, high] = std::ranges::minmax_element(track, {}, &TrackSample::encoder);
+    return high->encoder - low->encoder;
+}
+
+int Measurement::runCount(Approach direction) const
+{
+    int most = 0;
+    for (const RunValue& value : values)
+        if (value.direction == direction)
+            most = std::max(most, value.run);
+    return most;
+}
+
+std::size_t Measurement::excludedCount() const
+{
+    return static_cast<std::size_t>(std::ranges::count(values, false, &RunValue::isUsed));
+}
+
+std::string_view positionUnit(const Measurement& measurement)
+{
+    return measurement.isAngular ? "deg" : "mm";
+}
+
+std::vector<double> distinctTargets(std::vector<double> positions)
+{
+    std::ranges::sort(positions);
+    if (positions.empty())
+        return positions;
+    const double reach = 1e-9 * (positions.back() - positions.front());
+    std::vector<double> targets;
+    for (const double position : positions)
+        if (targets.empty() || position - targets.back() > reach)
+            targets.push_back(position);
+    return targets;
+}
+
+std::size_t targetIndex(const std::vector<double>& targets, double position)
+{
+    const auto after = std::ranges::lower_bound(targets, position);
+    if (after == targets.begin())
+        return 0;
+    const auto index = static_cast<std::size_t>(after - targets.begin());
+    const bool isBeyond = after == targets.end() || position - *(after - 1) < *after - position;
+    return isBeyond ? index - 1 : index;
+}
+
+void sortValues(std::vector<RunValue>& values)
+{
+    std::ranges::sort(values, {}, [](const RunValue& value) {
+        return std::tuple(value.direction, value.target, value.run, value.line);
+    });
+}
+
+} // namespace axiscomp

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/metrology/run_selection.h"
+
+#include "core/text/token_scanner.h"
+
+#include <algorithm>
+
+namespace axiscomp {
+
+namespace {
+
+tl::unexpected<Error> wrong(Text reason)
+{
+    return fail(ErrorCode::InvalidArgument, {{"reason", std::move(reason)}});
+}
+
+std::optional<Approach> approachNamed(std::string_view text)
+{
+    if (sameLetters(text, "up") || text == "+")
+        return Approach::Up;
+    if (sameLetters(text, "down") || text == "-")
+        return Approach::Down;
+    return std::nullopt;
+}
+
+/// A count from 1.
+std::optional<long> ordinal(const Token& token)
+{
+    const auto number = wholeNumberOf(token.text);
+    constexpr long largest = 1'000'000'000;
+    return number && *number >= 1 && *number <= largest ? number : std::nullopt;
+}
+
+std::optional<Exclusion> exclusionOf(const Token& item)
+{
+    std::vector<Token> parts;
+    splitCells(item, ':', parts);
+    if (parts.size() == 2 && sameLetters(parts[0].text, "target")) {
+        const auto target = ordinal(parts[1]);
+        return target ? std::optional(Exclusion{{}, static_cast<std::size_t>(*target), {}})
+                      : std::nullopt;
+    }
+    if (parts.size() != 3)
+        return std::nullopt;
+    const bool isRun = sameLetters(parts[0].text, "run");
+    const auto direction = approachNamed(parts[isRun ? 1 : 0].text);
+    const auto run = ordinal(parts[2]);
+    const auto target = isRun ? std::optional<long>(0) : ordinal(parts[1]);
+    if (!direction || !run || !target)
+        return std::nullopt;
+    Exclusion exclusion{direction, {}, static_cast<int>(*run)};
+    if (!isRun)
+        exclusion.target = static_cast<std::size_t>(*target);
+    return exclusion;
+}
+
+bool covers(const Exclusion& exclusion, const RunValue& value)
+{
+    return (!exclusion.direction || *exclusion.direction == value.direction)
+        && (!exclusion.target || *exclusion.target == value.target + 1)
+        && (!exclusion.run || *exclusion.run == value.run);
+}
+
+/// The targets of all, each once.
+std::vector<double> allTargets(std::span<const Measurement> measurements)
+{
+    std::vector<double> targets;
+    for (const Measurement& measurement : measurements)
+        targets.insert(targets.end(), measurement.targets.begin(), measurement.targets.end());
+    return distinctTargets(std::move(targets));
+}
+
+/// Measurements of different states of the drive are not one measurement.
+bool isSameState(const MeasuredState& a, const MeasuredState& b)
+{
+    return a == b || a.kind == MeasuredState::Kind::NotSaid
+        || b.kind == MeasuredState::Kind::NotSaid;
+}
+
+/// What a joined file says otherwise than the first one is kept as a note.
+void keepDifferences(Measurement& whole, const Measurement& other)
+{
+    const auto keep = [&whole](std::string_view key, const std::string& first,
+                          const std::string& second) {
+        if (!second.empty() && first != second)
+            whole.notes.push_back(std::string(key) + ": " + second);
+    };
+    keep("machine", whole.header.machine, other.header.machine);
+    keep("axis", whole.header.axis, other.header.axis);
+    keep("instrument", whole.header.instrument, other.header.instrument);
+    keep("serial", whole.header.serial, other.header.serial);
+    keep("operator", whole.header.operatorName, other.header.operatorName);
+    keep("date", whole.header.date, other.header.date);
+    keep("feed", whole.header.feed, other.header.feed);
+    keep("dwell", whole.header.dwell, other.header.dwell);
+    for (const std::string& note : other.notes)
+        if (std::ranges::find(whole.notes, note) == whole.notes.end())
+            whole.notes.push_back(note);
+}
+
+} // namespace
+
+Result<std::vector<Exclusion>> exclusionsFromText(std::string_view text)
+{
+    std::vector<Token> items;
+    splitCells({text, 0, 1}, ',', items);
+    std::vector<Exclusion> exclusions;
+    for (const Token& item : items) {
+        const auto exclusion = exclusionOf(item);
+        if (!exclusion)
+            return wrong(AXISCOMP_TEXT("Error",
+                "\"{text}\" names nothing that can be excluded; write down:1:1 for a value "
+                "(direction, target, run), run:up:3 or target:7")
+                             .with("text", item.text));
+        exclusions.push_back(*exclusion);
+    }
+    return exclusions;
+}
+
+std::string exclusionText(const Exclusion& exclusion)
+{
+    const std::string run = exclusion.run ? std::to_string(*exclusion.run) : std::string();
+    if (!exclusion.direction)
+        return "target:" + std::to_string(exclusion.target.value_or(0));
+    const std::string direction(approachName(*exclusion.direction));
+    return exclusion.target ? direction + ":" + std::to_string(*exclusion.target) + ":" + run
+                            : "run:" + direction + ":" + run;
+}
+
+Result<void> exclude(Measurement& measurement, std::span<const Exclusion> exclusions)
+{
+    for (const Exclusion& exclusion : exclusions) {
+        bool isThere = false;
+        for (RunValue& value : measurement.values) {
+            if (!covers(exclusion, value))
+                continue;
+            value.isUsed = false;
+            isThere = true;
+        }
+        if (!isThere)
+            return wrong(AXISCOMP_TEXT("Error",
+                "there is no value {exclusion}: the measurement has {targets} targets, {up} runs "
+                "up and {down} runs down")
+                             .with("exclusion", exclusionText(exclusion))
+                             .with("targets", measurement.targets.size())
+                             .with("up", measurement.runCount(Approach::Up))
+                             .with("down", measurement.runCount(Approach::Down)));
+    }
+    return {};
+}
+
+void swapDirections(Measurement& measurement)
+{
+    const auto swapped = [](Approach direction) {
+        return direction == Approach::Up ? Approach::Down : Approach::Up;
+    };
+    for (RunValue& value : measurement.values)
+        value.direction = swapped(value.direction);
+    for (TrackSample& sample : measurement.track)
+        sample.direction = swapped(sample.direction);
+    for (PublishedFigure& figure : measurement.published) {
+        if (figure.name == "Bmean")
+            figure.value = -figure.value;
+        else if (figure.name.ends_with("Up"))
+            figure.name.replace(figure.name.size() - 2, 2, "Down");
+        else if (figure.name.ends_with("Down"))
+            figure.name.replace(figure.name.size() - 4, 4, "Up");
+    }
+    sortValues(measurement.values);
+}
+
+Result<Measurement> joined(std::span<const Measurement> measurements)
+{
+    Measurement whole = measurements.front();
+    if (measurements.size() == 1)
+        return whole;
+    for (const Measurement& measurement : measurements) {
+        if (measurement.kind != MeasurementKind::Runs)
+            return wrong(
+                AXISCOMP_TEXT("Error", "only runs over targets can be joined; one file has {kind}")
+                    .with("kind", measurementKindText(measurement.kind)));
+        if (measurement.isAngular != whole.isAngular)
+            return wrong(AXISCOMP_TEXT(
+                "Error", "a measurement of lengths and one of angles cannot be joined"));
+        if (!isSameState(measurement.header.compensation, whole.header.compensation))
+            return wrong(AXISCOMP_TEXT("Error",
+                "measurements with different tables, or with and without compensation, cannot be "
+                "joined"));
+    }
+    whole.targets = allTargets(measurements);
+    whole.values.clear();
+    whole.published.clear();
+    for (const Measurement& measurement : measurements) {
+        const int runs[] = {whole.runCount(Approach::Up), whole.runCount(Approach::Down)};
+        for (RunValue value : measurement.values) {
+            value.target = targetIndex(whole.targets, measurement.targets[value.target]);
+            value.run += runs[static_cast<int>(value.direction)];
+            value.line = 0;
+            whole.values.push_back(value);
+        }
+        whole.halfPrintedUnit = std::max(whole.halfPrintedUnit, measurement.halfPrintedUnit);
+        if (&measurement != &measurements.front())
+            keepDifferences(whole, measurement);
+        if (measurement.header.compensation != whole.header.compensation)
+            whole.header.compensation = {};
+        if (measurement.header.corrected != whole.header.corrected)
+            whole.header.corrected = MeasurementHeader::Corrected::NotSaid;
+    }
+    sortValues(whole.values);
+    return whole;
+}
+
+} // namespace axiscomp

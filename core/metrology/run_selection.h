@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/result.h"
+#include "core/metrology/measurement.h"
+
+#include <span>
+
+namespace axiscomp {
+
+// Changes of a measurement that a person asks for. Nothing is ever left out or turned round by
+// itself.
+
+/// What is left out: a value, a run, or a target. Numbers count from 1; targets in ascending order.
+struct Exclusion {
+    std::optional<Approach> direction; ///< of a value or a run
+    std::optional<std::size_t> target;
+    std::optional<int> run;
+
+    friend bool operator==(const Exclusion&, const Exclusion&) = default;
+};
+
+/// "down:1:1" (direction, target, run), "run:up:3", "target:7"; several with commas between them.
+/// Errors: InvalidArgument.
+[[nodiscard]] Result<std::vector<Exclusion>> exclusionsFromText(std::string_view text);
+[[nodiscard]] std::string exclusionText(const Exclusion& exclusion);
+
+/// Marks the values as not used. Errors: InvalidArgument for what the measurement does not have.
+[[nodiscard]] Result<void> exclude(Measurement& measurement, std::span<const Exclusion> exclusions);
+
+/// Up becomes down and down becomes up.
+void swapDirections(Measurement& measurement);
+
+/// One measurement with the runs of all: those of the later files are numbered after those of the
+/// earlier ones. Headers are the first one's; what others say differently becomes a note. At least
+/// one. Errors: InvalidArgument for other kinds than runs and for lengths with angles; targets that
+/// only some files have are kept and become incomplete runs.
+[[nodiscard]] Result<Measurement> joined(std::span<const Measurement> measurements);
+
+} // namespace axiscomp

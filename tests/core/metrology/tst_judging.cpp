@@ -1,0 +1,382 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/metrology/judge/corrections.h"
+#include "core/metrology/judge/judgement.h"
+#include "tests/core/metrology/measurement_reading.h"
+#include "tests/support/test_registry.h"
+
+#include <cmath>
+#include <random>
+
+namespace tst_judging {
+
+using namespace axiscomp;
+using Figure = Iso230Figure;
+
+namespace {
+
+constexpr double tolerance = 1e-6; // mm
+
+Measurement publicRuns(const std::string& name)
+{
+    return test::readAs("runs", test::publicMeasurement(name)).measurement.value_or(Measurement{});
+}
+
+double value(const Iso230Figures& figures, Figure figure)
+{
+    return figures[figure].value.value_or(std::nan(""));
+}
+
+/// As many targets, evenly over the length, with random values.
+Measurement noisy(std::size_t targets, double length, int runs, unsigned seed = 1)
+{
+    std::mt19937 random(seed);
+    std::normal_distribution<double> normal(0.0, 0.001);
+    Measurement measurement;
+    for (std::size_t i = 0; i < targets; ++i)
+        measurement.targets.push_back(
+            length * static_cast<double>(i) / static_cast<double>(targets - 1));
+    for (std::size_t i = 0; i < targets; ++i)
+        for (const Approach direction : {Approach::Up, Approach::Down})
+            for (int run = 1; run <= runs; ++run) {
+                RunValue one;
+                one.target = i;
+                one.direction = direction;
+                one.run = run;
+                one.deviation = normal(random);
+                measurement.values.push_back(one);
+            }
+    sortValues(measurement.values);
+    return measurement;
+}
+
+std::optional<bool> metOf(const std::vector<ComplianceLine>& lines, std::string_view rule)
+{
+    for (const ComplianceLine& line : lines)
+        if (line.rule == rule)
+            return line.isMet;
+    return std::nullopt;
+}
+
+} // namespace
+
+class tst_Judging : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { test::failOnWarnings(); }
+
+    void outliersOfAPublicMeasurement()
+    {
+        const Measurement measurement = publicRuns("ess_mcu1025.csv");
+        const Outliers outliers = findOutliers(measurement, OutlierRule::PooledMad);
+        QVERIFY(outliers.up.flagged.empty());
+        QCOMPARE(outliers.down.flagged.size(), std::size_t{2});
+        const Outlier& first = outliers.down.flagged[0];
+        const Outlier& second = outliers.down.flagged[1];
+        QCOMPARE(first.target, std::size_t{0});
+        QCOMPARE(first.run, 1);
+        QVERIFY2(std::abs(first.score - 19.951) < 5e-4, std::to_string(first.score).c_str());
+        QCOMPARE(second.target, std::size_t{1});
+        QCOMPARE(second.run, 1);
+        QVERIFY2(std::abs(second.score - 17.500) < 5e-4, std::to_string(second.score).c_str());
+        QCOMPARE(exclusionText(exclusionOf(first)), "down:1:1");
+    }
+
+    void measurementsInOrderHaveNoOutliers()
+    {
+        for (const char* name : {"bifrost.csv", "b02_y.csv"}) {
+            const Outliers outliers = findOutliers(publicRuns(name), OutlierRule::PooledMad);
+            QVERIFY2(outliers.up.flagged.empty() && outliers.down.flagged.empty(), name);
+        }
+    }
+
+    void manyOutliersAreADisturbedMeasurement()
+    {
+        // 30 targets with 5 runs: a fifth are 30 values.
+        const auto disturbed = [](std::size_t targets) {
+            Measurement measurement = noisy(30, 100.0, 5);
+            for (RunValue& one : measurement.values)
+                if (one.direction == Approach::Up && one.target < targets && one.run <= 2)
+                    one.deviation += one.run == 1 ? 1.0 : -1.0;
+            return findOutliers(measurement, OutlierRule::PooledMad);
+        };
+        const Outliers fifth = disturbed(15);
+        QCOMPARE(fifth.up.flagged.size(), std::size_t{30});
+        QVERIFY(!fifth.up.isDisturbed);
+        const Outliers more = disturbed(16);
+        QVERIFY(more.up.flagged.empty());
+        QVERIFY(more.up.isDisturbed);
+        QVERIFY(!more.down.isDisturbed);
+    }
+
+    void noGroupKeepsFewerThanThreeValues()
+    {
+        Measurement measurement = noisy(10, 100.0, 3);
+        measurement.values.front().deviation += 1.0;
+        QVERIFY(findOutliers(measurement, OutlierRule::PooledMad).up.flagged.empty());
+    }
+
+    void grubbsTestsEachGroup()
+    {
+        // (x - mean) / s of 0 0 0 1 is 1.5, of 0 0 0 0 1 is 1.7889: limits 1.4812 and 1.7150.
+        Measurement measurement = noisy(2, 1.0, 4);
+        for (RunValue& one : measurement.values)
+            one.deviation = one.target == 0 && one.run == 2 ? 1.0 : 0.0;
+        const Outliers outliers = findOutliers(measurement, OutlierRule::Grubbs);
+        QCOMPARE(outliers.up.flagged.size(), std::size_t{1});
+        QCOMPARE(outliers.up.flagged[0].run, 2);
+        QVERIFY(std::abs(outliers.up.flagged[0].score - 1.5) < 1e-12);
+        // 0 1 2 3: 1.1619 is below the limit.
+        for (RunValue& one : measurement.values)
+            one.deviation = one.run;
+        QVERIFY(findOutliers(measurement, OutlierRule::Grubbs).up.flagged.empty());
+    }
+
+    void driftIsSuspectedWhereItIs()
+    {
+        for (const char* name : {"bifrost.csv", "b02_x.csv", "b02_y.csv", "ess_mcu1025.csv"}) {
+            const bool drifts = std::string_view(name).starts_with("b02");
+            const Measurement measurement = publicRuns(name);
+            QCOMPARE(driftOf(measurement, Approach::Up).isSuspected, drifts);
+            QCOMPARE(driftOf(measurement, Approach::Down).isSuspected, drifts);
+        }
+    }
+
+    void driftOfAPublicMeasurement()
+    {
+        const Measurement measurement = publicRuns("b02_y.csv");
+        const DirectionDrift up = driftOf(measurement, Approach::Up);
+        const DirectionDrift down = driftOf(measurement, Approach::Down);
+        QVERIFY(std::abs(*up.firstToLast + 0.0122526) < tolerance);
+        QVERIFY(std::abs(*down.firstToLast + 0.0132020) < tolerance);
+        const Iso230Figures without =
+            iso230Figures(withoutDrift(measurement, DriftRemoval::Offset));
+        QVERIFY(std::abs(value(without, Figure::A) - 0.1139873) < tolerance);
+        QVERIFY(std::abs(value(without, Figure::R) - 0.0330848) < tolerance);
+        for (const TargetFigures& target : without.targets)
+            QVERIFY(std::abs(*target.mean - *iso230Figures(measurement).targets[target.target].mean)
+                < 1e-12);
+    }
+
+    void trendOverTimeAndTemperature()
+    {
+        // 2 um for each run, a run every half hour, 0.1 K warmer each time.
+        Measurement measurement = noisy(3, 10.0, 4);
+        for (RunValue& one : measurement.values) {
+            one.deviation = 0.002 * one.run;
+            one.time = 1800.0 * one.run;
+            one.temperature = 20.0 + 0.1 * one.run;
+        }
+        const DirectionDrift drift = driftOf(measurement, Approach::Up);
+        QVERIFY(std::abs(*drift.trendPerRun - 0.002) < 1e-12);
+        QVERIFY(std::abs(*drift.trendPerHour - 0.004) < 1e-12);
+        QVERIFY(std::abs(*drift.trendPerKelvin - 0.02) < 1e-9);
+        const Measurement level = withoutDrift(measurement, DriftRemoval::Trend);
+        for (const RunValue& one : level.values)
+            QVERIFY(std::abs(one.deviation - 0.005) < 1e-12);
+    }
+
+    void uncertaintyOfTheExample()
+    {
+        const auto budget = uncertaintyBudgetFromJson(
+            R"({"length": 500, "device": 0.0002, "devicePpm": 0.5, "misalignment": 0.5,
+                "expansion": 11.5e-6, "temperatureRange": 0.4, "temperature": 22.5,
+                "expansionRange": 2e-6, "environment": 0.0006})",
+            1.0);
+        VERIFY_RESULT(budget);
+        QVERIFY(std::abs(uncertaintyOf(*budget).total - 0.0021191) < 1e-7);
+        VERIFY_ERROR(
+            uncertaintyBudgetFromJson(R"({"lenght": 1})", 1.0), ErrorCode::InvalidArgument);
+        VERIFY_ERROR(
+            uncertaintyBudgetFromJson(R"({"device": -1})", 1.0), ErrorCode::InvalidArgument);
+        const auto own = uncertaintyBudgetFromJson(R"({"devicePpm": 1})", 2000.0);
+        VERIFY_RESULT(own);
+        QVERIFY(std::abs(uncertaintyOf(*own).total - 0.002) < 1e-12);
+    }
+
+    void aToleranceIsMetBeyondTheUncertaintyOnly()
+    {
+        const Measurement measurement = publicRuns("bifrost.csv"); // A 0.0185713
+        const Iso230Figures figures = iso230Figures(measurement);
+        const auto resultOf = [&](const char* text, std::optional<double> u) {
+            const auto tolerances = tolerancesFromText(text, false);
+            return tolerances ? verdicts(figures, *tolerances, u).front().result
+                              : VerdictResult::NotDefined;
+        };
+        QCOMPARE(resultOf("A=18.6um", std::nullopt), VerdictResult::Passed);
+        QCOMPARE(resultOf("A=18.5um", std::nullopt), VerdictResult::Failed);
+        QCOMPARE(resultOf("A=20.6um", 0.002), VerdictResult::Passed);
+        QCOMPARE(resultOf("A=20.5um", 0.002), VerdictResult::Undecided);
+        QCOMPARE(resultOf("A=16.6um", 0.002), VerdictResult::Undecided);
+        QCOMPARE(resultOf("A=16.5um", 0.002), VerdictResult::Failed);
+        QCOMPARE(resultOf("A=0.0186", std::nullopt), VerdictResult::Passed); // mm
+        // Larger than any figure, but not defined.
+        Measurement oneWay = measurement;
+        std::erase_if(
+            oneWay.values, [](const RunValue& one) { return one.direction == Approach::Down; });
+        const Tolerance large{Figure::A, 1e9};
+        QCOMPARE(verdicts(iso230Figures(oneWay), std::span(&large, 1), {}).front().result,
+            VerdictResult::NotDefined);
+    }
+
+    void tolerancesAreReadWithTheirUnits()
+    {
+        const auto tolerances = tolerancesFromText("A=10um, r+=4 um,Bm=0.001", false);
+        VERIFY_RESULT(tolerances);
+        QVERIFY(tolerances->at(0) == (Tolerance{Figure::A, 0.01}));
+        QVERIFY(tolerances->at(1) == (Tolerance{Figure::RUp, 0.004}));
+        QVERIFY(tolerances->at(2) == (Tolerance{Figure::MeanReversal, 0.001}));
+        VERIFY_RESULT(tolerancesFromText("A=5arcsec", true));
+        for (const char* bad : {"", "A", "A=", "F=1um", "A=10s", "A=-1um", "A=1um;R=2um", "A=1deg"})
+            VERIFY_ERROR(tolerancesFromText(bad, false), ErrorCode::InvalidArgument);
+    }
+
+    void temperatureBringsPositionsTo20Degrees()
+    {
+        Measurement measurement = noisy(3, 1000.0, 2);
+        for (RunValue& one : measurement.values)
+            one.deviation = 0.0;
+        TemperatureCorrection correction{.materialCelsius = 22.0, .expansionPerKelvin = 11.5e-6};
+        correction.isConfirmed = true;
+        const auto corrected = correctedForTemperature(measurement, correction);
+        VERIFY_RESULT(corrected);
+        // 1000 mm of a scale that is 2 K too warm: 1000 / (1 + 23e-6) - 1000.
+        for (const RunValue& one : corrected->values) {
+            const double expected =
+                measurement.targets[one.target] / (1.0 + 23e-6) - measurement.targets[one.target];
+            QVERIFY(std::abs(one.deviation - expected) < 1e-12);
+        }
+        QCOMPARE(corrected->header.corrected, MeasurementHeader::Corrected::To20Celsius);
+        VERIFY_ERROR(correctedForTemperature(*corrected, correction), ErrorCode::InvalidArgument);
+        correction.isConfirmed = false;
+        VERIFY_ERROR(correctedForTemperature(measurement, correction), ErrorCode::InvalidArgument);
+        measurement.header.corrected = MeasurementHeader::Corrected::None;
+        VERIFY_RESULT(correctedForTemperature(measurement, correction));
+        correction.expansionPerKelvin = 11.5;
+        VERIFY_ERROR(correctedForTemperature(measurement, correction), ErrorCode::InvalidArgument);
+        measurement.isAngular = true;
+        VERIFY_ERROR(correctedForTemperature(measurement, correction), ErrorCode::InvalidArgument);
+    }
+
+    void theDeadPathFollowsTheAir()
+    {
+        // By the modified Edlen equation 1.00027137 for 20 C, 101.325 kPa and 50 %.
+        QVERIFY(std::abs(refractiveIndex({101.325, 20.0, 50.0}) - 1.00027137) < 1e-7);
+        Measurement measurement = noisy(2, 10.0, 2);
+        for (RunValue& one : measurement.values)
+            one.deviation = 0.0;
+        DeadPathCorrection correction{.lengthMm = 100.0, .atZero = {101.325, 20.0, 50.0}};
+        for (const Approach direction : {Approach::Up, Approach::Down})
+            correction.duringRun[{direction, 1}] = {101.325, 21.0, 50.0};
+        VERIFY_ERROR(correctedForDeadPath(measurement, correction), ErrorCode::InvalidArgument);
+        for (const Approach direction : {Approach::Up, Approach::Down})
+            correction.duringRun[{direction, 2}] = correction.atZero;
+        const auto corrected = correctedForDeadPath(measurement, correction);
+        VERIFY_RESULT(corrected);
+        for (const RunValue& one : corrected->values) {
+            // About 1 ppm for 1 K: 0.93 um for a metre, 0.093 um for 100 mm.
+            const double expected = one.run == 2 ? 0.0 : 0.0000954;
+            QVERIFY2(std::abs(one.deviation - expected) < 2e-6,
+                std::to_string(1e6 * one.deviation).c_str());
+        }
+    }
+
+    void conditionsOfTheStandard()
+    {
+        const auto conditions = [](const Measurement& m, std::optional<double> period) {
+            return complianceOf(m, iso230Figures(m), period);
+        };
+        Measurement good = noisy(9, 400.0, 5);
+        const auto lines = conditions(good, 80.0);
+        QCOMPARE(metOf(lines, "targets"), std::optional(true));
+        QCOMPARE(metOf(lines, "runs"), std::optional(true));
+        QCOMPARE(metOf(lines, "bidirectional"), std::optional(true));
+        QCOMPARE(metOf(lines, "period"), std::optional(true)); // 50 mm apart
+        QCOMPARE(metOf(lines, "feed"), std::optional(false));
+        QCOMPARE(metOf(conditions(good, 50.0), "period"), std::optional(false));
+        QCOMPARE(metOf(conditions(good, {}), "period"), std::optional<bool>());
+        QCOMPARE(metOf(conditions(noisy(4, 400.0, 5), {}), "targets"), std::optional(false));
+        QCOMPARE(metOf(conditions(noisy(7, 1500.0, 5), {}), "targets"), std::optional(false));
+        QCOMPARE(metOf(conditions(noisy(8, 1500.0, 5), {}), "targets"), std::optional(true));
+        QCOMPARE(metOf(conditions(noisy(8, 1500.0, 4), {}), "runs"), std::optional(false));
+        QCOMPARE(metOf(conditions(noisy(13, 3000.0, 1), {}), "targets"), std::optional(true));
+        QCOMPARE(metOf(conditions(noisy(13, 3000.0, 1), {}), "runs"), std::optional(true));
+        Measurement turn = noisy(8, 360.0, 5);
+        turn.isAngular = true;
+        QCOMPARE(metOf(conditions(turn, {}), "targets"), std::optional(true));
+        Measurement half = noisy(4, 180.0, 5);
+        half.isAngular = true;
+        QCOMPARE(metOf(conditions(half, {}), "targets"), std::optional(false));
+        std::erase_if(good.values,
+            [](const RunValue& one) { return one.direction == Approach::Down && one.target == 3; });
+        QCOMPARE(metOf(conditions(good, {}), "bidirectional"), std::optional(false));
+    }
+
+    void resultsInAFileAreCompared()
+    {
+        Measurement measurement = publicRuns("b02_x.csv");
+        measurement.halfPrintedUnit = 0.5e-5;
+        const auto publish = [&measurement](const char* name, double number) {
+            measurement.published.push_back({name, number, 0.5e-5, 1});
+        };
+        publish("B", 0.03358);
+        publish("EUp", 0.09065);
+        publish("EDown", 0.09803);
+        publish("E", 0.09065);
+        publish("A", 0.13528);
+        const PublishedCheck check = checkPublished(measurement, iso230Figures(measurement));
+        QCOMPARE(check.comparisons.size(), std::size_t{5});
+        QCOMPARE(check.contradictions.size(), std::size_t{1});
+        QCOMPARE(check.contradictions[0].english(),
+            "the file says systematic deviation E = 0.09065 mm, which is less than its own "
+            "systematic deviation E, down = 0.09803 mm; computed from its values: 0.12285 mm");
+        measurement.published[0].value = 0.0338;
+        const PublishedCheck other = checkPublished(measurement, iso230Figures(measurement));
+        QCOMPARE(other.contradictions[0].english(),
+            "the file says reversal value B = 0.03380 mm; computed from its values: 0.03358 mm");
+    }
+
+    void vdiOfASmallMeasurement()
+    {
+        // Two targets: up 0 2 | down 1 3 and up 4 4 | down 0 0. s = sqrt 2 | sqrt 2 and 0 | 0.
+        Measurement measurement = noisy(2, 1.0, 2);
+        const double values[2][2][2] = {{{0, 2}, {1, 3}}, {{4, 4}, {0, 0}}};
+        for (RunValue& one : measurement.values)
+            one.deviation =
+                values[one.target][static_cast<std::size_t>(one.direction)][one.run - 1];
+        const auto vdi = vdi3441Figures(iso230Figures(measurement));
+        QVERIFY(vdi.has_value());
+        const double ps = 6.0 * std::sqrt(2.0);
+        QCOMPARE(vdi->uMax, 4.0);
+        QCOMPARE(vdi->uMean, 2.5);
+        QCOMPARE(vdi->psMax, ps);
+        QCOMPARE(vdi->psMean, ps / 2.0);
+        QCOMPARE(vdi->pa, 0.5);
+        // Means 1.5 and 2; half widths (1 + ps)/2 and 2.
+        QCOMPARE(vdi->p, 1.5 + (1.0 + ps) / 2.0 - (1.5 - (1.0 + ps) / 2.0));
+    }
+
+    void aJudgementSaysWhatIsDoubtful()
+    {
+        Measurement measurement = publicRuns("b02_y.csv");
+        measurement.values.front().isUsed = false;
+        const Judgement judgement = judge(measurement, {});
+        std::vector<std::string> names;
+        for (const JudgeWarning& warning : judgement.warnings)
+            names.emplace_back(warning.name);
+        QCOMPARE(names,
+            (std::vector<std::string>{"ValuesExcluded", "DriftSuspected", "DriftSuspected"}));
+        QCOMPARE(judgement.warnings[0].text.english(),
+            "1 value excluded, not an evaluation by ISO 230-2");
+        QVERIFY(judgement.ofAllValues.has_value());
+        QVERIFY(std::abs(value(*judgement.ofAllValues, Figure::A) - 0.1257168) < tolerance);
+        QVERIFY(judgement.withoutOffsets.has_value());
+        QVERIFY(judgement.isWithinTolerances());
+    }
+};
+
+AXISCOMP_TEST(tst_Judging)
+
+} // namespace tst_judging
+
+#include "tst_judging.moc"

@@ -1,0 +1,422 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/metrology/judge/iso230.h"
+#include "core/metrology/run_selection.h"
+#include "core/text/number_text.h"
+#include "tests/core/metrology/measurement_reading.h"
+#include "tests/support/test_registry.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <sstream>
+
+namespace tst_measurementfiles {
+
+using namespace axiscomp;
+using Figure = Iso230Figure;
+
+namespace {
+
+Measurement publicRuns(const std::string& name)
+{
+    return test::readAs("runs", test::publicMeasurement(name)).measurement.value_or(Measurement{});
+}
+
+std::vector<std::string> linesOf(const std::string& text)
+{
+    std::vector<std::string> lines;
+    std::istringstream stream(text);
+    for (std::string line; std::getline(stream, line);)
+        lines.push_back(line);
+    return lines;
+}
+
+double valueAt(const Measurement& m, Approach direction, std::size_t target, int run)
+{
+    for (const RunValue& value : m.values)
+        if (value.direction == direction && value.target == target && value.run == run)
+            return value.deviation;
+    return std::nan("");
+}
+
+std::string inColumns(const Measurement& m, bool isReference, char separator, bool isCommaDecimal)
+{
+    std::string text = isReference ? "// values: reference\n" : "// values: deviation\n";
+    const std::string between(1, separator);
+    text += "target_mm";
+    const int runs = m.runCount(Approach::Up);
+    for (const char* direction : {"up", "down"})
+        for (int run = 1; run <= runs; ++run)
+            text += between + direction + std::to_string(run) + (isReference ? " [mm]" : " [um]");
+    text += "\n";
+    for (std::size_t target = 0; target < m.targets.size(); ++target) {
+        std::string line = shortestText(m.targets[target]);
+        for (const Approach direction : {Approach::Up, Approach::Down})
+            for (int run = 1; run <= runs; ++run) {
+                const double deviation = valueAt(m, direction, target, run);
+                line += between
+                    + shortestText(
+                        isReference ? m.targets[target] + deviation : 1000.0 * deviation);
+            }
+        if (isCommaDecimal)
+            std::ranges::replace(line, '.', ',');
+        text += line + "\n";
+    }
+    return text;
+}
+
+std::string asRtl(const Measurement& m)
+{
+    std::string text = "HEADER:: \r\nFile type  : rtl \r\nOwner : none\r\nVersion no : 1 \r\n\r\n"
+                       "TARGET DATA:: \r\nFiletype  : ISO \r\nTarget-count: "
+        + std::to_string(m.targets.size()) + " \r\nTargets : \r\n";
+    for (std::size_t i = 0; i < m.targets.size(); ++i)
+        text += shortestText(m.targets[i]) + (i % 4 == 3 ? "\r\n" : "  ");
+    const int cycles = m.runCount(Approach::Up);
+    text += "\r\nFlags: 0 0 2 0 \r\n\r\nUSER-TEXT:: \r\nMachine: B02\r\nSerial No: 7\r\nAxis: X\r\n"
+            "Location: hall 3\r\nTITLE: first\r\n\r\nRUNS:: \r\nRun-count: "
+        + std::to_string(2 * cycles) + " \r\n\r\nDEVIATIONS:: \r\nRun Target Data: \r\n";
+    for (int cycle = 1; cycle <= cycles; ++cycle) {
+        for (std::size_t i = 0; i < m.targets.size(); ++i)
+            text += "  " + std::to_string(2 * cycle - 1) + "   " + std::to_string(i + 1) + "  "
+                + shortestText(1000.0 * valueAt(m, Approach::Up, i, cycle)) + "\r\n";
+        for (std::size_t i = m.targets.size(); i-- > 0;)
+            text += "  " + std::to_string(2 * cycle) + "   " + std::to_string(i + 1) + "  "
+                + shortestText(1000.0 * valueAt(m, Approach::Down, i, cycle)) + "\r\n";
+    }
+    return text
+        + "\r\nEQUIPMENT:: \r\nSomething : 1 2 3\r\nENVIRONMENT:: \r\nAir temp   : 20.1 \r\n"
+          "EOF::\r\n";
+}
+
+std::string asEcmc(const Measurement& m)
+{
+    std::string text = "TEST_DATA=# Input data file for ISO230-2 calcs\n# comment\nUNIT=mm\n"
+                       "CYCLES=5\nPOSITIONS="
+        + std::to_string(m.targets.size()) + "\nREF_PV=IOC:Enc01\n";
+    for (std::size_t i = 0; i < m.targets.size(); ++i)
+        text += "TGT_DATA[" + std::to_string(i + 1) + "]=" + shortestText(m.targets[i]) + "\n";
+    for (const RunValue& value : m.values)
+        text += std::string(value.direction == Approach::Up ? "REF_DATA_FWD[" : "REF_DATA_BWD[")
+            + std::to_string(value.target + 1) + "," + std::to_string(value.run)
+            + "]=" + shortestText(m.targets[value.target] + value.deviation) + "\n";
+    return text;
+}
+
+bool haveSameFigures(const Measurement& a, const Measurement& b)
+{
+    const Iso230Figures first = iso230Figures(a);
+    const Iso230Figures second = iso230Figures(b);
+    return std::ranges::all_of(allIso230Figures(), [&](Figure figure) {
+        return first[figure].value && second[figure].value
+            && std::abs(*first[figure].value - *second[figure].value) < 1e-9;
+    });
+}
+
+} // namespace
+
+class tst_MeasurementFiles : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { test::failOnWarnings(); }
+
+    void everyFormatCarriesTheSameFigures_data()
+    {
+        QTest::addColumn<QString>("format");
+        QTest::addColumn<QByteArray>("text");
+        const Measurement m = publicRuns("b02_x.csv");
+        const auto row = [](const char* name, const char* format, const std::string& text) {
+            QTest::newRow(name) << QString::fromLatin1(format) << QByteArray::fromStdString(text);
+        };
+        row("written again", "runs", writeRunsCsv(m));
+        row("wide, deviations in um", "wide", inColumns(m, false, ',', false));
+        row("wide, positions", "wide", inColumns(m, true, ',', false));
+        row("wide, decimal comma", "wide", inColumns(m, false, ';', true));
+        row("rtl", "renishaw", asRtl(m));
+        row("ecmc", "ecmc", asEcmc(m));
+        std::vector<std::string> lines = linesOf(test::publicMeasurement("b02_x.csv"));
+        std::mt19937 random(7);
+        std::shuffle(lines.begin() + 3, lines.end(), random);
+        std::string shuffled;
+        for (const std::string& line : lines)
+            shuffled += line + "\n";
+        row("lines shuffled", "runs", shuffled);
+    }
+    void everyFormatCarriesTheSameFigures()
+    {
+        QFETCH(const QString, format);
+        QFETCH(const QByteArray, text);
+        const auto chosen = chooseMeasurementFormat(text.toStdString(), "m.dat", {});
+        VERIFY_RESULT(chosen);
+        QCOMPARE(QString::fromStdString(std::string((*chosen)->facts.name)), format);
+        const MeasurementReading reading = (*chosen)->read(text.toStdString(), {});
+        VERIFY_MEASUREMENT(reading);
+        QVERIFY2(reading.diagnostics.empty(), test::describe(reading).join('\n').constData());
+        QVERIFY(haveSameFigures(*reading.measurement, publicRuns("b02_x.csv")));
+    }
+
+    void writingAndReadingGivesTheSameMeasurement()
+    {
+        const MeasurementReading first = test::readAs("runs",
+            "// machine: M1\n// axis: X\n// instrument: XL-80\n// serial: 12\n// operator: me\n"
+            "// date: 2026-11-21T09:30:00\n// feed: 1000 mm/min\n// dwell: 2 s\n"
+            "// compensation: crc:1c291ca3\n// air temperature: 20.4\n"
+            "// material temperature: 20.9 C\n// expansion: 11.5e-6\n// corrected: none\n// a "
+            "note\n"
+            "target [mm],direction,run,deviation [um],encoder [mm],output "
+            "[um],time,temperature,use\n"
+            "0,+,1,0.21,0.001,3,10,20.5,1\n25.31,up,1,1.05,25.3,,11,,0\n0,bwd,1,2,,,,,\n"
+            "25.31,-1,1,3,,,,,1\n");
+        VERIFY_MEASUREMENT(first);
+        const MeasurementHeader& header = first.measurement->header;
+        QCOMPARE(header.machine, "M1");
+        QCOMPARE(header.compensation.tableCrc, std::optional<std::uint32_t>(0x1c291ca3));
+        QCOMPARE(header.materialTemperature, std::optional(20.9));
+        QCOMPARE(header.corrected, MeasurementHeader::Corrected::None);
+        QCOMPARE(first.measurement->notes, std::vector<std::string>{"a note"});
+        QCOMPARE(first.measurement->excludedCount(), std::size_t{1});
+        const MeasurementReading second = test::readAs("runs", writeRunsCsv(*first.measurement));
+        VERIFY_MEASUREMENT(second);
+        QVERIFY(second.measurement->header == header);
+        QCOMPARE(second.measurement->notes, first.measurement->notes);
+        QCOMPARE(second.measurement->targets, first.measurement->targets);
+        QCOMPARE(second.measurement->values.size(), std::size_t{4});
+        for (std::size_t i = 0; i < 4; ++i) {
+            RunValue expected = first.measurement->values[i];
+            expected.line = second.measurement->values[i].line;
+            QVERIFY(second.measurement->values[i] == expected);
+        }
+    }
+
+    void lengthsBecomeMillimetresAndAnglesDegrees()
+    {
+        const auto first = [](const std::string& text) {
+            const MeasurementReading reading = test::readAs("runs", text);
+            return reading.measurement ? *reading.measurement : Measurement{};
+        };
+        const Measurement inch = first("target [inch],direction,deviation [um]\n1,+,2.54\n2,+,0\n");
+        QCOMPARE(inch.targets, (std::vector<double>{25.4, 50.8}));
+        QCOMPARE(inch.values.front().deviation, 0.00254);
+        const Measurement turn =
+            first("target [rad],direction,deviation [arcsec]\n0,+,3.6\n3,+,0\n");
+        QVERIFY(turn.isAngular);
+        QCOMPARE(turn.targets.back(), 3.0 * 180.0 / std::numbers::pi);
+        QVERIFY(std::abs(turn.values.front().deviation - 0.001) < 1e-15);
+    }
+
+    void aReferenceBecomesADeviation()
+    {
+        const MeasurementReading reading = test::readAs(
+            "runs", "target [mm],direction,reference [mm]\n0,+,0.001\n10,+,9.998\n20,+,20.05\n");
+        VERIFY_MEASUREMENT(reading);
+        QVERIFY(std::abs(reading.measurement->values[1].deviation + 0.002) < 1e-12);
+    }
+
+    void correctionsAreTheOppositeOfDeviations()
+    {
+        const MeasurementReading reading = test::readAs("runs",
+            "// sign: correction\ntarget [mm],direction,value [mm]\n0,+,0.25\n10,+,0\n100,-,0\n");
+        VERIFY_MEASUREMENT(reading);
+        QCOMPARE(reading.measurement->values[0].deviation, -0.25);
+    }
+
+    void runsAreCountedWhereTheFileDoesNot()
+    {
+        const MeasurementReading reading = test::readAs("runs",
+            "target [mm],direction,deviation [um]\n0,+,1\n9,+,2\n0,+,3\n9,+,4\n9,-,5\n0,-,6\n");
+        VERIFY_MEASUREMENT(reading);
+        QCOMPARE(valueAt(*reading.measurement, Approach::Up, 0, 2), 0.003);
+        QCOMPARE(reading.measurement->runCount(Approach::Down), 1);
+    }
+
+    void anyCsvIsReadByItsColumns()
+    {
+        MeasurementReadOptions options;
+        options.columns = *columnMappingFromText("target=1, direction=Way, deviation=4");
+        options.skippedLines = 2;
+        options.unit = "mm";
+        options.valueUnit = "um";
+        const std::string text = "5530 software\nnothing\nPos;Way;x;Err\n0;+;junk;0,5\n10,5;+;;1\n";
+        const auto format = chooseMeasurementFormat(text, "k.csv", options);
+        VERIFY_RESULT(format);
+        const MeasurementReading reading = (*format)->read(text, options);
+        VERIFY_MEASUREMENT(reading);
+        QCOMPARE(reading.measurement->targets.back(), 10.5);
+        QCOMPARE(reading.measurement->values.front().deviation, 0.0005);
+        QCOMPARE(reading.measurement->notes, std::vector<std::string>{"column not used: x"});
+    }
+
+    void directionsFollowFromTheOrder()
+    {
+        MeasurementReadOptions options;
+        options.takesDirectionFromOrder = true;
+        const MeasurementReading there = test::readAs("runs",
+            "target [mm],deviation [um]\n0,1\n5,2\n9,3\n9,4\n5,5\n0,6\n0,7\n5,8\n9,9\n", options);
+        VERIFY_MEASUREMENT(there);
+        QCOMPARE(there.measurement->runCount(Approach::Up), 2);
+        QCOMPARE(there.measurement->runCount(Approach::Down), 1);
+        QCOMPARE(valueAt(*there.measurement, Approach::Down, 2, 1), 0.004);
+        QCOMPARE(valueAt(*there.measurement, Approach::Up, 2, 2), 0.009);
+        // One way only: each run begins anew.
+        const MeasurementReading oneWay = test::readAs(
+            "runs", "target [mm],deviation [um]\n0,1\n5,2\n9,3\n0,4\n5,5\n9,6\n", options);
+        VERIFY_MEASUREMENT(oneWay);
+        QCOMPARE(oneWay.measurement->runCount(Approach::Up), 2);
+        QCOMPARE(oneWay.measurement->runCount(Approach::Down), 0);
+    }
+
+    void anglesOfRenishawAreMilliradians()
+    {
+        const MeasurementReading reading = test::readAs("renishaw",
+            "HEADER::\nFile type: rta\nTARGET DATA::\nTarget-count: 2\nTargets : 0 90\nFlags: 0 0 "
+            "2 "
+            "0\nRUNS::\nRun-count: 2\nDEVIATIONS::\nRun Target Data:\n1 1 0.5\n1 2 1\n2 2 1\n2 1 "
+            "0\nEOF::\n");
+        VERIFY_MEASUREMENT(reading);
+        QVERIFY(reading.measurement->isAngular);
+        // 0.5 mrad are 103.132 arc seconds (206.265 for one mrad)
+        QVERIFY(std::abs(reading.measurement->values[0].deviation * 3600.0 - 103.1324) < 1e-4);
+    }
+
+    void returnsOfAUnidirectionalRenishawFileAreLeftOut()
+    {
+        const std::string text = "HEADER::\nFile type: rtl\nTARGET DATA::\nTarget-count: "
+                                 "2\nTargets : 0 90\nFlags: 0 1 2 "
+                                 "0\nRUNS::\nRun-count: 4\nDEVIATIONS::\nRun Target Data:\n1 1 "
+                                 "0.5\n1 2 1\n2 2 0\n2 1 0\n"
+                                 "3 1 0.5\n3 2 1\n4 2 0\n4 1 0\nEOF::\n";
+        const MeasurementReading reading = test::readAs("renishaw", text);
+        VERIFY_MEASUREMENT(reading);
+        QCOMPARE(reading.measurement->runCount(Approach::Up), 2);
+        QCOMPARE(reading.measurement->runCount(Approach::Down), 0);
+        QCOMPARE(reading.diagnostics.size(), std::size_t{1});
+        QCOMPARE(reading.diagnostics[0].code, DiagnosticCode::LeftOut);
+    }
+
+    void renishawTextsAreKept()
+    {
+        const MeasurementReading reading =
+            test::readAs("renishaw", asRtl(publicRuns("bifrost.csv")));
+        VERIFY_MEASUREMENT(reading);
+        QCOMPARE(reading.measurement->header.machine, "B02");
+        QCOMPARE(reading.measurement->header.axis, "X");
+        QCOMPARE(reading.measurement->header.airTemperature, std::optional(20.1));
+        const auto& notes = reading.measurement->notes;
+        QVERIFY(std::ranges::find(notes, "Flags: 0 0 2 0") != notes.end());
+        QVERIFY(std::ranges::find(notes, "Location: hall 3") != notes.end());
+    }
+
+    void meansOfApiGiveBothDirections()
+    {
+        const MeasurementReading reading = test::readAs("api-pos",
+            "API XD\r\nPosition   \tBidirectional Avg Error\r\n0.0\t0.001\r\n10.0\t0.003\r\n\r\n"
+            "Position   \tForward Directional Avg Error\r\n0.0\t0.002\r\n10.0\t0.0035\r\n");
+        VERIFY_MEASUREMENT(reading);
+        QCOMPARE(reading.measurement->kind, MeasurementKind::Averages);
+        QCOMPARE(valueAt(*reading.measurement, Approach::Up, 1, 1), 0.0035);
+        QVERIFY(std::abs(valueAt(*reading.measurement, Approach::Down, 1, 1) - 0.0025) < 1e-15);
+        const Iso230Figures figures = iso230Figures(*reading.measurement);
+        QVERIFY(std::abs(*figures[Figure::B].value - 0.002) < 1e-15);
+        QVERIFY(!figures[Figure::A].value);
+    }
+
+    void aReportIsReadAsPrinted()
+    {
+        const MeasurementReading reading = test::readAs("ecmc-report",
+            "# ISO 230-2 motion test\n\n### Data forward direction\n\ni |tgt_pos(i) "
+            "[mm]|ref_pos(i,1) "
+            "[mm]|ref_pos(i,2) [mm]|\n--- |--- |--- |--- |\n1|0.0|0.00100|0.00200|\n"
+            "2|10.0|10.00300|10.00300|\n\n### Data backward direction\n\ni |tgt_pos(i) "
+            "[mm]|ref_pos(i,1) [mm]|ref_pos(i,2) [mm]|\n--- |--- |--- |--- |\n"
+            "1|0.0|-0.00100|-.00100|\n2|10.0|10.00000|10.00200|\n\n### Positioning\n\nB(i) = "
+            "something [mm]\n\n**B = Axis reversal error [mm]**\n\n**B = 0.00250 [mm]**\n\nE_fwd = "
+            "0.00150 [mm]\n");
+        VERIFY_MEASUREMENT(reading);
+        QCOMPARE(reading.diagnostics.size(), std::size_t{1});
+        QCOMPARE(reading.diagnostics[0].code, DiagnosticCode::DirectionsDoubtful);
+        QVERIFY(std::abs(valueAt(*reading.measurement, Approach::Up, 0, 2) - 0.002) < 1e-15);
+        QVERIFY(std::abs(valueAt(*reading.measurement, Approach::Down, 0, 2) + 0.001) < 1e-15);
+        QCOMPARE(reading.measurement->published.size(), std::size_t{2});
+        QCOMPARE(reading.measurement->published[0].value, 0.0025);
+        QCOMPARE(reading.measurement->published[0].halfUnit, 0.5e-5);
+        QCOMPARE(reading.measurement->published[1].name, "EUp");
+        QCOMPARE(reading.measurement->halfPrintedUnit, 0.5e-5);
+    }
+
+    void aTrackTakesItsDirectionFromTheMotion()
+    {
+        std::string text = "encoder [mm],reference [mm]\n";
+        for (int i = 0; i <= 100; ++i)
+            text += std::to_string(i) + "," + std::to_string(i) + "\n";
+        for (int i = 99; i >= 0; --i)
+            text += std::to_string(i) + "," + std::to_string(i) + ".001\n";
+        MeasurementReadOptions options;
+        options.overrun = 5.0;
+        const MeasurementReading reading = test::readAs("track", text, options);
+        VERIFY_MEASUREMENT(reading);
+        const std::vector<TrackSample>& track = reading.measurement->track;
+        // Up from 5 to 100, down from 95 to 0.
+        QCOMPARE(track.size(), std::size_t{96 + 96});
+        QCOMPARE(track.front().encoder, 5.0);
+        QCOMPARE(track[95].direction, Approach::Up);
+        QCOMPARE(track[96].encoder, 95.0);
+        QCOMPARE(track[96].direction, Approach::Down);
+        QCOMPARE(reading.diagnostics[0].code, DiagnosticCode::LeftOut);
+        QCOMPARE(reading.diagnostics[0].found.arguments().integer("count"),
+            std::optional<std::int64_t>(9));
+    }
+
+    void pointsHoldValuesOrReferences()
+    {
+        const MeasurementReading reading = test::readAs("points",
+            "X [mm],Y [mm],Xr [mm],dY [um]\n0,0,0.001,5\n10,0,9.999,6\n0,10,0,7\n0,10,0,7\n");
+        VERIFY_MEASUREMENT(reading);
+        const MeasuredPoints& points = reading.measurement->points;
+        QCOMPARE(points.axes, (std::vector<std::string>{"X", "Y"}));
+        QCOMPARE(points.columns, (std::vector<std::string>{"dX", "dY"}));
+        QCOMPARE(points.size(), std::size_t{4});
+        QVERIFY(std::abs(points.values[0][1] + 0.001) < 1e-12);
+        QCOMPARE(points.values[1][2], 0.007);
+    }
+
+    void filesAreJoinedRunAfterRun()
+    {
+        const Measurement one = publicRuns("bifrost.csv");
+        const std::array both{one, one};
+        const auto whole = joined(both);
+        VERIFY_RESULT(whole);
+        QCOMPARE(whole->runCount(Approach::Up), 10);
+        QCOMPARE(whole->values.size(), std::size_t{100});
+        QCOMPARE(valueAt(*whole, Approach::Down, 2, 8), valueAt(one, Approach::Down, 2, 3));
+        Measurement on = one;
+        on.header.compensation.kind = MeasuredState::Kind::On;
+        Measurement off = one;
+        off.header.compensation.kind = MeasuredState::Kind::Off;
+        const std::array different{on, off};
+        VERIFY_ERROR(joined(different), ErrorCode::InvalidArgument);
+    }
+
+    void exclusionsAreReadAndChecked()
+    {
+        const auto exclusions = exclusionsFromText("down:1:1, run:up:3,target:7");
+        VERIFY_RESULT(exclusions);
+        QCOMPARE(exclusions->size(), std::size_t{3});
+        QVERIFY(exclusions->at(0) == (Exclusion{Approach::Down, 1, 1}));
+        QVERIFY(exclusions->at(1) == (Exclusion{Approach::Up, {}, 3}));
+        QVERIFY(exclusions->at(2) == (Exclusion{{}, 7, {}}));
+        for (const char* bad :
+            {"", "down", "down:0:1", "side:1:1", "run:up", "target:x", "down:1:1:1"})
+            VERIFY_ERROR(exclusionsFromText(bad), ErrorCode::InvalidArgument);
+        Measurement m = publicRuns("bifrost.csv");
+        const Exclusion missing{Approach::Up, {}, 6};
+        VERIFY_ERROR(exclude(m, std::span(&missing, 1)), ErrorCode::InvalidArgument);
+    }
+};
+
+AXISCOMP_TEST(tst_MeasurementFiles)
+
+} // namespace tst_measurementfiles
+
+#include "tst_measurementfiles.moc"

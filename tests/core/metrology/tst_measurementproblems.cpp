@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/metrology/judge/iso230.h"
+#include "tests/core/metrology/measurement_reading.h"
+#include "tests/support/test_registry.h"
+
+#include <cmath>
+
+namespace tst_measurementproblems {
+
+using namespace axiscomp;
+
+namespace {
+
+const std::string head = "target [mm],direction,run,deviation [um]\n";
+
+/// A Renishaw file of two targets with these lines of deviations.
+std::string rtl(const std::string& deviations, const std::string& counts = "2 2",
+    const std::string& type = "rtl")
+{
+    const std::size_t blank = counts.find(' ');
+    return "HEADER::\nFile type: " + type + "\nTARGET DATA::\nTarget-count: "
+        + counts.substr(0, blank) + "\nTargets : 0 90\nFlags: 0 0 2 0\nRUNS::\nRun-count: "
+        + counts.substr(blank + 1) + "\nDEVIATIONS::\nRun Target Data:\n" + deviations + "EOF::\n";
+}
+
+} // namespace
+
+class tst_MeasurementProblems : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { test::failOnWarnings(); }
+
+    void everyErrorIsNamedWithItsPlace_data()
+    {
+        QTest::addColumn<QString>("format");
+        QTest::addColumn<QByteArray>("text");
+        QTest::addColumn<QByteArrayList>("expected"); // beginnings
+        const auto row = [](const char* name, const char* format, const std::string& text,
+                             const QByteArrayList& expected) {
+            QTest::newRow(name) << QString::fromLatin1(format) << QByteArray::fromStdString(text)
+                                << expected;
+        };
+        row("no values", "runs", "target [mm],direction,run\n0,+,1\n",
+            {"1:0 MissingColumn neither deviation nor reference|either a column deviation"});
+        row("both values", "runs", "target [mm],direction,deviation [um],reference [mm]\n0,+,1,1\n",
+            {"1:0 MissingColumn both deviation and reference|"});
+        row("two of a kind", "runs", "target [mm],direction,error [um],value [um]\n0,+,1,1\n",
+            {"1:4 MissingColumn two columns for deviation|one; name the columns with --columns"});
+        row("no direction", "runs", "target [mm],deviation [um]\n0,1\n1,1\n",
+            {"1:0 MissingColumn no column direction|a column direction with + and -, or "
+             "--direction-from order"});
+        row("no units", "runs", "target,direction,deviation\n0,+,1\n1,+,1\n",
+            {"1:1 UnitMissing column target|a unit in brackets behind the name, such as target "
+             "[mm]",
+                "1:3 UnitMissing column deviation|"});
+        row("unknown unit", "runs", "target [mm],direction,deviation [furlong]\n0,+,1\n",
+            {"1:3 UnitMissing the unit furlong of column deviation|a length or an angle"});
+        row("length and angle", "runs", "target [deg],direction,deviation [um]\n0,+,1\n1,+,1\n",
+            {"1:3 UnitMixed column deviation|an angle as the targets are"});
+        row("bad direction", "runs", head + "0,sideways,1,1\n1,+,1,1\n",
+            {"2:2 BadDirection sideways|+ or -, up or down, forward or backward"});
+        row("bad run", "runs", head + "0,+,0,1\n1,+,1.5,1\n2,+,x,1\n",
+            {"2:3 BadRun 0|a whole number from 1", "3:3 BadRun 1.5|", "4:3 BadRun x|"});
+        row("a value twice", "runs", head + "0,+,1,1\n5,+,1,1\n0.0,up,1,2\n",
+            {"4:0 DuplicateValue target 0 mm, up, run 1 in line 2 and in line 4|one value"});
+        row("one target", "runs", head + "5,+,1,1\n5,+,2,1\n5,-,1,1\n",
+            {"0:0 TooFewTargets 1 target|at least 2 different positions"});
+        row("no lines", "runs", head, {"0:0 TooFewTargets 0 targets|"});
+        row("words", "runs", head + "0,+,1,abc\n1,+,1,1\n", {"2:4 NotANumber abc|"});
+        row("short line", "runs", head + "0,+,1\n1,+,1,1\n", {"2:0 ColumnCount 3 columns|4 as in"});
+        row("not a state", "runs", "// compensation: perhaps\n" + head + "0,+,1,1\n1,+,1,1\n",
+            {"1:0 Syntax perhaps|compensation: off, on, or crc:"});
+        row("not a sign", "runs", "// sign: minus\n" + head + "0,+,1,1\n1,+,1,1\n",
+            {"1:0 Syntax minus|sign: deviation"});
+        row("not a kind", "wide", "target [mm],up1 [um],down1 [um]\n0,1,1\n1,1,1\n",
+            {"1:0 MissingColumn columns of runs that are either deviations or positions|which it "
+             "is: // values:"});
+        row("wide without a unit", "wide", "// values: deviation\ntarget_mm,up1\n0,1\n1,1\n",
+            {"2:2 UnitMissing column up1|"});
+        row("other count of targets", "renishaw", rtl("1 1 1\n1 2 1\n2 2 1\n2 1 1\n", "3 2"),
+            {"4:0 CountMismatch Target-count: 3, but 2 are there|"});
+        row("other count of runs", "renishaw", rtl("1 1 1\n1 2 1\n2 2 1\n2 1 1\n", "2 4"),
+            {"8:0 CountMismatch Run-count: 4, but 2 are there|"});
+        row("unknown target", "renishaw", rtl("1 1 1\n1 2 1\n2 3 1\n2 1 1\n"),
+            {"13:3 UnknownTargetNumber 3|a number from 1 to 2"});
+        row("a run without a direction", "renishaw", rtl("1 1 1\n1 2 1\n1 1 2\n2 1 1\n2 2 1\n"),
+            {"11:0 BadDirection 1|a run whose target"});
+        row("not of the type", "renishaw", rtl("1 1 1\n1 2 1\n2 2 1\n2 1 1\n", "2 2", "rts"),
+            {"0:0 Syntax rts|File type: rtl or rta"});
+        row("only means of both", "api-pos", "Position Bidirectional Avg Error\n0 1\n1 1\n",
+            {"0:0 Syntax no block of a direction|"});
+        row("cycles", "ecmc",
+            "CYCLES=2\nTGT_DATA[1]=0\nTGT_DATA[2]=1\nREF_DATA_FWD[1,1]=0\nREF_DATA_FWD[2,1]=1\n",
+            {"0:0 CountMismatch CYCLES: 2, but 1 are there|"});
+        row("no such target", "ecmc",
+            "TGT_DATA[1]=0\nTGT_DATA[2]=1\nREF_DATA_FWD[1,1]=0\nREF_DATA_FWD[3,1]=1\n",
+            {"4:0 UnknownTargetNumber 3|"});
+        row("short track", "track", "encoder [mm],reference [mm]\n0,0\n1,1\n",
+            {"0:0 TooFewPoints 2 samples|at least 20 samples"});
+        row("a workbook", "runs", "PK\x03\x04 and so on", {"0:0 NotText a spreadsheet workbook"});
+    }
+    void everyErrorIsNamedWithItsPlace()
+    {
+        QFETCH(const QString, format);
+        QFETCH(const QByteArray, text);
+        QFETCH(const QByteArrayList, expected);
+        const MeasurementReading reading = test::readAs(format.toStdString(), text.toStdString());
+        const QByteArrayList found = test::describe(reading);
+        QVERIFY(!reading.measurement);
+        QVERIFY(reading.hasErrors());
+        QVERIFY2(found.size() == expected.size(), found.join('\n').constData());
+        for (qsizetype i = 0; i < found.size(); ++i)
+            QVERIFY2(found[i].startsWith(expected[i]), found.join('\n').constData());
+        for (const Diagnostic& diagnostic : reading.diagnostics)
+            QVERIFY2(message(diagnostic).ends_with(')'), message(diagnostic).c_str());
+    }
+
+    void everyDoubtIsAWarning_data()
+    {
+        QTest::addColumn<QByteArray>("text");
+        QTest::addColumn<QByteArray>("expected");
+        const auto row = [](const char* name, const std::string& text, const char* expected) {
+            QTest::newRow(name) << QByteArray::fromStdString(text) << QByteArray(expected);
+        };
+        row("incomplete", head + "0,+,1,1\n9,+,1,2\n9,+,2,3\n",
+            "0:0 IncompleteRuns no value for up:1:2|a value for every target in every run");
+        row("unequal", head + "0,+,1,1\n9,+,1,2\n0,+,2,3\n9,+,2,3\n9,-,1,1\n0,-,1,1\n",
+            "0:0 UnequalRuns 2 up and 1 down|as many in each direction");
+        row("positions",
+            "target [mm],direction,run,deviation [mm]\n0,+,1,0.001\n10,+,1,10\n20,+,1,19.999\n",
+            "0:0 ValuesLookLikePositions values that rise by 0.9999 with the target|deviations");
+        row("too large", head + "0,+,1,1\n10,+,1,150\n",
+            "0:0 UnitSuspicious a largest deviation "
+            "of 0.15 mm over 10 mm|at most 1 % of "
+            "the travel");
+        row("too small", head + "0,+,1,1e-6\n10,+,1,0\n",
+            "0:0 UnitSuspicious a largest deviation of 1e-09 mm over 10 mm|more than a billionth");
+    }
+    void everyDoubtIsAWarning()
+    {
+        QFETCH(const QByteArray, text);
+        QFETCH(const QByteArray, expected);
+        const MeasurementReading reading = test::readAs("runs", text.toStdString());
+        VERIFY_MEASUREMENT(reading);
+        const QByteArrayList found = test::describe(reading);
+        QVERIFY2(
+            found.size() == 1 && found.front().startsWith(expected), found.join('\n').constData());
+        QCOMPARE(reading.diagnostics.front().severity, Severity::Warning);
+    }
+
+    void aWrongScaleIsExplained_data()
+    {
+        QTest::addColumn<double>("factor");
+        QTest::addColumn<QByteArray>("explanation");
+        QTest::newRow("other way") << -1.0 << QByteArray("the instrument counts the other way");
+        QTest::newRow("um") << 1000.0 << QByteArray("1000 times smaller, as um for mm");
+        QTest::newRow("m") << 0.001 << QByteArray("1000 times larger, as m for mm");
+        QTest::newRow("inch") << 25.4 << QByteArray("reference is in mm and the encoder in inch");
+        QTest::newRow("half") << 0.5 << QByteArray("it counts half");
+        QTest::newRow("double") << 2.0 << QByteArray("it counts double");
+        QTest::newRow("radians") << 57.29578 << QByteArray("encoder in radians");
+        QTest::newRow("anything") << 1.3 << QByteArray("1 within 1 %; check which columns");
+    }
+    void aWrongScaleIsExplained()
+    {
+        QFETCH(const double, factor);
+        QFETCH(const QByteArray, explanation);
+        std::string text = "target [mm],direction,run,reference [mm],encoder [mm]\n";
+        for (int i = 0; i < 5; ++i)
+            text += std::to_string(10 * i) + ",+,1," + std::to_string(10.0 * i * factor) + ","
+                + std::to_string(10 * i) + "\n";
+        const MeasurementReading reading = test::readAs("runs", text);
+        QVERIFY(!reading.measurement);
+        const QByteArrayList found = test::describe(reading);
+        QCOMPARE(found.size(), 1);
+        QVERIFY2(found.front().startsWith("0:0 InstrumentScale the reference moves"),
+            found.front().constData());
+        QVERIFY2(found.front().contains(explanation), found.front().constData());
+        QCOMPARE(measurementError("m.csv", reading).code, ErrorCode::InstrumentScale);
+    }
+
+    void aReferenceIsInvertedWhenAskedFor()
+    {
+        MeasurementReadOptions options;
+        options.invertsReference = true;
+        const MeasurementReading reading = test::readAs("runs",
+            "target [mm],direction,run,reference [mm]\n0,+,1,0\n10,+,1,-10.001\n20,+,1,-20\n",
+            options);
+        VERIFY_MEASUREMENT(reading);
+        QVERIFY(std::abs(reading.measurement->values[1].deviation - 0.001) < 1e-12);
+    }
+
+    void aFactorWithinOnePercentIsTheMachines()
+    {
+        const MeasurementReading reading = test::readAs("runs",
+            "target [mm],direction,run,reference [mm]\n0,+,1,0\n10,+,1,10.05\n20,+,1,20.1\n");
+        VERIFY_MEASUREMENT(reading);
+    }
+
+    void theErrorSaysWhatIsMissing()
+    {
+        const MeasurementReading units =
+            test::readAs("runs", "target,direction,deviation\n0,+,1\n1,+,1\n");
+        QCOMPARE(measurementError("m.csv", units).code, ErrorCode::UnitMissing);
+        const MeasurementReading other = test::readAs("runs", head + "0,x,1,1\n");
+        QCOMPARE(measurementError("m.csv", other).code, ErrorCode::InvalidMeasurement);
+        QCOMPARE(measurementError("m.csv", other).context.integer("count"),
+            std::optional<std::int64_t>(1));
+    }
+
+    void aFileOfNoFormatIsNotGuessed()
+    {
+        VERIFY_ERROR(chooseMeasurementFormat("a,b\n1,2\n", "x.csv", {}), ErrorCode::UnknownFormat);
+        VERIFY_ERROR(measurementFormatNamed("excel"), ErrorCode::UnknownFormat);
+        for (const char* bad : {"", "target", "=1", "target=", "target=1,,"})
+            VERIFY_ERROR(columnMappingFromText(bad), ErrorCode::InvalidArgument);
+    }
+
+    void aMillionLinesInAnyOrderAreRead()
+    {
+        // 1000 targets, 500 runs in each direction, in an order that jumps about.
+        std::string text = head;
+        constexpr std::uint64_t count = 1'000'000;
+        for (std::uint64_t n = 0; n < count; ++n) {
+            const std::uint64_t i = n * 7919U % count;
+            const std::uint64_t target = i % 1000;
+            const std::uint64_t run = i / 1000 % 500 + 1;
+            text += std::to_string(target) + (i >= count / 2 ? ",-," : ",+,") + std::to_string(run)
+                + ",0.5\n";
+        }
+        const MeasurementReading reading = test::readAs("runs", text);
+        VERIFY_MEASUREMENT(reading);
+        QVERIFY2(reading.diagnostics.empty(), test::describe(reading).join('\n').constData());
+        QCOMPARE(reading.measurement->values.size(), std::size_t{count});
+        QCOMPARE(reading.measurement->runCount(Approach::Down), 500);
+    }
+};
+
+AXISCOMP_TEST(tst_MeasurementProblems)
+
+} // namespace tst_measurementproblems
+
+#include "tst_measurementproblems.moc"
