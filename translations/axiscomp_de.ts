@@ -4975,6 +4975,118 @@
         <source>measurements with different tables, or with and without compensation, cannot be joined</source>
         <translation>Messungen mit verschiedenen Tabellen oder mit und ohne Kompensation können nicht verbunden werden</translation>
     </message>
+    <message>
+        <source>these positions cannot tell an error with the period {period}: they lie in {filled} of {classes} equal parts of the period, and {fewest} are needed; measure at positions that are not multiples of it, or leave the period out</source>
+        <translation>an diesen Positionen lässt sich ein Fehler mit der Periode {period} nicht erkennen: sie liegen in {filled} von {classes} gleichen Teilen der Periode, nötig sind {fewest}; messen Sie an Positionen, die keine Vielfachen davon sind, oder lassen Sie die Periode weg</translation>
+    </message>
+    <message numerus="yes">
+        <source>{count} points of the grid, at {region}, are more than {distances} distances away from any measured point; measure there, take a smaller grid, or let them be filled (--fill smooth or --fill nearest)</source>
+        <comment>one point of the grid, at {region}, is more than {distances} distances away from any measured point; measure there, take a smaller grid, or let it be filled (--fill smooth or --fill nearest)</comment>
+        <translation>
+            <numerusform>eine Stützstelle, bei {region}, ist mehr als {distances} Gitterabstände von jedem gemessenen Punkt entfernt; messen Sie dort, nehmen Sie ein kleineres Gitter, oder lassen Sie sie füllen (--fill smooth oder --fill nearest)</numerusform>
+            <numerusform>{count} Stützstellen, bei {region}, sind mehr als {distances} Gitterabstände von jedem gemessenen Punkt entfernt; messen Sie dort, nehmen Sie ein kleineres Gitter, oder lassen Sie sie füllen (--fill smooth oder --fill nearest)</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the computation did not come to an end: {reason}</source>
+        <translation>die Berechnung kam zu keinem Ende: {reason}</translation>
+    </message>
+    <message>
+        <source>each position must have one value and one weight</source>
+        <translation>zu jeder Position gehört ein Wert und ein Gewicht</translation>
+    </message>
+    <message>
+        <source>positions, values and weights must be finite numbers</source>
+        <translation>Positionen, Werte und Gewichte müssen endliche Zahlen sein</translation>
+    </message>
+    <message>
+        <source>weights must be larger than 0</source>
+        <translation>Gewichte müssen größer als 0 sein</translation>
+    </message>
+    <message>
+        <source>the period of a modulo axis must be a number above 0</source>
+        <translation>die Periode einer Modulo-Achse muss eine Zahl über 0 sein</translation>
+    </message>
+    <message>
+        <source>there are values at {count} positions; this method needs {fewest}, measure more of them or choose another method</source>
+        <translation>an {count} Positionen gibt es Werte; dieses Verfahren braucht {fewest}, messen Sie an mehr Positionen, oder wählen Sie ein anderes Verfahren</translation>
+    </message>
+    <message>
+        <source>the number of harmonics must be 1 to 1000</source>
+        <translation>die Anzahl der Oberwellen muss 1 bis 1000 sein</translation>
+    </message>
+    <message>
+        <source>a period has at least one harmonic</source>
+        <translation>eine Periode hat mindestens eine Oberwelle</translation>
+    </message>
+    <message>
+        <source>a period must be a number above 0</source>
+        <translation>eine Periode muss eine Zahl über 0 sein</translation>
+    </message>
+    <message>
+        <source>the period {period} is wanted twice, by itself or as a harmonic of another; give each once</source>
+        <translation>die Periode {period} ist zweimal angegeben, für sich oder als Oberwelle einer anderen; geben Sie jede einmal an</translation>
+    </message>
+    <message>
+        <source>the period {period} does not divide the turn of {turn}; on a modulo axis it must</source>
+        <translation>die Periode {period} teilt die Umdrehung von {turn} nicht; auf einer Modulo-Achse muss sie das</translation>
+    </message>
+    <message>
+        <source>the smoothness must be a number above 0</source>
+        <translation>die Glätte muss eine Zahl über 0 sein</translation>
+    </message>
+    <message>
+        <source>a smoothness of {smoothness} cannot be computed for these positions; take a smaller one</source>
+        <translation>mit einer Glätte von {smoothness} lässt sich für diese Positionen nicht rechnen; nehmen Sie eine kleinere</translation>
+    </message>
+    <message>
+        <source>a grid has one to three dimensions, with two points and a distance above 0 in each</source>
+        <translation>ein Gitter hat eine bis drei Dimensionen, in jeder mindestens zwei Punkte und einen Abstand über 0</translation>
+    </message>
+    <message>
+        <source>points need one finite number for each dimension, for their value and for their weight</source>
+        <translation>Punkte brauchen je eine endliche Zahl für jede Dimension, für ihren Wert und für ihr Gewicht</translation>
+    </message>
+    <message>
+        <source>the smoothness must be a number of 0 or more</source>
+        <translation>die Glätte muss eine Zahl ab 0 sein</translation>
+    </message>
+    <message>
+        <source>{axis} {from} to {to}</source>
+        <translation>{axis} {from} bis {to}</translation>
+    </message>
+    <message>
+        <source>with a smoothness of 0 every point of the grid needs a measured one beside it, and {count} have none; take a larger smoothness or a coarser grid</source>
+        <translation>mit einer Glätte von 0 braucht jede Stützstelle einen gemessenen Punkt neben sich, und {count} haben keinen; nehmen Sie eine größere Glätte oder ein gröberes Gitter</translation>
+    </message>
+    <message>
+        <source>no point lies within the grid; check its start and end, and the unit of the positions</source>
+        <translation>kein Punkt liegt im Gitter; prüfen Sie dessen Anfang und Ende sowie die Einheit der Positionen</translation>
+    </message>
+    <message>
+        <source>there are values at {count} points of the grid&apos;s range; {fewest} are needed to choose the smoothness, so state it (--smoothness)</source>
+        <translation>im Bereich des Gitters gibt es Werte an {count} Punkten; um die Glätte zu wählen, sind {fewest} nötig, geben Sie sie also an (--smoothness)</translation>
+    </message>
+    <message>
+        <source>the points do not determine every point of the grid; take a larger smoothness or a coarser grid</source>
+        <translation>die Punkte bestimmen nicht jede Stützstelle; nehmen Sie eine größere Glätte oder ein gröberes Gitter</translation>
+    </message>
+    <message>
+        <source>the points lie too unevenly for so little smoothness; take a larger smoothness or a coarser grid</source>
+        <translation>die Punkte liegen zu ungleichmäßig für so wenig Glätte; nehmen Sie eine größere Glätte oder ein gröberes Gitter</translation>
+    </message>
+    <message>
+        <source>the table that was active has other sources than the table that is made</source>
+        <translation>die Tabelle, die aktiv war, hat andere Quellen als die Tabelle, die entsteht</translation>
+    </message>
+    <message>
+        <source>a table has one to three dimensions</source>
+        <translation>eine Tabelle hat eine bis drei Dimensionen</translation>
+    </message>
+    <message>
+        <source>the tables that were active move their axes too much for their raw position to be found; check the unit of their values</source>
+        <translation>die Tabellen, die aktiv waren, bewegen ihre Achsen zu stark, als dass sich deren rohe Position finden ließe; prüfen Sie die Einheit ihrer Werte</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>

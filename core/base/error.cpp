@@ -89,6 +89,21 @@ constexpr std::array errorRows{
             "name:{table} or #{table}")},
     ErrorRow{ErrorCode::ResamplingImpossible, "ResamplingImpossible", ErrorClass::Request,
         AXISCOMP_TEXT("Error", "the table cannot be resampled: {reason}")},
+    ErrorRow{ErrorCode::PeriodNotResolved, "PeriodNotResolved", ErrorClass::Request,
+        AXISCOMP_TEXT("Error",
+            "these positions cannot tell an error with the period {period}: they lie in {filled} "
+            "of {classes} equal parts of the period, and {fewest} are needed; measure at positions "
+            "that are not multiples of it, or leave the period out")},
+    ErrorRow{ErrorCode::NoDataThere, "NoDataThere", ErrorClass::Request,
+        AXISCOMP_COUNTED("Error",
+            "{count} points of the grid, at {region}, are more than {distances} distances away "
+            "from any measured point; measure there, take a smaller grid, or let them be filled "
+            "(--fill smooth or --fill nearest)",
+            "one point of the grid, at {region}, is more than {distances} distances away from any "
+            "measured point; measure there, take a smaller grid, or let it be filled "
+            "(--fill smooth or --fill nearest)")},
+    ErrorRow{ErrorCode::NotConverged, "NotConverged", ErrorClass::Local,
+        AXISCOMP_TEXT("Error", "the computation did not come to an end: {reason}")},
     ErrorRow{ErrorCode::InvalidEndpoint, "InvalidEndpoint", ErrorClass::Address,
         AXISCOMP_TEXT("Error", "{endpoint} is not the address of a drive: {reason}")},
     ErrorRow{ErrorCode::NotConnected, "NotConnected", ErrorClass::NotConnected,

@@ -40,6 +40,9 @@ enum class ErrorCode {
     LargeCorrection, ///< reason
     TableAmbiguous, ///< table, named, numbered
     ResamplingImpossible, ///< reason
+    PeriodNotResolved, ///< period, filled, classes, fewest
+    NoDataThere, ///< count, region, distances
+    NotConverged, ///< reason
     // The way to the drive
     InvalidEndpoint, ///< endpoint, reason
     NotConnected, ///< endpoint, reason: nothing was sent

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/conversion/axis_interpolant.h"
 
+#include "core/curve/cubic_curve.h"
 #include "core/neutral/table_motion.h"
 
 #include <algorithm>
@@ -8,32 +9,6 @@
 #include <limits>
 
 namespace axiscomp {
-
-namespace {
-
-/// The slope at a knot between two cells: a harmonic mean, weighted so that the cubic is monotone
-/// where the knots are (Fritsch and Butland 1984, as in SLATEC's PCHIM).
-double innerSlope(double leftWidth, double left, double rightWidth, double right)
-{
-    if (!(left * right > 0.0))
-        return 0.0;
-    const double leftWeight = 2.0 * rightWidth + leftWidth;
-    const double rightWeight = rightWidth + 2.0 * leftWidth;
-    return (leftWeight + rightWeight) / (leftWeight / left + rightWeight / right);
-}
-
-/// The slope at an end: that of the parabola through three knots, bent as far as monotony demands.
-double endSlope(double width, double slope, double nextWidth, double nextSlope)
-{
-    const double parabola =
-        ((2.0 * width + nextWidth) * slope - width * nextSlope) / (width + nextWidth);
-    if (!(parabola * slope > 0.0))
-        return 0.0;
-    const bool turns = slope * nextSlope < 0.0;
-    return turns && std::abs(parabola) > 3.0 * std::abs(slope) ? 3.0 * slope : parabola;
-}
-
-} // namespace
 
 AxisInterpolant::AxisInterpolant(const SourceAxis& axis, ResamplingMethod method)
     : m_count(axis.knots.size())
@@ -73,30 +48,7 @@ void AxisInterpolant::load(const double* first, std::size_t stride, Line& line) 
     if (m_wrap)
         line.values.back() = line.values.front();
     if (m_method == ResamplingMethod::MonotoneCubic)
-        findSlopes(line);
-}
-
-void AxisInterpolant::findSlopes(Line& line) const
-{
-    const std::size_t last = m_knots.size() - 1;
-    const auto width = [this](std::size_t cell) { return m_knots[cell + 1] - m_knots[cell]; };
-    const auto slope = [&](std::size_t cell) {
-        return (line.values[cell + 1] - line.values[cell]) / width(cell);
-    };
-    line.slopes.resize(m_knots.size());
-    for (std::size_t i = 1; i < last; ++i)
-        line.slopes[i] = innerSlope(width(i - 1), slope(i - 1), width(i), slope(i));
-    if (m_wrap) {
-        line.slopes.front() = innerSlope(width(last - 1), slope(last - 1), width(0), slope(0));
-        line.slopes.back() = line.slopes.front();
-    } else if (last == 1) {
-        line.slopes.front() = slope(0);
-        line.slopes.back() = slope(0);
-    } else {
-        line.slopes.front() = endSlope(width(0), slope(0), width(1), slope(1));
-        line.slopes.back() =
-            endSlope(width(last - 1), slope(last - 1), width(last - 2), slope(last - 2));
-    }
+        line.slopes = monotoneSlopes(m_knots, line.values, m_wrap.has_value());
 }
 
 double AxisInterpolant::at(const Line& line, const Place& place) const

@@ -29,8 +29,6 @@ public:
     [[nodiscard]] double at(const Line& line, const Place& place) const;
 
 private:
-    void findSlopes(Line& line) const;
-
     std::size_t m_count; ///< of the axis's own knots
     std::vector<double> m_knots; ///< those of a modulo axis end with the first one again
     std::optional<double> m_wrap;

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace axiscomp {
+
+/// A curve of cubic pieces, by its values y_i and slopes y'_i at knots x_i. With h = x_(i+1) - x_i
+/// and t = (x - x_i) / h it is in each piece (Hermite's form)
+///     y_i (1 - 3 t^2 + 2 t^3) + y_(i+1) (3 t^2 - 2 t^3) + h y'_i t (1 - t)^2 - h y'_(i+1) t^2 (1 -
+///     t)
+/// Positions in one unit, values in another, slopes in values per position.
+struct CubicCurve {
+    std::vector<double> knots; ///< at least 2, strictly ascending; of a modulo axis one period
+    std::vector<double> values;
+    std::vector<double> slopes;
+    std::optional<double> wrap = {}; ///< the period of a modulo axis: last knot - first knot
+
+    /// Beyond the knots the ends are held, as the drive does it; on a modulo axis the curve
+    /// repeats.
+    [[nodiscard]] double at(double position) const;
+};
+
+/// Repeats the first knot at the end of a curve with a period.
+void closeIfWrapped(CubicCurve& curve);
+
+/// Slopes of the natural cubic spline through values at knots: the second derivative is continuous,
+/// and 0 at both ends. isClosed: the last knot is the first one again, and the curve goes on there
+/// (first value = last value).
+[[nodiscard]] std::vector<double> splineSlopes(
+    std::span<const double> knots, std::span<const double> values, bool isClosed);
+
+/// Slopes of the monotone cubic through values at knots: weighted harmonic means, so that the curve
+/// never overshoots the values (Fritsch and Carlson 1980; slopes of Fritsch and Butland 1984, as in
+/// SLATEC's PCHIM).
+[[nodiscard]] std::vector<double> monotoneSlopes(
+    std::span<const double> knots, std::span<const double> values, bool isClosed);
+
+} // namespace axiscomp

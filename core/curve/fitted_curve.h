@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/curve/cubic_curve.h"
+#include "core/curve/periodic_terms.h"
+
+#include <vector>
+
+namespace axiscomp {
+
+/// A curve and, added to it, terms of known periods. Beyond the knots of the curve the ends of the
+/// sum are held.
+struct FittedCurve {
+    CubicCurve base;
+    std::vector<PeriodicTerm> terms = {};
+
+    [[nodiscard]] double at(double position) const;
+};
+
+} // namespace axiscomp
