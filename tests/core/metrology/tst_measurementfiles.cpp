@@ -164,7 +164,7 @@ private Q_SLOTS:
             "// date: 2026-11-21T09:30:00\n// feed: 1000 mm/min\n// dwell: 2 s\n"
             "// compensation: crc:1c291ca3\n// air temperature: 20.4\n"
             "// material temperature: 20.9 C\n// expansion: 11.5e-6\n// corrected: none\n// a "
-            "note\n"
+            "note\n// note: sign: of rain\n"
             "target [mm],direction,run,deviation [um],encoder [mm],output "
             "[um],time,temperature,use\n"
             "0,+,1,0.21,0.001,3,10,20.5,1\n25.31,up,1,1.05,25.3,,11,,0\n0,bwd,1,2,,,,,\n"
@@ -175,7 +175,7 @@ private Q_SLOTS:
         QCOMPARE(header.compensation.tableCrc, std::optional<std::uint32_t>(0x1c291ca3));
         QCOMPARE(header.materialTemperature, std::optional(20.9));
         QCOMPARE(header.corrected, MeasurementHeader::Corrected::None);
-        QCOMPARE(first.measurement->notes, std::vector<std::string>{"a note"});
+        QCOMPARE(first.measurement->notes, (std::vector<std::string>{"a note", "sign: of rain"}));
         QCOMPARE(first.measurement->excludedCount(), std::size_t{1});
         const MeasurementReading second = test::readAs("runs", writeRunsCsv(*first.measurement));
         VERIFY_MEASUREMENT(second);
