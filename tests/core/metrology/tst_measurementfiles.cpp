@@ -248,6 +248,18 @@ private Q_SLOTS:
         QCOMPARE(reading.measurement->notes, std::vector<std::string>{"column not used: x"});
     }
 
+    void aStatedUnitCountsBeforeTheFile()
+    {
+        MeasurementReadOptions options;
+        options.valueUnit = "mm";
+        const MeasurementReading reading = test::readAs(
+            "runs", "target [mm],direction,deviation [um]\n0,+,0.25\n100,+,0.5\n", options);
+        VERIFY_MEASUREMENT(reading);
+        QCOMPARE(reading.measurement->values.front().deviation, 0.25);
+        QCOMPARE(reading.measurement->notes,
+            std::vector<std::string>{"column deviation: unit stated as mm, the file says um"});
+    }
+
     void directionsFollowFromTheOrder()
     {
         MeasurementReadOptions options;
@@ -306,6 +318,19 @@ private Q_SLOTS:
         const auto& notes = reading.measurement->notes;
         QVERIFY(std::ranges::find(notes, "Flags: 0 0 2 0") != notes.end());
         QVERIFY(std::ranges::find(notes, "Location: hall 3") != notes.end());
+    }
+
+    void textsOfRenishawFilesMayBeChinese()
+    {
+        const auto machineOf = [](const std::string& machine) {
+            std::string text = asRtl(publicRuns("bifrost.csv"));
+            text.replace(text.find("Machine: B02"), 12, "Machine: " + machine);
+            const MeasurementReading reading = test::readAs("renishaw", text);
+            return reading.measurement ? reading.measurement->header.machine : std::string();
+        };
+        QCOMPARE(machineOf("\xBB\xFA\xB4\xB2"), "\u673A\u5E8A"); // GBK
+        QCOMPARE(machineOf("Fr\xE4se"), "Fr\u00E4se"); // Windows-1252
+        QCOMPARE(machineOf("Fr\u00E4se"), "Fr\u00E4se"); // UTF-8
     }
 
     void meansOfApiGiveBothDirections()
