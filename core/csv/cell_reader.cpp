@@ -75,9 +75,16 @@ void CellReader::reportColumnCount(std::string_view line, std::size_t count)
 
 bool CellReader::readNumber(std::size_t column, Number& number)
 {
+    const std::string_view cell = text(column);
+    // The first number with a decimal sign decides what the sign is; after that most are short.
+    const bool isReadable = m_format.decimal != '\0' && !cell.empty()
+        && static_cast<std::size_t>(m_textEnd - cell.data()) >= shortNumberReach;
+    if (isReadable
+        && parseShortNumber(cell.data(), m_format.decimal, number) == cell.data() + cell.size())
+        return true;
     if (!decideDecimal(column))
         return false;
-    const NumberFault fault = parseNumber(text(column), m_format.decimal, number);
+    const NumberFault fault = parseNumber(cell, m_format.decimal, number);
     reportFault(fault, column);
     return fault == NumberFault::None;
 }

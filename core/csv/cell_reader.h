@@ -10,9 +10,11 @@ namespace axiscomp::csv {
 /// The cells of one data line after the other, and what is wrong with them. Columns count from 1.
 class CellReader {
 public:
-    CellReader(Encoding encoding, DiagnosticList& diagnostics)
+    /// textEnd: of the text that the lines are part of.
+    CellReader(Encoding encoding, DiagnosticList& diagnostics, const char* textEnd)
         : m_encoding(encoding)
         , m_diagnostics(diagnostics)
+        , m_textEnd(textEnd)
     {
     }
 
@@ -51,6 +53,7 @@ private:
 
     Encoding m_encoding;
     DiagnosticList& m_diagnostics;
+    const char* m_textEnd;
     CellFormat m_format;
     std::size_t m_columns = 0;
     std::size_t m_headerLine = 0;

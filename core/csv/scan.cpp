@@ -21,7 +21,7 @@ public:
         , m_encoding(text.encoding())
         , m_text(text.body())
         , m_lines(m_text)
-        , m_cells(m_encoding, diagnostics)
+        , m_cells(m_encoding, diagnostics, m_lines.end())
     {
         m_scan.dimensions = options.dimensions;
     }

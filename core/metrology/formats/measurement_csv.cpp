@@ -122,7 +122,7 @@ MeasurementCsv::MeasurementCsv(std::string_view text, const MeasurementReadOptio
     , m_diagnostics(diagnostics)
     , m_inspection(text, options.stop, diagnostics)
     , m_lines(m_inspection.body())
-    , m_cells(m_inspection.encoding(), diagnostics)
+    , m_cells(m_inspection.encoding(), diagnostics, m_lines.end())
 {
 }
 
@@ -275,8 +275,6 @@ std::optional<double> MeasurementCsv::number(std::size_t column)
     Number number;
     if (!m_cells.readNumber(column, number))
         return std::nullopt;
-    const double half = 0.5 * std::pow(10.0, number.lastDecimal);
-    m_halfUnit = m_halfUnit == 0.0 ? half : std::min(m_halfUnit, half);
     return number.value;
 }
 
@@ -307,7 +305,7 @@ void MeasurementCsv::error(DiagnosticCode code, std::size_t column, Text found, 
 void MeasurementCsv::takeComment(std::string_view comment, std::size_t line)
 {
     constexpr std::size_t mostNoteBytes = std::size_t{1} << 20U;
-    const std::string text = shownText(toUtf8(comment, m_inspection.encoding()), 1000);
+    std::string text = shownText(toUtf8(comment, m_inspection.encoding()), 1000);
     const std::size_t colon = text.find(':');
     const std::string_view key = trimmed(std::string_view(text).substr(0, colon));
     const std::string value(colon == std::string::npos
@@ -315,6 +313,8 @@ void MeasurementCsv::takeComment(std::string_view comment, std::size_t line)
             : trimmed(std::string_view(text).substr(colon + 1)));
     if (colon != std::string::npos && takeStatement(key, value, line))
         return;
+    if (colon != std::string::npos && sameLetters(key, "note"))
+        text = value;
     m_noteBytes += text.size();
     if (!text.empty() && m_noteBytes <= mostNoteBytes)
         m_measurement.notes.push_back(text);

@@ -68,8 +68,6 @@ public:
 
     void error(DiagnosticCode code, std::size_t column, Text found, Text expected);
     [[nodiscard]] const MeasurementComments& comments() const { return m_comments; }
-    /// How finely the numbers of this column are printed: half of the last digit.
-    [[nodiscard]] double halfUnit() const { return m_halfUnit; }
 
 private:
     void takeComment(std::string_view comment, std::size_t line);
@@ -92,7 +90,6 @@ private:
     std::size_t m_headerLine = 0;
     std::size_t m_line = 0;
     std::size_t m_noteBytes = 0;
-    double m_halfUnit = 0.0;
 };
 
 /// "up", "forward", "+", "-1" ... in capital or small letters.

@@ -5,11 +5,14 @@
 #include "core/text/token_scanner.h"
 #include "core/text/utf8.h"
 
+#include <iconv.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <set>
 
 namespace axiscomp::renishaw {
 
@@ -17,7 +20,7 @@ namespace {
 
 constexpr std::array<std::string_view, 2> extensions{".rtl", ".rta"};
 constexpr std::array kinds{MeasurementKind::Runs};
-constexpr std::array<std::string_view, 4> rules{
+constexpr std::array<std::string_view, 5> rules{
     "Sections begin with a line NAME::, and every section ends the one before it. TARGET DATA:: "
     "has "
     "Target-count and Targets, RUNS:: has Run-count, DEVIATIONS:: has lines of run, number of the "
@@ -26,6 +29,7 @@ constexpr std::array<std::string_view, 4> rules{
     "degrees and deviations in milliradians.",
     "The direction of a run is that of its target numbers: rising is up. Runs are counted for each "
     "direction.",
+    "Texts are UTF-8, else GBK where every byte above ASCII has a second one, else Windows-1252.",
     "Runs against the direction of a unidirectional file (Flags: 0 1 2 0) that are exactly 0 are "
     "left out.",
 };
@@ -46,6 +50,44 @@ std::optional<std::string_view> sectionName(std::string_view line)
         return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == ' ' || c == '-';
     });
     return isName ? std::optional(trimmed(name)) : std::nullopt;
+}
+
+/// Chinese text as programs on Windows write it (GB 2312, part of GBK): bytes from 0xA1 on that
+/// come in pairs. In Western text a byte above ASCII mostly stands alone.
+bool isChinese(std::string_view text)
+{
+    std::size_t pairs = 0;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if (static_cast<unsigned char>(text[i]) < 0x80)
+            continue;
+        const bool isPair = i + 1 < text.size() && static_cast<unsigned char>(text[i]) >= 0xA1
+            && static_cast<unsigned char>(text[i + 1]) >= 0xA1;
+        if (!isPair)
+            return false;
+        ++i;
+        ++pairs;
+    }
+    return pairs > 0;
+}
+
+/// Nothing when it is no GBK, or this computer cannot read it.
+std::optional<std::string> fromGbk(std::string_view bytes)
+{
+    const iconv_t converter = ::iconv_open("UTF-8", "GBK");
+    if (converter == reinterpret_cast<iconv_t>(-1))
+        return std::nullopt;
+    std::string input(bytes);
+    std::string output(2 * input.size(), '\0');
+    char* from = input.data();
+    char* to = output.data();
+    std::size_t fromLeft = input.size();
+    std::size_t toLeft = output.size();
+    const std::size_t result = ::iconv(converter, &from, &fromLeft, &to, &toLeft);
+    ::iconv_close(converter);
+    if (result == static_cast<std::size_t>(-1))
+        return std::nullopt;
+    output.resize(output.size() - toLeft);
+    return output;
 }
 
 /// "Target-count: 9": the key, and where its value stands.
@@ -275,14 +317,11 @@ void Reader::checkCount(
 
 void Reader::checkCounts()
 {
-    std::vector<long> runs;
+    std::set<long> runs;
     for (const Deviation& deviation : m_deviations)
-        runs.push_back(deviation.run);
-    std::ranges::sort(runs);
-    const auto repeated = std::ranges::unique(runs);
-    const auto distinct = static_cast<std::size_t>(repeated.begin() - runs.begin());
+        runs.insert(deviation.run);
     checkCount(m_targetCount, m_targets.size(), "Target-count", m_targetCountLine);
-    checkCount(m_runCount, distinct, "Run-count", m_runCountLine);
+    checkCount(m_runCount, runs.size(), "Run-count", m_runCountLine);
     if (!sameLetters(m_type, "rtl") && !sameLetters(m_type, "rta"))
         m_diagnostics.error(DiagnosticCode::Syntax, 0, 0, Verbatim{excerpt(m_type, m_encoding)},
             AXISCOMP_TEXT("Error", "File type: rtl or rta, which says the units"));
@@ -381,6 +420,12 @@ void parse(std::string_view text, const MeasurementReadOptions& options, Measure
     DiagnosticList& diagnostics)
 {
     measurement.kind = MeasurementKind::Runs;
+    if (findInvalidUtf8(text) != std::string_view::npos && isChinese(text)) {
+        if (const auto utf8 = fromGbk(text)) {
+            parse(*utf8, options, measurement, diagnostics);
+            return;
+        }
+    }
     const TextInspection inspection(text, options.stop, diagnostics);
     if (!diagnostics.hasErrors())
         Reader(measurement, options, diagnostics, inspection.encoding()).run(inspection.body());

@@ -151,9 +151,14 @@ void Assembly::takeReferences(std::vector<RawRunValue>& values)
 bool Assembly::findTargets(const std::vector<RawRunValue>& values)
 {
     std::vector<double> positions;
+    double largest = 0.0;
     for (const RawRunValue& raw : values) {
         positions.push_back(raw.target);
-        if (std::isfinite(raw.target) && std::isfinite(raw.value.deviation))
+        largest = std::max(largest, std::abs(raw.target));
+        const bool isFinite = std::isfinite(raw.target) && std::isfinite(raw.value.deviation)
+            && std::isfinite(raw.value.encoder.value_or(0.0))
+            && std::isfinite(raw.value.output.value_or(0.0)) && std::isfinite(2.0 * largest);
+        if (isFinite)
             continue;
         m_diagnostics.error(DiagnosticCode::NotFinite, raw.value.line, 0, {},
             AXISCOMP_TEXT("Error", "numbers that a computer can hold; check their size"));
@@ -161,8 +166,7 @@ bool Assembly::findTargets(const std::vector<RawRunValue>& values)
     }
     m_measurement.targets = distinctTargets(std::move(positions));
     const std::vector<double>& targets = m_measurement.targets;
-    const bool isFinite = targets.empty() || std::isfinite(targets.back() - targets.front());
-    if (targets.size() >= 2 && isFinite)
+    if (targets.size() >= 2)
         return true;
     m_diagnostics.error(DiagnosticCode::TooFewTargets, 0, 0,
         AXISCOMP_COUNTED("Error", "{count} targets", "1 target").with("count", targets.size()),

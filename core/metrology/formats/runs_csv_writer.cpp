@@ -55,8 +55,11 @@ std::string headerText(const Measurement& measurement)
     if (header.corrected != MeasurementHeader::Corrected::NotSaid)
         appendStatement(text, "corrected",
             header.corrected == MeasurementHeader::Corrected::None ? "none" : "20C");
+    // What looks like a statement is not to become one.
     for (const std::string& note : measurement.notes)
-        text.append("// ").append(note).append("\n");
+        text.append(note.find(':') == std::string::npos ? "// " : "// note: ")
+            .append(note)
+            .append("\n");
     return text;
 }
 

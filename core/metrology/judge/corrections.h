@@ -18,7 +18,8 @@ struct TemperatureCorrection {
     double expansionPerKelvin = 0.0; ///< of the axis's scale
     double referenceCelsius = 20.0;
     double referenceExpansionPerKelvin = 0.0; ///< 0: a laser compensated for its wavelength
-    std::optional<double> datum; ///< position that does not move, in mm; nothing: the first target
+    std::optional<double> datum =
+        {}; ///< position that does not move, in mm; nothing: the first target
     bool isConfirmed = false; ///< the user says that the values are not corrected yet
 };
 
@@ -41,8 +42,8 @@ struct AirState {
 
 struct DeadPathCorrection {
     double lengthMm = 0.0; ///< between the interferometer and the reflector at the zero setting
-    AirState atZero; ///< when the instrument was set to zero
-    std::map<std::pair<Approach, int>, AirState> duringRun; ///< of each direction and run
+    AirState atZero = {}; ///< when the instrument was set to zero
+    std::map<std::pair<Approach, int>, AirState> duringRun = {}; ///< of each direction and run
 };
 /// Adds -D (n_j / n_0 - 1) to each deviation of run j, for an axis that moves away from the
 /// interferometer. Errors: InvalidArgument for angles, and for a run whose air is not known.

@@ -164,7 +164,7 @@ private Q_SLOTS:
             "// date: 2026-11-21T09:30:00\n// feed: 1000 mm/min\n// dwell: 2 s\n"
             "// compensation: crc:1c291ca3\n// air temperature: 20.4\n"
             "// material temperature: 20.9 C\n// expansion: 11.5e-6\n// corrected: none\n// a "
-            "note\n"
+            "note\n// note: sign: of rain\n"
             "target [mm],direction,run,deviation [um],encoder [mm],output "
             "[um],time,temperature,use\n"
             "0,+,1,0.21,0.001,3,10,20.5,1\n25.31,up,1,1.05,25.3,,11,,0\n0,bwd,1,2,,,,,\n"
@@ -175,7 +175,7 @@ private Q_SLOTS:
         QCOMPARE(header.compensation.tableCrc, std::optional<std::uint32_t>(0x1c291ca3));
         QCOMPARE(header.materialTemperature, std::optional(20.9));
         QCOMPARE(header.corrected, MeasurementHeader::Corrected::None);
-        QCOMPARE(first.measurement->notes, std::vector<std::string>{"a note"});
+        QCOMPARE(first.measurement->notes, (std::vector<std::string>{"a note", "sign: of rain"}));
         QCOMPARE(first.measurement->excludedCount(), std::size_t{1});
         const MeasurementReading second = test::readAs("runs", writeRunsCsv(*first.measurement));
         VERIFY_MEASUREMENT(second);
@@ -248,6 +248,18 @@ private Q_SLOTS:
         QCOMPARE(reading.measurement->notes, std::vector<std::string>{"column not used: x"});
     }
 
+    void aStatedUnitCountsBeforeTheFile()
+    {
+        MeasurementReadOptions options;
+        options.valueUnit = "mm";
+        const MeasurementReading reading = test::readAs(
+            "runs", "target [mm],direction,deviation [um]\n0,+,0.25\n100,+,0.5\n", options);
+        VERIFY_MEASUREMENT(reading);
+        QCOMPARE(reading.measurement->values.front().deviation, 0.25);
+        QCOMPARE(reading.measurement->notes,
+            std::vector<std::string>{"column deviation: unit stated as mm, the file says um"});
+    }
+
     void directionsFollowFromTheOrder()
     {
         MeasurementReadOptions options;
@@ -306,6 +318,19 @@ private Q_SLOTS:
         const auto& notes = reading.measurement->notes;
         QVERIFY(std::ranges::find(notes, "Flags: 0 0 2 0") != notes.end());
         QVERIFY(std::ranges::find(notes, "Location: hall 3") != notes.end());
+    }
+
+    void textsOfRenishawFilesMayBeChinese()
+    {
+        const auto machineOf = [](const std::string& machine) {
+            std::string text = asRtl(publicRuns("bifrost.csv"));
+            text.replace(text.find("Machine: B02"), 12, "Machine: " + machine);
+            const MeasurementReading reading = test::readAs("renishaw", text);
+            return reading.measurement ? reading.measurement->header.machine : std::string();
+        };
+        QCOMPARE(machineOf("\xBB\xFA\xB4\xB2"), "\u673A\u5E8A"); // GBK
+        QCOMPARE(machineOf("Fr\xE4se"), "Fr\u00E4se"); // Windows-1252
+        QCOMPARE(machineOf("Fr\u00E4se"), "Fr\u00E4se"); // UTF-8
     }
 
     void meansOfApiGiveBothDirections()

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/app/program_run.h"
+
+#include "tests/support/test_registry.h"
+#include "tests/support/verify.h"
+
+#include <QFile>
+#include <QJsonArray>
+#include <QTest>
+
+namespace tst_measurementcommands {
+
+using namespace axiscomp;
+using test::ProgramRun;
+using test::Sandbox;
+
+namespace {
+
+QString publicFile(const QString& name)
+{
+    return QStringLiteral(AXISCOMP_SOURCE_FOLDER "/tests/data/metrology/") + name;
+}
+
+const QByteArray small = "target [mm],direction,run,deviation [um]\n0,+,1,1\n10,+,1,2\n10,-,1,3\n"
+                         "0,-,1,4\n";
+
+} // namespace
+
+class tst_MeasurementCommands : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { test::failOnWarnings(); }
+
+    void aJudgementHasEveryKeyOfTheDocumentation()
+    {
+        const Sandbox box;
+        const ProgramRun run = box.run(
+            {"judge", publicFile("b02_x.csv"), "--tolerance", "A=150um,R=60um", "--vdi", "--json"});
+        VERIFY_CODE(run, 0);
+        const QJsonObject json = run.json();
+        QCOMPARE(json.keys(),
+            (QStringList{"axis", "axisOfAllValues", "compliance", "contradictions", "corrections",
+                "drift", "excluded", "outliers", "perTarget", "published", "runs", "source",
+                "standard", "targets", "uncertainty", "unit", "vdi3441", "verdict", "warnings",
+                "where"}));
+        const QJsonObject axis = json.value("axis").toObject();
+        QVERIFY(std::abs(axis.value("A").toDouble() - 0.1352711) < 1e-6);
+        QCOMPARE(json.value("where").toObject().value("B").toInt(), 5);
+        QCOMPARE(json.value("where").toObject().value("E").toArray(), (QJsonArray{3, 5}));
+        QCOMPARE(json.value("targets").toArray().size(), 9);
+        QVERIFY(json.value("published").isNull());
+        const QJsonObject verdict = json.value("verdict").toArray().at(1).toObject();
+        QCOMPARE(verdict.value("figure").toString(), "R");
+        QCOMPARE(verdict.value("result").toString(), "passed");
+        QVERIFY(verdict.value("U").isNull());
+        const QJsonObject source = json.value("source").toArray().at(0).toObject();
+        QCOMPARE(source.value("format").toString(), "runs");
+        QCOMPARE(source.value("sha256").toString().size(), 64);
+        const QJsonObject outlier =
+            json.value("outliers").toObject().value("flagged").toArray().at(0).toObject();
+        QCOMPARE(outlier.value("target").toInt(), 5);
+        QCOMPARE(outlier.value("direction").toString(), "up");
+    }
+
+    void aToleranceThatIsNotMetHasACodeOfItsOwn()
+    {
+        const Sandbox box;
+        const QString file = publicFile("bifrost.csv"); // A 18.571 um
+        VERIFY_CODE(box.run({"judge", file, "--tolerance", "A=19um"}), 0);
+        VERIFY_CODE(box.run({"judge", file, "--tolerance", "A=18um"}), 8);
+        const ProgramRun undecided =
+            box.run({"judge", file, "--tolerance", "A=19um", "--uncertainty", "U=1um"});
+        VERIFY_CODE(undecided, 8);
+        QVERIFY2(undecided.out.contains("undecided"), undecided.out.constData());
+        box.file(
+            "one-way.csv", "target [mm],direction,deviation [um]\n0,+,1\n9,+,1\n0,+,2\n9,+,1\n");
+        const ProgramRun notDefined = box.run({"judge", "one-way.csv", "--tolerance", "A=1000"});
+        VERIFY_CODE(notDefined, 8);
+        QVERIFY2(notDefined.out.contains("not defined"), notDefined.out.constData());
+    }
+
+    void aBudgetGivesTheUncertainty()
+    {
+        const Sandbox box;
+        box.file("budget.json",
+            R"({"length": 500, "device": 0.0002, "devicePpm": 0.5, "misalignment": 0.5,
+                "expansion": 11.5e-6, "temperatureRange": 0.4, "temperature": 22.5,
+                "expansionRange": 2e-6, "environment": 0.0006})");
+        const ProgramRun run =
+            box.run({"judge", publicFile("bifrost.csv"), "--uncertainty", "budget.json", "--json"});
+        VERIFY_CODE(run, 0);
+        const double u = run.json().value("uncertainty").toObject().value("U").toDouble();
+        QVERIFY(std::abs(u - 0.0021191) < 1e-7);
+    }
+
+    void excludedValuesAreSaidWithBothVersions()
+    {
+        const Sandbox box;
+        const ProgramRun run =
+            box.run({"judge", publicFile("ess_mcu1025.csv"), "--exclude", "down:1:1,down:2:1"});
+        VERIFY_CODE(run, 0);
+        QVERIFY2(run.out.contains("2 values excluded, not an evaluation by ISO 230-2"),
+            run.out.constData());
+        QVERIFY(run.out.contains("89.265"));
+        QVERIFY(run.out.contains("204.759"));
+        QVERIFY2(run.err.contains("warning: 2 values excluded"), run.err.constData());
+    }
+
+    void aBadFileIsReportedAsCompilersDo()
+    {
+        const Sandbox box;
+        box.file("bad.csv", "target [mm],direction,run,deviation [um]\n0,+,1,1\n1,x,1,1\n");
+        const ProgramRun run = box.run({"judge", "bad.csv"});
+        VERIFY_CODE(run, 3);
+        QVERIFY2(run.err.contains("bad.csv:3:2: error: "), run.err.constData());
+        QVERIFY2(run.err.contains("error: InvalidMeasurement: "), run.err.constData());
+        box.file("units.csv", "target,direction,deviation\n0,+,1\n1,+,1\n");
+        VERIFY_CODE(box.run({"judge", "units.csv"}), 2);
+        VERIFY_CODE(box.run({"judge", "units.csv", "--unit", "mm", "--value-unit", "um"}), 0);
+        box.file("nothing.csv", "a,b\n1,2\n");
+        const ProgramRun unknown = box.run({"runs", "nothing.csv"});
+        VERIFY_CODE(unknown, 2);
+        QVERIFY2(unknown.err.contains("UnknownFormat"), unknown.err.constData());
+    }
+
+    void filesAreJoinedAndWritten()
+    {
+        const Sandbox box;
+        box.file("a.csv", small);
+        box.file("b.csv", "// machine: M2\n" + small);
+        const ProgramRun written =
+            box.run({"runs", "a.csv", "b.csv", "--swap-directions", "-o", "both.csv"});
+        VERIFY_CODE(written, 0);
+        QCOMPARE(written.out, "Wrote both.csv.\n");
+        const ProgramRun read = box.run({"runs", "both.csv", "--json"});
+        VERIFY_CODE(read, 0);
+        const QJsonObject json = read.json();
+        QCOMPARE(json.value("kind").toString(), "runs");
+        QCOMPARE(json.value("runs").toObject().value("up").toInt(), 2);
+        QCOMPARE(json.value("values").toInt(), 8);
+        QVERIFY(box.content("both.csv").contains("10,+,2,0.003\n"));
+        const ProgramRun piped = box.run({"runs", "-", "-o", "-"}, small);
+        VERIFY_CODE(piped, 0);
+        QVERIFY2(piped.out.startsWith("// axiscomp runs: 1\n"), piped.out.constData());
+    }
+
+    void aTrackIsShownAndNotJudged()
+    {
+        const Sandbox box;
+        QByteArray text = "encoder [mm],reference [mm]\n";
+        for (int i = 0; i < 30; ++i)
+            text += QByteArray::number(i) + "," + QByteArray::number(i) + ".001\n";
+        box.file("track.csv", text);
+        const ProgramRun shown = box.run({"runs", "track.csv"});
+        VERIFY_CODE(shown, 0);
+        QVERIFY2(shown.out.contains("a track without targets: 29 samples over 28 mm"),
+            shown.out.constData());
+        const ProgramRun judged = box.run({"judge", "track.csv"});
+        VERIFY_CODE(judged, 3);
+        QVERIFY2(judged.err.contains("NoTargets"), judged.err.constData());
+    }
+
+    void aCorrectionIsMadeOnlyWhenItIsClear()
+    {
+        const Sandbox box;
+        const QString file = publicFile("bifrost.csv");
+        VERIFY_CODE(box.run({"judge", file, "--temperature", "22"}), 2);
+        VERIFY_CODE(box.run({"judge", file, "--temperature", "22", "--expansion", "11.5e-6"}), 2);
+        const ProgramRun run = box.run({"judge", file, "--temperature", "22", "--expansion",
+            "11.5e-6", "--not-corrected", "--json"});
+        VERIFY_CODE(run, 0);
+        // A scale 2 K too warm over 40.8 mm makes 0.94 um of slope.
+        const double e = run.json().value("axis").toObject().value("EUp").toDouble();
+        QVERIFY2(std::abs(e - 0.0148174) < 1e-6, QByteArray::number(e, 'g', 10).constData());
+        QCOMPARE(run.json().value("corrections").toObject().keys(), QStringList{"temperature"});
+    }
+
+    void thePageOfTheFormatsIsUpToDate()
+    {
+        const Sandbox box;
+        const ProgramRun run = box.run({"formats", "--measurements", "--markdown"});
+        VERIFY_CODE(run, 0);
+        QFile page(QStringLiteral(AXISCOMP_SOURCE_FOLDER "/docs/measurement-formats.md"));
+        QVERIFY(page.open(QIODevice::ReadOnly));
+        QVERIFY2(page.readAll() == run.out,
+            "axiscomp formats --measurements --markdown > docs/measurement-formats.md");
+        const ProgramRun one = box.run({"formats", "renishaw", "--measurements"});
+        VERIFY_CODE(one, 0);
+        QVERIFY2(one.out.contains("milliradians"), one.out.constData());
+    }
+
+    void completionKnowsTheMeasurementFormats()
+    {
+        const Sandbox box;
+        const ProgramRun completed = box.runProgram(QStringLiteral("/bin/bash"),
+            {"-c",
+                "source '" AXISCOMP_SOURCE_FOLDER "/packaging/completion/axiscomp.bash'; "
+                "echo $_axiscomp_measurements"});
+        QStringList names;
+        for (const QJsonValue& format :
+            box.run({"formats", "--measurements", "--json"}).json().value("formats").toArray())
+            names += format.toObject().value("name").toString();
+        QCOMPARE(QString::fromUtf8(completed.out).simplified().split(' '), names);
+    }
+};
+
+AXISCOMP_TEST(tst_MeasurementCommands)
+
+} // namespace tst_measurementcommands
+
+#include "tst_measurementcommands.moc"
