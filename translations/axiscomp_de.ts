@@ -6429,6 +6429,27 @@
     </message>
 </context>
 <context>
+    <message>
+        <source>as last read</source>
+        <translation>wie zuletzt gelesen</translation>
+    </message>
+    <message>
+        <source>proposed: %1</source>
+        <translation>Vorschlag: %1</translation>
+    </message>
+    <message>
+        <source>Use</source>
+        <comment>what is proposed</comment>
+        <translation>Übernehmen</translation>
+    </message>
+    <message>
+        <source>Use what is proposed: %1</source>
+        <translation>Den Vorschlag übernehmen: %1</translation>
+    </message>
+    <message>
+        <source>Use what is proposed for %1</source>
+        <translation>Den Vorschlag für %1 übernehmen</translation>
+    </message>
     <name>axiscomp::ui::FileLinesView</name>
     <message>
         <source>%1, line %2</source>
@@ -6849,6 +6870,14 @@
     </message>
     <message>
         <source>Dim%1: %2</source>
+    <message>
+        <source>Each axis its own position</source>
+        <translation>Jede Achse ihre eigene Position</translation>
+    </message>
+    <message>
+        <source>No register is known for the position of %1: select other sources.</source>
+        <translation>Für die Position von %1 ist kein Register bekannt: Wählen Sie andere Quellen.</translation>
+    </message>
         <translation>Dim%1: %2</translation>
     </message>
     <message>

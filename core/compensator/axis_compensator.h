@@ -15,6 +15,7 @@
 #include <chrono>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -23,6 +24,12 @@
 namespace axiscomp {
 
 enum class Switch { Activate, Evaluate, Deactivate };
+
+/// An axis, and registers beside it.
+struct WatchedStatus {
+    AxisStatus status;
+    std::map<std::string, double> values; ///< by path
+};
 
 struct Activation {
     AxisStatus status; ///< in the end
@@ -49,6 +56,11 @@ public:
         const std::string& indexOrName, const OperationOptions& options = {});
     /// Errors: AxisNotFound, NoCompensation.
     [[nodiscard]] Result<AxisStatus> status(int axis, const OperationOptions& options = {});
+
+    /// The same with the values of more registers, read at the same instant as far as the profile
+    /// allows; NaN where the drive has no such number.
+    [[nodiscard]] Result<WatchedStatus> watch(
+        int axis, const std::vector<std::string>& registers, const OperationOptions& options = {});
 
     /// Path, tam:// URI or hex address to a register that exists on this drive and may be a
     /// DimSource. Errors: SourceNotFound (nearest), SourceWrongType, SourceOtherDrive.

@@ -37,18 +37,26 @@ std::vector<DimSource> MultiAxisController::sources() const
     return sources;
 }
 
-void MultiAxisController::plan(const std::vector<ColumnForAxis>& columns, bool keepsSources)
+DimSource MultiAxisController::ownPosition(int axis) const
+{
+    return positionSource({m_profile, m_drives.sourceShortlist(), {}}, axis);
+}
+
+void MultiAxisController::plan(const std::vector<ColumnForAxis>& columns, SourcesForSeveral lookup)
 {
     WriteRequest common;
     common.dimensionality = m_tables.file().file().data->grid.dimensions();
     common.persistency = m_setup.edited().persistency;
-    if (!keepsSources) {
+    if (lookup == SourcesForSeveral::OfPage) {
         for (const DimSource& source : sources())
             common.sources.push_back(requestedSource(source));
     }
     std::vector<AxisTable> tables;
-    for (const ColumnForAxis& column : columns)
+    for (const ColumnForAxis& column : columns) {
         tables.push_back({column.axis, m_tables.file().table(column.column), common});
+        if (lookup == SourcesForSeveral::OwnPosition)
+            tables.back().request.sources = {requestedSource(ownPosition(column.axis))};
+    }
     ask(Task::WriteSeveral,
         [tables](AxisCompensator& compensator,
             const OperationOptions& options) -> Result<PlannedTables> {

@@ -28,8 +28,10 @@ public:
     /// Those of the setup, as many as the file has dimensions; empty when one is not set.
     [[nodiscard]] std::vector<DimSource> sources() const;
     /// Asks the drive what all of these would change; planned() follows unless another question
-    /// does. keepsSources: each axis keeps its own, otherwise it gets sources().
-    void plan(const std::vector<ColumnForAxis>& columns, bool keepsSources);
+    /// does.
+    void plan(const std::vector<ColumnForAxis>& columns, SourcesForSeveral lookup);
+    /// The register of the position of an axis; unset: none is known.
+    [[nodiscard]] DimSource ownPosition(int axis) const;
     /// The same for the parameters of a station; axes that have them already are left out.
     /// acceptsOther: the station may have another serial number than the drive.
     void planImport(const std::shared_ptr<const TamConfiguration>& configuration,

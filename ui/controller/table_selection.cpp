@@ -62,7 +62,7 @@ void TableSelection::followFile(
     if (!now)
         m_setup.setTable({});
     else if (!isSameFile || !before || (isOpened && !chosen))
-        m_setup.setTable({0});
+        m_setup.setTable({m_proposal ? static_cast<int>(m_proposal(*now)) : 0});
     else if (chosen && *chosen < static_cast<int>(before->tables.size()))
         takeSameTable(*before, *chosen, *now);
     if (now)

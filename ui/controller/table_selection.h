@@ -10,6 +10,12 @@
 #include <QObject>
 
 namespace axiscomp::ui {
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <utility>
+
 
 /// The open file of compensation data, the table on the drive, and which of their tables is
 /// selected: what the setup says about its table follows the file.
@@ -20,7 +26,10 @@ public:
     /// All of these must outlive the selection.
     TableSelection(const TableLayout& layout, SetupModel& setup, WizardLog& log);
 
-    /// The file's first table is selected, unless another one of the same file is.
+    /// Which table of a file that is opened is selected; until then its first.
+    using Proposal = std::function<std::size_t(const CalibrationData&)>;
+    void proposeBy(Proposal proposal) { m_proposal = std::move(proposal); }
+    /// The proposed table is selected, unless another one of the same file is.
     void open(const QString& path, const ImportChoices& choices);
     /// The same for a file that is a grid of another dimensionality than the setup's, which gets
     /// it; with what the user has said about the file.
@@ -64,6 +73,7 @@ private:
     mutable LoadedTable m_converted; ///< selected(), of m_source
     mutable std::shared_ptr<const CompensationTable> m_source;
     std::shared_ptr<const CompensationTable> m_announced;
+    Proposal m_proposal;
 };
 
 } // namespace axiscomp::ui

@@ -44,6 +44,8 @@ public:
     [[nodiscard]] int currentAxis() const; ///< index into axes(), -1 none
     /// Whether the current axis is of the drive that this entry was of; it may be lost.
     [[nodiscard]] bool isCurrentDrive(const AxisEntry& entry) const;
+    /// The drive of the current axis answers.
+    [[nodiscard]] bool isConnected() const;
     /// Drops unwritten changes; the page asks first when setup().isDirty().
     void selectAxis(int index);
     void refresh();
@@ -62,7 +64,18 @@ public:
     [[nodiscard]] bool isSourceBeingChecked(int dimension) const;
 
     // Compensation data
-    /// The file's first table is chosen, unless another one of the same file is.
+    /// The entered text is another one by now: what was wrong with it is over.
+    void forgetSourceProblem(int dimension);
+    /// What the selected table of the file proposes for a source that is not set, or that it speaks
+    /// against (core/axis/proposals.h); for the user to accept by chooseSource(). Unset: nothing.
+    [[nodiscard]] DimSource proposedSource(int dimension) const;
+    /// What the selected table of the file says against the source that is chosen, a translated
+    /// sentence; empty: nothing.
+    [[nodiscard]] QString sourceDoubt(int dimension) const;
+    /// Of the register that is chosen, as last read; none: not read yet.
+    [[nodiscard]] std::optional<double> sourceValue(int dimension) const;
+    /// The table that is called as the axis is chosen, or the file's first, unless another one of
+    /// the same file is.
     void openData(const QString& path);
     /// The same with what the user has said about the file.
     void importData(const QString& path, const ImportChoices& choices);
@@ -118,9 +131,11 @@ public:
     /// Those of setup(), as many as the file has dimensions; empty when one is not set.
     [[nodiscard]] std::vector<DimSource> sourcesForSeveral() const;
     /// Asks the drive what all of these would change; multiAxisPlanned() follows unless another
-    /// question does. keepsSources: each axis keeps its own, otherwise it gets sourcesForSeveral().
-    /// False: action(Action::WriteSeveral) says why not.
-    [[nodiscard]] bool planMultiAxis(const std::vector<ColumnForAxis>& columns, bool keepsSources);
+    /// question does. False: action(Action::WriteSeveral) says why not.
+    [[nodiscard]] bool planMultiAxis(
+        const std::vector<ColumnForAxis>& columns, SourcesForSeveral sources);
+    /// The register of the position of an axis of the current drive; unset: none is known.
+    [[nodiscard]] DimSource ownPosition(int axis) const;
     /// The last question is of no interest any more.
     void dropSeveral();
     /// One plan per column, in their order; none while the drive is being asked.
@@ -203,3 +218,8 @@ private:
 };
 
 } // namespace axiscomp::ui
+    void watchSources();
+    /// Of the current axis's drive.
+    [[nodiscard]] std::vector<AxisInfo> axesOfDrive() const;
+    /// By which the selected table of the file is looked up; none of the file: nameless ones.
+    [[nodiscard]] Grid columnsOfPositions() const;
