@@ -6373,6 +6373,27 @@
         <source>&amp;Revert to the drive&apos;s value</source>
         <translation>Auf den Wert des Antriebs &amp;zurücksetzen</translation>
     </message>
+    <message>
+        <source>as last read</source>
+        <translation>wie zuletzt gelesen</translation>
+    </message>
+    <message>
+        <source>proposed: %1</source>
+        <translation>Vorschlag: %1</translation>
+    </message>
+    <message>
+        <source>Use</source>
+        <comment>what is proposed</comment>
+        <translation>Übernehmen</translation>
+    </message>
+    <message>
+        <source>Use what is proposed: %1</source>
+        <translation>Den Vorschlag übernehmen: %1</translation>
+    </message>
+    <message>
+        <source>Use what is proposed for %1</source>
+        <translation>Den Vorschlag für %1 übernehmen</translation>
+    </message>
 </context>
 <context>
     <name>axiscomp::ui::FileActions</name>
@@ -6429,27 +6450,6 @@
     </message>
 </context>
 <context>
-    <message>
-        <source>as last read</source>
-        <translation>wie zuletzt gelesen</translation>
-    </message>
-    <message>
-        <source>proposed: %1</source>
-        <translation>Vorschlag: %1</translation>
-    </message>
-    <message>
-        <source>Use</source>
-        <comment>what is proposed</comment>
-        <translation>Übernehmen</translation>
-    </message>
-    <message>
-        <source>Use what is proposed: %1</source>
-        <translation>Den Vorschlag übernehmen: %1</translation>
-    </message>
-    <message>
-        <source>Use what is proposed for %1</source>
-        <translation>Den Vorschlag für %1 übernehmen</translation>
-    </message>
     <name>axiscomp::ui::FileLinesView</name>
     <message>
         <source>%1, line %2</source>
@@ -6736,6 +6736,23 @@
         <source>S&amp;how Certificate…</source>
         <translation>Zertifikat &amp;zeigen…</translation>
     </message>
+    <message>
+        <source>%1 is being asked …</source>
+        <translation>%1 wird gefragt …</translation>
+    </message>
+    <message>
+        <source>%1 has no axis with compensation registers.</source>
+        <translation>%1 hat keine Achse mit Kompensationsregistern.</translation>
+    </message>
+    <message>
+        <source>%1 does not answer. %2</source>
+        <comment>drive, reason</comment>
+        <translation>%1 antwortet nicht. %2</translation>
+    </message>
+    <message>
+        <source>Tr&amp;y Again</source>
+        <translation>Erneut &amp;versuchen</translation>
+    </message>
 </context>
 <context>
     <name>axiscomp::ui::MessageStack</name>
@@ -6784,6 +6801,14 @@
     <message>
         <source>Volatile, as on the page: a reboot of the drive restores the stored state.</source>
         <translation>Flüchtig wie auf der Seite: ein Neustart des Antriebs stellt den gespeicherten Zustand wieder her.</translation>
+    </message>
+    <message>
+        <source>Each axis its own position</source>
+        <translation>Jede Achse ihre eigene Position</translation>
+    </message>
+    <message>
+        <source>No register is known for the position of %1: select other sources.</source>
+        <translation>Für die Position von %1 ist kein Register bekannt: Wählen Sie andere Quellen.</translation>
     </message>
 </context>
 <context>
@@ -6870,14 +6895,6 @@
     </message>
     <message>
         <source>Dim%1: %2</source>
-    <message>
-        <source>Each axis its own position</source>
-        <translation>Jede Achse ihre eigene Position</translation>
-    </message>
-    <message>
-        <source>No register is known for the position of %1: select other sources.</source>
-        <translation>Für die Position von %1 ist kein Register bekannt: Wählen Sie andere Quellen.</translation>
-    </message>
         <translation>Dim%1: %2</translation>
     </message>
     <message>

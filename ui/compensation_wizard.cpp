@@ -125,6 +125,8 @@ void CompensationWizard::Private::connectParts()
     connect(&messages, &MessagePresenter::connectionsRequested, &q, [this] { showConnections(); });
     connect(&messages, &MessagePresenter::certificateRequested, &q,
         [this](const RejectedCertificate& certificate) { askAboutCertificate(certificate); });
+    connect(&messages, &MessagePresenter::driveAnswered, &q,
+        [this](const QString& endpoint) { chooseDrive(endpoint); });
     connect(page->setup, &SetupPanel::axisChosen, &q, [this](int index) { chooseAxis(index); });
     connect(page->actions, &ActionPanel::writeRequested, &writeFlow, &WriteFlow::proceed);
     connect(&writeFlow, &WriteFlow::previewingChanged, page->actions, &ActionPanel::setPreviewing);
@@ -220,10 +222,12 @@ void CompensationWizard::Private::chooseDrive(const QString& endpoint)
             return;
         }
     }
+    messages.showUnreachable(endpoint);
 }
 
 void CompensationWizard::Private::chooseAxis(int index)
 {
+    messages.forgetUnreachable();
     guard.loseChanges(CompensationWizard::tr("Discard and Chan&ge Axis"),
         [this, index] { controller.selectAxis(index); });
 }

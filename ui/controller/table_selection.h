@@ -9,13 +9,13 @@
 
 #include <QObject>
 
-namespace axiscomp::ui {
 #include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <utility>
 
+namespace axiscomp::ui {
 
 /// The open file of compensation data, the table on the drive, and which of their tables is
 /// selected: what the setup says about its table follows the file.
@@ -68,6 +68,7 @@ private:
     WizardLog& m_log;
     DataFileModel m_file;
     DriveTable m_driveTable;
+    Proposal m_proposal;
     bool m_isOpening = false; ///< somebody wants a table of the file that is being read
     TableUnits m_units;
     mutable LoadedTable m_converted; ///< selected(), of m_source

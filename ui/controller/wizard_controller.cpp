@@ -113,9 +113,9 @@ void WizardController::wireAxis()
     connect(&m_parts->sources, &SourceCheck::checked, this, &WizardController::sourceChecked);
     connect(&m_parts->sources, &SourceCheck::checked, &m_parts->actions, &WizardActions::update);
     connect(&m_parts->setup, &SetupModel::fieldChanged, this, &WizardController::updateUnits);
+    connect(&m_parts->setup, &SetupModel::fieldChanged, this, &WizardController::watchSources);
     connect(
         &m_parts->setup, &SetupModel::fieldChanged, &m_parts->runner, &OperationRunner::dropPlan);
-    connect(&m_parts->setup, &SetupModel::fieldChanged, this, &WizardController::watchSources);
     connect(&m_parts->setup, &SetupModel::fieldChanged, &m_parts->actions, &WizardActions::update);
 }
 
@@ -207,14 +207,14 @@ bool WizardController::isCurrentDrive(const AxisEntry& entry) const
     return now.endpoint == entry.endpoint && now.serialNumber == entry.serialNumber;
 }
 
-void WizardController::selectAxis(int index)
-{
 bool WizardController::isConnected() const
 {
     const DriveConnection* drive = m_parts->drives.connection();
     return drive && drive->isConnected();
 }
 
+void WizardController::selectAxis(int index)
+{
     if (index < 0 || index >= static_cast<int>(axes().size()) || index == currentAxis())
         return;
     if (m_parts->runner.task()) {
@@ -230,6 +230,11 @@ bool WizardController::isConnected() const
 void WizardController::refresh()
 {
     m_parts->drives.refresh();
+}
+
+void WizardController::tryDrive(const QString& endpoint)
+{
+    m_parts->drives.tryAgain(endpoint);
 }
 
 SetupModel& WizardController::setup()
@@ -262,13 +267,6 @@ void WizardController::chooseSource(int dimension, const QString& text)
     m_parts->sources.choose(dimension, text);
 }
 
-QString WizardController::sourceProblem(int dimension) const
-{
-    return m_parts->setup.problem(sourceField(dimension));
-}
-
-bool WizardController::isSourceBeingChecked(int dimension) const
-{
 void WizardController::forgetSourceProblem(int dimension)
 {
     m_parts->sources.forgetProblem(dimension);
@@ -344,6 +342,13 @@ void WizardController::watchSources()
     m_parts->axis.watch(std::move(paths));
 }
 
+QString WizardController::sourceProblem(int dimension) const
+{
+    return m_parts->setup.problem(sourceField(dimension));
+}
+
+bool WizardController::isSourceBeingChecked(int dimension) const
+{
     return m_parts->sources.isBeingChecked(dimension);
 }
 

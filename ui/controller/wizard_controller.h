@@ -49,6 +49,8 @@ public:
     /// Drops unwritten changes; the page asks first when setup().isDirty().
     void selectAxis(int index);
     void refresh();
+    /// Asks one drive again, at once.
+    void tryDrive(const QString& endpoint);
 
     // The setup of the current axis
     [[nodiscard]] SetupModel& setup();
@@ -62,8 +64,6 @@ public:
     void chooseSource(int dimension, const QString& text);
     [[nodiscard]] QString sourceProblem(int dimension) const;
     [[nodiscard]] bool isSourceBeingChecked(int dimension) const;
-
-    // Compensation data
     /// The entered text is another one by now: what was wrong with it is over.
     void forgetSourceProblem(int dimension);
     /// What the selected table of the file proposes for a source that is not set, or that it speaks
@@ -74,6 +74,8 @@ public:
     [[nodiscard]] QString sourceDoubt(int dimension) const;
     /// Of the register that is chosen, as last read; none: not read yet.
     [[nodiscard]] std::optional<double> sourceValue(int dimension) const;
+
+    // Compensation data
     /// The table that is called as the axis is chosen, or the file's first, unless another one of
     /// the same file is.
     void openData(const QString& path);
@@ -208,6 +210,11 @@ Q_SIGNALS:
 
 private:
     void updateUnits();
+    void watchSources();
+    /// Of the current axis's drive.
+    [[nodiscard]] std::vector<AxisInfo> axesOfDrive() const;
+    /// By which the selected table of the file is looked up; none of the file: nameless ones.
+    [[nodiscard]] Grid columnsOfPositions() const;
     void wireDrives();
     void wireAxis();
     void wireTables();
@@ -218,8 +225,3 @@ private:
 };
 
 } // namespace axiscomp::ui
-    void watchSources();
-    /// Of the current axis's drive.
-    [[nodiscard]] std::vector<AxisInfo> axesOfDrive() const;
-    /// By which the selected table of the file is looked up; none of the file: nameless ones.
-    [[nodiscard]] Grid columnsOfPositions() const;
