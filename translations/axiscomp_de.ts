@@ -4455,6 +4455,38 @@
         <source>a full {dimensions}D grid of {points} points</source>
         <translation>ein volles {dimensions}D-Gitter mit {points} Punkten</translation>
     </message>
+    <message>
+        <source>Column {column} of the file has positions in {unit}, but its source {source} is a temperature.</source>
+        <translation>Spalte {column} der Datei hat Positionen in {unit}, aber ihre Quelle {source} ist eine Temperatur.</translation>
+    </message>
+    <message>
+        <source>Column {column} of the file is named as an axis, but its source {source} is a temperature.</source>
+        <translation>Spalte {column} der Datei heißt wie eine Achse, aber ihre Quelle {source} ist eine Temperatur.</translation>
+    </message>
+    <message>
+        <source>Column {column} of the file has temperatures, but its source {source} is a position.</source>
+        <translation>Spalte {column} der Datei hat Temperaturen, aber ihre Quelle {source} ist eine Position.</translation>
+    </message>
+    <message>
+        <source>Column {column} of the file is not named as axis {axis}, whose position its source {source} is.</source>
+        <translation>Spalte {column} der Datei heißt nicht wie die Achse {axis}, deren Position ihre Quelle {source} ist.</translation>
+    </message>
+    <message>
+        <source>removing a table from flash is a flash operation too, and the record of this drive&apos;s flash operations was damaged, so all of them count as used up; keep the table persistent, or reset the count with &apos;axiscomp status --reset-flash-count&apos;</source>
+        <translation>auch das Entfernen einer Tabelle aus dem Flash ist ein Flash-Vorgang, und die Aufzeichnung der Flash-Vorgänge dieses Antriebs war beschädigt, daher gelten alle als verbraucht; die Tabelle dauerhaft lassen oder die Zählung mit „axiscomp status --reset-flash-count“ zurücksetzen</translation>
+    </message>
+    <message>
+        <source>removing a table from flash is a flash operation too, and there were too many of them in a short time; wait {seconds} s, or keep the table persistent</source>
+        <translation>auch das Entfernen einer Tabelle aus dem Flash ist ein Flash-Vorgang, und es waren zu viele in kurzer Zeit; {seconds} s warten oder die Tabelle dauerhaft lassen</translation>
+    </message>
+    <message>
+        <source>The table is removed from flash, which is a flash operation too. After a reboot the axis has no table.</source>
+        <translation>Die Tabelle wird aus dem Flash entfernt, und auch das ist ein Flash-Vorgang. Nach einem Neustart hat die Achse keine Tabelle.</translation>
+    </message>
+    <message>
+        <source>the flash operations that are left would do for removing the table from flash, but not for putting everything back if it fails; wait {seconds} s, or keep the table persistent</source>
+        <translation>die übrigen Flash-Vorgänge reichen, um die Tabelle aus dem Flash zu entfernen, aber nicht, um nach einem Fehlschlag alles zurückzustellen; {seconds} s warten oder die Tabelle dauerhaft lassen</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -5127,10 +5159,6 @@
         <translation>Zur Schonung des Flash-Speichers %1 warten oder flüchtig schreiben.</translation>
     </message>
     <message>
-        <source>To spare the flash, wait %1.</source>
-        <translation>Zur Schonung des Flash-Speichers %1 warten.</translation>
-    </message>
-    <message>
         <source>Nothing has changed.</source>
         <translation>Nichts ist geändert.</translation>
     </message>
@@ -5349,6 +5377,38 @@
     <message>
         <source>Writes back a backup that you choose.</source>
         <translation>Stellt eine Sicherung wieder her, die Sie wählen.</translation>
+    </message>
+    <message>
+        <source>Removing the table from flash is a flash operation too, and the record of this drive&apos;s flash operations was damaged, so all of them count as used up. Keep the table persistent, or run &quot;axiscomp status --reset-flash-count&quot;.</source>
+        <translation>Auch das Entfernen der Tabelle aus dem Flash ist ein Flash-Vorgang, und die Aufzeichnung der Flash-Vorgänge dieses Antriebs war beschädigt, daher gelten alle als verbraucht. Die Tabelle dauerhaft lassen oder „axiscomp status --reset-flash-count“ ausführen.</translation>
+    </message>
+    <message>
+        <source>Removing the table from flash is a flash operation too: wait %1, or keep the table persistent.</source>
+        <translation>Auch das Entfernen der Tabelle aus dem Flash ist ein Flash-Vorgang: %1 warten oder die Tabelle dauerhaft lassen.</translation>
+    </message>
+    <message>
+        <source>Removes the table from flash, which uses %1 of the %2 flash operations available now.</source>
+        <translation>Entfernt die Tabelle aus dem Flash; das braucht %1 der %2 jetzt möglichen Flash-Vorgänge.</translation>
+    </message>
+    <message>
+        <source>Writes to the drive and removes the table from flash.</source>
+        <translation>Schreibt in den Antrieb und entfernt die Tabelle aus dem Flash.</translation>
+    </message>
+    <message>
+        <source>Saves the tables and sources of all axes of the drive to a file.</source>
+        <translation>Speichert die Tabellen und Quellen aller Achsen des Antriebs in einer Datei.</translation>
+    </message>
+    <message>
+        <source>Writes a backup of the whole drive back to it, axis by axis.</source>
+        <translation>Schreibt eine Sicherung des ganzen Antriebs Achse für Achse zurück.</translation>
+    </message>
+    <message>
+        <source>backing up the drive</source>
+        <translation>Antrieb wird gesichert</translation>
+    </message>
+    <message>
+        <source>restoring the drive</source>
+        <translation>Antrieb wird wiederhergestellt</translation>
     </message>
 </context>
 <context>
@@ -7560,6 +7620,10 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
     <message>
         <source>; read as %1, converted</source>
         <translation>; gelesen als %1, umgerechnet</translation>
+    </message>
+    <message>
+        <source>from %1; the drive has it already</source>
+        <translation>aus %1; der Antrieb hat sie bereits</translation>
     </message>
 </context>
 <context>

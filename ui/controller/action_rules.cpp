@@ -56,6 +56,7 @@ private:
     [[nodiscard]] Obstacle notHomed() const;
     [[nodiscard]] Obstacle noBackup() const;
     [[nodiscard]] Obstacle noFlash() const;
+    [[nodiscard]] bool removesFromFlash() const;
     [[nodiscard]] Obstacle nothingUnfinished() const;
     [[nodiscard]] Obstacle interrupted() const;
     [[nodiscard]] Obstacle notFinishable() const;
@@ -253,13 +254,25 @@ Obstacle Rules::noFlash() const
 {
     if (m_now.flashOperationsNeeded <= m_now.flashOperationsLeft)
         return {};
+    if (removesFromFlash() && m_now.isFlashRecordLost)
+        return tr("Removing the table from flash is a flash operation too, and the record of this "
+                  "drive's flash operations was damaged, so all of them count as used up. Keep the "
+                  "table persistent, or run \"axiscomp status --reset-flash-count\".");
+    if (removesFromFlash())
+        return tr("Removing the table from flash is a flash operation too: wait %1, or keep the "
+                  "table persistent.")
+            .arg(durationText(m_now.flashWaitSeconds));
     if (m_now.isFlashRecordLost)
         return tr("The record of this drive's flash operations was damaged, so all of them count "
                   "as used up. Write volatile, or run \"axiscomp status --reset-flash-count\".");
-    return m_now.isPersistent
-        ? tr("To spare the flash, wait %1 or write volatile.")
-              .arg(durationText(m_now.flashWaitSeconds))
-        : tr("To spare the flash, wait %1.").arg(durationText(m_now.flashWaitSeconds));
+    return tr("To spare the flash, wait %1 or write volatile.")
+        .arg(durationText(m_now.flashWaitSeconds));
+}
+
+/// A volatile write costs flash only where the table is in flash and stays the axis's.
+bool Rules::removesFromFlash() const
+{
+    return m_now.flashOperationsNeeded > 0 && !m_now.isPersistent;
 }
 
 Obstacle Rules::nothingUnfinished() const
@@ -342,6 +355,14 @@ QString Rules::writeConsequence() const
 {
     if (!m_now.isDirty)
         return tr("Finishes an earlier write: saves the parameters of the drive.");
+    if (removesFromFlash() && m_now.isFlashLimitKnown)
+        return tr(
+            "Removes the table from flash, which uses %1 of the %2 flash operations available "
+            "now.")
+            .arg(m_now.flashOperationsNeeded)
+            .arg(m_now.flashOperationsLeft);
+    if (removesFromFlash())
+        return tr("Writes to the drive and removes the table from flash.");
     if (m_now.flashOperationsNeeded > 0 && m_now.isFlashLimitKnown)
         return tr("Writes to the drive and stores in flash; uses %1 of the %2 flash operations "
                   "available now.")

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/axis/axis_status.h"
 #include "core/table/table_units.h"
 #include "ui/controller/setup_model.h"
 #include "ui/data/data_file_model.h"
@@ -47,6 +48,8 @@ public:
     [[nodiscard]] LoadedTable selected() const;
     /// As the file has it.
     [[nodiscard]] LoadedTable selectedOfFile() const;
+    /// What the drive says about the table that the axis has; none: it has none.
+    void setTableOnDrive(const std::optional<TableHeader>& table);
     /// Of the axis and its sources.
     void setUnits(const TableUnits& units);
     [[nodiscard]] std::size_t selectedBytes() const; ///< as a file on the drive; 0 without a table
@@ -62,6 +65,8 @@ private:
     void followField(Field field);
     void noteFailure(const LoadedFile& failed);
     void noteSelected();
+    void compareWithDrive();
+    [[nodiscard]] bool isOnDrive(const std::shared_ptr<const CompensationTable>& table);
 
     const TableLayout& m_layout;
     SetupModel& m_setup;
@@ -74,7 +79,9 @@ private:
     mutable LoadedTable m_converted; ///< selected(), of m_source
     mutable std::shared_ptr<const CompensationTable> m_source;
     std::shared_ptr<const CompensationTable> m_announced;
-    Proposal m_proposal;
+    std::optional<TableHeader> m_onDrive;
+    std::shared_ptr<const CompensationTable> m_counted; ///< m_crc is of
+    std::optional<std::uint32_t> m_crc;
 };
 
 } // namespace axiscomp::ui

@@ -78,6 +78,7 @@ void WizardController::wireDrives()
         m_parts->proof.forget();
         m_parts->runner.forget();
         m_parts->tables.driveTable().clear();
+        m_parts->tables.setTableOnDrive({});
         m_parts->setup.clear();
         m_parts->sources.forget();
         m_parts->history.clear();
@@ -100,6 +101,7 @@ void WizardController::wireAxis()
 {
     const AxisState* axis = &m_parts->axis;
     connect(axis, &AxisState::taken, this, [this](bool isComplete) {
+        m_parts->tables.setTableOnDrive(status()->table);
         m_parts->tables.driveTable().follow(
             *m_parts->drives.connection(), *m_parts->axis.status(), isComplete);
         m_parts->proof.take(driveTable());

@@ -217,7 +217,10 @@ void SetupPanel::showTableState()
     const auto& status = m_controller.status();
     const bool hasTable = status && status->table;
     if (m_controller.setup().edited().table.fileTable)
-        m_tableRow->setInformation(tr("from %1").arg(QFileInfo(file.path).fileName()));
+        m_tableRow->setInformation(
+            (m_controller.setup().isDirty(Field::Table) ? tr("from %1")
+                                                        : tr("from %1; the drive has it already"))
+                .arg(QFileInfo(file.path).fileName()));
     else
         m_tableRow->setInformation(
             hasTable ? gridText(status->table->grid) : tr("open a file to get a table"));
