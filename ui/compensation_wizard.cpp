@@ -29,6 +29,7 @@
 
 #include <QApplication>
 #include <QBoxLayout>
+#include <QDialog>
 #include <QDragEnterEvent>
 #include <QFileInfo>
 #include <QKeyEvent>
@@ -75,6 +76,7 @@ struct CompensationWizard::Private {
     void chooseLanguage(const QString& chosen);
     void skipPreview(bool isSkipped);
     void showGuide(const GuidePlace& place);
+    void showGuideOver(QDialog& dialog);
     void announceTitle();
 
     CompensationWizard& q;
@@ -356,6 +358,15 @@ void CompensationWizard::Private::showGuide(const GuidePlace& place)
     guide->showPlace(place);
 }
 
+/// A dialog that is open keeps other windows from being used, but not its own.
+void CompensationWizard::Private::showGuideOver(QDialog& dialog)
+{
+    auto* over = dialog.findChild<GuideWindow*>(QString(), Qt::FindDirectChildrenOnly);
+    if (!over)
+        over = new GuideWindow(&dialog);
+    over->showPlace(guidePlaceOf(QApplication::focusWidget()));
+}
+
 void CompensationWizard::Private::announceTitle()
 {
     const int axis = controller.currentAxis();
@@ -377,6 +388,23 @@ CompensationWizard::CompensationWizard(WizardOptions options, QSettings* setting
     layout->addWidget(d->page);
     d->connectParts();
     d->addShortcuts();
+    qApp->installEventFilter(this);
+}
+
+/// The keys of the page end at its window: F1 in a dialog comes by here.
+bool CompensationWizard::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() != QEvent::KeyPress || !watched->isWidgetType()
+        || !static_cast<QKeyEvent*>(event)->matches(QKeySequence::HelpContents))
+        return QWidget::eventFilter(watched, event);
+    auto* dialog = qobject_cast<QDialog*>(static_cast<QWidget*>(watched)->window());
+    bool isOfPage = false;
+    for (const QWidget* parent = dialog; parent && !isOfPage; parent = parent->parentWidget())
+        isOfPage = parent == this;
+    if (!isOfPage || qobject_cast<GuideWindow*>(dialog))
+        return QWidget::eventFilter(watched, event);
+    d->showGuideOver(*dialog);
+    return true;
 }
 
 CompensationWizard::~CompensationWizard()
