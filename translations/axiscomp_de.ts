@@ -6497,6 +6497,18 @@
         <source>Save TAM Configuration</source>
         <translation>TAM-Konfiguration speichern</translation>
     </message>
+    <message>
+        <source>Back Up Whole Drive</source>
+        <translation>Ganzen Antrieb sichern</translation>
+    </message>
+    <message>
+        <source>Backups (*.json)</source>
+        <translation type="unfinished">Sicherungen (*.json)</translation>
+    </message>
+    <message>
+        <source>Restore Whole Drive</source>
+        <translation type="unfinished">Ganzen Antrieb wiederherstellen</translation>
+    </message>
 </context>
 <context>
     <name>axiscomp::ui::FileLinesModel</name>
@@ -6914,6 +6926,10 @@
         <source>Stored in flash: %1. Volatile: %2; a reboot of the drive restores their stored state.</source>
         <translation>Im Flash gespeichert: %1. Flüchtig: %2; ein Neustart des Antriebs stellt deren gespeicherten Zustand wieder her.</translation>
     </message>
+    <message>
+        <source>%1 The tables that no axis uses are not all restored: %2</source>
+        <translation>%1 Die Tabellen, die keine Achse verwendet, sind nicht alle wiederhergestellt: %2</translation>
+    </message>
 </context>
 <context>
     <name>axiscomp::ui::MultiAxisPlanView</name>
@@ -7034,6 +7050,10 @@
     <message>
         <source>Stopped by the user.</source>
         <translation>Vom Benutzer abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Wrote %1: axes: %2, tables: %3.</source>
+        <translation>%1 ist geschrieben: Achsen: %2, Tabellen: %3.</translation>
     </message>
 </context>
 <context>
@@ -7249,6 +7269,14 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <source>User &amp;Guide</source>
         <translation>Benutzer&amp;handbuch</translation>
     </message>
+    <message>
+        <source>Ba&amp;ck Up Whole Drive…</source>
+        <translation>Ganzen Antrieb si&amp;chern…</translation>
+    </message>
+    <message>
+        <source>Restore Whole &amp;Drive…</source>
+        <translation>Ganzen &amp;Antrieb wiederherstellen…</translation>
+    </message>
 </context>
 <context>
     <name>axiscomp::ui::ParameterExport</name>
@@ -7348,6 +7376,42 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
     <message>
         <source>Problem</source>
         <translation>Fehler</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::RestoreDriveDialog</name>
+    <message>
+        <source>The backup is being read.</source>
+        <translation>Die Sicherung wird gelesen.</translation>
+    </message>
+    <message>
+        <source>The backup is of another drive: confirm it first.</source>
+        <translation>Die Sicherung ist von einem anderen Antrieb: Bestätigen Sie das zuerst.</translation>
+    </message>
+    <message>
+        <source>Backup of %1, serial number %2; axes: %3</source>
+        <translation>Sicherung von %1, Seriennummer %2; Achsen: %3</translation>
+    </message>
+    <message>
+        <source>, of %1</source>
+        <comment>time</comment>
+        <translation>, vom %1</translation>
+    </message>
+    <message>
+        <source>Tables that no axis uses, restored after the axes: %1</source>
+        <translation>Tabellen, die keine Achse verwendet; sie werden nach den Achsen wiederhergestellt: %1</translation>
+    </message>
+    <message>
+        <source>Restore Whole Drive</source>
+        <translation>Ganzen Antrieb wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Brings all axes of %1 back to the backup in %2, one after the other. All writes are checked before the first one begins; each one makes a backup and is verified. No compensation is switched on.</source>
+        <translation>Bringt alle Achsen von %1 nacheinander auf den Stand der Sicherung in %2. Alle Schreibvorgänge werden geprüft, bevor der erste beginnt; jeder legt eine Sicherung an und wird verifiziert. Keine Kompensation wird eingeschaltet.</translation>
+    </message>
+    <message>
+        <source>The backup is of &amp;another drive, which this one replaces</source>
+        <translation>Die Sicherung ist von einem &amp;anderen Antrieb, den dieser ersetzt</translation>
     </message>
 </context>
 <context>

@@ -307,6 +307,10 @@ void CompensationWizard::Private::begin(Action action)
         files.importConfiguration();
     else if (action == Action::ExportConfiguration)
         files.exportConfiguration();
+    else if (action == Action::BackUpDrive)
+        files.backUpDrive();
+    else if (action == Action::RestoreDrive)
+        files.restoreDrive();
     else
         (new MultiAxisDialog(controller, &q))->open();
 }

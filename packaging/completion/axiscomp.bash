@@ -26,7 +26,7 @@ _axiscomp_options()
         download) echo "--help --json $drive --output" ;;
         monitor) echo "--help --json $drive --axis --rate --count" ;;
         backup) echo "--help --json $drive --output" ;;
-        restore) echo "--help --json $drive --force" ;;
+        restore) echo "--help --json $drive --force --dry-run" ;;
         recover) echo "--help --json $drive --axis --finish --undo" ;;
         config) echo "--help --json $drive --from --output --station --force --dry-run" ;;
     esac

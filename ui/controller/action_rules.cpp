@@ -122,6 +122,10 @@ Obstacle Rules::obstacle(Action action) const
     case Action::ExportConfiguration:
         return first(
             {&R::noChoice, &R::unreachable, &R::busy, &R::unknown, &R::reading, &R::interrupted});
+    case Action::BackUpDrive:
+        return first({&R::noChoice, &R::unreachable, &R::busy, &R::unknown});
+    case Action::RestoreDrive:
+        return first({&R::noChoice, &R::unreachable, &R::busy, &R::unknown, &R::interrupted});
     case Action::Cancel:
         break;
     }
@@ -409,6 +413,10 @@ QString Rules::consequence(Action action) const
         return tr("Writes the table and source parameters of a TAM configuration to the drive.");
     case Action::ExportConfiguration:
         return tr("Puts the drive's table and source parameters into a TAM configuration.");
+    case Action::BackUpDrive:
+        return tr("Saves the tables and sources of all axes of the drive to a file.");
+    case Action::RestoreDrive:
+        return tr("Writes a backup of the whole drive back to it, axis by axis.");
     case Action::Cancel:
         break;
     }
@@ -463,6 +471,10 @@ QString taskText(Task task)
         return Rules::tr("writing several axes");
     case Task::Import:
         return Rules::tr("importing parameters");
+    case Task::BackUpDrive:
+        return Rules::tr("backing up the drive");
+    case Task::RestoreDrive:
+        return Rules::tr("restoring the drive");
     case Task::Activate:
         return Rules::tr("activating");
     case Task::Evaluate:

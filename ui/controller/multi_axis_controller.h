@@ -36,9 +36,11 @@ public:
     /// acceptsOther: the station may have another serial number than the drive.
     void planImport(const std::shared_ptr<const TamConfiguration>& configuration,
         std::size_t station, bool acceptsOther);
+    /// The same for a backup of a whole drive. acceptsOther: of one with another serial number.
+    void planRestoreDrive(const std::shared_ptr<const DriveBackup>& backup, bool acceptsOther);
     /// The last question is of no interest any more.
     void drop();
-    /// What write() will do: Task::WriteSeveral or Task::Import.
+    /// What write() will do: Task::WriteSeveral, Task::Import or Task::RestoreDrive.
     [[nodiscard]] Task task() const { return m_task; }
     /// One plan per write, in their order; none while the drive is being asked.
     [[nodiscard]] const std::optional<Result<std::vector<WritePlan>>>& plans() const
@@ -66,6 +68,7 @@ private:
     LastOutcome& m_outcome;
     Task m_task = Task::WriteSeveral;
     std::vector<AxisTable> m_asked; ///< what plans() are of
+    std::vector<AxisBackup::File> m_files; ///< that are written with them
     std::optional<Result<std::vector<WritePlan>>> m_plans;
     int m_number = 0; ///< the newest question counts
     std::stop_source m_stop;

@@ -563,6 +563,22 @@ bool WizardController::planImport(const std::shared_ptr<const TamConfiguration>&
     return may;
 }
 
+bool WizardController::planRestoreDrive(
+    const std::shared_ptr<const DriveBackup>& backup, bool acceptsOther)
+{
+    m_parts->actions.update();
+    const bool may = action(Action::RestoreDrive).isEnabled;
+    if (may)
+        m_parts->multiAxis.planRestoreDrive(backup, acceptsOther);
+    return may;
+}
+
+void WizardController::backUpDrive(const QString& path)
+{
+    if (m_parts->actions.mayStart(Action::BackUpDrive))
+        m_parts->runner.backUpDrive(path);
+}
+
 void WizardController::dropSeveral()
 {
     m_parts->multiAxis.drop();
@@ -575,8 +591,11 @@ const std::optional<Result<std::vector<WritePlan>>>& WizardController::multiAxis
 
 void WizardController::writeMultiAxis(bool acceptsLarge)
 {
-    const bool imports = m_parts->multiAxis.task() == Task::Import;
-    if (m_parts->actions.mayStart(imports ? Action::ImportConfiguration : Action::WriteSeveral))
+    const Task task = m_parts->multiAxis.task();
+    const Action action = task == Task::Import ? Action::ImportConfiguration
+        : task == Task::RestoreDrive           ? Action::RestoreDrive
+                                               : Action::WriteSeveral;
+    if (m_parts->actions.mayStart(action))
         m_parts->multiAxis.write(acceptsLarge);
 }
 

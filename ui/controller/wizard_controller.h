@@ -146,6 +146,10 @@ public:
     /// number than the drive. False: action(Action::ImportConfiguration) says why not.
     [[nodiscard]] bool planImport(const std::shared_ptr<const TamConfiguration>& configuration,
         std::size_t station, bool acceptsOther);
+    /// The same question for a backup of a whole drive. acceptsOther: of one with another serial
+    /// number. False: action(Action::RestoreDrive) says why not.
+    [[nodiscard]] bool planRestoreDrive(
+        const std::shared_ptr<const DriveBackup>& backup, bool acceptsOther);
     /// Carries out multiAxisPlans(), axis by axis; multiAxisWritten() follows, outcome() says what
     /// each axis holds. acceptsLarge: as in write().
     void writeMultiAxis(bool acceptsLarge = false);
@@ -160,6 +164,10 @@ public:
     [[nodiscard]] const std::optional<Result<CompensationParameters>>& parameters() const;
     /// outcome() says what has become of the file.
     void reportExport(const QString& fileName, const Result<void>& saved);
+
+    /// Tables and sources of all axes of the current drive, to a file; outcome() says what has
+    /// become of it.
+    void backUpDrive(const QString& path);
 
     void cancel();
     [[nodiscard]] const BusyState& busy() const;
