@@ -5087,6 +5087,38 @@
         <source>the tables that were active move their axes too much for their raw position to be found; check the unit of their values</source>
         <translation>die Tabellen, die aktiv waren, bewegen ihre Achsen zu stark, als dass sich deren rohe Position finden ließe; prüfen Sie die Einheit ihrer Werte</translation>
     </message>
+    <message>
+        <source>Column {column} of the file has positions in {unit}, but its source {source} is a temperature.</source>
+        <translation>Spalte {column} der Datei hat Positionen in {unit}, aber ihre Quelle {source} ist eine Temperatur.</translation>
+    </message>
+    <message>
+        <source>Column {column} of the file is named as an axis, but its source {source} is a temperature.</source>
+        <translation>Spalte {column} der Datei heißt wie eine Achse, aber ihre Quelle {source} ist eine Temperatur.</translation>
+    </message>
+    <message>
+        <source>Column {column} of the file has temperatures, but its source {source} is a position.</source>
+        <translation>Spalte {column} der Datei hat Temperaturen, aber ihre Quelle {source} ist eine Position.</translation>
+    </message>
+    <message>
+        <source>Column {column} of the file is not named as axis {axis}, whose position its source {source} is.</source>
+        <translation>Spalte {column} der Datei heißt nicht wie die Achse {axis}, deren Position ihre Quelle {source} ist.</translation>
+    </message>
+    <message>
+        <source>removing a table from flash is a flash operation too, and the record of this drive&apos;s flash operations was damaged, so all of them count as used up; keep the table persistent, or reset the count with &apos;axiscomp status --reset-flash-count&apos;</source>
+        <translation>auch das Entfernen einer Tabelle aus dem Flash ist ein Flash-Vorgang, und die Aufzeichnung der Flash-Vorgänge dieses Antriebs war beschädigt, daher gelten alle als verbraucht; die Tabelle dauerhaft lassen oder die Zählung mit „axiscomp status --reset-flash-count“ zurücksetzen</translation>
+    </message>
+    <message>
+        <source>the flash operations that are left would do for removing the table from flash, but not for putting everything back if it fails; wait {seconds} s, or keep the table persistent</source>
+        <translation>die übrigen Flash-Vorgänge reichen, um die Tabelle aus dem Flash zu entfernen, aber nicht, um nach einem Fehlschlag alles zurückzustellen; {seconds} s warten oder die Tabelle dauerhaft lassen</translation>
+    </message>
+    <message>
+        <source>removing a table from flash is a flash operation too, and there were too many of them in a short time; wait {seconds} s, or keep the table persistent</source>
+        <translation>auch das Entfernen einer Tabelle aus dem Flash ist ein Flash-Vorgang, und es waren zu viele in kurzer Zeit; {seconds} s warten oder die Tabelle dauerhaft lassen</translation>
+    </message>
+    <message>
+        <source>The table is removed from flash, which is a flash operation too. After a reboot the axis has no table.</source>
+        <translation>Die Tabelle wird aus dem Flash entfernt, und auch das ist ein Flash-Vorgang. Nach einem Neustart hat die Achse keine Tabelle.</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -6018,10 +6050,6 @@
         <translation>Zur Schonung des Flash-Speichers %1 warten oder flüchtig schreiben.</translation>
     </message>
     <message>
-        <source>To spare the flash, wait %1.</source>
-        <translation>Zur Schonung des Flash-Speichers %1 warten.</translation>
-    </message>
-    <message>
         <source>Nothing has changed.</source>
         <translation>Nichts ist geändert.</translation>
     </message>
@@ -6240,6 +6268,38 @@
     <message>
         <source>Writes back a backup that you choose.</source>
         <translation>Stellt eine Sicherung wieder her, die Sie wählen.</translation>
+    </message>
+    <message>
+        <source>Removing the table from flash is a flash operation too, and the record of this drive&apos;s flash operations was damaged, so all of them count as used up. Keep the table persistent, or run &quot;axiscomp status --reset-flash-count&quot;.</source>
+        <translation>Auch das Entfernen der Tabelle aus dem Flash ist ein Flash-Vorgang, und die Aufzeichnung der Flash-Vorgänge dieses Antriebs war beschädigt, daher gelten alle als verbraucht. Die Tabelle dauerhaft lassen oder „axiscomp status --reset-flash-count“ ausführen.</translation>
+    </message>
+    <message>
+        <source>Removing the table from flash is a flash operation too: wait %1, or keep the table persistent.</source>
+        <translation>Auch das Entfernen der Tabelle aus dem Flash ist ein Flash-Vorgang: %1 warten oder die Tabelle dauerhaft lassen.</translation>
+    </message>
+    <message>
+        <source>Removes the table from flash, which uses %1 of the %2 flash operations available now.</source>
+        <translation>Entfernt die Tabelle aus dem Flash; das braucht %1 der %2 jetzt möglichen Flash-Vorgänge.</translation>
+    </message>
+    <message>
+        <source>Writes to the drive and removes the table from flash.</source>
+        <translation>Schreibt in den Antrieb und entfernt die Tabelle aus dem Flash.</translation>
+    </message>
+    <message>
+        <source>Saves the tables and sources of all axes of the drive to a file.</source>
+        <translation>Speichert die Tabellen und Quellen aller Achsen des Antriebs in einer Datei.</translation>
+    </message>
+    <message>
+        <source>Writes a backup of the whole drive back to it, axis by axis.</source>
+        <translation>Schreibt eine Sicherung des ganzen Antriebs Achse für Achse zurück.</translation>
+    </message>
+    <message>
+        <source>backing up the drive</source>
+        <translation>Antrieb wird gesichert</translation>
+    </message>
+    <message>
+        <source>restoring the drive</source>
+        <translation>Antrieb wird wiederhergestellt</translation>
     </message>
 </context>
 <context>
@@ -7264,6 +7324,27 @@
         <source>&amp;Revert to the drive&apos;s value</source>
         <translation>Auf den Wert des Antriebs &amp;zurücksetzen</translation>
     </message>
+    <message>
+        <source>as last read</source>
+        <translation>wie zuletzt gelesen</translation>
+    </message>
+    <message>
+        <source>proposed: %1</source>
+        <translation>Vorschlag: %1</translation>
+    </message>
+    <message>
+        <source>Use</source>
+        <comment>what is proposed</comment>
+        <translation>Übernehmen</translation>
+    </message>
+    <message>
+        <source>Use what is proposed: %1</source>
+        <translation>Den Vorschlag übernehmen: %1</translation>
+    </message>
+    <message>
+        <source>Use what is proposed for %1</source>
+        <translation>Den Vorschlag für %1 übernehmen</translation>
+    </message>
 </context>
 <context>
     <name>axiscomp::ui::FileActions</name>
@@ -7306,6 +7387,18 @@
     <message>
         <source>Save TAM Configuration</source>
         <translation>TAM-Konfiguration speichern</translation>
+    </message>
+    <message>
+        <source>Back Up Whole Drive</source>
+        <translation>Ganzen Antrieb sichern</translation>
+    </message>
+    <message>
+        <source>Backups (*.json)</source>
+        <translation>Sicherungen (*.json)</translation>
+    </message>
+    <message>
+        <source>Restore Whole Drive</source>
+        <translation>Ganzen Antrieb wiederherstellen</translation>
     </message>
 </context>
 <context>
@@ -7606,6 +7699,23 @@
         <source>S&amp;how Certificate…</source>
         <translation>Zertifikat &amp;zeigen…</translation>
     </message>
+    <message>
+        <source>%1 is being asked …</source>
+        <translation>%1 wird gefragt …</translation>
+    </message>
+    <message>
+        <source>%1 has no axis with compensation registers.</source>
+        <translation>%1 hat keine Achse mit Kompensationsregistern.</translation>
+    </message>
+    <message>
+        <source>%1 does not answer. %2</source>
+        <comment>drive, reason</comment>
+        <translation>%1 antwortet nicht. %2</translation>
+    </message>
+    <message>
+        <source>Tr&amp;y Again</source>
+        <translation>Erneut &amp;versuchen</translation>
+    </message>
 </context>
 <context>
     <name>axiscomp::ui::MessageStack</name>
@@ -7655,6 +7765,14 @@
         <source>Volatile, as on the page: a reboot of the drive restores the stored state.</source>
         <translation>Flüchtig wie auf der Seite: ein Neustart des Antriebs stellt den gespeicherten Zustand wieder her.</translation>
     </message>
+    <message>
+        <source>Each axis its own position</source>
+        <translation>Jede Achse ihre eigene Position</translation>
+    </message>
+    <message>
+        <source>No register is known for the position of %1: select other sources.</source>
+        <translation>Für die Position von %1 ist kein Register bekannt: Wählen Sie andere Quellen.</translation>
+    </message>
 </context>
 <context>
     <name>axiscomp::ui::MultiAxisOutcome</name>
@@ -7698,6 +7816,10 @@
     <message>
         <source>Stored in flash: %1. Volatile: %2; a reboot of the drive restores their stored state.</source>
         <translation>Im Flash gespeichert: %1. Flüchtig: %2; ein Neustart des Antriebs stellt deren gespeicherten Zustand wieder her.</translation>
+    </message>
+    <message>
+        <source>%1 The tables that no axis uses are not all restored: %2</source>
+        <translation>%1 Die Tabellen, die keine Achse verwendet, sind nicht alle wiederhergestellt: %2</translation>
     </message>
 </context>
 <context>
@@ -7819,6 +7941,10 @@
     <message>
         <source>Stopped by the user.</source>
         <translation>Vom Benutzer abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Wrote %1: axes: %2, tables: %3.</source>
+        <translation>%1 ist geschrieben: Achsen: %2, Tabellen: %3.</translation>
     </message>
 </context>
 <context>
@@ -8034,6 +8160,14 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <source>User &amp;Guide</source>
         <translation>Benutzer&amp;handbuch</translation>
     </message>
+    <message>
+        <source>Ba&amp;ck Up Whole Drive…</source>
+        <translation>Ganzen Antrieb si&amp;chern…</translation>
+    </message>
+    <message>
+        <source>Restore Whole &amp;Drive…</source>
+        <translation>Ganzen &amp;Antrieb wiederherstellen…</translation>
+    </message>
 </context>
 <context>
     <name>axiscomp::ui::ParameterExport</name>
@@ -8133,6 +8267,42 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
     <message>
         <source>Problem</source>
         <translation>Fehler</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::RestoreDriveDialog</name>
+    <message>
+        <source>The backup is being read.</source>
+        <translation>Die Sicherung wird gelesen.</translation>
+    </message>
+    <message>
+        <source>The backup is of another drive: confirm it first.</source>
+        <translation>Die Sicherung ist von einem anderen Antrieb: Bestätigen Sie das zuerst.</translation>
+    </message>
+    <message>
+        <source>Backup of %1, serial number %2; axes: %3</source>
+        <translation>Sicherung von %1, Seriennummer %2; Achsen: %3</translation>
+    </message>
+    <message>
+        <source>, of %1</source>
+        <comment>time</comment>
+        <translation>, vom %1</translation>
+    </message>
+    <message>
+        <source>Tables that no axis uses, restored after the axes: %1</source>
+        <translation>Tabellen, die keine Achse verwendet; sie werden nach den Achsen wiederhergestellt: %1</translation>
+    </message>
+    <message>
+        <source>Restore Whole Drive</source>
+        <translation>Ganzen Antrieb wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Brings all axes of %1 back to the backup in %2, one after the other. All writes are checked before the first one begins; each one makes a backup and is verified. No compensation is switched on.</source>
+        <translation>Bringt alle Achsen von %1 nacheinander auf den Stand der Sicherung in %2. Alle Schreibvorgänge werden geprüft, bevor der erste beginnt; jeder legt eine Sicherung an und wird verifiziert. Keine Kompensation wird eingeschaltet.</translation>
+    </message>
+    <message>
+        <source>The backup is of &amp;another drive, which this one replaces</source>
+        <translation>Die Sicherung ist von einem &amp;anderen Antrieb, den dieser ersetzt</translation>
     </message>
 </context>
 <context>
@@ -8405,6 +8575,10 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
     <message>
         <source>; read as %1, converted</source>
         <translation>; gelesen als %1, umgerechnet</translation>
+    </message>
+    <message>
+        <source>from %1; the drive has it already</source>
+        <translation>aus %1; der Antrieb hat sie bereits</translation>
     </message>
 </context>
 <context>

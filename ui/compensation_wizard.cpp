@@ -29,6 +29,7 @@
 
 #include <QApplication>
 #include <QBoxLayout>
+#include <QDialog>
 #include <QDragEnterEvent>
 #include <QFileInfo>
 #include <QKeyEvent>
@@ -75,6 +76,7 @@ struct CompensationWizard::Private {
     void chooseLanguage(const QString& chosen);
     void skipPreview(bool isSkipped);
     void showGuide(const GuidePlace& place);
+    void showGuideOver(QDialog& dialog);
     void announceTitle();
 
     CompensationWizard& q;
@@ -125,6 +127,8 @@ void CompensationWizard::Private::connectParts()
     connect(&messages, &MessagePresenter::connectionsRequested, &q, [this] { showConnections(); });
     connect(&messages, &MessagePresenter::certificateRequested, &q,
         [this](const RejectedCertificate& certificate) { askAboutCertificate(certificate); });
+    connect(&messages, &MessagePresenter::driveAnswered, &q,
+        [this](const QString& endpoint) { chooseDrive(endpoint); });
     connect(page->setup, &SetupPanel::axisChosen, &q, [this](int index) { chooseAxis(index); });
     connect(page->actions, &ActionPanel::writeRequested, &writeFlow, &WriteFlow::proceed);
     connect(&writeFlow, &WriteFlow::previewingChanged, page->actions, &ActionPanel::setPreviewing);
@@ -220,10 +224,12 @@ void CompensationWizard::Private::chooseDrive(const QString& endpoint)
             return;
         }
     }
+    messages.showUnreachable(endpoint);
 }
 
 void CompensationWizard::Private::chooseAxis(int index)
 {
+    messages.forgetUnreachable();
     guard.loseChanges(CompensationWizard::tr("Discard and Chan&ge Axis"),
         [this, index] { controller.selectAxis(index); });
 }
@@ -301,6 +307,10 @@ void CompensationWizard::Private::begin(Action action)
         files.importConfiguration();
     else if (action == Action::ExportConfiguration)
         files.exportConfiguration();
+    else if (action == Action::BackUpDrive)
+        files.backUpDrive();
+    else if (action == Action::RestoreDrive)
+        files.restoreDrive();
     else
         (new MultiAxisDialog(controller, &q))->open();
 }
@@ -352,6 +362,15 @@ void CompensationWizard::Private::showGuide(const GuidePlace& place)
     guide->showPlace(place);
 }
 
+/// A dialog that is open keeps other windows from being used, but not its own.
+void CompensationWizard::Private::showGuideOver(QDialog& dialog)
+{
+    auto* over = dialog.findChild<GuideWindow*>(QString(), Qt::FindDirectChildrenOnly);
+    if (!over)
+        over = new GuideWindow(&dialog);
+    over->showPlace(guidePlaceOf(QApplication::focusWidget()));
+}
+
 void CompensationWizard::Private::announceTitle()
 {
     const int axis = controller.currentAxis();
@@ -373,6 +392,23 @@ CompensationWizard::CompensationWizard(WizardOptions options, QSettings* setting
     layout->addWidget(d->page);
     d->connectParts();
     d->addShortcuts();
+    qApp->installEventFilter(this);
+}
+
+/// The keys of the page end at its window: F1 in a dialog comes by here.
+bool CompensationWizard::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() != QEvent::KeyPress || !watched->isWidgetType()
+        || !static_cast<QKeyEvent*>(event)->matches(QKeySequence::HelpContents))
+        return QWidget::eventFilter(watched, event);
+    auto* dialog = qobject_cast<QDialog*>(static_cast<QWidget*>(watched)->window());
+    bool isOfPage = false;
+    for (const QWidget* parent = dialog; parent && !isOfPage; parent = parent->parentWidget())
+        isOfPage = parent == this;
+    if (!isOfPage || qobject_cast<GuideWindow*>(dialog))
+        return QWidget::eventFilter(watched, event);
+    d->showGuideOver(*dialog);
+    return true;
 }
 
 CompensationWizard::~CompensationWizard()

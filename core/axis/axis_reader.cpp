@@ -200,10 +200,13 @@ Result<std::vector<AxisInfo>> readAxes(const RegisterAccess& access, const Drive
 Result<PositionFacts> readPositionFacts(const RegisterAccess& access, int axis)
 {
     const std::string unit = access.axisPath(access.registers().positionUnit, axis);
-    std::vector<std::string> paths{unit};
+    const RegisterPaths& names = access.registers();
+    std::vector<std::string> paths = access.axisPaths(names.axisName, axis, 0, names.axisNameWords);
+    paths.push_back(unit);
     append(paths, travelPaths(access, axis));
     AXISCOMP_TRY(const auto readings, access.readAvailable(std::move(paths)));
-    return PositionFacts{textAt(readings, unit), travelFrom(access, readings, axis)};
+    return PositionFacts{axisNameFrom(access, readings, axis), textAt(readings, unit),
+        travelFrom(access, readings, axis)};
 }
 
 Result<AxisStatus> readStatus(

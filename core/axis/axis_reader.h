@@ -23,6 +23,7 @@ namespace axiscomp {
 
 /// What a table that looks up the position of an axis has to fit to.
 struct PositionFacts {
+    std::string name; ///< of the axis, may be empty
     std::string unit; ///< the drive's PositionUnit; empty: the drive does not say
     std::optional<Travel> travel; ///< none: the drive does not say
 };

@@ -265,8 +265,38 @@ TextPattern errorPattern(ErrorCode code)
     return rowOf(code).pattern;
 }
 
+namespace {
+
+/// Flash is to be left: writing volatile is what costs the operation.
+Text removingText(const Error& error)
+{
+    if (error.context.contains("record"))
+        return {
+            AXISCOMP_TEXT("Error",
+                "removing a table from flash is a flash operation too, and the record of this "
+                "drive's flash operations was damaged, so all of them count as used up; keep the "
+                "table persistent, or reset the count with 'axiscomp status --reset-flash-count'"),
+            error.context};
+    if (error.context.contains("reserve"))
+        return {
+            AXISCOMP_TEXT("Error",
+                "the flash operations that are left would do for removing the table from flash, "
+                "but "
+                "not for putting everything back if it fails; wait {seconds} s, or keep the table "
+                "persistent"),
+            error.context};
+    return {AXISCOMP_TEXT("Error",
+                "removing a table from flash is a flash operation too, and there were too many of "
+                "them in a short time; wait {seconds} s, or keep the table persistent"),
+        error.context};
+}
+
+} // namespace
+
 Text textOf(const Error& error)
 {
+    if (error.code == ErrorCode::FlashWear && error.context.contains("removing"))
+        return removingText(error);
     if (error.code == ErrorCode::FlashWear && error.context.contains("reserve"))
         return {
             AXISCOMP_TEXT("Error",

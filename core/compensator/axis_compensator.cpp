@@ -63,14 +63,21 @@ Result<int> AxisCompensator::findAxis(
 
 Result<AxisStatus> AxisCompensator::status(int axis, const OperationOptions& options)
 {
+    AXISCOMP_TRY(auto watched, watch(axis, {}, options));
+    return std::move(watched.status);
+}
+
+Result<WatchedStatus> AxisCompensator::watch(
+    int axis, const std::vector<std::string>& registers, const OperationOptions& options)
+{
     const RegisterAccess access = d->access(options);
     AXISCOMP_TRY(auto drive, d->identify(access, axis));
-    auto status = readStatus(access, drive, axis, d->sources);
-    if (!status)
-        return status;
-    AXISCOMP_TRY(auto journal, d->store.journal(drive.serialNumber, axis));
-    status->unfinishedWrite = journal;
-    return status;
+    AXISCOMP_TRY(auto reading, readStatusWith(access, drive, axis, d->sources, registers));
+    AXISCOMP_TRY(reading.status.unfinishedWrite, d->store.journal(drive.serialNumber, axis));
+    WatchedStatus watched{std::move(reading.status), {}};
+    for (const std::string& path : registers)
+        watched.values.emplace(path, numberAt(reading.readings, path));
+    return watched;
 }
 
 Result<DimSource> AxisCompensator::resolveSource(

@@ -15,6 +15,7 @@
 #include <chrono>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -23,6 +24,12 @@
 namespace axiscomp {
 
 enum class Switch { Activate, Evaluate, Deactivate };
+
+/// An axis, and registers beside it.
+struct WatchedStatus {
+    AxisStatus status;
+    std::map<std::string, double> values; ///< by path
+};
 
 struct Activation {
     AxisStatus status; ///< in the end
@@ -49,6 +56,11 @@ public:
         const std::string& indexOrName, const OperationOptions& options = {});
     /// Errors: AxisNotFound, NoCompensation.
     [[nodiscard]] Result<AxisStatus> status(int axis, const OperationOptions& options = {});
+
+    /// The same with the values of more registers, read at the same instant as far as the profile
+    /// allows; NaN where the drive has no such number.
+    [[nodiscard]] Result<WatchedStatus> watch(
+        int axis, const std::vector<std::string>& registers, const OperationOptions& options = {});
 
     /// Path, tam:// URI or hex address to a register that exists on this drive and may be a
     /// DimSource. Errors: SourceNotFound (nearest), SourceWrongType, SourceOtherDrive.
@@ -120,10 +132,24 @@ public:
 
     /// Errors: ChangedMeanwhile when another program writes to an axis while it is read.
     [[nodiscard]] Result<DriveBackup> backup(const OperationOptions& options = {});
-    /// A normal verified write per axis, then the tables that no axis uses, as upload does it; at
-    /// the end all of it is compared once more. Errors: OtherDrive unless force; those of write and
-    /// upload; SlotInUse, also by an axis after a reboot.
+    /// All of it is planned first (planRestore). Then a normal verified write per axis, and the
+    /// tables that no axis uses, as upload does it; at the end all of it is compared once more.
+    /// Errors: those of planRestore, write and upload; SlotInUse, also by an axis after a reboot.
     [[nodiscard]] Result<std::vector<WriteReport>> restore(
+        const DriveBackup& backup, bool force, const OperationOptions& options = {});
+
+    /// The writes of restore(), one for each axis of the backup; changes nothing. Errors:
+    /// OtherDrive unless force, UnknownFile for a table in a slot that the profile does not have.
+    [[nodiscard]] Result<std::vector<WriteRequest>> restoreRequests(
+        const DriveBackup& backup, bool force, const OperationOptions& options = {});
+    /// The tables that no axis uses, as restore() does it after the axes, compared at the end.
+    [[nodiscard]] Result<void> restoreFiles(
+        const std::vector<AxisBackup::File>& files, const OperationOptions& options = {});
+
+    /// What restoring a whole drive would write, a plan for each axis of the backup; changes
+    /// nothing. Nothing of it has to be confirmed, since the drive had it. Errors: those of
+    /// restoreRequests and planMultiAxis.
+    [[nodiscard]] Result<std::vector<WritePlan>> planRestore(
         const DriveBackup& backup, bool force, const OperationOptions& options = {});
 
     /// What restoring one axis would write; changes nothing. Nothing of it has to be confirmed,

@@ -3,6 +3,7 @@
 // Whole files of the drive, and backups of all of it.
 #include "core/axis/verified_transfer.h"
 #include "core/compensator/axis_compensator_p.h"
+#include "core/compensator/multi_axis_write.h"
 #include "core/write/backup_restore.h"
 #include "core/write/file_replacement.h"
 #include "core/write/write_planner.h"
@@ -105,10 +106,11 @@ Result<std::vector<WriteReport>> AxisCompensator::restore(
 {
     const RegisterAccess access = d->access(options);
     AXISCOMP_TRY(auto drive, d->identify(access));
-    AXISCOMP_CHECK(checkRestorable(access, backup, drive, force));
     auto lock = d->store.lockWrites(drive.serialNumber);
     if (!lock)
         return fail(lock.error());
+    // Nothing is begun that cannot be ended.
+    AXISCOMP_CHECK(planRestore(backup, force, options));
     std::vector<WriteReport> reports;
     std::vector<AxisStatus> restored;
     for (const AxisBackup& axis : backup.axes) {
@@ -129,6 +131,51 @@ Result<std::vector<WriteReport>> AxisCompensator::restore(
     }
     AXISCOMP_CHECK(d->checkRestored(access, drive, restored, backup.otherFiles));
     return reports;
+}
+
+Result<std::vector<WriteRequest>> AxisCompensator::restoreRequests(
+    const DriveBackup& backup, bool force, const OperationOptions& options)
+{
+    const RegisterAccess access = d->access(options);
+    AXISCOMP_TRY(const auto drive, d->identify(access));
+    AXISCOMP_CHECK(checkRestorable(access, backup, drive, force));
+    for (const AxisBackup::File& file : backup.otherFiles)
+        AXISCOMP_CHECK(d->slotOf(file));
+    std::vector<WriteRequest> requests;
+    for (const AxisBackup& axis : backup.axes) {
+        AXISCOMP_TRY(auto request, restoreRequest(access, axis));
+        request.acceptsLarge = true; // the drive had it
+        requests.push_back(std::move(request));
+    }
+    return requests;
+}
+
+Result<void> AxisCompensator::restoreFiles(
+    const std::vector<AxisBackup::File>& files, const OperationOptions& options)
+{
+    const RegisterAccess access = d->access(options);
+    AXISCOMP_TRY(const auto drive, d->identify(access));
+    AXISCOMP_TRY(const auto lock, d->store.lockWrites(drive.serialNumber));
+    for (const AxisBackup::File& file : files)
+        AXISCOMP_CHECK(d->restoreFile(access, drive, file));
+    return d->checkRestored(access, drive, {}, files);
+}
+
+Result<std::vector<WritePlan>> AxisCompensator::planRestore(
+    const DriveBackup& backup, bool force, const OperationOptions& options)
+{
+    AXISCOMP_TRY(auto requests, restoreRequests(backup, force, options));
+    std::vector<AxisWrite> writes;
+    for (std::size_t n = 0; n < requests.size(); ++n)
+        writes.push_back({backup.axes[n].axis, std::move(requests[n])});
+    OperationOptions quiet = options;
+    quiet.progress = {};
+    AXISCOMP_TRY(auto plans, planMultiAxis(*this, writes, quiet));
+    for (WritePlan& plan : plans) {
+        plan.unitRemarks.clear();
+        plan.largeCorrections.clear();
+    }
+    return plans;
 }
 
 Result<WritePlan> AxisCompensator::planRestore(
@@ -165,13 +212,19 @@ Result<void> AxisCompensator::Private::checkRestored(const RegisterAccess& acces
     return {};
 }
 
-Result<void> AxisCompensator::Private::restoreFile(
-    const RegisterAccess& access, const DriveIdentity& drive, const AxisBackup::File& file)
+Result<TableSlot> AxisCompensator::Private::slotOf(const AxisBackup::File& file) const
 {
     const TableSlot* slot = profile.slotNamed(file.slot);
     if (!slot || slot->file != file.path)
         return fail(ErrorCode::UnknownFile, {{"path", file.path}});
-    auto replaced = FileReplacement(access, store, drive, clock, *slot)
+    return *slot;
+}
+
+Result<void> AxisCompensator::Private::restoreFile(
+    const RegisterAccess& access, const DriveIdentity& drive, const AxisBackup::File& file)
+{
+    AXISCOMP_TRY(const TableSlot slot, slotOf(file));
+    auto replaced = FileReplacement(access, store, drive, clock, slot)
                         .run(file.bytes, FileReplacement::Users::Refused);
     if (!replaced)
         return fail(replaced.error());

@@ -60,6 +60,8 @@ struct AxisCompensator::Private {
         const DriveIdentity& drive, int axis, const WriteRequest& request);
     [[nodiscard]] Result<PreparedWrite> prepareFinish(const RegisterAccess& access,
         const DriveIdentity& drive, const UnfinishedWrite& unfinished);
+    /// Errors: UnknownFile.
+    [[nodiscard]] Result<TableSlot> slotOf(const AxisBackup::File& file) const;
     [[nodiscard]] Result<void> restoreFile(
         const RegisterAccess& access, const DriveIdentity& drive, const AxisBackup::File& file);
     [[nodiscard]] Result<void> checkRestored(const RegisterAccess& access,

@@ -89,6 +89,17 @@ Result<std::vector<WritePlan>> planTables(AxisCompensator& compensator,
     return planMultiAxis(compensator, axisWrites(tables), quiet);
 }
 
+Result<PlannedTables> planDriveRestoration(AxisCompensator& compensator, const DriveBackup& backup,
+    bool force, const OperationOptions& options)
+{
+    AXISCOMP_TRY(auto plans, compensator.planRestore(backup, force, options));
+    AXISCOMP_TRY(auto requests, compensator.restoreRequests(backup, force, options));
+    PlannedTables planned{{}, std::move(plans), backup.otherFiles};
+    for (std::size_t n = 0; n < requests.size(); ++n)
+        planned.tables.push_back({backup.axes[n].axis, {}, std::move(requests[n])});
+    return planned;
+}
+
 bool holdsNewState(const Result<WriteReport>& write)
 {
     return write || write.error().code == ErrorCode::NothingToWrite;
@@ -96,9 +107,13 @@ bool holdsNewState(const Result<WriteReport>& write)
 
 OperationEnd<MultiAxisReport> writeTables(AxisCompensator& compensator,
     const std::filesystem::path& storeRoot, int shownAxis, std::span<const AxisTable> tables,
-    std::atomic<std::size_t>& turn, const OperationOptions& options)
+    std::atomic<std::size_t>& turn, const OperationOptions& options,
+    const std::vector<AxisBackup::File>& files)
 {
     auto report = writeAll(compensator, tables, turn, options);
+    if (report && !files.empty() && std::ranges::all_of(report->writes, holdsNewState))
+        if (auto restored = compensator.restoreFiles(files, options); !restored)
+            report->filesProblem = restored.error();
     // What the drive has afterwards is read even when the user has stopped the writes.
     OperationOptions quiet = options;
     quiet.stop = {};

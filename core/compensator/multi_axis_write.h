@@ -2,9 +2,11 @@
 #pragma once
 
 #include "core/compensator/axis_operations.h"
+#include "core/store/backup.h"
 
 #include <atomic>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -38,6 +40,7 @@ struct AxisTable {
 struct PlannedTables {
     std::vector<AxisTable> tables;
     std::vector<WritePlan> plans;
+    std::vector<AxisBackup::File> files{}; ///< of slots that no axis uses, written after the tables
 };
 
 /// Changes nothing. Errors: those of planMultiAxis.
@@ -48,16 +51,24 @@ struct PlannedTables {
 /// the axis has everything already.
 struct MultiAxisReport {
     std::vector<Result<WriteReport>> writes;
+    std::optional<Error> filesProblem{}; ///< why not all files were written; the axes were
 };
+
+/// The writes that bring a whole drive back to a backup, planned together; changes nothing. Errors:
+/// those of AxisCompensator::planRestore.
+[[nodiscard]] Result<PlannedTables> planDriveRestoration(AxisCompensator& compensator,
+    const DriveBackup& backup, bool force, const OperationOptions& options);
 
 /// Whether a write left its axis in the state that was asked for.
 [[nodiscard]] bool holdsNewState(const Result<WriteReport>& write);
 
 /// Plans all of them again, so that none is begun when one is refused; then one normal verified
-/// write after the other. turn: which of the tables is being written. shownAxis is read afterwards.
-/// Errors: those of planTables, and nothing was written.
+/// write after the other, and the files when none of these failed. turn: which of the tables is
+/// being written. shownAxis is read afterwards. Errors: those of planTables, and nothing was
+/// written.
 [[nodiscard]] OperationEnd<MultiAxisReport> writeTables(AxisCompensator& compensator,
     const std::filesystem::path& storeRoot, int shownAxis, std::span<const AxisTable> tables,
-    std::atomic<std::size_t>& turn, const OperationOptions& options);
+    std::atomic<std::size_t>& turn, const OperationOptions& options,
+    const std::vector<AxisBackup::File>& files = {});
 
 } // namespace axiscomp

@@ -75,6 +75,12 @@ std::optional<int> DriveProfile::axisOfPosition(std::string_view path) const
     return std::nullopt;
 }
 
+bool DriveProfile::isTemperature(std::string_view path) const
+{
+    return std::ranges::find(temperatures, path) != temperatures.end()
+        || axisIn(path, temperatures).has_value();
+}
+
 std::string expandPath(std::string_view pattern, const PathArguments& arguments)
 {
     std::string result;

@@ -103,6 +103,7 @@ struct DriveProfile {
     RegisterEnums enums;
     std::vector<std::string> sourceShortlist; ///< DimSource candidates; with {axis} once per axis
     PositionKinds positionKinds;
+    std::vector<std::string> temperatures; ///< registers that are one; with {axis} once per axis
     std::vector<std::string> sourceTypes; ///< types that a DimSource may have: Single, Double
     std::vector<TableSlot> tableSlots;
     TableLayout layout;
@@ -117,6 +118,7 @@ struct DriveProfile {
     [[nodiscard]] bool isAfterCompensation(std::string_view path) const;
     /// The axis of which this register is a position; nothing: of none.
     [[nodiscard]] std::optional<int> axisOfPosition(std::string_view path) const;
+    [[nodiscard]] bool isTemperature(std::string_view path) const;
 };
 
 /// Replaces {axis}, {slot}, {n} in a register path.

@@ -88,6 +88,18 @@ std::optional<double> unitFactor(std::string_view from, std::string_view to)
     return a->size / b->size;
 }
 
+bool isPositionUnit(std::string_view unit)
+{
+    return unitNamed(unit) != nullptr;
+}
+
+bool isTemperatureUnit(std::string_view unit)
+{
+    constexpr std::array<std::string_view, 10> temperatures{
+        "\u00b0c", "degc", "c", "celsius", "k", "kelvin", "\u00b0f", "degf", "f", "fahrenheit"};
+    return std::ranges::find(temperatures, inSmallLetters(unit)) != temperatures.end();
+}
+
 bool isSameUnit(std::string_view a, std::string_view b)
 {
     const Unit* const first = unitNamed(a);

@@ -16,6 +16,11 @@ namespace axiscomp {
 /// one of them is not known, or when one is a length and the other an angle.
 [[nodiscard]] std::optional<double> unitFactor(std::string_view from, std::string_view to);
 
+/// A length or an angle, as files write it or a drive names it.
+[[nodiscard]] bool isPositionUnit(std::string_view unit);
+/// "°C", "degC", "K" ...
+[[nodiscard]] bool isTemperatureUnit(std::string_view unit);
+
 /// The same unit, perhaps spelled in another way; units that are not known are compared as texts.
 [[nodiscard]] bool isSameUnit(std::string_view a, std::string_view b);
 

@@ -23,6 +23,10 @@ struct TamTable {
 /// bytes.size().
 [[nodiscard]] Result<TamTable> decodeTamTable(ByteView bytes, const TableLayout& layout);
 
+/// The CRC-32 of the elements, as a drive shows it for its table. Errors: those of encodeTamTable.
+[[nodiscard]] Result<std::uint32_t> elementCrc(
+    const CompensationTable& table, const TableLayout& layout);
+
 /// The size of the file for a grid.
 [[nodiscard]] std::size_t tamTableSize(const Grid& grid, const TableLayout& layout);
 

@@ -224,6 +224,13 @@ Result<Bytes> encodeTamTable(
     return file;
 }
 
+Result<std::uint32_t> elementCrc(const CompensationTable& table, const TableLayout& layout)
+{
+    AXISCOMP_TRY(const auto file, encodeTamTable(table, false, layout));
+    // The elements are the end of every file.
+    return crc32(std::span(file).last(table.values.size() * sizeof(float)));
+}
+
 std::size_t tamTableSize(const Grid& grid, const TableLayout& layout)
 {
     return layout.headerSize + grid.pointCount() * sizeof(float);

@@ -27,7 +27,17 @@ Result<void> WritePlanner::decideFlash()
         : plan.after.persistency != plan.before.persistency;
     plan.flashOperations = (changes ? 1 : 0) + m_write.uncovered;
     plan.flashReserve = flashReserve(changes);
-    return checkFlashBudget(guard, m_now, plan.flashOperations, plan.flashReserve);
+    auto possible = checkFlashBudget(guard, m_now, plan.flashOperations, plan.flashReserve);
+    if (!possible && removesFromFlash(plan))
+        possible.error().context.set("removing", Verbatim{plan.after.slot});
+    return possible;
+}
+
+bool removesFromFlash(const WritePlan& plan)
+{
+    return plan.slotReason == SlotReason::KeepTable && !plan.after.slot.empty()
+        && plan.before.persistency == Persistency::Persistent
+        && plan.after.persistency == Persistency::Volatile;
 }
 
 /// The flash operations that WriteProcedure::undo may need beyond those that the write has not

@@ -65,6 +65,9 @@ struct WritePlan {
 /// That what is unusually large has been confirmed. Errors: LargeCorrection.
 [[nodiscard]] Result<void> checkLargeAccepted(const WritePlan& plan, const WriteRequest& request);
 
+/// The table stays and becomes volatile: that costs flash as storing it does.
+[[nodiscard]] bool removesFromFlash(const WritePlan& plan);
+
 /// The deletion of a table that no axis uses.
 struct SlotDeletion {
     DriveIdentity drive;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/write/write_planner.h"
 
+#include "core/axis/proposals.h"
 #include "core/drive/axis_target.h"
 #include "core/drive/drive_units.h"
 #include "core/store/backup_json.h"
@@ -129,6 +130,8 @@ Result<PreparedWrite> WritePlanner::prepare(int axis, const WriteRequest& reques
     if (decided)
         decided = decideCoverage();
     if (decided)
+        decided = doubtSources(request);
+    if (decided)
         decided = decideSaving();
     if (decided)
         decided = decideFlash();
@@ -177,7 +180,7 @@ Result<void> WritePlanner::decideSources(const WriteRequest& request)
 Result<PositionFacts> WritePlanner::positionFacts(int axis)
 {
     if (axis == m_axis)
-        return PositionFacts{m_status.axis.unit, m_status.axis.travel};
+        return PositionFacts{m_status.axis.name, m_status.axis.unit, m_status.axis.travel};
     const auto known = m_positionFacts.find(axis);
     if (known != m_positionFacts.end())
         return known->second;
@@ -222,6 +225,26 @@ Result<void> WritePlanner::decideCoverage()
                 AXISCOMP_TRY(const auto facts, positionFacts(axis));
                 return facts.travel;
             }));
+    return {};
+}
+
+/// The columns as the file has them: converted they would have the units of the drive.
+Result<void> WritePlanner::doubtSources(const WriteRequest& request)
+{
+    WritePlan& plan = m_write.plan;
+    const std::size_t columns = request.table ? request.table->grid.axes.size() : 0;
+    for (std::size_t n = 0; n < std::min(columns, plan.after.sources.size()); ++n) {
+        const DimSource& source = plan.after.sources[n];
+        const auto owner = m_access.profile().axisOfPosition(source.path);
+        std::string name;
+        if (owner) {
+            AXISCOMP_TRY(const auto facts, positionFacts(*owner));
+            name = facts.name;
+        }
+        if (auto doubt = sourceDoubt(m_access.profile(), request.table->grid.axes[n], n + 1, source,
+                [&](int) { return name; }))
+            plan.warnings.push_back(*std::move(doubt));
+    }
     return {};
 }
 

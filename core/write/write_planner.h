@@ -61,6 +61,7 @@ private:
     [[nodiscard]] Result<void> lookInto(std::vector<SlotFacts>& slots);
     void listChanges();
     [[nodiscard]] Result<void> decideCoverage();
+    [[nodiscard]] Result<void> doubtSources(const WriteRequest& request);
     void warn();
     void warnOfDeletion();
     void warnOfSaving();

@@ -65,6 +65,10 @@ void WritePlanner::warn()
                                     .with("slot", plan.after.slot));
     if (plan.after.persistency == Persistency::Persistent)
         return warnOfSaving();
+    if (removesFromFlash(plan))
+        plan.warnings.push_back(AXISCOMP_TEXT("Error",
+            "The table is removed from flash, which is a flash operation too. After a reboot the "
+            "axis has no table."));
     if (plan.slotReason == SlotReason::KeepTable)
         return;
     if (m_status.table && m_status.table->persistent)

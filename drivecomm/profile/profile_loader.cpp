@@ -143,7 +143,8 @@ DriveProfile readProfile(const JsonNode& root)
     constexpr std::array<std::string_view, 11> keys{"name", "registers", "enums", "sourceShortlist",
         "sourceTypes", "slots", "layout", "web", "flashWear", "writesAtOneInstant",
         "readsAtOneInstant"};
-    constexpr std::array<std::string_view, 2> optionalKeys{"description", "positionKinds"};
+    constexpr std::array<std::string_view, 3> optionalKeys{
+        "description", "positionKinds", "temperatures"};
     root.expectMembers(keys, optionalKeys);
     if (root.has("description"))
         static_cast<void>(root["description"].textView());
@@ -155,6 +156,8 @@ DriveProfile readProfile(const JsonNode& root)
     profile.sourceShortlist = readSourceShortlist(root["sourceShortlist"]);
     if (root.has("positionKinds"))
         profile.positionKinds = readPositionKinds(root["positionKinds"]);
+    if (root.has("temperatures"))
+        profile.temperatures = readSourceShortlist(root["temperatures"]);
     profile.sourceTypes = readSourceTypes(root["sourceTypes"]);
     profile.layout = readTableLayout(root["layout"]);
     profile.tableSlots = readSlots(root["slots"], profile);

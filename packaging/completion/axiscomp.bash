@@ -22,14 +22,14 @@ _axiscomp_options()
         files) echo "--help --json $drive" ;;
         status) echo "--help --json $drive --axis --reset-flash-count" ;;
         persist | unpersist | evaluate | activate | deactivate) echo "--help --json $drive --axis" ;;
-        write) echo "--help --json $drive --axis --data --dims --table --from --set-in --map --source1 --source2 --source3 --persistent --volatile --slot --accept-large --dry-run --value-unit --position-unit $incomplete $conversion $grid" ;;
+        write) echo "--help --json $drive --axis --data --dims --table --from --set-in --map --source1 --source2 --source3 --own-position --persistent --volatile --slot --accept-large --dry-run --value-unit --position-unit $incomplete $conversion $grid" ;;
         delete) echo "--help --json $drive --axis --slot --dry-run" ;;
         read) echo "--help --json $drive --axis --output --to --target --to-sign --set-out $grid" ;;
         upload) echo "--help --json $drive --to" ;;
         download) echo "--help --json $drive --output" ;;
         monitor) echo "--help --json $drive --axis --rate --count" ;;
         backup) echo "--help --json $drive --output" ;;
-        restore) echo "--help --json $drive --force" ;;
+        restore) echo "--help --json $drive --force --dry-run" ;;
         recover) echo "--help --json $drive --axis --finish --undo" ;;
         config) echo "--help --json $drive --from --output --station --force --dry-run" ;;
     esac

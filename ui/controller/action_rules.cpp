@@ -56,6 +56,7 @@ private:
     [[nodiscard]] Obstacle notHomed() const;
     [[nodiscard]] Obstacle noBackup() const;
     [[nodiscard]] Obstacle noFlash() const;
+    [[nodiscard]] bool removesFromFlash() const;
     [[nodiscard]] Obstacle nothingUnfinished() const;
     [[nodiscard]] Obstacle interrupted() const;
     [[nodiscard]] Obstacle notFinishable() const;
@@ -121,6 +122,10 @@ Obstacle Rules::obstacle(Action action) const
     case Action::ExportConfiguration:
         return first(
             {&R::noChoice, &R::unreachable, &R::busy, &R::unknown, &R::reading, &R::interrupted});
+    case Action::BackUpDrive:
+        return first({&R::noChoice, &R::unreachable, &R::busy, &R::unknown});
+    case Action::RestoreDrive:
+        return first({&R::noChoice, &R::unreachable, &R::busy, &R::unknown, &R::interrupted});
     case Action::Cancel:
         break;
     }
@@ -253,13 +258,25 @@ Obstacle Rules::noFlash() const
 {
     if (m_now.flashOperationsNeeded <= m_now.flashOperationsLeft)
         return {};
+    if (removesFromFlash() && m_now.isFlashRecordLost)
+        return tr("Removing the table from flash is a flash operation too, and the record of this "
+                  "drive's flash operations was damaged, so all of them count as used up. Keep the "
+                  "table persistent, or run \"axiscomp status --reset-flash-count\".");
+    if (removesFromFlash())
+        return tr("Removing the table from flash is a flash operation too: wait %1, or keep the "
+                  "table persistent.")
+            .arg(durationText(m_now.flashWaitSeconds));
     if (m_now.isFlashRecordLost)
         return tr("The record of this drive's flash operations was damaged, so all of them count "
                   "as used up. Write volatile, or run \"axiscomp status --reset-flash-count\".");
-    return m_now.isPersistent
-        ? tr("To spare the flash, wait %1 or write volatile.")
-              .arg(durationText(m_now.flashWaitSeconds))
-        : tr("To spare the flash, wait %1.").arg(durationText(m_now.flashWaitSeconds));
+    return tr("To spare the flash, wait %1 or write volatile.")
+        .arg(durationText(m_now.flashWaitSeconds));
+}
+
+/// A volatile write costs flash only where the table is in flash and stays the axis's.
+bool Rules::removesFromFlash() const
+{
+    return m_now.flashOperationsNeeded > 0 && !m_now.isPersistent;
 }
 
 Obstacle Rules::nothingUnfinished() const
@@ -342,6 +359,14 @@ QString Rules::writeConsequence() const
 {
     if (!m_now.isDirty)
         return tr("Finishes an earlier write: saves the parameters of the drive.");
+    if (removesFromFlash() && m_now.isFlashLimitKnown)
+        return tr(
+            "Removes the table from flash, which uses %1 of the %2 flash operations available "
+            "now.")
+            .arg(m_now.flashOperationsNeeded)
+            .arg(m_now.flashOperationsLeft);
+    if (removesFromFlash())
+        return tr("Writes to the drive and removes the table from flash.");
     if (m_now.flashOperationsNeeded > 0 && m_now.isFlashLimitKnown)
         return tr("Writes to the drive and stores in flash; uses %1 of the %2 flash operations "
                   "available now.")
@@ -388,6 +413,10 @@ QString Rules::consequence(Action action) const
         return tr("Writes the table and source parameters of a TAM configuration to the drive.");
     case Action::ExportConfiguration:
         return tr("Puts the drive's table and source parameters into a TAM configuration.");
+    case Action::BackUpDrive:
+        return tr("Saves the tables and sources of all axes of the drive to a file.");
+    case Action::RestoreDrive:
+        return tr("Writes a backup of the whole drive back to it, axis by axis.");
     case Action::Cancel:
         break;
     }
@@ -442,6 +471,10 @@ QString taskText(Task task)
         return Rules::tr("writing several axes");
     case Task::Import:
         return Rules::tr("importing parameters");
+    case Task::BackUpDrive:
+        return Rules::tr("backing up the drive");
+    case Task::RestoreDrive:
+        return Rules::tr("restoring the drive");
     case Task::Activate:
         return Rules::tr("activating");
     case Task::Evaluate:

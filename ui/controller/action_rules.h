@@ -28,12 +28,15 @@ enum class Action {
     WriteSeveral, ///< columns of the file, each to an axis of its own
     ImportConfiguration, ///< parameters of a TAM configuration to the drive
     ExportConfiguration, ///< the drive's parameters to a TAM configuration
+    BackUpDrive, ///< all axes of it, to a file
+    RestoreDrive,
     Cancel,
 };
 inline constexpr std::array allActions{Action::Write, Action::Activate, Action::Evaluate,
     Action::Deactivate, Action::Revert, Action::RestorePrevious, Action::RestoreBackup,
     Action::DeleteTable, Action::FinishWrite, Action::UndoWrite, Action::Refresh, Action::OpenData,
-    Action::WriteSeveral, Action::ImportConfiguration, Action::ExportConfiguration, Action::Cancel};
+    Action::WriteSeveral, Action::ImportConfiguration, Action::ExportConfiguration,
+    Action::BackUpDrive, Action::RestoreDrive, Action::Cancel};
 
 struct ActionState {
     bool isEnabled = false;
@@ -47,6 +50,8 @@ enum class Task {
     Write,
     WriteSeveral,
     Import, ///< of a TAM configuration
+    BackUpDrive,
+    RestoreDrive,
     Activate,
     Evaluate,
     Deactivate,
@@ -70,7 +75,7 @@ struct BusyState {
 /// Writes that were planned together, one after the other.
 [[nodiscard]] constexpr bool isMultiAxis(Task task)
 {
-    return task == Task::WriteSeveral || task == Task::Import;
+    return task == Task::WriteSeveral || task == Task::Import || task == Task::RestoreDrive;
 }
 
 /// The drive would be left to a roll-back if the task were stopped.

@@ -5,6 +5,8 @@
 #include "ui/outcome/foreign_change.h"
 #include "ui/text/message_text.h"
 
+#include <algorithm>
+
 namespace axiscomp::ui {
 
 namespace {
@@ -34,9 +36,10 @@ AxisState::AxisState(const WizardOptions& options, const DriveList& drives, Setu
     , m_flash(m_profile.flashWear)
     , m_live(options.liveInterval)
 {
-    connect(&m_live, &LiveMonitor::read, this, [this](const AxisStatus& now) {
+    connect(&m_live, &LiveMonitor::read, this, [this](const WatchedStatus& now) {
         m_liveProblem.reset();
-        take(now, false);
+        m_watched = now.values;
+        take(now.status, false);
     });
     connect(&m_live, &LiveMonitor::failed, this, &AxisState::takeLiveFailure);
     m_readAgain.setSingleShot(true);
@@ -47,6 +50,24 @@ AxisState::AxisState(const WizardOptions& options, const DriveList& drives, Setu
 FlashBudget AxisState::flashBudget() const
 {
     return m_flash.budget(std::chrono::system_clock::now());
+}
+
+void AxisState::watch(std::vector<std::string> registers)
+{
+    m_live.alsoRead(std::move(registers));
+}
+
+std::optional<double> AxisState::valueOf(const DimSource& source) const
+{
+    if (const auto watched = m_watched.find(source.path); watched != m_watched.end())
+        return watched->second;
+    if (!m_status || !source.isSet())
+        return std::nullopt;
+    const auto& sources = m_status->setup.sources;
+    const auto known = std::ranges::find(sources, source);
+    if (known == sources.end())
+        return std::nullopt;
+    return m_status->sourceValues[static_cast<std::size_t>(known - sources.begin())];
 }
 
 void AxisState::begin(bool isAnother)
@@ -63,6 +84,7 @@ void AxisState::forget()
 {
     ++m_reading;
     m_status.reset();
+    m_watched.clear();
     m_unfinished.reset();
     m_flashUse.reset();
     m_hasBackup = false;

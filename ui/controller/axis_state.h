@@ -10,7 +10,10 @@
 #include <QObject>
 #include <QTimer>
 
+#include <map>
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace axiscomp::ui {
 
@@ -37,6 +40,10 @@ public:
     [[nodiscard]] const std::optional<FlashUse>& flashUse() const { return m_flashUse; }
     [[nodiscard]] FlashBudget flashBudget() const;
 
+    /// Registers that are read with the live values.
+    void watch(std::vector<std::string> registers);
+    /// Of one that is watched, or of a source that the axis has; none: not read yet.
+    [[nodiscard]] std::optional<double> valueOf(const DimSource& source) const;
     /// Reads the current axis. isAnother: nothing is known about it yet.
     void begin(bool isAnother);
     /// There is no current axis.
@@ -84,6 +91,7 @@ private:
     std::optional<Error> m_readProblem;
     std::optional<Error> m_liveProblem; ///< as last logged
     LiveMonitor m_live;
+    std::map<std::string, double> m_watched; ///< as last read
     QTimer m_readAgain;
     int m_reading = 0; ///< the newest one counts
     bool m_isPaused = false;

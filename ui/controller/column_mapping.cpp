@@ -24,46 +24,14 @@ public:
     [[nodiscard]] static QString unnamed(int axis) { return tr("Axis %1").arg(axis); }
 };
 
-QString comparable(const std::string& name)
-{
-    return QString::fromStdString(name).simplified().toCaseFolded();
-}
-
-/// The one axis with that name.
-AxisChoice axisCalled(std::span<const AxisEntry> axes, const QString& name)
-{
-    AxisChoice found;
-    for (const AxisEntry& entry : axes) {
-        if (name.isEmpty() || comparable(entry.axis.name) != name)
-            continue;
-        if (found)
-            return {};
-        found = entry.axis.index;
-    }
-    return found;
-}
-
 } // namespace
 
-std::vector<AxisChoice> proposedAxes(
-    std::span<const CompensationTable> tables, std::span<const AxisEntry> axes)
+std::vector<AxisInfo> infosOf(std::span<const AxisEntry> axes)
 {
-    std::vector<AxisChoice> choices(tables.size());
-    std::set<int> taken;
-    const auto propose = [&](std::size_t n, const QString& name) {
-        const AxisChoice axis = axisCalled(axes, name);
-        if (!choices[n] && axis && taken.insert(*axis).second)
-            choices[n] = axis;
-    };
-    for (std::size_t n = 0; n < tables.size(); ++n)
-        propose(n, comparable(tables[n].name));
-    const QString addition = QStringLiteral(" error");
-    for (std::size_t n = 0; n < tables.size(); ++n) {
-        const QString name = comparable(tables[n].name);
-        if (name.endsWith(addition))
-            propose(n, name.chopped(addition.size()));
-    }
-    return choices;
+    std::vector<AxisInfo> infos;
+    for (const AxisEntry& entry : axes)
+        infos.push_back(entry.axis);
+    return infos;
 }
 
 QString assignmentObstacle(std::span<const AxisChoice> choices, std::span<const AxisEntry> axes)

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/table/compensation_table.h"
+#include "core/axis/proposals.h"
 #include "ui/session/axis_entry.h"
 
 #include <QString>
 
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -20,14 +19,12 @@ struct ColumnForAxis {
     friend bool operator==(const ColumnForAxis&, const ColumnForAxis&) = default;
 };
 
-/// An index on the drive; none: the column is not written.
-using AxisChoice = std::optional<int>;
+/// What the columns are looked up by. OwnPosition: each by the position of its axis, of one
+/// dimension.
+enum class SourcesForSeveral { Kept, OfPage, OwnPosition };
 
-/// One choice per table. A table is proposed for the axis whose name it has, or that name and
-/// "error" ("X error"), whatever the letters' case; an axis is proposed once, and the exact name
-/// comes first. An axis whose name another one has too is not proposed.
-[[nodiscard]] std::vector<AxisChoice> proposedAxes(
-    std::span<const CompensationTable> tables, std::span<const AxisEntry> axes);
+/// What the drive says about these axes.
+[[nodiscard]] std::vector<AxisInfo> infosOf(std::span<const AxisEntry> axes);
 
 /// Why these cannot be written, a translated sentence: no axis, or one twice; empty when they can.
 [[nodiscard]] QString assignmentObstacle(

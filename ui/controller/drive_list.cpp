@@ -81,6 +81,13 @@ void DriveList::refresh()
         connection->explore();
 }
 
+void DriveList::tryAgain(const QString& endpoint)
+{
+    const auto found = std::ranges::find(m_connections, endpoint, &DriveConnection::endpoint);
+    if (found != m_connections.end())
+        (*found)->tryAgain();
+}
+
 DriveConnection* DriveList::add(const QString& endpoint)
 {
     auto* added = new DriveConnection(endpoint, m_options.linkFactory, *m_options.profile,

@@ -31,6 +31,8 @@ public:
     [[nodiscard]] QStringList endpoints() const; ///< as given, passwords included
     /// Looks at every drive again.
     void refresh();
+    /// Looks at one that is lost again, at once.
+    void tryAgain(const QString& endpoint);
     [[nodiscard]] const std::vector<DriveState>& drives() const { return m_drives; }
     [[nodiscard]] const std::vector<AxisEntry>& axes() const { return m_axes; }
 

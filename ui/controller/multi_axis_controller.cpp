@@ -37,18 +37,26 @@ std::vector<DimSource> MultiAxisController::sources() const
     return sources;
 }
 
-void MultiAxisController::plan(const std::vector<ColumnForAxis>& columns, bool keepsSources)
+DimSource MultiAxisController::ownPosition(int axis) const
+{
+    return positionSource({m_profile, m_drives.sourceShortlist(), {}}, axis);
+}
+
+void MultiAxisController::plan(const std::vector<ColumnForAxis>& columns, SourcesForSeveral lookup)
 {
     WriteRequest common;
     common.dimensionality = m_tables.file().file().data->grid.dimensions();
     common.persistency = m_setup.edited().persistency;
-    if (!keepsSources) {
+    if (lookup == SourcesForSeveral::OfPage) {
         for (const DimSource& source : sources())
             common.sources.push_back(requestedSource(source));
     }
     std::vector<AxisTable> tables;
-    for (const ColumnForAxis& column : columns)
+    for (const ColumnForAxis& column : columns) {
         tables.push_back({column.axis, m_tables.file().table(column.column), common});
+        if (lookup == SourcesForSeveral::OwnPosition)
+            tables.back().request.sources = {requestedSource(ownPosition(column.axis))};
+    }
     ask(Task::WriteSeveral,
         [tables](AxisCompensator& compensator,
             const OperationOptions& options) -> Result<PlannedTables> {
@@ -65,6 +73,15 @@ void MultiAxisController::planImport(const std::shared_ptr<const TamConfiguratio
             AxisCompensator& compensator, const OperationOptions& options) {
             return axiscomp::planImport(
                 compensator, profile, *configuration, station, acceptsOther, options);
+        });
+}
+
+void MultiAxisController::planRestoreDrive(
+    const std::shared_ptr<const DriveBackup>& backup, bool acceptsOther)
+{
+    ask(Task::RestoreDrive,
+        [backup, acceptsOther](AxisCompensator& compensator, const OperationOptions& options) {
+            return planDriveRestoration(compensator, *backup, acceptsOther, options);
         });
 }
 
@@ -86,6 +103,7 @@ void MultiAxisController::drop()
     m_stop.request_stop();
     ++m_number;
     m_asked.clear();
+    m_files.clear();
     m_plans.reset();
 }
 
@@ -98,6 +116,7 @@ void MultiAxisController::take(const Result<PlannedTables>& found)
     } else {
         m_plans = found->plans;
         m_asked = found->tables;
+        m_files = found->files;
         // What has been shown is what is written: a drive that has changed since refuses it.
         for (std::size_t n = 0; n < m_asked.size(); ++n)
             m_asked[n].request.expected = found->plans.at(n).before;
@@ -134,9 +153,9 @@ void MultiAxisController::write(bool acceptsLarge)
     const auto turn = std::make_shared<std::atomic<std::size_t>>(0);
     m_runner.run<MultiAxisReport>(
         m_task,
-        [shown = m_drives.currentAxis(), tables = m_asked, turn](
+        [shown = m_drives.currentAxis(), tables = m_asked, files = m_files, turn](
             auto& compensator, const auto& store, const auto& options) {
-            return writeTables(compensator, store, shown, tables, *turn, options);
+            return writeTables(compensator, store, shown, tables, *turn, options, files);
         },
         [this, tables = m_asked](const OperationEnd<MultiAxisReport>& end) { take(tables, end); },
         [axes, persistencies](const Result<MultiAxisReport>& report) {
@@ -158,6 +177,8 @@ void MultiAxisController::take(
     m_axis.take(end.now);
     if (isShownAxisWritten && m_task == Task::WriteSeveral)
         m_setup.setTable({}); // the drive has it now
+    if (isShownAxisWritten && m_task == Task::RestoreDrive)
+        m_setup.revert(); // going back means the changes too
     drop();
 }
 

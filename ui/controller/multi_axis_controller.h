@@ -28,15 +28,19 @@ public:
     /// Those of the setup, as many as the file has dimensions; empty when one is not set.
     [[nodiscard]] std::vector<DimSource> sources() const;
     /// Asks the drive what all of these would change; planned() follows unless another question
-    /// does. keepsSources: each axis keeps its own, otherwise it gets sources().
-    void plan(const std::vector<ColumnForAxis>& columns, bool keepsSources);
+    /// does.
+    void plan(const std::vector<ColumnForAxis>& columns, SourcesForSeveral lookup);
+    /// The register of the position of an axis; unset: none is known.
+    [[nodiscard]] DimSource ownPosition(int axis) const;
     /// The same for the parameters of a station; axes that have them already are left out.
     /// acceptsOther: the station may have another serial number than the drive.
     void planImport(const std::shared_ptr<const TamConfiguration>& configuration,
         std::size_t station, bool acceptsOther);
+    /// The same for a backup of a whole drive. acceptsOther: of one with another serial number.
+    void planRestoreDrive(const std::shared_ptr<const DriveBackup>& backup, bool acceptsOther);
     /// The last question is of no interest any more.
     void drop();
-    /// What write() will do: Task::WriteSeveral or Task::Import.
+    /// What write() will do: Task::WriteSeveral, Task::Import or Task::RestoreDrive.
     [[nodiscard]] Task task() const { return m_task; }
     /// One plan per write, in their order; none while the drive is being asked.
     [[nodiscard]] const std::optional<Result<std::vector<WritePlan>>>& plans() const
@@ -64,6 +68,7 @@ private:
     LastOutcome& m_outcome;
     Task m_task = Task::WriteSeveral;
     std::vector<AxisTable> m_asked; ///< what plans() are of
+    std::vector<AxisBackup::File> m_files; ///< that are written with them
     std::optional<Result<std::vector<WritePlan>>> m_plans;
     int m_number = 0; ///< the newest question counts
     std::stop_source m_stop;

@@ -36,6 +36,12 @@ public:
                   .arg(listed(stored), listed(notStored));
         return {tr("Written and verified: %1. %2").arg(listed(axes), persistency), false, {}};
     }
+    [[nodiscard]] static Outcome withoutFiles(const Outcome& written, const Error& error)
+    {
+        return {tr("%1 The tables that no axis uses are not all restored: %2")
+                    .arg(written.text, errorText(error)),
+            true, errorOutcome(error).detail};
+    }
     [[nodiscard]] static Outcome nothingWritten(
         const QStringList& axes, const Error& error, const QString& sentence)
     {
@@ -90,7 +96,9 @@ Outcome multiAxisOutcome(std::span<const AxisEntry> axes,
         if (!holdsNewState(write))
             return MultiAxisOutcomes::stoppedAt(names, static_cast<qsizetype>(n), write.error());
     }
-    return MultiAxisOutcomes::allWritten(names, persistencies);
+    const Outcome written = MultiAxisOutcomes::allWritten(names, persistencies);
+    return report->filesProblem ? MultiAxisOutcomes::withoutFiles(written, *report->filesProblem)
+                                : written;
 }
 
 QString multiAxisErrorText(const Error& error, std::span<const AxisEntry> axes)

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/controller/operation_runner.h"
 
+#include "core/io/local_file.h"
+#include "core/store/backup.h"
 #include "ui/session/axis_list.h"
 #include "ui/text/message_text.h"
+#include "ui/text/value_text.h"
+
+#include <QFileInfo>
 
 #include <utility>
 
@@ -317,6 +322,38 @@ void OperationRunner::recover(bool finishes)
         [this](const OperationEnd<WriteReport>& end) { m_axis.take(end.now); },
         [finishes](
             const Result<WriteReport>& result) { return recoveryOutcome(finishes, result); });
+}
+
+void OperationRunner::backUpDrive(const QString& path)
+{
+    struct Written {
+        std::size_t axes = 0;
+        std::size_t tables = 0;
+    };
+    const auto backUp = [place = QFileInfo(path).filesystemAbsoluteFilePath()](
+                            AxisCompensator& compensator,
+                            const OperationOptions& options) -> Result<Written> {
+        AXISCOMP_TRY(const auto backup, compensator.backup(options));
+        AXISCOMP_CHECK(saveFile(place, asBytes(writeBackup(backup))));
+        Written written{backup.axes.size(), backup.otherFiles.size()};
+        for (const AxisBackup& axis : backup.axes)
+            written.tables += axis.files.size();
+        return written;
+    };
+    begin<Written>(
+        Task::BackUpDrive, backUp,
+        [this, name = QFileInfo(path).fileName()](const Result<Written>& result) {
+            if (!result && isLinkFailure(result.error().code))
+                m_axis.take(fail(result.error()));
+            m_outcome.show([name, result] {
+                if (!result)
+                    return errorOutcome(result.error());
+                return Outcome{tr("Wrote %1: axes: %2, tables: %3.")
+                                   .arg(name, countText(result->axes), countText(result->tables)),
+                    false, {}};
+            });
+        },
+        [entry = m_drives.currentEntry()] { return entry.driveName; });
 }
 
 void OperationRunner::cancel()

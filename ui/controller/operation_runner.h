@@ -57,6 +57,8 @@ public:
     void restoreChosen();
     /// Finishes or undoes the write that did not end.
     void recover(bool finishes);
+    /// Everything that can be changed on the drive of the current axis, to a file.
+    void backUpDrive(const QString& path);
     void cancel();
 
     /// Runs something that changes the drive. take gets what became of it, and gives it to whom it

@@ -179,6 +179,12 @@ void SetupModel::clear()
     Q_EMIT changedOtherwise();
 }
 
+void SetupModel::setTableOnDrive(std::optional<int> fileTable)
+{
+    if (fileTable != m_tableOnDrive)
+        apply([&] { m_tableOnDrive = fileTable; });
+}
+
 void SetupModel::put(const EditedSetup& values, std::span<const Field> fields)
 {
     apply([&] {
@@ -213,6 +219,9 @@ bool SetupModel::isDirty(Field field) const
     if (!m_baseline)
         return false;
     if (isSource(field) && static_cast<int>(sourceIndex(field)) >= m_edited.dimensionality)
+        return false;
+    if (field == Field::Table && m_edited.table.fileTable
+        && m_edited.table.fileTable == m_tableOnDrive)
         return false;
     return !sameValue(field, m_edited, asEdited(*m_baseline));
 }

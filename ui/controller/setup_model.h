@@ -73,6 +73,9 @@ public:
     /// Another axis: the edited value becomes the drive's, but for the table.
     void reset(const CompensationSetup& setup, TableChoice table = {});
     void clear();
+    /// The table of the file that the drive has already, the same numbers at the same places: to
+    /// choose it changes nothing. None: it has none of those that were compared.
+    void setTableOnDrive(std::optional<int> fileTable);
     /// Puts these fields to the values of another setup; not as a change of the user.
     void put(const EditedSetup& values, std::span<const Field> fields);
 
@@ -82,7 +85,8 @@ public:
     void setTable(TableChoice table);
     void setPersistency(Persistency persistency);
 
-    /// Sources above the dimensionality do not count as changed.
+    /// Sources above the dimensionality do not count as changed, nor does a table that the drive
+    /// has already.
     [[nodiscard]] bool isDirty(Field field) const;
     [[nodiscard]] bool isDirty() const;
     void revert(Field field);
@@ -104,6 +108,7 @@ private:
     template <typename Change> void applyForUser(const Change& change);
 
     std::optional<CompensationSetup> m_baseline;
+    std::optional<int> m_tableOnDrive; ///< of the file
     EditedSetup m_edited;
     std::array<Wording, allFields.size()> m_problems; ///< none: nothing is wrong with it
 };

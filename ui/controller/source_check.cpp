@@ -111,18 +111,22 @@ void SourceCheck::refuse(int dimension, const Wording& problem)
     Q_EMIT checked(dimension);
 }
 
+void SourceCheck::forgetProblem(int dimension)
+{
+    Pending& check = pending(dimension);
+    const Field field = sourceField(dimension);
+    const bool isNews = check.isBeingChecked || !m_setup.problem(field).isEmpty();
+    ++check.number;
+    check.isBeingChecked = false;
+    m_setup.setProblem(field, nullptr);
+    if (isNews)
+        Q_EMIT checked(dimension);
+}
+
 void SourceCheck::forget()
 {
-    for (int dimension = 1; dimension <= 3; ++dimension) {
-        Pending& check = pending(dimension);
-        const Field field = sourceField(dimension);
-        const bool isNews = check.isBeingChecked || !m_setup.problem(field).isEmpty();
-        ++check.number;
-        check.isBeingChecked = false;
-        m_setup.setProblem(field, nullptr);
-        if (isNews)
-            Q_EMIT checked(dimension);
-    }
+    for (int dimension = 1; dimension <= 3; ++dimension)
+        forgetProblem(dimension);
 }
 
 void SourceCheck::retranslate()

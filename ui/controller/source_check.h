@@ -23,6 +23,8 @@ public:
     /// drive has to be asked.
     void choose(int dimension, const QString& text);
     [[nodiscard]] bool isBeingChecked(int dimension) const;
+    /// The text that was refused is not there any more.
+    void forgetProblem(int dimension);
     /// What is being checked is not wanted any more, and problems are over.
     void forget();
     /// Announces the problems in another language.

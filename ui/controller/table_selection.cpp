@@ -62,7 +62,7 @@ void TableSelection::followFile(
     if (!now)
         m_setup.setTable({});
     else if (!isSameFile || !before || (isOpened && !chosen))
-        m_setup.setTable({0});
+        m_setup.setTable({m_proposal ? static_cast<int>(m_proposal(*now)) : 0});
     else if (chosen && *chosen < static_cast<int>(before->tables.size()))
         takeSameTable(*before, *chosen, *now);
     if (now)
@@ -160,8 +160,34 @@ std::size_t TableSelection::selectedBytes() const
     return table ? tamTableSize(table->grid, m_layout) : 0;
 }
 
+void TableSelection::setTableOnDrive(const std::optional<TableHeader>& table)
+{
+    m_onDrive = table;
+    compareWithDrive();
+}
+
+void TableSelection::compareWithDrive()
+{
+    const std::optional<int> chosen = m_setup.edited().table.fileTable;
+    m_setup.setTableOnDrive(chosen && isOnDrive(selected().table) ? chosen : std::nullopt);
+}
+
+/// Only tables of the same grid are counted: the CRC of a large one takes a while.
+bool TableSelection::isOnDrive(const std::shared_ptr<const CompensationTable>& table)
+{
+    if (!table || !m_onDrive || !sameSpans(table->grid, m_onDrive->grid))
+        return false;
+    if (table != m_counted) {
+        m_counted = table;
+        const auto crc = elementCrc(*table, m_layout);
+        m_crc = crc ? std::optional(*crc) : std::nullopt;
+    }
+    return m_crc == m_onDrive->crc;
+}
+
 void TableSelection::noteSelected()
 {
+    compareWithDrive();
     auto now = selected().table;
     if (now == m_announced)
         return;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/axis/axis_status.h"
 #include "core/table/table_units.h"
 #include "ui/controller/setup_model.h"
 #include "ui/data/data_file_model.h"
@@ -8,6 +9,12 @@
 #include "ui/outcome/wizard_log.h"
 
 #include <QObject>
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <utility>
 
 namespace axiscomp::ui {
 
@@ -20,7 +27,10 @@ public:
     /// All of these must outlive the selection.
     TableSelection(const TableLayout& layout, SetupModel& setup, WizardLog& log);
 
-    /// The file's first table is selected, unless another one of the same file is.
+    /// Which table of a file that is opened is selected; until then its first.
+    using Proposal = std::function<std::size_t(const CalibrationData&)>;
+    void proposeBy(Proposal proposal) { m_proposal = std::move(proposal); }
+    /// The proposed table is selected, unless another one of the same file is.
     void open(const QString& path, const ImportChoices& choices);
     /// The same for a file that is a grid of another dimensionality than the setup's, which gets
     /// it; with what the user has said about the file.
@@ -38,6 +48,8 @@ public:
     [[nodiscard]] LoadedTable selected() const;
     /// As the file has it.
     [[nodiscard]] LoadedTable selectedOfFile() const;
+    /// What the drive says about the table that the axis has; none: it has none.
+    void setTableOnDrive(const std::optional<TableHeader>& table);
     /// Of the axis and its sources.
     void setUnits(const TableUnits& units);
     [[nodiscard]] std::size_t selectedBytes() const; ///< as a file on the drive; 0 without a table
@@ -53,17 +65,23 @@ private:
     void followField(Field field);
     void noteFailure(const LoadedFile& failed);
     void noteSelected();
+    void compareWithDrive();
+    [[nodiscard]] bool isOnDrive(const std::shared_ptr<const CompensationTable>& table);
 
     const TableLayout& m_layout;
     SetupModel& m_setup;
     WizardLog& m_log;
     DataFileModel m_file;
     DriveTable m_driveTable;
+    Proposal m_proposal;
     bool m_isOpening = false; ///< somebody wants a table of the file that is being read
     TableUnits m_units;
     mutable LoadedTable m_converted; ///< selected(), of m_source
     mutable std::shared_ptr<const CompensationTable> m_source;
     std::shared_ptr<const CompensationTable> m_announced;
+    std::optional<TableHeader> m_onDrive;
+    std::shared_ptr<const CompensationTable> m_counted; ///< m_crc is of
+    std::optional<std::uint32_t> m_crc;
 };
 
 } // namespace axiscomp::ui

@@ -120,7 +120,7 @@ void WizardActions::lookAtSetup(ActionSnapshot& now) const
             now.isSourceBeingChecked = true;
     }
     now.isPersistent = edited.persistency == Persistency::Persistent;
-    now.isNewTable = edited.table.fileTable.has_value();
+    now.isNewTable = edited.table.fileTable && m_setup.isDirty(Field::Table);
     const bool storesOrErases =
         now.isNewTable ? now.isPersistent : m_setup.isDirty(Field::Persistency);
     now.flashOperationsNeeded = storesOrErases ? 1 : 0;

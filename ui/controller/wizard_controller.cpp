@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/controller/wizard_controller.h"
 
+#include "core/axis/proposals.h"
 #include "core/drive/axis_target.h"
 #include "core/drive/drive_units.h"
 #include "ui/controller/multi_axis_controller.h"
@@ -8,7 +9,10 @@
 #include "ui/controller/proof_follower.h"
 #include "ui/controller/setup_history.h"
 #include "ui/controller/wizard_actions.h"
+#include "ui/text/message_text.h"
 #include "ui/text/sign_sentence.h"
+
+#include <algorithm>
 
 namespace axiscomp::ui {
 
@@ -54,6 +58,10 @@ WizardController::WizardController(WizardOptions options, QObject* parent)
     wireAxis();
     wireTables();
     wireOperations();
+    m_parts->tables.proposeBy([this](const CalibrationData& file) {
+        const int axis = status() ? status()->axis.index : -1;
+        return proposedTable(file.tables, axesOfDrive(), axis).value_or(0);
+    });
     m_parts->actions.update();
 }
 
@@ -70,6 +78,7 @@ void WizardController::wireDrives()
         m_parts->proof.forget();
         m_parts->runner.forget();
         m_parts->tables.driveTable().clear();
+        m_parts->tables.setTableOnDrive({});
         m_parts->setup.clear();
         m_parts->sources.forget();
         m_parts->history.clear();
@@ -92,6 +101,7 @@ void WizardController::wireAxis()
 {
     const AxisState* axis = &m_parts->axis;
     connect(axis, &AxisState::taken, this, [this](bool isComplete) {
+        m_parts->tables.setTableOnDrive(status()->table);
         m_parts->tables.driveTable().follow(
             *m_parts->drives.connection(), *m_parts->axis.status(), isComplete);
         m_parts->proof.take(driveTable());
@@ -105,6 +115,7 @@ void WizardController::wireAxis()
     connect(&m_parts->sources, &SourceCheck::checked, this, &WizardController::sourceChecked);
     connect(&m_parts->sources, &SourceCheck::checked, &m_parts->actions, &WizardActions::update);
     connect(&m_parts->setup, &SetupModel::fieldChanged, this, &WizardController::updateUnits);
+    connect(&m_parts->setup, &SetupModel::fieldChanged, this, &WizardController::watchSources);
     connect(
         &m_parts->setup, &SetupModel::fieldChanged, &m_parts->runner, &OperationRunner::dropPlan);
     connect(&m_parts->setup, &SetupModel::fieldChanged, &m_parts->actions, &WizardActions::update);
@@ -198,6 +209,12 @@ bool WizardController::isCurrentDrive(const AxisEntry& entry) const
     return now.endpoint == entry.endpoint && now.serialNumber == entry.serialNumber;
 }
 
+bool WizardController::isConnected() const
+{
+    const DriveConnection* drive = m_parts->drives.connection();
+    return drive && drive->isConnected();
+}
+
 void WizardController::selectAxis(int index)
 {
     if (index < 0 || index >= static_cast<int>(axes().size()) || index == currentAxis())
@@ -215,6 +232,11 @@ void WizardController::selectAxis(int index)
 void WizardController::refresh()
 {
     m_parts->drives.refresh();
+}
+
+void WizardController::tryDrive(const QString& endpoint)
+{
+    m_parts->drives.tryAgain(endpoint);
 }
 
 SetupModel& WizardController::setup()
@@ -245,6 +267,81 @@ const std::vector<DimSource>& WizardController::sourceShortlist() const
 void WizardController::chooseSource(int dimension, const QString& text)
 {
     m_parts->sources.choose(dimension, text);
+}
+
+void WizardController::forgetSourceProblem(int dimension)
+{
+    m_parts->sources.forgetProblem(dimension);
+}
+
+std::vector<AxisInfo> WizardController::axesOfDrive() const
+{
+    std::vector<AxisInfo> infos;
+    for (const AxisEntry& entry : axes())
+        if (isCurrentDrive(entry))
+            infos.push_back(entry.axis);
+    return infos;
+}
+
+Grid WizardController::columnsOfPositions() const
+{
+    const auto dimensions = static_cast<std::size_t>(setup().edited().dimensionality);
+    const auto table = m_parts->tables.selectedOfFile().table;
+    if (table && table->grid.axes.size() == dimensions)
+        return table->grid;
+    return Grid{std::vector<GridAxis>(dimensions)};
+}
+
+DimSource WizardController::proposedSource(int dimension) const
+{
+    const auto index = static_cast<std::size_t>(dimension - 1);
+    const EditedSetup& edited = setup().edited();
+    if (!status() || dimension > edited.dimensionality)
+        return {};
+    if (edited.sources[index].isSet() && sourceDoubt(dimension).isEmpty())
+        return {};
+    const std::vector<AxisInfo> known = axesOfDrive();
+    DimSource proposed = proposedSources({m_parts->profile, sourceShortlist(), known},
+        status()->axis.index, columnsOfPositions())[index];
+    const auto used =
+        std::span(edited.sources).first(static_cast<std::size_t>(edited.dimensionality));
+    const bool isUsed = std::ranges::find(used, proposed) != used.end();
+    return isUsed ? DimSource{} : proposed;
+}
+
+QString WizardController::sourceDoubt(int dimension) const
+{
+    const auto index = static_cast<std::size_t>(dimension - 1);
+    const EditedSetup& edited = setup().edited();
+    const Grid columns = columnsOfPositions();
+    if (!status() || index >= columns.axes.size() || !edited.sources[index].isSet())
+        return {};
+    const auto doubt = axiscomp::sourceDoubt(
+        m_parts->profile, columns.axes[index], index + 1, edited.sources[index], [this](int axis) {
+            for (const AxisInfo& info : axesOfDrive())
+                if (info.index == axis)
+                    return info.name;
+            return std::string();
+        });
+    return doubt ? sentenceText(*doubt) : QString();
+}
+
+std::optional<double> WizardController::sourceValue(int dimension) const
+{
+    const DimSource& source = setup().edited().sources.at(static_cast<std::size_t>(dimension - 1));
+    return m_parts->axis.valueOf(source);
+}
+
+/// Sources that are chosen have a value before they are written.
+void WizardController::watchSources()
+{
+    const EditedSetup& edited = setup().edited();
+    std::vector<std::string> paths;
+    for (const DimSource& source :
+        std::span(edited.sources).first(static_cast<std::size_t>(edited.dimensionality)))
+        if (!source.path.empty())
+            paths.push_back(source.path);
+    m_parts->axis.watch(std::move(paths));
 }
 
 QString WizardController::sourceProblem(int dimension) const
@@ -441,12 +538,18 @@ std::vector<DimSource> WizardController::sourcesForSeveral() const
     return m_parts->multiAxis.sources();
 }
 
-bool WizardController::planMultiAxis(const std::vector<ColumnForAxis>& columns, bool keepsSources)
+DimSource WizardController::ownPosition(int axis) const
+{
+    return m_parts->multiAxis.ownPosition(axis);
+}
+
+bool WizardController::planMultiAxis(
+    const std::vector<ColumnForAxis>& columns, SourcesForSeveral sources)
 {
     m_parts->actions.update();
     const bool may = action(Action::WriteSeveral).isEnabled;
     if (may)
-        m_parts->multiAxis.plan(columns, keepsSources);
+        m_parts->multiAxis.plan(columns, sources);
     return may;
 }
 
@@ -458,6 +561,22 @@ bool WizardController::planImport(const std::shared_ptr<const TamConfiguration>&
     if (may)
         m_parts->multiAxis.planImport(configuration, station, acceptsOther);
     return may;
+}
+
+bool WizardController::planRestoreDrive(
+    const std::shared_ptr<const DriveBackup>& backup, bool acceptsOther)
+{
+    m_parts->actions.update();
+    const bool may = action(Action::RestoreDrive).isEnabled;
+    if (may)
+        m_parts->multiAxis.planRestoreDrive(backup, acceptsOther);
+    return may;
+}
+
+void WizardController::backUpDrive(const QString& path)
+{
+    if (m_parts->actions.mayStart(Action::BackUpDrive))
+        m_parts->runner.backUpDrive(path);
 }
 
 void WizardController::dropSeveral()
@@ -472,8 +591,11 @@ const std::optional<Result<std::vector<WritePlan>>>& WizardController::multiAxis
 
 void WizardController::writeMultiAxis(bool acceptsLarge)
 {
-    const bool imports = m_parts->multiAxis.task() == Task::Import;
-    if (m_parts->actions.mayStart(imports ? Action::ImportConfiguration : Action::WriteSeveral))
+    const Task task = m_parts->multiAxis.task();
+    const Action action = task == Task::Import ? Action::ImportConfiguration
+        : task == Task::RestoreDrive           ? Action::RestoreDrive
+                                               : Action::WriteSeveral;
+    if (m_parts->actions.mayStart(action))
         m_parts->multiAxis.write(acceptsLarge);
 }
 

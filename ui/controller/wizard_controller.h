@@ -44,9 +44,13 @@ public:
     [[nodiscard]] int currentAxis() const; ///< index into axes(), -1 none
     /// Whether the current axis is of the drive that this entry was of; it may be lost.
     [[nodiscard]] bool isCurrentDrive(const AxisEntry& entry) const;
+    /// The drive of the current axis answers.
+    [[nodiscard]] bool isConnected() const;
     /// Drops unwritten changes; the page asks first when setup().isDirty().
     void selectAxis(int index);
     void refresh();
+    /// Asks one drive again, at once.
+    void tryDrive(const QString& endpoint);
 
     // The setup of the current axis
     [[nodiscard]] SetupModel& setup();
@@ -60,9 +64,20 @@ public:
     void chooseSource(int dimension, const QString& text);
     [[nodiscard]] QString sourceProblem(int dimension) const;
     [[nodiscard]] bool isSourceBeingChecked(int dimension) const;
+    /// The entered text is another one by now: what was wrong with it is over.
+    void forgetSourceProblem(int dimension);
+    /// What the selected table of the file proposes for a source that is not set, or that it speaks
+    /// against (core/axis/proposals.h); for the user to accept by chooseSource(). Unset: nothing.
+    [[nodiscard]] DimSource proposedSource(int dimension) const;
+    /// What the selected table of the file says against the source that is chosen, a translated
+    /// sentence; empty: nothing.
+    [[nodiscard]] QString sourceDoubt(int dimension) const;
+    /// Of the register that is chosen, as last read; none: not read yet.
+    [[nodiscard]] std::optional<double> sourceValue(int dimension) const;
 
     // Compensation data
-    /// The file's first table is chosen, unless another one of the same file is.
+    /// The table that is called as the axis is chosen, or the file's first, unless another one of
+    /// the same file is.
     void openData(const QString& path);
     /// The same with what the user has said about the file.
     void importData(const QString& path, const ImportChoices& choices);
@@ -118,9 +133,11 @@ public:
     /// Those of setup(), as many as the file has dimensions; empty when one is not set.
     [[nodiscard]] std::vector<DimSource> sourcesForSeveral() const;
     /// Asks the drive what all of these would change; multiAxisPlanned() follows unless another
-    /// question does. keepsSources: each axis keeps its own, otherwise it gets sourcesForSeveral().
-    /// False: action(Action::WriteSeveral) says why not.
-    [[nodiscard]] bool planMultiAxis(const std::vector<ColumnForAxis>& columns, bool keepsSources);
+    /// question does. False: action(Action::WriteSeveral) says why not.
+    [[nodiscard]] bool planMultiAxis(
+        const std::vector<ColumnForAxis>& columns, SourcesForSeveral sources);
+    /// The register of the position of an axis of the current drive; unset: none is known.
+    [[nodiscard]] DimSource ownPosition(int axis) const;
     /// The last question is of no interest any more.
     void dropSeveral();
     /// One plan per column, in their order; none while the drive is being asked.
@@ -129,6 +146,10 @@ public:
     /// number than the drive. False: action(Action::ImportConfiguration) says why not.
     [[nodiscard]] bool planImport(const std::shared_ptr<const TamConfiguration>& configuration,
         std::size_t station, bool acceptsOther);
+    /// The same question for a backup of a whole drive. acceptsOther: of one with another serial
+    /// number. False: action(Action::RestoreDrive) says why not.
+    [[nodiscard]] bool planRestoreDrive(
+        const std::shared_ptr<const DriveBackup>& backup, bool acceptsOther);
     /// Carries out multiAxisPlans(), axis by axis; multiAxisWritten() follows, outcome() says what
     /// each axis holds. acceptsLarge: as in write().
     void writeMultiAxis(bool acceptsLarge = false);
@@ -143,6 +164,10 @@ public:
     [[nodiscard]] const std::optional<Result<CompensationParameters>>& parameters() const;
     /// outcome() says what has become of the file.
     void reportExport(const QString& fileName, const Result<void>& saved);
+
+    /// Tables and sources of all axes of the current drive, to a file; outcome() says what has
+    /// become of it.
+    void backUpDrive(const QString& path);
 
     void cancel();
     [[nodiscard]] const BusyState& busy() const;
@@ -193,6 +218,11 @@ Q_SIGNALS:
 
 private:
     void updateUnits();
+    void watchSources();
+    /// Of the current axis's drive.
+    [[nodiscard]] std::vector<AxisInfo> axesOfDrive() const;
+    /// By which the selected table of the file is looked up; none of the file: nameless ones.
+    [[nodiscard]] Grid columnsOfPositions() const;
     void wireDrives();
     void wireAxis();
     void wireTables();

@@ -42,7 +42,7 @@ ColumnMappingTable::ColumnMappingTable(
 {
     setObjectName(QStringLiteral("columnAxes"));
     build();
-    const std::vector<AxisChoice> proposal = proposedAxes(m_file->tables, m_axes);
+    const std::vector<AxisChoice> proposal = proposedAxes(m_file->tables, infosOf(m_axes));
     for (std::size_t row = 0; row < proposal.size(); ++row)
         addRow(static_cast<int>(row), proposal[row]);
     askForRanges();

@@ -310,11 +310,13 @@ void ConnectionsDialog::startEditing(QTreeWidgetItem* item)
 
 void ConnectionsDialog::checkAddress()
 {
-    QString endpoint = m_address->text().trimmed();
+    QString endpoint = completedEndpoint(m_address->text());
     if (endpoint.isEmpty() || m_busy->isBusy())
         return;
     if (!m_edited.isEmpty() && endpoint == editableText(m_edited))
         endpoint = m_edited;
+    else
+        m_address->setText(endpoint); // as it is taken
     if (endpoint != m_edited && itemOf(endpoint)) {
         showNote(tr("This address is already in the list."), true);
         return;

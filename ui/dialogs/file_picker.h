@@ -19,6 +19,7 @@ struct FileQuestion {
         SaveLog,
         ExportTable,
         SaveConfiguration,
+        SaveBackup,
     } purpose = Purpose::OpenData;
     QString title;
     QString filter;

@@ -13,12 +13,6 @@
 
 namespace axiscomp::ui {
 
-namespace {
-
-enum SourcesEntry { KeepSources, PageSources };
-
-} // namespace
-
 MultiAxisDialog::MultiAxisDialog(WizardController& controller, QWidget* parent)
     : SeveralWritesDialog(controller, Action::WriteSeveral, parent)
     , m_columns(new ColumnMappingTable(controller.dataFile().data, axes()))
@@ -56,26 +50,43 @@ void MultiAxisDialog::retranslateChoices()
             .arg(QFileInfo(controller().dataFile().path).fileName(), driveName()));
     m_columns->retranslate();
     m_sourcesLabel->setText(tr("&Sources"));
-    m_sources->setItemText(KeepSources, tr("Each axis keeps its sources"));
     m_sources->setToolTip(tr("The registers that supply the positions for the tables"));
     m_sources->setAccessibleDescription(m_sources->toolTip());
-    if (m_sources->count() > PageSources)
-        m_sources->setItemText(PageSources,
-            tr("The same for all, as on the page: %1")
-                .arg(sourceLines(controller().sourcesForSeveral(), axes())
-                         .join(QStringLiteral(", "))));
+    for (int entry = 0; entry < m_sources->count(); ++entry)
+        m_sources->setItemText(
+            entry, sourcesText(m_sources->itemData(entry).value<SourcesForSeveral>()));
     m_persistency->setText(controller().setup().edited().persistency == Persistency::Persistent
             ? tr("Persistent, as on the page: all tables are stored in flash.")
             : tr("Volatile, as on the page: a reboot of the drive restores the stored state."));
 }
 
+QString MultiAxisDialog::sourcesText(SourcesForSeveral sources) const
+{
+    if (sources == SourcesForSeveral::Kept)
+        return tr("Each axis keeps its sources");
+    if (sources == SourcesForSeveral::OwnPosition)
+        return tr("Each axis its own position");
+    return tr("The same for all, as on the page: %1")
+        .arg(sourceLines(controller().sourcesForSeveral(), axes()).join(QStringLiteral(", ")));
+}
+
 void MultiAxisDialog::fillSources()
 {
-    m_sources->addItem(QString());
+    const auto add = [this](SourcesForSeveral sources) {
+        m_sources->addItem(QString(), QVariant::fromValue(sources));
+    };
+    add(SourcesForSeveral::Kept);
+    if (controller().dataFile().data->grid.dimensions() == 1)
+        add(SourcesForSeveral::OwnPosition);
     if (controller().sourcesForSeveral().empty())
         return;
-    m_sources->addItem(QString());
-    m_sources->setCurrentIndex(PageSources);
+    add(SourcesForSeveral::OfPage);
+    m_sources->setCurrentIndex(m_sources->count() - 1);
+}
+
+SourcesForSeveral MultiAxisDialog::sources() const
+{
+    return m_sources->currentData().value<SourcesForSeveral>();
 }
 
 std::vector<ColumnForAxis> MultiAxisDialog::chosen() const
@@ -91,12 +102,19 @@ std::vector<ColumnForAxis> MultiAxisDialog::chosen() const
 
 QString MultiAxisDialog::obstacle() const
 {
-    return assignmentObstacle(m_columns->choices(), axes());
+    if (QString found = assignmentObstacle(m_columns->choices(), axes()); !found.isEmpty())
+        return found;
+    for (const ColumnForAxis& column : chosen())
+        if (sources() == SourcesForSeveral::OwnPosition
+            && !controller().ownPosition(column.axis).isSet())
+            return tr("No register is known for the position of %1: select other sources.")
+                .arg(axisNameAmong(axes(), column.axis));
+    return {};
 }
 
 bool MultiAxisDialog::ask()
 {
-    return controller().planMultiAxis(chosen(), m_sources->currentIndex() == KeepSources);
+    return controller().planMultiAxis(chosen(), sources());
 }
 
 void MultiAxisDialog::setChoosable(bool isChoosable)

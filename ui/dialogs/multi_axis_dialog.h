@@ -26,6 +26,8 @@ protected:
 private:
     void build();
     void fillSources();
+    [[nodiscard]] QString sourcesText(SourcesForSeveral sources) const;
+    [[nodiscard]] SourcesForSeveral sources() const;
     [[nodiscard]] std::vector<ColumnForAxis> chosen() const;
 
     ColumnMappingTable* m_columns;

@@ -49,6 +49,8 @@ void FieldBinder::bind(FieldRow& row, SourceCombo& combo, int dimension,
 {
     connect(&combo, &SourceCombo::chosen, this,
         [this, dimension](const QString& entered) { Q_EMIT sourceEntered(dimension, entered); });
+    connect(
+        &combo, &SourceCombo::edited, this, [this, dimension] { Q_EMIT sourceEdited(dimension); });
     const auto index = static_cast<std::size_t>(dimension - 1);
     const auto show = [this, &combo, index, uri = std::move(uri), name] {
         const DimSource& source = m_model.edited().sources.at(index);

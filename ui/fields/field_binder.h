@@ -48,6 +48,7 @@ public:
 
 Q_SIGNALS:
     void sourceEntered(int dimension, const QString& text);
+    void sourceEdited(int dimension); ///< what was entered before is no longer there
 
 private:
     struct Binding {

@@ -59,6 +59,8 @@ FieldRow::FieldRow(QWidget* editor, QStyle* style, QWidget* parent)
     , m_noteLine(new QWidget(parent))
     , m_buttons(new QWidget(parent))
     , m_revert(new QToolButton)
+    , m_current(new PlainLabel)
+    , m_take(new QToolButton)
     , m_busy(new BusyMark)
 {
     editor->setParent(parent);
@@ -85,16 +87,26 @@ FieldRow::FieldRow(QWidget* editor, QStyle* style, QWidget* parent)
     keepsPlace.setRetainSizeWhenHidden(true);
     m_revert->setSizePolicy(keepsPlace);
     m_revert->setVisible(false);
+    m_current->setObjectName(objectNameOf(*editor, QLatin1StringView("Current")));
+    m_current->setFont(m_note->font());
+    m_current->hide();
+    m_take->setObjectName(objectNameOf(*editor, QLatin1StringView("Take")));
+    m_take->setFont(m_note->font());
+    m_take->setFocusPolicy(Qt::TabFocus);
+    m_take->hide();
     auto* line = new QHBoxLayout(m_noteLine);
     line->setContentsMargins(2, 0, 0, 4);
     line->setSpacing(4);
     line->addWidget(m_busy);
     line->addWidget(m_noteSymbol);
     line->addWidget(m_note, 1);
+    line->addWidget(m_take, 0, Qt::AlignTop);
+    line->addWidget(m_current, 0, Qt::AlignTop);
     auto* buttons = new QHBoxLayout(m_buttons);
     buttons->setContentsMargins(0, 0, 0, 0);
     buttons->addWidget(m_revert);
     connect(m_revert, &QToolButton::clicked, this, &FieldRow::revertRequested);
+    connect(m_take, &QToolButton::clicked, this, &FieldRow::proposalTaken);
     showState();
 }
 
@@ -105,6 +117,7 @@ void FieldRow::addTo(QGridLayout& grid, int firstRow)
     grid.addWidget(m_buttons, firstRow, 2);
     grid.addWidget(m_noteLine, firstRow + 1, 1, 1, 2);
     QWidget::setTabOrder(m_editor, m_revert);
+    QWidget::setTabOrder(m_revert, m_take);
 }
 
 QWidget& FieldRow::editor()
@@ -145,6 +158,7 @@ void FieldRow::setVisible(bool isVisible)
     m_noteLine->setVisible(isVisible);
     m_buttons->setVisible(isVisible);
     m_revert->setVisible(isVisible && m_isDirty && m_isRevertible);
+    showProposal();
 }
 
 bool FieldRow::isVisible() const
@@ -157,6 +171,7 @@ void FieldRow::setEnabled(bool isEnabled)
     m_label->setEnabled(isEnabled);
     m_editor->setEnabled(isEnabled);
     m_revert->setEnabled(isEnabled);
+    m_take->setEnabled(isEnabled);
 }
 
 void FieldRow::setDirty(bool isDirty, const QString& driveText)
@@ -190,6 +205,35 @@ void FieldRow::setInformation(const QString& text)
     showState();
 }
 
+void FieldRow::setWarning(const QString& sentence)
+{
+    if (m_warning == sentence)
+        return;
+    m_warning = sentence;
+    showState();
+}
+
+void FieldRow::setProposal(const QString& text)
+{
+    if (m_proposal == text)
+        return;
+    m_proposal = text;
+    showState();
+}
+
+void FieldRow::setCurrent(const QString& text, bool isLive)
+{
+    const QPalette& palette = m_editor->palette();
+    QPalette own = palette;
+    own.setColor(QPalette::WindowText,
+        isLive ? palette.color(QPalette::WindowText)
+               : palette.color(QPalette::Disabled, QPalette::WindowText));
+    m_current->setPalette(own);
+    m_current->setText(text);
+    m_current->setToolTip(text.isEmpty() || isLive ? QString() : tr("as last read"));
+    m_current->setVisible(!text.isEmpty());
+}
+
 void FieldRow::setWholeValue(const QString& text)
 {
     if (m_wholeValue == text)
@@ -215,30 +259,58 @@ QString FieldRow::changedText() const
     return tr("changed, on the drive: %1").arg(m_driveText);
 }
 
+Tone FieldRow::tone() const
+{
+    if (!m_problem.isEmpty())
+        return Tone::Error;
+    if (!m_warning.isEmpty())
+        return Tone::Warning;
+    return m_isDirty ? Tone::Changed : Tone::Information;
+}
+
+QString FieldRow::noteText() const
+{
+    if (!m_problem.isEmpty())
+        return m_problem;
+    QStringList lines;
+    if (!m_warning.isEmpty())
+        lines += m_warning;
+    if (m_isDirty)
+        lines += changedText();
+    if (!m_proposal.isEmpty())
+        lines += tr("proposed: %1").arg(m_proposal);
+    return lines.isEmpty() ? m_information : lines.join(u'\n');
+}
+
+void FieldRow::showProposal()
+{
+    m_take->setVisible(m_isVisible && !m_proposal.isEmpty() && m_problem.isEmpty());
+    m_take->setText(tr("Use", "what is proposed"));
+    m_take->setToolTip(tr("Use what is proposed: %1").arg(m_proposal));
+    m_take->setAccessibleName(
+        tr("Use what is proposed for %1").arg(withoutMnemonic(m_texts.label)));
+    m_take->setAccessibleDescription(m_proposal);
+}
+
 void FieldRow::showState()
 {
     const QPalette& palette = m_editor->palette();
-    Tone tone = Tone::Information;
     QColor color = mutedTextColor(palette);
-    QString text = m_information;
-    if (!m_problem.isEmpty()) {
-        tone = Tone::Error;
-        text = m_problem;
-    } else if (m_isDirty) {
-        tone = Tone::Changed;
-        text = changedText();
-    }
-    if (tone != Tone::Information) {
-        color = textColor(tone, palette);
-        const Symbol symbol = tone == Tone::Error ? Symbol::Error : Symbol::Edit;
+    const Tone shown = tone();
+    if (shown != Tone::Information) {
+        color = textColor(shown, palette);
+        const Symbol symbol = shown == Tone::Error ? Symbol::Error
+            : shown == Tone::Warning               ? Symbol::Warning
+                                                   : Symbol::Edit;
         m_noteSymbol->setPixmap(
             symbolPixmap(symbol, color, fieldSymbolSize, m_editor->devicePixelRatioF()));
     }
-    m_noteSymbol->setVisible(tone != Tone::Information);
+    m_noteSymbol->setVisible(shown != Tone::Information);
     QPalette notePalette = palette;
     notePalette.setColor(QPalette::WindowText, color);
     m_note->setPalette(notePalette);
-    m_note->setText(breakable(text));
+    m_note->setText(breakable(noteText()));
+    showProposal();
     m_revert->setVisible(m_isVisible && m_isDirty && m_isRevertible);
 
     QString toolTip =
@@ -250,8 +322,9 @@ void FieldRow::showState()
         description = changedText() + QStringLiteral(". ") + description;
         m_revert->setToolTip(tr("Revert to the drive's value: %1").arg(m_driveText));
     }
-    if (!m_problem.isEmpty())
-        description = m_problem + QStringLiteral(". ") + description;
+    for (const QString& sentence : {m_warning, m_problem})
+        if (!sentence.isEmpty())
+            description = sentence + QStringLiteral(". ") + description;
     m_editor->setToolTip(toolTip);
     if (m_editor->accessibleDescription() != description) {
         m_editor->setAccessibleDescription(description);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/style/contrast.h"
+
 #include <QObject>
 #include <QString>
 
@@ -22,8 +24,9 @@ struct FieldTexts {
 };
 
 /// One field of the page: its label, its editor, a button that puts the drive's value back, and a
-/// line below the editor that says what is wrong, that the value is changed, or what it means, in
-/// this order of importance. Says the same to screen readers.
+/// line below the editor that says what is wrong, what speaks against the value, that it is
+/// changed, or what it means, in this order of importance; beside it what is proposed. Says the
+/// same to screen readers.
 class FieldRow : public QObject {
     Q_OBJECT
 
@@ -50,6 +53,12 @@ public:
     [[nodiscard]] bool isDirty() const;
     void setProblem(const QString& sentence);
     void setInformation(const QString& text);
+    /// What speaks against the value that is chosen; it may be right all the same.
+    void setWarning(const QString& sentence);
+    /// A value that is offered, in words, with a button that takes it; empty: none.
+    void setProposal(const QString& text);
+    /// What the chosen value is at the moment, at the end of the line; greyed when it is not live.
+    void setCurrent(const QString& text, bool isLive);
     /// The value in full, for the tooltip of an editor that may be too narrow for it.
     void setWholeValue(const QString& text);
     void setBusy(bool isBusy);
@@ -58,12 +67,16 @@ public:
 
 Q_SIGNALS:
     void revertRequested();
+    void proposalTaken();
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     void showState();
+    void showProposal();
+    [[nodiscard]] QString noteText() const;
+    [[nodiscard]] Tone tone() const;
     void showContextMenu(const QPoint& position);
     [[nodiscard]] QString changedText() const;
 
@@ -74,10 +87,14 @@ private:
     QWidget* m_noteLine;
     QWidget* m_buttons;
     QToolButton* m_revert;
+    QLabel* m_current;
+    QToolButton* m_take;
     BusyMark* m_busy;
     FieldTexts m_texts;
     QString m_driveText;
     QString m_problem;
+    QString m_warning;
+    QString m_proposal;
     QString m_information;
     QString m_wholeValue;
     bool m_isDirty = false;

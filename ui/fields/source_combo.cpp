@@ -127,7 +127,10 @@ SourceCombo::SourceCombo(QWidget* parent) : QComboBox(parent)
     completer()->setCompletionMode(QCompleter::PopupCompletion);
     completer()->setFilterMode(Qt::MatchContains);
     completer()->setCaseSensitivity(Qt::CaseInsensitive);
-    connect(lineEdit(), &QLineEdit::textEdited, this, [this] { m_isTyping = true; });
+    connect(lineEdit(), &QLineEdit::textEdited, this, [this] {
+        m_isTyping = true;
+        Q_EMIT edited();
+    });
     connect(lineEdit(), &QLineEdit::returnPressed, this, &SourceCombo::finish);
     connect(this, &QComboBox::textActivated, this, [this] {
         m_isTyping = true;

@@ -37,6 +37,7 @@ public:
 
 Q_SIGNALS:
     void chosen(const QString& text);
+    void edited(); ///< typing has begun or goes on
 
 protected:
     void keyPressEvent(QKeyEvent* event) override;

@@ -14,6 +14,9 @@ const QHash<QString, GuidePlace>& placesByName()
     const QString choose = QStringLiteral("3. Choose");
     const QString write = QStringLiteral("4. Write");
     const QString activate = QStringLiteral("5. Activate, and see the proof");
+    const GuidePlace formats{
+        QStringLiteral("Files of other controllers, and uneven measurements"), {}};
+    const GuidePlace configurations{QStringLiteral("Parameters of a TAM configuration"), {}};
     const GuidePlace sources{choose, QStringLiteral("Dim1..3 Source")};
     const GuidePlace data{choose, QStringLiteral("Compensation data")};
     static const QHash<QString, GuidePlace> places{
@@ -40,6 +43,16 @@ const QHash<QString, GuidePlace>& placesByName()
         {QStringLiteral("deactivateButton"), {activate, {}}},
         {QStringLiteral("actionPanel"),
             {QStringLiteral("What the line under the buttons says"), {}}},
+        {QStringLiteral("connectionsDialog"), {connect, {}}},
+        {QStringLiteral("findDrivesDialog"), {connect, {}}},
+        {QStringLiteral("certificateDialog"), {connect, {}}},
+        {QStringLiteral("importDialog"), formats},
+        {QStringLiteral("exportDialog"), formats},
+        {QStringLiteral("multiAxisDialog"), {QStringLiteral("Several axes from one file"), {}}},
+        {QStringLiteral("importConfigurationDialog"), configurations},
+        {QStringLiteral("exportConfigurationDialog"), configurations},
+        {QStringLiteral("backupDialog"), {QStringLiteral("Backups"), {}}},
+        {QStringLiteral("restoreDriveDialog"), {QStringLiteral("Backups"), {}}},
         {QStringLiteral("logView"), {QStringLiteral("What to do when ..."), {}}},
     };
     return places;

@@ -12,6 +12,7 @@
 #include "ui/dialogs/import_configuration_dialog.h"
 #include "ui/dialogs/import_dialog.h"
 #include "ui/fields/data_file_field.h"
+#include "ui/history/restore_drive_dialog.h"
 #include "ui/text/message_text.h"
 
 #include <QDateTime>
@@ -211,6 +212,49 @@ void FileActions::saveConfiguration(const QString& path, const QString& original
         });
     whenDone(saved, this, [this, name = QFileInfo(path).fileName()](const Result<void>& result) {
         m_controller.reportExport(name, result);
+    });
+}
+
+void FileActions::backUpDrive()
+{
+    const auto& status = m_controller.status();
+    if (!status)
+        return;
+    FileQuestion question;
+    question.purpose = FileQuestion::Purpose::SaveBackup;
+    question.title = tr("Back Up Whole Drive");
+    question.filter = tr("Backups (*.json)");
+    QString name = QString::fromStdString(status->drive.name);
+    static const QRegularExpression notForNames(QStringLiteral("[^\\w.-]+"));
+    name.replace(notForNames, QStringLiteral("-"));
+    question.start =
+        QDir(m_settings.folder())
+            .filePath(
+                QStringLiteral("%1-%2-%3.json")
+                    .arg(name)
+                    .arg(status->drive.serialNumber)
+                    .arg(QDateTime::currentDateTime().toString(QStringLiteral("yyyyMMdd-HHmmss"))));
+    m_picker(m_window, question, [this](const QString& path) {
+        if (!path.isEmpty())
+            m_controller.backUpDrive(path);
+    });
+}
+
+void FileActions::restoreDrive()
+{
+    FileQuestion question;
+    question.purpose = FileQuestion::Purpose::OpenBackup;
+    question.title = tr("Restore Whole Drive");
+    question.filter = tr("Backups (*.json)");
+    question.start = m_settings.folder();
+    m_picker(m_window, question, [this](const QString& path) {
+        const ActionState state = m_controller.action(Action::RestoreDrive);
+        if (path.isEmpty())
+            return;
+        if (state.isEnabled)
+            (new RestoreDriveDialog(m_controller, path, &m_window))->open();
+        else
+            Q_EMIT failed(state.reason);
     });
 }
 

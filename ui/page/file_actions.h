@@ -50,6 +50,10 @@ public:
     void importConfiguration();
     /// Those of the current drive to a TAM configuration.
     void exportConfiguration();
+    /// All axes of the current drive, which there must be, to a file.
+    void backUpDrive();
+    /// Such a file to the current drive.
+    void restoreDrive();
     void saveExample(int dimensionality);
     void saveLog(const QString& text);
 

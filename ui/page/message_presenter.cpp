@@ -6,6 +6,8 @@
 
 #include <QFileInfo>
 
+#include <algorithm>
+
 namespace axiscomp::ui {
 
 namespace {
@@ -16,6 +18,7 @@ const QLatin1StringView demoId("demoMessage");
 const QLatin1StringView failureId("failureMessage");
 const QLatin1StringView connectionId("connectionMessage");
 const QLatin1StringView unfinishedId("unfinishedMessage");
+const QLatin1StringView unreachableId("unreachableMessage");
 
 /// The drive that the page is about, when it cannot be reached.
 const DriveState* lostDrive(const WizardController& controller)
@@ -44,6 +47,8 @@ MessagePresenter::MessagePresenter(
     connect(&controller, &WizardController::drivesChanged, this, &MessagePresenter::showConnection);
     connect(&controller, &WizardController::currentAxisChanged, this,
         &MessagePresenter::showConnection);
+    for (const auto changed : {&WizardController::drivesChanged, &WizardController::axesChanged})
+        connect(&controller, changed, this, &MessagePresenter::followUnreachable);
     for (const auto changed : {&WizardController::statusChanged, &WizardController::actionsChanged,
              &WizardController::busyChanged, &WizardController::currentAxisChanged})
         connect(&controller, changed, this, &MessagePresenter::showUnfinishedWrite);
@@ -79,6 +84,7 @@ void MessagePresenter::retranslate()
     showUnfinishedWrite();
     showFileChange();
     showConnection();
+    followUnreachable();
 }
 
 void MessagePresenter::showConnection()
@@ -99,6 +105,62 @@ void MessagePresenter::showConnection()
             [this, certificate = *drive->certificate] {
                 Q_EMIT certificateRequested(certificate);
             }}};
+    if (m_messages.text(message.id) != message.text)
+        m_messages.show(message);
+}
+
+void MessagePresenter::showUnreachable(const QString& endpoint)
+{
+    const auto drive = std::ranges::find(m_controller.drives(), endpoint, &DriveState::endpoint);
+    if (drive == m_controller.drives().end())
+        return;
+    m_unreachable = endpoint;
+    sayUnreachable(*drive);
+}
+
+void MessagePresenter::forgetUnreachable()
+{
+    m_unreachable.clear();
+    m_messages.remove(unreachableId);
+}
+
+void MessagePresenter::followUnreachable()
+{
+    if (!m_messages.contains(unreachableId)) // put away
+        m_unreachable.clear();
+    if (m_unreachable.isEmpty())
+        return;
+    const QString endpoint = m_unreachable;
+    const auto drive = std::ranges::find(m_controller.drives(), endpoint, &DriveState::endpoint);
+    const bool isUsable = std::ranges::any_of(m_controller.axes(),
+        [&](const AxisEntry& entry) { return entry.endpoint == endpoint && entry.isUsable; });
+    if (!isUsable && drive != m_controller.drives().end())
+        return sayUnreachable(*drive);
+    forgetUnreachable();
+    if (isUsable)
+        Q_EMIT driveAnswered(endpoint);
+}
+
+void MessagePresenter::sayUnreachable(const DriveState& drive)
+{
+    const QString name = drive.name.isEmpty() ? drive.endpoint : drive.name;
+    Message message;
+    message.id = unreachableId;
+    message.tone = Tone::Error;
+    if (drive.connection == DriveState::Connection::Connecting) {
+        message.tone = Tone::Information;
+        message.text = tr("%1 is being asked …").arg(name);
+    } else if (drive.connection == DriveState::Connection::Connected) {
+        message.text = tr("%1 has no axis with compensation registers.").arg(name);
+    } else {
+        message.text = tr("%1 does not answer. %2", "drive, reason").arg(name, drive.problem);
+    }
+    if (drive.connection != DriveState::Connection::Connecting)
+        message.buttons = {
+            {QStringLiteral("tryAgainButton"), tr("Tr&y Again"), [this, endpoint = drive.endpoint] {
+                 m_controller.tryDrive(endpoint);
+                 showUnreachable(endpoint);
+             }}};
     if (m_messages.text(message.id) != message.text)
         m_messages.show(message);
 }

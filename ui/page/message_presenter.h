@@ -7,6 +7,7 @@ namespace axiscomp::ui {
 
 class MessageStack;
 class WizardController;
+struct DriveState;
 struct RejectedCertificate;
 
 /// What the page tells on its own: how an operation ended, that the open file has changed, that the
@@ -24,13 +25,19 @@ public:
     void retranslate();
     /// The drive of the page cannot be reached: also after this was put away.
     void showConnection();
+    /// The user wants this drive, which cannot be used now: why, by its name, until it answers.
+    void showUnreachable(const QString& endpoint);
+    void forgetUnreachable();
 
 Q_SIGNALS:
+    void driveAnswered(const QString& endpoint); ///< that was not reachable
     void connectionsRequested();
     void certificateRequested(const axiscomp::ui::RejectedCertificate& certificate);
 
 private:
     void showOutcome();
+    void followUnreachable();
+    void sayUnreachable(const DriveState& drive);
     void showFileChange();
     void showUnfinishedWrite();
     void putUnfinishedWriteAway();
@@ -38,6 +45,7 @@ private:
     WizardController& m_controller;
     MessageStack& m_messages;
     QString m_putAway; ///< what the user wants to decide later
+    QString m_unreachable; ///< the address of the drive that the user wants; empty: none
     QString m_offered; ///< the offer that is shown, with its reasons
 };
 

@@ -20,6 +20,8 @@ PageMenu::PageMenu(QWidget* parent)
     , m_writeSeveral(addAction(QString()))
     , m_importConfiguration(addAction(QString()))
     , m_exportConfiguration(addAction(QString()))
+    , m_backUpDrive(addAction(QString()))
+    , m_restoreDrive(addAction(QString()))
     , m_preview(addAction(QString()))
     , m_export(addAction(symbolIcon(Symbol::Save), QString()))
     , m_saveLog(addAction(symbolIcon(Symbol::Save), QString()))
@@ -37,6 +39,8 @@ PageMenu::PageMenu(QWidget* parent)
     m_writeSeveral->setObjectName(QStringLiteral("writeSeveralAction"));
     m_importConfiguration->setObjectName(QStringLiteral("importConfigurationAction"));
     m_exportConfiguration->setObjectName(QStringLiteral("exportConfigurationAction"));
+    m_backUpDrive->setObjectName(QStringLiteral("backUpDriveAction"));
+    m_restoreDrive->setObjectName(QStringLiteral("restoreDriveAction"));
     m_preview->setObjectName(QStringLiteral("previewVolatileAction"));
     m_preview->setCheckable(true);
     m_preview->setChecked(true);
@@ -118,7 +122,9 @@ QAction* PageMenu::entryOf(Action action) const
 {
     return action == Action::WriteSeveral       ? m_writeSeveral
         : action == Action::ImportConfiguration ? m_importConfiguration
-                                                : m_exportConfiguration;
+        : action == Action::ExportConfiguration ? m_exportConfiguration
+        : action == Action::BackUpDrive         ? m_backUpDrive
+                                                : m_restoreDrive;
 }
 
 void PageMenu::showAction(Action action, const ActionState& state)
@@ -135,6 +141,8 @@ void PageMenu::retranslate()
     m_writeSeveral->setText(tr("&Write Several Axes…"));
     m_importConfiguration->setText(tr("&Import TAM Configuration…"));
     m_exportConfiguration->setText(tr("Export to &TAM Configuration…"));
+    m_backUpDrive->setText(tr("Ba&ck Up Whole Drive…"));
+    m_restoreDrive->setText(tr("Restore Whole &Drive…"));
     m_preview->setText(tr("Show &Preview Before Volatile Writes"));
     m_preview->setToolTip(tr("Persistent writes always show the preview"));
     m_export->setText(tr("&Export for Another Controller…"));

@@ -19,8 +19,8 @@ class PageMenu : public QMenu {
 
 public:
     /// Those entries that a drive is needed for.
-    static constexpr std::array drivenActions{
-        Action::WriteSeveral, Action::ImportConfiguration, Action::ExportConfiguration};
+    static constexpr std::array drivenActions{Action::WriteSeveral, Action::ImportConfiguration,
+        Action::ExportConfiguration, Action::BackUpDrive, Action::RestoreDrive};
 
     explicit PageMenu(QWidget* parent = nullptr);
 
@@ -59,6 +59,8 @@ private:
     QAction* m_writeSeveral;
     QAction* m_importConfiguration;
     QAction* m_exportConfiguration;
+    QAction* m_backUpDrive;
+    QAction* m_restoreDrive;
     QAction* m_preview;
     QAction* m_export;
     QAction* m_saveLog;

@@ -131,6 +131,11 @@ void SetupPanel::connectController()
             Q_EMIT axisChosen(index);
     });
     connect(m_binder, &FieldBinder::sourceEntered, &m_controller, &WizardController::chooseSource);
+    connect(m_binder, &FieldBinder::sourceEdited, &m_controller,
+        &WizardController::forgetSourceProblem);
+    for (int dimension = 1; dimension <= 3; ++dimension)
+        connect(m_sourceRows[static_cast<std::size_t>(dimension - 1)], &FieldRow::proposalTaken,
+            this, [this, dimension] { takeProposal(dimension); });
     connect(&m_controller, &WizardController::axesChanged, this, &SetupPanel::showAxes);
     connect(&m_controller, &WizardController::currentAxisChanged, this, &SetupPanel::showAxes);
     connect(&m_controller, &WizardController::currentAxisChanged, this, &SetupPanel::showSources);
@@ -142,6 +147,9 @@ void SetupPanel::connectController()
     connect(&m_controller, &WizardController::sourceChecked, this, &SetupPanel::showSource);
     connect(&m_controller, &WizardController::dataFileChanged, this, &SetupPanel::showData);
     connect(&m_controller, &WizardController::selectedTableChanged, this, &SetupPanel::showTables);
+    connect(&m_controller, &WizardController::selectedTableChanged, this,
+        &SetupPanel::showSourceAdvice);
+    connect(&m_controller, &WizardController::drivesChanged, this, &SetupPanel::showSourceValues);
     connect(&m_controller, &WizardController::actionsChanged, this, &SetupPanel::showAvailability);
     connect(&m_controller.setup(), &SetupModel::fieldChanged, this, [this](Field field) {
         if (field == Field::Dimensionality)
@@ -149,8 +157,18 @@ void SetupPanel::connectController()
         if (field == Field::Table)
             showTableState();
         showPersistency();
+        showSourceAdvice();
         showSourceValues();
     });
+}
+
+void SetupPanel::takeProposal(int dimension)
+{
+    const DimSource proposed = m_controller.proposedSource(dimension);
+    if (!proposed.isSet())
+        return;
+    m_controller.chooseSource(dimension, QString::fromStdString(requestedSource(proposed)));
+    m_sources[static_cast<std::size_t>(dimension - 1)]->setFocus();
 }
 
 DataFileField& SetupPanel::dataField()

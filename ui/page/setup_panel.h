@@ -52,7 +52,9 @@ private:
     void showAxisState();
     void showSources();
     void showSource(int dimension);
+    void showSourceAdvice();
     void showSourceValues();
+    void takeProposal(int dimension);
     void showDimensions();
     void showTables();
     void showTableState();

@@ -144,21 +144,33 @@ void SetupPanel::showSource(int dimension)
         m_sources[index]->refuse();
     else if (!isBeingChecked)
         m_binder->refresh(sourceField(dimension));
+    showSourceAdvice();
     showSourceValues();
+}
+
+/// What the open file proposes for the sources, and what it speaks against.
+void SetupPanel::showSourceAdvice()
+{
+    for (int dimension = 1; dimension <= 3; ++dimension) {
+        FieldRow* row = m_sourceRows[static_cast<std::size_t>(dimension - 1)];
+        const DimSource proposed = m_controller.proposedSource(dimension);
+        row->setProposal(proposed.isSet() ? sourceName(proposed) : QString());
+        row->setWarning(m_controller.sourceDoubt(dimension));
+    }
 }
 
 void SetupPanel::showSourceValues()
 {
-    const auto& status = m_controller.status();
     const SetupModel& setup = m_controller.setup();
+    const bool isLive = m_controller.isConnected();
     for (std::size_t n = 0; n < m_sources.size(); ++n) {
         const DimSource& source = setup.edited().sources[n];
-        const bool isOnDrive = status && source == status->setup.sources[n];
-        QString text = tr("select or type a register");
-        if (source.isSet())
-            text = isOnDrive ? tr("now %1", "value").arg(numberText(status->sourceValues[n]))
-                             : QString();
-        m_sourceRows[n]->setInformation(text);
+        const auto value = m_controller.sourceValue(static_cast<int>(n) + 1);
+        m_sourceRows[n]->setInformation(
+            source.isSet() ? QString() : tr("select or type a register"));
+        m_sourceRows[n]->setCurrent(
+            value && source.isSet() ? tr("now %1", "value").arg(numberText(*value)) : QString(),
+            isLive);
         m_sourceRows[n]->setWholeValue(source.isSet() ? sourceUriText(source) : QString());
     }
 }
@@ -205,7 +217,10 @@ void SetupPanel::showTableState()
     const auto& status = m_controller.status();
     const bool hasTable = status && status->table;
     if (m_controller.setup().edited().table.fileTable)
-        m_tableRow->setInformation(tr("from %1").arg(QFileInfo(file.path).fileName()));
+        m_tableRow->setInformation(
+            (m_controller.setup().isDirty(Field::Table) ? tr("from %1")
+                                                        : tr("from %1; the drive has it already"))
+                .arg(QFileInfo(file.path).fileName()));
     else
         m_tableRow->setInformation(
             hasTable ? gridText(status->table->grid) : tr("open a file to get a table"));

@@ -126,7 +126,7 @@ void StateField::takeAxis()
 
 void StateField::takeLive()
 {
-    if (const auto& status = m_controller.status(); status && isConnected()) {
+    if (const auto& status = m_controller.status(); status && m_controller.isConnected()) {
         m_read = QDateTime::currentDateTime();
         if (m_known != status->axis.state) {
             m_wasSeenToBegin = m_known.has_value();
@@ -135,18 +135,6 @@ void StateField::takeLive()
         }
     }
     display();
-}
-
-/// What was read before the connection was lost says nothing about now.
-bool StateField::isConnected() const
-{
-    const int axis = m_controller.currentAxis();
-    if (axis < 0)
-        return false;
-    const QString& endpoint = m_controller.axes().at(static_cast<std::size_t>(axis)).endpoint;
-    return std::ranges::any_of(m_controller.drives(), [&](const DriveState& drive) {
-        return drive.endpoint == endpoint && drive.connection == DriveState::Connection::Connected;
-    });
 }
 
 QString StateField::sinceText() const
@@ -191,7 +179,7 @@ QString StateField::detailText() const
 void StateField::display()
 {
     const auto& status = m_controller.status();
-    const bool isLive = status && isConnected();
+    const bool isLive = status && m_controller.isConnected();
     setVisible(m_controller.currentAxis() >= 0);
     m_tone = isLive ? toneOf(*status) : Tone::Error;
     m_state->setText(isLive ? stateWord(status->axis) : tr("NOT CONNECTED"));

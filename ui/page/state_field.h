@@ -34,7 +34,6 @@ private:
     void takeLive();
     void display();
     void showFont();
-    [[nodiscard]] bool isConnected() const;
     [[nodiscard]] QString sinceText() const;
     [[nodiscard]] QString tableText() const;
     [[nodiscard]] QString proofText() const;

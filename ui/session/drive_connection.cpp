@@ -62,6 +62,16 @@ void DriveConnection::explore()
         [this](const Result<DriveFindings>& findings) { take(findings); });
 }
 
+void DriveConnection::tryAgain()
+{
+    if (m_state.connection == Connection::Lost) {
+        m_problem.reset();
+        m_state.connection = Connection::Connecting;
+        Q_EMIT stateChanged();
+    }
+    explore();
+}
+
 void DriveConnection::take(const Result<DriveFindings>& findings)
 {
     m_isExploring = false;

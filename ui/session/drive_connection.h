@@ -39,6 +39,8 @@ public:
 
     /// Looks at once, also when it is not yet time to try again.
     void explore();
+    /// The user wants to know whether it answers now: a lost drive counts as being looked for.
+    void tryAgain();
     /// Something else has found out that the drive does not answer.
     void lose(const Error& error);
     /// Stops everything and deletes the connection when its session has ended; nothing waits for

@@ -46,21 +46,21 @@ void LiveMonitor::readNow()
         return;
     m_underWay = ++m_lastNumber;
     m_stop = std::stop_source();
-    const auto read = [axis = m_axis](
+    const auto read = [axis = m_axis, registers = m_registers](
                           AxisCompensator& compensator, const OperationOptions& options) {
         OperationOptions quiet = options;
         quiet.progress = {};
-        return compensator.status(axis, quiet);
+        return compensator.watch(axis, registers, quiet);
     };
-    whenDone(m_connection->session().run<AxisStatus>(read, m_stop.get_token()), this,
-        [this, number = m_underWay](const Result<AxisStatus>& status) {
+    whenDone(m_connection->session().run<WatchedStatus>(read, m_stop.get_token()), this,
+        [this, number = m_underWay](const Result<WatchedStatus>& now) {
             if (number != m_underWay)
                 return;
             m_underWay = 0;
-            if (status)
-                Q_EMIT this->read(*status);
+            if (now)
+                Q_EMIT this->read(*now);
             else
-                Q_EMIT failed(status.error());
+                Q_EMIT failed(now.error());
         });
 }
 

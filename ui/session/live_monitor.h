@@ -8,6 +8,9 @@
 #include <QTimer>
 
 #include <stop_token>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace axiscomp::ui {
 
@@ -22,13 +25,15 @@ public:
 
     /// Null: nothing.
     void watch(DriveConnection* connection, int axis);
+    /// Registers that are read with the status of the axis.
+    void alsoRead(std::vector<std::string> registers) { m_registers = std::move(registers); }
     /// Stops the request that is under way, so that an operation need not wait for it.
     void pause();
     void resume();
     void readNow();
 
 Q_SIGNALS:
-    void read(const axiscomp::AxisStatus& status);
+    void read(const axiscomp::WatchedStatus& now);
     void failed(const axiscomp::Error& error);
 
 private:
@@ -36,6 +41,7 @@ private:
 
     QPointer<DriveConnection> m_connection;
     int m_axis = 0;
+    std::vector<std::string> m_registers;
     bool m_isPaused = false;
     int m_underWay = 0; ///< number of the request whose answer is waited for; 0: none
     int m_lastNumber = 0;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/text/endpoint_text.h"
 
+#include <QRegularExpression>
+
 namespace axiscomp::ui {
 
 QString shownEndpoint(const QString& endpoint)
@@ -16,6 +18,18 @@ QString shownEndpoint(const QString& endpoint)
     if (at < begin)
         return text;
     return text.left(begin) + text.mid(at + 1);
+}
+
+QString completedEndpoint(const QString& typed)
+{
+    // user:password@ may be before it; a host is a name, an IPv4 address, or an IPv6 one in
+    // brackets.
+    static const QRegularExpression host(QStringLiteral(
+        "\\A(?:[^/?#\\s]*@)?(?:\\[[0-9A-Fa-f:.]+\\]|[A-Za-z0-9][A-Za-z0-9._-]*)(?::[0-9]+)?/?\\z"));
+    const QString text = typed.trimmed();
+    if (text == QStringLiteral("demo") || !host.match(text).hasMatch())
+        return text;
+    return QStringLiteral("http://") + text;
 }
 
 bool isDemoEndpoint(const QString& endpoint)

@@ -18,6 +18,7 @@ struct BackupOptions {
     DriveOptions drive;
     std::string file;
     bool force = false;
+    bool isDryRun = false;
 };
 
 std::size_t fileCount(const DriveBackup& backup)
@@ -47,12 +48,41 @@ Result<ExitCode> runBackup(Environment& environment, const BackupOptions& option
         });
 }
 
+/// What will be written, axis by axis, before any of it is. The documents of the plans.
+Result<Json> showPlans(
+    Environment& environment, CommandSession& session, const DriveBackup& backup, bool force)
+{
+    AXISCOMP_TRY(
+        const auto plans, session.compensator().planRestore(backup, force, session.operation()));
+    AXISCOMP_TRY(const auto axes, session.compensator().axes(session.operation()));
+    environment.console().clearProgress();
+    Json documents = Json::array();
+    for (const WritePlan& plan : plans) {
+        documents.push_back(toJson(plan));
+        if (plan.changes.empty())
+            continue;
+        environment.print((documents.size() > 1 ? "\n" : "")
+            + planText(plan, axes.at(static_cast<std::size_t>(plan.axis))));
+        for (const Text& warning : plan.warnings)
+            environment.warn(warning.english());
+    }
+    return documents;
+}
+
 Result<ExitCode> runRestore(Environment& environment, const BackupOptions& options)
 {
     AXISCOMP_TRY(const auto bytes, loadFile(options.file, maximumBackupSize));
     AXISCOMP_TRY(const auto backup, readBackup(asText(bytes), options.file));
     return withDrive(
         environment, options.drive, [&](Environment&, CommandSession& session) -> Result<ExitCode> {
+            AXISCOMP_TRY(auto plans, showPlans(environment, session, backup, options.force));
+            if (options.isDryRun) {
+                environment.print("\nNothing was written (--dry-run).\n");
+                environment.document(
+                    {{"input", options.file}, {"plans", std::move(plans)}, {"writes", nullptr}});
+                return ExitCode::Done;
+            }
+            environment.print("\n");
             const WriteInterruption interruption(environment);
             const auto reports =
                 session.compensator().restore(backup, options.force, session.operation());
@@ -67,7 +97,8 @@ Result<ExitCode> runRestore(Environment& environment, const BackupOptions& optio
             }
             if (reports->empty())
                 environment.print("The drive already has all of this; nothing was written.\n");
-            environment.document({{"input", options.file}, {"writes", std::move(list)}});
+            environment.document({{"input", options.file}, {"plans", std::move(plans)},
+                {"writes", std::move(list)}});
             return ExitCode::Done;
         });
 }
@@ -79,7 +110,7 @@ void addBackupCommands(CommandLine& line)
     auto saving = std::make_shared<BackupOptions>();
     saving->drive.command = commandName("backup");
     CLI::App* backup = line.add("backup", driveCommands,
-        "Save everything that this program can change on a drive to one file",
+        "Save everything that this program can change on a whole drive, all axes, to one file",
         [saving](Environment& environment) { return runBackup(environment, *saving); });
     addDriveOptions(*backup, saving->drive);
     backup
@@ -90,12 +121,15 @@ void addBackupCommands(CommandLine& line)
     auto restoring = std::make_shared<BackupOptions>();
     restoring->drive.command = commandName("restore");
     CLI::App* restore = line.add("restore", driveCommands,
-        "Restore a drive from a backup file, with verified writes",
+        "Restore a whole drive from a backup file, with verified writes; all of them are planned "
+        "first",
         [restoring](Environment& environment) { return runRestore(environment, *restoring); });
     restore->add_option("FILE", restoring->file, "File that `axiscomp backup` wrote")->required();
     addDriveOptions(*restore, restoring->drive);
     restore->add_flag("--force", restoring->force,
         "Restore to a drive with another serial number, such as a replacement");
+    restore->add_flag(
+        "--dry-run", restoring->isDryRun, "Show what would be written without writing it");
 }
 
 } // namespace axiscomp::app

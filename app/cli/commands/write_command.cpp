@@ -5,6 +5,7 @@
 #include "app/cli/session/write_run.h"
 #include "app/common/arguments.h"
 #include "app/common/number_text.h"
+#include "core/axis/proposals.h"
 #include "core/compensator/multi_axis_write.h"
 #include "core/drive/axis_target.h"
 
@@ -21,7 +22,8 @@ struct WriteOptions {
     ConversionOptions conversion;
     std::array<std::string, 3> sources;
     std::string slot;
-    std::vector<std::string> map; ///< COLUMN=AXIS
+    std::vector<std::string> map; ///< COLUMN=AXIS, or AXIS for the column that is called so
+    bool usesOwnPosition = false; ///< as the source, of each axis
     std::string valueUnit; ///< in place of what the file says; "drive": the drive's own
     std::string positionUnit;
     bool persistent = false;
@@ -119,6 +121,68 @@ Result<void> finishTable(Environment& environment, const WriteOptions& options,
         environment, options, input, pending, axisTarget(session.profile(), axis, sources));
 }
 
+/// The position of the axis itself. Errors: InvalidArgument where no register is known for it.
+Result<void> takeOwnPosition(
+    CommandSession& session, const WriteOptions& options, WriteRequest& request, int axis)
+{
+    if (!options.usesOwnPosition)
+        return {};
+    if (request.dimensionality != 1)
+        return wrongUsage("--own-position is for tables of one dimension, and this one has "
+                + std::to_string(request.dimensionality),
+            options.drive.command);
+    AXISCOMP_TRY(const auto shortlist, session.compensator().sourceShortlist(session.operation()));
+    const DimSource source = positionSource({session.profile(), shortlist, {}}, axis);
+    if (!source.isSet())
+        return wrongUsage("no register is known for the position of axis " + std::to_string(axis)
+                + ": give --source1",
+            options.drive.command);
+    request.sources = {source.path};
+    return {};
+}
+
+/// What the columns of positions propose for sources that neither the user nor the drive names.
+void proposeSources(
+    Environment& environment, CommandSession& session, const WriteRequest& request, int axis)
+{
+    if (!request.table)
+        return;
+    const auto shortlist = session.compensator().sourceShortlist(session.operation());
+    const auto axes = session.compensator().axes(session.operation());
+    if (!shortlist || !axes)
+        return;
+    std::string proposal;
+    const auto sources =
+        proposedSources({session.profile(), *shortlist, *axes}, axis, request.table->grid);
+    for (std::size_t n = 0; n < sources.size(); ++n)
+        if (sources[n].isSet())
+            proposal += " --source" + std::to_string(n + 1) + " '" + sources[n].path + "'";
+    if (!proposal.empty())
+        environment.console().note("note: the file proposes" + proposal);
+}
+
+/// The column that is called as an axis, by its number. Errors: InvalidArgument.
+Result<std::string> columnCalled(
+    const TableInput& input, const std::string& axis, const WriteOptions& options)
+{
+    std::vector<CompensationTable> tables;
+    if (input.data) {
+        tables = input.data->tables;
+    } else {
+        for (const NeutralTable& column : neutralColumns(input)) {
+            tables.emplace_back();
+            tables.back().name = column.columns.front().name;
+        }
+    }
+    AxisInfo called;
+    called.name = axis;
+    const auto found = proposedTable(tables, std::span(&called, 1), called.index);
+    if (!found)
+        return wrongUsage(
+            "no column is named as axis " + axis + ": give COLUMN=AXIS", options.drive.command);
+    return std::to_string(*found + 1);
+}
+
 /// What one --map asks for: an axis as the user names it, and what it shall have.
 struct MappedColumn {
     std::string axis;
@@ -131,11 +195,16 @@ Result<std::vector<MappedColumn>> mappedColumns(Environment& environment,
     std::vector<MappedColumn> columns;
     for (const std::string& pair : options.map) {
         const std::size_t equals = pair.rfind('=');
-        if (equals == std::string::npos || equals == 0 || equals + 1 == pair.size())
+        if (pair.empty() || equals == 0 || equals + 1 == pair.size())
             return wrongUsage("\"" + pair + "\" is no COLUMN=AXIS", options.drive.command);
-        inputOptions.table = pair.substr(0, equals);
+        const std::string axis = equals == std::string::npos ? pair : pair.substr(equals + 1);
+        if (equals == std::string::npos) {
+            AXISCOMP_TRY(inputOptions.table, columnCalled(input, axis, options));
+        } else {
+            inputOptions.table = pair.substr(0, equals);
+        }
         AXISCOMP_TRY(auto request, requestWithoutTable(options));
-        MappedColumn column{pair.substr(equals + 1), {std::move(request), inputOptions}};
+        MappedColumn column{axis, {std::move(request), inputOptions}};
         AXISCOMP_CHECK(beginTable(environment, options, input, column.pending));
         columns.push_back(std::move(column));
     }
@@ -150,14 +219,19 @@ Result<ExitCode> writeMapped(Environment& environment, CommandSession& session,
     for (MappedColumn& column : columns) {
         AXISCOMP_TRY(
             const auto axis, session.compensator().findAxis(column.axis, session.operation()));
+        AXISCOMP_CHECK(takeOwnPosition(session, options, column.pending.request, axis));
         AXISCOMP_CHECK(finishTable(environment, options, input, column.pending, session, axis));
         writes.push_back({axis, column.pending.request});
     }
     std::vector<std::string> names;
     for (const MappedColumn& column : columns)
         names.push_back(column.axis);
-    AXISCOMP_TRY(
-        auto documents, writeSeveral(environment, session, writes, names, options.isDryRun));
+    auto written = writeSeveral(environment, session, writes, names, options.isDryRun);
+    if (!written && written.error().code == ErrorCode::SourceMissing)
+        for (const AxisWrite& write : writes)
+            if (written.error().context.integer("ofAxis") == write.axis)
+                proposeSources(environment, session, write.request, write.axis);
+    AXISCOMP_TRY(auto documents, std::move(written));
     environment.document({{"writes", std::move(documents)}});
     return ExitCode::Done;
 }
@@ -186,7 +260,7 @@ Result<ExitCode> runWriteCommand(Environment& environment, const WriteOptions& o
     if (!options.input.file.empty()) {
         AXISCOMP_TRY(input, readData(environment, options, pending.inputOptions));
         AXISCOMP_CHECK(beginTable(environment, options, input, pending));
-    } else if (request.sources.empty() && !request.persistency) {
+    } else if (request.sources.empty() && !options.usesOwnPosition && !request.persistency) {
         return wrongUsage("there is nothing to write: give --data FILE, or a new --source1",
             options.drive.command);
     } else {
@@ -194,6 +268,7 @@ Result<ExitCode> runWriteCommand(Environment& environment, const WriteOptions& o
     }
     return withAxis(environment, options.drive,
         [&](Environment& same, CommandSession& session, int axis) -> Result<ExitCode> {
+            AXISCOMP_CHECK(takeOwnPosition(session, options, request, axis));
             AXISCOMP_CHECK(finishTable(same, options, input, pending, session, axis));
             if (!options.slot.empty())
                 request.slot = slotName(session.profile(), options.slot);
@@ -202,7 +277,10 @@ Result<ExitCode> runWriteCommand(Environment& environment, const WriteOptions& o
                     const auto now, session.compensator().status(axis, session.operation()));
                 request.dimensionality = now.setup.dimensionality;
             }
-            return runWrite(same, session, axis, request, options.isDryRun);
+            auto ended = runWrite(same, session, axis, request, options.isDryRun);
+            if (!ended && ended.error().code == ErrorCode::SourceMissing)
+                proposeSources(same, session, request, axis);
+            return ended;
         });
 }
 
@@ -216,6 +294,13 @@ void addSourceOptions(CLI::App& command, WriteOptions& options)
                     + ": path, tam:// URI or address (0x1234)")
             ->option_text("REG");
     }
+    command
+        .add_flag("--own-position", options.usesOwnPosition,
+            "The source is the axis's own position, for tables of one dimension; with --map each "
+            "axis's own")
+        ->excludes("--source1")
+        ->excludes("--source2")
+        ->excludes("--source3");
 }
 
 } // namespace
@@ -264,8 +349,9 @@ void addWriteCommand(CommandLine& line)
     slot->option_text("SLOT");
     command
         ->add_option("--map", options->map,
-            "Write this column of the file (name or number) to this axis; may be given several "
-            "times. Nothing is written unless all of the writes are possible")
+            "Write this column of the file (name or number) to this axis; AXIS alone is the column "
+            "that is named as the axis. May be given several times. Nothing is written unless all "
+            "of the writes are possible")
         ->option_text("COLUMN=AXIS")
         ->allow_extra_args(false)
         ->excludes(axis)

@@ -351,8 +351,18 @@ private Q_SLOTS:
             box.run(with(drive, {"status", "--axis", "0", "--json"})).json();
         QVERIFY(between.value("table") != before.value("table"));
 
+        const ProgramRun shown = box.run(with(drive, {"restore", "b.json", "--dry-run"}));
+        VERIFY_CODE(shown, 0);
+        QVERIFY2(shown.out.contains("Plan for axis 0 (X)"), shown.out.constData());
+        QVERIFY2(
+            !shown.out.contains("Plan for axis 1"), shown.out.constData()); // it has everything
+        QVERIFY2(shown.out.endsWith("Nothing was written (--dry-run).\n"), shown.out.constData());
+        QCOMPARE(box.run(with(drive, {"status", "--axis", "0", "--json"})).json(), between);
+
         const ProgramRun restored = box.run(with(drive, {"restore", "b.json", "--json"}));
         VERIFY_CODE(restored, 0);
+        QCOMPARE(restored.json().keys(), (QStringList{"input", "plans", "writes"}));
+        QCOMPARE(restored.json().value("plans").toArray().size(), 2);
         QCOMPARE(restored.json().value("writes").toArray().size(), 1);
         const QJsonObject after = box.run(with(drive, {"status", "--axis", "0", "--json"})).json();
         QCOMPARE(after.value("table"), before.value("table"));

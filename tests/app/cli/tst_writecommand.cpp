@@ -131,6 +131,49 @@ private Q_SLOTS:
         VERIFY_CODE(bench.write("second.csv", {"--persistent"}), 0);
     }
 
+    void aColumnGoesToTheAxisThatItIsNamedAsAndIsLookedUpByItsPosition()
+    {
+        const Fixture bench;
+        bench.box.file(
+            "both.csv", "Position [mm],Y error [mm],X error [mm]\n0,0.001,0.002\n50,0.003,0.004\n");
+        const ProgramRun run = bench.box.run({"write", "--data", "both.csv", "--dims", "1", "--map",
+            "X", "--map", "Y", "--own-position", "--drive", bench.drive.url(), "--json"});
+        VERIFY_CODE(run, 0);
+        QCOMPARE(run.json().value("writes").toArray().size(), 2);
+        for (const int axis : {0, 1}) {
+            const QString number = QString::number(axis);
+            const QJsonObject status =
+                bench.box.run({"status", "--drive", bench.drive.url(), "--axis", number, "--json"})
+                    .json();
+            QCOMPARE(status.value("sources").toArray().at(0).toString(),
+                "tam://mc/Virtual-1/Axes[" + number
+                    + "]/Signals/PositionController/MasterPosition");
+        }
+        // The column of each is its own.
+        const ProgramRun x =
+            bench.box.run({"read", "--drive", bench.drive.url(), "--axis", "X", "-o", "x.csv"});
+        VERIFY_CODE(x, 0);
+        QVERIFY2(
+            bench.box.content("x.csv").contains("0.004"), bench.box.content("x.csv").constData());
+
+        const ProgramRun none = bench.box.run({"write", "--data", "both.csv", "--dims", "1",
+            "--map", "Z", "--own-position", "--drive", bench.drive.url()});
+        VERIFY_CODE(none, 2);
+        QVERIFY2(none.err.contains("no column is named as axis Z"), none.err.constData());
+    }
+
+    void whereASourceIsMissingWhatTheFileProposesIsSaid()
+    {
+        const Fixture bench;
+        const ProgramRun run = bench.run({"write", "--data", "first.csv", "--dims", "1"});
+        VERIFY_CODE(run, 2);
+        QVERIFY2(run.err.contains("SourceMissing"), run.err.constData());
+        QVERIFY2(run.err.contains("note: the file proposes --source1 "
+                                  "'Axes[0]/Signals/PositionController/MasterPosition'\n"),
+            run.err.constData());
+        QVERIFY(bench.status().value("slot").isNull()); // a proposal is not written
+    }
+
     void aDryRunChangesNothing()
     {
         const Fixture bench;
@@ -251,7 +294,8 @@ private Q_SLOTS:
         const ProgramRun run =
             bench.run(QStringList{"write", "--data", "first.csv", "--dims", "1"} + sources);
         VERIFY_CODE(run, 2);
-        QVERIFY2(run.err.startsWith(error), run.err.constData());
+        // Of a missing source a note before it says what the file proposes.
+        QVERIFY2(run.err.startsWith(error) || run.err.contains('\n' + error), run.err.constData());
         QVERIFY2(run.err.contains(part), run.err.constData());
         QCOMPARE(bench.status(), before);
     }

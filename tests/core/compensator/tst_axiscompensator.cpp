@@ -524,6 +524,35 @@ private Q_SLOTS:
         QCOMPARE(status->setup.sources[1].path, masterY);
     }
 
+    /// The second axis cannot be restored: the first one is not begun.
+    void aDriveOfWhichOneAxisCannotBeRestoredIsNotChanged()
+    {
+        CompensatorFixture f;
+        VERIFY_RESULT(f.compensator.write(0, exampleRequest(1)));
+        VERIFY_RESULT(f.compensator.write(1, exampleRequest(2)));
+        const auto backup = f.compensator.backup();
+        VERIFY_RESULT(backup);
+        VERIFY_RESULT(f.compensator.write(0, exampleRequest(7)));
+        VERIFY_RESULT(f.compensator.activate(1));
+        const auto before = f.state(0);
+        f.link.forgetChange();
+        const auto planned = f.compensator.planRestore(*backup, false);
+        VERIFY_ERROR(planned, ErrorCode::CompensationActive);
+        QCOMPARE(planned.error().context.english("ofAxis"), std::string("1"));
+        VERIFY_ERROR(f.compensator.restore(*backup, false), ErrorCode::CompensationActive);
+        QCOMPARE(f.link.firstChange(), 0);
+        QVERIFY(f.state(0) == before);
+
+        VERIFY_RESULT(f.compensator.deactivate(1));
+        const auto possible = f.compensator.planRestore(*backup, false);
+        VERIFY_RESULT(possible);
+        QCOMPARE(possible->size(), std::size_t{2});
+        QVERIFY(!possible->front().changes.empty());
+        QVERIFY(possible->back().changes.empty());
+        VERIFY_RESULT(f.compensator.restore(*backup, false));
+        QCOMPARE(f.compensator.readTable(0)->values, exampleTable(2, 1).values);
+    }
+
     void aBackupOfAnotherDriveIsRefused()
     {
         CompensatorFixture f;

@@ -181,6 +181,33 @@ private Q_SLOTS:
         QVERIFY(rollBack > 0);
     }
 
+    /// To become volatile costs what to become persistent costs, and is refused in the same way.
+    void removingATableFromFlashIsSaidAndRefusedAsStoringIt()
+    {
+        CompensatorFixture f;
+        VERIFY_RESULT(f.compensator.write(0, exampleRequest(1, Persistency::Persistent)));
+        WriteRequest remove;
+        remove.dimensionality = 2;
+        remove.persistency = Persistency::Volatile;
+        const auto plan = f.compensator.plan(0, remove);
+        VERIFY_RESULT(plan);
+        QCOMPARE(plan->flashOperations, 1);
+        QCOMPARE(plan->warnings.size(), std::size_t{1});
+        QCOMPARE(plan->warnings.front().english(),
+            std::string("The table is removed from flash, which is a flash operation too. After a "
+                        "reboot the axis has no table."));
+        leave(f, 0);
+        const auto refused = f.compensator.plan(0, remove);
+        VERIFY_ERROR(refused, ErrorCode::FlashWear);
+        const std::string seconds = refused.error().context.english("seconds");
+        QCOMPARE(sentence(refused.error()),
+            "removing a table from flash is a flash operation too, and there were too many of them "
+            "in a short time; wait "
+                + seconds + " s, or keep the table persistent");
+        f.pass(std::chrono::seconds(std::stoi(seconds)));
+        VERIFY_RESULT(f.compensator.plan(0, remove));
+    }
+
     void aFileThatCouldNotBePutBackIsNotUploaded()
     {
         const auto& layout = drivecomm::genericProfile().layout;

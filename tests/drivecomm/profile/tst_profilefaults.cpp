@@ -18,9 +18,9 @@ using namespace axiscomp::drivecomm::test;
 /// What newer profiles have and older ones do not.
 bool mayBeMissing(const std::string& key)
 {
-    static const std::set<std::string> optional{"description", "positionKinds", "errorNotHomed",
-        "errorNoTable", "errorDimensionMismatch", "errorBadSource", "errorBadTable",
-        "positionMinimum", "positionMaximum"};
+    static const std::set<std::string> optional{"description", "positionKinds", "temperatures",
+        "errorNotHomed", "errorNoTable", "errorDimensionMismatch", "errorBadSource",
+        "errorBadTable", "positionMinimum", "positionMaximum"};
     return optional.contains(key);
 }
 

@@ -217,7 +217,9 @@ void TestActionRules::reasons_data()
             s.isFlashRecordLost = true;
         });
     row("write: flash wear while erasing", changed(), Action::Write,
-        "To spare the flash, wait 0:05.", [](S& s) {
+        "Removing the table from flash is a flash operation too: wait 0:05, or keep the table "
+        "persistent.",
+        [](S& s) {
             s.flashOperationsNeeded = 1;
             s.flashOperationsLeft = 0;
             s.flashWaitSeconds = 5;
@@ -311,6 +313,9 @@ void TestActionRules::consequences_data()
     now.flashOperationsLeft = 7;
     row("write persistent", Action::Write,
         "Writes to the drive and stores in flash; uses 1 of the 7 flash operations available now.");
+    now.isPersistent = false; // the table that the axis has
+    row("remove from flash", Action::Write,
+        "Removes the table from flash, which uses 1 of the 7 flash operations available now.");
     now.isReadingFile = true;
     row("cancel reading", Action::Cancel, "Stops reading the file.");
     now = ready();

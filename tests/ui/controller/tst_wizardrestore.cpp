@@ -149,6 +149,9 @@ private Q_SLOTS:
         QVERIFY(!bench->unfinishedWrite().isEmpty());
         QVERIFY(bench->action(Action::FinishWrite).isEnabled);
         QVERIFY(bench->action(Action::UndoWrite).isEnabled);
+        bench->setup().setDimensionality(2);
+        bench->openData(bench.path(QStringLiteral("2d-1.csv")));
+        QVERIFY(bench.fileRead());
         if (finishes)
             bench->finishWrite();
         else
@@ -161,6 +164,12 @@ private Q_SLOTS:
         QVERIFY(!bench->action(Action::UndoWrite).isEnabled);
         QVERIFY(!isUnfinished(bench));
         QCOMPARE(bench->setup().baseline().slot.empty(), !finishes);
+        // The file's table is what the drive has now: nothing is left to write.
+        if (finishes) {
+            QCOMPARE(bench->setup().edited().table.fileTable, std::optional<int>(0));
+            QVERIFY(!bench->setup().isDirty());
+            QVERIFY(bench->action(Action::Activate).isEnabled);
+        }
     }
 
     void anUnfinishedWriteWaitsWhileTheCompensationIsActive()

@@ -71,6 +71,38 @@ private Q_SLOTS:
         QCOMPARE(bench->outcome(), QStringLiteral("The compensation is off."));
     }
 
+    /// Also in a program that was started anew: nothing but the numbers says that it is the same.
+    void aTableThatTheDriveHasAlreadyIsNotChangedAndBlocksNothing()
+    {
+        ControllerFixture bench;
+        QVERIFY(bench.connect());
+        QVERIFY(bench.prepare2D());
+        QVERIFY(bench.planAndWrite());
+        bench.endController();
+
+        QVERIFY(bench.connect());
+        bench->openData(bench.path(QStringLiteral("2d-1.csv")));
+        QVERIFY(bench.fileRead());
+        QCOMPARE(bench->setup().edited().table.fileTable, std::optional<int>(0));
+        QVERIFY(!bench->setup().isDirty(Field::Table));
+        QVERIFY(!bench->setup().isDirty());
+        QVERIFY2(bench->action(Action::Activate).isEnabled,
+            qPrintable(bench->action(Action::Activate).reason));
+        QVERIFY(!bench->action(Action::Write).isEnabled);
+        // The other table of the file is another one.
+        bench->setup().setTable({1});
+        QVERIFY(bench->setup().isDirty(Field::Table));
+        QVERIFY(!bench->action(Action::Activate).isEnabled);
+        bench->setup().setTable({0});
+        QVERIFY(!bench->setup().isDirty());
+        // What is changed beside it costs what it costs with the drive's table.
+        bench->setup().setPersistency(Persistency::Persistent);
+        QVERIFY(bench->setup().isDirty() && !bench->setup().isDirty(Field::Table));
+        QVERIFY(bench.planAndWrite());
+        QVERIFY2(!bench->isOutcomeAnError(), qPrintable(bench->outcome()));
+        QVERIFY(bench->status()->table->persistent);
+    }
+
     void theTableOnTheDriveIsTheFilesOneWithItsNamesAndComesBackOnceOnly()
     {
         ControllerFixture bench;

@@ -4,9 +4,7 @@
 #include "tests/ui/support/controller_fixture.h"
 #include "tests/ui/support/page_fixture.h"
 #include "tests/ui/support/window_test.h"
-#include "ui/controller/column_mapping.h"
 #include "ui/dialogs/multi_axis_dialog.h"
-#include "ui/session/axis_list.h"
 
 #include <QComboBox>
 #include <QLabel>
@@ -127,8 +125,6 @@ class TestMultiAxis : public QObject {
 private Q_SLOTS:
     void init() { test::failOnWindowWarnings(); }
 
-    void aColumnIsProposedForTheAxisThatItsNameSays_data();
-    void aColumnIsProposedForTheAxisThatItsNameSays();
     void theActionSaysWhatIsMissing();
     void theMenuOpensTheDialog();
     void whatIsProposedIsPlannedAndNothingIsChanged();
@@ -140,47 +136,6 @@ private Q_SLOTS:
     void stoppedWritesSayWhichAxisHoldsWhat();
     void cancelledBeforeTheWriteNothingIsChanged();
 };
-
-void TestMultiAxis::aColumnIsProposedForTheAxisThatItsNameSays_data()
-{
-    QTest::addColumn<QString>("names");
-    QTest::addColumn<QList<int>>("proposed"); // -1: none
-    const auto row = [](const char* title, const char* names, const QList<int>& proposed) {
-        QTest::newRow(title) << QString::fromLatin1(names) << proposed;
-    };
-    row("names of axes", "Y,X", {1, 0});
-    row("errors of axes", "X error,y ERROR", {0, 1});
-    row("exact first", "X error,X", {-1, 0});
-    row("once only", "X,X", {0, -1});
-    row("other names", "table 1,error", {-1, -1});
-    row("of two axes", "Z,Z error", {-1, -1});
-}
-
-void TestMultiAxis::aColumnIsProposedForTheAxisThatItsNameSays()
-{
-    QFETCH(QString, names);
-    QFETCH(QList<int>, proposed);
-    std::vector<CompensationTable> tables;
-    for (const QString& name : names.split(u',')) {
-        tables.emplace_back();
-        tables.back().name = name.toStdString();
-    }
-    DriveAxes drive;
-    drive.isConnected = true;
-    for (const char* name : {"X", "Y", "Z", "Z", ""}) {
-        AxisInfo axis;
-        axis.index = static_cast<int>(drive.axes.size());
-        axis.name = name;
-        axis.stateWord = "Disabled";
-        drive.axes.push_back(axis);
-    }
-    const std::vector<DriveAxes> drives{drive};
-    const auto choices = proposedAxes(tables, axisEntries(drives));
-    QList<int> found;
-    for (const AxisChoice& choice : choices)
-        found += choice.value_or(-1);
-    QCOMPARE(found, proposed);
-}
 
 void TestMultiAxis::theActionSaysWhatIsMissing()
 {

@@ -3,6 +3,7 @@
 #include "tests/ui/support/window_test.h"
 #include "ui/help/guide_window.h"
 
+#include <QPointer>
 #include <QTest>
 #include <QTextBlock>
 #include <QTextBrowser>
@@ -57,6 +58,55 @@ private Q_SLOTS:
         // It is to be seen, as far up as the guide is long enough.
         auto& text = user.the<QTextBrowser>("guideText");
         QVERIFY(text.viewport()->rect().contains(text.cursorRect().center()));
+    }
+
+    void theHelpKeyOpensTheGuideOverADialogAtItsPlace()
+    {
+        PageFixture bench;
+        auto& user = bench.user;
+        QVERIFY(bench.open());
+        QVERIFY(user.click("connectionsButton"));
+        QTRY_VERIFY(user.sees("connectionsDialog"));
+        QVERIFY(user.click("connectionAddress"));
+        test::PageUser::press(Qt::Key_F1);
+        QTRY_VERIFY(user.sees("guideWindow"));
+        auto& guide = user.the<GuideWindow>("guideWindow");
+        QCOMPARE(guide.textAtTop(), QStringLiteral("2. Connect the drive"));
+        // It can be used although the dialog is open, and goes with it.
+        QVERIFY(QApplication::activeModalWidget() == guide.parentWidget());
+        QCOMPARE(guide.parentWidget(), &user.the("connectionsDialog"));
+        const QPointer<GuideWindow> watched(&guide);
+        guide.close();
+        QVERIFY(user.click("rejectConnections"));
+        QTRY_VERIFY(!watched);
+    }
+
+    void everyDialogHasItsPlaceInTheGuide_data()
+    {
+        QTest::addColumn<QString>("heading");
+        const auto row = [](const char* dialog, const char* heading) {
+            QTest::newRow(dialog) << QString::fromLatin1(heading);
+        };
+        row("connectionsDialog", "2. Connect the drive");
+        row("findDrivesDialog", "2. Connect the drive");
+        row("certificateDialog", "2. Connect the drive");
+        row("importDialog", "Files of other controllers, and uneven measurements");
+        row("exportDialog", "Files of other controllers, and uneven measurements");
+        row("multiAxisDialog", "Several axes from one file");
+        row("importConfigurationDialog", "Parameters of a TAM configuration");
+        row("exportConfigurationDialog", "Parameters of a TAM configuration");
+        row("backupDialog", "Backups");
+        row("restoreDriveDialog", "Backups");
+    }
+    void everyDialogHasItsPlaceInTheGuide()
+    {
+        QFETCH(QString, heading);
+        QWidget dialog;
+        dialog.setObjectName(QString::fromLatin1(QTest::currentDataTag()));
+        const QWidget field(&dialog);
+        GuideWindow guide;
+        guide.showPlace(guidePlaceOf(&field));
+        QCOMPARE(guide.textAtTop(), heading);
     }
 
     void everyPictureOfTheGuideIsInTheProgram()

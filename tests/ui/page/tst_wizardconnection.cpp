@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/support/page_fixture.h"
 #include "tests/ui/support/window_test.h"
+#include "ui/text/endpoint_text.h"
 
 #include <QTest>
+#include <QTreeWidget>
 
 namespace tst_wizardconnection {
 
@@ -151,6 +153,76 @@ private Q_SLOTS:
         QVERIFY(user.note("tableField").contains(QStringLiteral("on the drive: ")));
         QVERIFY(bench.write());
         QVERIFY(!(bench.state() == before));
+    }
+
+    void aChosenDriveThatDoesNotAnswerIsNamedAndTriedAgain()
+    {
+        PageFixture bench;
+        auto& user = bench.user;
+        drivecomm::VirtualDriveOptions options = PageFixture::twoAxes();
+        options.name = "Stage-8";
+        options.serialNumber = 1560;
+        test::ServedDrive second(options);
+        bench.controller().setEndpoints({bench.served.url(), second.url()});
+        QVERIFY(user.isThere());
+        QTRY_COMPARE(bench.controller().axes().size(), std::size_t(4));
+        second.stop();
+        bench.controller().refresh();
+        QTRY_VERIFY(bench.controller().drives().at(1).connection == DriveState::Connection::Lost);
+        QVERIFY(user.choose("driveField", QStringLiteral("Stage-8")));
+        QTRY_VERIFY2(user.message("unreachableMessage")
+                         .startsWith(QStringLiteral("Stage-8 does not answer.")),
+            qPrintable(user.message("unreachableMessage")));
+        QVERIFY(user.click("tryAgainButton"));
+        QTRY_VERIFY(user.message("unreachableMessage")
+                        .startsWith(QStringLiteral("Stage-8 does not answer.")));
+        second.start();
+        // What the user wanted is done as soon as the drive is there.
+        QTRY_COMPARE(bench.controller().currentAxis(), 2);
+        QVERIFY(user.message("unreachableMessage").isEmpty());
+    }
+
+    void anAddressWithoutASchemeIsThatOfAWebServer_data()
+    {
+        QTest::addColumn<QString>("typed");
+        QTest::addColumn<QString>("taken");
+        const auto row = [](const char* typed, const char* taken) {
+            QTest::newRow(typed) << QString::fromLatin1(typed) << QString::fromLatin1(taken);
+        };
+        row("192.168.1.20", "http://192.168.1.20");
+        row(" drive-3:8080 ", "http://drive-3:8080");
+        row("[fe80::1]:80", "http://[fe80::1]:80");
+        row("anna:s3cret@drive", "http://anna:s3cret@drive");
+        row("https://drive", "https://drive");
+        row("demo:", "demo:");
+        row("demo", "demo");
+        row("serial:/dev/ttyUSB0", "serial:/dev/ttyUSB0");
+        row("/dev/ttyUSB0", "/dev/ttyUSB0");
+        row("dri ve", "dri ve");
+        row("", "");
+    }
+    void anAddressWithoutASchemeIsThatOfAWebServer()
+    {
+        QFETCH(QString, typed);
+        QFETCH(QString, taken);
+        QCOMPARE(completedEndpoint(typed), taken);
+    }
+
+    void anAddressTypedWithoutASchemeIsShownAsItIsTaken()
+    {
+        PageFixture bench;
+        auto& user = bench.user;
+        QVERIFY(user.isThere());
+        QVERIFY(user.click("connectionsButton"));
+        QTRY_VERIFY(user.sees("connectionsDialog"));
+        QString typed = bench.served.url();
+        QVERIFY(user.enter("connectionAddress", typed.remove(QStringLiteral("http://"))));
+        auto& list = user.the<QTreeWidget>("connections");
+        const auto shown = [&] {
+            return list.findItems(bench.served.url(), Qt::MatchExactly).size() == 1;
+        };
+        QTRY_VERIFY_WITH_TIMEOUT(shown(), test::patienceMs);
+        user.press(Qt::Key_Escape);
     }
 
     void aSourceThatTheDriveDoesNotKnowIsRefusedWithASentence()

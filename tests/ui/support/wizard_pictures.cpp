@@ -406,6 +406,60 @@ void connectionLost(PageScene& scene)
     QTest::qWait(100);
 }
 
+/// An axis without sources, and a file whose columns are called X, Y and T: the last source is
+/// wrong.
+void proposedSources(PageScene& scene)
+{
+    scene.showDrive();
+    scene.controller().setup().setDimensionality(3);
+    QByteArray text = "X [mm],Z [mm],T [\302\260C],X error [mm]\n";
+    for (int n = 0; n < 8; ++n)
+        text += QByteArray::number(40 * (n & 1)) + ',' + QByteArray::number(15 * (n & 2)) + ','
+            + QByteArray::number(20 + 5 * (n & 4) / 4) + ",0.00" + QByteArray::number(n) + '\n';
+    scene.openData(scene.stage().file(QStringLiteral("warm.csv"), text));
+    scene.controller().chooseSource(2, QStringLiteral("Axes[0]/Signals/General/MotorTemperature"));
+    scene.controller().chooseSource(3, QStringLiteral("Axes[0]/Nonsense"));
+    wait([&] { return !scene.controller().sourceProblem(3).isEmpty(); }, "the refusal");
+    scene.settle();
+}
+
+/// The second drive of the list does not answer, and is chosen.
+void unreachableDrive(PageScene& scene)
+{
+    unwritten2D(scene);
+    scene.controller().setEndpoints(
+        {scene.controller().endpoints().front(), QStringLiteral("http://127.0.0.1:1")});
+    wait(
+        [&] {
+            return scene.controller().drives().back().connection == DriveState::Connection::Lost;
+        },
+        "the drive that does not answer");
+    auto* drives = scene.page().findChild<QComboBox*>(QStringLiteral("driveField"));
+    drives->setCurrentIndex(1);
+    Q_EMIT drives->activated(1);
+    scene.settle();
+}
+
+/// A backup of a drive that this one replaces.
+void restoreDrive(PageScene& scene)
+{
+    scene.choose2D();
+    scene.write();
+    const QString file = scene.stage().path(QStringLiteral("Gantry-1559.json"));
+    scene.page().setFilePicker(
+        [file](QWidget&, const FileQuestion&, const std::function<void(const QString&)>& answer) {
+            answer(file);
+        });
+    scene.page().findChild<QAction*>(QStringLiteral("backUpDriveAction"))->trigger();
+    scene.settle();
+    scene.controller().setup().setTable({1});
+    scene.write();
+    scene.page().findChild<QAction*>(QStringLiteral("restoreDriveAction"))->trigger();
+    auto* write = scene.page().findChild<QPushButton*>(QStringLiteral("writeSeveralButton"));
+    wait([&] { return write->isEnabled(); }, "the plans");
+    QTest::qWait(200);
+}
+
 void otherAxis(PageScene& scene)
 {
     unwritten2D(scene);
@@ -621,6 +675,9 @@ const std::vector<State>& states()
         {"table-3d", table3D},
         {"connection-lost", connectionLost},
         {"other-axis", otherAxis},
+        {"proposed-sources", proposedSources},
+        {"unreachable-drive", unreachableDrive},
+        {"restore-drive", restoreDrive},
         {"connections", connections},
         {"find-drives", findDrives},
         {"import-dialog", importDialog},
