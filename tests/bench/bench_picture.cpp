@@ -3,16 +3,16 @@
 // on the page. The time of copying as many pixels as the picture has is the measure for a machine.
 #include "core/table/contours.h"
 #include "ui/data/values_model.h"
-#include "ui/plot/plot_canvas.h"
-#include "ui/plot/surface_image.h"
+#include "ui/drawing/plot_canvas.h"
+#include "ui/drawing/surface_image.h"
 
 #include <benchmark/benchmark.h>
 
 #include <QApplication>
 #include <QImage>
 
-#include "ui/plot/custom_plot.h"
-#include "ui/plot/table_map.h"
+#include "ui/drawing/custom_plot.h"
+#include "ui/drawing/table_map.h"
 
 #include <cmath>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/async/background_job.h"
-#include "ui/plot/plot_export.h"
+#include "ui/drawing/plot_export.h"
 #include "ui/plot/slice_row.h"
 #include "ui/plot/table_content_combo.h"
 #include "ui/plot/table_plot_p.h"
@@ -19,7 +19,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "ui/plot/custom_plot.h"
+#include "ui/drawing/custom_plot.h"
 #include "ui/style/plain_label.h"
 
 namespace axiscomp::ui {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/plot/plot_canvas.h"
+#include "ui/drawing/plot_canvas.h"
 #include "ui/plot/table_plot.h"
 
 #include <QPointF>

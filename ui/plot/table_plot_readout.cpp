@@ -8,7 +8,7 @@
 #include <QLabel>
 #include <QToolButton>
 
-#include "ui/plot/custom_plot.h"
+#include "ui/drawing/custom_plot.h"
 
 #include <algorithm>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/plot/table_thumbnail.h"
 
-#include "ui/plot/custom_plot.h"
-#include "ui/plot/plot_canvas.h"
+#include "ui/drawing/custom_plot.h"
+#include "ui/drawing/plot_canvas.h"
 #include "ui/style/plain_label.h"
 
 #include <QBoxLayout>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/support/table_samples.h"
 #include "tests/ui/support/window_test.h"
-#include "ui/plot/surface_image.h"
+#include "ui/drawing/surface_image.h"
+#include "ui/drawing/table_map.h"
 #include "ui/plot/surface_view.h"
-#include "ui/plot/table_map.h"
 
 #include <QComboBox>
 #include <QTest>

@@ -4,7 +4,7 @@
 #include "core/table/table_math.h"
 #include "tests/ui/support/table_samples.h"
 #include "tests/ui/support/window_test.h"
-#include "ui/plot/table_map.h"
+#include "ui/drawing/table_map.h"
 #include "ui/plot/table_plot.h"
 #include "ui/text/value_text.h"
 
@@ -16,7 +16,7 @@
 #include <QTest>
 #include <QToolButton>
 
-#include "ui/plot/custom_plot.h"
+#include "ui/drawing/custom_plot.h"
 
 namespace tst_tableplot {
 

@@ -3,7 +3,7 @@
 
 #include "core/table/contours.h"
 
-#include "ui/plot/custom_plot.h"
+#include "ui/drawing/custom_plot.h"
 
 #include <memory>
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/plot/plot_canvas.h"
+#include "ui/drawing/plot_canvas.h"
 
 #include "core/table/table_math.h"
 #include "ui/style/contrast.h"
 
-#include "ui/plot/cross_sections.h"
-#include "ui/plot/custom_plot.h"
-#include "ui/plot/map_contours.h"
-#include "ui/plot/map_points.h"
-#include "ui/plot/table_map.h"
+#include "ui/drawing/cross_sections.h"
+#include "ui/drawing/custom_plot.h"
+#include "ui/drawing/map_contours.h"
+#include "ui/drawing/map_points.h"
+#include "ui/drawing/table_map.h"
 
 #include <algorithm>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/plot/plot_export.h"
+#include "ui/drawing/plot_export.h"
 
 #include "core/base/bytes.h"
 #include "core/csv/calibration_csv.h"
 #include "core/io/local_file.h"
 #include "ui/async/background_job.h"
-#include "ui/plot/plot_canvas.h"
+#include "ui/drawing/plot_canvas.h"
 #include "ui/text/message_text.h"
 
 #include <QBuffer>
@@ -15,8 +15,8 @@
 #include <QPdfWriter>
 #include <QPicture>
 
-#include "ui/plot/custom_plot.h"
-#include "ui/plot/table_map.h"
+#include "ui/drawing/custom_plot.h"
+#include "ui/drawing/table_map.h"
 
 namespace axiscomp::ui {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/plot/map_contours.h"
+#include "ui/drawing/map_contours.h"
 
 #include "ui/async/background_job.h"
 #include "ui/text/value_text.h"

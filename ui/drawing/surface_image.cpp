@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/plot/surface_image.h"
+#include "ui/drawing/surface_image.h"
 
 #include "core/table/lookup.h"
 #include "core/table/position_unit.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/plot/cross_sections.h"
+#include "ui/drawing/cross_sections.h"
 
 #include "core/table/lookup.h"
 

@@ -6,7 +6,7 @@
 #include <QImage>
 #include <QPointF>
 
-#include "ui/plot/custom_plot.h"
+#include "ui/drawing/custom_plot.h"
 
 #include <array>
 #include <memory>
