@@ -2,20 +2,20 @@
 #pragma once
 
 #include "core/table/compensation_table.h"
-
-#include <QFuture>
-#include <QString>
+#include "ui/drawing/picture_file.h"
 
 #include <memory>
 
+class QCustomPlot;
+
 namespace axiscomp::ui {
 
-class PlotCanvas;
+/// A plot as it is now, for a page. shown: the table of its map, if it has one.
+[[nodiscard]] PictureDrawing drawingOf(
+    QCustomPlot& plot, const std::shared_ptr<const CompensationTable>& shown);
 
-/// Saves the picture (png, pdf; on white, as it goes into a report) or the values shown (csv, a
-/// calibration file). The file is whole or the old one stays. The picture is drawn at once, coded
-/// and written on another thread. Empty: done; otherwise a translated sentence.
-[[nodiscard]] QFuture<QString> exportPlot(
-    PlotCanvas& canvas, std::shared_ptr<const CompensationTable> shown, const QString& path);
+/// Saves the values as a calibration file, on another thread; otherwise as savePicture.
+[[nodiscard]] QFuture<QString> saveValues(
+    std::shared_ptr<const CompensationTable> shown, const QString& path);
 
 } // namespace axiscomp::ui

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/page/problem_list.h"
 
-#include "ui/style/contrast.h"
+#include "ui/data/problem_model.h"
 #include "ui/style/plain_label.h"
-#include "ui/style/symbols.h"
-#include "ui/text/message_text.h"
 #include "ui/text/value_text.h"
 
 #include <QBoxLayout>
@@ -12,33 +10,23 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
-#include <QTreeWidget>
+#include <QTreeView>
 
 #include <algorithm>
 
 namespace axiscomp::ui {
 
-namespace {
-
-enum Column { Line, ColumnOfFile, Statement, ColumnCount };
-
-QString placeText(std::size_t number)
-{
-    return number == 0 ? QStringLiteral("–") : countText(number);
-}
-
-} // namespace
-
 ProblemList::ProblemList(QWidget* parent)
     : QWidget(parent)
     , m_title(new PlainLabel)
     , m_useDimensions(new QPushButton)
-    , m_list(new QTreeWidget)
+    , m_model(new ProblemModel(this))
+    , m_list(new QTreeView)
 {
     setObjectName(QStringLiteral("problemList"));
     build();
-    connect(m_list, &QTreeWidget::itemClicked, this, &ProblemList::open);
-    connect(m_list, &QTreeWidget::itemActivated, this, &ProblemList::open);
+    connect(m_list, &QTreeView::clicked, this, &ProblemList::open);
+    connect(m_list, &QTreeView::activated, this, &ProblemList::open);
     connect(m_useDimensions, &QPushButton::clicked, this, [this] {
         if (m_fullGrid)
             Q_EMIT dimensionsChosen(m_path, m_fullGrid->dimensions);
@@ -51,7 +39,7 @@ void ProblemList::build()
     m_title->setObjectName(QStringLiteral("problemTitle"));
     m_title->setWordWrap(true);
     m_list->setObjectName(QStringLiteral("problems"));
-    m_list->setColumnCount(ColumnCount);
+    m_list->setModel(m_model);
     m_list->setRootIsDecorated(false);
     m_list->setAlternatingRowColors(true);
     m_list->setWordWrap(true);
@@ -69,46 +57,32 @@ void ProblemList::build()
 
 bool ProblemList::setProblems(const DataFile& file)
 {
-    if (m_path == file.problemsPath && m_problems == file.problems
+    if (m_path == file.problemsPath && m_model->problems() == file.problems
         && m_suppressed == file.suppressedProblems && m_fullGrid == file.fullGrid)
         return false;
     m_path = file.problemsPath;
-    m_problems = file.problems;
     m_suppressed = file.suppressedProblems;
     m_fullGrid = file.fullGrid;
-    fill();
+    m_model->setProblems(file.problems);
+    showSummary();
     return true;
 }
 
 void ProblemList::retranslate()
 {
-    m_list->setHeaderLabels({tr("Line"), tr("Column"), tr("Problem")});
     m_list->setAccessibleName(tr("Problems of the file"));
     m_list->setAccessibleDescription(
         tr("Click a problem, or press Enter, to see the file's line."));
     m_list->setToolTip(m_list->accessibleDescription());
-    fill();
+    m_model->retranslate();
+    showSummary();
 }
 
-void ProblemList::fill()
+void ProblemList::showSummary()
 {
-    m_list->clear();
-    constexpr int size = 14;
-    for (const Diagnostic& problem : m_problems) {
-        const bool isError = problem.severity == Severity::Error;
-        const Tone tone = isError ? Tone::Error : Tone::Warning;
-        auto* item = new QTreeWidgetItem(
-            m_list, {placeText(problem.line), placeText(problem.column), problemText(problem)});
-        item->setIcon(Line,
-            symbolPixmap(isError ? Symbol::Error : Symbol::Warning, frameColor(tone, palette()),
-                size, devicePixelRatioF()));
-        item->setData(Line, Qt::AccessibleTextRole,
-            (isError ? tr("error, line %1") : tr("warning, line %1")).arg(placeText(problem.line)));
-        item->setToolTip(Statement, item->text(Statement));
-    }
     const QString name = QFileInfo(m_path).fileName();
     const bool hasErrors =
-        std::ranges::count(m_problems, Severity::Error, &Diagnostic::severity) > 0;
+        std::ranges::count(m_model->problems(), Severity::Error, &Diagnostic::severity) > 0;
     QString title = hasErrors ? tr("%1 cannot be used; the previous selection is kept.").arg(name)
                               : tr("%1 is used, with these warnings.").arg(name);
     if (m_suppressed > 0)
@@ -125,21 +99,17 @@ void ProblemList::fill()
 
 void ProblemList::open()
 {
-    const auto row = static_cast<std::size_t>(m_list->indexOfTopLevelItem(m_list->currentItem()));
-    if (row >= m_problems.size())
-        return;
-    const Diagnostic& problem = m_problems[row];
-    Q_EMIT opened(m_path,
-        {problem.line, problem.column, problem.severity == Severity::Error, problemText(problem)});
+    if (m_list->currentIndex().isValid())
+        Q_EMIT opened(m_path, m_model->place(m_list->currentIndex().row()));
 }
 
 void ProblemList::step(int step)
 {
-    const int count = m_list->topLevelItemCount();
+    const int count = m_model->rowCount();
     if (count == 0)
         return;
-    const int row = m_list->indexOfTopLevelItem(m_list->currentItem());
-    m_list->setCurrentItem(m_list->topLevelItem((row + step + count) % count));
+    const int row = m_list->currentIndex().row(); // -1: none
+    m_list->setCurrentIndex(m_model->index((row + step + count) % count, ProblemModel::Line));
     open();
 }
 

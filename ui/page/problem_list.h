@@ -6,13 +6,15 @@
 
 #include <QWidget>
 
-#include <vector>
+#include <optional>
 
 class QLabel;
 class QPushButton;
-class QTreeWidget;
+class QTreeView;
 
 namespace axiscomp::ui {
+
+class ProblemModel;
 
 /// What is wrong with a file, or odd about it: line, column, sentence. A click or Enter opens the
 /// file there.
@@ -36,14 +38,14 @@ Q_SIGNALS:
 
 private:
     void build();
-    void fill();
+    void showSummary();
     void open();
 
     QLabel* m_title;
     QPushButton* m_useDimensions;
-    QTreeWidget* m_list;
+    ProblemModel* m_model;
+    QTreeView* m_list;
     QString m_path;
-    std::vector<Diagnostic> m_problems;
     std::size_t m_suppressed = 0;
     std::optional<FullGrid> m_fullGrid;
 };

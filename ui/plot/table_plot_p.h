@@ -20,7 +20,10 @@ struct TablePlot::Private {
     explicit Private(TableViewModel& shownTable) : shown(shownTable) { }
 
     TableViewModel& shown;
+    PictureOrigin origin;
     std::optional<Marker> marker;
+    std::array<std::optional<Travel>, 3> travel;
+    bool holdsEnds = true;
     std::optional<ProvedPart> proved; ///< of the table on the drive
     bool hasCursors = false;
     std::size_t activeCursor = 0;

@@ -3,10 +3,12 @@
 #include "tests/ui/support/heartbeat.h"
 #include "tests/ui/support/window_test.h"
 #include "ui/data/file_excerpt.h"
+#include "ui/data/problem_model.h"
 #include "ui/page/file_lines_view.h"
 #include "ui/page/preview_panel.h"
 #include "ui/page/problem_list.h"
 
+#include <QAbstractItemModelTester>
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -16,7 +18,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <QToolButton>
-#include <QTreeWidget>
+#include <QTreeView>
 
 namespace tst_problemlist {
 
@@ -170,6 +172,29 @@ private Q_SLOTS:
         QVERIFY(!model.index(1, 1).data(Qt::DecorationRole).isValid());
     }
 
+    void theProblemsAreAModel()
+    {
+        ProblemModel model;
+        const QAbstractItemModelTester tester(&model);
+        model.setProblems({{Severity::Error, DiagnosticCode::NotANumber, 3, 2, Verbatim{"two"}, {}},
+            {Severity::Warning, DiagnosticCode::ConstantTable, 0, 2, {}, {}}});
+        QCOMPARE(model.rowCount(), 2);
+        QCOMPARE(model.index(0, ProblemModel::Line).data().toString(), QStringLiteral("3"));
+        QCOMPARE(model.index(1, ProblemModel::Line).data().toString(), QStringLiteral("–"));
+        QCOMPARE(model.index(0, ProblemModel::Line).data(Qt::AccessibleTextRole).toString(),
+            QStringLiteral("error, line 3"));
+        QVERIFY(model.place(0).isError && !model.place(1).isError);
+        QCOMPARE(
+            model.index(0, ProblemModel::Statement).data().toString(), model.place(0).sentence);
+        QSignalSpy changes(&model, &QAbstractItemModel::dataChanged);
+        model.retranslate();
+        QCOMPARE(changes.size(), 1);
+        model.setProblems({});
+        QCOMPARE(model.rowCount(), 0);
+        model.retranslate();
+        QCOMPARE(changes.size(), 1);
+    }
+
     void aClickOrEnterOpensTheProblem()
     {
         ProblemList list;
@@ -185,9 +210,9 @@ private Q_SLOTS:
         QList<ProblemPlace> opened;
         connect(&list, &ProblemList::opened, this,
             [&](const QString&, const ProblemPlace& place) { opened += place; });
-        auto* view = child<QTreeWidget>(list, "problems");
+        auto* view = child<QTreeView>(list, "problems");
         QTest::mouseClick(view->viewport(), Qt::LeftButton, {},
-            view->visualItemRect(view->topLevelItem(0)).center());
+            view->visualRect(view->model()->index(0, 0)).center());
         QCOMPARE(opened.size(), 1);
         QCOMPARE(opened[0].line, std::size_t{3});
         QCOMPARE(opened[0].column, std::size_t{2});
@@ -266,13 +291,13 @@ private Q_SLOTS:
         panel.show();
         auto* tabs = child<QTabWidget>(panel, "previewTabs");
         auto* stack = child<QStackedWidget>(panel, "valuesStack");
-        auto* problems = child<QTreeWidget>(panel, "problems");
+        auto* problems = child<QTreeView>(panel, "problems");
         const QString good =
             bench.file(QStringLiteral("good.csv"), "X,table\n0,0.001\n1,0.002\n2,0.001\n");
         bench->openData(bench.file(QStringLiteral("bad.csv"), "X,table\n0,1\n1,two\n2,nan\n"));
         QVERIFY(bench.fileRead());
         QCOMPARE(tabs->currentWidget()->objectName(), QStringLiteral("problemList"));
-        problems->setCurrentItem(problems->topLevelItem(0));
+        problems->setCurrentIndex(problems->model()->index(0, 0));
         QTest::keyClick(problems, Qt::Key_Return);
         QCOMPARE(tabs->currentWidget(), stack);
         auto* lines = child<QTableView>(panel, "fileLines");
@@ -305,10 +330,10 @@ private Q_SLOTS:
         bench->openData(bench.file(QStringLiteral("plane.csv"), plane));
         QVERIFY(bench.fileRead());
         auto* use = child<QPushButton>(panel, "useDimensions");
-        auto* problems = child<QTreeWidget>(panel, "problems");
-        QCOMPARE(problems->topLevelItemCount(), 2);
-        QVERIFY2(problems->topLevelItem(0)->text(2).contains(QStringLiteral("31 x 21")),
-            qPrintable(problems->topLevelItem(0)->text(2)));
+        auto* problems = child<QTreeView>(panel, "problems");
+        QCOMPARE(problems->model()->rowCount(), 2);
+        const QString statement = problems->model()->index(0, 2).data().toString();
+        QVERIFY2(statement.contains(QStringLiteral("31 x 21")), qPrintable(statement));
         QVERIFY(!use->isHidden());
         QCOMPARE(use->text(), QStringLiteral("&Use 2D"));
         use->click();
