@@ -129,6 +129,12 @@ void SurfaceView::build()
     setFocusPolicy(Qt::StrongFocus);
     d->contentBox = new TableContentCombo(d->shown, this);
     d->contentBox->setObjectName(QStringLiteral("surfaceContent"));
+    constexpr int letters = 6; // as narrow as the page may be
+    d->contentBox->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    d->contentBox->setMinimumContentsLength(letters);
+    d->contentBox->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    constexpr int widest = 160;
+    d->contentBox->setMaximumWidth(widest);
     d->heightLabel = new PlainLabel(this);
     d->height = new ExaggerationCombo(this);
     d->height->setObjectName(QStringLiteral("surfaceExaggeration"));
