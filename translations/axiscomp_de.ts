@@ -5303,6 +5303,49 @@
     </message>
 </context>
 <context>
+    <name>PictureFile</name>
+    <message>
+        <source>axis %1</source>
+        <translation>Achse %1</translation>
+    </message>
+    <message>
+        <source>picture</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>The file name must end in .png, .svg or .pdf.</source>
+        <translation>Der Dateiname muss auf .png, .svg oder .pdf enden.</translation>
+    </message>
+    <message>
+        <source>Save picture or values</source>
+        <translation>Bild oder Werte speichern</translation>
+    </message>
+    <message>
+        <source>Save picture</source>
+        <translation>Bild speichern</translation>
+    </message>
+    <message>
+        <source>Picture (*.png)</source>
+        <translation>Bild (*.png)</translation>
+    </message>
+    <message>
+        <source>Drawing (*.svg)</source>
+        <translation>Zeichnung (*.svg)</translation>
+    </message>
+    <message>
+        <source>Document (*.pdf)</source>
+        <translation>Dokument (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Values (*.csv)</source>
+        <translation>Werte (*.csv)</translation>
+    </message>
+    <message>
+        <source>Saved as %1</source>
+        <translation>Gespeichert als %1</translation>
+    </message>
+</context>
+<context>
     <name>Problem</name>
     <message>
         <source>the file holds no data</source>
@@ -5865,17 +5908,6 @@
     <message>
         <source>deleting the table</source>
         <translation>Tabelle löschen</translation>
-    </message>
-</context>
-<context>
-    <name>TablePlot</name>
-    <message>
-        <source>The file name must end in .png, .pdf or .csv.</source>
-        <translation>Der Dateiname muss auf .png, .pdf oder .csv enden.</translation>
-    </message>
-    <message>
-        <source>There is no table to save.</source>
-        <translation>Es gibt keine Tabelle zum Speichern.</translation>
     </message>
 </context>
 <context>
@@ -7221,6 +7253,17 @@
     </message>
 </context>
 <context>
+    <name>axiscomp::ui::ExaggerationCombo</name>
+    <message>
+        <source>Exaggeration</source>
+        <translation>Überhöhung</translation>
+    </message>
+    <message>
+        <source>fitting</source>
+        <translation>passend</translation>
+    </message>
+</context>
+<context>
     <name>axiscomp::ui::ExportConfigurationDialog</name>
     <message>
         <source>Export to TAM Configuration</source>
@@ -8214,6 +8257,14 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <source>Surface</source>
         <translation>Fläche</translation>
     </message>
+    <message>
+        <source>All slices</source>
+        <translation>Alle Schnitte</translation>
+    </message>
+    <message>
+        <source>Two axes</source>
+        <translation>Zwei Achsen</translation>
+    </message>
 </context>
 <context>
     <name>axiscomp::ui::ProblemList</name>
@@ -8664,6 +8715,25 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
     </message>
 </context>
 <context>
+    <name>axiscomp::ui::SliceGallery</name>
+    <message>
+        <source>Slices of the table</source>
+        <translation>Schnitte der Tabelle</translation>
+    </message>
+    <message>
+        <source>Enter shows the slice as a picture</source>
+        <translation>Die Eingabetaste zeigt den Schnitt als Bild</translation>
+    </message>
+    <message>
+        <source>colours from %1 to %2</source>
+        <translation>Farben von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>%1 of %2 slices · %3</source>
+        <translation>%1 von %2 Schnitten · %3</translation>
+    </message>
+</context>
+<context>
     <name>axiscomp::ui::SliceRow</name>
     <message>
         <source>Slice at</source>
@@ -8850,20 +8920,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <translation>Wievielmal zu hoch die Fehler im Vergleich zu den Achsen gezeichnet werden (+ und -)</translation>
     </message>
     <message>
-        <source>Exaggeration</source>
-        <translation>Überhöhung</translation>
-    </message>
-    <message>
-        <source>fitting</source>
-        <translation>passend</translation>
-    </message>
-    <message>
         <source>First view</source>
         <translation>Anfangsansicht</translation>
-    </message>
-    <message>
-        <source>See the surface as at first (Home). Arrow keys and dragging turn it.</source>
-        <translation>Die Fläche wie am Anfang zeigen (Pos1). Pfeiltasten und Ziehen drehen sie.</translation>
     </message>
     <message>
         <source>Surface of the table</source>
@@ -8880,6 +8938,30 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
     <message>
         <source>heights × %1</source>
         <translation>Überhöhung × %1</translation>
+    </message>
+    <message>
+        <source>See the surface as at first (Home or a double click). Arrow keys and dragging turn it, the wheel, Page Up and Page Down zoom.</source>
+        <translation>Die Fläche wie am Anfang sehen (Pos1 oder Doppelklick). Pfeiltasten und Ziehen drehen sie, Mausrad, Bild auf und Bild ab vergrößern und verkleinern.</translation>
+    </message>
+    <message>
+        <source>Save picture…</source>
+        <translation>Speichern…</translation>
+    </message>
+    <message>
+        <source>Save as PNG, SVG or PDF</source>
+        <translation>Als PNG, SVG oder PDF speichern</translation>
+    </message>
+    <message>
+        <source>There is no table to save.</source>
+        <translation>Es gibt keine Tabelle zum Speichern.</translation>
+    </message>
+    <message>
+        <source>surface</source>
+        <translation>Fläche</translation>
+    </message>
+    <message>
+        <source>Copy picture</source>
+        <translation>Bild kopieren</translation>
     </message>
 </context>
 <context>
@@ -8908,40 +8990,12 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
 <context>
     <name>axiscomp::ui::TablePlot</name>
     <message>
-        <source>Save picture or values</source>
-        <translation>Bild oder Werte speichern</translation>
-    </message>
-    <message>
-        <source>Picture (*.png)</source>
-        <translation>Bild (*.png)</translation>
-    </message>
-    <message>
-        <source>Document (*.pdf)</source>
-        <translation>Dokument (*.pdf)</translation>
-    </message>
-    <message>
-        <source>Values (*.csv)</source>
-        <translation>Werte (*.csv)</translation>
-    </message>
-    <message>
-        <source>Saved as %1</source>
-        <translation>Gespeichert als %1</translation>
-    </message>
-    <message>
         <source>C&amp;ursors</source>
         <translation>C&amp;ursor</translation>
     </message>
     <message>
         <source>Two cursors and their difference. Arrow keys move the cursor, Space changes between A and B, a click sets it.</source>
         <translation>Zwei Cursor und ihre Differenz. Pfeiltasten bewegen den Cursor, die Leertaste wechselt zwischen A und B, ein Klick setzt ihn.</translation>
-    </message>
-    <message>
-        <source>Show the whole table again (Home). The wheel and + and - zoom, Shift and drag zooms into a rectangle, dragging moves.</source>
-        <translation>Wieder die ganze Tabelle zeigen (Pos1). Mausrad, + und - zoomen, Ziehen mit Umschalt zoomt in ein Rechteck, Ziehen verschiebt.</translation>
-    </message>
-    <message>
-        <source>Save as PNG or PDF, or the values shown as CSV</source>
-        <translation>Als PNG oder PDF speichern oder die gezeigten Werte als CSV</translation>
     </message>
     <message>
         <source>selected</source>
@@ -9009,6 +9063,50 @@ B - A: %3</translation>
         <source>The values along both axes through the cross-hair or the cursor, or else through the position of the axis</source>
         <translation>Die Werte entlang beider Achsen durch das Fadenkreuz oder den Cursor, sonst durch die Position der Achse</translation>
     </message>
+    <message>
+        <source>outside the table: end value held</source>
+        <translation>außerhalb der Tabelle: Endwert gehalten</translation>
+    </message>
+    <message>
+        <source>The file name must end in .png, .svg, .pdf or .csv.</source>
+        <translation>Der Dateiname muss auf .png, .svg, .pdf oder .csv enden.</translation>
+    </message>
+    <message>
+        <source>There is no table to save.</source>
+        <translation>Es gibt keine Tabelle zum Speichern.</translation>
+    </message>
+    <message>
+        <source>map</source>
+        <translation>Karte</translation>
+    </message>
+    <message>
+        <source>curve</source>
+        <translation>Kurve</translation>
+    </message>
+    <message>
+        <source>Copy picture</source>
+        <translation>Bild kopieren</translation>
+    </message>
+    <message>
+        <source>Show the whole table again (Home or a double click). The wheel and + and - zoom, Shift and drag zooms into a rectangle, dragging moves.</source>
+        <translation>Wieder die ganze Tabelle zeigen (Pos1 oder Doppelklick). Mausrad, + und - vergrößern und verkleinern, Umschalt und Ziehen vergrößert ein Rechteck, Ziehen verschiebt.</translation>
+    </message>
+    <message>
+        <source>Save as PNG, SVG or PDF, or the values shown as CSV</source>
+        <translation>Als PNG, SVG oder PDF speichern, oder die gezeigten Werte als CSV</translation>
+    </message>
+    <message>
+        <source>travel</source>
+        <translation>Verfahrweg</translation>
+    </message>
+    <message>
+        <source>table</source>
+        <translation>Tabelle</translation>
+    </message>
+    <message>
+        <source>end value held</source>
+        <translation>Endwert gehalten</translation>
+    </message>
 </context>
 <context>
     <name>axiscomp::ui::TableSelection</name>
@@ -9030,6 +9128,14 @@ B - A: %3</translation>
     <message>
         <source>%1, step %2 · min %3, max %4, rms %5</source>
         <translation>%1, Schritt %2 · min. %3, max. %4, RMS %5</translation>
+    </message>
+    <message>
+        <source>difference</source>
+        <translation>Differenz</translation>
+    </message>
+    <message>
+        <source>compensation</source>
+        <translation>Kompensation</translation>
     </message>
 </context>
 <context>
@@ -9073,6 +9179,10 @@ B - A: %3</translation>
         <source>compensation</source>
         <translation>Kompensation</translation>
     </message>
+    <message>
+        <source>on the drive</source>
+        <translation>im Antrieb</translation>
+    </message>
 </context>
 <context>
     <name>axiscomp::ui::ValuesView</name>
@@ -9107,6 +9217,65 @@ B - A: %3</translation>
     <message>
         <source>Copied cells: %1</source>
         <translation>Kopierte Zellen: %1</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::VectorView</name>
+    <message>
+        <source>column %1</source>
+        <translation>Spalte %1</translation>
+    </message>
+    <message>
+        <source>Errors</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>How many times too large errors are drawn (+ and -)</source>
+        <translation>Wievielfach zu groß die Fehler gezeichnet sind (+ und -)</translation>
+    </message>
+    <message>
+        <source>W&amp;hole view</source>
+        <translation>&amp;Ganze Ansicht</translation>
+    </message>
+    <message>
+        <source>Show the whole grid again (Home or a double click). The wheel, Page Up and Page Down zoom, dragging and the arrow keys move.</source>
+        <translation>Wieder das ganze Gitter zeigen (Pos1 oder Doppelklick). Mausrad, Bild auf und Bild ab vergrößern und verkleinern, Ziehen und Pfeiltasten verschieben.</translation>
+    </message>
+    <message>
+        <source>Save picture…</source>
+        <translation>Speichern…</translation>
+    </message>
+    <message>
+        <source>Save as PNG, SVG or PDF</source>
+        <translation>Als PNG, SVG oder PDF speichern</translation>
+    </message>
+    <message>
+        <source>Grid with the errors of two axes</source>
+        <translation>Gitter mit den Fehlern zweier Achsen</translation>
+    </message>
+    <message>
+        <source>The column with the errors along %1</source>
+        <translation>Die Spalte mit den Fehlern in Richtung %1</translation>
+    </message>
+    <message>
+        <source>Thin: the grid as the encoders read it. Bold: where the axes really are, errors × %1.</source>
+        <translation>Dünn: das Gitter, wie es die Geber anzeigen. Dick: wo die Achsen wirklich stehen, Fehler × %1.</translation>
+    </message>
+    <message>
+        <source>The file has no errors of both axes of this slice: cut another dimension.</source>
+        <translation>Die Datei hat nicht die Fehler beider Achsen dieses Schnitts: eine andere Dimension schneiden.</translation>
+    </message>
+    <message>
+        <source>%1 and %2, errors × %3</source>
+        <translation>%1 und %2, Fehler × %3</translation>
+    </message>
+    <message>
+        <source>errors of two axes</source>
+        <translation>Fehler zweier Achsen</translation>
+    </message>
+    <message>
+        <source>Copy picture</source>
+        <translation>Bild kopieren</translation>
     </message>
 </context>
 <context>

@@ -3,16 +3,18 @@
 // on the page. The time of copying as many pixels as the picture has is the measure for a machine.
 #include "core/table/contours.h"
 #include "ui/data/values_model.h"
-#include "ui/plot/plot_canvas.h"
-#include "ui/plot/surface_image.h"
+#include "ui/drawing/plot_canvas.h"
+#include "ui/drawing/surface_image.h"
+#include "ui/plot/vector_view.h"
 
 #include <benchmark/benchmark.h>
 
 #include <QApplication>
+#include <QElapsedTimer>
 #include <QImage>
 
-#include "ui/plot/custom_plot.h"
-#include "ui/plot/table_map.h"
+#include "ui/drawing/custom_plot.h"
+#include "ui/drawing/table_map.h"
 
 #include <cmath>
 
@@ -48,11 +50,35 @@ struct Picture {
     PlotCanvas canvas{&window};
 };
 
+/// Copying as many pixels as the picture has, in seconds of this machine.
+double secondsOfCopying()
+{
+    static const double seconds = [] {
+        const QImage image(pageSize, QImage::Format_RGB32);
+        constexpr int times = 400;
+        QElapsedTimer timer;
+        timer.start();
+        for (int n = 0; n < times; ++n)
+            benchmark::DoNotOptimize(image.copy());
+        constexpr double nanosecond = 1e-9;
+        return static_cast<double>(timer.nsecsElapsed()) * nanosecond / times;
+    }();
+    return seconds;
+}
+
+/// How many such copies one round takes.
+void countCopies(benchmark::State& state)
+{
+    state.counters["copies"] = benchmark::Counter(secondsOfCopying(),
+        benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+
 void copyPixels(benchmark::State& state)
 {
     const QImage image(pageSize, QImage::Format_RGB32);
     for (auto _ : state)
         benchmark::DoNotOptimize(image.copy());
+    countCopies(state);
 }
 
 void redraw(benchmark::State& state, const std::vector<std::uint32_t>& sizes)
@@ -62,6 +88,7 @@ void redraw(benchmark::State& state, const std::vector<std::uint32_t>& sizes)
     picture.draw();
     for (auto _ : state)
         picture.draw();
+    countCopies(state);
 }
 
 /// Another table each time: from its values to the screen.
@@ -74,6 +101,7 @@ void change(benchmark::State& state, const std::vector<std::uint32_t>& sizes)
         picture.canvas.show(tables.at(++turn % 2), nullptr, 0.003);
         picture.draw();
     }
+    countCopies(state);
 }
 
 void map724Redraw(benchmark::State& state)
@@ -103,6 +131,7 @@ void map724Crosshair(benchmark::State& state)
         ++at;
         picture.canvas.setCrosshair(GridPoint{at % 724, at % 700});
     }
+    countCopies(state);
 }
 
 /// 28 long lines and rings.
@@ -120,6 +149,7 @@ void contours724(benchmark::State& state)
     const CompensationTable table = hills();
     for (auto _ : state)
         benchmark::DoNotOptimize(contours(table, contourLevels(table)));
+    countCopies(state);
 }
 
 /// samples: along each dimension.
@@ -130,6 +160,7 @@ void surface724(benchmark::State& state, int samples)
     for (auto _ : state)
         benchmark::DoNotOptimize(surfaceImage(
             sight, divergingGradient(false), QCPRange(-0.003, 0.003), Qt::black, samples));
+    countCopies(state);
 }
 void surface724Turning(benchmark::State& state)
 {
@@ -138,6 +169,30 @@ void surface724Turning(benchmark::State& state)
 void surface724Whole(benchmark::State& state)
 {
     surface724(state, 4096);
+}
+
+/// The grid of two axes' errors, as it is drawn again when an axis moves.
+void vectors724Redraw(benchmark::State& state)
+{
+    auto data = std::make_shared<CalibrationData>();
+    for (const char* target : {"X", "Y"}) {
+        CompensationTable table = hills();
+        table.grid.axes[0].name = "X";
+        table.grid.axes[1].name = "Y";
+        table.target = target;
+        data->grid = table.grid;
+        data->tables.push_back(std::move(table));
+    }
+    TableViewModel shown;
+    VectorView view(shown);
+    view.resize(pageSize);
+    view.setData(data);
+    view.show();
+    auto* plot = view.findChild<QCustomPlot*>(QStringLiteral("vectorCanvas"));
+    plot->resize(pageSize);
+    for (auto _ : state)
+        plot->replot(QCustomPlot::rpImmediateRefresh);
+    countCopies(state);
 }
 
 /// What a view asks for to draw 24 rows of 8 cells, somewhere in 720 x 720.
@@ -158,6 +213,7 @@ void valuesScreen(benchmark::State& state)
             }
         }
     }
+    countCopies(state);
 }
 
 BENCHMARK(copyPixels)->Unit(benchmark::kMicrosecond);
@@ -169,6 +225,7 @@ BENCHMARK(curve100000Change)->Unit(benchmark::kMicrosecond);
 BENCHMARK(contours724)->Unit(benchmark::kMicrosecond);
 BENCHMARK(surface724Turning)->Unit(benchmark::kMicrosecond);
 BENCHMARK(surface724Whole)->Unit(benchmark::kMicrosecond);
+BENCHMARK(vectors724Redraw)->Unit(benchmark::kMicrosecond);
 BENCHMARK(valuesScreen)->Unit(benchmark::kMicrosecond);
 
 } // namespace

@@ -16,15 +16,23 @@ namespace {
 /// A scale needs a width, a table of zeros too.
 constexpr double smallestScale = 1e-9;
 
+double largestOf(const CompensationTable& table)
+{
+    const TableStatistics numbers = statistics(table);
+    return std::max(-numbers.minimum, numbers.maximum);
+}
+
 } // namespace
 
 struct TableViewModel::Private {
     Table selected;
     Table onDrive;
     Table difference; ///< of these two, once it was wanted
+    double noise = 0.0; ///< what values of the difference are without being different
     Table table;
     Table drawn;
     TableStatistics numbers; ///< of table
+    ValueScale valueScale; ///< likewise
     TableContent content = TableContent::Selected;
     std::size_t cutDimension = 2;
     std::size_t cutIndex = 0;
@@ -90,16 +98,21 @@ void TableViewModel::update()
 
 void TableViewModel::computeDifference()
 {
+    using Difference = std::pair<Table, double>;
     const auto difference =
-        inBackground<Table>([selected = d->selected, onDrive = d->onDrive]() -> Table {
+        inBackground<Difference>([selected = d->selected, onDrive = d->onDrive]() -> Difference {
             auto computed = tableDifference(*selected, *onDrive);
-            return computed ? std::make_shared<const CompensationTable>(std::move(*computed))
-                            : nullptr;
+            if (!computed)
+                return {};
+            constexpr double rounding = 2e-7; // of a float32
+            return {std::make_shared<const CompensationTable>(std::move(*computed)),
+                rounding * std::max(largestOf(*selected), largestOf(*onDrive))};
         });
-    whenDone(difference, this, [this, request = ++d->request](const Table& computed) {
-        if (request != d->request || !computed)
+    whenDone(difference, this, [this, request = ++d->request](const Difference& computed) {
+        if (request != d->request || !computed.first)
             return;
-        d->difference = computed;
+        d->difference = computed.first;
+        d->noise = computed.second;
         update();
     });
 }
@@ -109,6 +122,10 @@ void TableViewModel::show(Table table)
     const bool isSameGrid = table && d->table && table->grid.axes == d->table->grid.axes;
     d->table = std::move(table);
     d->numbers = d->table ? statistics(*d->table) : TableStatistics{};
+    const double largest = std::max(-d->numbers.minimum, d->numbers.maximum);
+    const double noise = d->table && d->table == d->difference ? d->noise : 0.0;
+    d->valueScale =
+        d->table ? ValueScale(d->table->unit, largest, d->table->values, noise) : ValueScale();
     if (!isSameGrid) {
         d->current.reset();
         d->cutIndex = isCut() ? d->table->grid.axes[d->cutDimension].size / 2 : 0;
@@ -158,18 +175,39 @@ double TableViewModel::scale() const
     return std::max({-d->numbers.minimum, d->numbers.maximum, smallestScale});
 }
 
+const ValueScale& TableViewModel::valueScale() const
+{
+    return d->valueScale;
+}
+
+QString TableViewModel::title() const
+{
+    if (!d->table)
+        return {};
+    QStringList parts{QString::fromStdString(d->table->name),
+        withUnit(d->content == TableContent::Difference ? tr("difference") : tr("compensation"),
+            d->valueScale.unit())};
+    if (isCut()) {
+        const GridAxis& axis = d->table->grid.axes[d->cutDimension];
+        parts += dimensionName(d->table->grid, d->cutDimension) + u' '
+            + positionText(axis, d->cutIndex) + unitSuffix(axis.unit);
+    }
+    parts.removeAll(QString());
+    return parts.join(QStringLiteral(", "));
+}
+
 QString TableViewModel::description() const
 {
     if (!d->table)
         return tr("No table");
-    const QString unit = unitSuffix(d->table->unit);
+    const ValueScale& values = d->valueScale;
     QStringList steps;
     for (const GridAxis& axis : d->table->grid.axes)
         steps += numberText(axis.distance);
     return tr("%1, step %2 · min %3, max %4, rms %5")
         .arg(gridText(d->table->grid), steps.join(QStringLiteral(" / ")),
-            signedNumberText(d->numbers.minimum) + unit,
-            signedNumberText(d->numbers.maximum) + unit, numberText(d->numbers.rms) + unit);
+            values.textWithUnit(d->numbers.minimum), values.textWithUnit(d->numbers.maximum),
+            values.sizeWithUnit(d->numbers.rms));
 }
 
 void TableViewModel::setSlice(int dimension, int index)
@@ -227,7 +265,7 @@ QString TableViewModel::pointText(const GridPoint& point) const
         text += nameOf(n) + u' ' + positionText(axis, indices[n]) + unitSuffix(axis.unit)
             + QStringLiteral(", ");
     }
-    return text + valueText(valueAt(point)) + unitSuffix(d->drawn->unit);
+    return text + d->valueScale.textWithUnit(static_cast<double>(valueAt(point)));
 }
 
 void TableViewModel::setCurrent(const std::optional<GridPoint>& point)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/table/compensation_table.h"
+#include "ui/text/value_scale.h"
 
 #include <QObject>
 
@@ -55,6 +56,10 @@ public:
     [[nodiscard]] Table second() const;
     /// The largest |value| of table(): half of a scale that is symmetric about zero.
     [[nodiscard]] double scale() const;
+    /// How the values of table() are shown.
+    [[nodiscard]] const ValueScale& valueScale() const;
+    /// What is drawn, for a caption: "X error, difference [µm], Z 20 mm".
+    [[nodiscard]] QString title() const;
     /// "5 x 4 points, X 0 .. 40, Y 0 .. 30, step 10 / 10; min, max, rms"
     [[nodiscard]] QString description() const;
 
@@ -69,7 +74,7 @@ public:
 
     /// The value at a point of drawn(), as the table has it.
     [[nodiscard]] float valueAt(const GridPoint& point) const;
-    /// "X 10 mm, Y 20 mm, +0.0021 mm"
+    /// "X 10 mm, Y 20 mm, +2.1 µm"
     [[nodiscard]] QString pointText(const GridPoint& point) const;
     /// Outside the drawn table, or nothing: none.
     void setCurrent(const std::optional<GridPoint>& point);

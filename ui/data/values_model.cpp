@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/data/values_model.h"
 
+#include "core/table/lookup.h"
 #include "ui/text/value_text.h"
+
+#include <algorithm>
 
 namespace axiscomp::ui {
 
@@ -9,6 +12,7 @@ ValuesModel::ValuesModel(const TableViewModel& shown, QObject* parent)
     : QAbstractTableModel(parent)
     , m_shown(shown)
     , m_table(shown.drawn())
+    , m_second(shown.second())
 {
     connect(&shown, &TableViewModel::changed, this, &ValuesModel::follow);
 }
@@ -24,7 +28,9 @@ int ValuesModel::columnCount(const QModelIndex& parent) const
 {
     if (parent.isValid() || !m_table)
         return 0;
-    return isMap() ? static_cast<int>(m_table->grid.axes[0].size) : ColumnCount;
+    if (isMap())
+        return static_cast<int>(m_table->grid.axes[0].size);
+    return m_second ? ColumnCount : OnDrive;
 }
 
 QVariant ValuesModel::data(const QModelIndex& index, int role) const
@@ -35,8 +41,12 @@ QVariant ValuesModel::data(const QModelIndex& index, int role) const
     switch (role) {
     case Qt::DisplayRole:
         return !isMap() && index.column() == Position
-            ? positionText(m_table->grid.axes[0], point.i)
-            : valueText(m_table->values[point.i + point.j * m_table->grid.axes[0].size]);
+            ? alignedPositionText(m_table->grid.axes[0], point.i)
+            : m_shown.valueScale().text(static_cast<double>(valueAt(index)));
+    case ShareRole:
+        return !isMap() && index.column() == Position
+            ? QVariant()
+            : std::clamp(static_cast<double>(valueAt(index)) / m_shown.scale(), -1.0, 1.0);
     case Qt::TextAlignmentRole:
         return QVariant::fromValue(Qt::AlignRight | Qt::AlignVCenter);
     case Qt::ToolTipRole:
@@ -45,6 +55,17 @@ QVariant ValuesModel::data(const QModelIndex& index, int role) const
     default:
         return {};
     }
+}
+
+float ValuesModel::valueAt(const QModelIndex& index) const
+{
+    const GridPoint point = pointOf(index);
+    const float value = m_table->values[point.i + point.j * m_table->grid.axes[0].size];
+    if (isMap() || index.column() == Value)
+        return value;
+    const auto onDrive =
+        static_cast<float>(Lookup(*m_second).at(m_table->grid.axes[0].position(point.i)));
+    return index.column() == OnDrive ? onDrive : value - onDrive;
 }
 
 QVariant ValuesModel::headerData(int section, Qt::Orientation orientation, int role) const
@@ -58,7 +79,8 @@ QVariant ValuesModel::headerData(int section, Qt::Orientation orientation, int r
     if (role != Qt::DisplayRole)
         return {};
     if (isMap())
-        return positionText(m_table->grid.axes[isHorizontal ? 0 : 1], index);
+        return isHorizontal ? positionText(m_table->grid.axes[0], index)
+                            : alignedPositionText(m_table->grid.axes[1], index);
     return isHorizontal ? columnName(static_cast<Column>(section)) : QString::number(section);
 }
 
@@ -80,9 +102,11 @@ QString ValuesModel::columnName(Column column) const
         return {};
     if (column == Position)
         return withUnit(m_shown.nameOf(0), m_table->grid.axes[0].unit);
-    return withUnit(
-        m_shown.content() == TableContent::Difference ? tr("difference") : tr("compensation"),
-        m_table->unit);
+    const bool isDifference = m_shown.content() == TableContent::Difference || column == Change;
+    return withUnit(column == OnDrive ? tr("on the drive")
+            : isDifference            ? tr("difference")
+                                      : tr("compensation"),
+        m_shown.valueScale().unit());
 }
 
 void ValuesModel::retranslate()
@@ -94,14 +118,18 @@ void ValuesModel::retranslate()
 void ValuesModel::follow()
 {
     const auto& now = m_shown.drawn();
-    if (!now || !m_table || now->grid.axes != m_table->grid.axes) {
+    const TableViewModel::Table second = m_shown.second();
+    const bool hasSameColumns = (second != nullptr) == (m_second != nullptr);
+    if (!now || !m_table || now->grid.axes != m_table->grid.axes || !hasSameColumns) {
         beginResetModel();
         m_table = now;
+        m_second = second;
         endResetModel();
         return;
     }
     // On the same grid selection and scrolling stay where they are.
     m_table = now;
+    m_second = second;
     retranslate();
     Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1));
 }

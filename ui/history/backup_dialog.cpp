@@ -260,7 +260,7 @@ void BackupDialog::showCurrent()
 
 void BackupDialog::showPicture(const KeptBackup& backup)
 {
-    m_picture->setPicture(nullptr, 1.0);
+    m_picture->setPicture(nullptr, 1.0, {});
     m_picture->setTexts(tr("Table of the backup"), QString());
     m_pictureJob.start(
         [table = backup.table](const std::stop_token&) { return tableChange(table, nullptr); });
@@ -271,8 +271,9 @@ void BackupDialog::drawPicture(const TableChange& change)
     const KeptBackup* backup = current();
     if (!backup)
         return;
-    m_picture->setPicture(change.after.drawn, change.scale());
-    m_picture->setTexts(tr("Table of the backup"), pictureText(change.after, unitOf(backup->axis)));
+    const std::string unit = unitOf(backup->axis);
+    m_picture->setPicture(change.after.drawn, change.scale(), unitSymbol(unit).toStdString());
+    m_picture->setTexts(tr("Table of the backup"), pictureText(change.after, unit));
 }
 
 const AxisEntry* BackupDialog::entryOf(int axis) const

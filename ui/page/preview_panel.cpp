@@ -2,15 +2,18 @@
 #include "ui/page/preview_panel.h"
 
 #include "core/drive/drive_profile.h"
+#include "core/table/position_unit.h"
 #include "ui/controller/wizard_controller.h"
 #include "ui/data/table_view_model.h"
 #include "ui/page/file_lines_view.h"
 #include "ui/page/problem_list.h"
 #include "ui/page/write_preview.h"
 #include "ui/plot/controller_combo.h"
+#include "ui/plot/slice_gallery.h"
 #include "ui/plot/surface_view.h"
 #include "ui/plot/table_plot.h"
 #include "ui/plot/values_view.h"
+#include "ui/plot/vector_view.h"
 #include "ui/style/contrast.h"
 #include "ui/style/plain_label.h"
 #include "ui/style/symbols.h"
@@ -18,6 +21,7 @@
 #include "ui/text/value_text.h"
 
 #include <QBoxLayout>
+#include <QFileInfo>
 #include <QLabel>
 #include <QPushButton>
 #include <QShortcut>
@@ -66,6 +70,8 @@ PreviewPanel::PreviewPanel(
     , m_shown(new TableViewModel(this))
     , m_plot(new TablePlot(*m_shown))
     , m_surface(new SurfaceView(*m_shown, this))
+    , m_slices(new SliceGallery(*m_shown, this))
+    , m_vectors(new VectorView(*m_shown, this))
     , m_applied(new ControllerCombo)
     , m_valuesStack(new QStackedWidget)
     , m_values(new ValuesView(*m_shown))
@@ -112,8 +118,11 @@ void PreviewPanel::build()
     tools->addWidget(m_example);
     m_tabs->setCornerWidget(corner);
     m_surface->setObjectName(QStringLiteral("surfaceView"));
-    m_surface->hide();
-    m_problems->hide();
+    m_slices->setObjectName(QStringLiteral("sliceGallery"));
+    m_vectors->setObjectName(QStringLiteral("vectorView"));
+    for (QWidget* page :
+        std::initializer_list<QWidget*>{m_surface, m_slices, m_vectors, m_problems})
+        page->hide();
     m_stack->addWidget(m_tabs);
     m_stack->addWidget(m_writePreview);
     QFont signFont = m_sign->font();
@@ -133,7 +142,8 @@ void PreviewPanel::build()
 
 void PreviewPanel::addTabShortcuts()
 {
-    for (int index = 0; index < 4; ++index) {
+    constexpr int mostTabs = 6;
+    for (int index = 0; index < mostTabs; ++index) {
         auto* shortcut = new QShortcut(QKeySequence(Qt::CTRL | (Qt::Key_1 + index)), this);
         connect(shortcut, &QShortcut::activated, this, [this, index] {
             if (index >= m_tabs->count() || isWritePreviewShown())
@@ -162,19 +172,24 @@ void PreviewPanel::connectProblems()
 void PreviewPanel::connectController()
 {
     connect(m_shown, &TableViewModel::changed, this, &PreviewPanel::showFacts);
-    connect(m_shown, &TableViewModel::changed, this, &PreviewPanel::showSurfaceTab);
+    connect(m_shown, &TableViewModel::changed, this, &PreviewPanel::showTabs);
+    connect(m_slices, &SliceGallery::chosen, this, [this] { m_tabs->setCurrentWidget(m_plot); });
+    connect(&m_controller, &WizardController::dataFileChanged, this, &PreviewPanel::showVectors);
+    connect(&m_controller, &WizardController::currentAxisChanged, this, &PreviewPanel::showOrigin);
     connect(m_applied, &ControllerCombo::changed, this, &PreviewPanel::showApplied);
     connect(m_example, &QPushButton::clicked, this,
         [this] { Q_EMIT saveExampleRequested(m_controller.setup().edited().dimensionality); });
     connect(
         &m_controller, &WizardController::selectedTableChanged, this, &PreviewPanel::showTables);
     connect(&m_controller, &WizardController::statusChanged, this, &PreviewPanel::showTables);
+    connect(&m_controller, &WizardController::axesChanged, this, &PreviewPanel::showTravel);
     connect(&m_controller, &WizardController::liveChanged, this, &PreviewPanel::showMarker);
     connect(&m_controller, &WizardController::dataFileChanged, this, &PreviewPanel::showProblems);
     connect(&m_controller.setup(), &SetupModel::fieldChanged, this, [this](Field field) {
         if (field == Field::Dimensionality)
             showExample();
         showMarker();
+        showTravel();
     });
 }
 
@@ -200,15 +215,13 @@ bool PreviewPanel::isWritePreviewShown() const
 void PreviewPanel::retranslate()
 {
     m_example->setText(tr("Save Exa&mple…"));
-    const std::array<std::pair<QWidget*, QString>, 3> pages{
-        {{m_plot, tr("Picture")}, {m_valuesStack, tr("Values")}, {m_surface, tr("Surface")}}};
-    for (const auto& [page, title] : pages) {
+    for (QWidget* page :
+        std::initializer_list<QWidget*>{m_plot, m_valuesStack, m_surface, m_slices, m_vectors}) {
         const int index = m_tabs->indexOf(page);
-        if (index < 0)
-            continue;
-        m_tabs->setTabText(index, title);
-        m_tabs->setTabToolTip(index, tr("%1 (Ctrl+%2)").arg(title).arg(index + 1));
+        if (index >= 0)
+            m_tabs->setTabText(index, titleOf(*page));
     }
+    showTabTips();
     m_applied->retranslate();
     m_values->retranslate();
     m_lines->retranslate();
@@ -236,27 +249,91 @@ void PreviewPanel::showTables()
 void PreviewPanel::showApplied()
 {
     m_shown->setTables(m_applied->table(), m_controller.driveTable());
+    showOrigin();
+    showTravel();
     showMarker();
     showFacts();
 }
 
-/// A curve has none. What is shown stays while the next table is read.
-void PreviewPanel::showSurfaceTab()
+QString PreviewPanel::titleOf(const QWidget& page) const
+{
+    if (&page == m_plot)
+        return tr("Picture");
+    if (&page == m_valuesStack)
+        return tr("Values");
+    if (&page == m_surface)
+        return tr("Surface");
+    return &page == m_slices ? tr("All slices") : tr("Two axes");
+}
+
+/// What is shown stays while the next table is read.
+void PreviewPanel::showTabs()
 {
     if (!m_shown->table())
         return;
-    const int index = m_tabs->indexOf(m_surface);
-    const bool isWanted = m_shown->table()->grid.dimensions() > 1;
+    const int dimensions = m_shown->table()->grid.dimensions();
+    showTab(*m_surface, dimensions > 1);
+    showTab(*m_slices, dimensions > 2);
+}
+
+/// A page that is not always there, in its place.
+void PreviewPanel::showTab(QWidget& page, bool isWanted)
+{
+    const int index = m_tabs->indexOf(&page);
     if (isWanted == (index >= 0))
         return;
-    if (!isWanted) {
+    if (isWanted) {
+        int place = m_tabs->indexOf(m_valuesStack) + 1;
+        for (const QWidget* before :
+            std::initializer_list<const QWidget*>{m_surface, m_slices, m_vectors}) {
+            if (before == &page)
+                break;
+            place += m_tabs->widget(place) == before ? 1 : 0;
+        }
+        m_tabs->insertTab(place, &page, titleOf(page));
+    } else {
         m_tabs->removeTab(index);
-        m_surface->hide();
-        return;
+        page.hide();
     }
-    const int place = m_tabs->indexOf(m_valuesStack) + 1;
-    m_tabs->insertTab(place, m_surface, tr("Surface"));
-    m_tabs->setTabToolTip(place, tr("%1 (Ctrl+%2)").arg(tr("Surface")).arg(place + 1));
+    showTabTips();
+}
+
+void PreviewPanel::showTabTips()
+{
+    for (int index = 0; index < m_tabs->count(); ++index)
+        if (m_tabs->widget(index) != m_problems)
+            m_tabs->setTabToolTip(
+                index, tr("%1 (Ctrl+%2)").arg(m_tabs->tabText(index)).arg(index + 1));
+}
+
+/// The errors of two axes, when the open file has them.
+void PreviewPanel::showVectors()
+{
+    const auto& data = m_controller.dataFile().data;
+    const bool canShow = VectorView::canShow(data);
+    m_vectors->setData(canShow ? data : nullptr);
+    showTab(*m_vectors, canShow);
+    showMarker();
+    showOrigin();
+}
+
+/// Of saved pictures.
+void PreviewPanel::showOrigin()
+{
+    PictureOrigin origin;
+    const auto current = static_cast<std::size_t>(m_controller.currentAxis());
+    if (current < m_controller.axes().size()) {
+        const AxisEntry& entry = m_controller.axes()[current];
+        origin.drive = entry.driveName;
+        origin.axis = QString::fromStdString(entry.axis.name);
+    }
+    const DataFile& file = m_controller.dataFile();
+    const QString name = file.data ? QFileInfo(file.path).fileName() : QString();
+    m_vectors->setOrigin({origin.drive, origin.axis, name});
+    if (m_controller.setup().edited().table.fileTable)
+        origin.file = name;
+    m_plot->setOrigin(origin);
+    m_surface->setOrigin(origin);
 }
 
 void PreviewPanel::showMarker()
@@ -276,8 +353,48 @@ void PreviewPanel::showMarker()
         : std::nullopt;
     m_plot->setMarker(marker);
     m_surface->setMarker(marker);
+    m_vectors->setMarker(marker ? vectorPlace(marker->positions) : std::nullopt);
     const auto& proof = m_controller.movingProof();
     m_plot->setProved(proof && m_applied->isOfDrive() ? &proof->part() : nullptr);
+}
+
+/// Of the axes whose positions are the sources, as far as the drive says it.
+void PreviewPanel::showTravel()
+{
+    std::array<std::optional<Travel>, 3> travel;
+    const auto table = m_controller.selectedTable();
+    const auto& axes = m_controller.axes();
+    const auto current = static_cast<std::size_t>(m_controller.currentAxis());
+    if (table && m_controller.status() && current < axes.size()) {
+        const auto travelOf = [&](int axis) -> Result<std::optional<Travel>> {
+            if (axis == m_controller.status()->axis.index)
+                return m_controller.status()->axis.travel;
+            for (const AxisEntry& entry : axes)
+                if (entry.axis.index == axis && entry.endpoint == axes[current].endpoint)
+                    return entry.axis.travel;
+            return std::nullopt;
+        };
+        const auto coverage =
+            travelCoverage(m_profile, m_controller.setup().edited().sources, table->grid, travelOf);
+        if (coverage)
+            for (const DimensionCoverage& dimension : *coverage)
+                travel.at(dimension.dimension) = dimension.travel;
+    }
+    m_plot->setTravel(travel, m_applied->isOfDrive());
+}
+
+/// Positions of the drive in the units of the open file.
+std::optional<std::array<double, 3>> PreviewPanel::vectorPlace(
+    std::array<double, 3> positions) const
+{
+    const auto& data = m_controller.dataFile().data;
+    const auto table = m_controller.selectedTable();
+    if (!data || !table || data->grid.dimensions() != table->grid.dimensions())
+        return std::nullopt;
+    for (std::size_t n = 0; n < table->grid.axes.size(); ++n)
+        positions.at(n) *=
+            unitFactor(table->grid.axes[n].unit, data->grid.axes[n].unit).value_or(1.0);
+    return positions;
 }
 
 void PreviewPanel::showFacts()

@@ -3,6 +3,9 @@
 
 #include <QWidget>
 
+#include <array>
+#include <optional>
+
 class QLabel;
 class QPushButton;
 class QStackedWidget;
@@ -18,13 +21,16 @@ class ControllerCombo;
 class FileLinesView;
 class ProblemList;
 class TableViewModel;
+class SliceGallery;
 class SurfaceView;
 class TablePlot;
 class ValuesView;
+class VectorView;
 class WizardController;
 class WritePreview;
 
-/// The right side of the page: the table as picture, values and surface, the problems of the file,
+/// The right side of the page: the table as picture, values, surface and, of three dimensions, all
+/// of its slices; the errors of two axes as one grid; the problems of the file,
 /// and, before a write, the list of what will be written.
 class PreviewPanel : public QWidget {
     Q_OBJECT
@@ -49,9 +55,17 @@ private:
     void connectProblems();
     void showTables();
     void showApplied();
-    void showSurfaceTab();
+    void showTabs();
+    void showTab(QWidget& page, bool isWanted);
+    [[nodiscard]] QString titleOf(const QWidget& page) const;
+    void showTabTips();
+    void showVectors();
+    [[nodiscard]] std::optional<std::array<double, 3>> vectorPlace(
+        std::array<double, 3> positions) const;
+    void showOrigin();
     void showFacts();
     void showMarker();
+    void showTravel();
     void showProblems();
     void showExample();
     [[nodiscard]] QString sizeText() const;
@@ -65,6 +79,8 @@ private:
     TableViewModel* m_shown;
     TablePlot* m_plot;
     SurfaceView* m_surface;
+    SliceGallery* m_slices;
+    VectorView* m_vectors;
     ControllerCombo* m_applied;
     QStackedWidget* m_valuesStack; ///< the table's values, or the file's lines
     ValuesView* m_values;

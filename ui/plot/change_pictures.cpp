@@ -48,7 +48,7 @@ void ChangePictures::setPicture(TableThumbnail& thumbnail, const TablePicture& p
     double scale, const QString& title, const std::string& unit)
 {
     thumbnail.setVisible(picture.drawn != nullptr);
-    thumbnail.setPicture(picture.drawn, scale);
+    thumbnail.setPicture(picture.drawn, scale, unitSymbol(unit).toStdString());
     if (!picture.drawn)
         return;
     thumbnail.setTexts(title, pictureText(picture, unit));

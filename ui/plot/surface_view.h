@@ -11,6 +11,8 @@
 namespace axiscomp::ui {
 
 class TableViewModel;
+struct SurfaceColors;
+struct SurfaceSight;
 
 /// A 2D table, or the slice of a 3D one, as a surface that is turned by mouse and arrow keys. The
 /// errors are drawn larger than they are, by a factor that is shown and can be chosen. Coarser
@@ -25,6 +27,9 @@ public:
 
     /// Where the axis is; none hides it.
     void setMarker(const std::optional<TablePlot::Marker>& marker);
+    void setOrigin(const PictureOrigin& origin);
+    /// As TablePlot::exportTo, without values.
+    [[nodiscard]] QFuture<QString> exportTo(const QString& path) const;
     /// How many times too high heights are drawn.
     [[nodiscard]] double exaggeration() const;
     /// True when what is seen has every grid point.
@@ -37,18 +42,24 @@ protected:
     void keyPressEvent(QKeyEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
     void changeEvent(QEvent* event) override; ///< palette and language
 
 private:
     void build();
     void showTable();
     void turn(double byTurn, double byTilt);
-    void stepExaggeration(int steps);
+    void zoom(double factor);
     void resetSight();
     void sightChanged();
     void drawWhole();
-    void paintPlaces(QPainter& painter);
+    void paintAbove(
+        QPainter& painter, const SurfaceSight& sight, const SurfaceColors& colors) const;
+    void paintPlaces(
+        QPainter& painter, const SurfaceSight& sight, const SurfaceColors& colors) const;
+    void askForExport();
     [[nodiscard]] bool canDraw() const;
 
     struct Private;

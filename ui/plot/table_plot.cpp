@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/async/background_job.h"
-#include "ui/plot/plot_export.h"
+#include "ui/drawing/plot_export.h"
 #include "ui/plot/slice_row.h"
 #include "ui/plot/table_content_combo.h"
 #include "ui/plot/table_plot_p.h"
@@ -8,8 +8,9 @@
 #include <QAction>
 #include <QApplication>
 #include <QBoxLayout>
+#include <QClipboard>
 #include <QEvent>
-#include <QFileDialog>
+#include <QFileInfo>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QMenu>
@@ -18,8 +19,9 @@
 
 #include <algorithm>
 #include <limits>
+#include <span>
 
-#include "ui/plot/custom_plot.h"
+#include "ui/drawing/custom_plot.h"
 #include "ui/style/plain_label.h"
 
 namespace axiscomp::ui {
@@ -66,6 +68,8 @@ void TablePlot::build()
     plot.setFocusPolicy(Qt::StrongFocus);
     plot.setMouseTracking(true);
     plot.installEventFilter(this);
+    plot.setContextMenuPolicy(Qt::CustomContextMenu);
+    connect(&plot, &QWidget::customContextMenuRequested, this, &TablePlot::showMenu);
     addMapActions();
     d->slice = new SliceRow(d->shown, this);
     d->readout = new PlainLabel(this);
@@ -116,6 +120,8 @@ void TablePlot::connectTools()
 
 void TablePlot::showTable()
 {
+    showTravel();
+    d->canvas->setValueScale(d->shown.valueScale());
     d->canvas->show(d->shown.drawn(), d->shown.second(), d->shown.scale());
     for (QToolButton* button : {d->cursorsButton, d->resetButton, d->exportButton})
         button->setEnabled(d->shown.drawn() != nullptr);
@@ -143,7 +149,34 @@ void TablePlot::showMarker()
     }
     const std::array<double, 2> position{d->marker->positions[d->shown.dimensionOf(0)],
         d->isMap() ? d->marker->positions[d->shown.dimensionOf(1)] : 0.0};
-    d->canvas->setMarker(position, d->marker->output);
+    const Grid& grid = d->shown.table()->grid;
+    const bool isInside = isWithin(grid, std::span(d->marker->positions).first(grid.axes.size()));
+    d->canvas->setMarker(position, d->marker->output,
+        isInside || !holdsEnds() ? QString() : tr("outside the table: end value held"));
+}
+
+/// A difference is known on the table's points alone.
+bool TablePlot::holdsEnds() const
+{
+    return d->holdsEnds && d->shown.content() != TableContent::Difference;
+}
+
+void TablePlot::setTravel(const std::array<std::optional<Travel>, 3>& travel, bool holdsEnds)
+{
+    if (travel == d->travel && holdsEnds == d->holdsEnds)
+        return;
+    d->travel = travel;
+    d->holdsEnds = holdsEnds;
+    showTravel();
+}
+
+void TablePlot::showTravel()
+{
+    if (!d->shown.drawn())
+        return;
+    d->canvas->setTravel({d->travel[d->shown.dimensionOf(0)],
+                             d->isMap() ? d->travel[d->shown.dimensionOf(1)] : std::nullopt},
+        holdsEnds());
 }
 
 void TablePlot::setProved(const ProvedPart* part)
@@ -185,27 +218,59 @@ void TablePlot::showProved()
     d->canvas->setProved(keys, values);
 }
 
+void TablePlot::setOrigin(const PictureOrigin& origin)
+{
+    d->origin = origin;
+}
+
 QFuture<QString> TablePlot::exportTo(const QString& path) const
 {
-    return exportPlot(*d->canvas, d->shown.drawn(), path);
+    const auto& shown = d->shown.drawn();
+    const bool isValues = QFileInfo(path).suffix().toLower() == u"csv";
+    if (!shown || (!isValues && !isPictureName(path)))
+        return inBackground<QString>(
+            [problem = shown ? tr("The file name must end in .png, .svg, .pdf or .csv.")
+                             : tr("There is no table to save.")] { return problem; });
+    if (isValues)
+        return saveValues(shown, path);
+    d->canvas->setPalette(QPalette(Qt::white));
+    const PictureDrawing drawing = drawingOf(d->canvas->plot(), shown);
+    d->canvas->setPalette(palette());
+    d->canvas->replot();
+    return savePicture(
+        drawing, pictureCaption(d->shown.title(), d->origin, QDateTime::currentDateTime()), path);
 }
 
 void TablePlot::askForExport()
 {
-    auto* dialog = new QFileDialog(this, tr("Save picture or values"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setAcceptMode(QFileDialog::AcceptSave);
-    dialog->setNameFilters({tr("Picture (*.png)"), tr("Document (*.pdf)"), tr("Values (*.csv)")});
-    dialog->setDefaultSuffix(QStringLiteral("png"));
-    connect(dialog, &QFileDialog::filterSelected, dialog, [dialog](const QString& filter) {
-        dialog->setDefaultSuffix(filter.section(u'.', -1).chopped(1));
-    });
-    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
-        whenDone(exportTo(path), this, [this, path](const QString& problem) {
-            d->readout->setText(problem.isEmpty() ? tr("Saved as %1").arg(path) : problem);
-        });
-    });
-    dialog->open();
+    askForPictureFile(
+        *this, proposedPictureName(d->origin, d->isMap() ? tr("map") : tr("curve")), true,
+        [this](const QString& path) { return exportTo(path); },
+        [this](const QString& sentence) { d->readout->setText(sentence); });
+}
+
+void TablePlot::showMenu(const QPoint& place)
+{
+    if (!d->shown.drawn())
+        return;
+    auto* menu = new QMenu(this);
+    menu->setObjectName(QStringLiteral("plotMenu"));
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    const auto pressing = [menu](QToolButton* button) {
+        QAction* action = menu->addAction(button->text());
+        action->setCheckable(button->isCheckable());
+        action->setChecked(button->isChecked());
+        connect(action, &QAction::triggered, button, &QToolButton::click);
+    };
+    pressing(d->resetButton);
+    pressing(d->cursorsButton);
+    if (d->isMap())
+        menu->addActions(d->showButton->menu()->actions());
+    menu->addSeparator();
+    connect(menu->addAction(tr("Copy picture")), &QAction::triggered, this,
+        [this] { QGuiApplication::clipboard()->setPixmap(d->canvas->plot().toPixmap()); });
+    pressing(d->exportButton);
+    menu->popup(d->canvas->plot().mapToGlobal(place));
 }
 
 void TablePlot::changeEvent(QEvent* event)
@@ -235,6 +300,9 @@ bool TablePlot::eventFilter(QObject* watched, QEvent* event)
     case QEvent::MouseButtonRelease:
         handleMouse(static_cast<const QMouseEvent&>(*event));
         break;
+    case QEvent::MouseButtonDblClick:
+        d->canvas->resetZoom();
+        return true;
     case QEvent::Leave:
         d->hovered.reset();
         showCurrent();

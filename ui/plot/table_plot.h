@@ -2,6 +2,8 @@
 #pragma once
 
 #include "core/axis/proved_part.h"
+#include "core/drive/travel_coverage.h"
+#include "ui/drawing/picture_file.h"
 
 #include <QFuture>
 #include <QWidget>
@@ -37,12 +39,17 @@ public:
         double output = 0.0;
     };
     void setMarker(const std::optional<Marker>& marker);
+    /// How far the axis travels along each dimension, in the table's positions; none: the drive
+    /// does not say. holdsEnds: beyond the table its end values hold.
+    void setTravel(const std::array<std::optional<Travel>, 3>& travel, bool holdsEnds);
     /// What has been proved of the table on the drive, which the picture shows only with that
     /// table; null hides it.
     void setProved(const ProvedPart* part);
 
-    /// format by the file's ending: png, pdf, csv (the values shown). An empty text is success,
-    /// otherwise a translated sentence. The file is written on another thread.
+    /// What saved pictures say about where the table is from.
+    void setOrigin(const PictureOrigin& origin);
+    /// format by the file's ending: png, svg, pdf, csv (the values shown). An empty text is
+    /// success, otherwise a translated sentence. The file is written on another thread.
     [[nodiscard]] QFuture<QString> exportTo(const QString& path) const;
 
 protected:
@@ -57,6 +64,8 @@ private:
     void showTable();
     void showMarker();
     void showProved();
+    void showTravel();
+    [[nodiscard]] bool holdsEnds() const;
     void showCurrent();
     void currentChanged();
     void showReadout();
@@ -65,6 +74,7 @@ private:
     void handleMouse(const QMouseEvent& mouse);
     [[nodiscard]] bool handleKey(int key, Qt::KeyboardModifiers modifiers);
     void askForExport();
+    void showMenu(const QPoint& place);
 
     struct Private;
     std::unique_ptr<Private> d;

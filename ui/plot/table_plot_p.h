@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/plot/plot_canvas.h"
+#include "ui/drawing/plot_canvas.h"
 #include "ui/plot/table_plot.h"
 
 #include <QPointF>
@@ -20,7 +20,10 @@ struct TablePlot::Private {
     explicit Private(TableViewModel& shownTable) : shown(shownTable) { }
 
     TableViewModel& shown;
+    PictureOrigin origin;
     std::optional<Marker> marker;
+    std::array<std::optional<Travel>, 3> travel;
+    bool holdsEnds = true;
     std::optional<ProvedPart> proved; ///< of the table on the drive
     bool hasCursors = false;
     std::size_t activeCursor = 0;

@@ -8,7 +8,7 @@
 #include <QLabel>
 #include <QToolButton>
 
-#include "ui/plot/custom_plot.h"
+#include "ui/drawing/custom_plot.h"
 
 #include <algorithm>
 
@@ -56,13 +56,15 @@ void TablePlot::retranslate()
     d->cursorsButton->setToolTip(tr("Two cursors and their difference. Arrow keys move the cursor, "
                                     "Space changes between A and B, a click sets it."));
     d->resetButton->setText(tr("W&hole view"));
-    d->resetButton->setToolTip(tr("Show the whole table again (Home). The wheel and + and - zoom, "
-                                  "Shift and drag zooms into a rectangle, dragging moves."));
+    d->resetButton->setToolTip(tr("Show the whole table again (Home or a double click). The wheel "
+                                  "and + and - zoom, Shift and drag zooms into a rectangle, "
+                                  "dragging moves."));
     d->exportButton->setText(tr("Save picture…"));
-    d->exportButton->setToolTip(tr("Save as PNG or PDF, or the values shown as CSV"));
+    d->exportButton->setToolTip(tr("Save as PNG, SVG or PDF, or the values shown as CSV"));
     for (QToolButton* button : {d->showButton, d->cursorsButton, d->resetButton, d->exportButton})
         button->setAccessibleDescription(button->toolTip());
     d->canvas->setNames(tr("selected"), tr("on the drive"));
+    d->canvas->setTravelTexts(tr("travel"), tr("table"), tr("end value held"));
     QCustomPlot& plot = d->canvas->plot();
     plot.setAccessibleName(tr("Picture of the table"));
     plot.setAccessibleDescription(d->shown.description());
@@ -76,8 +78,8 @@ void TablePlot::retranslate()
     };
     const QString value =
         d->shown.content() == TableContent::Difference ? tr("difference") : tr("compensation");
-    d->canvas->setLabels(
-        axisTitle(0), d->isMap() ? axisTitle(1) : QString(), withUnit(value, table->unit));
+    d->canvas->setLabels(axisTitle(0), d->isMap() ? axisTitle(1) : QString(),
+        withUnit(value, d->shown.valueScale().unit()));
 }
 
 void TablePlot::showCurrent()
@@ -110,10 +112,10 @@ void TablePlot::showReadout()
         const auto [a, b] = d->cursors;
         const double difference =
             static_cast<double>(d->shown.valueAt(b)) - static_cast<double>(d->shown.valueAt(a));
-        text = tr("A: %1     B: %2\nB - A: %3")
-                   .arg(d->shown.pointText(a), d->shown.pointText(b),
-                       distanceText(d->shown, a, b) + valueText(static_cast<float>(difference))
-                           + unitSuffix(table->unit));
+        text =
+            tr("A: %1     B: %2\nB - A: %3")
+                .arg(d->shown.pointText(a), d->shown.pointText(b),
+                    distanceText(d->shown, a, b) + d->shown.valueScale().textWithUnit(difference));
     } else if (table && place) {
         text = d->shown.pointText(*place);
     }

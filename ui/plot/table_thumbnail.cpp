@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/plot/table_thumbnail.h"
 
-#include "ui/plot/custom_plot.h"
-#include "ui/plot/plot_canvas.h"
+#include "ui/drawing/custom_plot.h"
+#include "ui/drawing/plot_canvas.h"
 #include "ui/style/plain_label.h"
+#include "ui/text/value_scale.h"
+#include "ui/text/value_text.h"
 
 #include <QBoxLayout>
 #include <QEvent>
@@ -71,9 +73,14 @@ TableThumbnail::TableThumbnail(QWidget* parent)
 
 TableThumbnail::~TableThumbnail() = default;
 
-void TableThumbnail::setPicture(const std::shared_ptr<const CompensationTable>& drawn, double scale)
+void TableThumbnail::setPicture(
+    const std::shared_ptr<const CompensationTable>& drawn, double scale, const std::string& unit)
 {
     const double half = std::max(scale, smallestScale);
+    const std::array<float, 1> largest{static_cast<float>(half)};
+    const ValueScale values(unit, largest);
+    m_canvas->setValueScale(values);
+    m_canvas->setLabels({}, {}, qString(values.unit()));
     m_canvas->show(drawn, nullptr, half);
     QCustomPlot& plot = m_canvas->plot();
     removeColorScale(plot);

@@ -22,8 +22,9 @@ public:
     ~TableThumbnail() override;
 
     /// drawn: 1 or 2 dimensions; null leaves the picture empty. scale: the picture is symmetric
-    /// about zero, this far.
-    void setPicture(const std::shared_ptr<const CompensationTable>& drawn, double scale);
+    /// about zero, this far. unit: of the values, a symbol.
+    void setPicture(const std::shared_ptr<const CompensationTable>& drawn, double scale,
+        const std::string& unit);
     void setTexts(const QString& title, const QString& line);
 
 protected:

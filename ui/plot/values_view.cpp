@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/plot/values_view.h"
 
+#include "core/table/lookup.h"
 #include "ui/async/background_job.h"
 #include "ui/data/table_view_model.h"
 #include "ui/data/values_model.h"
+#include "ui/drawing/table_map.h"
 #include "ui/plot/slice_row.h"
 #include "ui/plot/table_content_combo.h"
+#include "ui/style/contrast.h"
 #include "ui/style/plain_label.h"
 #include "ui/style/symbols.h"
 #include "ui/text/value_text.h"
@@ -16,6 +19,7 @@
 #include <QGuiApplication>
 #include <QHeaderView>
 #include <QLabel>
+#include <QStyledItemDelegate>
 #include <QTableView>
 #include <QToolButton>
 
@@ -27,10 +31,11 @@ namespace {
 
 class Copier {
 public:
-    Copier(const CompensationTable& drawn, const std::vector<CellRange>& ranges)
-        : m_table(drawn)
+    Copier(const CopiedTable& copied, const std::vector<CellRange>& ranges)
+        : m_copied(copied)
+        , m_table(copied.drawn)
         , m_ranges(ranges)
-        , m_isMap(drawn.grid.dimensions() == 2)
+        , m_isMap(m_table.grid.dimensions() == 2)
     {
         for (const CellRange& range : ranges) {
             m_lastRow = std::max(m_lastRow, range.bottom);
@@ -56,9 +61,14 @@ public:
 private:
     void addHeaders(const CopyHeaders& headers)
     {
-        m_text += (m_isMap ? headers.second + QStringLiteral(" \\ ") + headers.first
-                           : headers.first + u'\t' + headers.second)
-                      .toUtf8();
+        const QStringList names = QStringList{headers.second} + headers.more;
+        m_text += (m_isMap ? headers.second + QStringLiteral(" \\ ") : QString()).toUtf8();
+        m_text += headers.first.toUtf8();
+        for (std::size_t column = ValuesModel::Value; !m_isMap && column < m_columns.size();
+             ++column) {
+            if (m_columns[column])
+                m_text += '\t' + names.value(qsizetype(column) - ValuesModel::Value).toUtf8();
+        }
         for (std::size_t column = 0; m_isMap && column < m_columns.size(); ++column) {
             if (m_columns[column])
                 m_text += '\t' + plainPosition(m_table.grid.axes[0], column);
@@ -92,12 +102,20 @@ private:
 
     [[nodiscard]] QByteArray cell(std::size_t row, std::size_t column) const
     {
+        const ValueScale& scale = m_copied.scale;
         if (m_isMap)
-            return plainValue(m_table.values[row * m_table.grid.axes[0].size + column]);
-        return column == ValuesModel::Position ? plainPosition(m_table.grid.axes[0], row)
-                                               : plainValue(m_table.values[row]);
+            return scale.plain(m_table.values[row * m_table.grid.axes[0].size + column]);
+        if (column == ValuesModel::Position)
+            return plainPosition(m_table.grid.axes[0], row);
+        const float value = m_table.values[row];
+        if (column == ValuesModel::Value)
+            return scale.plain(value);
+        const auto onDrive =
+            static_cast<float>(Lookup(*m_copied.onDrive).at(m_table.grid.axes[0].position(row)));
+        return scale.plain(column == ValuesModel::OnDrive ? onDrive : value - onDrive);
     }
 
+    const CopiedTable& m_copied;
     const CompensationTable& m_table;
     const std::vector<CellRange>& m_ranges;
     bool m_isMap;
@@ -106,6 +124,31 @@ private:
     std::vector<bool> m_columns; ///< those of which a cell is chosen
     std::vector<CellRange> m_inRow;
     QByteArray m_text;
+};
+
+/// Cells in the colour that their value has in the map.
+class ColoredCells : public QStyledItemDelegate {
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+protected:
+    void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override
+    {
+        QStyledItemDelegate::initStyleOption(option, index);
+        const QVariant share = index.data(ValuesModel::ShareRole);
+        if (!share.isValid())
+            return;
+        const bool isDark = option->palette.color(QPalette::Base).lightness() < 128;
+        const QColor cell =
+            (isDark ? m_dark : m_light).color(share.toDouble(), QCPRange(-1.0, 1.0));
+        option->backgroundBrush = cell;
+        const bool isBlackBetter = contrastRatio(Qt::black, cell) >= contrastRatio(Qt::white, cell);
+        option->palette.setColor(QPalette::Text, isBlackBetter ? Qt::black : Qt::white);
+    }
+
+private:
+    mutable QCPColorGradient m_light = divergingGradient(false);
+    mutable QCPColorGradient m_dark = divergingGradient(true);
 };
 
 std::vector<CellRange> rangesOf(const QItemSelection& selection)
@@ -127,10 +170,10 @@ std::size_t cellCount(const std::vector<CellRange>& ranges)
 
 } // namespace
 
-QString copiedText(const CompensationTable& drawn, const std::vector<CellRange>& ranges,
-    const CopyHeaders* headers)
+QString copiedText(
+    const CopiedTable& table, const std::vector<CellRange>& ranges, const CopyHeaders* headers)
 {
-    return QString::fromUtf8(Copier(drawn, ranges).text(headers));
+    return QString::fromUtf8(Copier(table, ranges).text(headers));
 }
 
 ValuesView::ValuesView(TableViewModel& shown, QWidget* parent)
@@ -165,6 +208,7 @@ void ValuesView::build()
     m_copyButton->setFocusPolicy(Qt::StrongFocus);
     m_table->setObjectName(QStringLiteral("values"));
     m_table->setModel(m_model);
+    m_table->setItemDelegate(new ColoredCells(m_table));
     m_table->setWordWrap(false);
     m_table->setTabKeyNavigation(false);
     m_table->setSelectionMode(QAbstractItemView::ExtendedSelection);
@@ -248,7 +292,7 @@ void ValuesView::showTable()
                        m_model->columnName(ValuesModel::Value));
     // The two columns of a curve have names, which may need more room than numbers.
     auto* header = m_table->horizontalHeader();
-    for (const int column : {ValuesModel::Position, ValuesModel::Value}) {
+    for (int column = 0; column < ValuesModel::ColumnCount; ++column) {
         if (column < m_model->columnCount())
             header->resizeSection(column,
                 std::max(header->defaultSectionSize(),
@@ -287,11 +331,14 @@ void ValuesView::copy(bool withPositions)
     const bool isMap = table->grid.dimensions() == 2;
     const CopyHeaders headers{withUnit(m_shown.nameOf(0), table->grid.axes[0].unit),
         isMap ? withUnit(m_shown.nameOf(1), table->grid.axes[1].unit)
-              : m_model->columnName(ValuesModel::Value)};
+              : m_model->columnName(ValuesModel::Value),
+        {m_model->columnName(ValuesModel::OnDrive), m_model->columnName(ValuesModel::Change)}};
     const std::size_t count = cellCount(ranges);
     const auto text =
-        inBackground<QString>([table, ranges = std::move(ranges), headers, withPositions] {
-            return copiedText(*table, ranges, withPositions ? &headers : nullptr);
+        inBackground<QString>([table, ranges = std::move(ranges), headers, withPositions,
+                                  scale = m_shown.valueScale(), onDrive = m_shown.second()] {
+            return copiedText(
+                {*table, scale, onDrive.get()}, ranges, withPositions ? &headers : nullptr);
         });
     whenDone(text, this, [this, count](const QString& copied) {
         QGuiApplication::clipboard()->setText(copied);

@@ -2,8 +2,10 @@
 #pragma once
 
 #include "core/table/compensation_table.h"
+#include "ui/text/value_scale.h"
 
 #include <QString>
+#include <QStringList>
 #include <QWidget>
 
 #include <vector>
@@ -32,14 +34,22 @@ struct CellRange {
 struct CopyHeaders {
     QString first; ///< 1D: the position; 2D: dimension 1
     QString second; ///< 1D: the value; 2D: dimension 2
+    QStringList more = {}; ///< 1D: of the columns behind the value
+};
+
+/// What is copied of.
+struct CopiedTable {
+    const CompensationTable& drawn; ///< 1 or 2 dimensions
+    ValueScale scale = {}; ///< values are in the unit that is seen
+    const CompensationTable* onDrive = nullptr; ///< 1D: of the columns behind the value
 };
 
 /// Cells as tab-separated lines for spreadsheets: decimal point, every digit the value has, an
 /// empty cell where a row or column is only partly chosen. headers null: the cells alone; otherwise
-/// with a line of names or positions above and the positions on the left. drawn: 1 or 2 dimensions.
+/// with a line of names or positions above and the positions on the left.
 /// Takes a tenth of a second for the largest tables: not for the window's thread.
-[[nodiscard]] QString copiedText(const CompensationTable& drawn,
-    const std::vector<CellRange>& ranges, const CopyHeaders* headers);
+[[nodiscard]] QString copiedText(
+    const CopiedTable& table, const std::vector<CellRange>& ranges, const CopyHeaders* headers);
 
 /// The numbers of the table, beside its picture: the same choice, the same slice, and the cell that
 /// is current is the picture's cross-hair. Cells are copied for spreadsheets.

@@ -11,6 +11,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <optional>
 
 namespace axiscomp::ui {
 
@@ -44,6 +45,23 @@ QString translated(const char* text)
     return QCoreApplication::translate("ValueText", text);
 }
 
+/// How many decimals all positions of an axis need; none when that is more than can be read.
+std::optional<int> decimalsOf(const GridAxis& axis)
+{
+    constexpr int most = 6;
+    constexpr double rounding = 1e-6;
+    double perUnit = 1.0;
+    for (int decimals = 0; decimals <= most; ++decimals, perUnit *= 10.0) {
+        const auto isWhole = [&](double number) {
+            const double scaled = number * perUnit;
+            return std::abs(scaled - std::round(scaled)) < rounding * axis.distance * perUnit;
+        };
+        if (isWhole(axis.start) && isWhole(axis.distance))
+            return decimals;
+    }
+    return std::nullopt;
+}
+
 QString withSign(double value, QString text)
 {
     return value > 0.0 ? text.prepend(u'+') : text;
@@ -74,16 +92,22 @@ QString countText(std::size_t count)
     return QLocale().toString(static_cast<qulonglong>(count));
 }
 
-QString valueText(float value)
-{
-    QString text = QString::fromLatin1(plainValue(value));
-    text.replace(u'.', QLocale().decimalPoint());
-    return withSign(static_cast<double>(value), text);
-}
-
 QString positionText(const GridAxis& axis, std::size_t index)
 {
     return QString::fromLatin1(plainPosition(axis, index)).replace(u'.', QLocale().decimalPoint());
+}
+
+QString alignedPositionText(const GridAxis& axis, std::size_t index)
+{
+    const auto decimals = decimalsOf(axis);
+    if (!decimals)
+        return positionText(axis, index);
+    QLocale locale;
+    locale.setNumberOptions(QLocale::OmitGroupSeparator);
+    // 10 - 100 * 0.1 is a little beside zero.
+    const double position = axis.position(index);
+    const bool isZero = std::abs(position) < axis.distance * 1e-9;
+    return locale.toString(isZero ? 0.0 : position, 'f', *decimals);
 }
 
 QString unitSuffix(const std::string& unit)

@@ -23,17 +23,21 @@ namespace axiscomp::ui {
 /// "+0.0021", "0", "-0.0021"
 [[nodiscard]] QString signedNumberText(double value);
 [[nodiscard]] QString countText(std::size_t count);
-/// A table's value with every digit that its float32 has, and its sign: "+0.0021".
-[[nodiscard]] QString valueText(float value);
 /// A grid point's position with as many digits as tell it from its neighbours.
 [[nodiscard]] QString positionText(const GridAxis& axis, std::size_t index);
+/// With as many decimals as the position of the same axis that has most of them, so that they stand
+/// below each other.
+[[nodiscard]] QString alignedPositionText(const GridAxis& axis, std::size_t index);
 /// " mm"; nothing without a unit.
 [[nodiscard]] QString unitSuffix(const std::string& unit);
 /// "X [mm]"; the name alone without a unit.
 [[nodiscard]] QString withUnit(const QString& name, const std::string& unit);
 
-/// The same two for other programs: decimal point, no sign for positive numbers.
+// For other programs: decimal point, no sign for positive numbers.
+
+/// A table's value with every digit that its float32 has.
 [[nodiscard]] QByteArray plainValue(float value);
+/// As positionText.
 [[nodiscard]] QByteArray plainPosition(const GridAxis& axis, std::size_t index);
 /// "3.4 %": of the whole, rounded down, so that only all of it is 100 %.
 [[nodiscard]] QString percentageText(double share);

@@ -3,6 +3,7 @@
 #include "tests/ui/support/table_samples.h"
 #include "tests/ui/support/window_test.h"
 #include "ui/data/values_model.h"
+#include "ui/drawing/table_map.h"
 #include "ui/plot/values_view.h"
 #include "ui/text/value_text.h"
 
@@ -30,6 +31,14 @@ namespace {
 QString textAt(const QAbstractItemModel& model, int row, int column)
 {
     return model.index(row, column).data().toString();
+}
+
+/// As a table of some micrometres is shown.
+QString micrometres(float millimetres)
+{
+    constexpr double perMillimetre = 1000.0;
+    const QString text = QString::number(static_cast<double>(millimetres) * perMillimetre, 'f', 4);
+    return millimetres > 0.0F ? u'+' + text : millimetres == 0.0F ? QStringLiteral("0.0000") : text;
 }
 
 QString header(const QAbstractItemModel& model, Qt::Orientation orientation, int section)
@@ -83,10 +92,50 @@ private Q_SLOTS:
         QCOMPARE(model.rowCount(), 5);
         QCOMPARE(model.columnCount(), 2);
         QCOMPARE(header(model, Qt::Horizontal, 0), QStringLiteral("X [mm]"));
-        QCOMPARE(header(model, Qt::Horizontal, 1), QStringLiteral("compensation [mm]"));
+        QCOMPARE(header(model, Qt::Horizontal, 1), QStringLiteral("compensation [µm]"));
         QCOMPARE(header(model, Qt::Vertical, 4), QStringLiteral("4")); // as Dim1Index counts
         QCOMPARE(textAt(model, 3, 0), QStringLiteral("7.5"));
-        QCOMPARE(textAt(model, 3, 1), valueText(table->values[3]));
+        QCOMPARE(textAt(model, 3, 1), micrometres(table->values[3]));
+    }
+
+    void besideTheDrivesCurveStandsTheDifference()
+    {
+        TableViewModel shown;
+        const auto table = sharedTable({5});
+        auto onDrive = namedTable({3}, 1.0); // 0 to 5: its last value holds up to 10
+        shown.setTables(table, std::make_shared<const CompensationTable>(onDrive));
+        const ValuesModel model(shown);
+        QCOMPARE(model.columnCount(), 4);
+        QCOMPARE(header(model, Qt::Horizontal, 2), QStringLiteral("on the drive [µm]"));
+        QCOMPARE(header(model, Qt::Horizontal, 3), QStringLiteral("difference [µm]"));
+        QCOMPARE(textAt(model, 4, 2), micrometres(onDrive.values[2]));
+        QCOMPARE(textAt(model, 4, 3), micrometres(table->values[4] - onDrive.values[2]));
+        const CopyHeaders names{QStringLiteral("X"), QStringLiteral("new"),
+            {QStringLiteral("old"), QStringLiteral("difference")}};
+        const QString copied =
+            copiedText({*table, shown.valueScale(), &onDrive}, {{1, 0, 1, 3}}, &names);
+        QVERIFY2(copied.startsWith(QStringLiteral("X\tnew\told\tdifference\n2.5\t")),
+            qPrintable(copied));
+        const QStringList cells = copied.section(u'\n', 1, 1).split(u'\t');
+        QCOMPARE(cells.size(), 4);
+        QVERIFY(std::abs(cells[1].toDouble() - cells[2].toDouble() - cells[3].toDouble()) < 1e-6);
+        QVERIFY(std::abs(cells[1].toDouble() - 1000.0 * double(table->values[1])) < 1e-6);
+    }
+
+    void cellsHaveTheColourOfTheMap()
+    {
+        Fixture bench(sharedTable({4, 3}));
+        const auto& values = bench.shown.drawn()->values;
+        const auto largest =
+            std::ranges::max_element(values, {}, [](float v) { return std::abs(v); });
+        const auto at = static_cast<int>(largest - values.begin());
+        const QModelIndex cell = bench.model().index(at / 4, at % 4);
+        QCOMPARE(std::abs(cell.data(ValuesModel::ShareRole).toDouble()), 1.0);
+        const QImage picture = bench.table->viewport()->grab().toImage();
+        const QRect place = bench.table->visualRect(cell);
+        QCPColorGradient gradient = divergingGradient(false);
+        QCOMPARE(picture.pixelColor(place.topLeft() + QPoint(4, 3)),
+            QColor(gradient.color(*largest > 0.0F ? 1.0 : -1.0, QCPRange(-1.0, 1.0))));
     }
 
     void aMapHasDimension1AcrossAndDimension2Down()
@@ -98,14 +147,14 @@ private Q_SLOTS:
         QCOMPARE(model.rowCount(), 3);
         QCOMPARE(model.columnCount(), 4);
         QCOMPARE(header(model, Qt::Horizontal, 3), QStringLiteral("7.5"));
-        QCOMPARE(header(model, Qt::Vertical, 2), QStringLiteral("105"));
+        QCOMPARE(header(model, Qt::Vertical, 2), QStringLiteral("105.0"));
         for (int j = 0; j < 3; ++j) {
             for (int i = 0; i < 4; ++i)
                 QCOMPARE(textAt(model, j, i),
-                    valueText(table->values[static_cast<std::size_t>(j * 4 + i)]));
+                    micrometres(table->values[static_cast<std::size_t>(j * 4 + i)]));
         }
         QCOMPARE(model.index(2, 3).data(Qt::AccessibleTextRole).toString(),
-            QStringLiteral("X 7.5 mm, Y 105 mm, %1 mm").arg(valueText(table->values[11])));
+            QStringLiteral("X 7.5 mm, Y 105 mm, %1 µm").arg(micrometres(table->values[11])));
     }
 
     void aVolumeShowsTheSliceThatThePictureShows()
@@ -115,18 +164,18 @@ private Q_SLOTS:
         auto* slider = bench.view->findChild<QSlider*>(QStringLiteral("sliceIndex"));
         slider->setValue(4);
         QCOMPARE(bench.shown.sliceIndex(), 4);
-        QCOMPARE(textAt(bench.model(), 2, 1), valueText(table->values[4 * 12 + 2 * 4 + 1]));
+        QCOMPARE(textAt(bench.model(), 2, 1), micrometres(table->values[4 * 12 + 2 * 4 + 1]));
         bench.shown.setSlice(1, 3); // X is cut: Y across, Z down
         QCOMPARE(bench.model().columnCount(), 3);
         QCOMPARE(bench.model().rowCount(), 5);
-        QCOMPARE(textAt(bench.model(), 2, 1), valueText(table->values[2 * 12 + 1 * 4 + 3]));
-        QCOMPARE(header(bench.model(), Qt::Vertical, 2), QStringLiteral("205"));
+        QCOMPARE(textAt(bench.model(), 2, 1), micrometres(table->values[2 * 12 + 1 * 4 + 3]));
+        QCOMPARE(header(bench.model(), Qt::Vertical, 2), QStringLiteral("205.0"));
         QCOMPARE(slider->value(), 3);
         const auto* note = bench.view->findChild<QLabel*>(QStringLiteral("valuesLayout"));
-        QCOMPARE(note->text(), QStringLiteral("Y [mm] across, Z [mm] down, compensation [mm]"));
+        QCOMPARE(note->text(), QStringLiteral("Y [mm] across, Z [mm] down, compensation [µm]"));
     }
 
-    void aValueIsShownWithEveryDigitThatItHas()
+    void aValueIsCopiedWithEveryDigitThatItHas()
     {
         std::mt19937 random(3); // NOLINT: the same values every time
         std::uniform_int_distribution<std::uint32_t> bits;
@@ -139,9 +188,7 @@ private Q_SLOTS:
         QCOMPARE(plainValue(0.0021F), QByteArray("0.0021"));
         QCOMPARE(plainValue(1e-5F), QByteArray("0.00001"));
         QCOMPARE(plainValue(-0.0F), QByteArray("0"));
-        QCOMPARE(valueText(0.0021F), QStringLiteral("+0.0021"));
         QLocale::setDefault(QLocale(QLocale::German));
-        QCOMPARE(valueText(-0.0021F), QStringLiteral("-0,0021"));
         QCOMPARE(plainValue(-0.0021F), QByteArray("-0.0021"));
     }
 
@@ -166,11 +213,11 @@ private Q_SLOTS:
         Q_EMIT box->activated(2);
         QCOMPARE(bench.shown.content(), TableContent::Difference);
         QTRY_COMPARE(textAt(bench.model(), 1, 2),
-            valueText(static_cast<float>(static_cast<double>(selected->values[6])
+            micrometres(static_cast<float>(static_cast<double>(selected->values[6])
                 - static_cast<double>(onDrive->values[6]))));
         bench.shown.setContent(TableContent::Drive);
         QCOMPARE(box->currentIndex(), 1);
-        QCOMPARE(textAt(bench.model(), 1, 2), valueText(onDrive->values[6]));
+        QCOMPARE(textAt(bench.model(), 1, 2), micrometres(onDrive->values[6]));
         // A table that cannot be compared leaves the choice of a difference.
         bench.shown.setContent(TableContent::Difference);
         bench.shown.setTables(sharedTable({4}), onDrive);
@@ -211,20 +258,20 @@ private Q_SLOTS:
             return QString::fromLatin1(plainValue(map.values[i]));
         };
         const CopyHeaders headers{QStringLiteral("X [mm]"), QStringLiteral("Y [mm]")};
-        QCOMPARE(copiedText(map, {{0, 1, 1, 2}}, nullptr),
+        QCOMPARE(copiedText({map}, {{0, 1, 1, 2}}, nullptr),
             QStringLiteral("%1\t%2\n%3\t%4\n").arg(value(1), value(2), value(4), value(5)));
-        QCOMPARE(copiedText(map, {{0, 1, 1, 2}}, &headers),
+        QCOMPARE(copiedText({map}, {{0, 1, 1, 2}}, &headers),
             QStringLiteral("Y [mm] \\ X [mm]\t2.5\t5\n100\t%1\t%2\n102.5\t%3\t%4\n")
                 .arg(value(1), value(2), value(4), value(5)));
         // Two corners: what is not chosen stays empty.
-        QCOMPARE(copiedText(map, {{0, 0, 0, 0}, {1, 2, 1, 2}}, nullptr),
+        QCOMPARE(copiedText({map}, {{0, 0, 0, 0}, {1, 2, 1, 2}}, nullptr),
             QStringLiteral("%1\t\n\t%2\n").arg(value(0), value(5)));
         const CompensationTable curve = namedTable({3});
         const CopyHeaders names{QStringLiteral("X [mm]"), QStringLiteral("compensation [mm]")};
-        QCOMPARE(copiedText(curve, {{1, 1, 1, 1}}, &names),
+        QCOMPARE(copiedText({curve}, {{1, 1, 1, 1}}, &names),
             QStringLiteral("X [mm]\tcompensation [mm]\n2.5\t%1\n").arg(value(1)));
-        QCOMPARE(
-            copiedText(curve, {{1, 0, 1, 1}}, nullptr), QStringLiteral("2.5\t%1\n").arg(value(1)));
+        QCOMPARE(copiedText({curve}, {{1, 0, 1, 1}}, nullptr),
+            QStringLiteral("2.5\t%1\n").arg(value(1)));
     }
 
     void theKeyboardCopiesEverything()
@@ -235,12 +282,16 @@ private Q_SLOTS:
         bench.table->setFocus();
         QTest::keyClick(bench.table, Qt::Key_A, Qt::ControlModifier);
         QTest::keyClick(bench.table, Qt::Key_C, Qt::ControlModifier);
-        const QString all = copiedText(namedTable({3, 2}), {{0, 0, 1, 2}}, nullptr);
+        const CompensationTable table = namedTable({3, 2});
+        const CopiedTable copied{table, bench.shown.valueScale()};
+        const QString all = copiedText(copied, {{0, 0, 1, 2}}, nullptr);
+        // In the unit that is seen, with every digit.
+        QVERIFY(all.contains(QString::fromLatin1(plainValue(table.values[1] * 1000.0F).left(6))));
         QTRY_COMPARE(QGuiApplication::clipboard()->text(), all);
         const CopyHeaders headers{QStringLiteral("X [mm]"), QStringLiteral("Y [mm]")};
         QTest::keyClick(bench.table, Qt::Key_C, Qt::ControlModifier | Qt::ShiftModifier);
-        QTRY_COMPARE(QGuiApplication::clipboard()->text(),
-            copiedText(namedTable({3, 2}), {{0, 0, 1, 2}}, &headers));
+        QTRY_COMPARE(
+            QGuiApplication::clipboard()->text(), copiedText(copied, {{0, 0, 1, 2}}, &headers));
     }
 
     void halfAMillionPointsNeverStopTheWindow_data()

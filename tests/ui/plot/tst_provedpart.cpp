@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-#include "ui/plot/custom_plot.h"
+#include "ui/drawing/custom_plot.h"
 
 namespace tst_provedpart {
 

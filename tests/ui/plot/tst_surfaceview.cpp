@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/support/table_samples.h"
 #include "tests/ui/support/window_test.h"
-#include "ui/plot/surface_image.h"
+#include "ui/drawing/surface_axes.h"
+#include "ui/drawing/surface_image.h"
+#include "ui/drawing/table_map.h"
 #include "ui/plot/surface_view.h"
-#include "ui/plot/table_map.h"
 
 #include <QComboBox>
+#include <QTemporaryDir>
 #include <QTest>
 #include <QToolButton>
 
@@ -130,8 +132,9 @@ private Q_SLOTS:
             QVERIFY(std::abs(height / (0.004 * factor * exaggeration * 0.5 * perMillimetre) - 1.0)
                 < 1e-9);
         }
-        // A third of 40 mm for 0.004: 3333, round.
-        QCOMPARE(fittingExaggeration(table, {0.0, 0.004}), 2000.0 / factor);
+        // A third of 40 mm for 0.004.
+        QVERIFY(
+            std::abs(fittingExaggeration(table, {0.0, 0.004}) * factor / (1e4 / 3.0) - 1.0) < 1e-9);
     }
 
     void whatIsNearHidesWhatIsFar()
@@ -189,6 +192,59 @@ private Q_SLOTS:
         QCOMPARE(box->currentText(), QStringLiteral("× 1000"));
         box->setCurrentIndex(0);
         QCOMPARE(bench.view->exaggeration(), 2000.0);
+    }
+
+    void theEndsOfEachAxisHaveANumber()
+    {
+        QCOMPARE(
+            ticksWithEnds(0.0, 40.0, 0.12), (std::vector<double>{0.0, 10.0, 20.0, 30.0, 40.0}));
+        // What would touch the number at an end is left out.
+        QCOMPARE(
+            ticksWithEnds(1.0, 40.5, 0.12), (std::vector<double>{1.0, 10.0, 20.0, 30.0, 40.5}));
+        QCOMPARE(
+            ticksWithEnds(9.0, 31.0, 0.12), (std::vector<double>{9.0, 15.0, 20.0, 25.0, 31.0}));
+        QCOMPARE(ticksWithEnds(-3.1, 3.1, 0.12), (std::vector<double>{-3.1, -2.0, 0.0, 2.0, 3.1}));
+    }
+
+    void wheelAndKeysZoomAndADoubleClickGoesBack()
+    {
+        Fixture bench(sharedTable({12, 9}));
+        QTRY_VERIFY_WITH_TIMEOUT(bench.view->isWhole(), test::patienceMs);
+        const QImage first = bench.picture();
+        const QPoint centre = bench.view->rect().center();
+        QWheelEvent wheel(centre, bench.view->mapToGlobal(centre), {}, {0, 120}, Qt::NoButton,
+            Qt::NoModifier, Qt::NoScrollPhase, false);
+        QCoreApplication::sendEvent(bench.view.get(), &wheel);
+        QVERIFY(bench.picture() != first);
+        bench.press(Qt::Key_PageUp);
+        QTest::mouseDClick(bench.view.get(), Qt::LeftButton, {}, centre);
+        QTRY_VERIFY_WITH_TIMEOUT(bench.view->isWhole(), test::patienceMs);
+        QVERIFY(bench.picture() == first);
+    }
+
+    void itIsSavedOnWhiteWithItsOrigin()
+    {
+        const QTemporaryDir folder;
+        Fixture bench(sharedTable({12, 9}));
+        bench.view->setPalette(test::darkPalette());
+        bench.view->setOrigin(
+            {QStringLiteral("Gantry"), QStringLiteral("X"), QStringLiteral("grid.csv")});
+        for (const char* name : {"surface.png", "surface.svg", "surface.pdf"}) {
+            const auto saved = bench.view->exportTo(folder.filePath(QLatin1StringView(name)));
+            QTRY_VERIFY_WITH_TIMEOUT(saved.isFinished(), test::patienceMs);
+            QCOMPARE(saved.result(), QString());
+        }
+        const QImage image(folder.filePath(QStringLiteral("surface.png")));
+        QCOMPARE(image.pixelColor(3, 3), QColor(Qt::white));
+        QVERIFY(image.text(QStringLiteral("Description")).contains(QStringLiteral("grid.csv")));
+        // The surface itself, not its axes alone.
+        int colored = 0;
+        for (int x = 600; x < 1400; ++x)
+            colored += image.pixelColor(x, 700).saturation() > 20 ? 1 : 0;
+        QVERIFY2(colored > 300, qPrintable(QString::number(colored)));
+        const auto refused = bench.view->exportTo(folder.filePath(QStringLiteral("surface.csv")));
+        QTRY_VERIFY_WITH_TIMEOUT(refused.isFinished(), test::patienceMs);
+        QVERIFY(refused.result().contains(QStringLiteral(".png, .svg or .pdf")));
     }
 
     void theLargestTableIsWholeAfterTheTurn()

@@ -4,19 +4,20 @@
 #include "core/table/table_math.h"
 #include "tests/ui/support/table_samples.h"
 #include "tests/ui/support/window_test.h"
-#include "ui/plot/table_map.h"
+#include "ui/drawing/table_map.h"
 #include "ui/plot/table_plot.h"
 #include "ui/text/value_text.h"
 
 #include <QAction>
 #include <QComboBox>
 #include <QLabel>
+#include <QMenu>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QToolButton>
 
-#include "ui/plot/custom_plot.h"
+#include "ui/drawing/custom_plot.h"
 
 namespace tst_tableplot {
 
@@ -152,7 +153,8 @@ private Q_SLOTS:
             const double value =
                 lookup.at(std::span(position).first(static_cast<std::size_t>(sizes.size())));
             const QString text = bench.readout();
-            QVERIFY2(text.endsWith(valueText(static_cast<float>(value)) + QStringLiteral(" mm")),
+            QVERIFY2(text.endsWith(bench.shown.valueScale().textWithUnit(value))
+                    && text.endsWith(QStringLiteral(" µm")),
                 qPrintable(text + QStringLiteral(" is not ") + QString::number(value)));
             QVERIFY2(
                 text.startsWith(QStringLiteral("X ") + numberText(position[0])), qPrintable(text));
@@ -390,9 +392,9 @@ private Q_SLOTS:
         const double difference = static_cast<double>(table->values[4 * 8 + 6])
             - static_cast<double>(table->values[2 * 8 + 1]);
         QCOMPARE(bench.readout(),
-            QStringLiteral("A: %1     B: %2\nB - A: X +12.5 mm, Y +5 mm, %3 mm")
+            QStringLiteral("A: %1     B: %2\nB - A: X +12.5 mm, Y +5 mm, %3")
                 .arg(bench.shown.pointText({1, 2}), bench.shown.pointText({6, 4}),
-                    valueText(static_cast<float>(difference))));
+                    bench.shown.valueScale().textWithUnit(difference)));
         QCOMPARE(bench.shown.current(), std::optional(GridPoint{6, 4}));
         // The values' current cell moves the cursor that is active.
         bench.shown.setCurrent(GridPoint{0, 0});
@@ -461,7 +463,7 @@ private Q_SLOTS:
         QCOMPARE(drawn, 2);
         bench.shown.setContent(TableContent::Difference);
         QTRY_VERIFY(!bench.plot->legend->visible());
-        QCOMPARE(bench.plot->yAxis->label(), QStringLiteral("difference [mm]"));
+        QCOMPARE(bench.plot->yAxis->label(), QStringLiteral("difference [µm]"));
     }
 
     void theMarkerStandsWhereTheAxisIs()
@@ -513,6 +515,61 @@ private Q_SLOTS:
                 found += image.pixel(x, y) == wanted ? 1 : 0;
         }
         QVERIFY2(found > 20, qPrintable(QString::number(found))); // the peak of a tent
+    }
+
+    void aPictureSaysWhatItIsAndWhereFrom()
+    {
+        const QTemporaryDir folder;
+        Fixture bench(sharedTable({8, 7}));
+        bench.view->setOrigin(
+            {QStringLiteral("Gantry"), QStringLiteral("X"), QStringLiteral("grid.csv")});
+        const QString png = folder.filePath(QStringLiteral("map.png"));
+        QCOMPARE(bench.save(png), QString());
+        const QImage image(png);
+        QCOMPARE(image.text(QStringLiteral("Title")), QStringLiteral("table, compensation [µm]"));
+        QVERIFY(image.text(QStringLiteral("Description"))
+                    .startsWith(QStringLiteral("Gantry · axis X · grid.csv · ")));
+        // Black on white, above the picture.
+        int dark = 0;
+        for (int y = 0; y < 100; ++y)
+            for (int x = 0; x < image.width(); ++x)
+                dark += image.pixelColor(x, y).lightness() < 80 ? 1 : 0;
+        QVERIFY2(dark > 500, qPrintable(QString::number(dark)));
+        const QString svg = folder.filePath(QStringLiteral("map.svg"));
+        QCOMPARE(bench.save(svg), QString());
+        const QByteArray drawing = contentOf(svg);
+        QVERIFY(drawing.contains("<svg") && drawing.contains("grid.csv"));
+        QVERIFY(drawing.contains("<image") && drawing.contains("X [mm]"));
+    }
+
+    void aNameIsProposed()
+    {
+        const PictureOrigin origin{
+            QStringLiteral("Gantry/1"), QStringLiteral("X"), QStringLiteral("2D-superdata.csv")};
+        QCOMPARE(proposedPictureName(origin, QStringLiteral("map")),
+            QStringLiteral("Gantry_1 X 2D-superdata map.png"));
+        QCOMPARE(proposedPictureName({}, {}), QStringLiteral("picture.png"));
+        QCOMPARE(proposedPictureName({QString(400, u'a'), {}, {}}, {}).size(), 104);
+    }
+
+    void aDoubleClickShowsTheWholeAndTheRightButtonAMenu()
+    {
+        Fixture bench(sharedTable({50, 40}));
+        const QCPRange whole = bench.plot->xAxis->range();
+        bench.press(Qt::Key_Plus);
+        QTest::mouseDClick(bench.plot, Qt::LeftButton, {}, bench.plot->axisRect()->center());
+        QCOMPARE(bench.plot->xAxis->range(), whole);
+        Q_EMIT bench.plot->customContextMenuRequested(bench.plot->axisRect()->center());
+        auto* menu = bench.view->findChild<QMenu*>(QStringLiteral("plotMenu"));
+        QVERIFY(menu && menu->isVisible());
+        QStringList texts;
+        for (const QAction* action : menu->actions())
+            texts += action->text().remove(u'&');
+        QVERIFY2(texts.contains(QStringLiteral("Whole view"))
+                && texts.contains(QStringLiteral("Contours"))
+                && texts.contains(QStringLiteral("Save picture…")),
+            qPrintable(texts.join(u'|')));
+        menu->close();
     }
 
     void aDocumentHasOnePageOfThePicturesSize_data()
@@ -567,7 +624,7 @@ private Q_SLOTS:
         const QTemporaryDir folder;
         Fixture bench(sharedTable({9}));
         QVERIFY(bench.save(folder.filePath(QStringLiteral("plot.gif")))
-                    .contains(QStringLiteral(".png, .pdf or .csv")));
+                    .contains(QStringLiteral(".png, .svg, .pdf or .csv")));
         const QString path = folder.filePath(QStringLiteral("no/such/folder.png"));
         QVERIFY(!bench.save(path).isEmpty());
         bench.shown.setTables(nullptr, nullptr);

@@ -279,6 +279,88 @@ void surface2D(PageScene& scene)
     showSurface(scene);
 }
 
+void showTab(PageScene& scene, const char* name)
+{
+    auto* tabs = scene.page().findChild<QTabWidget*>(QStringLiteral("previewTabs"));
+    tabs->setCurrentWidget(scene.page().findChild<QWidget*>(QLatin1StringView(name)));
+    QTest::qWait(400);
+    scene.settle();
+}
+
+/// The errors of both axes of a plane, as a gantry has them.
+void twoAxes(PageScene& scene)
+{
+    scene.choose2D();
+    QByteArray text = "X [mm],Y [mm],X error [um],Y error [um]\n";
+    for (int y = 0; y <= 30; y += 3)
+        for (int x = 0; x <= 40; x += 4)
+            text += QByteArray::number(x) + ',' + QByteArray::number(y) + ','
+                + QByteArray::number(2.1 * std::sin(x / 6.0) + 0.05 * y, 'f', 3) + ','
+                + QByteArray::number(0.002 * x * x - 1.2 * std::cos(y / 8.0), 'f', 3) + '\n';
+    scene.openData(scene.stage().file(QStringLiteral("plane-errors.csv"), text));
+    scene.controller().setup().setTable({0});
+    showTab(scene, "vectorView");
+}
+
+void allSlices(PageScene& scene)
+{
+    scene.showDrive();
+    scene.controller().setup().setDimensionality(3);
+    scene.chooseSources(3);
+    QByteArray text = "X [mm],Y [mm],T [degC],X error [um]\n";
+    for (int t = 18; t <= 30; ++t)
+        for (int y = 0; y <= 30; y += 3)
+            for (int x = 0; x <= 40; x += 4)
+                text += QByteArray::number(x) + ',' + QByteArray::number(y) + ','
+                    + QByteArray::number(t) + ','
+                    + QByteArray::number(
+                        2.1 * std::sin(x / 6.0) + 0.01 * x * (t - 22) + 0.05 * y, 'f', 3)
+                    + '\n';
+    scene.openData(scene.stage().file(QStringLiteral("heat.csv"), text));
+    scene.controller().setup().setTable({0});
+    showTab(scene, "sliceGallery");
+}
+
+/// The demo drive says how far its axes travel: 0 to 300 and 0 to 200.
+void travel1D(PageScene& scene)
+{
+    scene.showDrive(true);
+    scene.controller().setup().setDimensionality(1);
+    scene.controller().chooseSource(1, QString::fromStdString(test::PageStage::masterPosition(0)));
+    wait([&] { return scene.controller().setup().edited().sources[0].isSet(); }, "the source");
+    scene.openData(scene.stage().file(QStringLiteral("short.csv"),
+        "X [mm],X error [um]\n40,1.2\n80,2.4\n120,1.9\n160,0.4\n200,-0.8\n240,-1.5\n"));
+    scene.controller().setup().setTable({0});
+    scene.settle();
+}
+
+void travel2D(PageScene& scene)
+{
+    scene.showDrive(true);
+    scene.controller().setup().setDimensionality(2);
+    for (int n = 0; n < 2; ++n) {
+        scene.controller().chooseSource(
+            n + 1, QString::fromStdString(test::PageStage::masterPosition(n)));
+        wait(
+            [&] {
+                return scene.controller()
+                    .setup()
+                    .edited()
+                    .sources.at(static_cast<std::size_t>(n))
+                    .isSet();
+            },
+            "a source");
+    }
+    QByteArray text = "X [mm],Y [mm],X error [um]\n";
+    for (int y = 40; y <= 160; y += 10)
+        for (int x = 40; x <= 260; x += 10)
+            text += QByteArray::number(x) + ',' + QByteArray::number(y) + ','
+                + QByteArray::number(2.1 * std::sin(x / 40.0) + 0.01 * y, 'f', 3) + '\n';
+    scene.openData(scene.stage().file(QStringLiteral("small.csv"), text));
+    scene.controller().setup().setTable({0});
+    scene.settle();
+}
+
 void showValues(PageScene& scene, int row, int column)
 {
     scene.page().findChild<QTabWidget*>(QStringLiteral("previewTabs"))->setCurrentIndex(1);
@@ -665,6 +747,10 @@ const std::vector<State>& states()
         {"surface-3d", surface3D},
         {"values-2d", values2D},
         {"values-3d", values3D},
+        {"two-axes", twoAxes},
+        {"all-slices", allSlices},
+        {"travel-1d", travel1D},
+        {"travel-2d", travel2D},
         {"difference", difference},
         {"curve-1d", curve1D},
         {"curve-1d-values", curve1DValues},

@@ -9,7 +9,7 @@
 #include "tests/ui/support/window_test.h"
 #include "ui/text/language.h"
 
-#include "ui/plot/custom_plot.h"
+#include "ui/drawing/custom_plot.h"
 #include <QActionGroup>
 #include <QTest>
 

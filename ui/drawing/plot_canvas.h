@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/drive/travel_coverage.h"
 #include "ui/data/table_view_model.h"
 
 #include <QObject>
@@ -31,6 +32,8 @@ public:
     void show(std::shared_ptr<const CompensationTable> table,
         std::shared_ptr<const CompensationTable> second, double scale);
     void setLabels(const QString& x, const QString& y, const QString& value);
+    /// The unit of the numbers beside curve, scale of colours, cross-sections and contours.
+    void setValueScale(const ValueScale& scale);
     void setNames(const QString& first, const QString& second);
     void setPalette(const QPalette& palette);
     /// The grid points of a map, where they can be told apart.
@@ -42,8 +45,12 @@ public:
     /// None: through the marker, or through the middle without one.
     void setSectionPoint(const std::optional<GridPoint>& point);
 
-    /// In positions of the drawn axes; none hides it.
-    void setMarker(const std::optional<std::array<double, 2>>& position, double value);
+    /// In positions of the drawn axes; none hides it. note: what is said beside it, mostly empty.
+    void setMarker(const std::optional<std::array<double, 2>>& position, double value,
+        const QString& note = {});
+    /// How far the axis travels along the drawn axes, in positions of the table; see TravelMark.
+    void setTravel(const std::array<std::optional<Travel>, 2>& travel, bool holdsEnds);
+    void setTravelTexts(const QString& travel, const QString& table, const QString& held);
     /// Marks what has been proved: the curve between grid points, or the middles of cells of a map.
     /// NaN interrupts a curve. Same sizes; empty hides it.
     void setProved(const QVector<double>& keys, const QVector<double>& values);
@@ -65,6 +72,7 @@ private:
     void layOut();
     void showSections();
     void fitValues();
+    void placeNote();
     void paintOverlay();
 
     struct Private;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/plot/table_map.h"
+#include "ui/drawing/table_map.h"
 
 #include "core/table/lookup.h"
 

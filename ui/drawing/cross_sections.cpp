@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/plot/cross_sections.h"
+#include "ui/drawing/cross_sections.h"
 
 #include "core/table/lookup.h"
 
@@ -22,8 +22,13 @@ CrossSections::CrossSections(QCustomPlot& plot)
     m_below->setMinimumSize(0, height);
     m_below->setMaximumSize(QWIDGETSIZE_MAX, height);
     m_beside->axis(QCPAxis::atLeft)->setTickLabels(false);
-    m_beside->axis(QCPAxis::atBottom)->ticker()->setTickCount(2);
-    m_below->axis(QCPAxis::atLeft)->ticker()->setTickCount(3);
+    const std::array<std::pair<QCPAxis*, int>, 2> values{
+        {{m_beside->axis(QCPAxis::atBottom), 2}, {m_below->axis(QCPAxis::atLeft), 3}}};
+    for (std::size_t n = 0; n < values.size(); ++n) {
+        m_tickers[n].reset(new ValueTicker);
+        m_tickers[n]->setTickCount(values[n].second);
+        values[n].first->setTicker(m_tickers[n]);
+    }
     // Only what they share with the map can be dragged and zoomed.
     QCPAxis* x = m_below->axis(QCPAxis::atBottom);
     QCPAxis* y = m_beside->axis(QCPAxis::atLeft);
@@ -104,6 +109,12 @@ void CrossSections::setPlace(const std::array<double, 2>& place)
 void CrossSections::setLabels(const QString& x)
 {
     m_below->axis(QCPAxis::atBottom)->setLabel(x);
+}
+
+void CrossSections::setValueFactor(double factor)
+{
+    for (const auto& ticker : m_tickers)
+        ticker->setFactor(factor);
 }
 
 QList<QCPAxis*> CrossSections::axes() const

@@ -5,7 +5,7 @@
 
 #include <QPalette>
 
-#include "ui/plot/custom_plot.h"
+#include "ui/drawing/custom_plot.h"
 
 #include <memory>
 

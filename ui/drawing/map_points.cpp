@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/plot/map_points.h"
+#include "ui/drawing/map_points.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/plot/map_contours.h"
+#include "ui/drawing/map_contours.h"
 
 #include "ui/async/background_job.h"
 #include "ui/text/value_text.h"
@@ -124,7 +124,7 @@ void MapContours::drawLabels(QCPPainter* painter, const std::vector<Lines>& line
     QColor background = m_background;
     background.setAlpha(225);
     for (std::size_t n = 0; n < lines.size(); ++n) {
-        const QString text = signedNumberText((*m_contours)[n].level);
+        const QString text = signedNumberText((*m_contours)[n].level * m_scale.factor());
         const QSizeF size(metrics.horizontalAdvance(text) + 6.0, metrics.height());
         for (const QPolygonF& line : lines[n]) {
             const QRectF extent = line.boundingRect();

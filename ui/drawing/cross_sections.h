@@ -5,7 +5,7 @@
 
 #include <QPalette>
 
-#include "ui/plot/custom_plot.h"
+#include "ui/drawing/value_ticker.h"
 
 #include <array>
 #include <memory>
@@ -26,6 +26,7 @@ public:
     /// In positions of the table.
     void setPlace(const std::array<double, 2>& place);
     void setLabels(const QString& x);
+    void setValueFactor(double factor); ///< shown value per value
     /// All axes, to be drawn as the map's are.
     [[nodiscard]] QList<QCPAxis*> axes() const;
     void setPen(const QPen& pen);
@@ -36,6 +37,7 @@ private:
     QCustomPlot& m_plot;
     QCPAxisRect* m_beside;
     QCPAxisRect* m_below;
+    std::array<QSharedPointer<ValueTicker>, 2> m_tickers; ///< of the values beside and below
     QCPCurve* m_alongY;
     QCPGraph* m_alongX;
     std::shared_ptr<const CompensationTable> m_table;

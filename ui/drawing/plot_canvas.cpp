@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/plot/plot_canvas.h"
+#include "ui/drawing/plot_canvas.h"
 
 #include "core/table/table_math.h"
 #include "ui/style/contrast.h"
 
-#include "ui/plot/cross_sections.h"
-#include "ui/plot/custom_plot.h"
-#include "ui/plot/map_contours.h"
-#include "ui/plot/map_points.h"
-#include "ui/plot/table_map.h"
+#include "ui/drawing/cross_sections.h"
+#include "ui/drawing/custom_plot.h"
+#include "ui/drawing/map_contours.h"
+#include "ui/drawing/map_points.h"
+#include "ui/drawing/table_map.h"
+#include "ui/drawing/travel_mark.h"
+#include "ui/drawing/value_ticker.h"
 
 #include <algorithm>
 
@@ -87,6 +89,11 @@ struct PlotCanvas::Private {
     bool hasSections = false;
     std::optional<GridPoint> sectionPoint;
     QCPColorScale* scale = nullptr;
+    QSharedPointer<ValueTicker> ticker{new ValueTicker}; ///< of all axes of values
+    QSharedPointer<QCPAxisTicker> positions; ///< of the vertical axis of a map
+    std::unique_ptr<TravelMark> travel;
+    QCPItemText* note = nullptr; ///< beside the marker
+    std::array<QCPRange, 2> whole; ///< what the whole view showed of both axes
     std::unique_ptr<Cross> crosshair;
     std::unique_ptr<Cross> sectionCross; ///< where nothing else says where the sections are
     std::array<std::unique_ptr<Cross>, 2> cursors;
@@ -136,11 +143,14 @@ PlotCanvas::PlotCanvas(QWidget* parent) : QObject(parent), d(std::make_unique<Pr
     d->map->removeFromLegend();
     d->points = new MapPoints(plot);
     d->contours = new MapContours(plot); // its labels are above the points
+    d->travel = std::make_unique<TravelMark>(plot);
     d->scale = new QCPColorScale(&plot);
     d->scale->setBarWidth(12);
     d->scale->setRangeDrag(false);
     d->scale->setRangeZoom(false);
     d->map->setColorScale(d->scale);
+    d->positions = plot.yAxis->ticker();
+    d->scale->axis()->setTicker(d->ticker);
     d->sections = new CrossSections(plot);
     d->crosshair = std::make_unique<Cross>(plot);
     d->sectionCross = std::make_unique<Cross>(plot);
@@ -154,6 +164,14 @@ PlotCanvas::PlotCanvas(QWidget* parent) : QObject(parent), d(std::make_unique<Pr
         label->setVisible(false);
         d->cursorLabels[which] = label;
     }
+    d->note = new QCPItemText(&plot);
+    d->note->setLayer(QStringLiteral("overlay"));
+    d->note->setPadding(QMargins(4, 1, 4, 1));
+    d->note->setPositionAlignment(Qt::AlignLeft | Qt::AlignTop);
+    d->note->setVisible(false);
+    for (QCPAxis* axis : {plot.xAxis, plot.yAxis})
+        connect(
+            axis, qOverload<const QCPRange&>(&QCPAxis::rangeChanged), this, &PlotCanvas::placeNote);
     plot.legend->setVisible(false);
     plot.legend->setFillOrder(QCPLegend::foColumnsFirst);
     connect(&plot, &QCustomPlot::afterReplot, this, [this] { d->isDrawn = true; });
@@ -179,6 +197,10 @@ void PlotCanvas::show(std::shared_ptr<const CompensationTable> table,
     d->curve->data()->clear();
     d->secondCurve->data()->clear();
     d->map->setVisible(d->isMap());
+    if (d->isMap())
+        d->plot->yAxis->setTicker(d->positions);
+    else
+        d->plot->yAxis->setTicker(d->ticker);
     layOut();
     d->plot->legend->setVisible(d->table && !d->isMap() && d->second);
     if (d->isMap())
@@ -186,6 +208,7 @@ void PlotCanvas::show(std::shared_ptr<const CompensationTable> table,
     else if (d->table)
         showCurve();
     showFilled();
+    d->travel->setTable(d->table);
     setGridPointsShown(d->hasPoints);
     setContoursShown(d->hasContours);
     d->sections->setTable(d->isMap() ? d->table : nullptr);
@@ -322,6 +345,13 @@ void PlotCanvas::setLabels(const QString& x, const QString& y, const QString& va
     d->scale->axis()->setLabel(value);
 }
 
+void PlotCanvas::setValueScale(const ValueScale& scale)
+{
+    d->ticker->setFactor(scale.factor());
+    d->sections->setValueFactor(scale.factor());
+    d->contours->setValueScale(scale);
+}
+
 void PlotCanvas::setNames(const QString& first, const QString& second)
 {
     d->curve->setName(first);
@@ -361,6 +391,13 @@ void PlotCanvas::setPalette(const QPalette& palette)
     proved.setAlpha(seeThrough);
     constexpr double provedWidth = 6.0;
     d->proved->setPen(QPen(proved, provedWidth));
+    QColor tint = dark ? QColor(120, 160, 200) : QColor(60, 110, 160);
+    constexpr int faint = 36;
+    tint.setAlpha(faint);
+    d->travel->setColors(tint, grid, text, base);
+    d->note->setColor(text);
+    d->note->setBrush(base);
+    d->note->setPen(QPen(grid));
     d->marker->setScatterStyle(
         QCPScatterStyle(QCPScatterStyle::ssDiamond, QPen(text, 1.5), QBrush(marker), 11));
     d->filled->setScatterStyle(
@@ -375,13 +412,60 @@ void PlotCanvas::setPalette(const QPalette& palette)
     }
 }
 
-void PlotCanvas::setMarker(const std::optional<std::array<double, 2>>& position, double value)
+void PlotCanvas::setMarker(
+    const std::optional<std::array<double, 2>>& position, double value, const QString& note)
 {
     d->marker->data()->clear();
     if (position)
         d->marker->addData((*position)[0], d->isMap() ? (*position)[1] : value);
+    d->note->setVisible(position && !note.isEmpty());
+    d->note->setText(note);
+    placeNote();
     showSections();
     paintOverlay();
+}
+
+/// Above or below the marker, towards the middle; at the border while it is out of sight.
+void PlotCanvas::placeNote()
+{
+    if (d->marker->data()->isEmpty())
+        return;
+    const QCPRange& x = d->plot->xAxis->range();
+    const QCPRange& y = d->plot->yAxis->range();
+    const double atX = std::clamp(d->marker->dataMainKey(0), x.lower, x.upper);
+    const double atY = std::clamp(d->marker->dataMainValue(0), y.lower, y.upper);
+    const QFontMetricsF metrics(d->note->font());
+    const QMargins padding = d->note->padding();
+    QRectF place(0.0, 0.0,
+        metrics.horizontalAdvance(d->note->text()) + padding.left() + padding.right() + 2.0,
+        metrics.height() + padding.top() + padding.bottom());
+    constexpr double away = 9.0;
+    place.moveCenter(QPointF(d->plot->xAxis->coordToPixel(atX),
+        d->plot->yAxis->coordToPixel(atY)
+            + (atY < y.center() ? -1.0 : 1.0) * (away + place.height() / 2.0)));
+    const QRectF sight = QRectF(d->plot->axisRect()->rect()).adjusted(2.0, 2.0, -2.0, -2.0);
+    const double left = std::clamp(
+        place.left(), sight.left(), std::max(sight.left(), sight.right() - place.width()));
+    const double top = std::clamp(
+        place.top(), sight.top(), std::max(sight.top(), sight.bottom() - place.height()));
+    d->note->position->setPixelPosition({left, top});
+}
+
+void PlotCanvas::setTravel(const std::array<std::optional<Travel>, 2>& travel, bool holdsEnds)
+{
+    const bool hasMoved = travel != d->travel->travel();
+    const bool isWhole = d->plot->xAxis->range() == d->whole[0]
+        && (!d->isMap() || d->plot->yAxis->range() == d->whole[1]);
+    d->travel->setTravel(travel, holdsEnds);
+    if (hasMoved && isWhole)
+        resetZoom();
+    else
+        replot();
+}
+
+void PlotCanvas::setTravelTexts(const QString& travel, const QString& table, const QString& held)
+{
+    d->travel->setTexts(travel, table, held);
 }
 
 void PlotCanvas::setProved(const QVector<double>& keys, const QVector<double>& values)
@@ -430,20 +514,20 @@ std::optional<GridPoint> PlotCanvas::pointAt(const QPointF& pixel) const
 
 void PlotCanvas::resetZoom()
 {
+    if (!d->table)
+        return replot();
     // A little more than the table: the points at its ends are seen whole.
     constexpr double margin = 1.04;
-    if (d->isMap()) {
-        const auto& axes = d->table->grid.axes;
-        for (const auto& [drawn, axis] :
-            {std::pair(d->plot->xAxis, &axes[0]), std::pair(d->plot->yAxis, &axes[1])}) {
-            drawn->setRange(axis->start, axis->last());
-            drawn->scaleRange(margin, drawn->range().center());
-        }
-    } else if (d->table) {
-        d->plot->xAxis->setRange(d->table->grid.axes[0].start, d->table->grid.axes[0].last());
-        d->plot->xAxis->scaleRange(margin, d->plot->xAxis->range().center());
+    const auto show = [this](QCPAxis* axis, std::size_t drawnAxis) {
+        axis->setRange(d->travel->wholeRange(drawnAxis));
+        axis->scaleRange(margin, axis->range().center());
+        d->whole.at(drawnAxis) = axis->range();
+    };
+    show(d->plot->xAxis, 0);
+    if (d->isMap())
+        show(d->plot->yAxis, 1);
+    else
         fitValues();
-    }
     replot();
 }
 

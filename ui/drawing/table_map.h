@@ -5,7 +5,7 @@
 
 #include <QImage>
 
-#include "ui/plot/custom_plot.h"
+#include "ui/drawing/custom_plot.h"
 
 #include <memory>
 

@@ -6,7 +6,7 @@
 #include <QImage>
 #include <QPointF>
 
-#include "ui/plot/custom_plot.h"
+#include "ui/drawing/custom_plot.h"
 
 #include <array>
 #include <memory>
@@ -22,6 +22,7 @@ struct SurfaceSight {
     std::array<double, 2> heights{}; ///< lowest and highest value that the box holds
     QSize size; ///< of the picture, in pixels
     double ratio = 1.0; ///< of these to the window's pixels
+    double zoom = 1.0; ///< so many times larger than what fits
 };
 
 /// Places of a surface as pixels.
@@ -55,8 +56,7 @@ private:
     QPointF m_centre;
 };
 
-/// The factor of 1, 2 or 5 times a power of ten with which the surface is about a third as high as
-/// it is wide.
+/// The factor with which the surface is a third as high as it is wide.
 [[nodiscard]] double fittingExaggeration(
     const CompensationTable& table, const std::array<double, 2>& heights);
 

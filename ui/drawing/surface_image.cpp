@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/plot/surface_image.h"
+#include "ui/drawing/surface_image.h"
 
 #include "core/table/lookup.h"
 #include "core/table/position_unit.h"
@@ -251,9 +251,10 @@ SurfaceProjection::SurfaceProjection(const SurfaceSight& sight)
     const double height = (sight.heights[1] - sight.heights[0]) * m_perValue / 2.0;
     const double sideRoom = 80.0 * sight.ratio;
     const double topRoom = 38.0 * sight.ratio;
-    m_pixels = std::max(1.0,
-        std::min((sight.size.width() / 2.0 - sideRoom) / radius,
-            (sight.size.height() / 2.0 - topRoom) / (radius * m_tilt[0] + height * m_tilt[1])));
+    m_pixels = sight.zoom
+        * std::max(1.0,
+            std::min((sight.size.width() / 2.0 - sideRoom) / radius,
+                (sight.size.height() / 2.0 - topRoom) / (radius * m_tilt[0] + height * m_tilt[1])));
     m_centre = QPointF(sight.size.width() / 2.0, sight.size.height() / 2.0);
 }
 
@@ -274,14 +275,7 @@ double fittingExaggeration(const CompensationTable& table, const std::array<doub
     const double height = (heights[1] - heights[0]) * valueUnit(table);
     const double width = std::max(spanOf(table.grid.axes[0]), spanOf(table.grid.axes[1]));
     constexpr double part = 1.0 / 3.0;
-    const double wanted = part * width / height;
-    if (!(wanted > 0.0) || !std::isfinite(wanted))
-        return 1.0;
-    const double power = std::pow(10.0, std::floor(std::log10(wanted)));
-    for (const double factor : {5.0, 2.0})
-        if (factor * power <= wanted)
-            return factor * power;
-    return power;
+    return part * width / height;
 }
 
 QImage surfaceImage(const SurfaceSight& sight, QCPColorGradient gradient, const QCPRange& colors,

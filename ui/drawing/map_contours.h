@@ -2,8 +2,9 @@
 #pragma once
 
 #include "core/table/contours.h"
+#include "ui/text/value_scale.h"
 
-#include "ui/plot/custom_plot.h"
+#include "ui/drawing/custom_plot.h"
 
 #include <memory>
 
@@ -15,6 +16,7 @@ public:
     explicit MapContours(QCustomPlot& plot);
     /// Null: none.
     void setTable(std::shared_ptr<const CompensationTable> table);
+    void setValueScale(const ValueScale& scale) { m_scale = scale; }
     void setColors(const QColor& line, const QColor& background);
 
     double selectTest(const QPointF& pos, bool onlySelectable, QVariant* details) const override;
@@ -29,6 +31,7 @@ private:
 
     std::shared_ptr<const CompensationTable> m_table;
     std::shared_ptr<const std::vector<Contour>> m_contours;
+    ValueScale m_scale;
     QColor m_line;
     QColor m_background;
     int m_request = 0; ///< the newest one

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/data/vector_columns.h"
+
+#include "core/table/position_unit.h"
+#include "core/table/target_axis.h"
+
+namespace axiscomp::ui {
+
+VectorColumns vectorColumns(std::span<const CompensationTable> tables)
+{
+    VectorColumns columns;
+    for (std::size_t n = 0; n < tables.size(); ++n) {
+        const std::vector<GridAxis>& axes = tables[n].grid.axes;
+        std::vector<std::string> names;
+        for (const GridAxis& axis : axes)
+            names.push_back(axis.name);
+        const auto target = targetAxis(tables[n].target, names);
+        if (!target || !target->source || axes.size() < 2)
+            continue;
+        const std::string& unit = axes[*target->source].unit;
+        const bool isKnown = !tables[n].unit.empty() && !unit.empty();
+        if (isKnown && !isSameUnit(tables[n].unit, unit) && !unitFactor(tables[n].unit, unit))
+            continue;
+        columns.ofDimension.at(*target->source).push_back(n);
+    }
+    return columns;
+}
+
+double positionsPerValue(const CompensationTable& table, std::size_t dimension)
+{
+    return unitFactor(table.unit, table.grid.axes[dimension].unit).value_or(1.0);
+}
+
+} // namespace axiscomp::ui
