@@ -33,6 +33,8 @@ public:
     void refresh();
     [[nodiscard]] const std::vector<DriveState>& drives() const { return m_drives; }
     [[nodiscard]] const std::vector<AxisEntry>& axes() const { return m_axes; }
+    /// In the order of drives().
+    [[nodiscard]] const std::vector<DriveConnection*>& connections() const { return m_connections; }
 
     /// Another entry of axes() becomes the current one.
     void select(int index);

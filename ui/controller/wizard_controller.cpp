@@ -3,6 +3,7 @@
 
 #include "core/drive/axis_target.h"
 #include "core/drive/drive_units.h"
+#include "ui/controller/axis_overview.h"
 #include "ui/controller/multi_axis_controller.h"
 #include "ui/controller/parameter_export.h"
 #include "ui/controller/proof_follower.h"
@@ -11,6 +12,16 @@
 #include "ui/text/sign_sentence.h"
 
 namespace axiscomp::ui {
+
+namespace {
+
+/// All axes take longer to read than one.
+std::chrono::milliseconds overviewInterval(const WizardOptions& options)
+{
+    return 10 * options.liveInterval;
+}
+
+} // namespace
 
 /// Each knows only parts above it; what these have to learn from it are signals, which
 /// WizardController connects.
@@ -26,6 +37,7 @@ struct WizardController::Parts {
         , runner(*options.profile, drives, axis, setup, tables, log, outcome)
         , multiAxis(*options.profile, drives, axis, setup, tables, runner, outcome)
         , parameterExport(drives, axis, outcome)
+        , overview(drives, axis, proof, tables, runner, overviewInterval(options))
         , actions(*options.profile, drives, axis, setup, sources, tables, runner, outcome)
     {
     }
@@ -43,6 +55,7 @@ struct WizardController::Parts {
     OperationRunner runner;
     MultiAxisController multiAxis;
     ParameterExport parameterExport;
+    AxisOverview overview;
     WizardActions actions;
 };
 
@@ -215,6 +228,11 @@ void WizardController::selectAxis(int index)
 void WizardController::refresh()
 {
     m_parts->drives.refresh();
+}
+
+AxisOverview& WizardController::overview()
+{
+    return m_parts->overview;
 }
 
 SetupModel& WizardController::setup()

@@ -24,6 +24,7 @@
 
 namespace axiscomp::ui {
 
+class AxisOverview;
 class SetupHistory;
 
 /// Everything of the wizard but its widgets: which drives and axes there are, the setup of the
@@ -47,6 +48,8 @@ public:
     /// Drops unwritten changes; the page asks first when setup().isDirty().
     void selectAxis(int index);
     void refresh();
+    /// All axes of all drives.
+    [[nodiscard]] AxisOverview& overview();
 
     // The setup of the current axis
     [[nodiscard]] SetupModel& setup();
