@@ -237,7 +237,7 @@ void CompensationWizard::Private::showConnections()
 {
     if (!connections) {
         connections = new ConnectionsDialog(controller,
-            {options.linkFactory, options.portCandidates, options.profile,
+            {options.linkFactory, options.portCandidates, options.network, options.profile,
                 options.storeRoot, options.timeout},
             &q);
         connect(connections, &ConnectionsDialog::endpointsAccepted, &q,

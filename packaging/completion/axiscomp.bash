@@ -15,7 +15,7 @@ _axiscomp_options()
         convert) echo "--help --json --value-unit --accept-large --dims --table --from --set-in --to --set-out --persistent --volatile --name --profile --to-sign $incomplete $conversion $grid" ;;
         lookup) echo "--help --json --dims --table --points --outside --as --from --set-in --set-out --profile --to-sign $incomplete $conversion" ;;
         formats) echo "--help --json --markdown" ;;
-        axes) echo "--help --json --find --any-baud $drive" ;;
+        axes) echo "--help --json --find --any-baud --network $drive" ;;
         files) echo "--help --json $drive" ;;
         status) echo "--help --json $drive --axis --reset-flash-count" ;;
         persist | unpersist | evaluate | activate | deactivate) echo "--help --json $drive --axis" ;;
