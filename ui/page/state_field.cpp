@@ -2,6 +2,7 @@
 #include "ui/page/state_field.h"
 
 #include "ui/controller/wizard_controller.h"
+#include "ui/style/accessible_role.h"
 #include "ui/style/plain_label.h"
 #include "ui/text/state_text.h"
 #include "ui/text/value_text.h"
@@ -48,6 +49,7 @@ StateField::StateField(WizardController& controller, QWidget* parent)
     , m_detail(new PlainLabel)
 {
     setObjectName(QStringLiteral("stateField"));
+    setAccessibleRole(*this, QAccessible::StatusBar);
     m_state->setObjectName(QStringLiteral("compensationState"));
     m_live->setObjectName(QStringLiteral("liveValues"));
     m_detail->setObjectName(QStringLiteral("stateDetail"));
@@ -160,6 +162,10 @@ void StateField::display()
         m_live->setText(liveText(*status));
         m_detail->setText(isLive ? detailText() : asReadText(m_read));
     }
+    announceName(*this, tr("Compensation: %1", "state").arg(m_state->text()));
+    if (const QString detail = status ? m_detail->text() : QString();
+        detail != accessibleDescription())
+        setAccessibleDescription(detail);
     QPalette texts = palette();
     if (!isLive)
         texts.setColor(QPalette::WindowText, mutedTextColor(palette()));
