@@ -3,6 +3,7 @@
 
 #include "drivecomm/link/drive_endpoint.h"
 
+#include <QNetworkInterface>
 #include <QSerialPortInfo>
 
 #include <algorithm>
@@ -81,6 +82,44 @@ std::vector<DriveCandidate> candidatesAt(
         endpoint.kind = DriveEndpoint::Kind::Serial;
         endpoint.device = port.device;
         candidates.push_back({endpointsOf(endpoint, rates), port.description, oneIdentify});
+    }
+    return candidates;
+}
+
+std::vector<std::string> ownNetworks()
+{
+    std::set<std::string> networks;
+    for (const QNetworkInterface& interface : QNetworkInterface::allInterfaces()) {
+        const auto flags = interface.flags();
+        if (!flags.testFlag(QNetworkInterface::IsRunning)
+            || flags.testFlag(QNetworkInterface::IsLoopBack))
+            continue;
+        for (const QNetworkAddressEntry& entry : interface.addressEntries()) {
+            if (entry.ip().protocol() == QAbstractSocket::IPv4Protocol)
+                networks.insert(networkAround(entry.ip().toIPv4Address(), entry.prefixLength()));
+        }
+    }
+    return {networks.begin(), networks.end()};
+}
+
+std::vector<DriveCandidate> candidatesIn(
+    const NetworkRange& range, std::span<const std::string> otherThan)
+{
+    std::set<std::string> taken;
+    for (const std::string& endpoint : otherThan) {
+        if (const auto parsed = parseEndpoint(endpoint))
+            taken.insert(displayText(*parsed));
+    }
+    std::vector<DriveCandidate> candidates;
+    for (const std::string& address : addressesIn(range)) {
+        DriveEndpoint endpoint;
+        endpoint.kind = DriveEndpoint::Kind::Http;
+        endpoint.host = address;
+        endpoint.port = range.port;
+        DriveCandidate candidate{.endpoints = {displayText(endpoint)}, .description = {}};
+        candidate.isUnknown = true;
+        if (!taken.contains(candidate.endpoints.front()))
+            candidates.push_back(std::move(candidate));
     }
     return candidates;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/drive/drive_search.h"
+#include "core/drive/network_range.h"
 
 #include <span>
 #include <string>
@@ -34,5 +35,16 @@ struct SerialPort {
 /// /dev/serial/by-id): one port must not be opened twice.
 [[nodiscard]] std::vector<DriveCandidate> candidatesAt(std::span<const SerialPort> ports,
     std::span<const std::string> otherThan, BaudRates rates = BaudRates::AsGiven);
+
+/// Networks that this computer has an IPv4 address in, as ranges to propose ("192.168.1.0/24"),
+/// without loopback.
+[[nodiscard]] std::vector<std::string> ownNetworks();
+
+/// So many addresses of a network are asked at once (DriveSearch::mostAtOnce).
+inline constexpr std::size_t addressesAtOnce = 32;
+
+/// The addresses of a range, over http, that none in otherThan names; each has a second.
+[[nodiscard]] std::vector<DriveCandidate> candidatesIn(
+    const NetworkRange& range, std::span<const std::string> otherThan);
 
 } // namespace axiscomp::drivecomm

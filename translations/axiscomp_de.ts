@@ -5119,6 +5119,30 @@
         <source>The table is removed from flash, which is a flash operation too. After a reboot the axis has no table.</source>
         <translation>Die Tabelle wird aus dem Flash entfernt, und auch das ist ein Flash-Vorgang. Nach einem Neustart hat die Achse keine Tabelle.</translation>
     </message>
+    <message>
+        <source>&quot;{range}&quot; is not a range of addresses: {reason}</source>
+        <translation>„{range}“ ist kein Adressbereich: {reason}</translation>
+    </message>
+    <message>
+        <source>write it as {network}, {range} or {address}, with {port} behind it for another port</source>
+        <translation>als {network}, {range} oder {address} schreiben, mit {port} dahinter für einen anderen Port</translation>
+    </message>
+    <message>
+        <source>a port is a number from 1 to 65535</source>
+        <translation>ein Port ist eine Zahl von 1 bis 65535</translation>
+    </message>
+    <message>
+        <source>its last address is before the first</source>
+        <translation>die letzte Adresse kommt vor der ersten</translation>
+    </message>
+    <message>
+        <source>it has {count} addresses, and a search asks {limit} at most: name a part of it</source>
+        <translation>er hat {count} Adressen, und eine Suche fragt höchstens {limit}: einen Teil davon nennen</translation>
+    </message>
+    <message>
+        <source>these are no addresses of computers</source>
+        <translation>das sind keine Adressen von Rechnern</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -6822,16 +6846,16 @@
         <translation>Wie in %1</translation>
     </message>
     <message>
-        <source>As applied by the drive</source>
-        <translation>Wie im Antrieb</translation>
-    </message>
-    <message>
         <source>The table as the drive applies it, or converted to another controller&apos;s convention: its sign, and its rules beyond the ends</source>
         <translation>Die Tabelle, wie der Antrieb sie anwendet, oder umgerechnet für eine andere Steuerung: mit deren Vorzeichen und deren Regeln jenseits der Enden</translation>
     </message>
     <message>
         <source>Applied by</source>
         <translation>Angewendet von</translation>
+    </message>
+    <message>
+        <source>As on the drive</source>
+        <translation>Wie im Antrieb</translation>
     </message>
 </context>
 <context>
@@ -7588,6 +7612,63 @@
         <source>No drive is chosen</source>
         <translation>Kein Antrieb ist gewählt</translation>
     </message>
+    <message>
+        <source>A network is asked only when you confirm its addresses: each of them gets one request.</source>
+        <translation>Ein Netz wird nur gefragt, wenn Sie die Adressen bestätigen: jede davon erhält eine Anfrage.</translation>
+    </message>
+    <message>
+        <source>&amp;Network:</source>
+        <translation>&amp;Netz:</translation>
+    </message>
+    <message>
+        <source>Addresses of a network</source>
+        <translation>Adressen eines Netzes</translation>
+    </message>
+    <message>
+        <source>Such as 192.168.1.0/24, 192.168.1.10-40 or one address, with :8080 behind it for another port than 80</source>
+        <translation>Etwa 192.168.1.0/24, 192.168.1.10-40 oder eine Adresse, mit :8080 dahinter für einen anderen Port als 80</translation>
+    </message>
+    <message>
+        <source>192.168.1.0/24</source>
+        <comment>example of a range</comment>
+        <translation>192.168.1.0/24</translation>
+    </message>
+    <message>
+        <source>S&amp;top</source>
+        <translation>&amp;Anhalten</translation>
+    </message>
+    <message>
+        <source>Ask no more; what was found stays</source>
+        <translation>Nicht weiter fragen; das Gefundene bleibt</translation>
+    </message>
+    <message>
+        <source>Asked %1 of %2 addresses; drives found: %3</source>
+        <translation>%1 von %2 Adressen gefragt; Antriebe gefunden: %3</translation>
+    </message>
+    <message>
+        <source>Stopped. Addresses asked: %1; drives found: %2</source>
+        <translation>Angehalten. Adressen gefragt: %1; Antriebe gefunden: %2</translation>
+    </message>
+    <message>
+        <source>Addresses asked: %1; drives found: %2</source>
+        <translation>Adressen gefragt: %1; Antriebe gefunden: %2</translation>
+    </message>
+    <message>
+        <source>Ask A&amp;ddresses (%1)</source>
+        <translation>A&amp;dressen fragen (%1)</translation>
+    </message>
+    <message>
+        <source>Ask A&amp;ddresses</source>
+        <translation>A&amp;dressen fragen</translation>
+    </message>
+    <message>
+        <source>Each address gets one request over http, for the list of its files; what answers as a drive does is asked who it is</source>
+        <translation>Jede Adresse erhält eine Anfrage über http, nach der Liste ihrer Dateien; was wie ein Antrieb antwortet, wird gefragt, wer es ist</translation>
+    </message>
+    <message>
+        <source>Enter the addresses first</source>
+        <translation>Erst die Adressen eingeben</translation>
+    </message>
 </context>
 <context>
     <name>axiscomp::ui::ForeignChange</name>
@@ -8102,6 +8183,178 @@
     </message>
 </context>
 <context>
+    <name>axiscomp::ui::OverviewDialog</name>
+    <message>
+        <source>Overview of All Axes</source>
+        <translation>Übersicht aller Achsen</translation>
+    </message>
+    <message>
+        <source>All axes of all drives</source>
+        <translation>Alle Achsen aller Antriebe</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Kopieren</translation>
+    </message>
+    <message>
+        <source>Copy the selected rows, or all of them, with the headings for a spreadsheet</source>
+        <translation>Die gewählten Zeilen, oder alle, mit den Überschriften für eine Tabellenkalkulation kopieren</translation>
+    </message>
+    <message>
+        <source>&amp;Go to Axis</source>
+        <translation>Zur &amp;Achse</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Close the overview</source>
+        <translation>Die Übersicht schließen</translation>
+    </message>
+    <message>
+        <source>No axis is chosen.</source>
+        <translation>Es ist keine Achse gewählt.</translation>
+    </message>
+    <message>
+        <source>This drive has not said yet which axes it has.</source>
+        <translation>Dieser Antrieb hat noch nicht gesagt, welche Achsen er hat.</translation>
+    </message>
+    <message>
+        <source>Wait for the current operation before choosing another axis.</source>
+        <translation>Erst nach dem Ende des laufenden Vorgangs kann eine andere Achse gewählt werden.</translation>
+    </message>
+    <message>
+        <source>Show this axis on the page</source>
+        <translation>Diese Achse auf der Seite zeigen</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::OverviewModel</name>
+    <message>
+        <source>since %1</source>
+        <comment>date and time</comment>
+        <translation>seit %1</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>file and column</comment>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>persistent</source>
+        <comment>table</comment>
+        <translation>dauerhaft</translation>
+    </message>
+    <message>
+        <source>volatile</source>
+        <comment>table</comment>
+        <translation>flüchtig</translation>
+    </message>
+    <message>
+        <source>not limited</source>
+        <comment>flash operations</comment>
+        <translation>unbegrenzt</translation>
+    </message>
+    <message>
+        <source>contradicts its table</source>
+        <translation>widerspricht der Tabelle</translation>
+    </message>
+    <message>
+        <source>Drive</source>
+        <translation>Antrieb</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Achse</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>Table</source>
+        <translation>Tabelle</translation>
+    </message>
+    <message>
+        <source>Persistency</source>
+        <translation>Persistenz</translation>
+    </message>
+    <message>
+        <source>Flash left</source>
+        <translation>Flash übrig</translation>
+    </message>
+    <message>
+        <source>Last proof</source>
+        <translation>Letzter Nachweis</translation>
+    </message>
+    <message>
+        <source>Last write</source>
+        <translation>Zuletzt geschrieben</translation>
+    </message>
+    <message>
+        <source>The drive, and where it is</source>
+        <translation>Der Antrieb, und wo er ist</translation>
+    </message>
+    <message>
+        <source>The axis of this drive</source>
+        <translation>Die Achse dieses Antriebs</translation>
+    </message>
+    <message>
+        <source>What the compensation does now</source>
+        <translation>Was die Kompensation jetzt tut</translation>
+    </message>
+    <message>
+        <source>The table that the axis uses: its file and column where this window has written it, otherwise its place on the drive; and the checksum of its values</source>
+        <translation>Die Tabelle, die die Achse verwendet: Datei und Spalte, wenn dieses Fenster sie geschrieben hat, sonst ihr Platz auf dem Antrieb; und die Prüfsumme ihrer Werte</translation>
+    </message>
+    <message>
+        <source>Whether the table survives a reboot</source>
+        <translation>Ob die Tabelle einen Neustart übersteht</translation>
+    </message>
+    <message>
+        <source>How many flash operations the drive can do now</source>
+        <translation>Wie viele Flash-Vorgänge der Antrieb jetzt ausführen kann</translation>
+    </message>
+    <message>
+        <source>Over which part of the table this window has seen that the drive does what the table says, and when</source>
+        <translation>Über welchen Teil der Tabelle dieses Fenster gesehen hat, dass der Antrieb tut, was die Tabelle sagt, und wann</translation>
+    </message>
+    <message>
+        <source>When this computer last wrote to the axis</source>
+        <translation>Wann dieser Rechner zuletzt auf die Achse geschrieben hat</translation>
+    </message>
+    <message>
+        <source>connecting …</source>
+        <translation>verbindet …</translation>
+    </message>
+    <message>
+        <source>no axes</source>
+        <translation>keine Achsen</translation>
+    </message>
+    <message>
+        <source>no compensation</source>
+        <translation>keine Kompensation</translation>
+    </message>
+    <message>
+        <source>cannot be read</source>
+        <translation>nicht lesbar</translation>
+    </message>
+    <message>
+        <source>is being read …</source>
+        <translation>wird gelesen …</translation>
+    </message>
+    <message>
+        <source>%1, serial number %2</source>
+        <comment>address of a drive</comment>
+        <translation>%1, Seriennummer %2</translation>
+    </message>
+</context>
+<context>
     <name>axiscomp::ui::PageMenu</name>
     <message>
         <source>&amp;Language</source>
@@ -8210,6 +8463,14 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
     <message>
         <source>Restore Whole &amp;Drive…</source>
         <translation>Ganzen &amp;Antrieb wiederherstellen…</translation>
+    </message>
+    <message>
+        <source>&amp;Overview of All Axes…</source>
+        <translation>Ü&amp;bersicht aller Achsen…</translation>
+    </message>
+    <message>
+        <source>State and table of each axis of all connected drives</source>
+        <translation>Zustand und Tabelle jeder Achse aller verbundenen Antriebe</translation>
     </message>
 </context>
 <context>
@@ -8837,6 +9098,11 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
     <message>
         <source>proved over %1 of the table</source>
         <translation>über %1 der Tabelle nachgewiesen</translation>
+    </message>
+    <message>
+        <source>Compensation: %1</source>
+        <comment>state</comment>
+        <translation>Kompensation: %1</translation>
     </message>
 </context>
 <context>

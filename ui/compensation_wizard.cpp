@@ -9,6 +9,7 @@
 #include "ui/dialogs/multi_axis_dialog.h"
 #include "ui/help/guide_window.h"
 #include "ui/history/backup_dialog.h"
+#include "ui/overview/overview_dialog.h"
 #include "ui/page/action_panel.h"
 #include "ui/page/drive_bar.h"
 #include "ui/page/drop_frame.h"
@@ -77,6 +78,7 @@ struct CompensationWizard::Private {
     void skipPreview(bool isSkipped);
     void showGuide(const GuidePlace& place);
     void showGuideOver(QDialog& dialog);
+    void showOverview();
     void announceTitle();
 
     CompensationWizard& q;
@@ -94,6 +96,7 @@ struct CompensationWizard::Private {
     MessagePresenter messages;
     QPointer<ConnectionsDialog> connections;
     QPointer<GuideWindow> guide;
+    QPointer<OverviewDialog> overview;
     bool isStarted = false;
 };
 
@@ -162,6 +165,7 @@ void CompensationWizard::Private::connectParts()
     connect(menu, &PageMenu::previewSkippedChosen, &q,
         [this](bool isSkipped) { skipPreview(isSkipped); });
     connect(menu, &PageMenu::guideRequested, &q, [this] { showGuide({}); });
+    connect(menu, &PageMenu::overviewRequested, &q, [this] { showOverview(); });
     connect(menu, &PageMenu::saveLogRequested, &q, [this] { files.saveLog(page->log->text()); });
     const auto announce = [this] { announceTitle(); };
     connect(&controller, &WizardController::currentAxisChanged, &q, announce);
@@ -196,6 +200,7 @@ void CompensationWizard::Private::addShortcuts()
     addShortcut(Qt::CTRL | Qt::Key_Z, [this] { undo(); });
     addShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_Z, [this] { redo(); });
     addShortcut(Qt::CTRL | Qt::Key_Y, [this] { redo(); });
+    addShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_O, [this] { showOverview(); });
     addShortcut(Qt::CTRL | Qt::Key_L, [this] { page->showLog(!page->isLogShown()); });
 }
 
@@ -238,8 +243,8 @@ void CompensationWizard::Private::showConnections()
 {
     if (!connections) {
         connections = new ConnectionsDialog(controller,
-            {options.linkFactory, options.portCandidates, options.profile, options.storeRoot,
-                options.timeout},
+            {options.linkFactory, options.portCandidates, options.network, options.profile,
+                options.storeRoot, options.timeout},
             &q);
         connect(connections, &ConnectionsDialog::endpointsAccepted, &q,
             [this](const QStringList& endpoints) { takeEndpoints(endpoints); });
@@ -369,6 +374,20 @@ void CompensationWizard::Private::showGuideOver(QDialog& dialog)
     if (!over)
         over = new GuideWindow(&dialog);
     over->showPlace(guidePlaceOf(QApplication::focusWidget()));
+}
+
+void CompensationWizard::Private::showOverview()
+{
+    if (!overview) {
+        overview = new OverviewDialog(controller, &q);
+        connect(overview, &OverviewDialog::axisChosen, &q, [this](int index) {
+            if (index != controller.currentAxis())
+                chooseAxis(index);
+        });
+    }
+    overview->show();
+    overview->raise();
+    overview->activateWindow();
 }
 
 void CompensationWizard::Private::announceTitle()

@@ -76,6 +76,12 @@ ui::WizardOptions wizardOptions(const WizardArguments& arguments, const DrivePro
         return drivecomm::candidatesAt(drivecomm::serialPorts(), otherThan,
             anyBaudRate ? drivecomm::BaudRates::Usual : drivecomm::BaudRates::AsGiven);
     };
+    options.network.ownNetworks = [] { return drivecomm::ownNetworks(); };
+    options.network.candidates = [](const NetworkRange& range,
+                                     const std::vector<std::string>& otherThan) {
+        return drivecomm::candidatesIn(range, otherThan);
+    };
+    options.network.mostAtOnce = drivecomm::addressesAtOnce;
     const auto certificates = std::make_shared<TrustedCertificates>(options.storeRoot);
     options.linkFactory = drivecomm::linkFactory(
         profile, [certificates](const std::string& endpoint, const std::string& fingerprint) {

@@ -11,16 +11,16 @@ namespace axiscomp {
 
 namespace {
 
-/// A machine may have dozens of ports.
-constexpr std::size_t maximumThreads = 16;
-
 Result<DriveIdentity> ask(
-    const std::string& endpoint, std::chrono::milliseconds timeout, const DriveSearch& search)
+    const std::string& endpoint, const DriveCandidate& candidate, const DriveSearch& search)
 {
     if (search.stop.stop_requested())
         return fail(ErrorCode::Cancelled);
     AXISCOMP_TRY(const auto link, search.linkFactory(endpoint));
-    return link->identify({.timeout = timeout, .stop = search.stop, .progress = {}});
+    const Exchange exchange{.timeout = candidate.timeout, .stop = search.stop, .progress = {}};
+    if (candidate.isUnknown)
+        AXISCOMP_CHECK(link->listFiles(exchange));
+    return link->identify(exchange);
 }
 
 /// Whether the port may still answer at another speed: it is there and may be used, but what came
@@ -34,8 +34,7 @@ DriveSighting look(const DriveCandidate& candidate, const DriveSearch& search)
 {
     std::optional<DriveSighting> best;
     for (const std::string& endpoint : candidate.endpoints) {
-        DriveSighting sighting{
-            endpoint, candidate.description, ask(endpoint, candidate.timeout, search)};
+        DriveSighting sighting{endpoint, candidate.description, ask(endpoint, candidate, search)};
         if (sighting.drive || !mayAnswerOtherwise(sighting.drive.error()))
             return sighting;
         // Nonsense says more than silence: something is there.
@@ -57,7 +56,7 @@ std::vector<DriveSighting> findDrives(
     std::mutex reporting;
     {
         std::vector<std::jthread> threads;
-        for (std::size_t i = 0; i < std::min(candidates.size(), maximumThreads); ++i)
+        for (std::size_t i = 0; i < std::min(candidates.size(), search.mostAtOnce); ++i)
             threads.emplace_back([&] {
                 for (std::size_t row = next++; row < candidates.size(); row = next++) {
                     sightings[row] = look(candidates[row], search);

@@ -25,6 +25,9 @@ struct DriveCandidate {
     /// empty.
     std::string description;
     std::chrono::milliseconds timeout{1000}; ///< for each endpoint
+    /// Anything may answer there: it is asked for the list of its files first, and nothing else
+    /// when it does not have one as a drive has it.
+    bool isUnknown = false;
 
     friend bool operator==(const DriveCandidate&, const DriveCandidate&) = default;
 };
@@ -39,12 +42,13 @@ struct DriveSighting {
 struct DriveSearch {
     LinkFactory linkFactory;
     std::stop_token stop; ///< what has not been asked by then is Cancelled
+    std::size_t mostAtOnce = 16; ///< a computer may have dozens of ports
     /// Called for each sighting as it is made, from the searching threads, one call at a time.
     std::function<void(const DriveSighting&)> sighted;
 };
 
-/// Asks every candidate who it is, several at once, and sends nothing else. One sighting for each
-/// candidate, in their order.
+/// Asks every candidate who it is, several at once, and sends nothing else than isUnknown says. One
+/// sighting for each candidate, in their order.
 [[nodiscard]] std::vector<DriveSighting> findDrives(
     std::span<const DriveCandidate> candidates, const DriveSearch& search);
 

@@ -6,15 +6,15 @@ set -euo pipefail
 cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../.."
 
 build=${1:-build/dev}
-# STATE-PALETTE-LANGUAGE, as wizard-pictures names them, and the name here
+# STATE-PALETTE-LANGUAGE-SIZE, as wizard-pictures names them, and the name here
 pictures=(
-    first-start-light-en:first-start
-    unwritten-2d-light-en:unwritten-2d
-    write-preview-light-en:write-preview
-    active-light-en:active
-    bad-file-light-en:bad-file
-    table-3d-light-en:table-3d
-    unwritten-2d-dark-de:unwritten-2d-dark-german
+    first-start-light-en-1280x720:first-start
+    unwritten-2d-light-en-1280x720:unwritten-2d
+    write-preview-light-en-1280x720:write-preview
+    active-light-en-1280x720:active
+    bad-file-light-en-1280x720:bad-file
+    table-3d-light-en-1280x720:table-3d
+    unwritten-2d-dark-de-1280x720:unwritten-2d-dark-german
 )
 cmake --build "$build" --target axiscomp-wizard-pictures
 work=$(mktemp -d)

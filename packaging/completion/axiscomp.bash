@@ -18,7 +18,7 @@ _axiscomp_options()
         formats) echo "--help --json --markdown --measurements" ;;
         runs) echo "--help --json --output $measurement" ;;
         judge) echo "--help --json --tolerance --uncertainty --outliers --period --vdi --temperature --expansion --reference-temperature --reference-expansion --datum --not-corrected $measurement" ;;
-        axes) echo "--help --json --find --any-baud $drive" ;;
+        axes) echo "--help --json --find --any-baud --network $drive" ;;
         files) echo "--help --json $drive" ;;
         status) echo "--help --json $drive --axis --reset-flash-count" ;;
         persist | unpersist | evaluate | activate | deactivate) echo "--help --json $drive --axis" ;;

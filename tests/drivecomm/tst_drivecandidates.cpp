@@ -31,6 +31,9 @@ private Q_SLOTS:
     void aPortThatAnAddressNamesIsLeftOut();
     void aPortIsTheSameUnderAnotherName();
     void portsOfThisMachineHaveAbsolutePaths();
+    void theAddressesOfARangeAreLookedAtOverHttp();
+    void anAddressThatIsKnownIsNotAskedAgain();
+    void networksOfThisMachineCanBeSearched();
 };
 
 void TestDriveCandidates::anAddressIsTriedAsItIs_data()
@@ -102,6 +105,41 @@ void TestDriveCandidates::portsOfThisMachineHaveAbsolutePaths()
         QCOMPARE(candidates.size(), std::size_t(1));
         QVERIFY2(candidates.front().endpoints.front().starts_with("serial:/"),
             candidates.front().endpoints.front().c_str());
+    }
+}
+
+void TestDriveCandidates::theAddressesOfARangeAreLookedAtOverHttp()
+{
+    const auto range = parseNetworkRange("127.0.0.9-127.0.0.11:8080");
+    VERIFY_RESULT(range);
+    const auto candidates = candidatesIn(*range, {});
+    QCOMPARE(candidates.size(), std::size_t(3));
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+        QVERIFY(candidates[i].endpoints
+            == Endpoints{"http://127.0.0." + std::to_string(9 + i) + ":8080"});
+        QVERIFY(candidates[i].isUnknown);
+        QCOMPARE(candidates[i].timeout, std::chrono::milliseconds(1000));
+    }
+}
+
+void TestDriveCandidates::anAddressThatIsKnownIsNotAskedAgain()
+{
+    const auto range = parseNetworkRange("127.0.0.1-3");
+    VERIFY_RESULT(range);
+    const std::vector<std::string> known{
+        "http://user:secret@127.0.0.2/", "http://127.0.0.3:8080", "demo:", "nonsense"};
+    const auto candidates = candidatesIn(*range, known);
+    QCOMPARE(candidates.size(), std::size_t(2));
+    QCOMPARE(candidates[0].endpoints.front(), std::string("http://127.0.0.1"));
+    QCOMPARE(candidates[1].endpoints.front(), std::string("http://127.0.0.3"));
+}
+
+/// Nothing is asked: this only reads what the computer has.
+void TestDriveCandidates::networksOfThisMachineCanBeSearched()
+{
+    for (const std::string& network : ownNetworks()) {
+        VERIFY_RESULT(parseNetworkRange(network));
+        QVERIFY2(!network.starts_with("127."), network.c_str());
     }
 }
 

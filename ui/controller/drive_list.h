@@ -35,6 +35,8 @@ public:
     void tryAgain(const QString& endpoint);
     [[nodiscard]] const std::vector<DriveState>& drives() const { return m_drives; }
     [[nodiscard]] const std::vector<AxisEntry>& axes() const { return m_axes; }
+    /// In the order of drives().
+    [[nodiscard]] const std::vector<DriveConnection*>& connections() const { return m_connections; }
 
     /// Another entry of axes() becomes the current one.
     void select(int index);

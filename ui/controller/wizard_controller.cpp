@@ -4,6 +4,7 @@
 #include "core/axis/proposals.h"
 #include "core/drive/axis_target.h"
 #include "core/drive/drive_units.h"
+#include "ui/controller/axis_overview.h"
 #include "ui/controller/multi_axis_controller.h"
 #include "ui/controller/parameter_export.h"
 #include "ui/controller/proof_follower.h"
@@ -15,6 +16,16 @@
 #include <algorithm>
 
 namespace axiscomp::ui {
+
+namespace {
+
+/// All axes take longer to read than one.
+std::chrono::milliseconds overviewInterval(const WizardOptions& options)
+{
+    return 10 * options.liveInterval;
+}
+
+} // namespace
 
 /// Each knows only parts above it; what these have to learn from it are signals, which
 /// WizardController connects.
@@ -30,6 +41,7 @@ struct WizardController::Parts {
         , runner(*options.profile, drives, axis, setup, tables, log, outcome)
         , multiAxis(*options.profile, drives, axis, setup, tables, runner, outcome)
         , parameterExport(drives, axis, outcome)
+        , overview(drives, axis, proof, tables, runner, overviewInterval(options))
         , actions(*options.profile, drives, axis, setup, sources, tables, runner, outcome)
     {
     }
@@ -47,6 +59,7 @@ struct WizardController::Parts {
     OperationRunner runner;
     MultiAxisController multiAxis;
     ParameterExport parameterExport;
+    AxisOverview overview;
     WizardActions actions;
 };
 
@@ -237,6 +250,11 @@ void WizardController::refresh()
 void WizardController::tryDrive(const QString& endpoint)
 {
     m_parts->drives.tryAgain(endpoint);
+}
+
+AxisOverview& WizardController::overview()
+{
+    return m_parts->overview;
 }
 
 SetupModel& WizardController::setup()

@@ -24,6 +24,7 @@
 
 namespace axiscomp::ui {
 
+class AxisOverview;
 class SetupHistory;
 
 /// Everything of the wizard but its widgets: which drives and axes there are, the setup of the
@@ -51,6 +52,8 @@ public:
     void refresh();
     /// Asks one drive again, at once.
     void tryDrive(const QString& endpoint);
+    /// All axes of all drives.
+    [[nodiscard]] AxisOverview& overview();
 
     // The setup of the current axis
     [[nodiscard]] SetupModel& setup();

@@ -14,6 +14,7 @@ namespace axiscomp::ui {
 struct WizardOptions {
     LinkFactory linkFactory;
     PortCandidates portCandidates; ///< empty: drives are not looked for
+    NetworkPlaces network;
     const DriveProfile* profile = nullptr; ///< must outlive the controller
     std::filesystem::path storeRoot;
     std::chrono::milliseconds timeout{5000};

@@ -285,7 +285,7 @@ void ConnectionsDialog::find()
     for (const QString& endpoint : endpoints())
         known.push_back(endpoint.toStdString());
     FindDrivesDialog::Options options{
-        m_options.linkFactory, m_options.portCandidates, std::move(known)};
+        m_options.linkFactory, m_options.portCandidates, m_options.network, std::move(known)};
     auto* dialog = new FindDrivesDialog(std::move(options), this);
     connect(dialog, &FindDrivesDialog::endpointsChosen, this, [this](const QStringList& found) {
         for (const QString& endpoint : found) {

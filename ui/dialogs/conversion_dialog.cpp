@@ -44,7 +44,7 @@ void ConversionDialog::build()
     m_report->setObjectName(QStringLiteral("conversionReport"));
     m_report->setReadOnly(true);
     m_report->setTabChangesFocus(true);
-    m_report->setMinimumHeight(120);
+    m_report->setMinimumHeight(80);
     m_reportTitle->setBuddy(m_report);
     m_reason->setObjectName(QStringLiteral("conversionReason"));
     m_reason->setWordWrap(true);

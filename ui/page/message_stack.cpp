@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/page/message_stack.h"
 
+#include "ui/style/accessible_role.h"
 #include "ui/style/plain_label.h"
 #include "ui/style/symbols.h"
 
@@ -42,6 +43,7 @@ public:
         , m_text(new PlainLabel(message.text))
     {
         setObjectName(message.id);
+        setAccessibleRole(*this, QAccessible::AlertMessage);
         m_text->setObjectName(QStringLiteral("messageText"));
         m_text->setWordWrap(true);
         m_text->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);

@@ -17,6 +17,7 @@ PageMenu::PageMenu(QWidget* parent)
     , m_languages(addMenu(QString()))
     , m_languageGroup(new QActionGroup(this))
     , m_systemLanguage(m_languages->addAction(QString()))
+    , m_overview(addAction(QString()))
     , m_writeSeveral(addAction(QString()))
     , m_importConfiguration(addAction(QString()))
     , m_exportConfiguration(addAction(QString()))
@@ -36,6 +37,7 @@ PageMenu::PageMenu(QWidget* parent)
     insertSeparator(m_languages->menuAction());
     m_languages->setObjectName(QStringLiteral("languageMenu"));
     fillLanguages();
+    m_overview->setObjectName(QStringLiteral("overviewAction"));
     m_writeSeveral->setObjectName(QStringLiteral("writeSeveralAction"));
     m_importConfiguration->setObjectName(QStringLiteral("importConfigurationAction"));
     m_exportConfiguration->setObjectName(QStringLiteral("exportConfigurationAction"));
@@ -59,6 +61,7 @@ PageMenu::PageMenu(QWidget* parent)
     connect(m_redo, &QAction::triggered, this, &PageMenu::redoRequested);
     connect(m_export, &QAction::triggered, this, &PageMenu::exportRequested);
     connect(m_saveLog, &QAction::triggered, this, &PageMenu::saveLogRequested);
+    connect(m_overview, &QAction::triggered, this, &PageMenu::overviewRequested);
     connect(m_guide, &QAction::triggered, this, &PageMenu::guideRequested);
     connect(m_about, &QAction::triggered, this, &PageMenu::showAbout);
     retranslate();
@@ -138,6 +141,8 @@ void PageMenu::retranslate()
     showHistory(m_undoText, m_redoText);
     m_languages->setTitle(tr("&Language"));
     m_systemLanguage->setText(tr("&System Language"));
+    m_overview->setText(tr("&Overview of All Axes…") + QStringLiteral("\tCtrl+Shift+O"));
+    m_overview->setToolTip(tr("State and table of each axis of all connected drives"));
     m_writeSeveral->setText(tr("&Write Several Axes…"));
     m_importConfiguration->setText(tr("&Import TAM Configuration…"));
     m_exportConfiguration->setText(tr("Export to &TAM Configuration…"));

@@ -12,8 +12,8 @@ class QActionGroup;
 
 namespace axiscomp::ui {
 
-/// What the page offers beside its daily work: several axes at once, TAM configurations, language,
-/// the list before volatile writes, export, the log, about.
+/// What the page offers beside its daily work: the overview, several axes at once, TAM
+/// configurations, language, the list before volatile writes, export, the log, about.
 class PageMenu : public QMenu {
     Q_OBJECT
 
@@ -41,6 +41,7 @@ Q_SIGNALS:
     void redoRequested();
     void saveLogRequested();
     void guideRequested();
+    void overviewRequested();
     void exportRequested();
     void actionRequested(axiscomp::ui::Action action); ///< one of drivenActions
 
@@ -56,6 +57,7 @@ private:
     QMenu* m_languages;
     QActionGroup* m_languageGroup;
     QAction* m_systemLanguage;
+    QAction* m_overview;
     QAction* m_writeSeveral;
     QAction* m_importConfiguration;
     QAction* m_exportConfiguration;

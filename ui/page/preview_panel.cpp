@@ -108,7 +108,7 @@ void PreviewPanel::build()
     m_example->setIcon(symbolIcon(Symbol::Save));
     m_example->setAutoDefault(true);
     // Above picture and values, since it is about both; and the page can be narrower.
-    constexpr int appliedLetters = 16;
+    constexpr int appliedLetters = 12;
     m_applied->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_applied->setMinimumContentsLength(appliedLetters);
     auto* corner = new QWidget;

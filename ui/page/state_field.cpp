@@ -2,7 +2,9 @@
 #include "ui/page/state_field.h"
 
 #include "ui/controller/wizard_controller.h"
+#include "ui/style/accessible_role.h"
 #include "ui/style/plain_label.h"
+#include "ui/text/state_text.h"
 #include "ui/text/value_text.h"
 
 #include <QBoxLayout>
@@ -16,46 +18,6 @@
 namespace axiscomp::ui {
 
 namespace {
-
-/// In the user's language; a word that the profile does not have is shown as it is.
-QString stateWord(const AxisInfo& axis)
-{
-    switch (axis.state) {
-    case CompensationState::Disabled:
-        return StateField::tr("OFF");
-    case CompensationState::Evaluating:
-        return StateField::tr("EVALUATING");
-    case CompensationState::Ramping:
-        return StateField::tr("RAMPING");
-    case CompensationState::Active:
-        return StateField::tr("ACTIVE");
-    case CompensationState::Error:
-        return StateField::tr("ERROR");
-    case CompensationState::Unknown:
-        break;
-    }
-    return QString::fromStdString(axis.stateWord);
-}
-
-Tone toneOf(const AxisStatus& status)
-{
-    switch (status.axis.state) {
-    case CompensationState::Active:
-        return Tone::Success;
-    case CompensationState::Ramping:
-    case CompensationState::Evaluating:
-        return Tone::Warning;
-    case CompensationState::Error:
-        return Tone::Error;
-    default:
-        return Tone::Information;
-    }
-}
-
-QString timeText(const QDateTime& time)
-{
-    return QLocale().toString(time.time(), QStringLiteral("HH:mm:ss"));
-}
 
 /// Whether the drive holds the value of an end, since a source is beyond the table.
 bool isOutsideTable(const AxisStatus& status)
@@ -87,6 +49,7 @@ StateField::StateField(WizardController& controller, QWidget* parent)
     , m_detail(new PlainLabel)
 {
     setObjectName(QStringLiteral("stateField"));
+    setAccessibleRole(*this, QAccessible::StatusBar);
     m_state->setObjectName(QStringLiteral("compensationState"));
     m_live->setObjectName(QStringLiteral("liveValues"));
     m_detail->setObjectName(QStringLiteral("stateDetail"));
@@ -139,21 +102,19 @@ void StateField::takeLive()
 
 QString StateField::sinceText() const
 {
-    return m_wasSeenToBegin ? tr("since %1").arg(timeText(m_since))
-                            : tr("since before %1").arg(timeText(m_since));
+    return m_wasSeenToBegin ? axiscomp::ui::sinceText(m_since)
+                            : tr("since before %1").arg(clockText(m_since));
 }
 
 QString StateField::tableText() const
 {
     const AxisStatus& status = *m_controller.status();
     if (!status.table)
-        return tr("no table");
+        return noTableText();
     const auto table = m_controller.driveTable();
     const QString name = table && !table->name.empty() ? QString::fromStdString(table->name)
                                                        : QString::fromStdString(status.setup.slot);
-    const QString crc =
-        QStringLiteral("%1").arg(status.table->crc, 8, 16, QLatin1Char('0')).toUpper();
-    return tr("%1, CRC %2", "table and checksum").arg(name, crc);
+    return tableWithCrc(name, status.table->crc);
 }
 
 /// Never "proved" before something was seen that a wrong table would have shown.
@@ -181,14 +142,18 @@ void StateField::display()
     const auto& status = m_controller.status();
     const bool isLive = status && m_controller.isConnected();
     setVisible(m_controller.currentAxis() >= 0);
-    m_tone = isLive ? toneOf(*status) : Tone::Error;
-    m_state->setText(isLive ? stateWord(status->axis) : tr("NOT CONNECTED"));
+    m_tone = isLive ? stateTone(status->axis.state) : Tone::Error;
+    m_state->setText(isLive ? stateWord(status->axis) : notConnectedWord());
     m_live->setVisible(status.has_value());
     m_detail->setVisible(status.has_value());
     if (status) {
         m_live->setText(liveText(*status));
-        m_detail->setText(isLive ? detailText() : tr("as read at %1").arg(timeText(m_read)));
+        m_detail->setText(isLive ? detailText() : asReadText(m_read));
     }
+    announceName(*this, tr("Compensation: %1", "state").arg(m_state->text()));
+    if (const QString detail = status ? m_detail->text() : QString();
+        detail != accessibleDescription())
+        setAccessibleDescription(detail);
     QPalette texts = palette();
     if (!isLive)
         texts.setColor(QPalette::WindowText, mutedTextColor(palette()));

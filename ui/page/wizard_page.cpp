@@ -12,6 +12,7 @@
 #include "ui/page/status_strip.h"
 
 #include <QBoxLayout>
+#include <QEvent>
 #include <QFrame>
 #include <QScrollArea>
 #include <QScrollBar>
@@ -39,6 +40,15 @@ public:
     {
         const int bar = verticalScrollBar()->sizeHint().width();
         return {widget()->minimumSizeHint().width() + bar, QScrollArea::minimumSizeHint().height()};
+    }
+
+protected:
+    /// Other texts, such as those of another language, may need more room.
+    bool eventFilter(QObject* watched, QEvent* event) override
+    {
+        if (watched == widget() && event->type() == QEvent::LayoutRequest)
+            updateGeometry();
+        return QScrollArea::eventFilter(watched, event);
     }
 };
 

@@ -60,8 +60,7 @@ void ControllerCombo::retranslate()
     for (int i = 0; i < count(); ++i) {
         const auto* format = static_cast<const TableFormat*>(itemData(i).value<const void*>());
         setItemText(i,
-            format ? tr("As applied by %1").arg(controllerText(*format))
-                   : tr("As applied by the drive"));
+            format ? tr("As applied by %1").arg(controllerText(*format)) : tr("As on the drive"));
     }
     setToolTip(tr("The table as the drive applies it, or converted to another controller's "
                   "convention: its sign, and its rules beyond the ends"));

@@ -148,7 +148,7 @@ void SurfaceView::build()
         button->setFocusPolicy(Qt::StrongFocus);
     }
     d->space = new QWidget(this);
-    d->space->setMinimumSize(260, 160);
+    d->space->setMinimumSize(260, 90);
     d->space->setAttribute(Qt::WA_TransparentForMouseEvents);
     d->slice = new SliceRow(d->shown, this);
     auto* tools = new QHBoxLayout;

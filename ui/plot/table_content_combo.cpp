@@ -14,6 +14,7 @@ TableContentCombo::TableContentCombo(TableViewModel& shown, QWidget* parent)
     for (const TableContent content :
         {TableContent::Selected, TableContent::Drive, TableContent::Difference})
         addItem(QString(), static_cast<int>(content));
+    setSizeAdjustPolicy(QComboBox::AdjustToContents); // another language has longer words
     retranslate();
     follow();
     connect(this, &QComboBox::activated, &m_shown, [this](int index) {

@@ -64,7 +64,7 @@ void TablePlot::build()
 
     d->canvas = new PlotCanvas(this);
     QCustomPlot& plot = d->canvas->plot();
-    plot.setMinimumSize(260, 160);
+    plot.setMinimumSize(260, 90);
     plot.setFocusPolicy(Qt::StrongFocus);
     plot.setMouseTracking(true);
     plot.installEventFilter(this);

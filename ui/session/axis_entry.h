@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/wall_time.h"
 #include "core/compensator/axis_compensator.h"
 #include "ui/session/rejected_certificate.h"
 
@@ -31,6 +32,7 @@ struct DriveState {
     QString name; ///< empty until identified
     Connection connection = Connection::Connecting;
     QString problem; ///< translated, when Lost
+    std::optional<WallTime> lostSince; ///< when Lost
     std::optional<RejectedCertificate> certificate; ///< when Lost because of it
     bool isDemo = false;
     friend bool operator==(const DriveState&, const DriveState&) = default;

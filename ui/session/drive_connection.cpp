@@ -90,6 +90,7 @@ void DriveConnection::take(const Result<DriveFindings>& findings)
     m_findings = *findings;
     m_state.name = QString::fromStdString(findings->drive.name);
     m_state.connection = Connection::Connected;
+    m_state.lostSince.reset();
     m_problem.reset();
     Q_EMIT stateChanged();
     Q_EMIT found(wasAnother);
@@ -99,6 +100,8 @@ void DriveConnection::lose(const Error& error)
 {
     const bool isNews = !m_problem || !saysTheSame(*m_problem, error);
     m_state.connection = Connection::Lost;
+    if (!m_state.lostSince)
+        m_state.lostSince = std::chrono::system_clock::now();
     m_problem = error;
     m_retry.start();
     if (!isNews)

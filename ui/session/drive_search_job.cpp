@@ -18,8 +18,8 @@ DriveSearchJob::~DriveSearchJob()
     m_stop.request_stop();
 }
 
-void DriveSearchJob::start(
-    LinkFactory linkFactory, std::function<std::vector<DriveCandidate>()> candidates)
+void DriveSearchJob::start(LinkFactory linkFactory,
+    std::function<std::vector<DriveCandidate>()> candidates, std::size_t mostAtOnce)
 {
     m_stop.request_stop();
     m_stop = std::stop_source();
@@ -28,10 +28,11 @@ void DriveSearchJob::start(
     m_watcher.setFuture(promise->future());
     QThreadPool::globalInstance()->start(
         [promise, linkFactory = std::move(linkFactory), candidates = std::move(candidates),
-            stop = m_stop.get_token()] {
+            mostAtOnce, stop = m_stop.get_token()] {
             DriveSearch search;
             search.linkFactory = linkFactory;
             search.stop = stop;
+            search.mostAtOnce = mostAtOnce;
             search.sighted = [&](const DriveSighting& sighting) { promise->addResult(sighting); };
             static_cast<void>(findDrives(candidates(), search));
             promise->finish();

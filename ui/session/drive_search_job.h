@@ -22,7 +22,8 @@ public:
 
     /// candidates is called on another thread: listing ports takes time. A scan that runs is
     /// stopped.
-    void start(LinkFactory linkFactory, std::function<std::vector<DriveCandidate>()> candidates);
+    void start(LinkFactory linkFactory, std::function<std::vector<DriveCandidate>()> candidates,
+        std::size_t mostAtOnce = DriveSearch{}.mostAtOnce);
     void stop();
     [[nodiscard]] bool isRunning() const;
 

@@ -12,6 +12,7 @@ namespace axiscomp::ui {
 struct ProbeOptions {
     LinkFactory linkFactory;
     PortCandidates portCandidates; ///< empty: drives are not looked for
+    NetworkPlaces network;
     const DriveProfile* profile = nullptr;
     std::filesystem::path storeRoot;
     std::chrono::milliseconds timeout{5000};

@@ -90,6 +90,7 @@ struct AxesOptions {
     DriveOptions drives;
     bool find = false;
     bool anyBaudRate = false;
+    std::string network;
 };
 
 /// Asks the drives that the options name for their axes and prints them; silent: where a search
@@ -130,11 +131,18 @@ Result<ExitCode> runAxes(Environment& environment, const AxesOptions& options)
 {
     DriveOptions drives = options.drives;
     drives.endpoints = namedDrives(options);
+    SearchedPlaces places;
+    if (options.anyBaudRate)
+        places.rates = drivecomm::BaudRates::Usual;
+    if (!options.network.empty()) {
+        auto range = parseNetworkRange(options.network);
+        if (!range)
+            return wrongUsage(sentence(range.error()), options.drives.command);
+        places.network = *range;
+    }
     const QtRuntime runtime;
     if (options.find) {
-        AXISCOMP_TRY(const auto sightings,
-            lookForDrives(environment, drives,
-                options.anyBaudRate ? drivecomm::BaudRates::Usual : drivecomm::BaudRates::AsGiven));
+        AXISCOMP_TRY(const auto sightings, lookForDrives(environment, drives, places));
         drives.endpoints.clear();
         std::vector<DriveAnswer> silent;
         for (const DriveSighting& sighting : sightings) {
@@ -168,6 +176,12 @@ void addAxesCommand(CommandLine& line)
     command
         ->add_flag(
             "--any-baud", options->anyBaudRate, "Try the usual baud rates at every serial port")
+        ->needs(find);
+    command
+        ->add_option("--network", options->network,
+            "Also ask these addresses over http: 192.168.1.0/24, 192.168.1.10-40 or one address, "
+            "at most 1024, with :PORT for another port than 80")
+        ->type_name("RANGE")
         ->needs(find);
 }
 

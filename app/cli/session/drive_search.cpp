@@ -25,15 +25,35 @@ std::string answerText(const Result<DriveIdentity>& drive)
         + ", axes: " + std::to_string(drive->axes);
 }
 
-std::vector<DriveCandidate> candidates(const DriveOptions& options, drivecomm::BaudRates rates)
+std::vector<DriveCandidate> candidates(const DriveOptions& options, const SearchedPlaces& places)
 {
     std::vector<DriveCandidate> all;
     for (const std::string& endpoint : options.endpoints)
-        all.push_back(drivecomm::candidateAt(endpoint, rates));
+        all.push_back(drivecomm::candidateAt(endpoint, places.rates));
     for (DriveCandidate& port :
-        drivecomm::candidatesAt(drivecomm::serialPorts(), options.endpoints, rates))
+        drivecomm::candidatesAt(drivecomm::serialPorts(), options.endpoints, places.rates))
         all.push_back(std::move(port));
+    if (places.network)
+        std::ranges::move(
+            drivecomm::candidatesIn(*places.network, options.endpoints), std::back_inserter(all));
     return all;
+}
+
+/// Leaves out the addresses of a network where nothing answers, and says how many they are.
+void dropSilent(const std::vector<DriveCandidate>& candidates,
+    std::vector<DriveSighting>& sightings, Console& console)
+{
+    std::vector<DriveSighting> answered;
+    for (std::size_t i = 0; i < sightings.size(); ++i) {
+        const Result<DriveIdentity>& drive = sightings[i].drive;
+        const bool isSilent =
+            candidates[i].isUnknown && !drive && isUnreachable(drive.error().code);
+        if (!isSilent)
+            answered.push_back(std::move(sightings[i]));
+    }
+    if (const std::size_t silent = sightings.size() - answered.size(); silent > 0)
+        console.note("addresses of the network without an answer: " + std::to_string(silent));
+    sightings = std::move(answered);
 }
 
 } // namespace
@@ -45,21 +65,24 @@ std::string shownEndpoint(const std::string& endpoint)
 }
 
 Result<std::vector<DriveSighting>> lookForDrives(
-    Environment& environment, const DriveOptions& options, drivecomm::BaudRates rates)
+    Environment& environment, const DriveOptions& options, const SearchedPlaces& searched)
 {
     AXISCOMP_TRY(const auto profile, profileOf(options.profile));
-    const std::vector<DriveCandidate> places = candidates(options, rates);
+    const std::vector<DriveCandidate> places = candidates(options, searched);
     DriveSearch search;
+    if (searched.network)
+        search.mostAtOnce = drivecomm::addressesAtOnce;
     search.stop = environment.stopToken();
     search.linkFactory = drivecomm::linkFactory(profile, certificateCheck(options));
     std::vector<DriveSighting> sightings = findDrives(places, search);
+    if (environment.stopToken().stop_requested())
+        return fail(ErrorCode::Cancelled);
+    dropSilent(places, sightings, environment.console());
     TextTable table({"address", "port", "answer"});
     for (const DriveSighting& sighting : sightings)
         table.add(
             {shownEndpoint(sighting.endpoint), sighting.description, answerText(sighting.drive)});
-    if (environment.stopToken().stop_requested())
-        return fail(ErrorCode::Cancelled);
-    if (!places.empty())
+    if (!sightings.empty())
         environment.console().note(table.text(""));
     if (std::ranges::none_of(
             sightings, [](const auto& sighting) { return sighting.drive.has_value(); }))

@@ -4,6 +4,7 @@
 #include "app/cli/session/command_session.h"
 #include "drivecomm/drive_candidates.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,11 +13,19 @@ namespace axiscomp::app {
 /// Without a password; empty when it is not valid.
 [[nodiscard]] std::string shownEndpoint(const std::string& endpoint);
 
-/// Looks at the addresses of the options and at all serial ports of this computer, and says on
-/// standard error what was there and what was not, and why. At least one has answered.
+/// Where drives are looked for beside the addresses of the options.
+struct SearchedPlaces {
+    drivecomm::BaudRates rates = drivecomm::BaudRates::AsGiven; ///< at the serial ports
+    std::optional<NetworkRange> network; ///< none: no network is asked
+};
+
+/// Looks at the addresses of the options, at all serial ports of this computer and at the network
+/// that was named, and says on standard error what was there and what was not, and why; of
+/// addresses of a network where nothing answers only how many they are, and they are not among the
+/// sightings. At least one has answered.
 /// Errors: NotConnected when none did, Cancelled, those of the profile.
 [[nodiscard]] Result<std::vector<DriveSighting>> lookForDrives(
-    Environment& environment, const DriveOptions& options, drivecomm::BaudRates rates);
+    Environment& environment, const DriveOptions& options, const SearchedPlaces& places);
 
 /// The addresses of the window's connections, without users and passwords; none when there has been
 /// no window yet.

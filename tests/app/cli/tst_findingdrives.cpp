@@ -52,6 +52,8 @@ private Q_SLOTS:
     void anyBaudNeedsFind();
     void nothingFoundIsNoConnection();
     void aPasswordIsNotShown();
+    void aNetworkIsAskedByItsRange();
+    void aRangeNeedsFindAndHasToBeOne();
 };
 
 void TestFindingDrives::withoutAnAddressTheConnectionsOfTheWindowAreAsked()
@@ -130,6 +132,33 @@ void TestFindingDrives::aPasswordIsNotShown()
     const ProgramRun run = box.run({"axes", "--find", "--drive", address});
     VERIFY_CODE(run, 0);
     QVERIFY2(!run.out.contains("secret") && !run.err.contains("secret"), run.text().constData());
+}
+
+void TestFindingDrives::aNetworkIsAskedByItsRange()
+{
+    const Sandbox box;
+    const VirtualDriveProcess drive(box);
+    const QString port = drive.url().section(':', -1);
+    const QStringList arguments{"axes", "--find", "--network", "127.0.0.1-4:" + port};
+    const ProgramRun text = box.run(arguments);
+    VERIFY_CODE(text, 0);
+    QVERIFY2(text.out.contains(drive.url().toUtf8()), text.text().constData());
+    QVERIFY2(text.err.contains("without an answer: 3"), text.text().constData());
+    QVERIFY2(!text.err.contains("127.0.0.4"), text.text().constData());
+    const ProgramRun json = box.run(arguments + QStringList{"--json"});
+    VERIFY_CODE(json, 0);
+    QCOMPARE(driveAt(json, drive.url()).value("axes").toArray().size(), 2);
+}
+
+void TestFindingDrives::aRangeNeedsFindAndHasToBeOne()
+{
+    const Sandbox box;
+    const ProgramRun alone = box.run({"axes", "--network", "127.0.0.1-4"});
+    VERIFY_CODE(alone, 2);
+    QVERIFY2(alone.err.contains("--find"), alone.err.constData());
+    const ProgramRun wrong = box.run({"axes", "--find", "--network", "10.0.0.0/8"});
+    VERIFY_CODE(wrong, 2);
+    QVERIFY2(wrong.err.contains("1024"), wrong.err.constData());
 }
 
 AXISCOMP_TEST(TestFindingDrives)

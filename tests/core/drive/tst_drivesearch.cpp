@@ -7,6 +7,7 @@
 #include <condition_variable>
 #include <mutex>
 #include <set>
+#include <thread>
 
 namespace tst_drivesearch {
 
@@ -55,6 +56,8 @@ private Q_SLOTS:
     void nonsenseSaysMoreThanSilence();
     void stoppedItAsksNoMore();
     void noCandidatesNoSightings();
+    void whatDoesNotListItsFilesAsADriveIsNotAskedWhoItIs();
+    void noMoreAreAskedAtOnceThanWanted();
 
 private:
     [[nodiscard]] DriveSearch search()
@@ -205,6 +208,44 @@ void TestDriveFinder::stoppedItAsksNoMore()
 void TestDriveFinder::noCandidatesNoSightings()
 {
     QVERIFY(findDrives({}, search()).empty());
+}
+
+void TestDriveFinder::whatDoesNotListItsFilesAsADriveIsNotAskedWhoItIs()
+{
+    answers("a");
+    auto candidates = places({"a"});
+    candidates.front().isUnknown = true;
+    const auto sightings = findDrives(candidates, search()); // a scripted link lists no files
+    VERIFY_ERROR(sightings.front().drive, ErrorCode::DriveRejected);
+    QCOMPARE(m_otherRequests.load(), 1);
+}
+
+void TestDriveFinder::noMoreAreAskedAtOnceThanWanted()
+{
+    std::atomic<int> now = 0;
+    std::atomic<int> most = 0;
+    std::vector<DriveCandidate> candidates;
+    for (int i = 0; i < 60; ++i) {
+        candidates.push_back({{std::to_string(i)}, {}});
+        m_answers[std::to_string(i)] = [&](const Exchange&) -> Result<DriveIdentity> {
+            const int running = ++now;
+            int known = most;
+            while (running > known && !most.compare_exchange_weak(known, running)) { }
+            for (int n = 0; n < 100; ++n)
+                std::this_thread::yield();
+            --now;
+            return drive;
+        };
+    }
+    DriveSearch few = search();
+    few.mostAtOnce = 3;
+    static_cast<void>(findDrives(candidates, few));
+    QVERIFY2(most.load() <= 3, std::to_string(most.load()).c_str());
+    QCOMPARE(now.load(), 0);
+    few.mostAtOnce = 1;
+    most = 0;
+    static_cast<void>(findDrives(candidates, few));
+    QCOMPARE(most.load(), 1);
 }
 
 AXISCOMP_TEST(TestDriveFinder)

@@ -5,6 +5,7 @@
 #include "ui/dialogs/find_drives_dialog.h"
 
 #include <QCheckBox>
+#include <QComboBox>
 #include <QDialogButtonBox>
 #include <QLabel>
 #include <QPointer>
@@ -16,6 +17,8 @@
 
 #include <map>
 #include <mutex>
+#include <optional>
+#include <thread>
 
 namespace tst_finddrives {
 
@@ -40,6 +43,7 @@ private Q_SLOTS:
         m_places = {};
         m_asksForBaudRates = false;
         m_otherThan.clear();
+        m_asked.reset();
     }
 
     void whatAnswersIsChosenAndWhatDoesNotSaysWhy();
@@ -49,6 +53,9 @@ private Q_SLOTS:
     void baudRatesAreTriedWhenAsked();
     void knownPortsAreLeftOut();
     void closedWhileAPortIsSilentItDoesNotWait();
+    void aNetworkIsAskedOnlyAfterItsAddressesWereConfirmed();
+    void aRangeThatIsNoneSaysWhy();
+    void aSearchOfANetworkCanBeStopped();
 
 private:
     void port(const std::string& endpoint, const std::string& hardware, ScriptedLink::Answer answer)
@@ -114,6 +121,33 @@ private:
         return rows.value(0);
     }
 
+    FindDrivesDialog::Options networkOptions()
+    {
+        FindDrivesDialog::Options all = options();
+        all.network.ownNetworks = [] { return std::vector<std::string>{"192.168.7.0/24"}; };
+        all.network.candidates = [this](
+                                     const NetworkRange& range, const std::vector<std::string>&) {
+            const std::lock_guard lock(m_mutex);
+            m_asked = range;
+            return m_places;
+        };
+        return all;
+    }
+    static QComboBox& range(const FindDrivesDialog& dialog)
+    {
+        return *dialog.findChild<QComboBox*>(QStringLiteral("networkRange"));
+    }
+    static QPushButton& button(const FindDrivesDialog& dialog, const char* name)
+    {
+        return *dialog.findChild<QPushButton*>(QLatin1StringView(name));
+    }
+    std::optional<NetworkRange> asked()
+    {
+        const std::lock_guard lock(m_mutex);
+        return m_asked;
+    }
+
+    std::optional<NetworkRange> m_asked;
     std::mutex m_mutex;
     std::map<std::string, ScriptedLink::Answer> m_answers;
     std::vector<DriveCandidate> m_places;
@@ -216,6 +250,68 @@ void TestFindDrives::closedWhileAPortIsSilentItDoesNotWait()
     QVERIFY2(stopped.tryAcquire(1, test::patienceMs), "the search was not told to stop");
     stopped.release();
     QVERIFY(QThreadPool::globalInstance()->waitForDone(test::patienceMs));
+}
+
+void TestFindDrives::aNetworkIsAskedOnlyAfterItsAddressesWereConfirmed()
+{
+    port("http://192.168.7.20", "", answers());
+    port("http://192.168.7.21", "", refuses("http://192.168.7.21", "no route"));
+    const auto dialog = searched(networkOptions());
+    QTRY_COMPARE(range(*dialog).currentText(), QStringLiteral("192.168.7.0/24"));
+    auto& ask = button(*dialog, "searchNetwork");
+    QVERIFY(ask.isEnabled());
+    QVERIFY2(ask.text().contains(QStringLiteral("254")), qPrintable(ask.text()));
+    range(*dialog).setEditText(QStringLiteral("192.168.7.20-21"));
+    QVERIFY2(ask.text().contains(QStringLiteral("(2)")), qPrintable(ask.text()));
+    QVERIFY(!asked());
+    ask.click();
+    waitForEnd(*dialog);
+    QVERIFY(asked() && toText(*asked()) == "192.168.7.20-192.168.7.21");
+    // Where nobody answers, there is nothing to list.
+    QCOMPARE(list(*dialog).topLevelItemCount(), 1);
+    QVERIFY(row(*dialog, "http://192.168.7.20"));
+    QVERIFY2(note(*dialog).contains(QStringLiteral("asked: 2"))
+            && note(*dialog).contains(QStringLiteral("found: 1")),
+        qPrintable(note(*dialog)));
+    QVERIFY(add(*dialog).isEnabled());
+    delete dialog;
+}
+
+void TestFindDrives::aRangeThatIsNoneSaysWhy()
+{
+    const auto dialog = searched(networkOptions());
+    QTRY_VERIFY(!range(*dialog).currentText().isEmpty());
+    auto& ask = button(*dialog, "searchNetwork");
+    range(*dialog).setEditText(QStringLiteral("10.0.0.0/8"));
+    QVERIFY(!ask.isEnabled());
+    QVERIFY2(note(*dialog).contains(QStringLiteral("1024")), qPrintable(note(*dialog)));
+    range(*dialog).setEditText(QString());
+    QVERIFY(!ask.isEnabled());
+    range(*dialog).setEditText(QStringLiteral("10.0.0.1"));
+    QVERIFY(ask.isEnabled());
+    QVERIFY(!asked());
+    delete dialog;
+}
+
+void TestFindDrives::aSearchOfANetworkCanBeStopped()
+{
+    const auto dialog = searched(networkOptions());
+    for (int n = 0; n < 100; ++n)
+        port("http://192.168.7." + std::to_string(n), "",
+            [](const Exchange& exchange) -> Result<DriveIdentity> {
+                while (!exchange.stop.stop_requested())
+                    std::this_thread::yield();
+                return fail(ErrorCode::Cancelled);
+            });
+    QTRY_VERIFY(!range(*dialog).currentText().isEmpty());
+    button(*dialog, "searchNetwork").click();
+    QVERIFY(button(*dialog, "stopSearch").isEnabled());
+    QVERIFY(!button(*dialog, "searchNetwork").isEnabled());
+    button(*dialog, "stopSearch").click();
+    waitForEnd(*dialog);
+    QVERIFY2(note(*dialog).startsWith(QStringLiteral("Stopped")), qPrintable(note(*dialog)));
+    QVERIFY(!button(*dialog, "stopSearch").isEnabled());
+    delete dialog;
 }
 
 AXISCOMP_WINDOW_TEST(TestFindDrives)

@@ -43,6 +43,10 @@ public:
                 {.endpoints = {usbPort}, .description = "FT232R USB UART, FTDI, A50285BI"},
                 {.endpoints = {"serial:/dev/no-such-port"}, .description = ""}};
         };
+        options.network.ownNetworks = [] { return std::vector<std::string>{"192.168.1.0/24"}; };
+        options.network.candidates = [](const NetworkRange&, const std::vector<std::string>&) {
+            return std::vector<DriveCandidate>{{.endpoints = {address}, .description = ""}};
+        };
         return options;
     }
     [[nodiscard]] drivecomm::VirtualDrive& drive() { return m_drive; }

@@ -1,800 +1,110 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Renders every state of the page into PNG files, for a person to look at:
-// wizard-pictures FOLDER [STATE...]. QT_SCALE_FACTOR makes them larger, AXISCOMP_LONG_TEXTS makes
-// every text longer than any language needs, AXISCOMP_PAGE_SIZE=960x540 makes the page smaller.
-#include "tests/ui/support/configuration_files.h"
-#include "tests/ui/support/page_scene.h"
+// Renders every state of the page into PNG files, for a person to look at: in each language, in one
+// whose texts are a third longer, light and dark, on three sizes of screen.
+//
+//   wizard-pictures FOLDER [STATE...]      those screens that have the scale of QT_SCALE_FACTOR
+//   wizard-pictures --sheet FOLDER         FOLDER/index.html, with all pictures of the folder
+#include "tests/ui/support/long_texts.h"
+#include "tests/ui/support/scene_states.h"
 #include "tests/ui/support/window_test.h"
-#include "ui/plot/surface_view.h"
 #include "ui/text/language.h"
 
-#include <QAction>
 #include <QApplication>
-#include <QComboBox>
-#include <QDialog>
 #include <QDir>
-#include <QLabel>
-#include <QLineEdit>
-#include <QLocale>
-#include <QPushButton>
+#include <QFile>
 #include <QStyleFactory>
-#include <QTabWidget>
-#include <QTableView>
 #include <QTextStream>
-#include <QTranslator>
-#include <QTreeView>
-#include <QTreeWidget>
-
-#include <cmath>
 
 using namespace axiscomp;
 using namespace axiscomp::ui;
-using axiscomp::test::darkPalette;
-using axiscomp::test::DriveGate;
 using axiscomp::test::PageScene;
-using axiscomp::test::PageStage;
-using axiscomp::test::wait;
+using axiscomp::test::SceneState;
+using axiscomp::test::ScreenSize;
 
 namespace {
 
-class LongTexts final : public QTranslator {
+const QLatin1StringView longTexts("long");
+
+/// While it is there the program speaks a language; longTexts is English that is longer.
+class Spoken {
 public:
-    [[nodiscard]] bool isEmpty() const override { return false; }
-    [[nodiscard]] QString translate(
-        const char* context, const char* text, const char*, int) const override
+    explicit Spoken(const QString& language)
+        : m_language(language == longTexts ? QStringLiteral("en") : language)
     {
-        const QString source = QString::fromUtf8(text);
-        const bool isOwn = QByteArray(context).startsWith("axiscomp");
-        return isOwn ? source + u' ' + source.left(1 + source.size() / 3).remove(u'&').remove(u'%')
-                     : QString();
+        if (language == longTexts)
+            QApplication::installTranslator(&m_long);
+        settle();
     }
+    ~Spoken()
+    {
+        QApplication::removeTranslator(&m_long);
+        settle();
+    }
+    Spoken(const Spoken&) = delete;
+    Spoken& operator=(const Spoken&) = delete;
+
+private:
+    static void settle() { QCoreApplication::sendPostedEvents(nullptr, QEvent::LanguageChange); }
+
+    Language m_language;
+    test::LongTexts m_long;
 };
 
-void firstStart(PageScene& scene)
+void save(QWidget& window, const QString& file)
 {
-    scene.showDrive(true);
-    scene.settle();
-}
-
-void unwritten2D(PageScene& scene)
-{
-    scene.choose2D();
-    scene.settle();
-}
-
-void writePreview(PageScene& scene)
-{
-    unwritten2D(scene);
-    scene.click("writeButton");
-    wait(
-        [&] {
-            return scene.page().findChild<QWidget*>(QStringLiteral("writePreview"))->isVisible();
-        },
-        "the list");
-    scene.settle();
-}
-
-void showPreview(PageScene& scene)
-{
-    scene.click("writeButton");
-    wait(
-        [&] {
-            return scene.page().findChild<QWidget*>(QStringLiteral("pictureAfter"))->isVisible();
-        },
-        "the pictures");
-    scene.settle();
-}
-
-/// A volatile table over a persistent one.
-void previewWarning(PageScene& scene)
-{
-    scene.choose2D();
-    scene.write();
-    scene.openData(scene.stage().superData(5));
-    scene.controller().setup().setTable({1});
-    scene.controller().setup().setPersistency(Persistency::Volatile);
-    showPreview(scene);
-}
-
-void showDialog(PageScene& scene, const char* action, const char* dialog)
-{
-    scene.page().findChild<QAction*>(QLatin1StringView(action))->trigger();
-    wait([&] { return scene.page().findChild<QDialog*>(QLatin1StringView(dialog)); }, dialog);
-    QTest::qWait(600);
-}
-
-void backups(PageScene& scene)
-{
-    previewWarning(scene);
-    scene.click("confirmWriteButton");
-    scene.settle();
-    showDialog(scene, "backupsAction", "backupDialog");
-    auto* list = scene.page().findChild<QTreeWidget*>(QStringLiteral("backups"));
-    list->setCurrentItem(list->topLevelItem(0));
-    QTest::qWait(300);
-}
-
-void guide(PageScene& scene)
-{
-    unwritten2D(scene);
-    showDialog(scene, "guideAction", "guideWindow");
-}
-
-/// Micrometres for an axis in millimetres, more of them than are likely.
-void largeCorrections(PageScene& scene)
-{
-    scene.choose2D();
-    scene.openData(scene.stage().file(QStringLiteral("errors.csv"),
-        "X [mm],Y [mm],X error [um]\n0,0,0\n40,0,800\n0,30,-20\n40,30,10\n"));
-    scene.controller().setup().setTable({0});
-    scene.settle();
-    scene.click("writeButton");
-    wait(
-        [&] {
-            return scene.page().findChild<QWidget*>(QStringLiteral("writePreview"))->isVisible();
-        },
-        "the list");
-    scene.settle();
-}
-
-/// Angles for an axis in millimetres.
-void refusedAngle(PageScene& scene)
-{
-    scene.choose2D();
-    scene.openData(scene.stage().file(QStringLiteral("angles.csv"),
-        "X [mm],Y [mm],X error [arcsec]\n0,0,0\n40,0,8\n0,30,-20\n40,30,10\n"));
-    scene.controller().setup().setTable({0});
-    scene.settle();
-    scene.click("writeButton");
-    wait([&] { return scene.controller().isOutcomeAnError(); }, "the refusal");
-    scene.settle();
-}
-
-/// The corners of a round bed were not probed.
-QByteArray roundBed()
-{
-    QByteArray text = "X [mm],Y [mm],X error [um]\n";
-    for (int y = -60; y <= 60; y += 10)
-        for (int x = -60; x <= 60; x += 10)
-            if (x * x + y * y <= 65 * 65)
-                text += QByteArray::number(x) + ',' + QByteArray::number(y) + ','
-                    + QByteArray::number(0.004 * x * x - 0.05 * y + 3.0 * std::cos(y / 20.0))
-                    + '\n';
-    return text;
-}
-
-void incompleteBed(PageScene& scene)
-{
-    scene.showDrive();
-    scene.controller().setup().setDimensionality(2);
-    scene.chooseSources(2);
-    scene.page().openData(scene.stage().file(QStringLiteral("bed.csv"), roundBed()));
-    wait([&] { return scene.page().findChild<QDialog*>(QStringLiteral("importDialog")); },
-        "the dialog");
-    QTest::qWait(300);
-}
-
-void filledBed(PageScene& scene)
-{
-    incompleteBed(scene);
-    scene.page()
-        .findChild<QComboBox*>(QStringLiteral("missingField"))
-        ->setCurrentIndex(static_cast<int>(MissingPoints::Smooth));
-    const auto* accept = scene.page().findChild<QPushButton*>(QStringLiteral("acceptConversion"));
-    wait([&] { return accept->isEnabled(); }, "the report");
-    scene.click("acceptConversion");
-    wait([&] { return scene.controller().dataFile().data != nullptr; }, "the data");
-    scene.controller().setup().setTable({0});
-    scene.page().findChild<QTabWidget*>(QStringLiteral("previewTabs"))->setCurrentIndex(0);
-    scene.settle();
-}
-
-void writing(PageScene& scene)
-{
-    unwritten2D(scene);
-    scene.stage().gate().holdUploads();
-    scene.click("writeButton");
-    scene.click("confirmWriteButton");
-    wait([&] { return scene.controller().isWriting() && scene.controller().busy().fraction > 0.1; },
-        "the upload");
-    QTest::qWait(150);
-}
-
-void closingWhileWriting(PageScene& scene)
-{
-    writing(scene);
-    static_cast<void>(scene.page().mayClose());
-    QTest::qWait(50);
-}
-
-void active(PageScene& scene)
-{
-    scene.choose2D();
-    scene.write();
-    scene.click("activateButton");
-    wait([&] { return scene.controller().proof().has_value(); }, "the proof");
-    scene.settle();
-}
-
-void badFile(PageScene& scene)
-{
-    scene.showDrive();
-    scene.controller().setup().setDimensionality(2);
-    scene.chooseSources(2);
-    scene.openData(scene.stage().file(QStringLiteral("measurement.csv"),
-        "X [mm],Y [mm],table "
-        "1\n0,0,0.001\n10,0,0.0O2\n20,0,0.001\n0,10,nan\n10,10\n20,10,0.002\n"));
-    scene.settle();
-}
-
-void badFileLines(PageScene& scene)
-{
-    badFile(scene);
-    auto* problems = scene.page().findChild<QTreeView*>(QStringLiteral("problems"));
-    problems->setCurrentIndex(problems->model()->index(0, 0));
-    Q_EMIT problems->activated(problems->currentIndex());
-    scene.settle();
-}
-
-void table3D(PageScene& scene)
-{
-    scene.showDrive();
-    scene.controller().setup().setDimensionality(3);
-    scene.chooseSources(3);
-    const std::string example = exampleCalibrationCsv(3);
-    scene.openData(scene.stage().file(
-        QStringLiteral("volume.csv"), QByteArray(example.data(), qsizetype(example.size()))));
-    scene.controller().setup().setTable({0});
-    scene.settle();
-}
-
-void preview3D(PageScene& scene)
-{
-    table3D(scene);
-    showPreview(scene);
-}
-
-/// Everything that can be drawn over a map, and its cross-sections.
-void mapDetails(PageScene& scene)
-{
-    scene.choose2D();
-    for (const char* name : {"plotPoints", "plotContours", "plotSections"})
-        scene.page().findChild<QAction*>(QLatin1StringView(name))->setChecked(true);
-    QTest::qWait(200);
-    scene.settle();
-}
-
-void showSurface(PageScene& scene)
-{
-    auto* tabs = scene.page().findChild<QTabWidget*>(QStringLiteral("previewTabs"));
-    auto* view = scene.page().findChild<SurfaceView*>(QStringLiteral("surfaceView"));
-    tabs->setCurrentWidget(view);
-    wait([&] { return view->isWhole(); }, "the surface");
-    scene.settle();
-}
-
-void surface2D(PageScene& scene)
-{
-    scene.choose2D();
-    showSurface(scene);
-}
-
-void showTab(PageScene& scene, const char* name)
-{
-    auto* tabs = scene.page().findChild<QTabWidget*>(QStringLiteral("previewTabs"));
-    tabs->setCurrentWidget(scene.page().findChild<QWidget*>(QLatin1StringView(name)));
-    QTest::qWait(400);
-    scene.settle();
-}
-
-/// The errors of both axes of a plane, as a gantry has them.
-void twoAxes(PageScene& scene)
-{
-    scene.choose2D();
-    QByteArray text = "X [mm],Y [mm],X error [um],Y error [um]\n";
-    for (int y = 0; y <= 30; y += 3)
-        for (int x = 0; x <= 40; x += 4)
-            text += QByteArray::number(x) + ',' + QByteArray::number(y) + ','
-                + QByteArray::number(2.1 * std::sin(x / 6.0) + 0.05 * y, 'f', 3) + ','
-                + QByteArray::number(0.002 * x * x - 1.2 * std::cos(y / 8.0), 'f', 3) + '\n';
-    scene.openData(scene.stage().file(QStringLiteral("plane-errors.csv"), text));
-    scene.controller().setup().setTable({0});
-    showTab(scene, "vectorView");
-}
-
-void allSlices(PageScene& scene)
-{
-    scene.showDrive();
-    scene.controller().setup().setDimensionality(3);
-    scene.chooseSources(3);
-    QByteArray text = "X [mm],Y [mm],T [degC],X error [um]\n";
-    for (int t = 18; t <= 30; ++t)
-        for (int y = 0; y <= 30; y += 3)
-            for (int x = 0; x <= 40; x += 4)
-                text += QByteArray::number(x) + ',' + QByteArray::number(y) + ','
-                    + QByteArray::number(t) + ','
-                    + QByteArray::number(
-                        2.1 * std::sin(x / 6.0) + 0.01 * x * (t - 22) + 0.05 * y, 'f', 3)
-                    + '\n';
-    scene.openData(scene.stage().file(QStringLiteral("heat.csv"), text));
-    scene.controller().setup().setTable({0});
-    showTab(scene, "sliceGallery");
-}
-
-/// The demo drive says how far its axes travel: 0 to 300 and 0 to 200.
-void travel1D(PageScene& scene)
-{
-    scene.showDrive(true);
-    scene.controller().setup().setDimensionality(1);
-    scene.controller().chooseSource(1, QString::fromStdString(test::PageStage::masterPosition(0)));
-    wait([&] { return scene.controller().setup().edited().sources[0].isSet(); }, "the source");
-    scene.openData(scene.stage().file(QStringLiteral("short.csv"),
-        "X [mm],X error [um]\n40,1.2\n80,2.4\n120,1.9\n160,0.4\n200,-0.8\n240,-1.5\n"));
-    scene.controller().setup().setTable({0});
-    scene.settle();
-}
-
-void travel2D(PageScene& scene)
-{
-    scene.showDrive(true);
-    scene.controller().setup().setDimensionality(2);
-    for (int n = 0; n < 2; ++n) {
-        scene.controller().chooseSource(
-            n + 1, QString::fromStdString(test::PageStage::masterPosition(n)));
-        wait(
-            [&] {
-                return scene.controller()
-                    .setup()
-                    .edited()
-                    .sources.at(static_cast<std::size_t>(n))
-                    .isSet();
-            },
-            "a source");
-    }
-    QByteArray text = "X [mm],Y [mm],X error [um]\n";
-    for (int y = 40; y <= 160; y += 10)
-        for (int x = 40; x <= 260; x += 10)
-            text += QByteArray::number(x) + ',' + QByteArray::number(y) + ','
-                + QByteArray::number(2.1 * std::sin(x / 40.0) + 0.01 * y, 'f', 3) + '\n';
-    scene.openData(scene.stage().file(QStringLiteral("small.csv"), text));
-    scene.controller().setup().setTable({0});
-    scene.settle();
-}
-
-void showValues(PageScene& scene, int row, int column)
-{
-    scene.page().findChild<QTabWidget*>(QStringLiteral("previewTabs"))->setCurrentIndex(1);
-    auto* values = scene.page().findChild<QTableView*>(QStringLiteral("values"));
-    values->setCurrentIndex(values->model()->index(row, column));
-    scene.settle();
-}
-
-void values2D(PageScene& scene)
-{
-    scene.choose2D();
-    showValues(scene, 5, 2);
-}
-
-void surface3D(PageScene& scene)
-{
-    table3D(scene);
-    showSurface(scene);
-}
-
-void values3D(PageScene& scene)
-{
-    table3D(scene);
-    showValues(scene, 1, 1);
-}
-
-/// Table 1 is on the drive, table 2 is chosen.
-void difference(PageScene& scene)
-{
-    scene.choose2D();
-    scene.write();
-    scene.controller().setup().setTable({1});
-    Q_EMIT scene.page().findChild<QComboBox*>(QStringLiteral("plotContent"))->activated(2);
-    scene.page().findChild<QAbstractButton*>(QStringLiteral("plotCursors"))->setChecked(true);
-    scene.settle();
-}
-
-void curve1D(PageScene& scene)
-{
-    scene.showDrive();
-    scene.chooseSources(1);
-    const std::string example = exampleCalibrationCsv(1);
-    scene.openData(scene.stage().file(
-        QStringLiteral("line.csv"), QByteArray(example.data(), qsizetype(example.size()))));
-    scene.write();
-    scene.controller().setup().setTable({1});
-    scene.settle();
-}
-
-void preview1D(PageScene& scene)
-{
-    curve1D(scene);
-    showPreview(scene);
-}
-
-void curve1DValues(PageScene& scene)
-{
-    curve1D(scene);
-    showValues(scene, 4, 1);
-}
-
-void driveRefuses(PageScene& scene)
-{
-    scene.choose2D();
-    scene.stage().gate().refuseUploads(Error{
-        ErrorCode::TableRefused, {{"reason", Verbatim{"Crc does not match the elements"}}}, {}});
-    scene.click("writeButton");
-    scene.click("confirmWriteButton");
-    wait([&] { return scene.controller().isOutcomeAnError(); }, "the refusal");
-    scene.settle();
-}
-
-void flashWear(PageScene& scene)
-{
-    scene.choose2D();
-    for (int n = 0; scene.controller().flashOperationsLeft() > 0 && n < 20; ++n) {
-        scene.controller().setup().setTable({n % 2});
-        if (n > 1) // the same two tables again would cost nothing
-            scene.openData(scene.stage().superData(n));
-        scene.controller().setup().setTable({n % 2});
-        scene.write();
-    }
-    scene.controller().setup().setTable({1});
-    scene.controller().setup().setPersistency(Persistency::Persistent);
-    scene.settle();
-}
-
-/// As if the program had been killed before its last step.
-void unfinishedWrite(PageScene& scene)
-{
-    scene.choose2D();
-    scene.write();
-    const CompensationSetup setup = scene.controller().setup().baseline();
-    DriveStore store(scene.stage().options().storeRoot);
-    const std::string base = "Axes[0]/Parameters/Compensations/Axis/";
-    JournalEntry entry{1559, 0, std::chrono::system_clock::now(), "switch",
-        store.backups(1559, 0).front(),
-        {{base + "Table", setup.slot}, {base + "Dim1Source", setup.sources[0].address},
-            {base + "Dim2Source", setup.sources[1].address},
-            {base + "Dim3Source", std::uint32_t{0}}},
-        setup.slot, setup.tableCrc, true};
-    if (!store.openJournal(entry))
-        qFatal("the journal cannot be kept");
-    scene.controller().refresh();
-    wait([&] { return !scene.controller().unfinishedWrite().isEmpty(); }, "the unfinished write");
-    scene.settle();
-}
-
-void notHomed(PageScene& scene)
-{
-    scene.choose2D(Persistency::Volatile);
-    scene.write();
-    scene.settle();
-}
-
-void connectionLost(PageScene& scene)
-{
-    unwritten2D(scene);
-    scene.stage().gate().set(DriveGate::Mode::Gone);
-    wait(
-        [&] {
-            return scene.controller().drives().front().connection == DriveState::Connection::Lost;
-        },
-        "the loss");
-    QTest::qWait(100);
-}
-
-/// An axis without sources, and a file whose columns are called X, Y and T: the last source is
-/// wrong.
-void proposedSources(PageScene& scene)
-{
-    scene.showDrive();
-    scene.controller().setup().setDimensionality(3);
-    QByteArray text = "X [mm],Z [mm],T [\302\260C],X error [mm]\n";
-    for (int n = 0; n < 8; ++n)
-        text += QByteArray::number(40 * (n & 1)) + ',' + QByteArray::number(15 * (n & 2)) + ','
-            + QByteArray::number(20 + 5 * (n & 4) / 4) + ",0.00" + QByteArray::number(n) + '\n';
-    scene.openData(scene.stage().file(QStringLiteral("warm.csv"), text));
-    scene.controller().chooseSource(2, QStringLiteral("Axes[0]/Signals/General/MotorTemperature"));
-    scene.controller().chooseSource(3, QStringLiteral("Axes[0]/Nonsense"));
-    wait([&] { return !scene.controller().sourceProblem(3).isEmpty(); }, "the refusal");
-    scene.settle();
-}
-
-/// The second drive of the list does not answer, and is chosen.
-void unreachableDrive(PageScene& scene)
-{
-    unwritten2D(scene);
-    scene.controller().setEndpoints(
-        {scene.controller().endpoints().front(), QStringLiteral("http://127.0.0.1:1")});
-    wait(
-        [&] {
-            return scene.controller().drives().back().connection == DriveState::Connection::Lost;
-        },
-        "the drive that does not answer");
-    auto* drives = scene.page().findChild<QComboBox*>(QStringLiteral("driveField"));
-    drives->setCurrentIndex(1);
-    Q_EMIT drives->activated(1);
-    scene.settle();
-}
-
-/// A backup of a drive that this one replaces.
-void restoreDrive(PageScene& scene)
-{
-    scene.choose2D();
-    scene.write();
-    const QString file = scene.stage().path(QStringLiteral("Gantry-1559.json"));
-    scene.page().setFilePicker(
-        [file](QWidget&, const FileQuestion&, const std::function<void(const QString&)>& answer) {
-            answer(file);
-        });
-    scene.page().findChild<QAction*>(QStringLiteral("backUpDriveAction"))->trigger();
-    scene.settle();
-    scene.controller().setup().setTable({1});
-    scene.write();
-    scene.page().findChild<QAction*>(QStringLiteral("restoreDriveAction"))->trigger();
-    auto* write = scene.page().findChild<QPushButton*>(QStringLiteral("writeSeveralButton"));
-    wait([&] { return write->isEnabled(); }, "the plans");
-    QTest::qWait(200);
-}
-
-void otherAxis(PageScene& scene)
-{
-    unwritten2D(scene);
-    auto* axes = scene.page().findChild<QComboBox*>(QStringLiteral("axisField"));
-    Q_EMIT axes->activated(1);
-    scene.page().findChild<QAbstractButton*>(QStringLiteral("logButton"))->click();
-    scene.settle();
-}
-
-void connections(PageScene& scene)
-{
-    unwritten2D(scene);
-    scene.click("connectionsButton");
-    auto* dialog = scene.page().findChild<QDialog*>(QStringLiteral("connectionsDialog"));
-    dialog->findChild<QAbstractButton*>(QStringLiteral("addDemo"))->click();
-    dialog->findChild<QLineEdit*>(QStringLiteral("connectionAddress"))
-        ->setText(QStringLiteral("192.168.1.21/"));
-    dialog->findChild<QAbstractButton*>(QStringLiteral("addConnection"))->click();
-    auto* note = dialog->findChild<QLabel*>(QStringLiteral("connectionNote"));
-    auto* list = dialog->findChild<QTreeWidget*>(QStringLiteral("connections"));
-    wait([&] { return !list->topLevelItem(1)->text(1).isEmpty() && !note->text().isEmpty(); },
-        "the answers");
-    QTest::qWait(200);
-}
-
-void findDrives(PageScene& scene)
-{
-    unwritten2D(scene);
-    scene.click("connectionsButton");
-    scene.page().findChild<QAbstractButton*>(QStringLiteral("findDrives"))->click();
-    auto* again = scene.page().findChild<QAbstractButton*>(QStringLiteral("searchAgain"));
-    wait([&] { return again->isEnabled(); }, "the end of the search");
-    QTest::qWait(200);
-}
-
-void choose(PageScene& scene, const char* combo, int index)
-{
-    scene.page().findChild<QComboBox*>(QLatin1StringView(combo))->setCurrentIndex(index);
-}
-
-/// An uneven file of two columns, brought onto a grid that is a little too coarse.
-void importDialog(PageScene& scene)
-{
-    scene.showDrive();
-    const QString file = scene.stage().file(QStringLiteral("uneven.csv"),
-        "X [mm],first [mm],second [mm]\n0,0,0\n10,0.001,-0.001\n15,0.004,-0.004\n"
-        "30,0.002,-0.002\n40,0,0\n");
-    scene.page().openData(file);
-    const auto* accept = [&] {
-        wait([&] { return scene.page().findChild<QDialog*>(QStringLiteral("importDialog")); },
-            "the dialog");
-        return scene.page().findChild<QPushButton*>(QStringLiteral("acceptConversion"));
-    }();
-    QTest::qWait(150);
-    choose(scene, "gridField", 2);
-    scene.page()
-        .findChild<QLineEdit*>(QStringLiteral("gridNumberField"))
-        ->setText(QStringLiteral("10"));
-    wait([&] { return accept->isEnabled(); }, "the report");
-    QTest::qWait(150);
-}
-
-/// A compensation list of another controller in which a point is missing.
-void damagedList(PageScene& scene)
-{
-    scene.showDrive();
-    scene.openData(scene.stage().file(QStringLiteral("damaged.lis"),
-        "kopf.achs_nr 1\nkw.crosscomp.unit 1\nkw.crosscomp.last_index 2\n"
-        "kw.crosscomp.master_ax_nr 2\nkw.crosscomp.table[0].setpoint 0\n"
-        "kw.crosscomp.table[0].correction 0\nkw.crosscomp.table[2].setpoint 20000\n"
-        "kw.crosscomp.table[2].correction -15\nEnd\n"));
-    scene.settle();
-}
-
-/// The same in the dialog.
-void damagedImport(PageScene& scene)
-{
-    damagedList(scene);
-    Q_EMIT scene.controller().importChoiceNeeded(scene.stage().path(QStringLiteral("damaged.lis")));
-    wait([&] { return scene.page().findChild<QLabel*>(QStringLiteral("conversionReason")); },
-        "the dialog");
-    const auto* reason = scene.page().findChild<QLabel*>(QStringLiteral("conversionReason"));
-    wait([&] { return reason->isVisible(); }, "the reason");
-    QTest::qWait(150);
-}
-
-/// A format with settings, one of which is missing.
-void exportDialog(PageScene& scene)
-{
-    curve1D(scene);
-    scene.page().findChild<QAction*>(QStringLiteral("exportAction"))->trigger();
-    wait([&] { return scene.page().findChild<QDialog*>(QStringLiteral("exportDialog")); },
-        "the dialog");
-    auto* format = scene.page().findChild<QComboBox*>(QStringLiteral("conversionFormat"));
-    for (int i = 0; i < format->count(); ++i) {
-        if (format->itemText(i).contains(QStringLiteral("RapidCode"))) {
-            format->setCurrentIndex(i);
-            break;
-        }
-    }
-    const auto* reason = scene.page().findChild<QLabel*>(QStringLiteral("conversionReason"));
-    wait([&] { return reason->isVisible(); }, "the reason");
-    QTest::qWait(150);
-}
-
-/// X has a table already; the columns are proposed, and all is planned.
-void multiAxisAxes(PageScene& scene)
-{
-    scene.choose2D();
-    scene.write();
-    QByteArray text = "X [mm],Y [mm],X error [mm],Y error [mm],Z error [mm]\n";
-    for (int y = 0; y <= 30; y += 10) {
-        for (int x = 0; x <= 40; x += 10)
-            text += QByteArray::number(x) + ',' + QByteArray::number(y) + ",0.00"
-                + QByteArray::number(x / 10) + ",-0.00" + QByteArray::number(y / 10) + ",0.0125\n";
-    }
-    scene.openData(scene.stage().file(QStringLiteral("plane-errors.csv"), text));
-    scene.settle();
-    scene.page().findChild<QAction*>(QStringLiteral("writeSeveralAction"))->trigger();
-    auto* write = scene.page().findChild<QPushButton*>(QStringLiteral("writeSeveralButton"));
-    wait([&] { return write->isEnabled(); }, "the plans");
-    QTest::qWait(200);
-}
-
-/// The drive has refused the first of the writes.
-void multiAxisFailed(PageScene& scene)
-{
-    multiAxisAxes(scene);
-    scene.stage().gate().refuseUploads(Error{
-        ErrorCode::TableRefused, {{"reason", Verbatim{"Crc does not match the elements"}}}, {}});
-    scene.click("writeSeveralButton");
-    wait([&] { return scene.controller().isOutcomeAnError(); }, "the refusal");
-    scene.settle();
-}
-
-/// The table of X was taken away; the configuration, whose station has another serial number, gives
-/// it back.
-void importConfiguration(PageScene& scene)
-{
-    scene.choose2D();
-    scene.write();
-    const QString file = scene.stage().file(QStringLiteral("machine.TAMcfg"),
-        test::tamConfiguration({{"Gantry", 2207, {test::configuredAxis(scene.stage().drive(), 0)}},
-            {"Rotary Table", 2208, {{}}}}));
-    const std::string compensation = "Axes[0]/Parameters/Compensations/Axis/";
-    const auto written =
-        scene.stage().drive().writeRegisters({{compensation + "Table", std::string("Disabled")}});
-    scene.controller().refresh();
-    wait(
-        [&] {
-            const auto& status = scene.controller().status();
-            return written && status && status->setup.slot.empty()
-                && scene.controller().action(Action::ImportConfiguration).isEnabled;
-        },
-        "the axis without a table");
-    scene.beginConfiguration(file, "importConfigurationAction");
-    auto* write = scene.page().findChild<QPushButton*>(QStringLiteral("writeSeveralButton"));
-    wait([&] { return write->isEnabled(); }, "the plan");
-    QTest::qWait(200);
-}
-
-void exportConfiguration(PageScene& scene)
-{
-    scene.choose2D();
-    scene.write();
-    scene.beginConfiguration(
-        scene.stage().file(QStringLiteral("machine.TAMcfg"),
-            test::tamConfiguration({{"Gantry", 2207, {{}, {}}}, {"Rotary Table", 2208, {{}}}})),
-        "exportConfigurationAction");
-    auto* save = scene.page().findChild<QPushButton*>(QStringLiteral("saveConfigurationButton"));
-    wait([&] { return save->isEnabled(); }, "the parameters");
-    QTest::qWait(200);
-}
-
-struct State {
-    const char* name;
-    std::function<void(PageScene&)> make;
-    bool isHomed = true;
-};
-
-const std::vector<State>& states()
-{
-    static const std::vector<State> all{
-        {"first-start", firstStart},
-        {"unwritten-2d", unwritten2D},
-        {"write-preview", writePreview},
-        {"preview-warning", previewWarning},
-        {"preview-1d", preview1D},
-        {"preview-3d", preview3D},
-        {"backups", backups},
-        {"guide", guide},
-        {"large-corrections", largeCorrections},
-        {"refused-angle", refusedAngle},
-        {"incomplete-bed", incompleteBed},
-        {"filled-bed", filledBed},
-        {"writing", writing},
-        {"closing-while-writing", closingWhileWriting},
-        {"active", active},
-        {"bad-file", badFile},
-        {"bad-file-lines", badFileLines},
-        {"map-details", mapDetails},
-        {"surface-2d", surface2D},
-        {"surface-3d", surface3D},
-        {"values-2d", values2D},
-        {"values-3d", values3D},
-        {"two-axes", twoAxes},
-        {"all-slices", allSlices},
-        {"travel-1d", travel1D},
-        {"travel-2d", travel2D},
-        {"difference", difference},
-        {"curve-1d", curve1D},
-        {"curve-1d-values", curve1DValues},
-        {"drive-refuses", driveRefuses},
-        {"flash-wear", flashWear},
-        {"not-homed", notHomed, false},
-        {"unfinished-write", unfinishedWrite},
-        {"table-3d", table3D},
-        {"connection-lost", connectionLost},
-        {"other-axis", otherAxis},
-        {"proposed-sources", proposedSources},
-        {"unreachable-drive", unreachableDrive},
-        {"restore-drive", restoreDrive},
-        {"connections", connections},
-        {"find-drives", findDrives},
-        {"import-dialog", importDialog},
-        {"damaged-list", damagedList},
-        {"damaged-import", damagedImport},
-        {"export-dialog", exportDialog},
-        {"several-axes", multiAxisAxes},
-        {"several-axes-failed", multiAxisFailed},
-        {"import-configuration", importConfiguration},
-        {"export-configuration", exportConfiguration},
-    };
-    return all;
-}
-
-void render(const State& state, const QString& file)
-{
-    PageScene scene(state.isHomed);
-    const QStringList size = qEnvironmentVariable("AXISCOMP_PAGE_SIZE").split(u'x');
-    if (size.size() == 2)
-        scene.page().resize(size[0].toInt(), size[1].toInt());
-    state.make(scene);
-    scene.page().setFocus();
-    QWidget* shown = &scene.page();
-    for (QDialog* dialog : scene.page().findChildren<QDialog*>()) {
-        if (dialog->isVisible())
-            shown = dialog; // the inner one comes last
-    }
-    if (!shown->grab().save(file))
+    if (!window.grab().save(file))
         qFatal("cannot write %s", qPrintable(file));
     QTextStream(stdout) << file << Qt::endl;
+}
+
+/// file: its name without what is said of the screen.
+void render(const SceneState& state, const QString& file, int scale)
+{
+    PageScene scene(state.isHomed);
+    state.make(scene);
+    scene.page().setFocus();
+    QWidget& shown = test::shownWindow(scene);
+    const QSize own = shown.size();
+    for (const ScreenSize& screen : test::screenSizes) {
+        if (screen.scale != scale)
+            continue;
+        shown.resize(own);
+        test::fitTo(shown, screen.size, &shown == &scene.page());
+        // Pictures of tables are drawn anew once they have been asked for.
+        QTest::qWait(100);
+        static_cast<void>(shown.grab());
+        QTest::qWait(50);
+        save(shown,
+            QStringLiteral("%1-%2x%3.png")
+                .arg(file)
+                .arg(screen.size.width())
+                .arg(screen.size.height()));
+    }
     scene.stage().gate().releaseUploads();
+}
+
+/// A row for each state, with a link from each picture to itself.
+void writeSheet(const QDir& folder)
+{
+    QFile file(folder.filePath(QStringLiteral("index.html")));
+    if (!file.open(QIODevice::WriteOnly))
+        qFatal("cannot write %s", qPrintable(file.fileName()));
+    QTextStream html(&file);
+    html
+        << "<!DOCTYPE html>\n<meta charset=\"utf-8\">\n<title>Every state of the page</title>\n"
+           "<style>body { font-family: sans-serif } figure { display: inline-block; margin: 4px }"
+           " img { width: 400px; border: 1px solid gray } figcaption { font-size: 12px }</style>\n";
+    for (const SceneState& state : test::sceneStates()) {
+        const QString name = QLatin1StringView(state.name);
+        html << "<h2>" << name << "</h2>\n";
+        const QStringList pictures = folder.entryList(
+            {name + QStringLiteral("-light-*.png"), name + QStringLiteral("-dark-*.png")});
+        for (const QString& picture : pictures)
+            html << "<figure><a href=\"" << picture << "\"><img loading=\"lazy\" src=\"" << picture
+                 << "\"></a><figcaption>" << picture.mid(name.size() + 1).chopped(4)
+                 << "</figcaption></figure>\n";
+    }
+    QTextStream(stdout) << file.fileName() << Qt::endl;
 }
 
 } // namespace
@@ -803,32 +113,31 @@ int main(int argc, char** argv)
 {
     QApplication application(argc, argv);
     QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
-    const QStringList arguments = QApplication::arguments().mid(1);
+    QStringList arguments = QApplication::arguments().mid(1);
+    const bool isSheet = arguments.removeAll(QStringLiteral("--sheet")) > 0;
     if (arguments.isEmpty())
-        qFatal("usage: wizard-pictures FOLDER [STATE...]");
+        qFatal("usage: wizard-pictures [--sheet] FOLDER [STATE...]");
     const QDir folder(arguments.front());
     if (!folder.mkpath(QStringLiteral(".")))
         qFatal("cannot make %s", qPrintable(folder.path()));
+    if (isSheet) {
+        writeSheet(folder);
+        return 0;
+    }
     const QStringList wanted = arguments.mid(1);
-    LongTexts longTexts;
-    if (qEnvironmentVariableIsSet("AXISCOMP_LONG_TEXTS"))
-        QApplication::installTranslator(&longTexts);
     const QPalette light = QApplication::palette();
-    const qreal scale = application.devicePixelRatio();
-    const QString suffix = scale > 1.0 ? QStringLiteral("-%1").arg(qRound(scale * 100)) : QString();
-    for (const QString& language : Language::available()) {
-        QLocale::setDefault(QLocale(language));
+    for (const QString& language : Language::available() + QStringList(longTexts)) {
+        const Spoken spoken(language);
         for (const bool isDark : {false, true}) {
-            QApplication::setPalette(isDark ? darkPalette() : light);
-            for (const State& state : states()) {
-                const QString name = QString::fromLatin1(state.name);
-                if (wanted.isEmpty() || wanted.contains(name))
-                    render(state,
-                        folder.filePath(
-                            QStringLiteral("%1-%2-%3%4.png")
-                                .arg(name,
-                                    isDark ? QStringLiteral("dark") : QStringLiteral("light"),
-                                    language, suffix)));
+            QApplication::setPalette(isDark ? test::darkPalette() : light);
+            for (const SceneState& state : test::sceneStates()) {
+                const QString name = QLatin1StringView(state.name);
+                if (!wanted.isEmpty() && !wanted.contains(name))
+                    continue;
+                const QString palette = isDark ? QStringLiteral("dark") : QStringLiteral("light");
+                render(state,
+                    folder.filePath(QStringLiteral("%1-%2-%3").arg(name, palette, language)),
+                    qRound(application.devicePixelRatio()));
             }
         }
     }

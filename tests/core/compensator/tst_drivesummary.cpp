@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/compensator/drive_summary.h"
+#include "tests/support/compensator_fixture.h"
+#include "tests/support/test_registry.h"
+#include "tests/support/verify.h"
+
+#include <QTest>
+
+namespace tst_drivesummary {
+
+using namespace axiscomp;
+using test::CompensatorFixture;
+using test::exampleRequest;
+
+namespace {
+
+std::filesystem::path root(const CompensatorFixture& fixture)
+{
+    return std::filesystem::path(fixture.folder.path().toStdString()) / "axiscomp";
+}
+
+} // namespace
+
+class TestDriveSummary : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { test::failOnWarnings(); }
+
+    void eachAxisHasItsOwnTableAndLastWrite()
+    {
+        CompensatorFixture fixture;
+        VERIFY_RESULT(fixture.compensator.write(1, exampleRequest(2, Persistency::Persistent)));
+        const auto before = fixture.state(1);
+        const auto summary = summarizeDrive(fixture.compensator, root(fixture), {});
+        VERIFY_RESULT(summary);
+        QVERIFY(fixture.state(1) == before);
+        QCOMPARE(summary->axes.size(), std::size_t(2));
+        const AxisSummary& untouched = summary->axes[0];
+        QVERIFY(untouched.status && !untouched.status->table && !untouched.lastWrite);
+        const AxisSummary& written = summary->axes[1];
+        QCOMPARE(written.axis.index, 1);
+        QVERIFY(written.status && written.status->table && written.status->table->persistent);
+        QVERIFY(written.lastWrite.has_value());
+        QVERIFY(!written.problem);
+        QVERIFY(summary->flashUse.has_value());
+        const int limit = drivecomm::genericProfile().flashWear.operations;
+        QVERIFY(summary->flashUse->budget.left < limit);
+    }
+
+    void aDriveThatDoesNotAnswerHasNoSummary()
+    {
+        CompensatorFixture fixture;
+        fixture.link.failAt(3, test::LinkFault::RequestLost);
+        const auto summary = summarizeDrive(fixture.compensator, root(fixture), {});
+        QVERIFY(!summary && isLinkFailure(summary.error().code));
+    }
+
+    void aStopEndsIt()
+    {
+        CompensatorFixture fixture;
+        std::stop_source stop;
+        stop.request_stop();
+        OperationOptions options;
+        options.stop = stop.get_token();
+        VERIFY_ERROR(
+            summarizeDrive(fixture.compensator, root(fixture), options), ErrorCode::Cancelled);
+    }
+};
+
+AXISCOMP_TEST(TestDriveSummary)
+
+} // namespace tst_drivesummary
+
+#include "tst_drivesummary.moc"

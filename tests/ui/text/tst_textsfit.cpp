@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/ui/support/long_texts.h"
+#include "tests/ui/support/scene_states.h"
+#include "tests/ui/support/text_fit.h"
+#include "tests/ui/support/window_test.h"
+#include "ui/text/language.h"
+
+#include <QHBoxLayout>
+#include <QPushButton>
+
+namespace tst_textsfit {
+
+using namespace axiscomp;
+using namespace axiscomp::ui;
+using test::fitProblems;
+using test::PageScene;
+using test::SceneState;
+
+namespace {
+
+void laidOut()
+{
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::LanguageChange);
+    QTest::qWait(1);
+}
+
+/// What is still wrong when the layouts, which ask each other, have come to an end.
+QStringList lastingProblems(const QWidget& window)
+{
+    constexpr int untilLaidOut = 500;
+    laidOut();
+    static_cast<void>(QTest::qWaitFor([&] { return fitProblems(window).isEmpty(); }, untilLaidOut));
+    return fitProblems(window);
+}
+
+} // namespace
+
+/// On every size of screen and in every language no text is cut and nothing is off the screen; nor
+/// in one whose texts are a third longer, where the screen is not the smallest.
+class TestTextsFit : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { test::failOnWindowWarnings(); }
+
+    void whatDoesNotFitIsNoticed()
+    {
+        QWidget window;
+        auto* layout = new QHBoxLayout(&window);
+        auto* button = new QPushButton(QStringLiteral("A button with many words"));
+        auto* label = new QLabel(QStringLiteral("A label with many words"));
+        layout->addWidget(button);
+        layout->addWidget(label);
+        window.show();
+        QVERIFY(fitProblems(window).isEmpty());
+        button->setFixedWidth(40);
+        laidOut();
+        QCOMPARE(fitProblems(window).size(), 1);
+        label->setFixedWidth(30);
+        laidOut();
+        QCOMPARE(fitProblems(window).size(), 2);
+        auto* outside = new QLabel(QStringLiteral("Word"), &window);
+        outside->setGeometry(window.width() - 10, 0, 80, 20);
+        outside->show();
+        QCOMPARE(fitProblems(window).size(), 3);
+    }
+
+    void everythingFits_data()
+    {
+        QTest::addColumn<int>("state");
+        int number = 0;
+        for (const SceneState& state : test::sceneStates())
+            QTest::newRow(state.name) << number++;
+    }
+    void everythingFits()
+    {
+        QFETCH(int, state);
+        const SceneState& wanted = test::sceneStates()[static_cast<std::size_t>(state)];
+        PageScene scene(wanted.isHomed);
+        wanted.make(scene);
+        QWidget& window = test::shownWindow(scene);
+        const bool isPage = &window == &scene.page();
+        const QSize own = window.size();
+        QStringList problems;
+        const auto check = [&](const QString& language, bool isLong) {
+            for (const auto& screen : test::screenSizes) {
+                if (isLong && screen.scale > 1)
+                    continue; // the page becomes as wide as its texts
+                window.resize(own);
+                test::fitTo(window, screen.size, isPage);
+                const QStringList lasting = lastingProblems(window);
+                const QString place = QStringLiteral("%1 %2x%3: ")
+                                          .arg(language)
+                                          .arg(screen.size.width())
+                                          .arg(screen.size.height());
+                if (window.width() > screen.size.width() || window.height() > screen.size.height())
+                    problems += place
+                        + QStringLiteral("the window is larger: %1x%2")
+                              .arg(window.width())
+                              .arg(window.height());
+                for (const QString& problem : lasting)
+                    problems += place + problem;
+            }
+        };
+        for (const QString& language : Language::available()) {
+            const Language spoken(language);
+            check(language, false);
+        }
+        const Language english(QStringLiteral("en"));
+        test::LongTexts longTexts;
+        QCoreApplication::installTranslator(&longTexts);
+        check(QStringLiteral("long"), true);
+        QCoreApplication::removeTranslator(&longTexts);
+        scene.stage().gate().releaseUploads();
+        QVERIFY2(problems.isEmpty(), qPrintable(u'\n' + problems.join(u'\n')));
+    }
+};
+
+AXISCOMP_WINDOW_TEST(TestTextsFit)
+
+} // namespace tst_textsfit
+
+#include "tst_textsfit.moc"

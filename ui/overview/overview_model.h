@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QAbstractTableModel>
+
+namespace axiscomp::ui {
+
+class AxisOverview;
+struct OverviewRow;
+
+/// The axes of all drives as a table, in the language of the moment.
+class OverviewModel : public QAbstractTableModel {
+    Q_OBJECT
+
+public:
+    enum Column {
+        Drive,
+        Axis,
+        State,
+        Table,
+        Persistence,
+        FlashLeft,
+        LastProof,
+        LastWrite,
+        ColumnCount,
+    };
+    enum Role {
+        SortRole = Qt::UserRole, ///< by which a column is put in order
+        ToneRole, ///< of the state, a Tone; none: not known
+        IsLiveRole, ///< false: as it was read before the drive was lost
+    };
+
+    /// overview must outlive the model.
+    explicit OverviewModel(const AxisOverview& overview, QObject* parent = nullptr);
+
+    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
+    [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
+    [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
+    [[nodiscard]] QVariant headerData(
+        int section, Qt::Orientation orientation, int role) const override;
+
+    void retranslate();
+
+private:
+    [[nodiscard]] static QString text(const OverviewRow& row, int column);
+    [[nodiscard]] static QVariant sortKey(const OverviewRow& row, int column);
+    [[nodiscard]] static QString toolTip(const OverviewRow& row, int column);
+    [[nodiscard]] static QString stateText(const OverviewRow& row);
+
+    const AxisOverview& m_overview;
+    int m_rows = 0; ///< as announced
+};
+
+} // namespace axiscomp::ui
