@@ -344,6 +344,11 @@ private:
             QVERIFY2(saysSo(note->text()), qPrintable(where + u' ' + note->text()));
             QVERIFY2(saysSo(editor->toolTip()), qPrintable(where + u' ' + editor->toolTip()));
             QVERIFY2(saysSo(editor->accessibleDescription()), qPrintable(where));
+            // What the file says against a source is amber, whether it is changed or not.
+            const int dimension = static_cast<int>(field) - static_cast<int>(Field::Source1) + 1;
+            if (dimension >= 1 && dimension <= 3
+                && !wizard.controller().sourceDoubt(dimension).isEmpty())
+                elsewhere -= note->parentWidget()->geometry();
             if (!isDirty)
                 continue;
             ++seenChanged.at(static_cast<std::size_t>(field));
