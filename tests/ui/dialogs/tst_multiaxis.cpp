@@ -130,6 +130,7 @@ private Q_SLOTS:
     void whatIsProposedIsPlannedAndNothingIsChanged();
     void noAxisAndTheSameAxisTwiceCannotBeWritten();
     void eachAxisGetsItsOwnColumn();
+    void eachAxisCanBeLookedUpByItsOwnPosition();
     void theRefusalOfOneAxisNamesItAndPreventsAll();
     void whatChangedSinceThePlanIsNotWrittenToAnyAxis();
     void aFailureInTheSecondWriteSaysWhichAxisHoldsWhat();
@@ -238,6 +239,27 @@ void TestMultiAxis::eachAxisGetsItsOwnColumn()
     // The page has read back what its axis has now.
     QVERIFY(!stage.bench->setup().isDirty());
     QVERIFY(stage.bench->setup().baseline().tableCrc != 0);
+}
+
+void TestMultiAxis::eachAxisCanBeLookedUpByItsOwnPosition()
+{
+    ControllerFixture bench;
+    QVERIFY(bench.connect());
+    bench->openData(bench.file(QStringLiteral("line.csv"),
+        "Position [mm],X error [mm],Y error [mm]\n0,0.001,0.002\n100,0.003,-0.007\n"));
+    QVERIFY(bench.fileRead());
+    MultiAxisDialog dialog(bench.controller());
+    dialog.QDialog::show();
+    auto* sources = dialog.findChild<QComboBox*>(QStringLiteral("multiAxisSources"));
+    const int own = sources->findText(QStringLiteral("Each axis its own position"));
+    QVERIFY(own >= 0);
+    sources->setCurrentIndex(own);
+    Q_EMIT sources->activated(own);
+    QTRY_VERIFY_WITH_TIMEOUT(bench->multiAxisPlans() && *bench->multiAxisPlans(), test::patienceMs);
+    const std::vector<WritePlan>& plans = **bench->multiAxisPlans();
+    QCOMPARE(plans.size(), std::size_t{2});
+    QCOMPARE(plans[0].after.sources[0].path, test::masterX);
+    QCOMPARE(plans[1].after.sources[0].path, test::masterY);
 }
 
 void TestMultiAxis::theRefusalOfOneAxisNamesItAndPreventsAll()
