@@ -2,6 +2,7 @@
 #include "core/table/target_axis.h"
 
 #include "tests/support/test_registry.h"
+#include "tests/support/verify.h"
 
 namespace tst_targetaxis {
 
