@@ -95,8 +95,8 @@ Text::Text(Verbatim text) : m_pattern{"", "{text}", nullptr}
 Text Text::withWords(
     std::string_view context, std::string words, std::string one, Arguments arguments)
 {
-    const auto owned =
-        std::make_shared<const Words>(std::string(context), std::move(words), std::move(one));
+    const auto owned = std::make_shared<const Words>(
+        Words{std::string(context), std::move(words), std::move(one)});
     Text text({owned->context.c_str(), owned->words.c_str(),
                   owned->one.empty() ? nullptr : owned->one.c_str()},
         std::move(arguments));

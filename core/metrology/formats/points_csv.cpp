@@ -62,6 +62,7 @@ private:
     std::vector<std::size_t> m_axes; ///< columns
     std::vector<MeasurementUnit> m_units; ///< of the axes
     std::vector<ValueColumn> m_values;
+    std::vector<double> m_lineValues; ///< of the line that is being read
 };
 
 bool Reader::findAxes()
@@ -139,20 +140,20 @@ bool Reader::readPoint()
         isGood = isGood && number;
         position[a] = number.value_or(0.0) * m_units[a].factor;
     }
-    std::vector<double> values;
+    m_lineValues.clear();
     for (const ValueColumn& column : m_values) {
         const auto number = m_csv.number(column.column);
         isGood = isGood && number;
         const double scaled = number.value_or(0.0) * column.factor;
-        values.push_back(!column.axis ? scaled : scaled - position[*column.axis]);
+        m_lineValues.push_back(!column.axis ? scaled : scaled - position[*column.axis]);
     }
     if (!isGood)
         return false;
     for (std::size_t a = 0; a < m_axes.size(); ++a)
         m_points.positions[a].push_back(position[a]);
-    for (std::size_t v = 0; v < values.size(); ++v) {
-        m_points.values[v].push_back(values[v]);
-        isGood = isGood && std::isfinite(values[v]);
+    for (std::size_t v = 0; v < m_lineValues.size(); ++v) {
+        m_points.values[v].push_back(m_lineValues[v]);
+        isGood = isGood && std::isfinite(m_lineValues[v]);
     }
     if (!isGood)
         m_csv.error(DiagnosticCode::NotFinite, 0, {},

@@ -116,6 +116,19 @@ private Q_SLOTS:
         QVERIFY(findOutliers(measurement, OutlierRule::PooledMad).up.flagged.empty());
     }
 
+    void residualsOfSmallGroupsCountAsMuch()
+    {
+        // Up: 20 targets with values -1 0 1 (n = 3), one with -2.6 and five at 0.52 (n = 6).
+        // Without the factor sqrt(n / (n - 1)) sigma is 1.4826 instead of 1.8158.
+        Measurement measurement = noisy(21, 100.0, 6);
+        std::erase_if(
+            measurement.values, [](const RunValue& one) { return one.target < 20 && one.run > 3; });
+        for (RunValue& one : measurement.values)
+            one.deviation = one.target < 20 ? one.run - 2.0 : one.run == 1 ? -2.6 : 0.52;
+        const Outliers outliers = findOutliers(measurement, OutlierRule::PooledMad);
+        QVERIFY(std::abs(*outliers.up.sigma - 1.4826 * std::sqrt(1.5)) < 1e-12);
+    }
+
     void grubbsTestsEachGroup()
     {
         // (x - mean) / s of 0 0 0 1 is 1.5, of 0 0 0 0 1 is 1.7889: limits 1.4812 and 1.7150.

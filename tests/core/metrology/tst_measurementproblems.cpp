@@ -217,15 +217,15 @@ private Q_SLOTS:
             VERIFY_ERROR(columnMappingFromText(bad), ErrorCode::InvalidArgument);
     }
 
-    void aMillionLinesInAnyOrderAreRead()
+    void linesInAnyOrderAreRead()
     {
-        // 1000 targets, 500 runs in each direction, in an order that jumps about.
+        // 1000 targets, 50 runs in each direction, in an order that jumps about.
         std::string text = head;
-        constexpr std::uint64_t count = 1'000'000;
+        constexpr std::uint64_t count = 100'000;
         for (std::uint64_t n = 0; n < count; ++n) {
             const std::uint64_t i = n * 7919U % count;
             const std::uint64_t target = i % 1000;
-            const std::uint64_t run = i / 1000 % 500 + 1;
+            const std::uint64_t run = i / 1000 % 50 + 1;
             text += std::to_string(target) + (i >= count / 2 ? ",-," : ",+,") + std::to_string(run)
                 + ",0.5\n";
         }
@@ -233,7 +233,7 @@ private Q_SLOTS:
         VERIFY_MEASUREMENT(reading);
         QVERIFY2(reading.diagnostics.empty(), test::describe(reading).join('\n').constData());
         QCOMPARE(reading.measurement->values.size(), std::size_t{count});
-        QCOMPARE(reading.measurement->runCount(Approach::Down), 500);
+        QCOMPARE(reading.measurement->runCount(Approach::Down), 50);
     }
 };
 
