@@ -381,6 +381,12 @@ Result<FittedCurve> interpolatingSpline(const CurveSamples& samples, std::option
     return FittedCurve{std::move(curve)};
 }
 
+Result<FittedCurve> straightLines(const CurveSamples& samples, std::optional<double> wrap)
+{
+    AXISCOMP_TRY(auto knots, curveKnots(samples, wrap, 2));
+    return FittedCurve{throughMeans(std::move(knots), wrap)};
+}
+
 Result<FittedCurve> monotoneCubic(const CurveSamples& samples, std::optional<double> wrap)
 {
     AXISCOMP_TRY(auto knots, curveKnots(samples, wrap, 2));
