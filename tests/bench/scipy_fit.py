@@ -13,8 +13,8 @@ import time
 
 def field(np, x, y, z):
     turn = 2 * np.pi / 100
-    return (5 * np.sin(1.3 * turn * x + 0.4) * np.cos(1.1 * turn * y) + 3.5 * np.sin(turn * (0.9 * y + 0.7 * z) + 1)
-            + 2 * np.cos(turn * (2.1 * x - 1.4 * z)) + 6 * x * y / 1e4)
+    return (5 * np.sin(0.9 * turn * x + 0.4) * np.cos(0.8 * turn * y) + 3.5 * np.sin(turn * (0.9 * y + 0.7 * z) + 1)
+            + 2 * np.cos(turn * (1.4 * x - z)) + 6 * x * y / 1e4)
 
 
 def timed(name, job):
