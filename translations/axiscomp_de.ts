@@ -4607,6 +4607,14 @@
         <source>there are values at {count} targets; four are needed to leave one out</source>
         <translation>an {count} Zielpositionen gibt es Werte; um eine wegzulassen, sind vier nötig</translation>
     </message>
+    <message>
+        <source>each point needs a finite position and deviation in two or three dimensions</source>
+        <translation>jeder Punkt braucht eine endliche Position und Abweichung in zwei oder drei Dimensionen</translation>
+    </message>
+    <message>
+        <source>the points lie on a line, or on a plane in space, and cannot tell how the artefact lay; measure points beside it</source>
+        <translation>die Punkte liegen auf einer Geraden, oder im Raum auf einer Ebene, und zeigen nicht, wie der Prüfkörper lag; messen Sie Punkte daneben</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>

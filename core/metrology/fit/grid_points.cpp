@@ -10,7 +10,7 @@ namespace axiscomp {
 namespace {
 
 /// The finalizer of SplitMix64 (Steele, Lea and Flood 2014).
-std::uint64_t mixed(std::uint64_t bits)
+std::uint64_t mixedBits(std::uint64_t bits)
 {
     bits = (bits ^ (bits >> 30)) * 0xbf58476d1ce4e5b9U;
     bits = (bits ^ (bits >> 27)) * 0x94d049bb133111ebU;
@@ -22,12 +22,12 @@ std::uint32_t foldOf(const std::array<double, 3>& numbers)
 {
     std::uint64_t hash = 0x9e3779b97f4a7c15U;
     for (const double number : numbers)
-        hash = mixed(hash + static_cast<std::uint64_t>(std::llround(number * 1048576.0)));
+        hash = mixedBits(hash + static_cast<std::uint64_t>(std::llround(number * 1048576.0)));
     return static_cast<std::uint32_t>(hash >> 32);
 }
 
 /// False when the point lies outside.
-bool place(const Grid& grid, const GridShape& shape, const ScatteredValues& values,
+bool placeInCell(const Grid& grid, const GridShape& shape, const ScatteredValues& values,
     std::size_t index, GridPoint& point)
 {
     std::size_t node = 0;
@@ -88,7 +88,7 @@ GridPoints locate(const Grid& grid, const ScatteredValues& values)
     indices.reserve(values.values.size());
     for (std::size_t i = 0; i < values.values.size(); ++i) {
         GridPoint point;
-        if (!place(grid, shape, values, i, point))
+        if (!placeInCell(grid, shape, values, i, point))
             continue;
         found.push_back(point);
         indices.push_back(static_cast<std::uint32_t>(i));

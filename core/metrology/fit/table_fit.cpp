@@ -3,6 +3,7 @@
 
 #include "core/curve/harmonic_curve.h"
 #include "core/curve/smoothing_spline.h"
+#include "core/metrology/fit/fit_errors.h"
 #include "core/neutral/neutral_table.h"
 #include "core/text/number_text.h"
 
@@ -16,14 +17,9 @@ namespace axiscomp {
 
 namespace {
 
-using Numbers = std::vector<double>;
+using FitNumbers = std::vector<double>;
 
-auto invalid(Text reason)
-{
-    return fail(ErrorCode::InvalidArgument, {{"reason", std::move(reason)}});
-}
-
-Quantity quantity(double position, const std::string& unit)
+Quantity positionQuantity(double position, const std::string& unit)
 {
     return {roundedText(position), unit};
 }
@@ -31,11 +27,11 @@ Quantity quantity(double position, const std::string& unit)
 /// The values of one target.
 struct TargetValues {
     double target = 0.0;
-    Numbers up;
-    Numbers down;
+    FitNumbers up;
+    FitNumbers down;
 };
 
-double meanOf(const Numbers& numbers)
+double plainMean(const FitNumbers& numbers)
 {
     double sum = 0.0;
     for (const double number : numbers)
@@ -49,7 +45,7 @@ Result<std::vector<TargetValues>> byTargets(std::span<const MeasuredValue> value
     std::vector<MeasuredValue> sorted(values.begin(), values.end());
     for (const MeasuredValue& value : sorted)
         if (!std::isfinite(value.target) || !std::isfinite(value.deviation))
-            return invalid(AXISCOMP_TEXT("Error", "targets and deviations must be finite numbers"));
+            return badFit(AXISCOMP_TEXT("Error", "targets and deviations must be finite numbers"));
     std::ranges::sort(sorted, {}, [](const MeasuredValue& value) {
         return std::tuple(value.target, value.isUp, value.run, value.deviation);
     });
@@ -61,7 +57,7 @@ Result<std::vector<TargetValues>> byTargets(std::span<const MeasuredValue> value
         (value.isUp ? targets.back().up : targets.back().down).push_back(value.deviation);
     }
     if (targets.size() < 2)
-        return invalid(
+        return badFit(
             AXISCOMP_TEXT("Error", "there are values at {count} targets; a table needs two")
                 .with("count", targets.size()));
     return targets;
@@ -87,12 +83,12 @@ Result<std::vector<FitKnot>> meansOf(
         const bool needsDown = request.direction == FitDirection::Negative
             || (request.direction == FitDirection::Mean && (isBoth || !target.down.empty()));
         if ((needsUp && target.up.empty()) || (needsDown && target.down.empty()))
-            return invalid(AXISCOMP_TEXT("Error",
+            return badFit(AXISCOMP_TEXT("Error",
                 "the target {target} has no value of one direction; measure it, leave the target "
                 "out, or make the table of the other direction (--direction)")
-                               .with("target", quantity(target.target, request.unit)));
-        const double up = needsUp ? meanOf(target.up) : meanOf(target.down);
-        const double down = needsDown ? meanOf(target.down) : up;
+                              .with("target", positionQuantity(target.target, request.unit)));
+        const double up = needsUp ? plainMean(target.up) : plainMean(target.down);
+        const double down = needsDown ? plainMean(target.down) : up;
         const std::size_t count =
             (needsUp ? target.up.size() : 0) + (needsDown ? target.down.size() : 0);
         knots.push_back(
@@ -120,9 +116,9 @@ Result<void> placeKnots(std::vector<FitKnot>& knots, const TableFitRequest& requ
 }
 
 struct KnotColumns {
-    Numbers positions;
-    Numbers values;
-    Numbers weights;
+    FitNumbers positions;
+    FitNumbers values;
+    FitNumbers weights;
 
     explicit KnotColumns(const std::vector<FitKnot>& knots)
     {
@@ -140,7 +136,7 @@ Result<FittedCurve> fitCurve(
     const KnotColumns columns(knots);
     const CurveSamples samples{columns.positions, columns.values, columns.weights, request.unit};
     if (!request.periods.periods.empty() && request.method != FitMethod::Smooth)
-        return invalid(AXISCOMP_TEXT(
+        return badFit(AXISCOMP_TEXT(
             "Error", "known periods are fitted by the method smooth only (--method smooth)"));
     switch (request.method) {
     case FitMethod::Linear:
@@ -157,14 +153,14 @@ Result<FittedCurve> fitCurve(
     }
     case FitMethod::Harmonic: {
         if (!request.turn)
-            return invalid(AXISCOMP_TEXT(
+            return badFit(AXISCOMP_TEXT(
                 "Error", "harmonics need the length of a turn, which is that of a modulo axis"));
         AXISCOMP_TRY(
             auto harmonic, fitHarmonics(samples, *request.turn, request.periods.harmonics));
         return std::move(harmonic.curve);
     }
     }
-    return invalid(AXISCOMP_TEXT("Error", "there is no such method"));
+    return badFit(AXISCOMP_TEXT("Error", "there is no such method"));
 }
 
 /// Slope and constant that are taken out of the table.
@@ -274,8 +270,8 @@ void describeReversal(const std::vector<TargetValues>& targets, TableFit& fit)
     for (const TargetValues& target : targets) {
         if (target.up.empty() || target.down.empty())
             continue;
-        const double up = meanOf(target.up);
-        const double down = meanOf(target.down);
+        const double up = plainMean(target.up);
+        const double down = plainMean(target.down);
         reversal = std::max(reversal, std::abs(up - down));
         lowest = std::min({lowest, up, down});
         highest = std::max({highest, up, down});
@@ -333,7 +329,7 @@ CompensationTable TableFit::table(const std::string& unit) const
 Result<TableFit> fitTable(std::span<const MeasuredValue> values, const TableFitRequest& request)
 {
     if (request.turn && request.slope != SlopeRemoval::Keep)
-        return invalid(AXISCOMP_TEXT(
+        return badFit(AXISCOMP_TEXT(
             "Error", "a modulo axis has no slope that could be removed: it ends where it begins"));
     AXISCOMP_TRY(const auto targets, byTargets(values));
     TableFit fit;
@@ -385,9 +381,9 @@ Result<HeldOut> predictHeldOut(
 {
     AXISCOMP_TRY(const auto targets, byTargets(values));
     if (targets.size() < 4)
-        return invalid(AXISCOMP_TEXT(
+        return badFit(AXISCOMP_TEXT(
             "Error", "there are values at {count} targets; four are needed to leave one out")
-                           .with("count", targets.size()));
+                          .with("count", targets.size()));
     AXISCOMP_TRY(auto knots, meansOf(targets, request));
     AXISCOMP_CHECK(placeKnots(knots, request));
     HeldOut result;
