@@ -5143,6 +5143,54 @@
         <source>these are no addresses of computers</source>
         <translation>das sind keine Adressen von Rechnern</translation>
     </message>
+    <message>
+        <source>the wanted distance must be a number above 0</source>
+        <translation>der gewünschte Abstand muss eine Zahl über 0 sein</translation>
+    </message>
+    <message>
+        <source>a distance of {distance} from the curve takes more than {count} points; with these it is {found}; allow more points or a larger distance</source>
+        <translation>ein Abstand von {distance} zur Kurve braucht mehr als {count} Stützstellen; mit diesen ist er {found}; erlauben Sie mehr Stützstellen oder einen größeren Abstand</translation>
+    </message>
+    <message>
+        <source>each point needs a finite position and deviation in two or three dimensions</source>
+        <translation>jeder Punkt braucht eine endliche Position und Abweichung in zwei oder drei Dimensionen</translation>
+    </message>
+    <message>
+        <source>the points lie on a line, or on a plane in space, and cannot tell how the artefact lay; measure points beside it</source>
+        <translation>die Punkte liegen auf einer Geraden, oder im Raum auf einer Ebene, und zeigen nicht, wie der Prüfkörper lag; messen Sie Punkte daneben</translation>
+    </message>
+    <message>
+        <source>targets and deviations must be finite numbers</source>
+        <translation>Zielpositionen und Abweichungen müssen endliche Zahlen sein</translation>
+    </message>
+    <message>
+        <source>there are values at {count} targets; a table needs two</source>
+        <translation>an {count} Zielpositionen gibt es Werte; eine Tabelle braucht zwei</translation>
+    </message>
+    <message>
+        <source>the target {target} has no value of one direction; measure it, leave the target out, or make the table of the other direction (--direction)</source>
+        <translation>an der Zielposition {target} fehlt der Wert einer Richtung; messen Sie ihn, lassen Sie die Zielposition weg, oder machen Sie die Tabelle aus der anderen Richtung (--direction)</translation>
+    </message>
+    <message>
+        <source>known periods are fitted by the method smooth only (--method smooth)</source>
+        <translation>bekannte Perioden gibt es nur mit dem Verfahren smooth (--method smooth)</translation>
+    </message>
+    <message>
+        <source>harmonics need the length of a turn, which is that of a modulo axis</source>
+        <translation>Oberwellen brauchen die Länge einer Umdrehung, also eine Modulo-Achse</translation>
+    </message>
+    <message>
+        <source>there is no such method</source>
+        <translation>dieses Verfahren gibt es nicht</translation>
+    </message>
+    <message>
+        <source>a modulo axis has no slope that could be removed: it ends where it begins</source>
+        <translation>eine Modulo-Achse hat keine Steigung, die sich entfernen ließe: sie endet, wo sie beginnt</translation>
+    </message>
+    <message>
+        <source>there are values at {count} targets; four are needed to leave one out</source>
+        <translation>an {count} Zielpositionen gibt es Werte; um eine wegzulassen, sind vier nötig</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>

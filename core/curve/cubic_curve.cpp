@@ -131,6 +131,8 @@ double CubicCurve::at(double position) const
     const double width = knots[i + 1] - knots[i];
     const double t = (position - knots[i]) / width;
     const double rise = values[i + 1] - values[i];
+    if (slopes.empty())
+        return values[i] + t * rise;
     const double begin = width * slopes[i];
     const double end = width * slopes[i + 1];
     return values[i]

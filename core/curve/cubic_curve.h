@@ -15,7 +15,7 @@ namespace axiscomp {
 struct CubicCurve {
     std::vector<double> knots; ///< at least 2, strictly ascending; of a modulo axis one period
     std::vector<double> values;
-    std::vector<double> slopes;
+    std::vector<double> slopes; ///< empty: straight lines between the knots
     std::optional<double> wrap = {}; ///< the period of a modulo axis: last knot - first knot
 
     /// Beyond the knots the ends are held, as the drive does it; on a modulo axis the curve

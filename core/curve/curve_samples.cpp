@@ -11,13 +11,13 @@ namespace axiscomp {
 
 namespace {
 
-struct Sample {
+struct PlacedSample {
     double position;
     double value;
     double weight;
 };
 
-bool areFinite(std::span<const double> numbers)
+bool areFiniteSamples(std::span<const double> numbers)
 {
     return std::ranges::all_of(numbers, [](double number) { return std::isfinite(number); });
 }
@@ -29,7 +29,8 @@ Result<void> checkSamples(const CurveSamples& samples, std::optional<double> wra
         && (samples.weights.empty() || samples.weights.size() == count);
     if (!isComplete)
         return badCurve(AXISCOMP_TEXT("Error", "each position must have one value and one weight"));
-    if (!areFinite(samples.positions) || !areFinite(samples.values) || !areFinite(samples.weights))
+    if (!areFiniteSamples(samples.positions) || !areFiniteSamples(samples.values)
+        || !areFiniteSamples(samples.weights))
         return badCurve(
             AXISCOMP_TEXT("Error", "positions, values and weights must be finite numbers"));
     if (std::ranges::any_of(samples.weights, [](double weight) { return !(weight > 0.0); }))
@@ -40,22 +41,22 @@ Result<void> checkSamples(const CurveSamples& samples, std::optional<double> wra
     return {};
 }
 
-std::vector<Sample> sorted(const CurveSamples& samples, std::optional<double> wrap)
+std::vector<PlacedSample> sortedSamples(const CurveSamples& samples, std::optional<double> wrap)
 {
-    std::vector<Sample> all;
+    std::vector<PlacedSample> all;
     all.reserve(samples.positions.size());
     for (std::size_t i = 0; i < samples.positions.size(); ++i)
         all.push_back({samples.positions[i], samples.values[i],
             samples.weights.empty() ? 1.0 : samples.weights[i]});
     if (wrap && !all.empty()) {
-        const double first = std::ranges::min_element(all, {}, &Sample::position)->position;
-        for (Sample& sample : all) {
+        const double first = std::ranges::min_element(all, {}, &PlacedSample::position)->position;
+        for (PlacedSample& sample : all) {
             sample.position -= std::floor((sample.position - first) / *wrap) * *wrap;
             if (first + *wrap - sample.position <= 1e-9 * *wrap) // the first place again
                 sample.position = first;
         }
     }
-    std::ranges::sort(all, {}, [](const Sample& sample) {
+    std::ranges::sort(all, {}, [](const PlacedSample& sample) {
         return std::tuple(sample.position, sample.value, sample.weight);
     });
     return all;
@@ -67,11 +68,11 @@ Result<CurveKnots> curveKnots(
     const CurveSamples& samples, std::optional<double> wrap, std::size_t fewest)
 {
     AXISCOMP_CHECK(checkSamples(samples, wrap));
-    const std::vector<Sample> all = sorted(samples, wrap);
+    const std::vector<PlacedSample> all = sortedSamples(samples, wrap);
     CurveKnots knots;
     if (!all.empty()) {
         const double range = wrap.value_or(all.back().position - all.front().position);
-        for (const Sample& sample : all) {
+        for (const PlacedSample& sample : all) {
             const bool isNew =
                 knots.positions.empty() || sample.position - knots.positions.back() > 1e-9 * range;
             if (isNew) {

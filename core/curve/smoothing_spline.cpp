@@ -15,11 +15,11 @@ namespace axiscomp {
 
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double noScore = std::numeric_limits<double>::infinity();
 constexpr double traceFactor = 1.1;
 constexpr double widestDecade = 10.0; // of L / r, downward
 
-using Numbers = std::vector<double>;
+using SplineNumbers = std::vector<double>;
 
 /// The equations of Reinsch: with Q the second differences of values at knots and R the Gram matrix
 /// of the hats between them, K = Q R^-1 Q^T, and the second derivatives c of the smoothing spline
@@ -30,7 +30,7 @@ public:
     SplineEquations(const CurveKnots& knots, std::optional<double> wrap);
 
     [[nodiscard]] std::size_t knotCount() const { return m_weights.size(); }
-    [[nodiscard]] const Numbers& weights() const { return m_weights; }
+    [[nodiscard]] const SplineNumbers& weights() const { return m_weights; }
     /// r, of scaled positions.
     [[nodiscard]] double penaltyUnit() const { return m_penaltyUnit; }
     [[nodiscard]] double lengthUnit() const { return m_lengthUnit; }
@@ -38,7 +38,7 @@ public:
     /// For the penalty L: false when it cannot be solved in double precision.
     [[nodiscard]] bool usePenalty(double penalty);
     /// What the spline leaves of values at the knots.
-    [[nodiscard]] Numbers residuals(const Numbers& values) const;
+    [[nodiscard]] SplineNumbers residuals(const SplineNumbers& values) const;
     /// The trace of the matrix that makes fitted values of values.
     [[nodiscard]] double trace()
     {
@@ -56,13 +56,13 @@ private:
         return knot + 1 == knotCount() ? 0 : knot + 1;
     }
     void fillGram();
-    void fillRoughness(const Numbers& weights, BandMatrix& matrix) const;
+    void fillRoughness(const SplineNumbers& weights, BandMatrix& matrix) const;
 
     bool m_isRing;
     std::size_t m_firstKnot; ///< of those with a second derivative
     double m_lengthUnit;
-    Numbers m_inverseWidths; ///< of the cell behind each knot
-    Numbers m_weights;
+    SplineNumbers m_inverseWidths; ///< of the cell behind each knot
+    SplineNumbers m_weights;
     BandMatrix m_gram; ///< R
     BandMatrix m_roughness; ///< Q^T W^-1 Q
     BandMatrix m_matrix;
@@ -80,15 +80,15 @@ SplineEquations::SplineEquations(const CurveKnots& knots, std::optional<double> 
     , m_matrix(m_gram.size())
     , m_solver(m_gram.size(), m_isRing)
 {
-    const Numbers& x = knots.positions;
+    const SplineNumbers& x = knots.positions;
     const std::size_t last = x.size() - 1;
     m_lengthUnit = m_isRing ? *wrap / static_cast<double>(x.size())
                             : (x.back() - x.front()) / static_cast<double>(last);
     for (std::size_t i = 0; i < last; ++i)
         m_inverseWidths.push_back(m_lengthUnit / (x[i + 1] - x[i]));
-    m_inverseWidths.push_back(m_isRing ? m_lengthUnit / (x.front() + *wrap - x.back()) : infinite);
+    m_inverseWidths.push_back(m_isRing ? m_lengthUnit / (x.front() + *wrap - x.back()) : noScore);
     fillGram();
-    fillRoughness(Numbers(x.size(), 1.0), m_matrix);
+    fillRoughness(SplineNumbers(x.size(), 1.0), m_matrix);
     double weight = 0.0;
     for (const double w : m_weights)
         weight += w;
@@ -108,7 +108,7 @@ void SplineEquations::fillGram()
     }
 }
 
-void SplineEquations::fillRoughness(const Numbers& weights, BandMatrix& matrix) const
+void SplineEquations::fillRoughness(const SplineNumbers& weights, BandMatrix& matrix) const
 {
     const std::size_t size = matrix.size();
     for (std::size_t row = 0; row < size; ++row) {
@@ -141,16 +141,16 @@ bool SplineEquations::usePenalty(double penalty)
     return m_solver.factorize(m_matrix);
 }
 
-Numbers SplineEquations::residuals(const Numbers& values) const
+SplineNumbers SplineEquations::residuals(const SplineNumbers& values) const
 {
-    Numbers bends(m_matrix.size());
+    SplineNumbers bends(m_matrix.size());
     for (std::size_t row = 0; row < bends.size(); ++row) {
         const std::size_t knot = row + m_firstKnot;
         bends[row] = (values[behind(knot)] - values[knot]) * m_inverseWidths[knot]
             - (values[knot] - values[before(knot)]) * m_inverseWidths[before(knot)];
     }
     m_solver.solve(bends);
-    Numbers left(knotCount(), 0.0);
+    SplineNumbers left(knotCount(), 0.0);
     for (std::size_t row = 0; row < bends.size(); ++row) {
         const std::size_t knot = row + m_firstKnot;
         const double back = bends[row] * m_inverseWidths[before(knot)];
@@ -174,8 +174,8 @@ public:
         bool isFound = false;
         double trace = 0.0;
         double square = 0.0; ///< sum w r^2
-        double score = infinite; ///< generalised cross-validation
-        Numbers residuals; ///< of spline and terms
+        double score = noScore; ///< generalised cross-validation
+        SplineNumbers residuals; ///< of spline and terms
         Eigen::VectorXd terms; ///< cosine and sine of each
         Eigen::MatrixXd termCovariance; ///< for noise of 1
     };
@@ -192,7 +192,7 @@ private:
     const CurveKnots& m_knots;
     std::optional<double> m_wrap;
     std::vector<PeriodicTerm> m_terms;
-    std::vector<Numbers> m_columns; ///< the terms at the knots
+    std::vector<SplineNumbers> m_columns; ///< the terms at the knots
     SplineEquations m_equations;
 };
 
@@ -206,7 +206,7 @@ SplineFit::SplineFit(const CurveKnots& knots, const SmoothingRequest& request)
         for (const bool isSine : {false, true}) {
             PeriodicTerm unit = term;
             (isSine ? unit.sine : unit.cosine) = 1.0;
-            Numbers column;
+            SplineNumbers column;
             for (const double position : knots.positions)
                 column.push_back(unit.at(position));
             m_columns.push_back(std::move(column));
@@ -218,13 +218,13 @@ void SplineFit::addTerms(Solution& solution) const
 {
     const auto rows = static_cast<Eigen::Index>(m_knots.means.size());
     const auto count = static_cast<Eigen::Index>(m_columns.size());
-    const auto column = [rows](const Numbers& numbers) {
+    const auto column = [rows](const SplineNumbers& numbers) {
         return Eigen::Map<const Eigen::VectorXd>(numbers.data(), rows);
     };
     Eigen::MatrixXd terms(rows, count);
     Eigen::MatrixXd left(rows, count);
     for (Eigen::Index i = 0; i < count; ++i) {
-        const Numbers& numbers = m_columns[static_cast<std::size_t>(i)];
+        const SplineNumbers& numbers = m_columns[static_cast<std::size_t>(i)];
         terms.col(i) = column(numbers);
         left.col(i) = column(m_equations.residuals(numbers));
     }
@@ -266,7 +266,7 @@ double SplineFit::bestSmoothness()
     const double highest = std::max(
         widestDecade, std::ceil(4.0 * std::log10(static_cast<double>(m_knots.means.size())) - 6.0));
     double best = highest;
-    double bestScore = infinite;
+    double bestScore = noScore;
     for (double decade = -widestDecade; decade <= highest; decade += 1.0) {
         const double score = scoreAt(decade);
         if (score < bestScore) {
@@ -349,7 +349,7 @@ SmoothedCurve SplineFit::curve(double smoothness)
 }
 
 /// On a modulo axis the terms repeat with the turn, or there would be a step at its end.
-Result<void> checkClosed(const SmoothingRequest& request, const std::string& unit)
+Result<void> checkPeriodsClose(const SmoothingRequest& request, const std::string& unit)
 {
     if (!request.wrap)
         return {};
@@ -381,6 +381,12 @@ Result<FittedCurve> interpolatingSpline(const CurveSamples& samples, std::option
     return FittedCurve{std::move(curve)};
 }
 
+Result<FittedCurve> straightLines(const CurveSamples& samples, std::optional<double> wrap)
+{
+    AXISCOMP_TRY(auto knots, curveKnots(samples, wrap, 2));
+    return FittedCurve{throughMeans(std::move(knots), wrap)};
+}
+
 Result<FittedCurve> monotoneCubic(const CurveSamples& samples, std::optional<double> wrap)
 {
     AXISCOMP_TRY(auto knots, curveKnots(samples, wrap, 2));
@@ -396,7 +402,7 @@ Result<SmoothedCurve> smoothingSpline(const CurveSamples& samples, const Smoothi
     if (!(std::isfinite(wanted) && wanted > 0.0))
         return badCurve(AXISCOMP_TEXT("Error", "the smoothness must be a number above 0"));
     AXISCOMP_TRY(const auto knots, curveKnots(samples, request.wrap, 2));
-    AXISCOMP_CHECK(checkClosed(request, samples.unit));
+    AXISCOMP_CHECK(checkPeriodsClose(request, samples.unit));
     AXISCOMP_CHECK(checkResolved(request.periods, knots.positions, samples.unit));
     AXISCOMP_CHECK(curveKnots(samples, request.wrap, fewest + request.periods.parameterCount()));
     SplineFit fit(knots, request);

@@ -13,6 +13,10 @@ namespace axiscomp {
 [[nodiscard]] Result<FittedCurve> interpolatingSpline(
     const CurveSamples& samples, std::optional<double> wrap = {});
 
+/// Straight lines through the same.
+[[nodiscard]] Result<FittedCurve> straightLines(
+    const CurveSamples& samples, std::optional<double> wrap = {});
+
 /// The monotone cubic through the same.
 [[nodiscard]] Result<FittedCurve> monotoneCubic(
     const CurveSamples& samples, std::optional<double> wrap = {});

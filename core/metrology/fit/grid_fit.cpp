@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/metrology/fit/grid_fit.h"
 
+#include "core/metrology/fit/fit_errors.h"
 #include "core/metrology/fit/grid_points.h"
 #include "core/metrology/fit/grid_smoothness.h"
 #include "core/metrology/fit/grid_system.h"
@@ -17,17 +18,12 @@ namespace axiscomp {
 
 namespace {
 
-constexpr double tolerance = 1e-7; // of the equations, relative
-constexpr std::size_t mostNodes = 4'000'000;
-constexpr std::size_t mostPoints = 100'000'000;
+constexpr double equationTolerance = 1e-7; // of the equations, relative
+constexpr std::size_t mostGridNodes = 4'000'000;
+constexpr std::size_t mostScatteredPoints = 100'000'000;
 constexpr int farDistances = 3;
 
-auto invalid(Text reason)
-{
-    return fail(ErrorCode::InvalidArgument, {{"reason", std::move(reason)}});
-}
-
-bool areFinite(std::span<const double> numbers)
+bool areFiniteNumbers(std::span<const double> numbers)
 {
     return std::ranges::all_of(numbers, [](double number) { return std::isfinite(number); });
 }
@@ -41,29 +37,29 @@ Result<void> checkRequest(const ScatteredValues& values, const GridFitRequest& r
                    && pointsAreDistinct(axis);
            });
     if (!isGrid)
-        return invalid(AXISCOMP_TEXT("Error",
+        return badFit(AXISCOMP_TEXT("Error",
             "a grid has one to three dimensions, with two points and a distance above 0 in each"));
     double nodes = 1.0;
     for (const GridAxis& axis : grid.axes)
         nodes *= static_cast<double>(axis.size);
-    if (nodes > static_cast<double>(mostNodes))
-        return invalid(AXISCOMP_TEXT(
+    if (nodes > static_cast<double>(mostGridNodes))
+        return badFit(AXISCOMP_TEXT(
             "Error", "the grid would have more than {count} points; take fewer along an axis")
-                           .with("count", mostNodes));
+                          .with("count", mostGridNodes));
     const std::size_t count = values.values.size();
-    bool isComplete = count > 0 && count <= mostPoints
+    bool isComplete = count > 0 && count <= mostScatteredPoints
         && (values.weights.empty() || values.weights.size() == count);
     for (std::size_t axis = 0; axis < grid.axes.size(); ++axis)
         isComplete = isComplete && values.coordinates[axis].size() == count
-            && areFinite(values.coordinates[axis]);
-    if (!isComplete || !areFinite(values.values) || !areFinite(values.weights))
-        return invalid(AXISCOMP_TEXT("Error",
+            && areFiniteNumbers(values.coordinates[axis]);
+    if (!isComplete || !areFiniteNumbers(values.values) || !areFiniteNumbers(values.weights))
+        return badFit(AXISCOMP_TEXT("Error",
             "points need one finite number for each dimension, for their value and for their "
             "weight"));
     if (std::ranges::any_of(values.weights, [](double weight) { return !(weight > 0.0); }))
-        return invalid(AXISCOMP_TEXT("Error", "weights must be larger than 0"));
+        return badFit(AXISCOMP_TEXT("Error", "weights must be larger than 0"));
     if (request.smoothness && !(std::isfinite(*request.smoothness) && *request.smoothness >= 0.0))
-        return invalid(AXISCOMP_TEXT("Error", "the smoothness must be a number of 0 or more"));
+        return badFit(AXISCOMP_TEXT("Error", "the smoothness must be a number of 0 or more"));
     return {};
 }
 
@@ -151,10 +147,10 @@ std::vector<double> huberWeights(const std::vector<double>& residuals)
 /// The least-squares plane through points, in numbers of nodes from the first one. The penalty does
 /// not see it; what is left is fitted, so that a plane which is added to the values is added to the
 /// nodes as exactly.
-class Plane {
+class TrendPlane {
 public:
-    Plane() = default;
-    Plane(const GridShape& shape, const std::vector<GridPoint>& points)
+    TrendPlane() = default;
+    TrendPlane(const GridShape& shape, const std::vector<GridPoint>& points)
     {
         Eigen::Matrix4d normal = Eigen::Matrix4d::Zero();
         Eigen::Vector4d right = Eigen::Vector4d::Zero();
@@ -199,7 +195,7 @@ public:
         m_fit.usedPoints = m_located.points.size();
         if (request.smoothness == 0.0) // exactly the means on nodes
             return;
-        m_plane = Plane(m_shape, m_located.points);
+        m_plane = TrendPlane(m_shape, m_located.points);
         for (GridPoint& point : m_located.points)
             point.value -= m_plane.at(m_shape, point.node, point.fraction);
     }
@@ -223,7 +219,7 @@ private:
     const GridFitRequest& m_request;
     GridShape m_shape;
     GridPoints m_located;
-    Plane m_plane; ///< what the points' values were relieved of
+    TrendPlane m_plane; ///< what the points' values were relieved of
     std::vector<double> m_robust; ///< weights of the points; empty: 1
     std::vector<double> m_nodes;
     Marks m_far;
@@ -255,7 +251,7 @@ Result<void> GridFitter::solve()
 {
     GridSystem system(m_request.grid);
     system.setPoints(m_located.points, m_robust);
-    return system.solve(m_fit.smoothness, tolerance, m_request.stop, m_nodes);
+    return system.solve(m_fit.smoothness, equationTolerance, m_request.stop, m_nodes);
 }
 
 Result<void> GridFitter::solveRobustly()
@@ -289,10 +285,10 @@ Result<void> GridFitter::findFarNodes()
     const Marks measured = measuredNodes(m_shape, m_located.points);
     m_far = farNodes(m_shape, measured);
     if (m_request.smoothness == 0.0 && std::ranges::count(measured, false) > 0)
-        return invalid(AXISCOMP_TEXT("Error",
+        return badFit(AXISCOMP_TEXT("Error",
             "with a smoothness of 0 every point of the grid needs a measured one beside it, and "
             "{count} have none; take a larger smoothness or a coarser grid")
-                           .with("count", std::ranges::count(measured, false)));
+                          .with("count", std::ranges::count(measured, false)));
     if (m_request.farPoints == FarPoints::Refuse)
         AXISCOMP_CHECK(checkNear(m_request.grid, m_shape, m_far));
     for (std::size_t node = 0; node < measured.size(); ++node)
@@ -369,7 +365,7 @@ void GridFitter::fillFarNodes()
 Result<GridFit> GridFitter::run()
 {
     if (m_located.points.empty())
-        return invalid(AXISCOMP_TEXT("Error",
+        return badFit(AXISCOMP_TEXT("Error",
             "no point lies within the grid; check its start and end, and the unit of the "
             "positions"));
     AXISCOMP_CHECK(findFarNodes());

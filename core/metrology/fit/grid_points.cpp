@@ -2,7 +2,6 @@
 #include "core/metrology/fit/grid_points.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <tuple>
 
@@ -11,28 +10,28 @@ namespace axiscomp {
 namespace {
 
 /// The finalizer of SplitMix64 (Steele, Lea and Flood 2014).
-std::uint64_t mixed(std::uint64_t bits)
+std::uint64_t mixedBits(std::uint64_t bits)
 {
     bits = (bits ^ (bits >> 30)) * 0xbf58476d1ce4e5b9U;
     bits = (bits ^ (bits >> 27)) * 0x94d049bb133111ebU;
     return bits ^ (bits >> 31);
 }
 
-std::uint32_t foldOf(const ScatteredValues& values, std::size_t dimensions, std::size_t index)
+/// By positions counted in millionths of the grid's distances, so that units do not matter.
+std::uint32_t foldOf(const std::array<double, 3>& numbers)
 {
     std::uint64_t hash = 0x9e3779b97f4a7c15U;
-    for (std::size_t axis = 0; axis < dimensions; ++axis) {
-        const double position = values.coordinates[axis][index] + 0.0; // -0 is 0
-        hash = mixed(hash + std::bit_cast<std::uint64_t>(position));
-    }
+    for (const double number : numbers)
+        hash = mixedBits(hash + static_cast<std::uint64_t>(std::llround(number * 1048576.0)));
     return static_cast<std::uint32_t>(hash >> 32);
 }
 
 /// False when the point lies outside.
-bool place(const Grid& grid, const GridShape& shape, const ScatteredValues& values,
+bool placeInCell(const Grid& grid, const GridShape& shape, const ScatteredValues& values,
     std::size_t index, GridPoint& point)
 {
     std::size_t node = 0;
+    std::array<double, 3> numbers{};
     for (std::size_t axis = 0; axis < shape.dimensions; ++axis) {
         const GridAxis& along = grid.axes[axis];
         const double rounding = 1e-9 * static_cast<double>(along.size);
@@ -40,6 +39,7 @@ bool place(const Grid& grid, const GridShape& shape, const ScatteredValues& valu
         const auto last = static_cast<double>(along.size - 1);
         if (!(number >= -rounding && number <= last + rounding))
             return false;
+        numbers[axis] = number;
         const double cell = std::clamp(std::floor(number), 0.0, last - 1.0);
         double fraction = std::clamp(number - cell, 0.0, 1.0);
         if (std::abs(fraction) <= rounding)
@@ -50,7 +50,7 @@ bool place(const Grid& grid, const GridShape& shape, const ScatteredValues& valu
         node += static_cast<std::size_t>(cell) * shape.stride[axis];
     }
     point.node = static_cast<std::uint32_t>(node);
-    point.fold = foldOf(values, shape.dimensions, index);
+    point.fold = foldOf(numbers);
     point.value = values.values[index];
     point.weight = values.weights.empty() ? 1.0 : values.weights[index];
     return true;
@@ -88,7 +88,7 @@ GridPoints locate(const Grid& grid, const ScatteredValues& values)
     indices.reserve(values.values.size());
     for (std::size_t i = 0; i < values.values.size(); ++i) {
         GridPoint point;
-        if (!place(grid, shape, values, i, point))
+        if (!placeInCell(grid, shape, values, i, point))
             continue;
         found.push_back(point);
         indices.push_back(static_cast<std::uint32_t>(i));

@@ -15,7 +15,7 @@ namespace axiscomp {
 
 namespace {
 
-constexpr std::size_t folds = 5;
+constexpr std::size_t foldCount = 5;
 constexpr std::size_t fewestPoints = 10;
 constexpr std::size_t mostTrialPoints = 50'000;
 /// More than these take the most time of a search, and tell no more.
@@ -54,11 +54,11 @@ CrossValidation::CrossValidation(
     , m_points(std::move(points))
     , m_stop(std::move(stop))
 {
-    for (std::size_t fold = 0; fold < folds; ++fold) {
+    for (std::size_t fold = 0; fold < foldCount; ++fold) {
         std::vector<double> weights;
         weights.reserve(m_points.size());
         for (const GridPoint& point : m_points)
-            weights.push_back(point.fold % folds == fold ? 0.0 : 1.0);
+            weights.push_back(point.fold % foldCount == fold ? 0.0 : 1.0);
         Fold made{std::make_unique<GridSystem>(grid), std::vector<double>(m_shape.nodes(), 0.0)};
         made.system->setPoints(m_points, weights);
         m_folds.push_back(std::move(made));
@@ -69,13 +69,13 @@ Result<double> CrossValidation::rmsAt(double decade)
 {
     double square = 0.0;
     double weight = 0.0;
-    for (std::size_t fold = 0; fold < folds; ++fold) {
+    for (std::size_t fold = 0; fold < foldCount; ++fold) {
         auto& [system, nodes] = m_folds[fold];
         if (system->weight() == 0.0)
             continue;
         AXISCOMP_CHECK(system->solve(std::pow(10.0, decade), trialTolerance, m_stop, nodes));
         for (const GridPoint& point : m_points) {
-            if (point.fold % folds != fold)
+            if (point.fold % foldCount != fold)
                 continue;
             square += squareAt(point, m_shape, nodes);
             weight += point.weight;
@@ -166,7 +166,7 @@ std::vector<GridPoint> movedOnto(
     return points;
 }
 
-Grid coarser(const Grid& grid)
+Grid coarserGrid(const Grid& grid)
 {
     const std::size_t most = mostTrialNodes[grid.axes.size() - 1];
     const auto nodes = static_cast<double>(grid.pointCount());
@@ -192,7 +192,7 @@ double fourthPower(const Grid& grid)
     return std::pow(h, 4.0 / static_cast<double>(grid.axes.size()));
 }
 
-double weightOf(const std::vector<GridPoint>& points)
+double weightSum(const std::vector<GridPoint>& points)
 {
     double sum = 0.0;
     for (const GridPoint& point : points)
@@ -201,7 +201,7 @@ double weightOf(const std::vector<GridPoint>& points)
 }
 
 /// Compares S / 3, S and 3 S at a tenth of the points, on the whole grid.
-Result<ChosenSmoothness> compared(
+Result<ChosenSmoothness> comparedAround(
     const Grid& grid, const std::vector<GridPoint>& points, double smoothness, std::stop_token stop)
 {
     const GridShape shape(grid);
@@ -244,7 +244,7 @@ Result<ChosenSmoothness> chooseSmoothness(
                     "to choose the smoothness, so state it (--smoothness)")
                     .with("count", points.size())
                     .with("fewest", fewestPoints)}});
-    const Grid trialGrid = coarser(grid);
+    const Grid trialGrid = coarserGrid(grid);
     const bool isCoarser = !sameSpans(trialGrid, grid);
     std::vector<GridPoint> trialPoints;
     const double share = static_cast<double>(mostTrialPoints) / static_cast<double>(points.size());
@@ -256,7 +256,7 @@ Result<ChosenSmoothness> chooseSmoothness(
     double longest = 0.0;
     for (const GridAxis& axis : trialGrid.axes)
         longest = std::max(longest, static_cast<double>(axis.size));
-    const double trialScale = weightOf(trialPoints) * fourthPower(trialGrid);
+    const double trialScale = weightSum(trialPoints) * fourthPower(trialGrid);
     CrossValidation validation(trialGrid, std::move(trialPoints), stop);
     DecadeSearch search([&](double decade) { return validation.rmsAt(decade); });
     AXISCOMP_TRY(
@@ -266,8 +266,8 @@ Result<ChosenSmoothness> chooseSmoothness(
         AXISCOMP_TRY(const double rms, validation.rmsAt(decade));
         return ChosenSmoothness{std::pow(10.0, decade), rms};
     }
-    const double scale = weightOf(points) * fourthPower(grid);
-    return compared(grid, points, std::pow(10.0, decade) * trialScale / scale, stop);
+    const double scale = weightSum(points) * fourthPower(grid);
+    return comparedAround(grid, points, std::pow(10.0, decade) * trialScale / scale, stop);
 }
 
 } // namespace axiscomp

@@ -14,8 +14,8 @@ namespace {
 
 constexpr std::size_t mostDirectNodes = 20'000;
 
-using Segment = Eigen::Map<Eigen::ArrayXd>;
-using ConstSegment = Eigen::Map<const Eigen::ArrayXd>;
+using NodeSegment = Eigen::Map<Eigen::ArrayXd>;
+using ConstNodeSegment = Eigen::Map<const Eigen::ArrayXd>;
 using Vector = Eigen::Map<Eigen::VectorXd>;
 using ConstVector = Eigen::Map<const Eigen::VectorXd>;
 
@@ -337,8 +337,8 @@ void GridSystem::multiplyNeighbours(
 {
     const auto count = static_cast<std::ptrdiff_t>(m_shape.size[0]);
     const std::size_t first = j * m_shape.stride[1] + k * m_shape.stride[2];
-    Segment(&y[first], count) +=
-        ConstSegment(&m_matrix[0][first], count) * ConstSegment(&x[first], count);
+    NodeSegment(&y[first], count) +=
+        ConstNodeSegment(&m_matrix[0][first], count) * ConstNodeSegment(&x[first], count);
     for (std::size_t n = 1; n < m_neighbours.size(); ++n) {
         const auto& [step, offset] = m_neighbours[n];
         const auto otherJ = static_cast<std::ptrdiff_t>(j) + step[1];
@@ -349,9 +349,9 @@ void GridSystem::multiplyNeighbours(
         const std::size_t from = first + (step[0] < 0 ? 1 : 0);
         const auto to = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(from) + offset);
         const std::ptrdiff_t length = count - std::abs(step[0]);
-        const ConstSegment elements(&m_matrix[n][from], length);
-        Segment(&y[from], length) += elements * ConstSegment(&x[to], length);
-        Segment(&y[to], length) += elements * ConstSegment(&x[from], length);
+        const ConstNodeSegment elements(&m_matrix[n][from], length);
+        NodeSegment(&y[from], length) += elements * ConstNodeSegment(&x[to], length);
+        NodeSegment(&y[to], length) += elements * ConstNodeSegment(&x[from], length);
     }
 }
 
@@ -366,8 +366,8 @@ void GridSystem::multiplySecondNeighbours(
         const auto length = static_cast<std::ptrdiff_t>(m_shape.size[0]) - (axis == 0 ? 2 : 0);
         const std::size_t other = first + 2 * m_shape.stride[axis];
         const double element = m_penalty * m_along[axis];
-        Segment(&y[first], length) += element * ConstSegment(&x[other], length);
-        Segment(&y[other], length) += element * ConstSegment(&x[first], length);
+        NodeSegment(&y[first], length) += element * ConstNodeSegment(&x[other], length);
+        NodeSegment(&y[other], length) += element * ConstNodeSegment(&x[first], length);
     }
 }
 

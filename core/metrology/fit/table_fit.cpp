@@ -1,0 +1,411 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/metrology/fit/table_fit.h"
+
+#include "core/curve/harmonic_curve.h"
+#include "core/curve/smoothing_spline.h"
+#include "core/metrology/fit/fit_errors.h"
+#include "core/neutral/neutral_table.h"
+#include "core/text/number_text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <tuple>
+
+namespace axiscomp {
+
+namespace {
+
+using FitNumbers = std::vector<double>;
+
+Quantity positionQuantity(double position, const std::string& unit)
+{
+    return {roundedText(position), unit};
+}
+
+/// The values of one target.
+struct TargetValues {
+    double target = 0.0;
+    FitNumbers up;
+    FitNumbers down;
+};
+
+double plainMean(const FitNumbers& numbers)
+{
+    double sum = 0.0;
+    for (const double number : numbers)
+        sum += number;
+    return sum / static_cast<double>(numbers.size());
+}
+
+/// By target; targets that are the same within 1e-9 of the range are one.
+Result<std::vector<TargetValues>> byTargets(std::span<const MeasuredValue> values)
+{
+    std::vector<MeasuredValue> sorted(values.begin(), values.end());
+    for (const MeasuredValue& value : sorted)
+        if (!std::isfinite(value.target) || !std::isfinite(value.deviation))
+            return badFit(AXISCOMP_TEXT("Error", "targets and deviations must be finite numbers"));
+    std::ranges::sort(sorted, {}, [](const MeasuredValue& value) {
+        return std::tuple(value.target, value.isUp, value.run, value.deviation);
+    });
+    std::vector<TargetValues> targets;
+    const double range = sorted.empty() ? 0.0 : sorted.back().target - sorted.front().target;
+    for (const MeasuredValue& value : sorted) {
+        if (targets.empty() || value.target - targets.back().target > 1e-9 * range)
+            targets.push_back({value.target, {}, {}});
+        (value.isUp ? targets.back().up : targets.back().down).push_back(value.deviation);
+    }
+    if (targets.size() < 2)
+        return badFit(
+            AXISCOMP_TEXT("Error", "there are values at {count} targets; a table needs two")
+                .with("count", targets.size()));
+    return targets;
+}
+
+bool hasBothDirections(const std::vector<TargetValues>& targets)
+{
+    const bool hasUp = std::ranges::any_of(targets, [](const auto& t) { return !t.up.empty(); });
+    const bool hasDown =
+        std::ranges::any_of(targets, [](const auto& t) { return !t.down.empty(); });
+    return hasUp && hasDown;
+}
+
+/// The mean of the wanted direction at each target; value: not yet in the frame.
+Result<std::vector<FitKnot>> meansOf(
+    const std::vector<TargetValues>& targets, const TableFitRequest& request)
+{
+    const bool isBoth = hasBothDirections(targets);
+    std::vector<FitKnot> knots;
+    for (const TargetValues& target : targets) {
+        const bool needsUp = request.direction == FitDirection::Positive
+            || (request.direction == FitDirection::Mean && (isBoth || !target.up.empty()));
+        const bool needsDown = request.direction == FitDirection::Negative
+            || (request.direction == FitDirection::Mean && (isBoth || !target.down.empty()));
+        if ((needsUp && target.up.empty()) || (needsDown && target.down.empty()))
+            return badFit(AXISCOMP_TEXT("Error",
+                "the target {target} has no value of one direction; measure it, leave the target "
+                "out, or make the table of the other direction (--direction)")
+                              .with("target", positionQuantity(target.target, request.unit)));
+        const double up = needsUp ? plainMean(target.up) : plainMean(target.down);
+        const double down = needsDown ? plainMean(target.down) : up;
+        const std::size_t count =
+            (needsUp ? target.up.size() : 0) + (needsDown ? target.down.size() : 0);
+        knots.push_back(
+            {target.target, target.target, 0.5 * (up + down), static_cast<double>(count)});
+    }
+    return knots;
+}
+
+Result<LookupFrame> frameOf(const TableFitRequest& request)
+{
+    return LookupFrame::make(request.lookupAt, {request.active}, request.active);
+}
+
+/// Where the means belong. Knots are those of gain 1; what was active counts in full.
+Result<void> placeKnots(std::vector<FitKnot>& knots, const TableFitRequest& request)
+{
+    AXISCOMP_TRY(const LookupFrame frame, frameOf(request));
+    for (FitKnot& knot : knots) {
+        AXISCOMP_TRY(const auto point, frame.atTarget(knot.target, knot.value));
+        knot.position = point.knot[0];
+        knot.value = point.value - (1.0 - request.gain) * knot.value;
+    }
+    std::ranges::sort(knots, {}, &FitKnot::position);
+    return {};
+}
+
+struct KnotColumns {
+    FitNumbers positions;
+    FitNumbers values;
+    FitNumbers weights;
+
+    explicit KnotColumns(const std::vector<FitKnot>& knots)
+    {
+        for (const FitKnot& knot : knots) {
+            positions.push_back(knot.position);
+            values.push_back(knot.value);
+            weights.push_back(knot.weight);
+        }
+    }
+};
+
+Result<FittedCurve> fitCurve(
+    const std::vector<FitKnot>& knots, const TableFitRequest& request, TableFit& fit)
+{
+    const KnotColumns columns(knots);
+    const CurveSamples samples{columns.positions, columns.values, columns.weights, request.unit};
+    if (!request.periods.periods.empty() && request.method != FitMethod::Smooth)
+        return badFit(AXISCOMP_TEXT(
+            "Error", "known periods are fitted by the method smooth only (--method smooth)"));
+    switch (request.method) {
+    case FitMethod::Linear:
+        return straightLines(samples, request.turn);
+    case FitMethod::Cubic:
+        return monotoneCubic(samples, request.turn);
+    case FitMethod::Spline:
+        return interpolatingSpline(samples, request.turn);
+    case FitMethod::Smooth: {
+        AXISCOMP_TRY(auto smoothed,
+            smoothingSpline(samples, {request.smoothness, request.turn, request.periods}));
+        fit.smoothness = smoothed.smoothness;
+        return std::move(smoothed.curve);
+    }
+    case FitMethod::Harmonic: {
+        if (!request.turn)
+            return badFit(AXISCOMP_TEXT(
+                "Error", "harmonics need the length of a turn, which is that of a modulo axis"));
+        AXISCOMP_TRY(
+            auto harmonic, fitHarmonics(samples, *request.turn, request.periods.harmonics));
+        return std::move(harmonic.curve);
+    }
+    }
+    return badFit(AXISCOMP_TEXT("Error", "there is no such method"));
+}
+
+/// Slope and constant that are taken out of the table.
+void findRemoved(const TableFitRequest& request, TableFit& fit)
+{
+    const std::vector<FitKnot>& knots = fit.knots;
+    if (request.slope == SlopeRemoval::Ends) {
+        fit.removedSlope = (knots.back().value - knots.front().value)
+            / (knots.back().position - knots.front().position);
+    } else if (request.slope == SlopeRemoval::LeastSquares) {
+        double position = 0.0;
+        double value = 0.0;
+        for (const FitKnot& knot : knots) {
+            position += knot.position / static_cast<double>(knots.size());
+            value += knot.value / static_cast<double>(knots.size());
+        }
+        double square = 0.0;
+        double product = 0.0;
+        for (const FitKnot& knot : knots) {
+            square += (knot.position - position) * (knot.position - position);
+            product += (knot.position - position) * (knot.value - value);
+        }
+        fit.removedSlope = product / square;
+    }
+    const auto flat = [&fit](double position) {
+        return fit.curve.at(position) - fit.removedSlope * position;
+    };
+    if (request.zero == ZeroRule::First)
+        fit.removedConstant = flat(knots.front().position);
+    else if (request.zero == ZeroRule::Position)
+        fit.removedConstant = flat(request.zeroPosition);
+    else if (request.zero == ZeroRule::Mean)
+        for (const FitKnot& knot : knots)
+            fit.removedConstant += flat(knot.position) / static_cast<double>(knots.size());
+}
+
+/// Slope and zero of a curve that is shown beside its table.
+FittedCurve relieved(const TableFit& fit)
+{
+    FittedCurve curve = fit.curve;
+    for (std::size_t i = 0; i < curve.base.knots.size(); ++i) {
+        curve.base.values[i] -= fit.removedSlope * curve.base.knots[i] + fit.removedConstant;
+        if (!curve.base.slopes.empty())
+            curve.base.slopes[i] -= fit.removedSlope;
+    }
+    return curve;
+}
+
+/// The knots as resampling plans grids for them.
+NeutralTable lineOf(const FittedCurve& curve, const TableFitRequest& request)
+{
+    NeutralTable table;
+    SourceAxis axis;
+    axis.unit = request.unit;
+    axis.knots = curve.base.knots;
+    axis.wrap = request.turn;
+    table.axes.push_back(std::move(axis));
+    CompensationColumn column;
+    column.values = curve.base.values;
+    table.columns.push_back(std::move(column));
+    return table;
+}
+
+Result<PlannedAxis> planGrid(const FittedCurve& curve, const TableFitRequest& request)
+{
+    const NeutralTable line = lineOf(curve, request);
+    const double from = request.grid.start.value_or(curve.base.knots.front());
+    const double to = request.grid.end.value_or(curve.base.knots.back());
+    if (request.within) {
+        AXISCOMP_TRY(const auto fewest,
+            fewestCurvePoints(curve, from, to, *request.within, request.mostPoints, request.unit));
+        return planPoints(line.axes[0], from, to, fewest.points);
+    }
+    AxisRequest wanted = request.grid;
+    const bool isOpen = wanted.points == 0 && wanted.distance == 0.0;
+    if (isOpen && !request.periods.periods.empty()) {
+        const double shortest = std::ranges::min(request.periods.periods)
+            / static_cast<double>(request.periods.harmonics);
+        wanted.points = static_cast<std::size_t>(std::ceil(20.0 * (to - from) / shortest)) + 1;
+    }
+    return planAxis(line, 0, wanted, request.holdsEnds);
+}
+
+/// What the table says beside the curve: linear between the points of a grid that was asked for.
+Result<double> tableAt(const FittedCurve& curve, const TableFitRequest& request, double position)
+{
+    const bool hasGrid = request.within || request.grid.points != 0 || request.grid.distance != 0.0
+        || !request.periods.periods.empty();
+    if (!hasGrid)
+        return curve.at(position);
+    AXISCOMP_TRY(const PlannedAxis plan, planGrid(curve, request));
+    const auto above = std::ranges::upper_bound(plan.knots, position);
+    if (above == plan.knots.begin() || above == plan.knots.end())
+        return curve.at(std::clamp(position, plan.knots.front(), plan.knots.back()));
+    const double low = *std::prev(above);
+    const double fraction = (position - low) / (*above - low);
+    return curve.at(low) + fraction * (curve.at(*above) - curve.at(low));
+}
+
+void describeReversal(const std::vector<TargetValues>& targets, TableFit& fit)
+{
+    if (!hasBothDirections(targets))
+        return;
+    double reversal = 0.0;
+    double lowest = std::numeric_limits<double>::infinity();
+    double highest = -lowest;
+    for (const TargetValues& target : targets) {
+        if (target.up.empty() || target.down.empty())
+            continue;
+        const double up = plainMean(target.up);
+        const double down = plainMean(target.down);
+        reversal = std::max(reversal, std::abs(up - down));
+        lowest = std::min({lowest, up, down});
+        highest = std::max({highest, up, down});
+    }
+    fit.remainingReversal = 0.5 * reversal;
+    fit.isMostlyReversal = reversal > 0.5 * (highest - lowest);
+}
+
+void describeResiduals(TableFit& fit)
+{
+    double square = 0.0;
+    double weight = 0.0;
+    for (const FitKnot& knot : fit.knots) {
+        const double residual = knot.value - fit.curve.at(knot.position);
+        square += knot.weight * residual * residual;
+        weight += knot.weight;
+        fit.residualLargest = std::max(fit.residualLargest, std::abs(residual));
+    }
+    fit.residualRms = std::sqrt(square / weight);
+}
+
+/// One run, linear between its raw positions, its ends held.
+class RunError {
+public:
+    void add(double position, double error) { m_points.emplace(position, error); }
+    [[nodiscard]] double at(double position) const
+    {
+        const auto above = m_points.upper_bound(position);
+        if (above == m_points.begin())
+            return above->second;
+        const auto below = std::prev(above);
+        if (above == m_points.end())
+            return below->second;
+        const double fraction = (position - below->first) / (above->first - below->first);
+        return below->second + fraction * (above->second - below->second);
+    }
+
+private:
+    std::map<double, double> m_points;
+};
+
+} // namespace
+
+CompensationTable TableFit::table(const std::string& unit) const
+{
+    CompensationTable table;
+    table.unit = unit;
+    table.grid.axes = {
+        {{}, unit, grid.start, grid.distance, static_cast<std::uint32_t>(grid.size)}};
+    for (const double value : values)
+        table.values.push_back(static_cast<float>(value));
+    return table;
+}
+
+Result<TableFit> fitTable(std::span<const MeasuredValue> values, const TableFitRequest& request)
+{
+    if (request.turn && request.slope != SlopeRemoval::Keep)
+        return badFit(AXISCOMP_TEXT(
+            "Error", "a modulo axis has no slope that could be removed: it ends where it begins"));
+    AXISCOMP_TRY(const auto targets, byTargets(values));
+    TableFit fit;
+    AXISCOMP_TRY(fit.knots, meansOf(targets, request));
+    AXISCOMP_CHECK(placeKnots(fit.knots, request));
+    AXISCOMP_TRY(fit.curve, fitCurve(fit.knots, request, fit));
+    findRemoved(request, fit);
+    const FittedCurve curve = relieved(fit);
+    AXISCOMP_TRY(const PlannedAxis plan, planGrid(curve, request));
+    if (plan.knots.size() > request.mostPoints)
+        return fail(ErrorCode::ResamplingImpossible,
+            {{"reason",
+                AXISCOMP_TEXT("Error",
+                    "the grid would have more than {count} points; take fewer along an axis")
+                    .with("count", request.mostPoints)}});
+    fit.grid = plan.grid;
+    for (const double position : plan.knots)
+        fit.values.push_back(curve.at(position));
+    fit.density = curveGrid(curve, plan.knots.front(), plan.knots.back(), plan.knots.size());
+    describeResiduals(fit);
+    describeReversal(targets, fit);
+    return fit;
+}
+
+Result<std::vector<MeasuredValue>> predictRuns(std::span<const MeasuredValue> values,
+    const CompensationTable& table, const TableFitRequest& request)
+{
+    AXISCOMP_TRY(const LookupFrame before, frameOf(request));
+    const ActiveTable made{&table, 1.0, request.turn ? Outside::Wrap : Outside::Hold};
+    AXISCOMP_TRY(const LookupFrame after, LookupFrame::make(request.lookupAt, {made}, made));
+    std::map<std::pair<bool, std::size_t>, RunError> runs;
+    for (const MeasuredValue& value : values) {
+        AXISCOMP_TRY(const auto raw, before.rawPosition({&value.target, 1}));
+        // reference - raw position, whatever was active
+        runs[{value.isUp, value.run}].add(raw[0], value.target + value.deviation - raw[0]);
+    }
+    std::vector<MeasuredValue> predicted;
+    for (const MeasuredValue& value : values) {
+        AXISCOMP_TRY(const auto raw, after.rawPosition({&value.target, 1}));
+        MeasuredValue moved = value;
+        moved.deviation = raw[0] + runs.at({value.isUp, value.run}).at(raw[0]) - value.target;
+        predicted.push_back(moved);
+    }
+    return predicted;
+}
+
+Result<HeldOut> predictHeldOut(
+    std::span<const MeasuredValue> values, const TableFitRequest& request)
+{
+    AXISCOMP_TRY(const auto targets, byTargets(values));
+    if (targets.size() < 4)
+        return badFit(AXISCOMP_TEXT(
+            "Error", "there are values at {count} targets; four are needed to leave one out")
+                          .with("count", targets.size()));
+    AXISCOMP_TRY(auto knots, meansOf(targets, request));
+    AXISCOMP_CHECK(placeKnots(knots, request));
+    HeldOut result;
+    double lowest = std::numeric_limits<double>::infinity();
+    double highest = -lowest;
+    double square = 0.0;
+    for (std::size_t left = 1; left + 1 < knots.size(); ++left) {
+        std::vector<FitKnot> others = knots;
+        others.erase(others.begin() + static_cast<std::ptrdiff_t>(left));
+        TableFit ignored;
+        AXISCOMP_TRY(const FittedCurve curve, fitCurve(others, request, ignored));
+        AXISCOMP_TRY(const double value, tableAt(curve, request, knots[left].position));
+        const double residual = knots[left].value - value;
+        result.residuals.push_back({knots[left].target, residual});
+        square += residual * residual;
+        lowest = std::min(lowest, residual);
+        highest = std::max(highest, residual);
+    }
+    result.rms = std::sqrt(square / static_cast<double>(result.residuals.size()));
+    result.largest = std::max(std::abs(lowest), std::abs(highest));
+    result.range = highest - lowest;
+    return result;
+}
+
+} // namespace axiscomp

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/result.h"
+#include "core/conversion/resampling.h"
+#include "core/curve/curve_grid.h"
+#include "core/curve/fitted_curve.h"
+#include "core/metrology/fit/lookup_frame.h"
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace axiscomp {
+
+/// x_ij of ISO 230-2: reference - target at one target in one run. Positions and deviations in one
+/// unit.
+struct MeasuredValue {
+    double target = 0.0;
+    bool isUp = true; ///< approached in positive direction
+    std::size_t run = 0; ///< counted per direction
+    double deviation = 0.0;
+};
+
+/// Which values a table is made of; a drive has one value for both directions.
+enum class FitDirection { Mean, Positive, Negative };
+
+enum class FitMethod {
+    Linear, ///< straight lines through the means: what the drive does anyway
+    Cubic, ///< monotone cubic through the means: few, trusted points
+    Spline, ///< natural cubic spline through the means: smooth mechanics
+    Smooth, ///< smoothing spline with known periods: many points, noise
+    Harmonic, ///< harmonics of one turn: rotary axes
+};
+
+enum class SlopeRemoval {
+    Keep, ///< scale error is real
+    LeastSquares, ///< for straightness, where the reference line belongs to the instrument
+    Ends,
+};
+
+/// Where the value of the table is 0, since the zero of the instrument is arbitrary.
+enum class ZeroRule { Keep, First, Mean, Position };
+
+struct TableFitRequest {
+    FitDirection direction = FitDirection::Mean;
+    FitMethod method = FitMethod::Linear;
+    std::optional<double> smoothness = {}; ///< of Smooth
+    KnownPeriods periods = {}; ///< of Smooth; harmonics also of Harmonic
+    std::optional<double> turn = {}; ///< the period of a modulo axis
+    SlopeRemoval slope = SlopeRemoval::Keep;
+    ZeroRule zero = ZeroRule::First;
+    double zeroPosition = 0.0; ///< of ZeroRule::Position
+    LookupAt lookupAt = LookupAt::Encoder;
+    ActiveTable active = {}; ///< during the measurement; its errors are part of the new table
+    double gain = 1.0; ///< of what was measured, where a table was active
+    /// By default the knots where they are even; with periods p / 20 apart.
+    AxisRequest grid = {};
+    std::optional<double> within = {}; ///< the fewest points that leave no more to the curve
+    std::size_t mostPoints = 524'212; ///< of the table
+    bool holdsEnds = false; ///< a grid beyond the targets is filled with the end values
+    std::string unit = {};
+};
+
+/// A target's mean, and where it belongs.
+struct FitKnot {
+    double target = 0.0;
+    double position = 0.0; ///< of the knot (LookupFrame), gain 1
+    double value = 0.0; ///< what the table should say there, before slope and zero
+    double weight = 1.0; ///< number of values
+};
+
+struct TableFit {
+    AxisGrid grid;
+    std::vector<double> values; ///< at the points of the grid
+    FittedCurve curve; ///< before slope and zero are taken out
+    std::vector<FitKnot> knots; ///< by target
+    double removedSlope = 0.0; ///< value per position
+    double removedConstant = 0.0; ///< table(x) = curve(x) - removedSlope x - removedConstant
+    CurveGrid density; ///< of the table beside the curve
+    double residualRms = 0.0; ///< of the curve at the knots, weighted
+    double residualLargest = 0.0;
+    std::optional<double> smoothness = {}; ///< of Smooth: L / r
+    /// Half of the largest reversal: what no table for both directions removes. Nothing for
+    /// values of one direction.
+    std::optional<double> remainingReversal = {};
+    bool isMostlyReversal = false; ///< B > E / 2
+
+    /// c of the table: linear between its points, the ends held.
+    [[nodiscard]] CompensationTable table(const std::string& unit) const;
+};
+
+/// From runs to a table of one dimension (docs: from a measurement to a table). The order of the
+/// values does not matter. Errors: InvalidArgument (also for a target that lacks one of two
+/// directions, and knots that are not even where no grid is asked for); SignNotConvertible,
+/// PeriodNotResolved, ResamplingImpossible, NotConverged.
+[[nodiscard]] Result<TableFit> fitTable(
+    std::span<const MeasuredValue> values, const TableFitRequest& request);
+
+/// The same runs with the table active as the drive applies it: each run's error, linear between
+/// its targets, less what the drive adds where the axis then stands. lookupAt: of the new table;
+/// active: the one that was active during the measurement. Errors: as LookupFrame.
+[[nodiscard]] Result<std::vector<MeasuredValue>> predictRuns(std::span<const MeasuredValue> values,
+    const CompensationTable& table, const TableFitRequest& request);
+
+/// What the whole chain leaves at each inner target when it is made without it: the figure to
+/// believe, since it knows nothing of the target. A little pessimistic, as the gap is twice as
+/// wide.
+struct HeldOut {
+    struct Residual {
+        double target = 0.0;
+        double value = 0.0; ///< measured mean - curve
+    };
+    std::vector<Residual> residuals;
+    double rms = 0.0;
+    double largest = 0.0;
+    double range = 0.0; ///< M: largest - smallest
+};
+/// Errors: as fitTable, also for fewer than 4 targets.
+[[nodiscard]] Result<HeldOut> predictHeldOut(
+    std::span<const MeasuredValue> values, const TableFitRequest& request);
+
+} // namespace axiscomp
