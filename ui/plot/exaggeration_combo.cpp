@@ -10,7 +10,7 @@ namespace axiscomp::ui {
 
 ExaggerationCombo::ExaggerationCombo(QWidget* parent) : QComboBox(parent)
 {
-    constexpr int letters = 7; // larger factors are rare, and seen in the list
+    constexpr int letters = 6; // larger factors are rare, and seen in the list
     setSizeAdjustPolicy(AdjustToMinimumContentsLengthWithIcon);
     setMinimumContentsLength(letters);
     addItem(QString(), 0.0);

@@ -129,7 +129,7 @@ void SurfaceView::build()
     setFocusPolicy(Qt::StrongFocus);
     d->contentBox = new TableContentCombo(d->shown, this);
     d->contentBox->setObjectName(QStringLiteral("surfaceContent"));
-    constexpr int letters = 6; // as narrow as the page may be
+    constexpr int letters = 5; // as narrow as the page may be
     d->contentBox->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     d->contentBox->setMinimumContentsLength(letters);
     d->contentBox->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
