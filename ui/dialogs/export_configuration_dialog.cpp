@@ -25,7 +25,12 @@ namespace axiscomp::ui {
 
 namespace {
 
-enum ParameterColumn { AxisColumn, SlotColumn, SourcesColumn, ParameterColumnCount };
+enum ParameterColumn {
+    ParameterAxisColumn,
+    ParameterSlotColumn,
+    SourcesColumn,
+    ParameterColumnCount
+};
 
 /// With the paths of those that the drive offers as sources.
 std::vector<DimSource> namedSources(
@@ -79,8 +84,10 @@ void ExportConfigurationDialog::build()
     QFont titleFont = m_title->font();
     titleFont.setBold(true);
     m_title->setFont(titleFont);
-    m_rows->horizontalHeader()->setSectionResizeMode(AxisColumn, QHeaderView::ResizeToContents);
-    m_rows->horizontalHeader()->setSectionResizeMode(SlotColumn, QHeaderView::ResizeToContents);
+    m_rows->horizontalHeader()->setSectionResizeMode(
+        ParameterAxisColumn, QHeaderView::ResizeToContents);
+    m_rows->horizontalHeader()->setSectionResizeMode(
+        ParameterSlotColumn, QHeaderView::ResizeToContents);
     m_save->setObjectName(QStringLiteral("saveConfigurationButton"));
     m_save->setDefault(true);
     m_cancel->setObjectName(QStringLiteral("cancelConfigurationButton"));
