@@ -132,6 +132,7 @@ LoadedTable TableSelection::selected() const
         m_source = ofFile.table;
         auto converted = inDriveUnits(*ofFile.table, m_units);
         m_converted = ofFile;
+        m_fitsUnits = converted.has_value();
         if (converted)
             m_converted.table =
                 std::make_shared<const CompensationTable>(std::move(converted->table));
@@ -169,10 +170,13 @@ void TableSelection::setTableOnDrive(const std::optional<TableHeader>& table)
 void TableSelection::compareWithDrive()
 {
     const std::optional<int> chosen = m_setup.edited().table.fileTable;
-    m_setup.setTableOnDrive(chosen && isOnDrive(selected().table) ? chosen : std::nullopt);
+    const auto table = selected().table;
+    const bool fits = m_units.values.empty() || m_fitsUnits;
+    m_setup.setTableOnDrive(chosen && fits && isOnDrive(table) ? chosen : std::nullopt);
 }
 
-/// Only tables of the same grid are counted: the CRC of a large one takes a while.
+/// The same numbers in units that are not the drive's are another table. Only tables of the same
+/// grid are counted: the CRC of a large one takes a while.
 bool TableSelection::isOnDrive(const std::shared_ptr<const CompensationTable>& table)
 {
     if (!table || !m_onDrive || !sameSpans(table->grid, m_onDrive->grid))

@@ -78,6 +78,7 @@ private:
     TableUnits m_units;
     mutable LoadedTable m_converted; ///< selected(), of m_source
     mutable std::shared_ptr<const CompensationTable> m_source;
+    mutable bool m_fitsUnits = true; ///< m_source has units that the drive's can be made of
     std::shared_ptr<const CompensationTable> m_announced;
     std::optional<TableHeader> m_onDrive;
     std::shared_ptr<const CompensationTable> m_counted; ///< m_crc is of

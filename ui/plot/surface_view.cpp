@@ -152,7 +152,8 @@ void SurfaceView::build()
     d->space->setAttribute(Qt::WA_TransparentForMouseEvents);
     d->slice = new SliceRow(d->shown, this);
     auto* tools = new QHBoxLayout;
-    tools->addWidget(d->contentBox);
+    constexpr int share = 100; // what room there is goes to the names of the tables first
+    tools->addWidget(d->contentBox, share);
     tools->addStretch(1);
     tools->addWidget(d->heightLabel);
     tools->addWidget(d->height);

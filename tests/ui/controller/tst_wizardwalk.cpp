@@ -222,8 +222,8 @@ bool mayWrite(const WizardController& c)
     if (!hasAxis(c) || isActive(c) || !c.setup().isDirty() || c.dataFile().isReading || !fits(c))
         return false;
     const bool isPersistent = c.setup().edited().persistency == Persistency::Persistent;
-    const bool costsFlash =
-        c.setup().edited().table.fileTable ? isPersistent : c.setup().isDirty(Field::Persistency);
+    const bool isNewTable = c.setup().edited().table.fileTable && c.setup().isDirty(Field::Table);
+    const bool costsFlash = isNewTable ? isPersistent : c.setup().isDirty(Field::Persistency);
     return !costsFlash || c.flashOperationsLeft() > 0;
 }
 

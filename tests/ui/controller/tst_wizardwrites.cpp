@@ -71,6 +71,24 @@ private Q_SLOTS:
         QCOMPARE(bench->outcome(), QStringLiteral("The compensation is off."));
     }
 
+    void theSameNumbersInAnotherUnitAreAnotherTable()
+    {
+        ControllerFixture bench;
+        QVERIFY(bench.connect());
+        QVERIFY(bench.prepare2D());
+        QVERIFY(bench.planAndWrite());
+        QVERIFY(!bench->setup().isDirty(Field::Table));
+        for (const QByteArray unit : {"[um]", "[arcsec]"}) {
+            QByteArray other = ControllerFixture::calibration2D(1);
+            const qsizetype values = other.indexOf("[mm]", other.indexOf("Y [mm]") + 6);
+            QVERIFY(values > 0);
+            other.replace(values, 4, unit);
+            bench->openData(bench.file(QStringLiteral("other.csv"), other));
+            QVERIFY(bench.fileRead());
+            QVERIFY2(bench->setup().isDirty(Field::Table), unit.constData());
+        }
+    }
+
     /// Also in a program that was started anew: nothing but the numbers says that it is the same.
     void aTableThatTheDriveHasAlreadyIsNotChangedAndBlocksNothing()
     {

@@ -29,8 +29,14 @@ QStringList lastingProblems(const QWidget& window)
 {
     constexpr int untilLaidOut = 500;
     laidOut();
-    static_cast<void>(QTest::qWaitFor([&] { return fitProblems(window).isEmpty(); }, untilLaidOut));
-    return fitProblems(window);
+    QStringList problems;
+    static_cast<void>(QTest::qWaitFor(
+        [&] {
+            problems = fitProblems(window);
+            return problems.isEmpty();
+        },
+        untilLaidOut));
+    return problems;
 }
 
 } // namespace
