@@ -9235,7 +9235,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
     </message>
     <message>
         <source>First view</source>
-        <translation>Anfangsansicht</translation>
+        <translation>Anfang</translation>
     </message>
     <message>
         <source>Surface of the table</source>
