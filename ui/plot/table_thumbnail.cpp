@@ -80,8 +80,8 @@ void TableThumbnail::setPicture(
     const std::array<float, 1> largest{static_cast<float>(half)};
     const ValueScale values(unit, largest);
     m_canvas->setValueScale(values);
-    m_canvas->setLabels({}, {}, qString(values.unit()));
     m_canvas->show(drawn, nullptr, half);
+    m_canvas->setLabels({}, {}, qString(values.unit())); // after it: which axis has the values
     QCustomPlot& plot = m_canvas->plot();
     removeColorScale(plot);
     if (drawn && drawn->grid.dimensions() == 1)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/support/page_fixture.h"
 #include "tests/ui/support/window_test.h"
+#include "ui/drawing/custom_plot.h"
 #include "ui/style/contrast.h"
 
 #include <QCheckBox>
@@ -108,6 +109,10 @@ private Q_SLOTS:
         QVERIFY(!user.sees("pictureDifference"));
         QVERIFY2(lineOf(bench, "pictureAfter").contains(largestOf(1.0)),
             qPrintable(lineOf(bench, "pictureAfter")));
+        // Both axes of a map are positions.
+        const auto* map = user.the("pictureAfter").findChild<QCustomPlot*>();
+        QVERIFY(map && map->xAxis->label().isEmpty());
+        QCOMPARE(map->yAxis->label(), QString());
         QVERIFY(user.click("confirmWriteButton"));
         QVERIFY(bench.idle());
 
