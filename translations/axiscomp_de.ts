@@ -6744,14 +6744,6 @@
 <context>
     <name>axiscomp::ui::CompensationWizard</name>
     <message>
-        <source>Discard and Chan&amp;ge Axis</source>
-        <translation>Verwerfen und Achse &amp;wechseln</translation>
-    </message>
-    <message>
-        <source>Discard and Chan&amp;ge Connections</source>
-        <translation>Verwerfen und Verbindungen &amp;wechseln</translation>
-    </message>
-    <message>
         <source>Axis Compensation Wizard</source>
         <translation>Assistent für Achskompensation</translation>
     </message>
@@ -9454,6 +9446,14 @@ B - A: %3</translation>
 </context>
 <context>
     <name>axiscomp::ui::UnsavedChangesGuard</name>
+    <message>
+        <source>Discard and Chan&amp;ge Axis</source>
+        <translation>Verwerfen und Achse &amp;wechseln</translation>
+    </message>
+    <message>
+        <source>Discard and Chan&amp;ge Connections</source>
+        <translation>Verwerfen und Verbindungen &amp;wechseln</translation>
+    </message>
     <message>
         <source>Close Without Writin&amp;g</source>
         <translation>Ohne Schreiben s&amp;chließen</translation>

@@ -235,8 +235,8 @@ void CompensationWizard::Private::chooseDrive(const QString& endpoint)
 void CompensationWizard::Private::chooseAxis(int index)
 {
     messages.forgetUnreachable();
-    guard.loseChanges(CompensationWizard::tr("Discard and Chan&ge Axis"),
-        [this, index] { controller.selectAxis(index); });
+    guard.loseChanges(
+        UnsavedChangesGuard::Reason::ChangeAxis, [this, index] { controller.selectAxis(index); });
 }
 
 void CompensationWizard::Private::showConnections()
@@ -266,7 +266,7 @@ void CompensationWizard::Private::takeEndpoints(const QStringList& endpoints)
 {
     if (endpoints == controller.endpoints())
         return;
-    guard.loseChanges(CompensationWizard::tr("Discard and Chan&ge Connections"), [this, endpoints] {
+    guard.loseChanges(UnsavedChangesGuard::Reason::ChangeConnections, [this, endpoints] {
         settings.setEndpoints(endpoints);
         page->messages->remove(QStringLiteral("demoMessage"));
         controller.setEndpoints(endpoints);
@@ -294,8 +294,8 @@ void CompensationWizard::Private::restore(const BackupChoice& choice)
             axes[i].axis.index == choice.axis && controller.isCurrentDrive(axes[i]);
         if (!isMeant || static_cast<int>(i) == current)
             continue;
-        guard.loseChanges(CompensationWizard::tr("Discard and Chan&ge Axis"),
-            [this, index = static_cast<int>(i), choice] {
+        guard.loseChanges(
+            UnsavedChangesGuard::Reason::ChangeAxis, [this, index = static_cast<int>(i), choice] {
                 controller.selectAxis(index);
                 writeFlow.restore(choice);
             });
@@ -471,6 +471,7 @@ void CompensationWizard::changeEvent(QEvent* event)
         d->offerHistory();
         d->page->retranslate();
         d->messages.retranslate();
+        d->guard.retranslate();
         d->announceTitle();
     }
     QWidget::changeEvent(event);

@@ -5,6 +5,7 @@
 #include "ui/async/background_job.h"
 #include "ui/style/contrast.h"
 #include "ui/style/plain_label.h"
+#include "ui/style/tone_label.h"
 #include "ui/text/message_text.h"
 
 #include <QBoxLayout>
@@ -42,7 +43,7 @@ CertificateDialog::CertificateDialog(
     , m_certificate(std::move(certificate))
     , m_storeRoot(std::move(storeRoot))
     , m_introduction(new PlainLabel)
-    , m_note(new PlainLabel)
+    , m_note(new ToneLabel)
     , m_refuse(new QPushButton)
     , m_trust(new QPushButton)
 {
@@ -141,9 +142,7 @@ void CertificateDialog::trust()
             accept();
             return;
         }
-        QPalette notePalette = palette();
-        notePalette.setColor(QPalette::WindowText, textColor(Tone::Error, palette()));
-        m_note->setPalette(notePalette);
+        m_note->setTone(Tone::Error);
         m_note->setText(errorText(result.error()));
         m_trust->setEnabled(true);
     });

@@ -13,6 +13,8 @@ class QPushButton;
 
 namespace axiscomp::ui {
 
+class ToneLabel;
+
 /// Asks whether the certificate of a drive shall be trusted, and remembers a yes for that drive.
 /// Whoever only presses Enter or Escape does not trust it.
 class CertificateDialog : public QDialog {
@@ -41,7 +43,7 @@ private:
     QLabel* m_introduction;
     QList<QLabel*> m_names;
     QLabel* m_validity = nullptr;
-    QLabel* m_note;
+    ToneLabel* m_note;
     QPushButton* m_refuse;
     QPushButton* m_trust;
 };

@@ -7,6 +7,7 @@
 #include "ui/style/contrast.h"
 #include "ui/style/plain_label.h"
 #include "ui/style/symbols.h"
+#include "ui/style/tone_label.h"
 #include "ui/text/endpoint_text.h"
 #include "ui/text/message_text.h"
 
@@ -69,7 +70,7 @@ ConnectionsDialog::ConnectionsDialog(
     , m_address(new QLineEdit)
     , m_add(dialogButton("addConnection", Symbol::Add))
     , m_busy(new BusyMark)
-    , m_note(new PlainLabel)
+    , m_note(new ToneLabel)
     , m_buttons(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel))
 {
     setObjectName(QStringLiteral("connectionsDialog"));
@@ -359,10 +360,10 @@ void ConnectionsDialog::removeCurrent()
 
 void ConnectionsDialog::showNote(const QString& text, bool isError)
 {
-    QPalette notePalette = palette();
-    notePalette.setColor(QPalette::WindowText,
-        isError ? textColor(Tone::Error, palette()) : mutedTextColor(palette()));
-    m_note->setPalette(notePalette);
+    if (isError)
+        m_note->setTone(Tone::Error);
+    else
+        m_note->setMuted();
     m_note->setText(text);
 }
 

@@ -17,6 +17,7 @@ namespace axiscomp::ui {
 
 class BusyMark;
 class CertificateButton;
+class ToneLabel;
 
 /// Which drives the program talks to: add, change, remove, test. Passwords that are part of an
 /// address are used as long as the program runs and shown nowhere.
@@ -70,7 +71,7 @@ private:
     QLineEdit* m_address;
     QPushButton* m_add;
     BusyMark* m_busy;
-    QLabel* m_note;
+    ToneLabel* m_note;
     QDialogButtonBox* m_buttons;
 };
 

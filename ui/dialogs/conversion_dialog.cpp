@@ -5,6 +5,7 @@
 #include "ui/style/busy_mark.h"
 #include "ui/style/contrast.h"
 #include "ui/style/plain_label.h"
+#include "ui/style/tone_label.h"
 #include "ui/text/message_text.h"
 
 #include <QBoxLayout>
@@ -23,7 +24,7 @@ ConversionDialog::ConversionDialog(ConversionForm::Purpose purpose, QWidget* par
     , m_reportTitle(new PlainLabel)
     , m_report(new QPlainTextEdit)
     , m_busy(new BusyMark)
-    , m_reason(new PlainLabel)
+    , m_reason(new ToneLabel)
     , m_buttons(new QDialogButtonBox)
     , m_accept(m_buttons->addButton(QDialogButtonBox::Ok))
     , m_cancel(m_buttons->addButton(QDialogButtonBox::Cancel))
@@ -48,6 +49,7 @@ void ConversionDialog::build()
     m_reportTitle->setBuddy(m_report);
     m_reason->setObjectName(QStringLiteral("conversionReason"));
     m_reason->setWordWrap(true);
+    m_reason->setTone(Tone::Error);
     m_reason->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_buttons->setObjectName(QStringLiteral("conversionButtons"));
     m_accept->setObjectName(QStringLiteral("acceptConversion"));
@@ -134,9 +136,6 @@ void ConversionDialog::showState()
         lines += sentenceText(line);
     if (m_report->toPlainText() != lines.join(u'\n'))
         m_report->setPlainText(lines.join(u'\n'));
-    QPalette reasonPalette = palette();
-    reasonPalette.setColor(QPalette::WindowText, textColor(Tone::Error, palette()));
-    m_reason->setPalette(reasonPalette);
     m_reason->setText(m_reasonText);
     m_reason->setVisible(!m_reasonText.isEmpty());
     m_accept->setEnabled(!m_isComputing && m_reasonText.isEmpty());

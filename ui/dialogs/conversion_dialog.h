@@ -13,6 +13,7 @@ class QPushButton;
 namespace axiscomp::ui {
 
 class BusyMark;
+class ToneLabel;
 
 /// The fields of a conversion, and below them what comes out of it, or why it cannot be done. What
 /// is computed is computed in the background; the newest choice wins.
@@ -56,7 +57,7 @@ private:
     QLabel* m_reportTitle;
     QPlainTextEdit* m_report;
     BusyMark* m_busy;
-    QLabel* m_reason;
+    ToneLabel* m_reason;
     QDialogButtonBox* m_buttons;
     QPushButton* m_accept;
     QPushButton* m_cancel;

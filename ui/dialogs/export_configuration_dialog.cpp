@@ -10,6 +10,7 @@
 #include "ui/style/busy_mark.h"
 #include "ui/style/contrast.h"
 #include "ui/style/plain_label.h"
+#include "ui/style/tone_label.h"
 #include "ui/text/message_text.h"
 
 #include <QBoxLayout>
@@ -246,10 +247,7 @@ void ExportConfigurationDialog::showState()
         m_station->obstacle().isEmpty() && parameters && *parameters && !m_text;
     m_busy->setBusy(m_station->isReading() || (m_isAsked && !parameters) || isComputing);
     m_reason->setText(reason());
-    QPalette shown = palette();
-    if (isError())
-        shown.setColor(QPalette::WindowText, textColor(Tone::Error, shown));
-    m_reason->setPalette(shown);
+    m_reason->setTone(isError() ? std::optional(Tone::Error) : std::nullopt);
     m_save->setEnabled(m_text && *m_text && !isSame());
     m_save->setToolTip(
         m_save->isEnabled() ? tr("Choose where to save the configuration") : reason());

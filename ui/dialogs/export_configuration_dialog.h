@@ -20,6 +20,7 @@ namespace axiscomp::ui {
 class BusyMark;
 class RowList;
 class StationChoice;
+class ToneLabel;
 
 /// The compensation parameters of the current drive for a TAM configuration: for which station, and
 /// what they are. chosen() has the new text of the file; nothing is written here.
@@ -65,7 +66,7 @@ private:
     QLabel* m_title;
     RowList* m_rows;
     BusyMark* m_busy;
-    QLabel* m_reason;
+    ToneLabel* m_reason;
     QPushButton* m_save;
     QPushButton* m_cancel;
 };

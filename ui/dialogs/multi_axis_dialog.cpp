@@ -5,6 +5,7 @@
 #include "ui/dialogs/column_mapping_table.h"
 #include "ui/dialogs/multi_axis_plan_view.h"
 #include "ui/style/plain_label.h"
+#include "ui/style/tone_label.h"
 
 #include <QBoxLayout>
 #include <QComboBox>

@@ -5,6 +5,7 @@
 #include "ui/dialogs/row_list.h"
 #include "ui/session/axis_list.h"
 #include "ui/style/plain_label.h"
+#include "ui/style/warning_list.h"
 #include "ui/text/message_text.h"
 #include "ui/text/value_text.h"
 
@@ -13,6 +14,8 @@
 #include <QHeaderView>
 #include <QLabel>
 
+#include <algorithm>
+#include <iterator>
 #include <limits>
 #include <set>
 
@@ -100,12 +103,14 @@ QStringList sourceLines(std::span<const DimSource> sources, std::span<const Axis
 MultiAxisPlanView::MultiAxisPlanView(QWidget* parent)
     : QWidget(parent)
     , m_rows(new RowList("multiAxisPlanRows", PlanColumnCount))
+    , m_warnings(new WarningList)
     , m_remarks(new PlainLabel)
     , m_accept(new QCheckBox)
 {
     setObjectName(QStringLiteral("multiAxisPlan"));
     m_rows->horizontalHeader()->setSectionResizeMode(AxisColumn, QHeaderView::ResizeToContents);
     m_rows->horizontalHeader()->setSectionResizeMode(SlotColumn, QHeaderView::ResizeToContents);
+    m_warnings->setObjectName(QStringLiteral("multiAxisWarnings"));
     m_remarks->setObjectName(QStringLiteral("multiAxisRemarks"));
     m_remarks->setWordWrap(true);
     m_remarks->hide();
@@ -115,6 +120,7 @@ MultiAxisPlanView::MultiAxisPlanView(QWidget* parent)
     m_accept->setObjectName(QStringLiteral("acceptLargeCorrections"));
     m_accept->hide();
     connect(m_accept, &QCheckBox::toggled, this, &MultiAxisPlanView::acceptedChanged);
+    layout->addWidget(m_warnings);
     layout->addWidget(m_remarks);
     layout->addWidget(m_accept);
     retranslate();
@@ -130,7 +136,7 @@ void MultiAxisPlanView::retranslate()
 void MultiAxisPlanView::clear()
 {
     m_rows->setRowCount(0);
-    m_remarks->clear();
+    m_warnings->setWarnings({});
     m_remarks->hide();
     m_accept->hide();
     m_accept->setChecked(false);
@@ -145,6 +151,7 @@ void MultiAxisPlanView::showPlans(std::span<const WritePlan> plans, std::span<co
 {
     clear();
     std::set<std::string> taken;
+    QStringList warnings;
     QStringList remarks;
     bool hasLarge = false;
     for (const WritePlan& plan : plans) {
@@ -152,13 +159,14 @@ void MultiAxisPlanView::showPlans(std::span<const WritePlan> plans, std::span<co
         m_rows->addRow({axisNameAmong(axes, plan.axis), beforeText(plan.before, axes),
             afterText(plan, axes), slotText(plan, isTaken)});
         hasLarge = hasLarge || !plan.largeCorrections.empty();
-        std::vector<Text> texts = plan.largeCorrections;
-        texts.insert(texts.end(), plan.unitRemarks.begin(), plan.unitRemarks.end());
-        texts.insert(texts.end(), plan.warnings.begin(), plan.warnings.end());
-        for (const Text& warning : texts)
-            remarks += tr("%1: %2", "axis and remark")
-                           .arg(axisNameAmong(axes, plan.axis), sentenceText(warning));
+        const auto ofAxis = [name = axisNameAmong(axes, plan.axis)](const Text& text) {
+            return tr("%1: %2", "axis and remark").arg(name, sentenceText(text));
+        };
+        for (const auto* texts : {&plan.largeCorrections, &plan.warnings})
+            std::ranges::transform(*texts, std::back_inserter(warnings), ofAxis);
+        std::ranges::transform(plan.unitRemarks, std::back_inserter(remarks), ofAxis);
     }
+    m_warnings->setWarnings(warnings);
     m_remarks->setText(remarks.join(u'\n'));
     m_remarks->setVisible(!remarks.isEmpty());
     m_accept->setVisible(hasLarge);

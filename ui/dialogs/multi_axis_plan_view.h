@@ -14,6 +14,7 @@ class QLabel;
 namespace axiscomp::ui {
 
 class RowList;
+class WarningList;
 
 /// What several writes will change, one row per axis: on the drive, new, slot; and what to know
 /// about it.
@@ -39,7 +40,8 @@ Q_SIGNALS:
 
 private:
     RowList* m_rows;
-    QLabel* m_remarks;
+    WarningList* m_warnings;
+    QLabel* m_remarks; ///< on units that were converted or assumed
     QCheckBox* m_accept; ///< hidden: nothing is unusually large
 };
 

@@ -6,6 +6,7 @@
 #include "ui/style/busy_mark.h"
 #include "ui/style/contrast.h"
 #include "ui/style/plain_label.h"
+#include "ui/style/tone_label.h"
 
 #include <QBoxLayout>
 #include <QEvent>
@@ -23,9 +24,9 @@ constexpr int writingSteps = 1000;
 
 } // namespace
 
-QLabel* wrappedLabel(const char* name)
+ToneLabel* wrappedLabel(const char* name)
 {
-    auto* label = new PlainLabel;
+    auto* label = new ToneLabel;
     label->setObjectName(QLatin1StringView(name));
     label->setWordWrap(true);
     return label;
@@ -280,10 +281,7 @@ bool SeveralWritesDialog::isError() const
 void SeveralWritesDialog::showReason()
 {
     m_reason->setText(reason());
-    QPalette shown = palette();
-    if (isError())
-        shown.setColor(QPalette::WindowText, textColor(Tone::Error, shown));
-    m_reason->setPalette(shown);
+    m_reason->setTone(isError() ? std::optional(Tone::Error) : std::nullopt);
 }
 
 } // namespace axiscomp::ui

@@ -14,6 +14,7 @@ namespace axiscomp::ui {
 
 class BusyMark;
 class MultiAxisPlanView;
+class ToneLabel;
 
 /// Writes to several axes of the current drive: what is chosen, the plan of all, and the writes one
 /// after the other. Nothing is written that was not planned with all others.
@@ -80,13 +81,13 @@ private:
     QLabel* m_planTitle;
     MultiAxisPlanView* m_plan;
     BusyMark* m_busy;
-    QLabel* m_reason;
+    ToneLabel* m_reason;
     QProgressBar* m_progress;
     QPushButton* m_write;
     QPushButton* m_close;
 };
 
 /// A label of several lines; name: of the object.
-[[nodiscard]] QLabel* wrappedLabel(const char* name);
+[[nodiscard]] ToneLabel* wrappedLabel(const char* name);
 
 } // namespace axiscomp::ui

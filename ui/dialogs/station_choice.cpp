@@ -5,6 +5,7 @@
 #include "ui/async/background_job.h"
 #include "ui/style/contrast.h"
 #include "ui/style/plain_label.h"
+#include "ui/style/tone_label.h"
 #include "ui/text/message_text.h"
 #include "ui/text/value_text.h"
 
@@ -22,7 +23,7 @@ StationChoice::StationChoice(
     , m_drive(std::move(drive))
     , m_label(new PlainLabel)
     , m_stations(new QComboBox)
-    , m_warning(new PlainLabel)
+    , m_warning(new ToneLabel)
     , m_accept(new QCheckBox)
 {
     setObjectName(QStringLiteral("stationChoice"));
@@ -45,6 +46,7 @@ void StationChoice::build()
     m_label->setBuddy(m_stations);
     m_warning->setObjectName(QStringLiteral("stationWarning"));
     m_warning->setWordWrap(true);
+    m_warning->setTone(Tone::Warning);
     m_accept->setObjectName(QStringLiteral("acceptOtherStation"));
     auto* row = new QHBoxLayout;
     row->addWidget(m_label);
@@ -134,9 +136,6 @@ void StationChoice::showState()
     m_stations->setEnabled(isOffering);
     m_accept->setEnabled(isOffering);
     m_warning->setText(warning());
-    QPalette shown = palette();
-    shown.setColor(QPalette::WindowText, textColor(Tone::Warning, shown));
-    m_warning->setPalette(shown);
     m_warning->setVisible(isOther());
     m_accept->setVisible(isOther());
 }

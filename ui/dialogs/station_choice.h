@@ -15,6 +15,8 @@ class QLabel;
 
 namespace axiscomp::ui {
 
+class ToneLabel;
+
 /// Reads a TAM configuration and asks which of its stations is the drive. One with another serial
 /// number has to be confirmed.
 class StationChoice : public QWidget {
@@ -60,7 +62,7 @@ private:
     bool m_isChoosable = true;
     QLabel* m_label;
     QComboBox* m_stations;
-    QLabel* m_warning;
+    ToneLabel* m_warning;
     QCheckBox* m_accept;
 };
 

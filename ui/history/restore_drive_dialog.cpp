@@ -3,6 +3,7 @@
 
 #include "core/io/local_file.h"
 #include "ui/async/background_job.h"
+#include "ui/style/tone_label.h"
 #include "ui/text/message_text.h"
 #include "ui/text/value_text.h"
 

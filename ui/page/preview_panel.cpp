@@ -17,6 +17,7 @@
 #include "ui/style/contrast.h"
 #include "ui/style/plain_label.h"
 #include "ui/style/symbols.h"
+#include "ui/style/tone_label.h"
 #include "ui/text/message_text.h"
 #include "ui/text/value_text.h"
 
@@ -36,9 +37,9 @@ namespace axiscomp::ui {
 
 namespace {
 
-QLabel* selectableLabel(const char* name)
+ToneLabel* selectableLabel(const char* name)
 {
-    auto* label = new PlainLabel;
+    auto* label = new ToneLabel;
     label->setObjectName(QLatin1StringView(name));
     label->setWordWrap(true);
     label->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -135,7 +136,8 @@ void PreviewPanel::build()
     auto* notes = new QVBoxLayout(m_notes);
     notes->setContentsMargins(0, 0, 0, 0);
     notes->setSpacing(6);
-    for (QLabel* label : {m_facts, m_size, m_warnings, m_sign})
+    m_warnings->setTone(Tone::Warning);
+    for (QLabel* label : std::initializer_list<QLabel*>{m_facts, m_size, m_warnings, m_sign})
         notes->addWidget(label);
     layout->addWidget(m_notes);
 }
@@ -403,9 +405,6 @@ void PreviewPanel::showFacts()
     m_facts->setText(hasTable ? m_shown->description() : QString());
     m_size->setText(hasTable ? sizeText() : QString());
     const QString warnings = warningText();
-    QPalette warningPalette = palette();
-    warningPalette.setColor(QPalette::WindowText, textColor(Tone::Warning, palette()));
-    m_warnings->setPalette(warningPalette);
     m_warnings->setText(warnings);
     m_warnings->setVisible(!warnings.isEmpty());
     const QString sign = m_controller.signSentence();

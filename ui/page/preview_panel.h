@@ -20,10 +20,11 @@ namespace axiscomp::ui {
 class ControllerCombo;
 class FileLinesView;
 class ProblemList;
-class TableViewModel;
 class SliceGallery;
 class SurfaceView;
 class TablePlot;
+class TableViewModel;
+class ToneLabel;
 class ValuesView;
 class VectorView;
 class WizardController;
@@ -90,7 +91,7 @@ private:
     QWidget* m_notes; ///< about the selected table: the labels below
     QLabel* m_facts;
     QLabel* m_size;
-    QLabel* m_warnings;
+    ToneLabel* m_warnings;
     QLabel* m_sign;
 };
 

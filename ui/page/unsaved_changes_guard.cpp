@@ -36,10 +36,10 @@ UnsavedChangesGuard::UnsavedChangesGuard(
     });
 }
 
-void UnsavedChangesGuard::loseChanges(const QString& actionText, std::function<void()> action)
+void UnsavedChangesGuard::loseChanges(Reason reason, std::function<void()> action)
 {
     if (m_controller.setup().isDirty())
-        askAboutChanges(actionText, std::move(action));
+        askAboutChanges(reason, std::move(action));
     else
         action();
 }
@@ -53,7 +53,7 @@ bool UnsavedChangesGuard::mayClose()
         return false;
     }
     if (m_controller.setup().isDirty()) {
-        askAboutChanges(tr("Close Without Writin&g"), [this] { agree(); });
+        askAboutChanges(Reason::Close, [this] { agree(); });
         return false;
     }
     return true;
@@ -65,6 +65,14 @@ void UnsavedChangesGuard::closeNow()
     agree();
 }
 
+void UnsavedChangesGuard::retranslate()
+{
+    if (!m_messages.contains(questionId()))
+        return;
+    const auto ask = m_ask; // it sets m_ask
+    ask();
+}
+
 void UnsavedChangesGuard::closeWhen(Closing when)
 {
     m_closing = when;
@@ -73,6 +81,7 @@ void UnsavedChangesGuard::closeWhen(Closing when)
 
 void UnsavedChangesGuard::askWhileWriting()
 {
+    m_ask = [this] { askWhileWriting(); };
     Message question;
     question.id = questionId();
     question.tone = Tone::Warning;
@@ -91,15 +100,29 @@ void UnsavedChangesGuard::askWhileWriting()
     m_messages.show(question);
 }
 
-void UnsavedChangesGuard::askAboutChanges(const QString& actionText, std::function<void()> action)
+QString UnsavedChangesGuard::agreement(Reason reason)
 {
+    switch (reason) {
+    case Reason::ChangeAxis:
+        return tr("Discard and Chan&ge Axis");
+    case Reason::ChangeConnections:
+        return tr("Discard and Chan&ge Connections");
+    case Reason::Close:
+        break;
+    }
+    return tr("Close Without Writin&g");
+}
+
+void UnsavedChangesGuard::askAboutChanges(Reason reason, std::function<void()> action)
+{
+    m_ask = [this, reason, action] { askAboutChanges(reason, action); };
     Message question;
     question.id = questionId();
     question.tone = Tone::Warning;
     question.text =
         tr("%1 has changes that are not written to the drive.").arg(currentLabel(m_controller));
     question.buttons = {
-        {QStringLiteral("loseChangesButton"), actionText, std::move(action)},
+        {QStringLiteral("loseChangesButton"), agreement(reason), std::move(action)},
         {QStringLiteral("stayButton"), tr("Sta&y"), [] {}},
     };
     question.isClosable = false;

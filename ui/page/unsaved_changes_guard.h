@@ -19,13 +19,17 @@ public:
     UnsavedChangesGuard(
         WizardController& controller, MessageStack& messages, QObject* parent = nullptr);
 
-    /// Does it at once when nothing is unwritten, otherwise when the user agrees. action in words:
-    /// "Change the Axis".
-    void loseChanges(const QString& actionText, std::function<void()> action);
+    /// What changes that are not written would be lost for.
+    enum class Reason { ChangeAxis, ChangeConnections, Close };
+
+    /// Does it at once when nothing is unwritten, otherwise when the user agrees.
+    void loseChanges(Reason reason, std::function<void()> action);
     /// False: the user is asked, closeAgreed may follow.
     [[nodiscard]] bool mayClose();
     /// Without questions; closeAgreed follows at once, also while a write is running.
     void closeNow();
+    /// A question that is open is asked in the new language.
+    void retranslate();
 
 Q_SIGNALS:
     void closeAgreed();
@@ -34,13 +38,15 @@ private:
     enum class Closing { No, WhenIdle, WhenWritten };
     void closeWhen(Closing when);
     void askWhileWriting();
-    void askAboutChanges(const QString& actionText, std::function<void()> action);
+    void askAboutChanges(Reason reason, std::function<void()> action);
+    [[nodiscard]] static QString agreement(Reason reason);
     void follow();
     void agree();
 
     WizardController& m_controller;
     MessageStack& m_messages;
     Closing m_closing = Closing::No;
+    std::function<void()> m_ask; ///< the question that was asked last
     bool m_isAgreed = false;
 };
 

@@ -190,6 +190,11 @@ const std::vector<State>& states()
                 scene.showDrive();
                 scene.click("connectionsButton");
             }},
+        {"question before leaving",
+            [](PageScene& scene) {
+                scene.choose2D();
+                QVERIFY(!scene.page().mayClose());
+            }},
     };
     return all;
 }
