@@ -171,6 +171,7 @@ Result<std::vector<WritePlan>> AxisCompensator::planRestore(
     OperationOptions quiet = options;
     quiet.progress = {};
     AXISCOMP_TRY(auto plans, planMultiAxis(*this, writes, quiet));
+    AXISCOMP_CHECK(d->checkFlashOfFiles(d->access(options), backup.otherFiles, plans));
     for (WritePlan& plan : plans) {
         plan.unitRemarks.clear();
         plan.largeCorrections.clear();
@@ -189,6 +190,27 @@ Result<WritePlan> AxisCompensator::planRestore(
     planned.unitRemarks.clear();
     planned.largeCorrections.clear();
     return planned;
+}
+
+/// Files of slots that no axis uses are stored after the tables of the axes.
+Result<void> AxisCompensator::Private::checkFlashOfFiles(const RegisterAccess& access,
+    const std::vector<AxisBackup::File>& files, const std::vector<WritePlan>& plans)
+{
+    if (plans.empty())
+        return {};
+    AXISCOMP_TRY(const auto drive, identify(access));
+    int operations = 0;
+    for (const WritePlan& plan : plans)
+        operations += plan.flashOperations;
+    int needed = operations;
+    for (const AxisBackup::File& file : files) {
+        AXISCOMP_TRY(const TableSlot slot, slotOf(file));
+        AXISCOMP_TRY(const auto cost,
+            FileReplacement(access, store, drive, clock, slot).planReplacement(file.bytes));
+        operations += cost.operations;
+        needed = std::max(needed, operations + cost.reserve);
+    }
+    return checkTogether(needed, plans.front().flashBudget.left);
 }
 
 /// A drive that restarted while a later part was restored has lost what was volatile or not saved

@@ -64,6 +64,9 @@ struct AxisCompensator::Private {
     [[nodiscard]] Result<TableSlot> slotOf(const AxisBackup::File& file) const;
     [[nodiscard]] Result<void> restoreFile(
         const RegisterAccess& access, const DriveIdentity& drive, const AxisBackup::File& file);
+    /// Errors: InvalidArgument when they cannot be stored after what the plans store.
+    [[nodiscard]] Result<void> checkFlashOfFiles(const RegisterAccess& access,
+        const std::vector<AxisBackup::File>& files, const std::vector<WritePlan>& plans);
     [[nodiscard]] Result<void> checkRestored(const RegisterAccess& access,
         const DriveIdentity& drive, const std::vector<AxisStatus>& axes,
         const std::vector<AxisBackup::File>& files);

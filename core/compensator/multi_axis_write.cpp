@@ -72,13 +72,20 @@ Result<std::vector<WritePlan>> planMultiAxis(AxisCompensator& compensator,
         needed = std::max(needed, flashOperations + plan->flashReserve);
         plans.push_back(*std::move(plan));
     }
-    if (!plans.empty() && needed > plans.front().flashBudget.left)
-        return refuse(AXISCOMP_TEXT("Error",
-            "together these writes cost {cost} flash operations, and {left} are possible now; "
-            "write them volatile, or fewer at a time")
-                          .with("cost", needed)
-                          .with("left", plans.front().flashBudget.left));
+    if (!plans.empty())
+        AXISCOMP_CHECK(checkTogether(needed, plans.front().flashBudget.left));
     return plans;
+}
+
+Result<void> checkTogether(int needed, int left)
+{
+    if (needed <= left)
+        return {};
+    return refuse(AXISCOMP_TEXT("Error",
+        "together these writes cost {cost} flash operations, and {left} are possible now; "
+        "write them volatile, or fewer at a time")
+                      .with("cost", needed)
+                      .with("left", left));
 }
 
 Result<std::vector<WritePlan>> planTables(AxisCompensator& compensator,

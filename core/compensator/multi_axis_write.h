@@ -27,6 +27,10 @@ struct AxisWrite {
 [[nodiscard]] Result<std::vector<WritePlan>> planMultiAxis(AxisCompensator& compensator,
     std::span<const AxisWrite> writes, const OperationOptions& options = {});
 
+/// Refuses writes that together need more flash operations than are possible now. needed: with what
+/// putting back the one that fails may cost. Errors: InvalidArgument.
+[[nodiscard]] Result<void> checkTogether(int needed, int left);
+
 /// A table, and the axis that shall have it.
 struct AxisTable {
     int axis = 0;

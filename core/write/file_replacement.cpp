@@ -55,6 +55,15 @@ Result<std::filesystem::path> FileReplacement::run(ByteView bytes, Users users)
     return outcome;
 }
 
+Result<FileReplacement::Cost> FileReplacement::planReplacement(ByteView bytes)
+{
+    AXISCOMP_CHECK(lookAndRead());
+    if (std::ranges::equal(m_old.bytes, bytes))
+        return Cost{};
+    AXISCOMP_TRY(const auto saved, m_store.savedState(m_drive.serialNumber));
+    return costOf(needsFlash(bytes, saved));
+}
+
 Result<SlotDeletion> FileReplacement::planDeletion()
 {
     AXISCOMP_CHECK(lookAndRead());
@@ -76,22 +85,32 @@ Result<void> FileReplacement::lookAndRead()
     return {};
 }
 
+/// Emptying a slot spends flash when the drive has a table there.
+bool FileReplacement::needsFlash(ByteView bytes, const SavedState& saved) const
+{
+    return bytes.empty() ? m_old.persistent || saved.isCovered(m_slot.name)
+                         : isPersistent(bytes, m_access.profile().layout);
+}
+
+/// Putting back deletes the new file from flash, or stores the old one again.
+FileReplacement::Cost FileReplacement::costOf(bool needsFlash) const
+{
+    if (!needsFlash)
+        return {};
+    return {1, (m_old.bytes.empty() || m_old.persistent) ? 1 : 0};
+}
+
 /// Whether it may be done, and what it costs.
 Result<FileReplacement::Cost> FileReplacement::check(ByteView bytes, Users users) const
 {
     if (users == Users::Refused && !m_seen.state.otherUser.isEmpty())
         return fail(inUse(bytes, m_seen.state.otherUser));
     AXISCOMP_TRY(const auto saved, m_store.savedState(m_drive.serialNumber));
-    // Emptying a slot spends flash when the drive has a table there.
-    const bool needsFlash = bytes.empty() ? m_old.persistent || saved.isCovered(m_slot.name)
-                                          : isPersistent(bytes, m_access.profile().layout);
-    if (users == Users::Refused && needsFlash) {
+    const Cost cost = costOf(needsFlash(bytes, saved));
+    if (cost.operations == 0)
+        return cost;
+    if (users == Users::Refused)
         AXISCOMP_CHECK(checkSavedUse(bytes));
-    }
-    if (!needsFlash)
-        return Cost{};
-    // Putting back deletes the new file from flash, or stores the old one again.
-    const Cost cost{1, (m_old.bytes.empty() || m_old.persistent) ? 1 : 0};
     AXISCOMP_TRY(const auto history, m_store.flashHistory(m_drive.serialNumber));
     AXISCOMP_CHECK(checkFlashBudget(wearGuard(m_access.profile().flashWear, history), m_clock(),
         cost.operations, cost.reserve));

@@ -24,12 +24,20 @@ public:
     {
     }
 
+    /// Flash operations that it needs, and those that putting it back may need beyond them.
+    struct Cost {
+        int operations = 0;
+        int reserve = 0;
+    };
+
     /// Whether an axis or a cogging compensation may use the slot, or an axis after a reboot.
     enum class Users { Allowed, Refused };
     /// No bytes: the slot is emptied. Gives the backup, or an empty path when the slot held exactly
     /// this already. Errors: SlotInUse, ChangedMeanwhile, FlashWear, those of DriveLink::upload,
     /// VerifyMismatch, RollbackFailed.
     [[nodiscard]] Result<std::filesystem::path> run(ByteView bytes, Users users);
+    /// What run(bytes) costs; changes nothing. Whether the slot is free is seen by run.
+    [[nodiscard]] Result<Cost> planReplacement(ByteView bytes);
     /// What emptying the slot costs; changes nothing. Errors: NoTable when it is empty, SlotInUse,
     /// FlashWear.
     [[nodiscard]] Result<SlotDeletion> planDeletion();
@@ -41,13 +49,10 @@ private:
         EraseCounts counts;
         int user = -1; ///< an axis whose table this is; -1: none
     };
-    /// What it needs of flash, and beyond that for being put back.
-    struct Cost {
-        int operations = 0;
-        int reserve = 0;
-    };
     [[nodiscard]] Result<Look> look() const;
     [[nodiscard]] Result<void> lookAndRead();
+    [[nodiscard]] bool needsFlash(ByteView bytes, const SavedState& saved) const;
+    [[nodiscard]] Cost costOf(bool needsFlash) const;
     [[nodiscard]] Result<Cost> check(ByteView bytes, Users users) const;
     [[nodiscard]] Result<void> keepOldFile();
     [[nodiscard]] Result<void> checkUnchanged() const;

@@ -12,8 +12,6 @@ namespace axiscomp::app {
 
 namespace {
 
-/// All slots of a drive as base64, and some.
-
 struct BackupOptions {
     DriveOptions drive;
     std::string file;

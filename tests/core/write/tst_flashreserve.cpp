@@ -223,6 +223,40 @@ private Q_SLOTS:
         f.pass(std::chrono::seconds(std::stoi(refused.error().context.english("seconds"))));
         VERIFY_RESULT(f.compensator.upload(path, next));
     }
+
+    void tablesThatNoAxisUsesCountBeforeADriveIsRestored()
+    {
+        const auto& layout = drivecomm::genericProfile().layout;
+        const auto storeUnused = [&layout](CompensatorFixture& f, int seed) {
+            VERIFY_RESULT(f.drive.upload(
+                "tables/small2.TAMtbl", *encodeTamTable(exampleTable(1, seed), true, layout)));
+        };
+        CompensatorFixture f;
+        VERIFY_RESULT(f.compensator.write(0, persistent(1, "Small1")));
+        storeUnused(f, 50);
+        leave(f, 4);
+        auto backup = f.compensator.backup();
+        VERIFY_RESULT(backup);
+        VERIFY_RESULT(f.compensator.write(0, persistent(2, "Small1")));
+        storeUnused(f, 51);
+        VERIFY_RESULT(f.store.recordFlash(4711, f.wallTime(), 1));
+        QCOMPARE(operationsLeft(f), 2);
+        const auto before = f.state();
+        f.link.forgetChange();
+
+        // The axis alone needs 2, the unused table 1 more.
+        const auto refused = f.compensator.planRestore(*backup, false);
+        VERIFY_ERROR(refused, ErrorCode::InvalidArgument);
+        QVERIFY2(
+            sentence(refused.error()).find("cost 3 flash operations, and 2") != std::string::npos,
+            sentence(refused.error()).c_str());
+        VERIFY_ERROR(f.compensator.restore(*backup, false), ErrorCode::InvalidArgument);
+        QCOMPARE(f.link.firstChange(), 0);
+        QVERIFY(f.state() == before);
+
+        backup->otherFiles.clear();
+        VERIFY_RESULT(f.compensator.restore(*backup, false));
+    }
 };
 
 AXISCOMP_TEST(TestFlashReserve)
