@@ -97,11 +97,11 @@ FieldRow::FieldRow(QWidget* editor, QStyle* style, QWidget* parent)
     auto* line = new QHBoxLayout(m_noteLine);
     line->setContentsMargins(2, 0, 0, 4);
     line->setSpacing(4);
+    line->addWidget(m_current, 0, Qt::AlignTop);
     line->addWidget(m_busy);
     line->addWidget(m_noteSymbol);
     line->addWidget(m_note, 1);
     line->addWidget(m_take, 0, Qt::AlignTop);
-    line->addWidget(m_current, 0, Qt::AlignTop);
     auto* buttons = new QHBoxLayout(m_buttons);
     buttons->setContentsMargins(0, 0, 0, 0);
     buttons->addWidget(m_revert);
