@@ -364,6 +364,10 @@
         <translation>das Format von {file} ist unbekannt; eines davon angeben: {known}</translation>
     </message>
     <message>
+        <source>the format of {file} is not known; name one of: {known}; of any other CSV file, say which column is what</source>
+        <translation>das Format von {file} ist unbekannt; eines davon angeben: {known}; bei jeder anderen CSV-Datei angeben, welche Spalte was ist</translation>
+    </message>
+    <message>
         <source>there is no table {table} in the file; it has: {known}</source>
         <translation>die Datei enthält keine Tabelle {table}, sondern: {known}</translation>
     </message>
@@ -5424,16 +5428,16 @@
         <translation>die Datei enthält keine Daten</translation>
     </message>
     <message>
-        <source>a calibration file has a header line and one line per grid point; save an example file to see one</source>
-        <translation>eine Kalibrierdatei hat eine Kopfzeile und eine Zeile je Stützstelle; eine Beispieldatei speichern zeigt den Aufbau</translation>
+        <source>it needs a line with the names of the columns, and a line for each point or measured value</source>
+        <translation>sie braucht eine Zeile mit den Namen der Spalten und eine Zeile für jede Stützstelle oder jeden Messwert</translation>
     </message>
     <message>
         <source>the header line with the names of the columns is missing</source>
         <translation>die Kopfzeile mit den Namen der Spalten fehlt</translation>
     </message>
     <message>
-        <source>add a first line such as X [mm],Table 1 [mm]</source>
-        <translation>eine erste Zeile wie X [mm],Tabelle 1 [mm] einfügen</translation>
+        <source>add a first line such as X [mm],Table 1 [mm], or for a measurement target [mm],direction,run,deviation [um]</source>
+        <translation>eine erste Zeile wie X [mm],Tabelle 1 [mm] einfügen, für eine Messung target [mm],direction,run,deviation [um]</translation>
     </message>
     <message>
         <source>the header has too few columns</source>

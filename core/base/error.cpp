@@ -327,6 +327,11 @@ Text textOf(const Error& error)
                     "the table in {slot} is not deleted, because {user} uses it; free it there "
                     "first"),
             error.context};
+    if (error.code == ErrorCode::UnknownFormat && error.context.contains("measurement"))
+        return {AXISCOMP_TEXT("Error",
+                    "the format of {file} is not known; name one of: {known}; of any other CSV "
+                    "file, say which column is what"),
+            error.context};
     return {errorPattern(error.code), error.context};
 }
 

@@ -24,11 +24,14 @@ constexpr std::array diagnosticRows{
     DiagnosticRow{DiagnosticCode::EmptyFile, "EmptyFile",
         AXISCOMP_TEXT("Problem", "the file holds no data"),
         AXISCOMP_TEXT("Problem",
-            "a calibration file has a header line and one line per grid point; save an example "
-            "file to see one")},
+            "it needs a line with the names of the columns, and a line for each point or measured "
+            "value")},
     DiagnosticRow{DiagnosticCode::NoHeader, "NoHeader",
         AXISCOMP_TEXT("Problem", "the header line with the names of the columns is missing"),
-        AXISCOMP_TEXT("Problem", "add a first line such as X [mm],Table 1 [mm]"), true},
+        AXISCOMP_TEXT("Problem",
+            "add a first line such as X [mm],Table 1 [mm], or for a measurement target "
+            "[mm],direction,run,deviation [um]"),
+        true},
     DiagnosticRow{DiagnosticCode::TooFewColumns, "TooFewColumns",
         AXISCOMP_TEXT("Problem", "the header has too few columns"),
         AXISCOMP_TEXT("Problem", "choose the dimensionality that the file has")},

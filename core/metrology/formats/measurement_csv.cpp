@@ -151,6 +151,10 @@ bool MeasurementCsv::readHeader()
         m_cells.begin(header->separator, m_columns.size(), lineNumber);
         return !m_diagnostics.hasErrors();
     }
+    if (m_inspection.body().find_first_not_of(" \t\r\n") == std::string_view::npos) {
+        m_diagnostics.error(DiagnosticCode::EmptyFile, 0, 0, {}, {});
+        return false;
+    }
     m_diagnostics.error(DiagnosticCode::NoHeader, 0, 0, {},
         AXISCOMP_TEXT("Error", "a line with the names of the columns, such as target [mm]"));
     return false;

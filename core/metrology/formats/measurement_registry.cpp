@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/metrology/formats/measurement_formats.h"
+#include "core/text/text_file.h"
 #include "core/text/token_scanner.h"
 
 #include <algorithm>
@@ -30,6 +31,15 @@ const MeasurementFormat& mappedFormat(const std::vector<ColumnMapping>& columns)
     if (has("X") && has("Y"))
         return points_csv::format();
     return has("target") ? runs_csv::format() : track_csv::format();
+}
+
+/// An empty file, another kind of file, UTF-16: the reader of text says which.
+bool isNoText(std::string_view beginning)
+{
+    DiagnosticList diagnostics(1);
+    const TextInspection inspection(beginning, {}, diagnostics);
+    return diagnostics.hasErrors()
+        || beginning.find_first_not_of(" \t\r\n\xEF\xBB\xBF") == std::string_view::npos;
 }
 
 tl::unexpected<Error> wrongMapping(std::string_view text)
@@ -106,10 +116,13 @@ Result<const MeasurementFormat*> chooseMeasurementFormat(
 {
     if (!options.columns.empty())
         return &mappedFormat(options.columns);
+    const std::string_view beginning = text.substr(0, measurementBeginning);
+    if (isNoText(beginning))
+        return &runs_csv::format();
     std::vector<const MeasurementFormat*> certain;
     std::vector<const MeasurementFormat*> possible;
     for (const MeasurementFormat* format : measurementFormats()) {
-        const auto recognition = format->recognise(text.substr(0, measurementBeginning));
+        const auto recognition = format->recognise(beginning);
         if (recognition == MeasurementRecognition::Certain)
             certain.push_back(format);
         else if (recognition == MeasurementRecognition::Possible
@@ -121,7 +134,8 @@ Result<const MeasurementFormat*> chooseMeasurementFormat(
         return found.front();
     if (found.empty())
         return fail(ErrorCode::UnknownFormat,
-            {{"file", std::string(fileName)}, {"known", measurementFormatNames()}});
+            {{"file", std::string(fileName)}, {"known", measurementFormatNames()},
+                {"measurement", Verbatim{"yes"}}});
     std::string names;
     for (const MeasurementFormat* format : found)
         names += (names.empty() ? "" : ", ") + std::string(format->facts.name);

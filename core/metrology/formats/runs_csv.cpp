@@ -256,8 +256,18 @@ MeasurementReading read(std::string_view text, const MeasurementReadOptions& opt
     return readMeasurementText(text, options, parse);
 }
 
+/// "// axiscomp runs: 1" in the first line: whatever is wrong with the rest is said by line.
+bool isNamed(std::string_view text)
+{
+    const Token line = trimmedToken({text.substr(0, text.find_first_of("\r\n")), 0, 1});
+    return line.text.starts_with("//")
+        && trimmedToken({line.text.substr(2), 0, 1}).text.starts_with("axiscomp runs");
+}
+
 MeasurementRecognition recognise(std::string_view text)
 {
+    if (isNamed(text))
+        return MeasurementRecognition::Certain;
     const std::vector<std::string> names = headerNames(text);
     const auto has = [&names](std::string_view name) {
         return std::ranges::find(names, name) != names.end();

@@ -217,6 +217,39 @@ private Q_SLOTS:
             VERIFY_ERROR(columnMappingFromText(bad), ErrorCode::InvalidArgument);
     }
 
+    void whatIsNoTextIsSaidInsteadOfAnUnknownFormat_data()
+    {
+        QTest::addColumn<QByteArray>("text");
+        QTest::addColumn<QByteArray>("expected"); // the beginning
+        QTest::newRow("empty") << QByteArray() << QByteArray("0:0 EmptyFile");
+        QTest::newRow("blank lines") << QByteArray("\r\n \r\n") << QByteArray("0:0 EmptyFile");
+        QTest::newRow("UTF-16") << QByteArray("\xFF\xFEt\0a\0", 6)
+                                << QByteArray("0:0 NotText UTF-16 text");
+        QTest::newRow("workbook") << QByteArray("PK\x03\x04rest")
+                                  << QByteArray("0:0 NotText a spreadsheet workbook");
+    }
+    void whatIsNoTextIsSaidInsteadOfAnUnknownFormat()
+    {
+        QFETCH(QByteArray, text);
+        QFETCH(QByteArray, expected);
+        const auto format = chooseMeasurementFormat(text.toStdString(), "a.csv", {});
+        QVERIFY(format.has_value());
+        const QByteArrayList said = test::describe((*format)->read(text.toStdString(), {}));
+        QCOMPARE(said.size(), qsizetype{1});
+        QVERIFY2(said.front().startsWith(expected), said.front().constData());
+    }
+
+    void aFileThatNamesItsFormatIsReadAsThat()
+    {
+        const std::string text = "//axiscomp runs: 1\nZiel [mm],direction,run,deviation [um]\n";
+        const auto format = chooseMeasurementFormat(text, "a.csv", {});
+        QVERIFY(format.has_value());
+        QCOMPARE((*format)->facts.name, std::string_view("runs"));
+        const QByteArrayList said = test::describe((*format)->read(text, {}));
+        QVERIFY2(!said.empty() && said.front().startsWith("2:0 MissingColumn no column target"),
+            said.join('\n').constData());
+    }
+
     void linesInAnyOrderAreRead()
     {
         // 1000 targets, 50 runs in each direction, in an order that jumps about.
