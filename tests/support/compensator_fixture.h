@@ -7,8 +7,6 @@
 #include "tests/support/faulty_link.h"
 #include "tests/support/link_attachment.h"
 
-#include <QDir>
-#include <QFileInfo>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -103,14 +101,7 @@ struct CompensatorFixture {
     }
 
     std::atomic<std::int64_t> time = 0;
-    /// In memory where there is such a place: thousands of writes would wait for a disk.
-    static QString folderTemplate()
-    {
-        const QString memory = QStringLiteral("/dev/shm");
-        return (QFileInfo(memory).isWritable() ? memory : QDir::tempPath())
-            + QStringLiteral("/axiscomp-test-XXXXXX");
-    }
-    QTemporaryDir folder{folderTemplate()};
+    QTemporaryDir folder;
     /// Told of every request to the drive; set and cleared while there is none.
     drivecomm::FaultPlan::Observer requested;
     drivecomm::FaultPlan faults{{}, [this](bool isWrite) {

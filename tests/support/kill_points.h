@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "tests/support/moments.h"
+
 #include <QTest>
 
 #include <csignal>
@@ -56,7 +58,7 @@ public:
 inline int killEverywhere(
     const std::function<void()>& action, const std::function<void()>& check, int step = 1)
 {
-    if (qEnvironmentVariableIsSet("AXISCOMP_EVERY_MOMENT"))
+    if (takesEveryMoment())
         step = 1;
     for (int moment = 1;; moment += step) {
         const KilledChild::End end = KilledChild::run(action, moment);

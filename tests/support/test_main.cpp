@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/test_registry.h"
 
+#include <QFileInfo>
 #include <QTest>
 
 #include <cstdio>
@@ -23,6 +24,15 @@ std::map<std::string, RegisteredTest, std::less<>>& registeredTests()
     return tests;
 }
 
+/// Temporary folders are in memory where there is such a place: thousands of writes that reach a
+/// disk take minutes. Nothing here depends on a disk: what is killed is programs, not the system.
+void keepTemporaryFilesInMemory()
+{
+    const auto memory = QByteArrayLiteral("/dev/shm");
+    if (!qEnvironmentVariableIsSet("TMPDIR") && QFileInfo(QString::fromLatin1(memory)).isWritable())
+        qputenv("TMPDIR", memory);
+}
+
 int run(int argc, char** argv)
 {
     const auto found = argc < 2 ? registeredTests().end() : registeredTests().find(argv[1]);
@@ -39,6 +49,7 @@ int run(int argc, char** argv)
     // ctest limits how long a test may take; Qt Test would end each function after five minutes.
     if (!qEnvironmentVariableIsSet("QTEST_FUNCTION_TIMEOUT"))
         qputenv("QTEST_FUNCTION_TIMEOUT", "36000000");
+    keepTemporaryFilesInMemory();
     const auto application = found->second.makeApplication(argc, argv);
     QCoreApplication::setAttribute(Qt::AA_Use96Dpi, true);
     return QTest::qExec(found->second.makeTest().get(), argc, argv);

@@ -9,6 +9,7 @@
 #include <QUrl>
 
 #include <csignal>
+#include <filesystem>
 
 namespace tst_interruption {
 
@@ -49,7 +50,7 @@ QStringList driveOptions(const QString& url, const char* fault)
     return options;
 }
 
-/// An axis with an old, stored table and a slow drive, so that a write can be met in the middle.
+/// An axis with an old, stored table.
 struct Fixture {
     Sandbox box;
     AxisState before;
@@ -60,10 +61,18 @@ struct Fixture {
         box.file("old.csv", oldTable);
         box.file("new.csv", newTable);
     }
+    /// With what has been prepared: the drive's flash and what the program remembers of it.
+    explicit Fixture(const Fixture& prepared) : Fixture()
+    {
+        before = prepared.before;
+        after = prepared.after;
+        for (const char* folder : {"flash", "state"})
+            std::filesystem::copy(prepared.box.path(folder).toStdString(),
+                box.path(folder).toStdString(), std::filesystem::copy_options::recursive);
+    }
 
     /// Learns on a quick drive how the axis looks before and after, and leaves it in the old state.
-    /// The drive's address; empty when that failed.
-    [[nodiscard]] QString prepare()
+    [[nodiscard]] bool prepare()
     {
         const VirtualDriveProcess quick(box, driveOptions({}, nullptr));
         const QString url = quick.url();
@@ -71,8 +80,7 @@ struct Fixture {
         after = stateOf(status(url).json());
         const bool isOld = write(url, "old.csv", test::positionSource(0)).code == 0;
         before = stateOf(status(url).json());
-        const bool isChanged = before.crc != after.crc && before.source != after.source;
-        return isNew && isOld && isChanged ? url : QString();
+        return isNew && isOld && before.crc != after.crc && before.source != after.source;
     }
 
     [[nodiscard]] static QStringList writeArguments(
@@ -119,17 +127,17 @@ class tst_Interruption : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
+    void initTestCase() { QVERIFY(m_prepared.prepare()); }
     void init() { test::failOnWarnings(); }
 
     void interruptLeavesTheOldStateOrTheNewOne_data() { addSteps(); }
     void interruptLeavesTheOldStateOrTheNewOne()
     {
         QFETCH(const int, steps);
-        Fixture bench;
-        const QString url = bench.prepare();
-        QVERIFY(!url.isEmpty());
-        const VirtualDriveProcess slow(bench.box, driveOptions(url, "slow=15"));
+        const Fixture bench(m_prepared);
+        const VirtualDriveProcess slow(bench.box, driveOptions({}, "slow=15"));
         QVERIFY(slow.isReady());
+        const QString url = slow.url();
         const auto process = bench.startWrite(url, steps);
         ::kill(static_cast<pid_t>(process->processId()), SIGINT);
         ::kill(static_cast<pid_t>(process->processId()), SIGINT);
@@ -155,11 +163,10 @@ private Q_SLOTS:
 
     void aWriteThatAnotherProgramIsDoingIsNotCalledUnfinished()
     {
-        Fixture bench;
-        const QString url = bench.prepare();
-        QVERIFY(!url.isEmpty());
-        const VirtualDriveProcess slow(bench.box, driveOptions(url, "slow=15"));
+        const Fixture bench(m_prepared);
+        const VirtualDriveProcess slow(bench.box, driveOptions({}, "slow=15"));
         QVERIFY(slow.isReady());
+        const QString url = slow.url();
         const auto process = bench.startWrite(url, 3);
         const auto pid = static_cast<pid_t>(process->processId());
         ::kill(pid, SIGSTOP);
@@ -186,11 +193,10 @@ private Q_SLOTS:
     void killedProgramIsExplainedByTheNextRun()
     {
         QFETCH(const int, steps);
-        Fixture bench;
-        const QString url = bench.prepare();
-        QVERIFY(!url.isEmpty());
-        const VirtualDriveProcess slow(bench.box, driveOptions(url, "slow=15"));
+        const Fixture bench(m_prepared);
+        const VirtualDriveProcess slow(bench.box, driveOptions({}, "slow=15"));
         QVERIFY(slow.isReady());
+        const QString url = slow.url();
         const auto process = bench.startWrite(url, steps);
         process->kill();
         QVERIFY(process->waitForFinished(test::patienceMs));
@@ -210,11 +216,10 @@ private Q_SLOTS:
     {
         QFETCH(const int, steps);
         QFETCH(const QString, option);
-        Fixture bench;
-        const QString url = bench.prepare();
-        QVERIFY(!url.isEmpty());
-        const VirtualDriveProcess slow(bench.box, driveOptions(url, "slow=15"));
+        const Fixture bench(m_prepared);
+        const VirtualDriveProcess slow(bench.box, driveOptions({}, "slow=15"));
         QVERIFY(slow.isReady());
+        const QString url = slow.url();
         const auto process = bench.startWrite(url, steps);
         process->kill();
         QVERIFY(process->waitForFinished(test::patienceMs));
@@ -242,14 +247,14 @@ private Q_SLOTS:
     void killedDriveIsExplainedByTheNextRun()
     {
         QFETCH(const int, steps);
-        Fixture bench;
-        const QString url = bench.prepare();
-        QVERIFY(!url.isEmpty());
+        const Fixture bench(m_prepared);
+        QString url;
         int code = -1;
         QByteArray err;
         {
-            VirtualDriveProcess slow(bench.box, driveOptions(url, "slow=15"));
+            VirtualDriveProcess slow(bench.box, driveOptions({}, "slow=15"));
             QVERIFY(slow.isReady());
+            url = slow.url();
             const auto process = bench.startWrite(url, steps);
             slow.process().kill();
             QVERIFY(process->waitForFinished(test::patienceMs));
@@ -290,6 +295,8 @@ private:
         QVERIFY2(stateOf(after.json()) == bench.after, after.text().constData());
         QVERIFY2(after.err.isEmpty(), after.err.constData());
     }
+
+    Fixture m_prepared;
 };
 
 AXISCOMP_TEST(tst_Interruption)

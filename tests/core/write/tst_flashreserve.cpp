@@ -3,11 +3,13 @@
 // Putting back what has reached flash costs flash operations too: a write that could not be put
 // back does not begin, and one that needs none for that may use the last.
 #include "tests/support/compensator_fixture.h"
+#include "tests/support/moments.h"
 #include "tests/support/test_registry.h"
 #include "tests/support/verify.h"
 
 #include <QTest>
 
+#include <array>
 #include <functional>
 
 namespace tst_flashreserve {
@@ -50,6 +52,9 @@ void leave(CompensatorFixture& f, int left)
     }
     QCOMPARE(operationsLeft(f), left);
 }
+
+constexpr std::array faults{
+    LinkFault::Refused, LinkFault::ReplyLost, LinkFault::StoresWrong, LinkFault::RequestLost};
 
 using Step = std::function<Result<WriteReport>(CompensatorFixture&)>;
 
@@ -159,8 +164,10 @@ private Q_SLOTS:
         const CompensatorFixture::State wanted = whole.state();
         int rollBack = 0;
         for (int exchange = 1; exchange <= exchanges; ++exchange) {
-            for (const LinkFault fault : {LinkFault::Refused, LinkFault::ReplyLost,
-                     LinkFault::StoresWrong, LinkFault::RequestLost}) {
+            for (int n = 0; n < static_cast<int>(faults.size()); ++n) {
+                if (!hasTurn(exchange + n, static_cast<int>(faults.size())))
+                    continue;
+                const LinkFault fault = faults[static_cast<std::size_t>(n)];
                 CompensatorFixture f;
                 kind.prepare(f);
                 leave(f, kind.needed);

@@ -17,6 +17,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
+constexpr int momentStep = 3;
+
 /// A bench whose drive keeps its flash in the folder.
 struct KeptDrive : DriveFixture {
     explicit KeptDrive(const fs::path& folder) : DriveFixture(1)
@@ -63,7 +65,8 @@ void StateCrashTest::killedAnywhereFlashIsTheOldOrTheNew()
                 found.insert(value);
                 QVERIFY(KeptDrive(root / "state").store(3.0F));
                 begin();
-            });
+            },
+            momentStep);
     QVERIFY2(moments > 30, std::to_string(moments).c_str());
     qInfo("killed at %d moments", moments);
     QCOMPARE(found, (std::set<float>{1.0F, 2.0F}));

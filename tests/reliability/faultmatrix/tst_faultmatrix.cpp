@@ -129,12 +129,12 @@ void TestFaultMatrix::runRow(std::span<const MatrixFault> faults)
         QVERIFY(steps > 0 && write.exchanges > 5);
         for (int at = 1; at <= steps; ++at) {
             const std::size_t number = static_cast<std::size_t>(at) + s + f;
-            // In process every step meets a third of the faults. Over a wire a third of the steps
+            // In process every step meets a sixth of the faults. Over a wire a third of the steps
             // of each scenario, each with one fault; together all of them.
             const bool isFew = faults[f].step == MatrixFault::Step::WriteRequest;
             const bool isChosenOnWire = (isFew || m_choice.has(number, faults.size()))
                 && m_choice.has(static_cast<std::size_t>(at) + 2 * s, 3);
-            if (a == 0 ? !m_choice.has(number, 3) : !isChosenOnWire)
+            if (a == 0 ? !m_choice.has(number, 6) : !isChosenOnWire)
                 continue;
             const std::size_t afterwards = number / faults.size() + number;
             for (std::size_t n = 0; n < (m_choice.isAll() && a == 0 ? 4U : 1U); ++n)
@@ -223,14 +223,14 @@ void TestFaultMatrix::aCutTransferLeavesTheOldOrTheNewState()
         cuts.push_back({&scenario, heldStatesOf(scenario, longTable), cutIn(transfer.exchange)});
         for (std::size_t n = 0; n < cutPositions; ++n) {
             const bool isEdge = n < 2 || n + 2 >= cutPositions;
-            if (!isEdge && !m_choice.has(n + s, 8))
+            if (!isEdge && !m_choice.has(n + s, 16))
                 continue;
             const auto byte = static_cast<int>(1 + n * (transfer.bytes - 1) / (cutPositions - 1));
             cases.push_back({std::string(scenario.name) + ", byte " + std::to_string(byte) + " of "
                     + std::to_string(transfer.bytes),
                 [&kind, &cut = cuts.back(), byte, n] {
                     return runCase(*cut.scenario, kind, cut.states, cut.fault, byte,
-                        aftermathOf(n / 8), longTable);
+                        aftermathOf(n / 16), longTable);
                 }});
         }
     }

@@ -8,8 +8,7 @@
 namespace axiscomp::test {
 
 SoakDrive::SoakDrive()
-    : m_temporary(CompensatorFixture::folderTemplate())
-    , m_folder(m_temporary.path().toStdString())
+    : m_folder(m_temporary.path().toStdString())
     , m_drive(
           drivecomm::VirtualDrive::create(drivecomm::genericProfile(), options(m_folder / "flash"))
               .value())
