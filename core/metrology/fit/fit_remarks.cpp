@@ -61,7 +61,8 @@ void remarkOfSteps(const FitInput& input, const FittedTable& made, Remarks& rema
     const double from = axis.position(steepest.from / stride % axis.size);
     remarks.say("LargestStep",
         AXISCOMP_TEXT("Measurement",
-            "the steepest part of {table} is between {from} and {to}: {step}, {slope} for each {one}")
+            "the steepest part of {table} is between {from} and {to}: {step}, {slope} for each "
+            "{one}")
             .with("table", table.name)
             .with("from", remarks.place(from))
             .with("to", remarks.place(from + axis.distance))
@@ -148,8 +149,8 @@ void remarkOfHeldOut(const FitReport& report, Remarks& remarks)
     const auto repeatability = (*report.before)[Iso230Figure::R].value;
     const auto predicted = (*report.predicted)[Iso230Figure::M].value;
     const bool isAboveHalf = before && heldOut > 0.5 * *before;
-    const bool isAbovePrediction = repeatability && predicted && heldOut > 0.5 * *repeatability
-        && heldOut > 2.0 * *predicted;
+    const bool isAbovePrediction =
+        repeatability && predicted && heldOut > 0.5 * *repeatability && heldOut > 2.0 * *predicted;
     if (!isAboveHalf && !isAbovePrediction)
         return;
     Text text = AXISCOMP_TEXT("Measurement",
@@ -191,13 +192,12 @@ void remarkOfPeriods(const FitInput& input, Remarks& remarks)
     const std::vector<double>& targets = input.measurement.targets;
     for (const double period : input.settings.periods.periods)
         remarks.say("TargetsPerPeriod",
-            AXISCOMP_TEXT(
-                "Measurement", "{count} targets lie in {turns} periods of {period}")
+            AXISCOMP_TEXT("Measurement", "{count} targets lie in {turns} periods of {period}")
                 .with("count", targets.size())
                 .with("turns",
-                    Quantity{fineQuantity((targets.back() - targets.front()) / period / 1000.0,
-                                 false)
-                                 .digits,
+                    Quantity{
+                        fineQuantity((targets.back() - targets.front()) / period / 1000.0, false)
+                            .digits,
                         {}})
                 .with("period", remarks.place(period)));
 }
@@ -232,8 +232,8 @@ void remarkOfTurn(const FitInput& input, const CompensationTable& table, Remarks
     if (!input.settings.turn)
         return;
     const GridAxis& axis = table.grid.axes.front();
-    const double jump = static_cast<double>(table.values.back())
-        - static_cast<double>(table.values.front());
+    const double jump =
+        static_cast<double>(table.values.back()) - static_cast<double>(table.values.front());
     Text ends = AXISCOMP_TEXT("Measurement",
         "over a turn, from {from} to {to}, the table ends {jump} above where it begins")
                     .with("from", remarks.place(axis.start))
@@ -290,8 +290,8 @@ void addTableRemarks(const FitInput& input, FitReport& report)
         remarkOfMerge(*report.merge, remarks);
 }
 
-void addRunsRemarks(const FitInput& input, const Judgement& judgement, const TableFit& fit,
-    FitReport& report)
+void addRunsRemarks(
+    const FitInput& input, const Judgement& judgement, const TableFit& fit, FitReport& report)
 {
     Remarks remarks(input, report);
     const FittedTable& made = report.tables.front();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/metrology/fit/fit_parts.h"
 #include "core/metrology/fine_quantity.h"
+#include "core/metrology/fit/fit_parts.h"
 #include "core/table/even_spacing.h"
 
 #include <algorithm>
@@ -265,8 +265,8 @@ Result<Measurement> predictedMeasurement(
 }
 
 /// Where the values go up and down by the residuals that no target shows.
-void predictBetween(const std::vector<MeasuredValue>& values,
-    const TableFitRequest& request, FitReport& report)
+void predictBetween(
+    const std::vector<MeasuredValue>& values, const TableFitRequest& request, FitReport& report)
 {
     auto heldOut = predictHeldOut(values, request);
     if (heldOut) {
@@ -341,9 +341,8 @@ Result<FitReport> fitRuns(const FitInput& input)
     const FitSettings& settings = input.settings;
     AXISCOMP_CHECK(checkRunsSettings(input));
     AXISCOMP_TRY(const auto request, requestOf(input));
-    const Measurement settled = settings.drift
-        ? withoutDrift(input.measurement, *settings.drift)
-        : input.measurement;
+    const Measurement settled =
+        settings.drift ? withoutDrift(input.measurement, *settings.drift) : input.measurement;
     const FitValues values = fitValues(settled, input);
     AXISCOMP_TRY(const auto fit, fitTable(values.values, request));
 
