@@ -226,9 +226,9 @@ std::vector<std::string> notesOf(
     const MeasurementInput& input, const FitReport& report, const FitSettings& settings)
 {
     std::vector<std::string> notes{
-        " made of " + sourcesText(input.sources) + ": " + measurementSummary(input.measurement),
-        " " + report.state.text.english()};
-    notes.push_back(" method " + std::string(fitMethodName(settings.method)) + ", looked up at "
+        "made of " + sourcesText(input.sources) + ": " + measurementSummary(input.measurement),
+        report.state.text.english()};
+    notes.push_back("method " + std::string(fitMethodName(settings.method)) + ", looked up at "
         + std::string(lookupAtName(report.lookupAt)));
     return notes;
 }

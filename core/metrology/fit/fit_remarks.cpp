@@ -5,6 +5,8 @@
 #include "core/text/number_text.h"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
 
 namespace axiscomp {
@@ -79,14 +81,21 @@ void remarkOfSteps(const FitInput& input, const FittedTable& made, Remarks& rema
                     remarks.fine(made.density->largestSlopeChange * *input.settings.speed)));
 }
 
+/// Of what float32 changes two digits tell enough.
 void remarkOfRounding(const FittedTable& made, Remarks& remarks)
 {
+    const double factor = remarks.isAngular() ? 3600.0 : 1000.0;
+    std::array<char, 32> buffer{};
+    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(),
+        made.rounding * factor, std::chars_format::general, 2);
     remarks.say("Rounding",
         AXISCOMP_TEXT("Measurement",
-            "the drive's numbers change a value of {table} by at most {rounding} {unit}")
+            "a drive holds numbers with 24 bits, which changes a value of {table} by at most "
+            "{rounding}")
             .with("table", made.table.name)
-            .with("rounding", Quantity{roundedText(made.rounding), {}})
-            .with("unit", made.table.unit));
+            .with("rounding",
+                Quantity{
+                    std::string(buffer.data(), end.ptr), remarks.isAngular() ? "arcsec" : "um"}));
 }
 
 void remarkOfNodes(const FittedTable& made, Remarks& remarks)

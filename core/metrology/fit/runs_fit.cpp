@@ -280,6 +280,13 @@ void predictBetween(
         true);
 }
 
+/// A position as finely as values are shown.
+Quantity readingOf(double position, bool isAngular)
+{
+    const double fine = isAngular ? 1e7 : 1e6;
+    return placeOf(std::round(position * fine) / fine, isAngular);
+}
+
 Text signOf(const FitInput& input, const TableFit& fit, const CompensationTable& table)
 {
     const bool isAngular = input.measurement.isAngular;
@@ -305,8 +312,8 @@ Text signOf(const FitInput& input, const TableFit& fit, const CompensationTable&
     return AXISCOMP_TEXT("Measurement",
         "where the encoder reads {reading} the reference said {reference} on average of {count} "
         "values; the drive will add {added}")
-        .with("reading", placeOf(reading, isAngular))
-        .with("reference", placeOf(reference, isAngular))
+        .with("reading", readingOf(reading, isAngular))
+        .with("reference", readingOf(reference, isAngular))
         .with("count", static_cast<std::int64_t>(largest->weight))
         .with("added", std::move(signedAmount));
 }
