@@ -89,6 +89,8 @@ constexpr std::array errorRows{
             "name:{table} or #{table}")},
     ErrorRow{ErrorCode::ResamplingImpossible, "ResamplingImpossible", ErrorClass::Request,
         AXISCOMP_TEXT("Error", "the table cannot be resampled: {reason}")},
+    ErrorRow{ErrorCode::MeasurementState, "MeasurementState", ErrorClass::Request,
+        AXISCOMP_TEXT("Error", "{reason}")},
     ErrorRow{ErrorCode::PeriodNotResolved, "PeriodNotResolved", ErrorClass::Request,
         AXISCOMP_TEXT("Error",
             "these positions cannot tell an error with the period {period}: they lie in {filled} "

@@ -40,6 +40,7 @@ enum class ErrorCode {
     LargeCorrection, ///< reason
     TableAmbiguous, ///< table, named, numbered
     ResamplingImpossible, ///< reason
+    MeasurementState, ///< reason
     PeriodNotResolved, ///< period, filled, classes, fewest
     NoDataThere, ///< count, region, distances
     NotConverged, ///< reason

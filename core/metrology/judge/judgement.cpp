@@ -1,25 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/metrology/judge/judgement.h"
 
-#include "core/text/number_text.h"
+#include "core/metrology/fine_quantity.h"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 
 namespace axiscomp {
 
 namespace {
-
-/// In um or arcsec, as figures are shown.
-Quantity fineQuantity(double value, const Measurement& measurement)
-{
-    const double factor = measurement.isAngular ? 3600.0 : 1000.0;
-    std::array<char, 352> buffer{};
-    const auto end = std::to_chars(
-        buffer.data(), buffer.data() + buffer.size(), value * factor, std::chars_format::fixed, 3);
-    return {std::string(buffer.data(), end.ptr), measurement.isAngular ? "arcsec" : "um"};
-}
 
 void warnOfDrift(Judgement& result, const Measurement& measurement, const DirectionDrift& drift,
     Approach direction)
@@ -31,7 +19,7 @@ void warnOfDrift(Judgement& result, const Measurement& measurement, const Direct
             "the runs {direction} drift by {drift} from the first to the last, more than their "
             "spread explains")
             .with("direction", approachText(direction))
-            .with("drift", fineQuantity(*drift.firstToLast, measurement))});
+            .with("drift", fineQuantity(*drift.firstToLast, measurement.isAngular))});
 }
 
 void warnOfDisturbance(Judgement& result, const DirectionOutliers& outliers, Approach direction)

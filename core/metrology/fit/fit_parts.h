@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/metrology/fit/fit_errors.h"
+#include "core/metrology/fit/measurement_fit.h"
+
+namespace axiscomp {
+
+// The parts of fitMeasurement.
+
+struct FitInput {
+    const Measurement& measurement;
+    const FitSettings& settings;
+    const FoundState& state;
+    LookupAt lookupAt;
+    std::stop_token stop;
+
+    /// On a modulo axis positions repeat.
+    [[nodiscard]] Outside outside() const { return settings.turn ? Outside::Wrap : Outside::Hold; }
+};
+
+/// Runs and averages: along one axis.
+[[nodiscard]] Result<FitReport> fitRuns(const FitInput& input);
+/// Tracks, and points of two or three axes.
+[[nodiscard]] Result<FitReport> fitScattered(const FitInput& input);
+
+/// The values as a drive has them. rounding: the largest change by that.
+[[nodiscard]] FittedTable fittedTable(std::vector<double> values, Grid grid, std::string name,
+    std::string target, const std::string& unit);
+
+/// The largest change of the table that it is merged onto.
+[[nodiscard]] FitMerge mergeOnto(
+    const FitInput& input, const CompensationTable& old, const CompensationTable& made);
+
+void addRemark(FitReport& report, std::string_view name, Text text, bool isWarning = false);
+/// What is to be said of any table, whatever it was made of.
+void addTableRemarks(const FitInput& input, FitReport& report);
+/// What is to be said of a table of runs; judgement: of the measurement.
+void addRunsRemarks(
+    const FitInput& input, const Judgement& judgement, const TableFit& fit, FitReport& report);
+
+} // namespace axiscomp

@@ -1,0 +1,320 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/metrology/fine_quantity.h"
+#include "core/metrology/fit/fit_parts.h"
+#include "core/table/large_correction.h"
+#include "core/text/number_text.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+namespace axiscomp {
+
+namespace {
+
+/// The remarks of one report.
+class Remarks {
+public:
+    Remarks(const FitInput& input, FitReport& report)
+        : m_isAngular(input.measurement.isAngular)
+        , m_report(report)
+    {
+    }
+
+    void say(std::string_view name, Text text) { addRemark(m_report, name, std::move(text)); }
+    void warn(std::string_view name, Text text)
+    {
+        addRemark(m_report, name, std::move(text), true);
+    }
+    [[nodiscard]] Quantity fine(double value) const { return fineQuantity(value, m_isAngular); }
+    [[nodiscard]] Quantity place(double position) const { return placeOf(position, m_isAngular); }
+    [[nodiscard]] bool isAngular() const { return m_isAngular; }
+
+private:
+    bool m_isAngular;
+    FitReport& m_report;
+};
+
+void remarkOfZero(const FittedTable& made, Remarks& remarks)
+{
+    if (made.removedSlope != 0.0)
+        remarks.say("SlopeRemoved",
+            AXISCOMP_TEXT("Measurement", "a slope of {slope} over {length} was taken out")
+                .with("slope", remarks.fine(made.removedSlope * 1000.0))
+                .with("length", remarks.place(1000.0)));
+    if (made.removedConstant != 0.0)
+        remarks.say("ZeroMoved",
+            AXISCOMP_TEXT("Measurement",
+                "{constant} was taken out of all values of {table}, so that it is 0 where --zero "
+                "has it")
+                .with("constant", remarks.fine(made.removedConstant))
+                .with("table", made.table.name));
+}
+
+void remarkOfSteps(const FitInput& input, const FittedTable& made, Remarks& remarks)
+{
+    const CompensationTable& table = made.table;
+    const SteepestStep steepest = steepestStep(table);
+    const GridAxis& axis = table.grid.axes[steepest.dimension];
+    std::size_t stride = 1;
+    for (std::size_t n = 0; n < steepest.dimension; ++n)
+        stride *= table.grid.axes[n].size;
+    const double from = axis.position(steepest.from / stride % axis.size);
+    remarks.say("LargestStep",
+        AXISCOMP_TEXT("Measurement",
+            "the steepest part of {table} is between {from} and {to}: {step}, {slope} for each "
+            "{one}")
+            .with("table", table.name)
+            .with("from", remarks.place(from))
+            .with("to", remarks.place(from + axis.distance))
+            .with("step", remarks.fine(steepest.slope * axis.distance))
+            .with("slope", remarks.fine(steepest.slope))
+            .with("one", remarks.place(1.0)));
+    if (input.settings.speed && made.density)
+        remarks.say("VelocityStep",
+            AXISCOMP_TEXT("Measurement",
+                "at {speed} for each second the velocity jumps by at most {step} for each second "
+                "at a point of the table")
+                .with("speed", remarks.place(*input.settings.speed))
+                .with("step",
+                    remarks.fine(made.density->largestSlopeChange * *input.settings.speed)));
+}
+
+/// Of what float32 changes two digits tell enough.
+void remarkOfRounding(const FittedTable& made, Remarks& remarks)
+{
+    const double factor = remarks.isAngular() ? 3600.0 : 1000.0;
+    std::array<char, 32> buffer{};
+    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(),
+        made.rounding * factor, std::chars_format::general, 2);
+    remarks.say("Rounding",
+        AXISCOMP_TEXT("Measurement",
+            "a drive holds numbers with 24 bits, which changes a value of {table} by at most "
+            "{rounding}")
+            .with("table", made.table.name)
+            .with("rounding",
+                Quantity{
+                    std::string(buffer.data(), end.ptr), remarks.isAngular() ? "arcsec" : "um"}));
+}
+
+void remarkOfNodes(const FittedTable& made, Remarks& remarks)
+{
+    if (made.filledNodes > 0)
+        remarks.warn("NodesFilled",
+            AXISCOMP_COUNTED("Measurement",
+                "{count} points of {table} have nothing measured beside them and were filled",
+                "1 point of {table} has nothing measured beside it and was filled")
+                .with("count", made.filledNodes)
+                .with("table", made.table.name));
+}
+
+void remarkOfMerge(const FitMerge& merge, Remarks& remarks)
+{
+    std::vector<Text> places;
+    for (const double place : merge.largestAt)
+        places.push_back(Text(Verbatim{roundedText(place)}));
+    remarks.say("Merged",
+        AXISCOMP_TEXT("Measurement",
+            "merged onto {name} with gain {gain}: a value changes by at most {change}, at {place}")
+            .with("name", merge.onto)
+            .with("gain", Quantity{roundedText(merge.gain), {}})
+            .with("change", remarks.fine(merge.largestChange))
+            .with("place", std::move(places)));
+}
+
+/// A figure that says best how good the axis is: A, else E, else M.
+std::optional<Iso230Figure> leadingFigure(const Iso230Figures& figures)
+{
+    for (const Iso230Figure figure : {Iso230Figure::A, Iso230Figure::E, Iso230Figure::M})
+        if (figures[figure].value)
+            return figure;
+    return std::nullopt;
+}
+
+void remarkOfImprovement(const FitReport& report, Remarks& remarks)
+{
+    constexpr double least = 0.2;
+    const auto figure = leadingFigure(*report.before);
+    if (!figure || !(*report.predicted)[*figure].value)
+        return;
+    const double before = *(*report.before)[*figure].value;
+    const double after = *(*report.predicted)[*figure].value;
+    if (before - after < least * before)
+        remarks.warn("LittleImprovement",
+            AXISCOMP_TEXT("Measurement",
+                "the table improves little: {figure} from {before} to {after}, less than a fifth")
+                .with("figure", figureText(*figure))
+                .with("before", remarks.fine(before))
+                .with("after", remarks.fine(after)));
+}
+
+void remarkOfHeldOut(const FitReport& report, Remarks& remarks)
+{
+    if (!report.heldOut)
+        return;
+    const double heldOut = report.heldOut->range;
+    const auto before = (*report.before)[Iso230Figure::M].value;
+    const auto repeatability = (*report.before)[Iso230Figure::R].value;
+    const auto predicted = (*report.predicted)[Iso230Figure::M].value;
+    const bool isAboveHalf = before && heldOut > 0.5 * *before;
+    const bool isAbovePrediction =
+        repeatability && predicted && heldOut > 0.5 * *repeatability && heldOut > 2.0 * *predicted;
+    if (!isAboveHalf && !isAbovePrediction)
+        return;
+    Text text = AXISCOMP_TEXT("Measurement",
+        "between the targets the error is not known well enough: foretold without each target, M "
+        "is {heldOut}; measure at more targets");
+    if (before)
+        text = AXISCOMP_TEXT("Measurement",
+            "between the targets the error is not known well enough: foretold without each target, "
+            "M is {heldOut}, before it was {before}; measure at more targets")
+                   .with("before", remarks.fine(*before));
+    remarks.warn("BetweenTargets", std::move(text).with("heldOut", remarks.fine(heldOut)));
+}
+
+void remarkOfReversal(const FitInput& input, const TableFit& fit, Remarks& remarks)
+{
+    if (!fit.remainingReversal)
+        return;
+    if (fit.isMostlyReversal)
+        remarks.warn("MostlyReversal",
+            AXISCOMP_TEXT("Measurement",
+                "most of this error is reversal, which no table removes: up to {reversal} remains "
+                "in each direction")
+                .with("reversal", remarks.fine(*fit.remainingReversal)));
+    else if (input.settings.direction == FitDirection::Mean)
+        remarks.say("ReversalRemains",
+            AXISCOMP_TEXT("Measurement",
+                "the table is for both directions: up to {reversal} of the reversal remains in "
+                "each")
+                .with("reversal", remarks.fine(*fit.remainingReversal)));
+    else
+        remarks.say("ReversalRemains",
+            AXISCOMP_TEXT("Measurement",
+                "the table is for one direction: in the other up to {reversal} of reversal remains")
+                .with("reversal", remarks.fine(2.0 * *fit.remainingReversal)));
+}
+
+void remarkOfPeriods(const FitInput& input, Remarks& remarks)
+{
+    const std::vector<double>& targets = input.measurement.targets;
+    for (const double period : input.settings.periods.periods)
+        remarks.say("TargetsPerPeriod",
+            AXISCOMP_TEXT("Measurement", "{count} targets lie in {turns} periods of {period}")
+                .with("count", targets.size())
+                .with("turns",
+                    Quantity{
+                        fineQuantity((targets.back() - targets.front()) / period / 1000.0, false)
+                            .digits,
+                        {}})
+                .with("period", remarks.place(period)));
+}
+
+void remarkOfOutliers(const Judgement& judgement, Remarks& remarks)
+{
+    const std::size_t count =
+        judgement.outliers.up.flagged.size() + judgement.outliers.down.flagged.size();
+    if (count > 0)
+        remarks.warn("OutliersLeftIn",
+            AXISCOMP_COUNTED("Measurement",
+                "{count} values do not fit the others and are in the table; `axiscomp judge` names "
+                "them, --exclude leaves them out",
+                "1 value does not fit the others and is in the table; `axiscomp judge` names it, "
+                "--exclude leaves it out")
+                .with("count", count));
+}
+
+void remarkOfHome(const FitInput& input, const CompensationTable& table, Remarks& remarks)
+{
+    if (!input.settings.home)
+        return;
+    const Lookup lookup(table, input.outside());
+    remarks.say("ValueAtHome",
+        AXISCOMP_TEXT("Measurement", "at the home position {home} the drive will add {value}")
+            .with("home", remarks.place(*input.settings.home))
+            .with("value", remarks.fine(lookup.at(*input.settings.home))));
+}
+
+void remarkOfTurn(const FitInput& input, const CompensationTable& table, Remarks& remarks)
+{
+    if (!input.settings.turn)
+        return;
+    const GridAxis& axis = table.grid.axes.front();
+    const double jump =
+        static_cast<double>(table.values.back()) - static_cast<double>(table.values.front());
+    Text ends = AXISCOMP_TEXT("Measurement",
+        "over a turn, from {from} to {to}, the table ends {jump} above where it begins")
+                    .with("from", remarks.place(axis.start))
+                    .with("to", remarks.place(axis.last()))
+                    .with("jump", remarks.fine(jump));
+    if (jump != 0.0)
+        remarks.warn("EndsOfTurn", std::move(ends));
+    else
+        remarks.say("EndsOfTurn", std::move(ends));
+}
+
+void remarkOfDensity(const FitInput& input, const FittedTable& made, Remarks& remarks)
+{
+    if (input.settings.method != FitMethod::Linear && made.density)
+        remarks.say("Density",
+            AXISCOMP_COUNTED("Measurement",
+                "{count} points with straight lines between them are at most {distance} off the "
+                "curve, at {place}",
+                "{count} points with straight lines between them are at most {distance} off the "
+                "curve, at {place}")
+                .with("count", made.density->points)
+                .with("distance", remarks.fine(made.density->largestDistance))
+                .with("place", remarks.place(made.density->distanceAt)));
+}
+
+/// What an old table had between the targets is not measured, and not kept.
+void remarkOfOldPoints(const FitInput& input, const FittedTable& made, Remarks& remarks)
+{
+    if (input.state.kind != FoundState::Kind::On)
+        return;
+    const std::size_t old = input.state.active->tables.front().values.size();
+    if (old > made.knots)
+        remarks.warn("OldPointsReplaced",
+            AXISCOMP_TEXT("Measurement",
+                "{name} has {old} points, and there are {count} targets: what it has between them "
+                "is replaced by the new curve")
+                .with("name", input.state.active->name)
+                .with("old", old)
+                .with("count", made.knots));
+}
+
+} // namespace
+
+void addTableRemarks(const FitInput& input, FitReport& report)
+{
+    Remarks remarks(input, report);
+    for (const FittedTable& made : report.tables) {
+        remarkOfZero(made, remarks);
+        remarkOfSteps(input, made, remarks);
+        remarkOfRounding(made, remarks);
+        remarkOfNodes(made, remarks);
+    }
+    if (report.merge)
+        remarkOfMerge(*report.merge, remarks);
+}
+
+void addRunsRemarks(
+    const FitInput& input, const Judgement& judgement, const TableFit& fit, FitReport& report)
+{
+    Remarks remarks(input, report);
+    const FittedTable& made = report.tables.front();
+    remarkOfHeldOut(report, remarks);
+    remarkOfImprovement(report, remarks);
+    remarkOfReversal(input, fit, remarks);
+    for (const JudgeWarning& warning : judgement.warnings)
+        remarks.warn(warning.name, warning.text);
+    remarkOfOutliers(judgement, remarks);
+    remarkOfOldPoints(input, made, remarks);
+    remarkOfHome(input, made.table, remarks);
+    remarkOfTurn(input, made.table, remarks);
+    remarkOfPeriods(input, remarks);
+    remarkOfDensity(input, made, remarks);
+}
+
+} // namespace axiscomp

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/metrology/fit/measured_state.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+namespace axiscomp {
+
+namespace {
+
+using StateKind = MeasuredState::Kind;
+
+auto wrongState(Text reason)
+{
+    return fail(ErrorCode::MeasurementState, {{"reason", std::move(reason)}});
+}
+
+/// "1c291ca3"
+std::string crcDigits(std::uint32_t crc)
+{
+    std::array<char, 8> digits{};
+    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), crc, 16);
+    const std::string text(digits.data(), end.ptr);
+    return std::string(digits.size() - text.size(), '0') + text;
+}
+
+std::vector<std::string> crcList(const KnownTables& tables)
+{
+    std::vector<std::string> list;
+    for (const std::uint32_t crc : tables.crcs)
+        list.push_back(crcDigits(crc));
+    return list;
+}
+
+Text stateText(const MeasuredState& state)
+{
+    if (state.kind == StateKind::Off)
+        return AXISCOMP_TEXT("Measurement", "the compensation off");
+    if (!state.tableCrc)
+        return AXISCOMP_TEXT("Measurement", "the compensation on");
+    return AXISCOMP_TEXT("Measurement", "the table {crc} active")
+        .with("crc", crcDigits(*state.tableCrc));
+}
+
+/// What the file and the person say together. Errors: MeasurementState.
+Result<MeasuredState> agreedState(const StateRequest& request)
+{
+    const MeasuredState& onFile = request.onFile;
+    if (!request.stated) {
+        if (onFile.kind == StateKind::NotSaid)
+            return wrongState(AXISCOMP_TEXT("Error",
+                "the measurement does not say whether a compensation was active while it was "
+                "made; say it with --measured-with off, --measured-with on, or --measured-with "
+                "and the file of the table that was active"));
+        return onFile;
+    }
+    const MeasuredState& stated = *request.stated;
+    const bool isSame = onFile.kind == StateKind::NotSaid
+        || (onFile.kind == stated.kind
+            && (!onFile.tableCrc || !stated.tableCrc || *onFile.tableCrc == *stated.tableCrc));
+    if (!isSame)
+        return wrongState(AXISCOMP_TEXT("Error",
+            "the measurement says that it was made with {recorded}, not with {stated}; leave out "
+            "--measured-with, or take the table that was active")
+                              .with("recorded", stateText(onFile))
+                              .with("stated", stateText(stated)));
+    MeasuredState agreed = stated;
+    if (!agreed.tableCrc)
+        agreed.tableCrc = onFile.tableCrc;
+    return agreed;
+}
+
+const KnownTables* tablesOf(const StateRequest& request, std::uint32_t crc)
+{
+    if (request.onto->has(crc))
+        return request.onto;
+    const auto found = std::ranges::find_if(
+        request.others, [crc](const KnownTables& known) { return known.has(crc); });
+    return found == request.others.end() ? nullptr : &*found;
+}
+
+Result<FoundState> measuredOn(const StateRequest& request, const MeasuredState& state)
+{
+    if (!request.onto)
+        return wrongState(state.tableCrc
+                ? AXISCOMP_TEXT("Error",
+                    "these are residuals of the table {crc}, which was active while they were "
+                    "measured: merge them with --onto and the file of that table, or with "
+                    "--onto drive")
+                      .with("crc", crcDigits(*state.tableCrc))
+                : Text(AXISCOMP_TEXT("Error",
+                    "these are residuals of a table that was active while they were measured: "
+                    "merge them with --onto and the file of that table, or with --onto drive")));
+    FoundState found;
+    found.kind = FoundState::Kind::On;
+    found.active = request.onto;
+    if (state.tableCrc) {
+        found.active = tablesOf(request, *state.tableCrc);
+        if (!found.active)
+            return wrongState(AXISCOMP_TEXT("Error",
+                "it was measured with the table {crc} active, which is not {name} ({known}), nor "
+                "any other table known; give its file with --measured-with, or merge onto it")
+                                  .with("crc", crcDigits(*state.tableCrc))
+                                  .with("name", request.onto->name)
+                                  .with("known", crcList(*request.onto)));
+        found.text = AXISCOMP_TEXT("Measurement", "measured with the table {crc} of {name} active")
+                         .with("crc", crcDigits(*state.tableCrc))
+                         .with("name", found.active->name);
+        return found;
+    }
+    found.text = AXISCOMP_TEXT("Measurement", "measured with {name} active ({known})")
+                     .with("name", request.onto->name)
+                     .with("known", crcList(*request.onto));
+    found.assumption = AXISCOMP_TEXT("Measurement",
+        "the measurement does not say which table was active; {name} ({known}) is taken to have "
+        "been")
+                           .with("name", request.onto->name)
+                           .with("known", crcList(*request.onto));
+    return found;
+}
+
+} // namespace
+
+bool KnownTables::has(std::uint32_t crc) const
+{
+    return std::ranges::find(crcs, crc) != crcs.end();
+}
+
+std::string_view stateName(FoundState::Kind kind)
+{
+    switch (kind) {
+    case FoundState::Kind::Off:
+        return "off";
+    case FoundState::Kind::On:
+        return "on";
+    case FoundState::Kind::Irrelevant:
+        return "irrelevant";
+    }
+    return {};
+}
+
+Result<FoundState> findState(const StateRequest& request)
+{
+    if (request.hasRawReadings) {
+        FoundState found;
+        found.kind = FoundState::Kind::Irrelevant;
+        found.active = request.onto;
+        found.text = AXISCOMP_TEXT("Measurement",
+            "the raw positions of the encoder are on file: the table is made of reference minus "
+            "encoder, whatever compensation was active");
+        return found;
+    }
+    AXISCOMP_TRY(const auto state, agreedState(request));
+    if (state.kind == StateKind::On)
+        return measuredOn(request, state);
+    if (request.onto)
+        return wrongState(AXISCOMP_TEXT("Error",
+            "it was measured with the compensation off: the values are the whole error, and must "
+            "not be added to {name}; leave out --onto, or measure with that table active")
+                              .with("name", request.onto->name));
+    FoundState found;
+    found.text = AXISCOMP_TEXT("Measurement", "measured with the compensation off");
+    return found;
+}
+
+} // namespace axiscomp

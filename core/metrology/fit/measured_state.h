@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/result.h"
+#include "core/metrology/measurement.h"
+#include "core/table/compensation_table.h"
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace axiscomp {
+
+/// Tables that may have been active while it was measured: those of a file, or the one of an axis.
+struct KnownTables {
+    Text name; ///< "x.csv", "the table of axis 0 (X)"
+    std::vector<CompensationTable> tables; ///< consistent; positions and values in mm or deg
+    std::vector<std::uint32_t> crcs; ///< of each, as a drive shows it
+
+    [[nodiscard]] bool has(std::uint32_t crc) const;
+};
+
+/// What is known of the drive's state, and what is asked for.
+struct StateRequest {
+    MeasuredState onFile; ///< as the measurement says it
+    std::optional<MeasuredState> stated = {}; ///< as a person says it, where the file does not
+    bool hasRawReadings = false; ///< of every value in use
+    const KnownTables* onto = nullptr; ///< what the residuals are merged onto; null: nothing
+    /// Other tables that may have been active: a file, the backups of the drive.
+    std::span<const KnownTables> others = {};
+};
+
+/// What the drive added while it was measured.
+struct FoundState {
+    enum class Kind {
+        Off,
+        On,
+        Irrelevant, ///< the raw positions are known
+    };
+    Kind kind = Kind::Off;
+    const KnownTables* active = nullptr; ///< with On; one of those of the request
+    Text text; ///< "measured with the table 1c291ca3 of x.csv active"
+    Text assumption; ///< what was taken for granted; empty: nothing
+};
+[[nodiscard]] std::string_view stateName(FoundState::Kind kind); ///< "off", "on", "irrelevant"
+
+/// Whether record and request agree, before a table is made or merged. Errors: MeasurementState,
+/// with the way out: measured off and merged; measured on and not merged; measured with a table
+/// that is not among those known; not on record and not stated; stated otherwise than on record.
+[[nodiscard]] Result<FoundState> findState(const StateRequest& request);
+
+} // namespace axiscomp

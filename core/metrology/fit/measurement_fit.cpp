@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/metrology/fit/measurement_fit.h"
+
+#include "core/metrology/fit/fit_parts.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace axiscomp {
+
+namespace {
+
+struct MethodName {
+    FitMethod method;
+    std::string_view name;
+};
+constexpr std::array methodNames{MethodName{FitMethod::Linear, "linear"},
+    MethodName{FitMethod::Cubic, "cubic"}, MethodName{FitMethod::Spline, "spline"},
+    MethodName{FitMethod::Smooth, "smooth"}, MethodName{FitMethod::Harmonic, "harmonic"}};
+
+} // namespace
+
+std::string_view fitMethodName(FitMethod method)
+{
+    return std::ranges::find(methodNames, method, &MethodName::method)->name;
+}
+
+std::optional<FitMethod> fitMethodNamed(std::string_view name)
+{
+    const auto found = std::ranges::find(methodNames, name, &MethodName::name);
+    if (found == methodNames.end())
+        return std::nullopt;
+    return found->method;
+}
+
+std::string_view lookupAtName(LookupAt lookupAt)
+{
+    return lookupAt == LookupAt::Encoder ? "encoder" : "set";
+}
+
+std::string_view fitDirectionName(FitDirection direction)
+{
+    switch (direction) {
+    case FitDirection::Mean:
+        return "mean";
+    case FitDirection::Positive:
+        return "positive";
+    case FitDirection::Negative:
+        return "negative";
+    }
+    return {};
+}
+
+bool FitReport::isWithinTolerances() const
+{
+    return std::ranges::all_of(
+        verdicts, [](const Verdict& verdict) { return verdict.result == VerdictResult::Passed; });
+}
+
+bool hasRawReadings(const Measurement& measurement)
+{
+    if (measurement.kind == MeasurementKind::Track)
+        return true;
+    return measurement.hasTargets() && std::ranges::any_of(measurement.values, &RunValue::isUsed)
+        && std::ranges::all_of(measurement.values,
+            [](const RunValue& value) { return !value.isUsed || value.encoder.has_value(); });
+}
+
+FittedTable fittedTable(std::vector<double> values, Grid grid, std::string name, std::string target,
+    const std::string& unit)
+{
+    FittedTable fitted;
+    fitted.table.name = std::move(name);
+    fitted.table.target = std::move(target);
+    fitted.table.unit = unit;
+    fitted.table.grid = std::move(grid);
+    for (const double value : values) {
+        const auto held = static_cast<float>(value);
+        fitted.table.values.push_back(held);
+        fitted.rounding = std::max(fitted.rounding, std::abs(static_cast<double>(held) - value));
+    }
+    return fitted;
+}
+
+FitMerge mergeOnto(
+    const FitInput& input, const CompensationTable& old, const CompensationTable& made)
+{
+    FitMerge merge;
+    merge.onto = input.state.active->name;
+    merge.gain = input.settings.gain;
+    const Lookup before(old, input.outside());
+    std::vector<double> position(made.grid.axes.size());
+    for (std::size_t i = 0; i < made.values.size(); ++i) {
+        std::size_t rest = i;
+        for (std::size_t axis = 0; axis < position.size(); ++axis) {
+            position[axis] = made.grid.axes[axis].position(rest % made.grid.axes[axis].size);
+            rest /= made.grid.axes[axis].size;
+        }
+        const double change = std::abs(static_cast<double>(made.values[i]) - before.at(position));
+        if (merge.largestAt.empty() || change > merge.largestChange) {
+            merge.largestChange = change;
+            merge.largestAt = position;
+        }
+    }
+    return merge;
+}
+
+void addRemark(FitReport& report, std::string_view name, Text text, bool isWarning)
+{
+    report.remarks.push_back({name, std::move(text), isWarning});
+}
+
+Result<FitReport> fitMeasurement(const Measurement& measurement, const FitSettings& settings,
+    const FoundState& state, std::stop_token stop)
+{
+    if (!settings.lookupAt)
+        return badFit(AXISCOMP_TEXT("Error",
+            "at which position the drive looks the table up decides where its values belong: say "
+            "--lookup-at encoder for a position before the compensation, or --lookup-at set for "
+            "one after it"));
+    if (!(settings.gain > 0.0 && settings.gain <= 2.0))
+        return badFit(AXISCOMP_TEXT("Error", "a gain is above 0 and at most 2; it is usually 1"));
+    if (settings.gain != 1.0 && state.kind != FoundState::Kind::On)
+        return badFit(AXISCOMP_TEXT("Error",
+            "a gain is for residuals that are merged onto the table that was active; here the "
+            "values are the whole error"));
+    const FitInput input{measurement, settings, state, *settings.lookupAt, std::move(stop)};
+    AXISCOMP_TRY(auto report, measurement.hasTargets() ? fitRuns(input) : fitScattered(input));
+    report.lookupAt = input.lookupAt;
+    report.state = state;
+    if (!state.assumption.isEmpty())
+        addRemark(report, "StateAssumed", state.assumption, true);
+    addTableRemarks(input, report);
+    std::ranges::stable_partition(report.remarks, &FitRemark::isWarning);
+    return report;
+}
+
+} // namespace axiscomp

@@ -1,0 +1,465 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/conversion/resampling.h"
+#include "core/metrology/fine_quantity.h"
+#include "core/metrology/fit/fit_parts.h"
+#include "core/metrology/fit/grid_points.h"
+#include "core/table/even_spacing.h"
+#include "core/table/target_axis.h"
+#include "core/text/number_text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace axiscomp {
+
+namespace {
+
+using ScatteredNumbers = std::vector<double>;
+
+/// What is fitted onto a grid: values at places, in one or more columns.
+struct Scatter {
+    std::vector<std::string> axes; ///< of each dimension
+    std::vector<ScatteredNumbers> positions; ///< measured, [axis][point]
+    struct Column {
+        std::string name;
+        std::string target;
+        std::optional<std::size_t> own; ///< the dimension that it corrects
+        ScatteredNumbers values;
+        std::vector<ScatteredNumbers> places = {}; ///< where they belong, [axis][point]
+    };
+    std::vector<Column> columns;
+    ScatteredNumbers weights = {};
+
+    [[nodiscard]] std::size_t dimensions() const { return axes.size(); }
+    [[nodiscard]] std::size_t size() const { return positions.front().size(); }
+};
+
+bool isWanted(const TrackSample& sample, FitDirection direction)
+{
+    return direction == FitDirection::Mean
+        || (sample.direction == Approach::Up) == (direction == FitDirection::Positive);
+}
+
+/// Both directions count the same, however many samples they have.
+Scatter scatterOfTrack(const FitInput& input)
+{
+    const Measurement& measurement = input.measurement;
+    const std::string& axis = measurement.header.axis;
+    Scatter scatter;
+    scatter.axes = {axis.empty() ? "Position" : axis};
+    scatter.positions.resize(1);
+    Scatter::Column column{axis.empty() ? "Error" : "d" + axis, axis, 0, {}, {{}}};
+    const auto ups = static_cast<double>(
+        std::ranges::count(measurement.track, Approach::Up, &TrackSample::direction));
+    const double downs = static_cast<double>(measurement.track.size()) - ups;
+    const bool isBalanced =
+        input.settings.direction == FitDirection::Mean && ups > 0.0 && downs > 0.0;
+    for (const TrackSample& sample : measurement.track) {
+        if (!isWanted(sample, input.settings.direction))
+            continue;
+        scatter.positions[0].push_back(sample.encoder);
+        column.values.push_back(sample.reference - sample.encoder);
+        column.places[0].push_back(
+            input.lookupAt == LookupAt::Encoder ? sample.encoder : sample.reference);
+        if (isBalanced)
+            scatter.weights.push_back(
+                0.5 * (ups + downs) / (sample.direction == Approach::Up ? ups : downs));
+    }
+    scatter.columns.push_back(std::move(column));
+    return scatter;
+}
+
+Scatter scatterOfPoints(const FitInput& input)
+{
+    const MeasuredPoints& points = input.measurement.points;
+    Scatter scatter;
+    scatter.axes = points.axes;
+    scatter.positions = points.positions;
+    for (std::size_t i = 0; i < points.columns.size(); ++i) {
+        Scatter::Column column;
+        column.name = points.columns[i];
+        column.target = targetInHeader(column.name, points.axes);
+        if (const auto target = targetAxis(column.target, points.axes))
+            column.own = target->source;
+        column.values = points.values[i];
+        scatter.columns.push_back(std::move(column));
+    }
+    return scatter;
+}
+
+/// The column of the deviations along each dimension; null: not measured.
+std::vector<const Scatter::Column*> ownColumns(const Scatter& scatter)
+{
+    std::vector<const Scatter::Column*> own(scatter.dimensions());
+    for (const Scatter::Column& column : scatter.columns)
+        if (column.own)
+            own[*column.own] = &column;
+    return own;
+}
+
+Result<std::optional<RigidBody>> removeBody(const FitInput& input, Scatter& scatter)
+{
+    const FitSettings& settings = input.settings;
+    if (settings.remove == BodyRemoval::None)
+        return std::nullopt;
+    const auto own = ownColumns(scatter);
+    VectorDeviations vectors;
+    vectors.dimensions = scatter.dimensions();
+    for (std::size_t axis = 0; axis < own.size(); ++axis) {
+        if (!own[axis])
+            return badFit(AXISCOMP_TEXT("Error",
+                "how the artefact lay is found from the deviations along all of its axes, but "
+                "there is no column for {axis}, such as d{axis}; leave --remove out")
+                              .with("axis", scatter.axes[axis]));
+        vectors.positions[axis] = scatter.positions[axis];
+        vectors.deviations[axis] = own[axis]->values;
+    }
+    RigidBodyRequest request;
+    if (settings.remove == BodyRemoval::RigidAlong)
+        request.alongAxis = settings.removeAlong;
+    request.fitsScale = settings.remove == BodyRemoval::Scale;
+    AXISCOMP_TRY(const auto body, fitRigidBody(vectors, request));
+    for (Scatter::Column& column : scatter.columns) {
+        if (!column.own)
+            continue;
+        for (std::size_t i = 0; i < scatter.size(); ++i) {
+            std::array<double, 3> position{};
+            for (std::size_t axis = 0; axis < scatter.dimensions(); ++axis)
+                position[axis] = scatter.positions[axis][i];
+            column.values[i] -= body.at(position)[*column.own];
+        }
+    }
+    return body;
+}
+
+/// The table of what was active for an axis; none: nothing was.
+ActiveTable activeFor(const FitInput& input, const std::string& target)
+{
+    if (input.state.kind != FoundState::Kind::On || target.empty())
+        return {};
+    const auto& tables = input.state.active->tables;
+    const auto found = std::ranges::find(tables, target, &CompensationTable::target);
+    return found == tables.end() ? ActiveTable{} : ActiveTable{&*found};
+}
+
+/// Where the values of each column belong, and what they are there.
+Result<void> placeColumns(const FitInput& input, Scatter& scatter)
+{
+    const std::size_t dimensions = scatter.dimensions();
+    std::vector<ActiveTable> movers;
+    for (const std::string& axis : scatter.axes)
+        movers.push_back(activeFor(input, axis));
+    const auto own = ownColumns(scatter);
+    std::vector<ScatteredNumbers> moved(dimensions, ScatteredNumbers(scatter.size(), 0.0));
+    for (std::size_t axis = 0; axis < dimensions; ++axis)
+        if (own[axis])
+            moved[axis] = own[axis]->values;
+    for (Scatter::Column& column : scatter.columns) {
+        const ActiveTable active = activeFor(input, column.target);
+        if (input.state.kind == FoundState::Kind::On && !active.table)
+            return badFit(AXISCOMP_TEXT("Error",
+                "{name} has no table whose target is that of the column {column}; state the "
+                "targets of its tables, or measure without a table")
+                              .with("name", input.state.active->name)
+                              .with("column", column.name));
+        AXISCOMP_TRY(const auto frame, LookupFrame::make(input.lookupAt, movers, active));
+        column.places.assign(dimensions, ScatteredNumbers(scatter.size()));
+        for (std::size_t i = 0; i < scatter.size(); ++i) {
+            std::array<double, 3> target{};
+            std::array<double, 3> shift{};
+            for (std::size_t axis = 0; axis < dimensions; ++axis) {
+                target[axis] = scatter.positions[axis][i];
+                shift[axis] = moved[axis][i];
+            }
+            const double residual = column.values[i];
+            AXISCOMP_TRY(const auto point,
+                frame.atTarget({target.data(), dimensions}, residual, {shift.data(), dimensions}));
+            for (std::size_t axis = 0; axis < dimensions; ++axis)
+                column.places[axis][i] = point.knot[axis];
+            column.values[i] = point.value - (1.0 - input.settings.gain) * residual;
+        }
+    }
+    return {};
+}
+
+Result<GridAxis> gridAxis(const FitInput& input, const Scatter& scatter, std::size_t axis)
+{
+    const FitSettings& settings = input.settings;
+    const ScatteredNumbers& positions = scatter.positions[axis];
+    const auto [from, to] = std::ranges::minmax(positions);
+    GridAxis made;
+    made.name = scatter.axes[axis];
+    made.unit = positionUnit(input.measurement);
+    made.start = from;
+    if (!(to > from))
+        return badFit(AXISCOMP_TEXT("Error", "all points have the same position along {axis}")
+                          .with("axis", made.name));
+    if (settings.grid.empty()) {
+        const auto lines = distinctTargets(positions);
+        const bool isGrid = input.measurement.kind == MeasurementKind::Points
+            && lines.size() < scatter.size() && fitEvenSpacing(lines, noDecimals).even;
+        if (!isGrid)
+            return badFit(AXISCOMP_TEXT("Error",
+                "the positions along {axis} are no even grid; say the grid of the table with "
+                "--points or --distance")
+                              .with("axis", made.name));
+        made.size = static_cast<std::uint32_t>(lines.size());
+        made.distance = evenDistance(from, to, lines.size());
+        return made;
+    }
+    const AxisRequest& wanted =
+        settings.grid.size() == 1 ? settings.grid.front() : settings.grid[axis];
+    if (wanted.points >= 2) {
+        made.size = static_cast<std::uint32_t>(std::min<std::size_t>(wanted.points, 100'000'000));
+        made.distance = evenDistance(from, to, made.size);
+        return made;
+    }
+    if (!(wanted.distance > 0.0))
+        return badFit(AXISCOMP_TEXT("Error", "a grid has at least 2 points along {axis}")
+                          .with("axis", made.name));
+    // The last point of the grid may lie behind the data, so that none of it is left out.
+    const double steps = std::max(1.0, std::ceil((to - from) / wanted.distance * (1.0 - 1e-12)));
+    if (steps > 100'000'000.0)
+        return badFit(AXISCOMP_TEXT("Error", "the distance along {axis} is too small")
+                          .with("axis", made.name));
+    made.size = static_cast<std::uint32_t>(steps) + 1;
+    made.distance = wanted.distance;
+    return made;
+}
+
+Result<Grid> gridOf(const FitInput& input, const Scatter& scatter)
+{
+    const FitSettings& settings = input.settings;
+    if (settings.grid.size() > 1 && settings.grid.size() != scatter.dimensions())
+        return badFit(
+            AXISCOMP_TEXT("Error", "the grid needs one number, or one for each of the {count} axes")
+                .with("count", scatter.dimensions()));
+    Grid grid;
+    for (std::size_t axis = 0; axis < scatter.dimensions(); ++axis) {
+        AXISCOMP_TRY(auto made, gridAxis(input, scatter, axis));
+        grid.axes.push_back(std::move(made));
+    }
+    if (grid.pointCount() > settings.mostPoints)
+        return fail(ErrorCode::ResamplingImpossible,
+            {{"reason",
+                AXISCOMP_TEXT("Error",
+                    "the grid would have more than {count} points; take fewer along an axis")
+                    .with("count", settings.mostPoints)}});
+    return grid;
+}
+
+Result<void> checkScatterSettings(const FitInput& input, std::size_t dimensions)
+{
+    const FitSettings& settings = input.settings;
+    const bool isTrack = input.measurement.kind == MeasurementKind::Track;
+    if (settings.method != FitMethod::Linear || !settings.periods.periods.empty())
+        return badFit(AXISCOMP_TEXT("Error",
+            "points and tracks are fitted on the grid itself, as the drive interpolates it; leave "
+            "out --method and --period"));
+    if (settings.slope != SlopeRemoval::Keep || settings.within || settings.turn || settings.home
+        || settings.drift)
+        return badFit(AXISCOMP_TEXT("Error",
+            "--remove-slope, --within, --turn, --home and --remove-drift are for runs over targets "
+            "along one axis"));
+    if (!settings.tolerances.empty())
+        return badFit(AXISCOMP_TEXT(
+            "Error", "the figures of the standard need targets; leave --tolerance out"));
+    if (settings.zero == FitZero::Home)
+        return badFit(AXISCOMP_TEXT("Error",
+            "a home position is that of one axis measured over targets; take --zero first, mean, "
+            "keep or a position"));
+    if (isTrack && settings.remove != BodyRemoval::None)
+        return badFit(
+            AXISCOMP_TEXT("Error", "--remove is for points of two or three axes; a track has one"));
+    if (!isTrack && settings.direction != FitDirection::Mean)
+        return badFit(AXISCOMP_TEXT("Error", "points have no direction; leave --direction out"));
+    if (settings.zero == FitZero::Position && settings.zeroPosition.size() != dimensions)
+        return badFit(AXISCOMP_TEXT("Error", "the zero needs {count} numbers, one for each axis")
+                          .with("count", dimensions));
+    if (settings.remove == BodyRemoval::RigidAlong && settings.removeAlong >= dimensions)
+        return badFit(AXISCOMP_TEXT("Error", "--remove names an axis that the points do not have"));
+    return {};
+}
+
+Result<double> zeroOf(const FitInput& input, const Grid& grid, const std::vector<double>& values)
+{
+    const FitSettings& settings = input.settings;
+    FitZero zero = settings.zero;
+    if (zero == FitZero::Automatic)
+        zero = settings.remove == BodyRemoval::None ? FitZero::First : FitZero::Keep;
+    if (zero == FitZero::First)
+        return values.front();
+    if (zero == FitZero::Mean)
+        return std::accumulate(values.begin(), values.end(), 0.0)
+            / static_cast<double>(values.size());
+    if (zero != FitZero::Position)
+        return 0.0;
+    if (!isWithin(grid, settings.zeroPosition))
+        return badFit(AXISCOMP_TEXT("Error", "the position of the zero is outside the grid"));
+    ScatteredValues place;
+    for (std::size_t axis = 0; axis < grid.axes.size(); ++axis)
+        place.coordinates[axis] = {&settings.zeroPosition[axis], 1};
+    const double nothing = 0.0;
+    place.values = {&nothing, 1};
+    return interpolated(GridShape(grid), values, locate(grid, place).points.front());
+}
+
+Result<FittedTable> fitColumn(const FitInput& input, const Scatter& scatter,
+    const Scatter::Column& column, const Grid& grid, GridFit& fit)
+{
+    ScatteredValues values;
+    for (std::size_t axis = 0; axis < scatter.dimensions(); ++axis)
+        values.coordinates[axis] = column.places[axis];
+    values.values = column.values;
+    values.weights = scatter.weights;
+    GridFitRequest request;
+    request.grid = grid;
+    request.smoothness = input.settings.smoothness;
+    request.isRobust = input.settings.isRobust;
+    request.farPoints = input.settings.farPoints;
+    request.stop = input.stop;
+    AXISCOMP_TRY(fit, fitGrid(values, request));
+    AXISCOMP_TRY(const double zero, zeroOf(input, grid, fit.values));
+    for (double& value : fit.values)
+        value -= zero;
+    FittedTable made = fittedTable(
+        fit.values, grid, column.name, column.target, std::string(positionUnit(input.measurement)));
+    made.table.filled = fit.filled;
+    made.removedConstant = zero;
+    made.knots = fit.values.size();
+    made.smoothness = fit.smoothness;
+    made.residualRms = fit.residualRms;
+    made.residualLargest = fit.residualLargest;
+    made.crossValidation = fit.crossValidation;
+    made.filledNodes = fit.filled.size();
+    made.measuredNodes = fit.values.size() - fit.filled.size();
+    return made;
+}
+
+/// What the data say of the fit.
+void remarkOfFit(
+    const FitInput& input, const Scatter::Column& column, const GridFit& fit, FitReport& report)
+{
+    const bool isAngular = input.measurement.isAngular;
+    addRemark(report, "Explained",
+        AXISCOMP_TEXT("Measurement",
+            "{table} explains {share} % of the variance of {count} values; {rms} rms remains")
+            .with("table", column.name)
+            .with("share", percentText(std::clamp(fit.explained, 0.0, 1.0)))
+            .with("count", fit.usedPoints)
+            .with("rms", fineQuantity(fit.residualRms, isAngular)));
+    if (fit.explainsLittle())
+        addRemark(report, "ExplainsLittle",
+            AXISCOMP_TEXT("Measurement",
+                "{table} explains little: values that were left out are foretold with {left} rms, "
+                "and they are {values} rms themselves")
+                .with("table", column.name)
+                .with("left", fineQuantity(*fit.crossValidation, isAngular))
+                .with("values", fineQuantity(fit.valueRms, isAngular)),
+            true);
+    if (fit.outside > 0)
+        addRemark(report, "PointsOutside",
+            AXISCOMP_COUNTED("Measurement", "{count} values lie outside the grid and were left out",
+                "1 value lies outside the grid and was left out")
+                .with("count", fit.outside),
+            true);
+    if (!fit.doubtful.empty())
+        addRemark(report, "DoubtfulPoints",
+            AXISCOMP_COUNTED("Measurement",
+                "{count} values of {table} do not fit the others and count little; the first is "
+                "point {first}, {residual} off",
+                "1 value of {table} does not fit the others and counts little: point {first}, "
+                "{residual} off")
+                .with("count", fit.doubtful.size())
+                .with("table", column.name)
+                .with("first", fit.doubtful.front().index + 1)
+                .with("residual", fineQuantity(fit.doubtful.front().residual, isAngular)),
+            true);
+}
+
+void remarkOfBody(const Scatter& scatter, const RigidBody& body, FitReport& report)
+{
+    const auto angle = [](double radians) {
+        return fineQuantity(radians * 180.0 / 3.14159265358979323846, true);
+    };
+    constexpr std::array<std::array<std::size_t, 2>, 3> pairs{{{0, 1}, {0, 2}, {1, 2}}};
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+        if (pairs[i][1] < scatter.dimensions())
+            addRemark(report, "Squareness",
+                AXISCOMP_TEXT("Measurement", "{first} and {second} are {angle} off 90 degrees")
+                    .with("first", scatter.axes[pairs[i][0]])
+                    .with("second", scatter.axes[pairs[i][1]])
+                    .with("angle", angle(body.squareness[i])));
+    if (body.scale != 0.0)
+        addRemark(report, "ScaleRemoved",
+            AXISCOMP_TEXT("Measurement",
+                "a scale of {scale} for each {length} was taken out; the mean scale error of the "
+                "axes is in it, and stays in the machine")
+                .with("scale", fineQuantity(body.scale * 1000.0, false))
+                .with("length", placeOf(1000.0, false)),
+            true);
+}
+
+Text signOf(const FitInput& input, const Scatter& scatter, const FittedTable& made)
+{
+    const bool isAngular = input.measurement.isAngular;
+    const Scatter::Column& column = scatter.columns.front();
+    const Lookup lookup(made.table);
+    const auto place = [&](std::size_t point) {
+        std::vector<double> position;
+        for (const ScatteredNumbers& along : column.places)
+            position.push_back(along[point]);
+        return position;
+    };
+    std::size_t largest = 0;
+    for (std::size_t i = 1; i < scatter.size(); ++i)
+        if (std::abs(lookup.at(place(i))) > std::abs(lookup.at(place(largest))))
+            largest = i;
+    std::vector<Text> position;
+    for (std::size_t axis = 0; axis < scatter.dimensions(); ++axis)
+        position.push_back(
+            AXISCOMP_TEXT("Measurement", "{axis} {position}")
+                .with("axis", scatter.axes[axis])
+                .with("position", placeOf(scatter.positions[axis][largest], isAngular)));
+    return AXISCOMP_TEXT("Measurement",
+        "at {position} the reference was {measured} beside the encoder in {table}; the drive will "
+        "add {added}")
+        .with("position", std::move(position))
+        .with("measured", fineQuantity(column.values[largest], isAngular))
+        .with("table", made.table.name)
+        .with("added", fineQuantity(lookup.at(place(largest)), isAngular));
+}
+
+} // namespace
+
+Result<FitReport> fitScattered(const FitInput& input)
+{
+    const bool isTrack = input.measurement.kind == MeasurementKind::Track;
+    Scatter scatter = isTrack ? scatterOfTrack(input) : scatterOfPoints(input);
+    AXISCOMP_CHECK(checkScatterSettings(input, scatter.dimensions()));
+    if (scatter.size() == 0)
+        return badFit(AXISCOMP_TEXT("Error", "there are no values in this direction"));
+    FitReport report;
+    AXISCOMP_TRY(report.removedBody, removeBody(input, scatter));
+    if (!isTrack)
+        AXISCOMP_CHECK(placeColumns(input, scatter));
+    AXISCOMP_TRY(const Grid grid, gridOf(input, scatter));
+    for (const Scatter::Column& column : scatter.columns) {
+        GridFit fit;
+        AXISCOMP_TRY(auto made, fitColumn(input, scatter, column, grid, fit));
+        report.tables.push_back(std::move(made));
+        remarkOfFit(input, column, fit, report);
+    }
+    if (input.state.active)
+        report.merge = mergeOnto(input,
+            isTrack ? input.state.active->tables.front()
+                    : *activeFor(input, scatter.columns.front().target).table,
+            report.tables.front().table);
+    if (report.removedBody)
+        remarkOfBody(scatter, *report.removedBody, report);
+    report.sign = signOf(input, scatter, report.tables.front());
+    return report;
+}
+
+} // namespace axiscomp

@@ -1,0 +1,374 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/metrology/fine_quantity.h"
+#include "core/metrology/fit/fit_parts.h"
+#include "core/table/even_spacing.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace axiscomp {
+
+namespace {
+
+/// Where the axis stood on average at a target, by its raw positions.
+class RawPlaces {
+public:
+    RawPlaces(const Measurement& measurement, FitDirection direction)
+        : m_up(measurement.targets.size())
+        , m_down(measurement.targets.size())
+        , m_direction(direction)
+    {
+        for (const RunValue& value : measurement.values)
+            if (value.isUsed)
+                (value.direction == Approach::Up ? m_up : m_down)[value.target].add(
+                    value.encoder.value_or(0.0));
+    }
+
+    /// In the way in which deviations are averaged.
+    [[nodiscard]] double at(std::size_t target) const
+    {
+        const Sum& up = m_up[target];
+        const Sum& down = m_down[target];
+        const bool isUp = m_direction == FitDirection::Positive || down.count == 0.0;
+        const bool isDown = m_direction == FitDirection::Negative || up.count == 0.0;
+        if (isUp && up.count > 0.0)
+            return up.mean();
+        return isDown ? down.mean() : 0.5 * (up.mean() + down.mean());
+    }
+
+private:
+    struct Sum {
+        double total = 0.0;
+        double count = 0.0;
+        void add(double value)
+        {
+            total += value;
+            count += 1.0;
+        }
+        [[nodiscard]] double mean() const { return total / count; }
+    };
+    std::vector<Sum> m_up;
+    std::vector<Sum> m_down;
+    FitDirection m_direction;
+};
+
+struct FitValues {
+    std::vector<MeasuredValue> values;
+    std::vector<std::size_t> indices; ///< of each in the measurement
+};
+
+/// With raw positions reference - encoder at the place where the axis stood, as if no compensation
+/// had been active.
+FitValues fitValues(const Measurement& measurement, const FitInput& input)
+{
+    const bool isRaw = input.state.kind == FoundState::Kind::Irrelevant;
+    const RawPlaces places(measurement, input.settings.direction);
+    FitValues result;
+    for (std::size_t i = 0; i < measurement.values.size(); ++i) {
+        const RunValue& value = measurement.values[i];
+        if (!value.isUsed)
+            continue;
+        MeasuredValue fitted;
+        fitted.isUp = value.direction == Approach::Up;
+        fitted.run = static_cast<std::size_t>(value.run);
+        fitted.target = measurement.targets[value.target];
+        fitted.deviation = value.deviation;
+        if (isRaw) {
+            fitted.deviation += fitted.target - *value.encoder;
+            fitted.target = places.at(value.target);
+        }
+        result.values.push_back(fitted);
+        result.indices.push_back(i);
+    }
+    return result;
+}
+
+/// The table for the axis itself among those that were active.
+const CompensationTable* activeTable(const FitInput& input)
+{
+    if (!input.state.active)
+        return nullptr;
+    const std::vector<CompensationTable>& tables = input.state.active->tables;
+    const auto own = std::ranges::find_if(tables, [&](const CompensationTable& table) {
+        return !input.measurement.header.axis.empty()
+            && table.target == input.measurement.header.axis;
+    });
+    return own == tables.end() ? &tables.front() : &*own;
+}
+
+Result<void> checkRunsSettings(const FitInput& input)
+{
+    const FitSettings& settings = input.settings;
+    if (settings.remove != BodyRemoval::None || settings.isRobust
+        || settings.farPoints != FarPoints::Refuse)
+        return badFit(AXISCOMP_TEXT("Error",
+            "--remove, --robust and --fill are for points of two or three axes and for tracks; "
+            "this measurement has targets along one axis"));
+    if (settings.grid.size() > 1 || settings.zeroPosition.size() > 1)
+        return badFit(AXISCOMP_TEXT(
+            "Error", "the measurement is along one axis: give one number for its grid and zero"));
+    const bool isSmooth = settings.method == FitMethod::Smooth;
+    if (settings.smoothness && !isSmooth)
+        return badFit(AXISCOMP_TEXT("Error",
+            "a smoothness is for the method smooth (--method smooth); the others go through every "
+            "mean"));
+    if (input.state.active && activeTable(input)->grid.dimensions() != 1)
+        return badFit(AXISCOMP_TEXT("Error",
+            "runs along one axis are merged onto a table of one dimension; {name} has "
+            "{dimensions}")
+                          .with("name", input.state.active->name)
+                          .with("dimensions", activeTable(input)->grid.dimensions()));
+    return {};
+}
+
+Result<void> placeZero(const FitInput& input, TableFitRequest& request)
+{
+    const FitSettings& settings = input.settings;
+    const std::vector<double>& targets = input.measurement.targets;
+    const bool isHomeMeasured =
+        settings.home && *settings.home >= targets.front() && *settings.home <= targets.back();
+    switch (settings.zero) {
+    case FitZero::Automatic:
+        request.zero = isHomeMeasured ? ZeroRule::Position : ZeroRule::First;
+        request.zeroPosition = settings.home.value_or(0.0);
+        return {};
+    case FitZero::Home:
+        if (!settings.home)
+            return badFit(AXISCOMP_TEXT("Error",
+                "the home position of the axis is not known: give it with --home, or the position "
+                "of the zero with --zero"));
+        if (!isHomeMeasured)
+            return badFit(AXISCOMP_TEXT("Error",
+                "the home position {home} is outside the targets, so that the error there is not "
+                "known; take --zero first or another position")
+                              .with("home", placeOf(*settings.home, input.measurement.isAngular)));
+        request.zero = ZeroRule::Position;
+        request.zeroPosition = *settings.home;
+        return {};
+    case FitZero::Position:
+        request.zero = ZeroRule::Position;
+        request.zeroPosition = settings.zeroPosition.front();
+        if (!settings.turn
+            && (request.zeroPosition < targets.front() || request.zeroPosition > targets.back()))
+            return badFit(AXISCOMP_TEXT("Error",
+                "the position {position} of the zero is outside the targets, which go from {from} "
+                "to {to}")
+                              .with("position",
+                                  placeOf(request.zeroPosition, input.measurement.isAngular))
+                              .with("from", placeOf(targets.front(), input.measurement.isAngular))
+                              .with("to", placeOf(targets.back(), input.measurement.isAngular)));
+        return {};
+    case FitZero::First:
+        request.zero = ZeroRule::First;
+        return {};
+    case FitZero::Mean:
+        request.zero = ZeroRule::Mean;
+        return {};
+    case FitZero::Keep:
+        request.zero = ZeroRule::Keep;
+        return {};
+    }
+    return {};
+}
+
+/// The grid where knots are not the targets: the old table's, or the targets' own, or what was
+/// asked for from the first to the last target. The ends of the curve, which lie beside these by
+/// the deviations only, are held as the drive holds them.
+Result<AxisRequest> gridBesideTargets(const FitInput& input, const CompensationTable* old)
+{
+    const FitSettings& settings = input.settings;
+    const std::vector<double>& targets = input.measurement.targets;
+    AxisRequest wanted = settings.grid.empty() ? AxisRequest{} : settings.grid.front();
+    const double from = targets.front();
+    const double to = targets.back();
+    if (settings.within || wanted.points != 0) {
+        if (!settings.turn) {
+            wanted.start = from;
+            wanted.end = to;
+        }
+        return wanted;
+    }
+    if (wanted.distance != 0.0) {
+        if (settings.turn || settings.holdsEnds)
+            return wanted;
+        const double steps = std::floor((to - from) / wanted.distance * (1.0 + 1e-12));
+        if (steps < 1.0)
+            return wanted;
+        return AxisRequest{.points = static_cast<std::size_t>(steps) + 1,
+            .start = from,
+            .end = from + steps * wanted.distance};
+    }
+    const double rounding = 1e-9 * (to - from);
+    if (old) {
+        const GridAxis& axis = old->grid.axes.front();
+        const bool isCovered = axis.start >= from - rounding && axis.last() <= to + rounding;
+        if (isCovered || settings.turn || settings.holdsEnds)
+            return AxisRequest{.points = axis.size, .start = axis.start, .end = axis.last()};
+    }
+    const EvenSpacing even = fitEvenSpacing(targets, noDecimals);
+    if (!even.even)
+        return badFit(AXISCOMP_TEXT("Error",
+            "the targets are not evenly spaced; say the grid of the table with --points, "
+            "--distance or --within"));
+    const double last = settings.turn ? from + *settings.turn : to;
+    return AxisRequest{
+        .points = static_cast<std::size_t>(std::lround((last - from) / even.distance)) + 1,
+        .start = from,
+        .end = last};
+}
+
+Result<TableFitRequest> requestOf(const FitInput& input)
+{
+    const FitSettings& settings = input.settings;
+    TableFitRequest request;
+    request.direction = settings.direction;
+    request.method = settings.method;
+    request.smoothness = settings.smoothness;
+    request.periods = settings.periods;
+    request.turn = settings.turn;
+    request.slope = settings.slope;
+    request.lookupAt = input.lookupAt;
+    request.gain = settings.gain;
+    request.within = settings.within;
+    request.mostPoints = settings.mostPoints;
+    request.holdsEnds = settings.holdsEnds;
+    request.unit = positionUnit(input.measurement);
+    AXISCOMP_CHECK(placeZero(input, request));
+    const CompensationTable* const old = activeTable(input);
+    if (input.state.kind == FoundState::Kind::On)
+        request.active = {old, 1.0, input.outside()};
+    const bool areKnotsTargets =
+        input.lookupAt == LookupAt::Encoder && input.state.kind == FoundState::Kind::Off;
+    if (areKnotsTargets) {
+        if (!settings.grid.empty())
+            request.grid = settings.grid.front();
+        return request;
+    }
+    const bool isOpen = settings.grid.empty() && !settings.within && !old;
+    if (isOpen && !settings.periods.periods.empty())
+        return request;
+    AXISCOMP_TRY(request.grid, gridBesideTargets(input, old));
+    request.holdsEnds = true;
+    return request;
+}
+
+/// The same runs with the table active, as a measurement of its own.
+Result<Measurement> predictedMeasurement(
+    const FitInput& input, const CompensationTable& table, const TableFitRequest& request)
+{
+    const FitValues values = fitValues(input.measurement, input);
+    AXISCOMP_TRY(const auto predicted, predictRuns(values.values, table, request));
+    Measurement result = input.measurement;
+    for (std::size_t i = 0; i < predicted.size(); ++i)
+        result.values[values.indices[i]].deviation = predicted[i].deviation;
+    return result;
+}
+
+/// Where the values go up and down by the residuals that no target shows.
+void predictBetween(
+    const std::vector<MeasuredValue>& values, const TableFitRequest& request, FitReport& report)
+{
+    auto heldOut = predictHeldOut(values, request);
+    if (heldOut) {
+        report.heldOut = *std::move(heldOut);
+        return;
+    }
+    addRemark(report, "HeldOutUnknown",
+        AXISCOMP_TEXT("Measurement",
+            "how well the error between the targets is known cannot be told: {reason}")
+            .with("reason", textOf(heldOut.error())),
+        true);
+}
+
+/// A position as finely as values are shown.
+Quantity readingOf(double position, bool isAngular)
+{
+    const double fine = isAngular ? 1e7 : 1e6;
+    return placeOf(std::round(position * fine) / fine, isAngular);
+}
+
+Text signOf(const FitInput& input, const TableFit& fit, const CompensationTable& table)
+{
+    const bool isAngular = input.measurement.isAngular;
+    const Lookup lookup(table, input.outside());
+    const FitKnot* largest = &fit.knots.front();
+    for (const FitKnot& knot : fit.knots)
+        if (std::abs(lookup.at(knot.position)) > std::abs(lookup.at(largest->position)))
+            largest = &knot;
+    const bool isEncoder = input.lookupAt == LookupAt::Encoder;
+    // With gain 1 the value of a knot leads from the raw position to the reference.
+    double whole = largest->value;
+    if (input.state.kind == FoundState::Kind::On) {
+        const Lookup old(*activeTable(input), input.outside());
+        const double before = old.at(isEncoder ? largest->position : largest->target);
+        whole = before + (largest->value - before) / input.settings.gain;
+    }
+    const double reference = isEncoder ? largest->position + whole : largest->position;
+    const double reading = reference - whole;
+    const double added = lookup.at(largest->position);
+    Quantity signedAmount = fineQuantity(added, isAngular);
+    if (added > 0.0)
+        signedAmount.digits = "+" + signedAmount.digits;
+    return AXISCOMP_TEXT("Measurement",
+        "where the encoder reads {reading} the reference said {reference} on average of {count} "
+        "values; the drive will add {added}")
+        .with("reading", readingOf(reading, isAngular))
+        .with("reference", readingOf(reference, isAngular))
+        .with("count", static_cast<std::int64_t>(largest->weight))
+        .with("added", std::move(signedAmount));
+}
+
+FittedTable describe(const FitInput& input, const TableFit& fit)
+{
+    const Measurement& measurement = input.measurement;
+    const std::string unit(positionUnit(measurement));
+    const std::string& axis = measurement.header.axis;
+    Grid grid;
+    grid.axes = {{axis.empty() ? "Position" : axis, unit, fit.grid.start, fit.grid.distance,
+        static_cast<std::uint32_t>(fit.grid.size)}};
+    FittedTable made =
+        fittedTable(fit.values, std::move(grid), axis.empty() ? "Error" : "d" + axis, axis, unit);
+    made.removedConstant = fit.removedConstant;
+    made.removedSlope = fit.removedSlope;
+    made.knots = fit.knots.size();
+    made.means = fit.knots;
+    made.periods = fit.curve.terms;
+    made.smoothness = fit.smoothness;
+    made.residualRms = fit.residualRms;
+    made.residualLargest = fit.residualLargest;
+    made.density = fit.density;
+    made.measuredNodes = made.table.values.size();
+    return made;
+}
+
+} // namespace
+
+Result<FitReport> fitRuns(const FitInput& input)
+{
+    const FitSettings& settings = input.settings;
+    AXISCOMP_CHECK(checkRunsSettings(input));
+    AXISCOMP_TRY(const auto request, requestOf(input));
+    const Measurement settled =
+        settings.drift ? withoutDrift(input.measurement, *settings.drift) : input.measurement;
+    const FitValues values = fitValues(settled, input);
+    AXISCOMP_TRY(const auto fit, fitTable(values.values, request));
+
+    FitReport report;
+    report.tables.push_back(describe(input, fit));
+    const CompensationTable& table = report.tables.front().table;
+    if (const CompensationTable* const old = activeTable(input))
+        report.merge = mergeOnto(input, *old, table);
+    JudgeOptions judging;
+    judging.outlierRule = settings.outlierRule;
+    const Judgement judgement = judge(input.measurement, judging);
+    report.before = judgement.figures;
+    AXISCOMP_TRY(const auto predicted, predictedMeasurement(input, table, request));
+    report.predicted = iso230Figures(predicted);
+    report.verdicts = verdicts(*report.predicted, settings.tolerances, settings.uncertainty);
+    predictBetween(values.values, request, report);
+    report.sign = signOf(input, fit, table);
+    addRunsRemarks(input, judgement, fit, report);
+    return report;
+}
+
+} // namespace axiscomp
