@@ -5191,6 +5191,190 @@
         <source>there are values at {count} targets; four are needed to leave one out</source>
         <translation>an {count} Zielpositionen gibt es Werte; um eine wegzulassen, sind vier nötig</translation>
     </message>
+    <message>
+        <source>a program for {dialect} cannot move an axis &quot;{axis}&quot;; name one of X, Y, Z, A, B, C, U, V, W (--axis)</source>
+        <translation>Ein Programm für {dialect} kann keine Achse &quot;{axis}&quot; bewegen; nennen Sie X, Y, Z, A, B, C, U, V oder W (--axis)</translation>
+    </message>
+    <message>
+        <source>a target must lie within {limit} of zero</source>
+        <translation>Eine Zielposition darf höchstens {limit} von null entfernt sein</translation>
+    </message>
+    <message>
+        <source>{position} has more than the three decimals that a program prints; choose an end with fewer</source>
+        <translation>{position} hat mehr als die drei Nachkommastellen, die ein Programm schreibt; wählen Sie ein Ende mit weniger Stellen</translation>
+    </message>
+    <message>
+        <source>the last target ({to}) must be above the first ({from}); exchange the two</source>
+        <translation>Die letzte Zielposition ({to}) muss über der ersten ({from}) liegen; vertauschen Sie die beiden</translation>
+    </message>
+    <message>
+        <source>a period is above 0; leave it out if none is known</source>
+        <translation>Eine Periode ist größer als 0; lassen Sie sie weg, wenn keine bekannt ist</translation>
+    </message>
+    <message>
+        <source>the overrun must be above 0: without it the first target of a run would not be approached in the direction of the run</source>
+        <translation>Der Überlauf muss größer als 0 sein: Ohne ihn würde die erste Zielposition eines Durchlaufs nicht in dessen Richtung angefahren</translation>
+    </message>
+    <message>
+        <source>the overrun has more than three decimals; round it</source>
+        <translation>Der Überlauf hat mehr als drei Nachkommastellen; runden Sie ihn</translation>
+    </message>
+    <message>
+        <source>the feed must be above 0 and at most {most}</source>
+        <translation>Der Vorschub muss größer als 0 und höchstens {most} sein</translation>
+    </message>
+    <message>
+        <source>the dwell must be above 0 s and at most {most}: the axis stands still while it is measured</source>
+        <translation>Die Verweilzeit muss größer als 0 s und höchstens {most} sein: Die Achse steht still, während gemessen wird</translation>
+    </message>
+    <message>
+        <source>at least one cycle is needed</source>
+        <translation>Mindestens ein Zyklus ist nötig</translation>
+    </message>
+    <message>
+        <source>give the number of targets or their spacing, one of the two</source>
+        <translation>Geben Sie die Zahl der Zielpositionen oder ihren Abstand an, eines von beiden</translation>
+    </message>
+    <message>
+        <source>the spacing must be above 0 and at most the distance of the ends, {range}</source>
+        <translation>Der Abstand muss größer als 0 und höchstens der Abstand der Enden sein, {range}</translation>
+    </message>
+    <message>
+        <source>a plan has 2 to {most} targets, not {count}</source>
+        <translation>Ein Plan hat 2 bis {most} Zielpositionen, nicht {count}</translation>
+    </message>
+    <message>
+        <source>{count} targets would be closer than {least}, which three decimals cannot keep uneven; choose fewer</source>
+        <translation>{count} Zielpositionen lägen enger als {least}; mit drei Nachkommastellen bleiben sie dann nicht ungleichmäßig. Wählen Sie weniger</translation>
+    </message>
+    <message>
+        <source>the plan would have more than {most} steps; choose fewer targets or cycles</source>
+        <translation>Der Plan hätte mehr als {most} Schritte; wählen Sie weniger Zielpositionen oder Zyklen</translation>
+    </message>
+    <message>
+        <source>there is no step in it</source>
+        <translation>Sie enthält keinen Schritt</translation>
+    </message>
+    <message>
+        <source>a plan as axiscomp targets writes it</source>
+        <translation>ein Plan, wie ihn axiscomp targets schreibt</translation>
+    </message>
+    <message>
+        <source>{found}; expected: {expected}</source>
+        <translation>{found}; erwartet: {expected}</translation>
+    </message>
+    <message>
+        <source>line {line}: {found}; expected: {expected}</source>
+        <translation>Zeile {line}: {found}; erwartet: {expected}</translation>
+    </message>
+    <message>
+        <source>version 1; a newer version of this program may have written it</source>
+        <translation>Version 1; vielleicht hat eine neuere Version dieses Programms sie geschrieben</translation>
+    </message>
+    <message>
+        <source>a number above 0 with its unit</source>
+        <translation>eine Zahl größer als 0 mit ihrer Einheit</translation>
+    </message>
+    <message>
+        <source>the header {header}</source>
+        <translation>die Kopfzeile {header}</translation>
+    </message>
+    <message>
+        <source>five cells, as the header has</source>
+        <translation>fünf Zellen, wie in der Kopfzeile</translation>
+    </message>
+    <message>
+        <source>at most {count} steps</source>
+        <translation>höchstens {count} Schritte</translation>
+    </message>
+    <message>
+        <source>step {step}</source>
+        <translation>Schritt {step}</translation>
+    </message>
+    <message>
+        <source>the number of a run, from 1</source>
+        <translation>die Nummer eines Durchlaufs, ab 1</translation>
+    </message>
+    <message>
+        <source>the direction + or -</source>
+        <translation>die Richtung + oder -</translation>
+    </message>
+    <message>
+        <source>a position below the target, since the axis moves up</source>
+        <translation>eine Position unter der Zielposition, da die Achse aufwärts fährt</translation>
+    </message>
+    <message>
+        <source>a position above the target, since the axis moves down</source>
+        <translation>eine Position über der Zielposition, da die Achse abwärts fährt</translation>
+    </message>
+    <message>
+        <source>each target once in a run; it has this one already</source>
+        <translation>jede Zielposition einmal in einem Durchlauf; diese hat er schon</translation>
+    </message>
+    <message>
+        <source>&quot;{name}&quot; is not known here; is &quot;{nearest}&quot; meant?</source>
+        <translation>&quot;{name}&quot; ist hier nicht bekannt; ist &quot;{nearest}&quot; gemeint?</translation>
+    </message>
+    <message>
+        <source>&quot;{name}&quot; is not known here; there is: {known}</source>
+        <translation>&quot;{name}&quot; ist hier nicht bekannt; es gibt: {known}</translation>
+    </message>
+    <message>
+        <source>a number from {least} to {most} is expected, not {found}</source>
+        <translation>Erwartet wird eine Zahl von {least} bis {most}, nicht {found}</translation>
+    </message>
+    <message>
+        <source>a number above 0, at most {most}, is expected, not {found}</source>
+        <translation>Erwartet wird eine Zahl größer als 0 und höchstens {most}, nicht {found}</translation>
+    </message>
+    <message>
+        <source>there are more than {most} waves</source>
+        <translation>Es sind mehr als {most} Wellen</translation>
+    </message>
+    <message>
+        <source>the travel has more than {most} knots at this distance</source>
+        <translation>Der Verfahrweg hat bei diesem Abstand mehr als {most} Stützstellen</translation>
+    </message>
+    <message>
+        <source>two numbers are expected: the ends of the travel</source>
+        <translation>Erwartet werden zwei Zahlen: die Enden des Verfahrwegs</translation>
+    </message>
+    <message>
+        <source>the first end must be below the second</source>
+        <translation>Das erste Ende muss unter dem zweiten liegen</translation>
+    </message>
+    <message>
+        <source>mm or deg is expected</source>
+        <translation>Erwartet wird mm oder deg</translation>
+    </message>
+    <message>
+        <source>an object with 1 to {most} axes is expected</source>
+        <translation>Erwartet wird ein Objekt mit 1 bis {most} Achsen</translation>
+    </message>
+    <message>
+        <source>the name of an axis has 1 to {most} characters</source>
+        <translation>Der Name einer Achse hat 1 bis {most} Zeichen</translation>
+    </message>
+    <message>
+        <source>there is no axis &quot;{name}&quot;; there is: {known}</source>
+        <translation>Es gibt keine Achse &quot;{name}&quot;; es gibt: {known}</translation>
+    </message>
+    <message>
+        <source>an axis&apos;s own terms stand with the axis; here are those of others</source>
+        <translation>Die eigenen Anteile einer Achse stehen bei der Achse; hier stehen die der anderen</translation>
+    </message>
+    <message>
+        <source>one of these units is expected: {known}</source>
+        <translation>Erwartet wird eine dieser Einheiten: {known}</translation>
+    </message>
+    <message>
+        <source>1 or -1 is expected</source>
+        <translation>Erwartet wird 1 oder -1</translation>
+    </message>
+    <message>
+        <source>there are more than {most} gross errors</source>
+        <translation>Es sind mehr als {most} grobe Fehler</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>

@@ -16,6 +16,7 @@ _axiscomp_options()
         convert) echo "--help --json --value-unit --accept-large --dims --table --from --set-in --to --set-out --persistent --volatile --name --profile --to-sign $incomplete $conversion $grid" ;;
         lookup) echo "--help --json --dims --table --points --outside --as --from --set-in --set-out --profile --to-sign $incomplete $conversion" ;;
         formats) echo "--help --json --markdown --measurements" ;;
+        targets) echo "--help --json --from --to --count --spacing --period --cycles --seed --overrun --feed --dwell --axis --unit --dialect --output" ;;
         runs) echo "--help --json --output $measurement" ;;
         judge) echo "--help --json --tolerance --uncertainty --outliers --period --vdi --temperature --expansion --reference-temperature --reference-expansion --datum --not-corrected $measurement" ;;
         axes) echo "--help --json --find --any-baud --network $drive" ;;
@@ -35,7 +36,7 @@ _axiscomp_options()
     esac
 }
 
-_axiscomp_commands="example inspect convert lookup formats runs judge axes status write persist unpersist delete evaluate activate deactivate read files upload download monitor backup restore recover config"
+_axiscomp_commands="example inspect convert lookup formats targets runs judge axes status write persist unpersist delete evaluate activate deactivate read files upload download monitor backup restore recover config"
 
 _axiscomp_formats="csv tamtbl aerotech-1d aerotech-2d icube isg-crosscomp isg-crosscomp2 isg-ssfk klipper linuxcnc pmac-1d pmac-2d rapidcode rapidcode-header siemens-cec siemens-eec reprap softmc softmc-basic"
 
@@ -64,6 +65,13 @@ _axiscomp()
         fi
     done
 
+    if [[ $command == targets ]]; then
+        case $prev in
+            --unit) COMPREPLY=($(compgen -W "mm deg" -- "$cur")); return ;;
+            --dialect) COMPREPLY=($(compgen -W "linuxcnc fanuc siemens" -- "$cur")); return ;;
+            --from | --to | --count | --spacing | --cycles | --seed | --feed | --dwell) return ;;
+        esac
+    fi
     case $prev in
         --dims) COMPREPLY=($(compgen -W "1 2 3" -- "$cur")); return ;;
         --from | --as)

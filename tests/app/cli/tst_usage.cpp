@@ -17,8 +17,8 @@ using test::Sandbox;
 
 namespace {
 
-const QStringList commands{"example", "inspect", "convert", "lookup", "formats", "runs", "judge",
-    "axes", "status", "write", "persist", "unpersist", "delete", "evaluate", "activate",
+const QStringList commands{"example", "inspect", "convert", "lookup", "formats", "targets", "runs",
+    "judge", "axes", "status", "write", "persist", "unpersist", "delete", "evaluate", "activate",
     "deactivate", "read", "files", "upload", "download", "monitor", "backup", "restore", "recover",
     "config"};
 
