@@ -5375,6 +5375,30 @@
         <source>there are more than {most} gross errors</source>
         <translation>Es sind mehr als {most} grobe Fehler</translation>
     </message>
+    <message>
+        <source>the plan is for axis {axis}; the machine has: {known}</source>
+        <translation>Der Plan ist für Achse {axis}; die Maschine hat: {known}</translation>
+    </message>
+    <message>
+        <source>the plan and axis {axis} of the machine differ: one is in mm, the other in deg</source>
+        <translation>Der Plan und Achse {axis} der Maschine passen nicht zusammen: Das eine ist in mm, das andere in Grad</translation>
+    </message>
+    <message>
+        <source>the plan needs a feed and a dwell above 0: lines such as // feed: 1000 mm/min and // dwell: 5 s</source>
+        <translation>Der Plan braucht einen Vorschub und eine Verweilzeit größer als 0: Zeilen wie // feed: 1000 mm/min und // dwell: 5 s</translation>
+    </message>
+    <message>
+        <source>step {step} of the plan goes to {place}, more than a tenth beyond the travel of axis {axis}, {low} to {high}</source>
+        <translation>Schritt {step} des Plans führt nach {place}, mehr als ein Zehntel über den Verfahrweg von Achse {axis} hinaus, {low} bis {high}</translation>
+    </message>
+    <message>
+        <source>a program needs a machine that plays it (--machine)</source>
+        <translation>Ein Programm braucht eine Maschine, die es abspielt (--machine)</translation>
+    </message>
+    <message>
+        <source>a machine has at least one axis</source>
+        <translation>Eine Maschine hat mindestens eine Achse</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>

@@ -129,7 +129,7 @@ _axiscomp()
     fi
 }
 
-_axiscomp_virtualdrive_options="--help --version --http --serial --baud --name --axes --config --state --fault --speed --unhomed --user --password-file --certificate --key --profile"
+_axiscomp_virtualdrive_options="--help --version --http --serial --baud --name --axes --config --machine --program --instrument --state --fault --speed --unhomed --user --password-file --certificate --key --profile"
 
 _axiscomp_virtualdrive()
 {
@@ -139,6 +139,8 @@ _axiscomp_virtualdrive()
     case $prev in
         --http) COMPREPLY=($(compgen -W "127.0.0.1:0 127.0.0.1:8080" -- "$cur")); __ltrim_colon_completions "$cur"; return ;;
         --config) _filedir TAMcfg; return ;;
+        --machine) _filedir json; return ;;
+        --program) _filedir csv; return ;;
         --state) _filedir -d; return ;;
         --certificate | --key) _filedir pem; return ;;
         --password-file) _filedir; return ;;
@@ -147,7 +149,7 @@ _axiscomp_virtualdrive()
             COMPREPLY=($(compgen -W "drop-after= no-reply= garble= stores-wrong= slow= reboot-after= reject=" -- "$cur"))
             compopt -o nospace
             return ;;
-        --serial | --baud | --name | --axes | --speed | --user) return ;;
+        --serial | --instrument | --baud | --name | --axes | --speed | --user) return ;;
     esac
     COMPREPLY=($(compgen -W "$_axiscomp_virtualdrive_options" -- "$cur"))
 }
