@@ -5195,6 +5195,350 @@
         <source>there are values at {count} targets; four are needed to leave one out</source>
         <translation>an {count} Zielpositionen gibt es Werte; um eine wegzulassen, sind vier nötig</translation>
     </message>
+    <message>
+        <source>the measurement does not say whether a compensation was active while it was made; say it with --measured-with off, --measured-with on, or --measured-with and the file of the table that was active</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the measurement says that it was made with {recorded}, not with {stated}; leave out --measured-with, or take the table that was active</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>these are residuals of the table {crc}, which was active while they were measured: merge them with --onto and the file of that table, or with --onto drive</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>these are residuals of a table that was active while they were measured: merge them with --onto and the file of that table, or with --onto drive</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it was measured with the table {crc} active, which is not {name} ({known}), nor any other table known; give its file with --measured-with, or merge onto it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it was measured with the compensation off: the values are the whole error, and must not be added to {name}; leave out --onto, or measure with that table active</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at which position the drive looks the table up decides where its values belong: say --lookup-at encoder for a position before the compensation, or --lookup-at set for one after it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a gain is above 0 and at most 2; it is usually 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a gain is for residuals that are merged onto the table that was active; here the values are the whole error</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>how the artefact lay is found from the deviations along all of its axes, but there is no column for {axis}, such as d{axis}; leave --remove out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} has no table whose target is that of the column {column}; state the targets of its tables, or measure without a table</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>all points have the same position along {axis}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the positions along {axis} are no even grid; say the grid of the table with --points or --distance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a grid has at least 2 points along {axis}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the distance along {axis} is too small</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the grid needs one number, or one for each of the {count} axes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>points and tracks are fitted on the grid itself, as the drive interpolates it; leave out --method and --period</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>--remove-slope, --within, --turn, --home and --remove-drift are for runs over targets along one axis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the figures of the standard need targets; leave --tolerance out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a home position is that of one axis measured over targets; take --zero first, mean, keep or a position</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>--remove is for points of two or three axes; a track has one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>points have no direction; leave --direction out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the zero needs {count} numbers, one for each axis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>--remove names an axis that the points do not have</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the position of the zero is outside the grid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there are no values in this direction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>--remove, --robust and --fill are for points of two or three axes and for tracks; this measurement has targets along one axis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the measurement is along one axis: give one number for its grid and zero</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a smoothness is for the method smooth (--method smooth); the others go through every mean</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>runs along one axis are merged onto a table of one dimension; {name} has {dimensions}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the home position of the axis is not known: give it with --home, or the position of the zero with --zero</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the home position {home} is outside the targets, so that the error there is not known; take --zero first or another position</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the position {position} of the zero is outside the targets, which go from {from} to {to}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the targets are not evenly spaced; say the grid of the table with --points, --distance or --within</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a program for {dialect} cannot move an axis &quot;{axis}&quot;; name one of X, Y, Z, A, B, C, U, V, W (--axis)</source>
+        <translation>Ein Programm für {dialect} kann keine Achse &quot;{axis}&quot; bewegen; nennen Sie X, Y, Z, A, B, C, U, V oder W (--axis)</translation>
+    </message>
+    <message>
+        <source>a target must lie within {limit} of zero</source>
+        <translation>Eine Zielposition darf höchstens {limit} von null entfernt sein</translation>
+    </message>
+    <message>
+        <source>{position} has more than the three decimals that a program prints; choose an end with fewer</source>
+        <translation>{position} hat mehr als die drei Nachkommastellen, die ein Programm schreibt; wählen Sie ein Ende mit weniger Stellen</translation>
+    </message>
+    <message>
+        <source>the last target ({to}) must be above the first ({from}); exchange the two</source>
+        <translation>Die letzte Zielposition ({to}) muss über der ersten ({from}) liegen; vertauschen Sie die beiden</translation>
+    </message>
+    <message>
+        <source>a period is above 0; leave it out if none is known</source>
+        <translation>Eine Periode ist größer als 0; lassen Sie sie weg, wenn keine bekannt ist</translation>
+    </message>
+    <message>
+        <source>the overrun must be above 0: without it the first target of a run would not be approached in the direction of the run</source>
+        <translation>Der Überlauf muss größer als 0 sein: Ohne ihn würde die erste Zielposition eines Durchlaufs nicht in dessen Richtung angefahren</translation>
+    </message>
+    <message>
+        <source>the overrun has more than three decimals; round it</source>
+        <translation>Der Überlauf hat mehr als drei Nachkommastellen; runden Sie ihn</translation>
+    </message>
+    <message>
+        <source>the feed must be above 0 and at most {most}</source>
+        <translation>Der Vorschub muss größer als 0 und höchstens {most} sein</translation>
+    </message>
+    <message>
+        <source>the dwell must be above 0 s and at most {most}: the axis stands still while it is measured</source>
+        <translation>Die Verweilzeit muss größer als 0 s und höchstens {most} sein: Die Achse steht still, während gemessen wird</translation>
+    </message>
+    <message>
+        <source>at least one cycle is needed</source>
+        <translation>Mindestens ein Zyklus ist nötig</translation>
+    </message>
+    <message>
+        <source>give the number of targets or their spacing, one of the two</source>
+        <translation>Geben Sie die Zahl der Zielpositionen oder ihren Abstand an, eines von beiden</translation>
+    </message>
+    <message>
+        <source>the spacing must be above 0 and at most the distance of the ends, {range}</source>
+        <translation>Der Abstand muss größer als 0 und höchstens der Abstand der Enden sein, {range}</translation>
+    </message>
+    <message>
+        <source>a plan has 2 to {most} targets, not {count}</source>
+        <translation>Ein Plan hat 2 bis {most} Zielpositionen, nicht {count}</translation>
+    </message>
+    <message>
+        <source>{count} targets would be closer than {least}, which three decimals cannot keep uneven; choose fewer</source>
+        <translation>{count} Zielpositionen lägen enger als {least}; mit drei Nachkommastellen bleiben sie dann nicht ungleichmäßig. Wählen Sie weniger</translation>
+    </message>
+    <message>
+        <source>the plan would have more than {most} steps; choose fewer targets or cycles</source>
+        <translation>Der Plan hätte mehr als {most} Schritte; wählen Sie weniger Zielpositionen oder Zyklen</translation>
+    </message>
+    <message>
+        <source>there is no step in it</source>
+        <translation>Sie enthält keinen Schritt</translation>
+    </message>
+    <message>
+        <source>a plan as axiscomp targets writes it</source>
+        <translation>ein Plan, wie ihn axiscomp targets schreibt</translation>
+    </message>
+    <message>
+        <source>{found}; expected: {expected}</source>
+        <translation>{found}; erwartet: {expected}</translation>
+    </message>
+    <message>
+        <source>line {line}: {found}; expected: {expected}</source>
+        <translation>Zeile {line}: {found}; erwartet: {expected}</translation>
+    </message>
+    <message>
+        <source>version 1; a newer version of this program may have written it</source>
+        <translation>Version 1; vielleicht hat eine neuere Version dieses Programms sie geschrieben</translation>
+    </message>
+    <message>
+        <source>a number above 0 with its unit</source>
+        <translation>eine Zahl größer als 0 mit ihrer Einheit</translation>
+    </message>
+    <message>
+        <source>the header {header}</source>
+        <translation>die Kopfzeile {header}</translation>
+    </message>
+    <message>
+        <source>five cells, as the header has</source>
+        <translation>fünf Zellen, wie in der Kopfzeile</translation>
+    </message>
+    <message>
+        <source>at most {count} steps</source>
+        <translation>höchstens {count} Schritte</translation>
+    </message>
+    <message>
+        <source>step {step}</source>
+        <translation>Schritt {step}</translation>
+    </message>
+    <message>
+        <source>the number of a run, from 1</source>
+        <translation>die Nummer eines Durchlaufs, ab 1</translation>
+    </message>
+    <message>
+        <source>the direction + or -</source>
+        <translation>die Richtung + oder -</translation>
+    </message>
+    <message>
+        <source>a position below the target, since the axis moves up</source>
+        <translation>eine Position unter der Zielposition, da die Achse aufwärts fährt</translation>
+    </message>
+    <message>
+        <source>a position above the target, since the axis moves down</source>
+        <translation>eine Position über der Zielposition, da die Achse abwärts fährt</translation>
+    </message>
+    <message>
+        <source>each target once in a run; it has this one already</source>
+        <translation>jede Zielposition einmal in einem Durchlauf; diese hat er schon</translation>
+    </message>
+    <message>
+        <source>the plan is for axis {axis}; the machine has: {known}</source>
+        <translation>Der Plan ist für Achse {axis}; die Maschine hat: {known}</translation>
+    </message>
+    <message>
+        <source>the plan and axis {axis} of the machine differ: one is in mm, the other in deg</source>
+        <translation>Der Plan und Achse {axis} der Maschine passen nicht zusammen: Das eine ist in mm, das andere in Grad</translation>
+    </message>
+    <message>
+        <source>the plan needs a feed and a dwell above 0: lines such as // feed: 1000 mm/min and // dwell: 5 s</source>
+        <translation>Der Plan braucht einen Vorschub und eine Verweilzeit größer als 0: Zeilen wie // feed: 1000 mm/min und // dwell: 5 s</translation>
+    </message>
+    <message>
+        <source>step {step} of the plan goes to {place}, more than a tenth beyond the travel of axis {axis}, {low} to {high}</source>
+        <translation>Schritt {step} des Plans führt nach {place}, mehr als ein Zehntel über den Verfahrweg von Achse {axis} hinaus, {low} bis {high}</translation>
+    </message>
+    <message>
+        <source>a program needs a machine that plays it (--machine)</source>
+        <translation>Ein Programm braucht eine Maschine, die es abspielt (--machine)</translation>
+    </message>
+    <message>
+        <source>a machine has at least one axis</source>
+        <translation>Eine Maschine hat mindestens eine Achse</translation>
+    </message>
+    <message>
+        <source>&quot;{name}&quot; is not known here; is &quot;{nearest}&quot; meant?</source>
+        <translation>&quot;{name}&quot; ist hier nicht bekannt; ist &quot;{nearest}&quot; gemeint?</translation>
+    </message>
+    <message>
+        <source>&quot;{name}&quot; is not known here; there is: {known}</source>
+        <translation>&quot;{name}&quot; ist hier nicht bekannt; es gibt: {known}</translation>
+    </message>
+    <message>
+        <source>a number from {least} to {most} is expected, not {found}</source>
+        <translation>Erwartet wird eine Zahl von {least} bis {most}, nicht {found}</translation>
+    </message>
+    <message>
+        <source>a number above 0, at most {most}, is expected, not {found}</source>
+        <translation>Erwartet wird eine Zahl größer als 0 und höchstens {most}, nicht {found}</translation>
+    </message>
+    <message>
+        <source>there are more than {most} waves</source>
+        <translation>Es sind mehr als {most} Wellen</translation>
+    </message>
+    <message>
+        <source>the travel has more than {most} knots at this distance</source>
+        <translation>Der Verfahrweg hat bei diesem Abstand mehr als {most} Stützstellen</translation>
+    </message>
+    <message>
+        <source>two numbers are expected: the ends of the travel</source>
+        <translation>Erwartet werden zwei Zahlen: die Enden des Verfahrwegs</translation>
+    </message>
+    <message>
+        <source>the first end must be below the second</source>
+        <translation>Das erste Ende muss unter dem zweiten liegen</translation>
+    </message>
+    <message>
+        <source>mm or deg is expected</source>
+        <translation>Erwartet wird mm oder deg</translation>
+    </message>
+    <message>
+        <source>an object with 1 to {most} axes is expected</source>
+        <translation>Erwartet wird ein Objekt mit 1 bis {most} Achsen</translation>
+    </message>
+    <message>
+        <source>the name of an axis has 1 to {most} characters</source>
+        <translation>Der Name einer Achse hat 1 bis {most} Zeichen</translation>
+    </message>
+    <message>
+        <source>there is no axis &quot;{name}&quot;; there is: {known}</source>
+        <translation>Es gibt keine Achse &quot;{name}&quot;; es gibt: {known}</translation>
+    </message>
+    <message>
+        <source>an axis&apos;s own terms stand with the axis; here are those of others</source>
+        <translation>Die eigenen Anteile einer Achse stehen bei der Achse; hier stehen die der anderen</translation>
+    </message>
+    <message>
+        <source>one of these units is expected: {known}</source>
+        <translation>Erwartet wird eine dieser Einheiten: {known}</translation>
+    </message>
+    <message>
+        <source>1 or -1 is expected</source>
+        <translation>Erwartet wird 1 oder -1</translation>
+    </message>
+    <message>
+        <source>there are more than {most} gross errors</source>
+        <translation>Es sind mehr als {most} grobe Fehler</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -5376,6 +5720,174 @@
     <message>
         <source>down</source>
         <translation>abwärts</translation>
+    </message>
+    <message>
+        <source>a slope of {slope} over {length} was taken out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{constant} was taken out of all values of {table}, so that it is 0 where --zero has it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the steepest part of {table} is between {from} and {to}: {step}, {slope} for each {one}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at {speed} for each second the velocity jumps by at most {step} for each second at a point of the table</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a drive holds numbers with 24 bits, which changes a value of {table} by at most {rounding}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>{count} points of {table} have nothing measured beside them and were filled</source>
+        <comment>1 point of {table} has nothing measured beside it and was filled</comment>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>merged onto {name} with gain {gain}: a value changes by at most {change}, at {place}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the table improves little: {figure} from {before} to {after}, less than a fifth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>between the targets the error is not known well enough: foretold without each target, M is {heldOut}; measure at more targets</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>between the targets the error is not known well enough: foretold without each target, M is {heldOut}, before it was {before}; measure at more targets</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>most of this error is reversal, which no table removes: up to {reversal} remains in each direction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the table is for both directions: up to {reversal} of the reversal remains in each</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the table is for one direction: in the other up to {reversal} of reversal remains</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} targets lie in {turns} periods of {period}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>{count} values do not fit the others and are in the table; `axiscomp judge` names them, --exclude leaves them out</source>
+        <comment>1 value does not fit the others and is in the table; `axiscomp judge` names it, --exclude leaves it out</comment>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>at the home position {home} the drive will add {value}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>over a turn, from {from} to {to}, the table ends {jump} above where it begins</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>{count} points with straight lines between them are at most {distance} off the curve, at {place}</source>
+        <comment>{count} points with straight lines between them are at most {distance} off the curve, at {place}</comment>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>{name} has {old} points, and there are {count} targets: what it has between them is replaced by the new curve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the compensation off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the compensation on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the table {crc} active</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>measured with the table {crc} of {name} active</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>measured with {name} active ({known})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the measurement does not say which table was active; {name} ({known}) is taken to have been</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the raw positions of the encoder are on file: the table is made of reference minus encoder, whatever compensation was active</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>measured with the compensation off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{table} explains {share} % of the variance of {count} values; {rms} rms remains</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{table} explains little: values that were left out are foretold with {left} rms, and they are {values} rms themselves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>{count} values lie outside the grid and were left out</source>
+        <comment>1 value lies outside the grid and was left out</comment>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>{count} values of {table} do not fit the others and count little; the first is point {first}, {residual} off</source>
+        <comment>1 value of {table} does not fit the others and counts little: point {first}, {residual} off</comment>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>{first} and {second} are {angle} off 90 degrees</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a scale of {scale} for each {length} was taken out; the mean scale error of the axes is in it, and stays in the machine</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{axis} {position}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at {position} the reference was {measured} beside the encoder in {table}; the drive will add {added}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>how well the error between the targets is known cannot be told: {reason}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>where the encoder reads {reading} the reference said {reference} on average of {count} values; the drive will add {added}</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

@@ -2,6 +2,9 @@
 #include "app/virtualdrive/drive_options.h"
 
 #include "core/base/bytes.h"
+#include "core/io/local_file.h"
+#include "core/metrology/measuring_plan.h"
+#include "drivecomm/virtualdrive/machine/machine_file.h"
 #include "drivecomm/virtualdrive/tam_configuration.h"
 
 #include <algorithm>
@@ -82,6 +85,19 @@ std::string serialLinkOf(const std::string& link, std::size_t index)
     return index == 0 ? link : link + "-" + std::to_string(index + 1);
 }
 
+/// The machine of --machine and --program into the options of a drive.
+Result<void> addMachine(const VirtualDriveArguments& arguments, VirtualDriveOptions& drive)
+{
+    if (arguments.machine.empty())
+        return {};
+    AXISCOMP_TRY(drive.machine, drivecomm::loadMachine(arguments.machine));
+    if (arguments.program.empty())
+        return {};
+    AXISCOMP_TRY(const auto bytes, loadFile(arguments.program, mostPlanBytes));
+    AXISCOMP_TRY(drive.program, readMeasuringPlan(asText(bytes), arguments.program));
+    return {};
+}
+
 Result<std::vector<VirtualDriveOptions>> drivesOf(const VirtualDriveArguments& arguments)
 {
     std::vector<VirtualDriveOptions> drives(1);
@@ -103,6 +119,7 @@ Result<std::vector<VirtualDriveOptions>> drivesOf(const VirtualDriveArguments& a
             drive.axes = makeAxes(arguments.axes > 0 ? arguments.axes : usualAxes);
         for (VirtualAxis& axis : drive.axes)
             axis.homed = axis.homed && !arguments.unhomed;
+        AXISCOMP_CHECK(addMachine(arguments, drive));
         if (!arguments.stateFolder.empty())
             drive.stateFolder = stateFolderOf(arguments.stateFolder, drive.name);
     }

@@ -18,6 +18,9 @@ struct VirtualDriveArguments {
     std::string name;
     int axes = 0; ///< 0: not given
     std::string configuration;
+    std::string machine; ///< a machine file
+    std::string program; ///< a measuring plan
+    std::string instrument; ///< a link to the instrument's port
     std::string stateFolder;
     std::vector<std::string> faults;
     double speed = 1.0;
@@ -40,7 +43,7 @@ struct HostAndPort {
 [[nodiscard]] std::string serialLinkOf(const std::string& link, std::size_t index);
 
 /// One drive as the options say, or those of the configuration file. Errors: InvalidArgument,
-/// FileNotReadable, InvalidConfiguration.
+/// FileNotReadable, FileTooLarge, InvalidConfiguration.
 [[nodiscard]] Result<std::vector<drivecomm::VirtualDriveOptions>> drivesOf(
     const VirtualDriveArguments& arguments);
 

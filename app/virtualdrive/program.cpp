@@ -8,6 +8,7 @@
 #include "core/io/local_file.h"
 #include "drivecomm/profile/profile_loader.h"
 #include "drivecomm/virtualdrive/faults.h"
+#include "drivecomm/virtualdrive/serial/instrument_server.h"
 #include "drivecomm/virtualdrive/serial/serial_server.h"
 #include "drivecomm/virtualdrive/web/web_server.h"
 
@@ -29,6 +30,7 @@ struct RunningDrive {
     std::unique_ptr<drivecomm::FaultPlan> faults;
     std::unique_ptr<drivecomm::WebServer> web; ///< none when only the serial link is asked for
     std::unique_ptr<drivecomm::SerialServer> serial;
+    std::unique_ptr<drivecomm::InstrumentServer> instrument;
 };
 
 void addOptions(CLI::App& app, VirtualDriveArguments& arguments)
@@ -55,6 +57,19 @@ void addOptions(CLI::App& app, VirtualDriveArguments& arguments)
            "Take names, axes and parameters from a TAM configuration; several drives in it are "
            "several virtual drives")
         ->option_text("FILE.TAMcfg");
+    CLI::Option* machine = app.add_option("--machine", arguments.machine,
+        "Move the machine of this file (JSON): axes with errors that nobody knows, and an "
+        "instrument that measures them");
+    machine->option_text("FILE");
+    app.add_option("--program", arguments.program,
+           "Play this measuring plan (axiscomp targets) as the machine's control would, from 10 s "
+           "after the start")
+        ->option_text("PLAN.csv")
+        ->needs(machine);
+    app.add_option("--instrument", arguments.instrument,
+           "Serve the instrument's lines on a pseudo-terminal, and make LINK a symbolic link to it")
+        ->option_text("LINK")
+        ->needs(machine);
     app.add_option("--state", arguments.stateFolder,
            "Keep flash and saved parameters here across runs, a folder per drive")
         ->option_text("DIR");
@@ -89,6 +104,9 @@ Result<void> checkArguments(const VirtualDriveArguments& arguments)
     if (arguments.name.size() > longestName)
         return wrongUsage(
             "a drive name has at most " + std::to_string(longestName) + " characters", programName);
+    if (!arguments.machine.empty() && (arguments.axes > 0 || !arguments.configuration.empty()))
+        return wrongUsage(
+            "the axes come from --machine: leave --axes and --config out", programName);
     if (arguments.user.empty() != arguments.passwordFile.empty())
         return wrongUsage("--user and --password-file belong together", programName);
     if (arguments.certificate.empty() != arguments.key.empty())
@@ -134,6 +152,17 @@ std::function<std::chrono::nanoseconds()> simulatedClock(double speed)
     };
 }
 
+Result<void> serveInstrument(
+    RunningDrive& drive, const std::string& link, const drivecomm::MachineInstrument& instrument)
+{
+    AXISCOMP_TRY(auto server,
+        drivecomm::InstrumentServer::start(
+            [served = drive.drive.get()] { return served->instrumentReading().value_or(0.0); },
+            {link, instrument.unit, instrument.unitsPerPosition}));
+    drive.instrument = std::move(server);
+    return {};
+}
+
 Result<void> serveDrive(RunningDrive& drive, std::size_t index,
     const VirtualDriveArguments& arguments, const DriveProfile& profile,
     const drivecomm::WebServerOptions& webOptions)
@@ -163,10 +192,13 @@ Result<std::vector<RunningDrive>> startAll(
         RunningDrive drive;
         drive.name = options.name;
         options.clock = simulatedClock(arguments.speed);
+        const auto machine = options.machine;
         AXISCOMP_TRY(auto created, drivecomm::VirtualDrive::create(profile, std::move(options)));
         drive.drive = std::move(created);
         drive.faults = std::make_unique<drivecomm::FaultPlan>(faults);
         AXISCOMP_CHECK(serveDrive(drive, running.size(), arguments, profile, web));
+        if (machine && !arguments.instrument.empty())
+            AXISCOMP_CHECK(serveInstrument(drive, arguments.instrument, machine->instrument));
         if (web.port != 0)
             ++web.port;
         running.push_back(std::move(drive));
@@ -190,6 +222,7 @@ Result<void> serve(const VirtualDriveArguments& arguments, Console& console, Int
     for (const RunningDrive& drive : running)
         console.print("ready" + (drive.web ? " http=" + drive.web->url() : "")
             + (drive.serial ? " serial=" + drive.serial->device() : "")
+            + (drive.instrument ? " instrument=" + drive.instrument->device() : "")
             + " drive=" + singleLine(drive.name) + "\n");
     if (auto flushed = console.flush(); !flushed)
         return flushed;

@@ -241,6 +241,15 @@ void JsonNode::expectMembers(
     }
 }
 
+std::vector<std::string> JsonNode::memberNames() const
+{
+    std::vector<std::string> names;
+    if (m_value != nullptr && m_value->is_object())
+        for (const auto& [key, value] : m_value->items())
+            names.push_back(key);
+    return names;
+}
+
 bool JsonNode::has(std::string_view key) const
 {
     return m_value != nullptr && m_value->is_object() && m_value->contains(key);

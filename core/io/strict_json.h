@@ -62,6 +62,8 @@ public:
     void expectMembers(std::initializer_list<std::string_view> keys) const;
     void expectMembers(std::span<const std::string_view> keys,
         std::span<const std::string_view> optional = {}) const;
+    /// The names of an object's members, sorted; none for anything else.
+    [[nodiscard]] std::vector<std::string> memberNames() const;
     /// True when this is an object with that member.
     [[nodiscard]] bool has(std::string_view key) const;
 

@@ -17,6 +17,7 @@ _axiscomp_options()
         convert) echo "--help --json --value-unit --accept-large --dims --table --from --set-in --to --set-out --persistent --volatile --name --profile --to-sign $incomplete $conversion $grid" ;;
         lookup) echo "--help --json --dims --table --points --outside --as --from --set-in --set-out --profile --to-sign $incomplete $conversion" ;;
         formats) echo "--help --json --markdown --measurements" ;;
+        targets) echo "--help --json --from --to --count --spacing --period --cycles --seed --overrun --feed --dwell --axis --unit --dialect --output" ;;
         runs) echo "--help --json --output $measurement" ;;
         judge) echo "--help --json --tolerance --uncertainty --outliers --period --vdi $correction $measurement" ;;
         fit) echo "--help --json $drive --axis --output --to --table --accept-large --target --to-sign --set-out $grid --smoothness --period --harmonics --turn --direction --speed --zero --home --remove-slope --remove-drift --lookup-at --measured-with --onto --gain --remove --fill --robust --tolerance --uncertainty $correction $measurement" ;;
@@ -37,7 +38,7 @@ _axiscomp_options()
     esac
 }
 
-_axiscomp_commands="example inspect convert lookup formats runs judge fit axes status write persist unpersist delete evaluate activate deactivate read files upload download monitor backup restore recover config"
+_axiscomp_commands="example inspect convert lookup formats targets runs judge fit axes status write persist unpersist delete evaluate activate deactivate read files upload download monitor backup restore recover config"
 
 _axiscomp_formats="csv tamtbl aerotech-1d aerotech-2d icube isg-crosscomp isg-crosscomp2 isg-ssfk klipper linuxcnc pmac-1d pmac-2d rapidcode rapidcode-header siemens-cec siemens-eec reprap softmc softmc-basic"
 
@@ -66,6 +67,13 @@ _axiscomp()
         fi
     done
 
+    if [[ $command == targets ]]; then
+        case $prev in
+            --unit) COMPREPLY=($(compgen -W "mm deg" -- "$cur")); return ;;
+            --dialect) COMPREPLY=($(compgen -W "linuxcnc fanuc siemens" -- "$cur")); return ;;
+            --from | --to | --count | --spacing | --cycles | --seed | --feed | --dwell) return ;;
+        esac
+    fi
     case $prev in
         --dims) COMPREPLY=($(compgen -W "1 2 3" -- "$cur")); return ;;
         --from | --as)
@@ -147,7 +155,7 @@ _axiscomp()
     fi
 }
 
-_axiscomp_virtualdrive_options="--help --version --http --serial --baud --name --axes --config --state --fault --speed --unhomed --user --password-file --certificate --key --profile"
+_axiscomp_virtualdrive_options="--help --version --http --serial --baud --name --axes --config --machine --program --instrument --state --fault --speed --unhomed --user --password-file --certificate --key --profile"
 
 _axiscomp_virtualdrive()
 {
@@ -157,6 +165,8 @@ _axiscomp_virtualdrive()
     case $prev in
         --http) COMPREPLY=($(compgen -W "127.0.0.1:0 127.0.0.1:8080" -- "$cur")); __ltrim_colon_completions "$cur"; return ;;
         --config) _filedir TAMcfg; return ;;
+        --machine) _filedir json; return ;;
+        --program) _filedir csv; return ;;
         --state) _filedir -d; return ;;
         --certificate | --key) _filedir pem; return ;;
         --password-file) _filedir; return ;;
@@ -165,7 +175,7 @@ _axiscomp_virtualdrive()
             COMPREPLY=($(compgen -W "drop-after= no-reply= garble= stores-wrong= slow= reboot-after= reject=" -- "$cur"))
             compopt -o nospace
             return ;;
-        --serial | --baud | --name | --axes | --speed | --user) return ;;
+        --serial | --instrument | --baud | --name | --axes | --speed | --user) return ;;
     esac
     COMPREPLY=($(compgen -W "$_axiscomp_virtualdrive_options" -- "$cur"))
 }

@@ -90,7 +90,8 @@ VirtualDriveProcess::VirtualDriveProcess(const Sandbox& sandbox, const QStringLi
     : m_process(sandbox.start(virtualDriveProgram(), arguments))
 {
     static const QRegularExpression ready(
-        QStringLiteral("^ready(?: http=(\\S+))?(?: serial=(\\S+))? drive=(.*)$"),
+        QStringLiteral(
+            "^ready(?: http=(\\S+))?(?: serial=(\\S+))?(?: instrument=\\S+)? drive=(.*)$"),
         QRegularExpression::MultilineOption);
     QByteArray said;
     // The lines of all drives come in one piece.

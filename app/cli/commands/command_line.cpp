@@ -18,6 +18,7 @@ CommandLine::CommandLine()
     addConvertCommand(*this);
     addLookupCommand(*this);
     addFormatsCommand(*this);
+    addTargetsCommand(*this);
     addRunsCommand(*this);
     addJudgeCommand(*this);
     addFitCommand(*this);

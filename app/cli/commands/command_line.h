@@ -47,6 +47,7 @@ void addInspectCommand(CommandLine& line);
 void addConvertCommand(CommandLine& line);
 void addLookupCommand(CommandLine& line);
 void addFormatsCommand(CommandLine& line);
+void addTargetsCommand(CommandLine& line);
 void addRunsCommand(CommandLine& line);
 void addJudgeCommand(CommandLine& line);
 void addFitCommand(CommandLine& line);

@@ -51,6 +51,18 @@ float AxisMotion::motorTemperature(DriveTime tick) const
     return static_cast<float>(38.0 + 4.0 * std::sin(perSecond * seconds(tick) + m_phase));
 }
 
+double AxisMotion::turns(DriveTime tick) const
+{
+    return std::floor((m_perSecond * seconds(tick) + m_phase) / std::numbers::pi + 0.5);
+}
+
+DriveTime AxisMotion::turnTime(double n) const
+{
+    const std::chrono::duration<double> time(
+        ((n - 0.5) * std::numbers::pi - m_phase) / m_perSecond);
+    return std::chrono::duration_cast<DriveTime>(time);
+}
+
 void CompensationState::request(Request request, Fault fault, DriveTime now)
 {
     m_gainAtRequest = gain(now);

@@ -18,6 +18,11 @@ public:
     /// Of slightly other scale and zero than the first.
     [[nodiscard]] double secondEncoder(double firstEncoder) const;
     [[nodiscard]] float motorTemperature(DriveTime tick) const; ///< degree Celsius
+    [[nodiscard]] double middle() const { return m_middle; }
+    /// How often it has turned: whole numbers between two turns.
+    [[nodiscard]] double turns(DriveTime tick) const;
+    /// When it turns for the n-th time.
+    [[nodiscard]] DriveTime turnTime(double n) const;
 
 private:
     double m_middle = 0.0;

@@ -14,9 +14,16 @@ constexpr DriveTime loopPeriod = std::chrono::microseconds(100);
 
 void VirtualDrive::Private::advance()
 {
-    now = std::max(now, options.clock());
+    const DriveTime until = std::max(now, options.clock());
+    for (const DriveTime turn : turnsBetween(tick, until - until % loopPeriod)) {
+        now = tick = turn;
+        settleEncoders();
+        followMachine();
+    }
+    now = until;
     tick = now - now % loopPeriod;
     settleEncoders();
+    followMachine();
 }
 
 /// The position loop holds the sum of encoder and output, so that the encoder moves by the opposite
@@ -25,17 +32,19 @@ void VirtualDrive::Private::settleEncoders()
 {
     constexpr int mostRounds = 100; // a table whose slope is below 0.5 needs 50
     constexpr double rounding = 1e-13;
-    for (Axis& axis : axes)
-        axis.encoder = axis.motion.actualPosition(tick);
+    std::vector<double> held;
+    for (std::size_t i = 0; i < axes.size(); ++i) {
+        held.push_back(heldPosition(i, tick));
+        axes[i].encoder = held[i];
+    }
     bool isSettled = false;
     for (int round = 0; round < mostRounds && !isSettled; ++round) {
         isSettled = true;
-        for (Axis& axis : axes) {
-            const double actual = axis.motion.actualPosition(tick);
-            const double encoder = actual - exactOutput(axis);
+        for (std::size_t i = 0; i < axes.size(); ++i) {
+            const double encoder = held[i] - exactOutput(axes[i]);
             isSettled = isSettled
-                && std::abs(encoder - axis.encoder) <= rounding * (1.0 + std::abs(actual));
-            axis.encoder = encoder;
+                && std::abs(encoder - axes[i].encoder) <= rounding * (1.0 + std::abs(held[i]));
+            axes[i].encoder = encoder;
         }
     }
 }

@@ -120,6 +120,8 @@ void VirtualDrive::Private::defineRegisters()
     defineApplication();
     for (std::size_t i = 0; i < profile.tableSlots.size(); ++i)
         defineSlot(static_cast<int>(i));
+    if (machine)
+        defineMachine();
 }
 
 void VirtualDrive::Private::defineGeneral()
@@ -174,11 +176,12 @@ void VirtualDrive::Private::defineAxisSignals(int index)
     position(registers::encoderPosition, 0, true, encoder);
     position(registers::encoderPosition, 1, true,
         [](const Axis& axis, DriveTime) { return axis.motion.secondEncoder(axis.encoder); });
-    position(registers::setPosition, 0, true,
-        [](const Axis& axis, DriveTime at) { return axis.motion.setPosition(at); });
+    position(registers::setPosition, 0, true, [this, self](const Axis& axis, DriveTime at) {
+        return machine ? heldPosition(self, at) : axis.motion.setPosition(at);
+    });
     define(registers::motorTemperature, {.axis = index},
         {.path = {}, .type = "Single", .value = 0.0F, .live = [this, self] {
-             return RegisterValue(axes[self].motion.motorTemperature(tick));
+             return RegisterValue(motorTemperature(self, tick));
          }});
     const RegisterEnums& enums = profile.enums;
     defineEnum(profile.registers.homingState, {.axis = index}, "HomingState",
@@ -191,7 +194,7 @@ void VirtualDrive::Private::defineAxisSignals(int index)
         RegisterRole::HomingCommand, index);
     // Behind the others, whose addresses state folders of earlier versions name as sources.
     position(registers::actualPosition, 0, false,
-        [](const Axis& axis, DriveTime at) { return axis.motion.actualPosition(at); });
+        [this, self](const Axis&, DriveTime at) { return heldPosition(self, at); });
     const VirtualAxis& axis = options.axes[self];
     for (const auto& [pattern, limit] : {std::pair(&profile.registers.positionMinimum, axis.low),
              std::pair(&profile.registers.positionMaximum, axis.high)})

@@ -26,6 +26,12 @@ inline constexpr int applicationFloats = 256;
 inline constexpr std::string_view homingCommand = "Axes[{axis}]/Commands/Homing/Command";
 inline constexpr std::string_view homingStart = "Start";
 
+/// Of a virtual machine: what the measuring instrument says of the axis's true position, and the
+/// program of the machine's control. This project's own.
+inline constexpr std::string_view referencePosition = "Machine/Axes[{axis}]/ReferencePosition";
+inline constexpr std::string_view programCommand = "Machine/Program/Command";
+inline constexpr std::string_view programStart = "Start";
+
 inline constexpr std::string_view idle = "Idle";
 
 } // namespace axiscomp::drivecomm::registers

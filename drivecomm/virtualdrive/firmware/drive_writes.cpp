@@ -197,6 +197,9 @@ void VirtualDrive::Private::act(const Change& change)
     case RegisterRole::HomingCommand:
         axes[index].homing.start(now);
         return;
+    case RegisterRole::ProgramCommand:
+        startProgram();
+        return;
     case RegisterRole::Activation: {
         const RegisterEnums& enums = profile.enums;
         Axis& axis = axes[index];

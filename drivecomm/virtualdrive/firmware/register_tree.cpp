@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "drivecomm/virtualdrive/firmware/register_tree.h"
 
+#include "drivecomm/codec/edit_distance.h"
+
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <optional>
 
 namespace axiscomp::drivecomm {
@@ -45,30 +46,6 @@ char smallLetter(char c)
 bool sameName(std::string_view a, std::string_view b)
 {
     return std::ranges::equal(a, b, {}, smallLetter, smallLetter);
-}
-
-/// Levenshtein distance without regard to case; limit when it is not below limit.
-std::size_t editDistance(std::string_view a, std::string_view b, std::size_t limit)
-{
-    const std::size_t difference = a.size() > b.size() ? a.size() - b.size() : b.size() - a.size();
-    if (difference >= limit)
-        return limit;
-    std::vector<std::size_t> row(b.size() + 1);
-    std::iota(row.begin(), row.end(), std::size_t{0});
-    for (std::size_t i = 1; i <= a.size(); ++i) {
-        std::size_t diagonal = row[0];
-        std::size_t smallest = row[0] = i;
-        for (std::size_t j = 1; j <= b.size(); ++j) {
-            const std::size_t above = row[j];
-            row[j] = std::min({above + 1, row[j - 1] + 1,
-                diagonal + (smallLetter(a[i - 1]) == smallLetter(b[j - 1]) ? 0 : 1)});
-            diagonal = above;
-            smallest = std::min(smallest, row[j]);
-        }
-        if (smallest >= limit)
-            return limit;
-    }
-    return std::min(row.back(), limit);
 }
 
 bool isBelow(std::string_view path, std::string_view prefix)

@@ -24,6 +24,7 @@ enum class RegisterRole {
     TableCommand,
     SaveParameters,
     HomingCommand,
+    ProgramCommand,
     Activation,
     Reboot,
 };

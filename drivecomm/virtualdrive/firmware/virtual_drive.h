@@ -6,6 +6,8 @@
 #include "core/base/wall_time.h"
 #include "core/drive/drive_link.h"
 #include "core/drive/drive_profile.h"
+#include "core/metrology/measuring_plan.h"
+#include "drivecomm/virtualdrive/machine/machine_description.h"
 
 #include <chrono>
 #include <cstdint>
@@ -36,6 +38,13 @@ struct VirtualDriveOptions {
     /// Initial register values, for instance of a TAM configuration. A register that the drive does
     /// not have by itself is added with its type. Addresses are ignored: the drive gives its own.
     std::vector<RegisterReading> parameters;
+    /// The machine that the drive moves, whose axes these are: `axes` counts for nothing then. Raw
+    /// position and output of the compensation together are the set position.
+    std::optional<MachineDescription> machine;
+    /// What the machine's control visits; with machine. An axis that it does not move stands in the
+    /// middle of its travel.
+    std::optional<MeasuringPlan> program;
+    std::chrono::nanoseconds programStart = std::chrono::seconds(10); ///< after power-on
     /// Keeps flash tables, erase counts, flash wear and saved parameters across runs; empty: not
     /// kept. Only with VirtualDrive::create.
     std::filesystem::path stateFolder;
@@ -66,6 +75,8 @@ struct RegisterEntry {
 /// - An error of the compensation stays until Activation is written again.
 /// - A signal of a compensation (Output, DimNIndex) as DimSource is a BadSource.
 /// - Axes[n]/Commands/Homing/Command = Start homes an axis within a second.
+/// - With a machine each axis has Machine/Axes[n]/ReferencePosition, in mm or deg. With a program
+///   Machine/Program/Command = Start plays it again, from where the axis is.
 /// - The same register twice in one request is refused; values take effect before commands.
 class VirtualDrive {
 public:
@@ -93,6 +104,9 @@ public:
     [[nodiscard]] Result<Bytes> download(const std::string& path);
     [[nodiscard]] Result<void> upload(const std::string& path, ByteView bytes);
     void reboot();
+    /// What the instrument's lines say: the reading of the machine's instrument, in mm or deg. None
+    /// without a machine.
+    [[nodiscard]] std::optional<double> instrumentReading();
 
     /// For tests and faults: the next upload stores a table with one wrong value, or the next
     /// register write a wrong value (a command is lost), whichever comes first. The answer is that

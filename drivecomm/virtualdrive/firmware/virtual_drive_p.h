@@ -6,6 +6,8 @@
 #include "drivecomm/virtualdrive/firmware/register_tree.h"
 #include "drivecomm/virtualdrive/firmware/state_folder.h"
 #include "drivecomm/virtualdrive/firmware/virtual_drive.h"
+#include "drivecomm/virtualdrive/machine/machine_truth.h"
+#include "drivecomm/virtualdrive/machine/program_motion.h"
 
 #include <array>
 #include <mutex>
@@ -25,6 +27,15 @@ struct VirtualDrive::Private {
         const Register* table = nullptr; ///< null: the profile has no such register
         std::array<const Register*, 3> sources{};
         double encoder = 0.0; ///< at this tick, before compensation
+    };
+    /// What moves with the axes and how it is measured.
+    struct Machine {
+        MachineTruth truth;
+        std::vector<ReversalState> reversals; ///< of each axis
+        std::optional<ProgramMotion> program;
+        std::size_t programAxis = 0;
+        DriveTime programStart{0};
+        std::uint64_t stepsBefore = 0; ///< of programs that were played before this one
     };
     struct Change {
         Register* target = nullptr;
@@ -47,6 +58,19 @@ struct VirtualDrive::Private {
         std::function<std::string()> live = {});
     /// Error: the first parameter that does not fit.
     [[nodiscard]] Result<void> applyParameters();
+
+    // machine_loop.cpp: a machine's motion and measurement
+    void beginMachine();
+    void defineMachine();
+    void startProgram();
+    [[nodiscard]] double programSeconds(DriveTime at) const;
+    /// What the position loop holds: encoder and output together.
+    [[nodiscard]] double heldPosition(std::size_t axis, DriveTime at) const;
+    [[nodiscard]] float motorTemperature(std::size_t axis, DriveTime at) const;
+    [[nodiscard]] double referencePosition(std::size_t axis) const;
+    /// When an axis may have turned, between two ticks.
+    [[nodiscard]] std::vector<DriveTime> turnsBetween(DriveTime after, DriveTime until) const;
+    void followMachine();
 
     // compensation_loop.cpp: the firmware's loop at this instant
     void advance();
@@ -89,6 +113,7 @@ struct VirtualDrive::Private {
     DriveTime tick{0}; ///< the last one at or before now
     RegisterTree tree;
     std::vector<Axis> axes;
+    std::optional<Machine> machine;
     std::vector<const Register*> deviceName;
     FlashMemory memory;
     DriveTime wornUntil{DriveTime::min()}; ///< while DriveError shows FlashWear

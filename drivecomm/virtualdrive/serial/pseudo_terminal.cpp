@@ -97,6 +97,11 @@ PseudoTerminal::~PseudoTerminal()
     removeLink();
 }
 
+void PseudoTerminal::discardUnread() const
+{
+    ::tcflush(m_slave.get(), TCIFLUSH);
+}
+
 void PseudoTerminal::removeLink() const
 {
     if (m_link.empty())

@@ -21,6 +21,8 @@ public:
     ~PseudoTerminal();
 
     [[nodiscard]] const FileDescriptor& master() const { return m_master; } ///< non-blocking
+    /// What was written to master() and no client has read is lost.
+    void discardUnread() const;
     [[nodiscard]] const std::string& device() const { return m_device; } ///< /dev/pts/N
 
 private:

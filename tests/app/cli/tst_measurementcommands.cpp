@@ -107,6 +107,53 @@ private Q_SLOTS:
         QVERIFY2(run.err.contains("warning: 2 values excluded"), run.err.constData());
     }
 
+    void targetsWriteAPlanOrAProgram()
+    {
+        const Sandbox box;
+        const QStringList ends{"targets", "--from", "-20", "--to", "60", "--count", "5", "--seed",
+            "42", "--cycles", "1"};
+        const ProgramRun plan = box.run(ends);
+        VERIFY_CODE(plan, 0);
+        QVERIFY2(plan.out.startsWith("// axiscomp plan: 1\n"), plan.out.constData());
+        QVERIFY2(plan.out.contains("\n2,1,+,-5.945,-20.000\n3,1,+,17.834,-5.945\n"),
+            plan.out.constData());
+        const ProgramRun written = box.run(ends + QStringList{"-o", "plan.csv"});
+        VERIFY_CODE(written, 0);
+        QCOMPARE(box.content("plan.csv"), plan.out);
+        QCOMPARE(written.out,
+            "Wrote plan.csv: 5 targets, 10 positions. Axis X moves from -20.800 to 60.800 mm: "
+            "check "
+            "that this is within its travel, and free.\n");
+        const ProgramRun program = box.run(ends
+            + QStringList{
+                "--dialect", "siemens", "--axis", "Y1", "--dwell", "3", "-o", "p.mpf", "--json"});
+        VERIFY_CODE(program, 0);
+        QVERIFY(box.content("p.mpf").contains("G1 Y1=-5.945 F1000\nG4 F3\n"));
+        QCOMPARE(program.json().keys(),
+            (QStringList{"axis", "cycles", "dwell", "feed", "format", "output", "overrun", "seed",
+                "steps", "targets", "unit"}));
+        QCOMPARE(program.json().value("targets").toArray().at(1).toDouble(), -5.945);
+        QCOMPARE(program.json().value("format").toString(), "siemens");
+    }
+
+    void targetsThatCannotBeAreRefused()
+    {
+        const Sandbox box;
+        const auto said = [&box](const QStringList& rest) {
+            const ProgramRun run = box.run(QStringList{"targets", "--from", "0"} + rest);
+            return run.code == 2 ? run.err : "code " + QByteArray::number(run.code) + run.err;
+        };
+        QVERIFY(said({"--to", "-5", "--count", "5"}).contains("exchange the two"));
+        QVERIFY(said({"--to", "5"}).contains("one of the two"));
+        const QByteArray name = said({"--to", "5", "--count", "5", "-o", "x.NGC"});
+        QVERIFY2(name.contains("a program for a control needs --dialect"), name.constData());
+        const QByteArray axis =
+            said({"--to", "5", "--count", "5", "--dialect", "fanuc", "--axis", "Spindle"});
+        QVERIFY2(axis.contains("cannot move an axis \"Spindle\""), axis.constData());
+        QVERIFY(
+            said({"--to", "5", "--count", "5", "--dialect", "heidenhain"}).contains("linuxcnc"));
+    }
+
     void aBadFileIsReportedAsCompilersDo()
     {
         const Sandbox box;

@@ -4,6 +4,7 @@
 #include "tests/support/test_registry.h"
 #include "tests/support/verify.h"
 
+#include <QDir>
 #include <QFile>
 #include <QJsonArray>
 #include <QRegularExpression>
@@ -166,6 +167,11 @@ private Q_SLOTS:
         QTest::newRow("user") << QStringList{"--user", "me"} << QByteArray("--password-file");
         QTest::newRow("certificate")
             << QStringList{"--certificate", "c.pem"} << QByteArray("--key");
+        QTest::newRow("program") << QStringList{"--program", "p.csv"} << QByteArray("--machine");
+        QTest::newRow("instrument")
+            << QStringList{"--instrument", "laser"} << QByteArray("--machine");
+        QTest::newRow("two kinds of axes") << QStringList{"--machine", "m.json", "--axes", "2"}
+                                           << QByteArray("the axes come from --machine");
         QTest::newRow("unknown") << QStringList{"--fast"} << QByteArray("--fast");
     }
     void wrongUsageIsExplained()
@@ -190,6 +196,12 @@ private Q_SLOTS:
             << QStringList{"--config", "bad.TAMcfg"} << QByteArray("error: InvalidConfiguration: ");
         QTest::newRow("profile") << QStringList{"--profile", "bad.json"}
                                  << QByteArray("error: InvalidProfile: ");
+        QTest::newRow("machine") << QStringList{"--machine", "bad.json"}
+                                 << QByteArray("error: FileNotReadable: bad.json cannot be read: "
+                                               "axes: this is missing");
+        QTest::newRow("program") << QStringList{"--machine",
+            AXISCOMP_SOURCE_FOLDER "/resources/machines/screw.json", "--program",
+            "bad.json"} << QByteArray("error: FileNotReadable: bad.json cannot be read: line 1: ");
         QTest::newRow("password") << QStringList{"--user", "me", "--password-file", "no.txt"}
                                   << QByteArray("error: FileNotReadable: no.txt");
     }
@@ -203,6 +215,39 @@ private Q_SLOTS:
         const ProgramRun run = runDrive(box, arguments);
         VERIFY_CODE(run, 3);
         QVERIFY2(run.err.startsWith(error), run.err.constData());
+    }
+
+    void aMachineIsMovedByItsProgramAndMeasured()
+    {
+        const Sandbox box;
+        const QString machines = AXISCOMP_SOURCE_FOLDER "/resources/machines/";
+        VERIFY_CODE(box.run({"targets", "--from", "0", "--to", "400", "--count", "5", "--axis", "Y",
+                        "-o", "plan.csv"}),
+            0);
+        const VirtualDriveProcess drive(box,
+            {"--machine", machines + "gantry.json", "--program", "plan.csv", "--instrument",
+                box.path("laser"), "--speed", "1000"});
+        QVERIFY(drive.isReady());
+        const QJsonArray axes = axesOf(box, drive.url());
+        QCOMPARE(axes.size(), 2);
+        QCOMPARE(axes.at(1).toObject().value("name").toString(), "Y");
+        QFile laser(box.path("laser"));
+        QVERIFY(laser.open(QIODevice::ReadOnly | QIODevice::Unbuffered));
+        const QByteArray line = laser.readLine();
+        static const QRegularExpression reading("^[+-]\\d+\\.\\d{7} mm\r?\n$");
+        QVERIFY2(reading.match(line).hasMatch(), line.constData());
+    }
+
+    void everyMachineThatIsInstalledRuns()
+    {
+        const QDir folder(AXISCOMP_SOURCE_FOLDER "/resources/machines");
+        const QStringList names = folder.entryList({"*.json"});
+        QCOMPARE(names.size(), 4);
+        for (const QString& name : names) {
+            const Sandbox box;
+            const VirtualDriveProcess drive(box, {"--machine", folder.filePath(name)});
+            QVERIFY2(drive.isReady(), qPrintable(name));
+        }
     }
 
     void passwordsAreAskedFor()
