@@ -54,6 +54,7 @@ inline bool on(int fault)
 }}
 }}
 """
+FAILURE = b"\nFAIL!"  # of Qt Test
 PATIENCE = 60  # seconds for one test, and so many times of what it takes without a fault:
 PATIENCE_FACTOR = 30  # a fault that makes it hang is found, a busy machine finds none
 
@@ -211,16 +212,29 @@ def tests_in(folder):
     return tests
 
 
+def ends_well(process, patience, said):
+    """Whether a test ends within its time and well. It has not when it says so: Qt Test goes on with the
+    next function then, and a fault can make each of them wait."""
+    end = time.monotonic() + patience
+    last = b"\n"
+    while time.monotonic() < end:
+        try:
+            return process.wait(0.2) == 0
+        except subprocess.TimeoutExpired:
+            last = last[-len(FAILURE):] + said.read()
+            if FAILURE in last:
+                return False
+    return False
+
+
 def passes(test, number, log):
     """Whether a test passes with a fault switched on; number 0: none."""
     environment = {**os.environ, **test.environment, SWITCH: str(number)}
-    with log.open("wb") as stream:
+    with log.open("wb") as stream, log.open("rb") as said:
         process = subprocess.Popen(test.command, cwd=test.folder, env=environment, stdin=subprocess.DEVNULL,
                                    stdout=stream, stderr=subprocess.STDOUT, start_new_session=True)
         try:
-            return process.wait(test.patience) == 0
-        except subprocess.TimeoutExpired:
-            return False
+            return ends_well(process, test.patience, said)
         finally:
             # also what the test has started
             try:
@@ -310,6 +324,7 @@ SAMPLES = {
                                        "faulty": "return false;"},
                                {**FOUND, "name": "inner", "within": "return half(number) * 2 == number",
                                 "original": "half(number)", "faulty": "number"}], 0, "3 faults, 3 found, 0 not"),
+    "a test that goes on after it has failed": ([{**FOUND, "tests": ["tst_slow"]}], 0, "1 faults, 1 found, 0 not"),
     "a fault that nothing finds": ([FOUND, {**FOUND, "name": "negative", "original": "isEven(-number)",
                                             "faulty": "true"}], 1, "No test finds negative"),
     "a line that is gone": ([{**FOUND, "original": "number / 4"}], 2, "this is not there: number / 4"),
@@ -322,9 +337,34 @@ SAMPLES = {
     "a test that fails anyway": ([{**FOUND, "tests": ["tst_broken"]}], 2, "without any fault these fail"),
     "faults that overlap": ([FOUND, {**FOUND, "name": "over", "original": "2; }", "faulty": "3; }"}], 2, "overlap"),
 }
-BROKEN = {"tests/tst_broken.cpp": "int main() { return 1; }\n",
-          "CMakeLists.txt": SAMPLE["CMakeLists.txt"] + "add_executable(broken tests/tst_broken.cpp)\n"
-                            "add_test(NAME tst_broken COMMAND broken)\n"}
+ADDED = {
+    "broken": "int main() { return 1; }\n",
+    "slow": """#include "core/sample.h"
+#include <cstdio>
+#include <unistd.h>
+int main()
+{
+    if (half(8) == 4)
+        return 0;
+    std::puts("begin\\nFAIL!  : half");
+    std::fflush(stdout);
+    sleep(5);
+    return 0;
+}
+""",
+}
+
+
+def with_added(name):
+    """The sample with one more test."""
+    return {
+        f"tests/tst_{name}.cpp": ADDED[name],
+        "CMakeLists.txt": SAMPLE["CMakeLists.txt"]
+        + f"""add_executable({name} tests/tst_{name}.cpp core/sample.cpp)
+target_include_directories({name} PRIVATE ${{PROJECT_SOURCE_DIR}})
+add_test(NAME tst_{name} COMMAND {name})
+""",
+    }
 
 
 def toml(entries):
@@ -337,8 +377,9 @@ def self_test():
     for name, (entries, status, sentence) in SAMPLES.items():
         with tempfile.TemporaryDirectory() as folder:
             files = {**SAMPLE, "tests/mutation/faults/sample.toml": toml(entries)}
-            if "anyway" in name:
-                files.update(BROKEN)
+            for added in ADDED:
+                if f"tst_{added}" in str(entries):
+                    files.update(with_added(added))
             for path, text in files.items():
                 write_if_other(Path(folder, path), text)
             outcome = subprocess.run([sys.executable, __file__, "--root", folder], capture_output=True, text=True)

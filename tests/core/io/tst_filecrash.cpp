@@ -228,7 +228,7 @@ void TestFileCrash::onAFullDiskTheOldOrTheNewIsThere()
         QVERIFY(!hasDamagedFile(root));
         refused += isSaved ? 0 : 1;
     }
-    QVERIFY(refused > 50);
+    QVERIFY(refused > 10);
     QVERIFY(kept.write(root, 3));
 }
 
