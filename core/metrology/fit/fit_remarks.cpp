@@ -258,9 +258,7 @@ void remarkOfDensity(const FitInput& input, const FittedTable& made, Remarks& re
 {
     if (input.settings.method != FitMethod::Linear && made.density)
         remarks.say("Density",
-            AXISCOMP_COUNTED("Measurement",
-                "{count} points with straight lines between them are at most {distance} off the "
-                "curve, at {place}",
+            AXISCOMP_TEXT("Measurement",
                 "{count} points with straight lines between them are at most {distance} off the "
                 "curve, at {place}")
                 .with("count", made.density->points)

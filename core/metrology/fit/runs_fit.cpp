@@ -309,9 +309,11 @@ Text signOf(const FitInput& input, const TableFit& fit, const CompensationTable&
     Quantity signedAmount = fineQuantity(added, isAngular);
     if (added > 0.0)
         signedAmount.digits = "+" + signedAmount.digits;
-    return AXISCOMP_TEXT("Measurement",
+    return AXISCOMP_COUNTED("Measurement",
         "where the encoder reads {reading} the reference said {reference} on average of {count} "
-        "values; the drive will add {added}")
+        "values; the drive will add {added}",
+        "where the encoder reads {reading} the reference said {reference}, measured once; the "
+        "drive will add {added}")
         .with("reading", readingOf(reading, isAngular))
         .with("reference", readingOf(reference, isAngular))
         .with("count", static_cast<std::int64_t>(largest->weight))
