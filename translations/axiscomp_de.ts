@@ -5522,10 +5522,6 @@
         <translation>am steilsten ist {table} zwischen {from} und {to}: {step}, das sind {slope} je {one}</translation>
     </message>
     <message>
-        <source>at {speed} for each second the velocity jumps by at most {step} for each second at a point of the table</source>
-        <translation>bei {speed} je Sekunde springt die Geschwindigkeit an einem Punkt der Tabelle um höchstens {step} je Sekunde</translation>
-    </message>
-    <message>
         <source>a drive holds numbers with 24 bits, which changes a value of {table} by at most {rounding}</source>
         <translation>ein Antrieb hält Zahlen mit 24 Bit; das ändert einen Wert von {table} um höchstens {rounding}</translation>
     </message>
@@ -5676,6 +5672,10 @@
             <numerusform>wo der Geber {reading} anzeigt, sagte die Referenz {reference}, einmal gemessen; der Antrieb wird {added} addieren</numerusform>
             <numerusform>wo der Geber {reading} anzeigt, sagte die Referenz {reference} im Mittel von {count} Werten; der Antrieb wird {added} addieren</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>at {speed} the velocity jumps by at most {step} at a point of the table</source>
+        <translation>bei {speed} springt die Geschwindigkeit an einem Punkt der Tabelle um höchstens {step}</translation>
     </message>
 </context>
 <context>
