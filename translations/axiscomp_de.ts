@@ -5197,139 +5197,139 @@
     </message>
     <message>
         <source>the measurement does not say whether a compensation was active while it was made; say it with --measured-with off, --measured-with on, or --measured-with and the file of the table that was active</source>
-        <translation type="unfinished"></translation>
+        <translation>die Messung sagt nicht, ob während ihr eine Kompensation aktiv war; sagen Sie es mit --measured-with off, --measured-with on oder --measured-with und der Datei der Tabelle, die aktiv war</translation>
     </message>
     <message>
         <source>the measurement says that it was made with {recorded}, not with {stated}; leave out --measured-with, or take the table that was active</source>
-        <translation type="unfinished"></translation>
+        <translation>die Messung sagt, dass sie mit {recorded} gemacht wurde, nicht mit {stated}; lassen Sie --measured-with weg, oder nehmen Sie die Tabelle, die aktiv war</translation>
     </message>
     <message>
         <source>these are residuals of the table {crc}, which was active while they were measured: merge them with --onto and the file of that table, or with --onto drive</source>
-        <translation type="unfinished"></translation>
+        <translation>das sind Restabweichungen der Tabelle {crc}, die während der Messung aktiv war: verbinden Sie sie mit --onto und der Datei dieser Tabelle oder mit --onto drive</translation>
     </message>
     <message>
         <source>these are residuals of a table that was active while they were measured: merge them with --onto and the file of that table, or with --onto drive</source>
-        <translation type="unfinished"></translation>
+        <translation>das sind Restabweichungen einer Tabelle, die während der Messung aktiv war: verbinden Sie sie mit --onto und der Datei dieser Tabelle oder mit --onto drive</translation>
     </message>
     <message>
         <source>it was measured with the table {crc} active, which is not {name} ({known}), nor any other table known; give its file with --measured-with, or merge onto it</source>
-        <translation type="unfinished"></translation>
+        <translation>während der Messung war die Tabelle {crc} aktiv; das ist weder {name} ({known}) noch eine andere bekannte Tabelle; geben Sie ihre Datei mit --measured-with an, oder verbinden Sie mit ihr</translation>
     </message>
     <message>
         <source>it was measured with the compensation off: the values are the whole error, and must not be added to {name}; leave out --onto, or measure with that table active</source>
-        <translation type="unfinished"></translation>
+        <translation>während der Messung war die Kompensation aus: die Werte sind der ganze Fehler und dürfen nicht zu {name} addiert werden; lassen Sie --onto weg, oder messen Sie mit dieser Tabelle aktiv</translation>
     </message>
     <message>
         <source>at which position the drive looks the table up decides where its values belong: say --lookup-at encoder for a position before the compensation, or --lookup-at set for one after it</source>
-        <translation type="unfinished"></translation>
+        <translation>an welcher Position der Antrieb in der Tabelle nachschlägt, entscheidet, wohin ihre Werte gehören: sagen Sie --lookup-at encoder für eine Position vor der Kompensation oder --lookup-at set für eine danach</translation>
     </message>
     <message>
         <source>a gain is above 0 and at most 2; it is usually 1</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Faktor liegt über 0 und ist höchstens 2; üblich ist 1</translation>
     </message>
     <message>
         <source>a gain is for residuals that are merged onto the table that was active; here the values are the whole error</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Faktor ist für Restabweichungen, die mit der Tabelle verbunden werden, die aktiv war; hier sind die Werte der ganze Fehler</translation>
     </message>
     <message>
         <source>how the artefact lay is found from the deviations along all of its axes, but there is no column for {axis}, such as d{axis}; leave --remove out</source>
-        <translation type="unfinished"></translation>
+        <translation>wie das Normal lag, ergibt sich aus den Abweichungen entlang aller seiner Achsen, aber für {axis} fehlt eine Spalte wie d{axis}; lassen Sie --remove weg</translation>
     </message>
     <message>
         <source>{name} has no table whose target is that of the column {column}; state the targets of its tables, or measure without a table</source>
-        <translation type="unfinished"></translation>
+        <translation>{name} hat keine Tabelle, deren Zielachse die der Spalte {column} ist; geben Sie die Zielachsen ihrer Tabellen an, oder messen Sie ohne Tabelle</translation>
     </message>
     <message>
         <source>all points have the same position along {axis}</source>
-        <translation type="unfinished"></translation>
+        <translation>alle Punkte haben dieselbe Position entlang {axis}</translation>
     </message>
     <message>
         <source>the positions along {axis} are no even grid; say the grid of the table with --points or --distance</source>
-        <translation type="unfinished"></translation>
+        <translation>die Positionen entlang {axis} sind kein gleichmäßiges Gitter; geben Sie das Gitter der Tabelle mit --points oder --distance an</translation>
     </message>
     <message>
         <source>a grid has at least 2 points along {axis}</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Gitter hat entlang {axis} mindestens 2 Punkte</translation>
     </message>
     <message>
         <source>the distance along {axis} is too small</source>
-        <translation type="unfinished"></translation>
+        <translation>der Abstand entlang {axis} ist zu klein</translation>
     </message>
     <message>
         <source>the grid needs one number, or one for each of the {count} axes</source>
-        <translation type="unfinished"></translation>
+        <translation>das Gitter braucht eine Zahl, oder eine für jede der {count} Achsen</translation>
     </message>
     <message>
         <source>points and tracks are fitted on the grid itself, as the drive interpolates it; leave out --method and --period</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkte und Bahnen werden auf dem Gitter selbst angepasst, so wie der Antrieb interpoliert; lassen Sie --method und --period weg</translation>
     </message>
     <message>
         <source>--remove-slope, --within, --turn, --home and --remove-drift are for runs over targets along one axis</source>
-        <translation type="unfinished"></translation>
+        <translation>--remove-slope, --within, --turn, --home und --remove-drift sind für Durchläufe über Zielpositionen entlang einer Achse</translation>
     </message>
     <message>
         <source>the figures of the standard need targets; leave --tolerance out</source>
-        <translation type="unfinished"></translation>
+        <translation>die Kennwerte der Norm brauchen Zielpositionen; lassen Sie --tolerance weg</translation>
     </message>
     <message>
         <source>a home position is that of one axis measured over targets; take --zero first, mean, keep or a position</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Referenzposition gehört zu einer Achse, die über Zielpositionen gemessen wurde; nehmen Sie --zero first, mean, keep oder eine Position</translation>
     </message>
     <message>
         <source>--remove is for points of two or three axes; a track has one</source>
-        <translation type="unfinished"></translation>
+        <translation>--remove ist für Punkte von zwei oder drei Achsen; eine Bahn hat eine</translation>
     </message>
     <message>
         <source>points have no direction; leave --direction out</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkte haben keine Richtung; lassen Sie --direction weg</translation>
     </message>
     <message>
         <source>the zero needs {count} numbers, one for each axis</source>
-        <translation type="unfinished"></translation>
+        <translation>die Nullstelle braucht {count} Zahlen, eine für jede Achse</translation>
     </message>
     <message>
         <source>--remove names an axis that the points do not have</source>
-        <translation type="unfinished"></translation>
+        <translation>--remove nennt eine Achse, die die Punkte nicht haben</translation>
     </message>
     <message>
         <source>the position of the zero is outside the grid</source>
-        <translation type="unfinished"></translation>
+        <translation>die Position der Nullstelle liegt außerhalb des Gitters</translation>
     </message>
     <message>
         <source>there are no values in this direction</source>
-        <translation type="unfinished"></translation>
+        <translation>in dieser Richtung gibt es keine Werte</translation>
     </message>
     <message>
         <source>--remove, --robust and --fill are for points of two or three axes and for tracks; this measurement has targets along one axis</source>
-        <translation type="unfinished"></translation>
+        <translation>--remove, --robust und --fill sind für Punkte von zwei oder drei Achsen und für Bahnen; diese Messung hat Zielpositionen entlang einer Achse</translation>
     </message>
     <message>
         <source>the measurement is along one axis: give one number for its grid and zero</source>
-        <translation type="unfinished"></translation>
+        <translation>die Messung geht entlang einer Achse: geben Sie für Gitter und Nullstelle eine Zahl an</translation>
     </message>
     <message>
         <source>a smoothness is for the method smooth (--method smooth); the others go through every mean</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Glättung ist für die Methode smooth (--method smooth); die anderen gehen durch jeden Mittelwert</translation>
     </message>
     <message>
         <source>runs along one axis are merged onto a table of one dimension; {name} has {dimensions}</source>
-        <translation type="unfinished"></translation>
+        <translation>Durchläufe entlang einer Achse werden mit einer Tabelle von einer Dimension verbunden; {name} hat {dimensions}</translation>
     </message>
     <message>
         <source>the home position of the axis is not known: give it with --home, or the position of the zero with --zero</source>
-        <translation type="unfinished"></translation>
+        <translation>die Referenzposition der Achse ist nicht bekannt: geben Sie sie mit --home an, oder die Position der Nullstelle mit --zero</translation>
     </message>
     <message>
         <source>the home position {home} is outside the targets, so that the error there is not known; take --zero first or another position</source>
-        <translation type="unfinished"></translation>
+        <translation>die Referenzposition {home} liegt außerhalb der Zielpositionen, der Fehler dort ist also nicht bekannt; nehmen Sie --zero first oder eine andere Position</translation>
     </message>
     <message>
         <source>the position {position} of the zero is outside the targets, which go from {from} to {to}</source>
-        <translation type="unfinished"></translation>
+        <translation>die Position {position} der Nullstelle liegt außerhalb der Zielpositionen, die von {from} bis {to} gehen</translation>
     </message>
     <message>
         <source>the targets are not evenly spaced; say the grid of the table with --points, --distance or --within</source>
-        <translation type="unfinished"></translation>
+        <translation>die Zielpositionen haben keine gleichmäßigen Abstände; geben Sie das Gitter der Tabelle mit --points, --distance oder --within an</translation>
     </message>
     <message>
         <source>a program for {dialect} cannot move an axis &quot;{axis}&quot;; name one of X, Y, Z, A, B, C, U, V, W (--axis)</source>
@@ -5723,171 +5723,171 @@
     </message>
     <message>
         <source>a slope of {slope} over {length} was taken out</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Steigung von {slope} über {length} wurde herausgenommen</translation>
     </message>
     <message>
         <source>{constant} was taken out of all values of {table}, so that it is 0 where --zero has it</source>
-        <translation type="unfinished"></translation>
+        <translation>{constant} wurde aus allen Werten von {table} herausgenommen, damit die Tabelle dort 0 ist, wo --zero es sagt</translation>
     </message>
     <message>
         <source>the steepest part of {table} is between {from} and {to}: {step}, {slope} for each {one}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>at {speed} for each second the velocity jumps by at most {step} for each second at a point of the table</source>
-        <translation type="unfinished"></translation>
+        <translation>am steilsten ist {table} zwischen {from} und {to}: {step}, das sind {slope} je {one}</translation>
     </message>
     <message>
         <source>a drive holds numbers with 24 bits, which changes a value of {table} by at most {rounding}</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Antrieb hält Zahlen mit 24 Bit; das ändert einen Wert von {table} um höchstens {rounding}</translation>
     </message>
     <message numerus="yes">
         <source>{count} points of {table} have nothing measured beside them and were filled</source>
         <comment>1 point of {table} has nothing measured beside it and was filled</comment>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>neben 1 Punkt von {table} wurde nichts gemessen; er wurde gefüllt</numerusform>
+            <numerusform>neben {count} Punkten von {table} wurde nichts gemessen; sie wurden gefüllt</numerusform>
         </translation>
     </message>
     <message>
         <source>merged onto {name} with gain {gain}: a value changes by at most {change}, at {place}</source>
-        <translation type="unfinished"></translation>
+        <translation>mit {name} verbunden, Faktor {gain}: ein Wert ändert sich um höchstens {change}, bei {place}</translation>
     </message>
     <message>
         <source>the table improves little: {figure} from {before} to {after}, less than a fifth</source>
-        <translation type="unfinished"></translation>
+        <translation>die Tabelle bessert wenig: {figure} von {before} auf {after}, weniger als ein Fünftel</translation>
     </message>
     <message>
         <source>between the targets the error is not known well enough: foretold without each target, M is {heldOut}; measure at more targets</source>
-        <translation type="unfinished"></translation>
+        <translation>zwischen den Zielpositionen ist der Fehler nicht gut genug bekannt: ohne die jeweilige Zielposition vorhergesagt ist M {heldOut}; messen Sie an mehr Zielpositionen</translation>
     </message>
     <message>
         <source>between the targets the error is not known well enough: foretold without each target, M is {heldOut}, before it was {before}; measure at more targets</source>
-        <translation type="unfinished"></translation>
+        <translation>zwischen den Zielpositionen ist der Fehler nicht gut genug bekannt: ohne die jeweilige Zielposition vorhergesagt ist M {heldOut}, vorher war es {before}; messen Sie an mehr Zielpositionen</translation>
     </message>
     <message>
         <source>most of this error is reversal, which no table removes: up to {reversal} remains in each direction</source>
-        <translation type="unfinished"></translation>
+        <translation>dieser Fehler ist vor allem Umkehrspanne, die keine Tabelle beseitigt: bis zu {reversal} bleiben in jeder Richtung</translation>
     </message>
     <message>
         <source>the table is for both directions: up to {reversal} of the reversal remains in each</source>
-        <translation type="unfinished"></translation>
+        <translation>die Tabelle gilt für beide Richtungen: von der Umkehrspanne bleiben in jeder bis zu {reversal}</translation>
     </message>
     <message>
         <source>the table is for one direction: in the other up to {reversal} of reversal remains</source>
-        <translation type="unfinished"></translation>
+        <translation>die Tabelle gilt für eine Richtung: in der anderen bleiben bis zu {reversal} Umkehrspanne</translation>
     </message>
     <message>
         <source>{count} targets lie in {turns} periods of {period}</source>
-        <translation type="unfinished"></translation>
+        <translation>{count} Zielpositionen liegen in {turns} Perioden von {period}</translation>
     </message>
     <message numerus="yes">
         <source>{count} values do not fit the others and are in the table; `axiscomp judge` names them, --exclude leaves them out</source>
         <comment>1 value does not fit the others and is in the table; `axiscomp judge` names it, --exclude leaves it out</comment>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>1 Wert passt nicht zu den anderen und ist in der Tabelle; `axiscomp judge` nennt ihn, --exclude lässt ihn weg</numerusform>
+            <numerusform>{count} Werte passen nicht zu den anderen und sind in der Tabelle; `axiscomp judge` nennt sie, --exclude lässt sie weg</numerusform>
         </translation>
     </message>
     <message>
         <source>at the home position {home} the drive will add {value}</source>
-        <translation type="unfinished"></translation>
+        <translation>an der Referenzposition {home} wird der Antrieb {value} addieren</translation>
     </message>
     <message>
         <source>over a turn, from {from} to {to}, the table ends {jump} above where it begins</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message numerus="yes">
-        <source>{count} points with straight lines between them are at most {distance} off the curve, at {place}</source>
-        <comment>{count} points with straight lines between them are at most {distance} off the curve, at {place}</comment>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
-        </translation>
+        <translation>über eine Umdrehung, von {from} bis {to}, endet die Tabelle {jump} über ihrem Anfang</translation>
     </message>
     <message>
         <source>{name} has {old} points, and there are {count} targets: what it has between them is replaced by the new curve</source>
-        <translation type="unfinished"></translation>
+        <translation>{name} hat {old} Punkte, und es gibt {count} Zielpositionen: was die Tabelle dazwischen hatte, ersetzt die neue Kurve</translation>
     </message>
     <message>
         <source>the compensation off</source>
-        <translation type="unfinished"></translation>
+        <translation>ausgeschalteter Kompensation</translation>
     </message>
     <message>
         <source>the compensation on</source>
-        <translation type="unfinished"></translation>
+        <translation>eingeschalteter Kompensation</translation>
     </message>
     <message>
         <source>the table {crc} active</source>
-        <translation type="unfinished"></translation>
+        <translation>aktiver Tabelle {crc}</translation>
     </message>
     <message>
         <source>measured with the table {crc} of {name} active</source>
-        <translation type="unfinished"></translation>
+        <translation>gemessen, während die Tabelle {crc} von {name} aktiv war</translation>
     </message>
     <message>
         <source>measured with {name} active ({known})</source>
-        <translation type="unfinished"></translation>
+        <translation>gemessen, während {name} aktiv war ({known})</translation>
     </message>
     <message>
         <source>the measurement does not say which table was active; {name} ({known}) is taken to have been</source>
-        <translation type="unfinished"></translation>
+        <translation>die Messung sagt nicht, welche Tabelle aktiv war; angenommen wird {name} ({known})</translation>
     </message>
     <message>
         <source>the raw positions of the encoder are on file: the table is made of reference minus encoder, whatever compensation was active</source>
-        <translation type="unfinished"></translation>
+        <translation>die Rohpositionen des Gebers stehen in der Datei: die Tabelle ist Referenz minus Geber, gleich welche Kompensation aktiv war</translation>
     </message>
     <message>
         <source>measured with the compensation off</source>
-        <translation type="unfinished"></translation>
+        <translation>mit ausgeschalteter Kompensation gemessen</translation>
     </message>
     <message>
         <source>{table} explains {share} % of the variance of {count} values; {rms} rms remains</source>
-        <translation type="unfinished"></translation>
+        <translation>{table} erklärt {share} % der Varianz von {count} Werten; {rms} (quadratisches Mittel) bleiben</translation>
     </message>
     <message>
         <source>{table} explains little: values that were left out are foretold with {left} rms, and they are {values} rms themselves</source>
-        <translation type="unfinished"></translation>
+        <translation>{table} erklärt wenig: weggelassene Werte werden auf {left} vorhergesagt (quadratisches Mittel), selbst sind die Werte {values} groß</translation>
     </message>
     <message numerus="yes">
         <source>{count} values lie outside the grid and were left out</source>
         <comment>1 value lies outside the grid and was left out</comment>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>1 Wert liegt außerhalb des Gitters und wurde weggelassen</numerusform>
+            <numerusform>{count} Werte liegen außerhalb des Gitters und wurden weggelassen</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>{count} values of {table} do not fit the others and count little; the first is point {first}, {residual} off</source>
         <comment>1 value of {table} does not fit the others and counts little: point {first}, {residual} off</comment>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>1 Wert von {table} passt nicht zu den anderen und zählt wenig: Punkt {first}, um {residual} daneben</numerusform>
+            <numerusform>{count} Werte von {table} passen nicht zu den anderen und zählen wenig; der erste ist Punkt {first}, um {residual} daneben</numerusform>
         </translation>
     </message>
     <message>
         <source>{first} and {second} are {angle} off 90 degrees</source>
-        <translation type="unfinished"></translation>
+        <translation>{first} und {second} weichen um {angle} von 90 Grad ab</translation>
     </message>
     <message>
         <source>a scale of {scale} for each {length} was taken out; the mean scale error of the axes is in it, and stays in the machine</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Maßstab von {scale} je {length} wurde herausgenommen; der mittlere Maßstabsfehler der Achsen steckt darin und bleibt in der Maschine</translation>
     </message>
     <message>
         <source>{axis} {position}</source>
-        <translation type="unfinished"></translation>
+        <translation>{axis} {position}</translation>
     </message>
     <message>
         <source>at {position} the reference was {measured} beside the encoder in {table}; the drive will add {added}</source>
-        <translation type="unfinished"></translation>
+        <translation>bei {position} lag die Referenz in {table} um {measured} neben dem Geber; der Antrieb wird {added} addieren</translation>
     </message>
     <message>
         <source>how well the error between the targets is known cannot be told: {reason}</source>
-        <translation type="unfinished"></translation>
+        <translation>wie gut der Fehler zwischen den Zielpositionen bekannt ist, lässt sich nicht sagen: {reason}</translation>
     </message>
     <message>
+        <source>at {speed} the velocity jumps by at most {step} at a point of the table</source>
+        <translation>bei {speed} springt die Geschwindigkeit an einem Punkt der Tabelle um höchstens {step}</translation>
+    </message>
+    <message>
+        <source>{count} points with straight lines between them are at most {distance} off the curve, at {place}</source>
+        <translation>{count} Punkte mit Geraden dazwischen sind höchstens {distance} von der Kurve entfernt, bei {place}</translation>
+    </message>
+    <message numerus="yes">
         <source>where the encoder reads {reading} the reference said {reference} on average of {count} values; the drive will add {added}</source>
-        <translation type="unfinished"></translation>
+        <comment>where the encoder reads {reading} the reference said {reference}, measured once; the drive will add {added}</comment>
+        <translation>
+            <numerusform>wo der Geber {reading} anzeigt, sagte die Referenz {reference}, einmal gemessen; der Antrieb wird {added} addieren</numerusform>
+            <numerusform>wo der Geber {reading} anzeigt, sagte die Referenz {reference} im Mittel von {count} Werten; der Antrieb wird {added} addieren</numerusform>
+        </translation>
     </message>
 </context>
 <context>

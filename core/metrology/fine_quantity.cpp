@@ -5,6 +5,7 @@
 
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <utility>
 
 namespace axiscomp {
@@ -23,7 +24,8 @@ Quantity fineQuantity(double value, bool isAngular)
 
 Quantity placeOf(double position, bool isAngular)
 {
-    return {roundedText(position), isAngular ? "deg" : "mm"};
+    const double finest = isAngular ? 1e7 : 1e6;
+    return {roundedText(std::round(position * finest) / finest), isAngular ? "deg" : "mm"};
 }
 
 } // namespace axiscomp

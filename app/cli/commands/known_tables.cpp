@@ -40,7 +40,7 @@ Result<void> addBackup(AxisTables& tables, const std::filesystem::path& file,
     AXISCOMP_TRY(const auto bytes, loadFile(file, maximumBackupSize));
     AXISCOMP_TRY(const auto backup, readBackup(asText(bytes), file.string()));
     KnownTables known;
-    known.name = AXISCOMP_TEXT("Measurement", "the backup {file}").with("file", file.string());
+    known.name = Verbatim{"the backup " + file.filename().string()};
     for (const AxisBackup& axis : backup.axes) {
         for (const AxisBackup::File& one : axis.files) {
             if (one.bytes.empty())
@@ -96,8 +96,7 @@ Result<AxisTables> tablesOfAxis(
     const AxisStatus& status = settled.status;
     AXISCOMP_TRY(auto table, session.compensator().readTable(axis, session.operation()));
     AxisTables tables;
-    tables.active.name =
-        AXISCOMP_TEXT("Measurement", "the table of {axis}").with("axis", axisWords(status.axis));
+    tables.active.name = Verbatim{"the table of " + axisWords(status.axis)};
     const std::string driveUnit = unitSymbol(status.axis.unit);
     if (table.unit.empty())
         table.unit = driveUnit;

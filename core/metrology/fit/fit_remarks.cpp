@@ -52,6 +52,12 @@ void remarkOfZero(const FittedTable& made, Remarks& remarks)
                 .with("table", made.table.name));
 }
 
+Quantity perSecond(Quantity quantity)
+{
+    quantity.unit += "/s";
+    return quantity;
+}
+
 void remarkOfSteps(const FitInput& input, const FittedTable& made, Remarks& remarks)
 {
     const CompensationTable& table = made.table;
@@ -74,11 +80,11 @@ void remarkOfSteps(const FitInput& input, const FittedTable& made, Remarks& rema
     if (input.settings.speed && made.density)
         remarks.say("VelocityStep",
             AXISCOMP_TEXT("Measurement",
-                "at {speed} for each second the velocity jumps by at most {step} for each second "
-                "at a point of the table")
-                .with("speed", remarks.place(*input.settings.speed))
+                "at {speed} the velocity jumps by at most {step} at a point of the table")
+                .with("speed", perSecond(remarks.place(*input.settings.speed)))
                 .with("step",
-                    remarks.fine(made.density->largestSlopeChange * *input.settings.speed)));
+                    perSecond(
+                        remarks.fine(made.density->largestSlopeChange * *input.settings.speed))));
 }
 
 /// Of what float32 changes two digits tell enough.
@@ -258,9 +264,7 @@ void remarkOfDensity(const FitInput& input, const FittedTable& made, Remarks& re
 {
     if (input.settings.method != FitMethod::Linear && made.density)
         remarks.say("Density",
-            AXISCOMP_COUNTED("Measurement",
-                "{count} points with straight lines between them are at most {distance} off the "
-                "curve, at {place}",
+            AXISCOMP_TEXT("Measurement",
                 "{count} points with straight lines between them are at most {distance} off the "
                 "curve, at {place}")
                 .with("count", made.density->points)

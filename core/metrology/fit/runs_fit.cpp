@@ -171,6 +171,17 @@ Result<void> placeZero(const FitInput& input, TableFitRequest& request)
     return {};
 }
 
+/// Of even targets, whose grid the table takes over.
+Result<double> distanceOf(const std::vector<double>& targets)
+{
+    const EvenSpacing even = fitEvenSpacing(targets, noDecimals);
+    if (!even.even)
+        return badFit(AXISCOMP_TEXT("Error",
+            "the targets are not evenly spaced; say the grid of the table with --points, "
+            "--distance or --within"));
+    return even.distance;
+}
+
 /// The grid where knots are not the targets: the old table's, or the targets' own, or what was
 /// asked for from the first to the last target. The ends of the curve, which lie beside these by
 /// the deviations only, are held as the drive holds them.
@@ -205,14 +216,10 @@ Result<AxisRequest> gridBesideTargets(const FitInput& input, const CompensationT
         if (isCovered || settings.turn || settings.holdsEnds)
             return AxisRequest{.points = axis.size, .start = axis.start, .end = axis.last()};
     }
-    const EvenSpacing even = fitEvenSpacing(targets, noDecimals);
-    if (!even.even)
-        return badFit(AXISCOMP_TEXT("Error",
-            "the targets are not evenly spaced; say the grid of the table with --points, "
-            "--distance or --within"));
+    AXISCOMP_TRY(const double distance, distanceOf(targets));
     const double last = settings.turn ? from + *settings.turn : to;
     return AxisRequest{
-        .points = static_cast<std::size_t>(std::lround((last - from) / even.distance)) + 1,
+        .points = static_cast<std::size_t>(std::lround((last - from) / distance)) + 1,
         .start = from,
         .end = last};
 }
@@ -239,14 +246,16 @@ Result<TableFitRequest> requestOf(const FitInput& input)
         request.active = {old, 1.0, input.outside()};
     const bool areKnotsTargets =
         input.lookupAt == LookupAt::Encoder && input.state.kind == FoundState::Kind::Off;
+    const bool isOpen = settings.grid.empty() && !settings.within && !old;
+    if (isOpen && !settings.periods.periods.empty())
+        return request;
     if (areKnotsTargets) {
+        if (isOpen)
+            AXISCOMP_CHECK(distanceOf(input.measurement.targets));
         if (!settings.grid.empty())
             request.grid = settings.grid.front();
         return request;
     }
-    const bool isOpen = settings.grid.empty() && !settings.within && !old;
-    if (isOpen && !settings.periods.periods.empty())
-        return request;
     AXISCOMP_TRY(request.grid, gridBesideTargets(input, old));
     request.holdsEnds = true;
     return request;
@@ -280,13 +289,6 @@ void predictBetween(
         true);
 }
 
-/// A position as finely as values are shown.
-Quantity readingOf(double position, bool isAngular)
-{
-    const double fine = isAngular ? 1e7 : 1e6;
-    return placeOf(std::round(position * fine) / fine, isAngular);
-}
-
 Text signOf(const FitInput& input, const TableFit& fit, const CompensationTable& table)
 {
     const bool isAngular = input.measurement.isAngular;
@@ -309,11 +311,13 @@ Text signOf(const FitInput& input, const TableFit& fit, const CompensationTable&
     Quantity signedAmount = fineQuantity(added, isAngular);
     if (added > 0.0)
         signedAmount.digits = "+" + signedAmount.digits;
-    return AXISCOMP_TEXT("Measurement",
+    return AXISCOMP_COUNTED("Measurement",
         "where the encoder reads {reading} the reference said {reference} on average of {count} "
-        "values; the drive will add {added}")
-        .with("reading", readingOf(reading, isAngular))
-        .with("reference", readingOf(reference, isAngular))
+        "values; the drive will add {added}",
+        "where the encoder reads {reading} the reference said {reference}, measured once; the "
+        "drive will add {added}")
+        .with("reading", placeOf(reading, isAngular))
+        .with("reference", placeOf(reference, isAngular))
         .with("count", static_cast<std::int64_t>(largest->weight))
         .with("added", std::move(signedAmount));
 }

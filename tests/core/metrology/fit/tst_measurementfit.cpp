@@ -270,6 +270,7 @@ private Q_SLOTS:
         runs.targets[3] = 33.0;
         QVERIFY(isRefused(fitMeasurement(runs, settings, measuredOff()), "not evenly spaced"));
         settings = keeping();
+        QVERIFY(isRefused(fitMeasurement(runs, settings, measuredOff()), "not evenly spaced"));
         settings.remove = BodyRemoval::Rigid;
         QVERIFY(isRefused(fitMeasurement(runs, settings, measuredOff()), "--remove, --robust"));
         settings = keeping();
