@@ -7,7 +7,7 @@ _axiscomp_options()
     local drive="--drive --profile --trust-certificate --timeout"
     local conversion="--target --sign --direction --no-wrap --scale --offset --zero"
     local incomplete="--fill --crop --snap"
-    local grid="--points --distance --within --method --hold"
+    local grid="--points --distance --within --method --speed --hold"
     local measurement="--from --exclude --swap-directions --columns --skip-lines --unit --value-unit --values --direction-from --invert-reference --overrun"
     case $1 in
         "") echo "--help --version" ;;
@@ -83,7 +83,7 @@ _axiscomp()
         --values) COMPREPLY=($(compgen -W "deviation reference" -- "$cur")); return ;;
         --direction-from) COMPREPLY=($(compgen -W "order" -- "$cur")); return ;;
         --fill) COMPREPLY=($(compgen -W "nearest plane smooth" -- "$cur")); return ;;
-        --method) COMPREPLY=($(compgen -W "linear cubic" -- "$cur")); return ;;
+        --method) COMPREPLY=($(compgen -W "linear cubic spline smooth" -- "$cur")); return ;;
         --to)
             if [[ $command == upload ]]; then
                 COMPREPLY=($(compgen -W "$(_axiscomp_paths)" -- "$cur"))
