@@ -61,6 +61,11 @@ std::optional<int> axisIn(std::string_view path, std::span<const std::string> pa
 
 } // namespace
 
+bool DriveProfile::isBeforeCompensation(std::string_view path) const
+{
+    return axisIn(path, positionKinds.before).has_value();
+}
+
 bool DriveProfile::isAfterCompensation(std::string_view path) const
 {
     return axisIn(path, positionKinds.after).has_value();

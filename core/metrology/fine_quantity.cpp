@@ -5,6 +5,7 @@
 
 #include <array>
 #include <charconv>
+#include <utility>
 
 namespace axiscomp {
 
@@ -14,7 +15,10 @@ Quantity fineQuantity(double value, bool isAngular)
     std::array<char, 352> buffer{};
     const auto end = std::to_chars(
         buffer.data(), buffer.data() + buffer.size(), value * factor, std::chars_format::fixed, 3);
-    return {std::string(buffer.data(), end.ptr), isAngular ? "arcsec" : "um"};
+    std::string digits(buffer.data(), end.ptr);
+    if (digits == "-0.000")
+        digits.erase(0, 1);
+    return {std::move(digits), isAngular ? "arcsec" : "um"};
 }
 
 Quantity placeOf(double position, bool isAngular)

@@ -9,6 +9,7 @@ _axiscomp_options()
     local incomplete="--fill --crop --snap"
     local grid="--points --distance --within --method --speed --hold"
     local measurement="--from --exclude --swap-directions --columns --skip-lines --unit --value-unit --values --direction-from --invert-reference --overrun"
+    local correction="--temperature --expansion --reference-temperature --reference-expansion --datum --not-corrected"
     case $1 in
         "") echo "--help --version" ;;
         example) echo "--help --json --dims --tables --output" ;;
@@ -17,7 +18,8 @@ _axiscomp_options()
         lookup) echo "--help --json --dims --table --points --outside --as --from --set-in --set-out --profile --to-sign $incomplete $conversion" ;;
         formats) echo "--help --json --markdown --measurements" ;;
         runs) echo "--help --json --output $measurement" ;;
-        judge) echo "--help --json --tolerance --uncertainty --outliers --period --vdi --temperature --expansion --reference-temperature --reference-expansion --datum --not-corrected $measurement" ;;
+        judge) echo "--help --json --tolerance --uncertainty --outliers --period --vdi $correction $measurement" ;;
+        fit) echo "--help --json $drive --axis --output --to --table --accept-large --target --to-sign --set-out $grid --smoothness --period --harmonics --turn --direction --speed --zero --home --remove-slope --remove-drift --lookup-at --measured-with --onto --gain --remove --fill --robust --tolerance --uncertainty $correction $measurement" ;;
         axes) echo "--help --json --find --any-baud --network $drive" ;;
         files) echo "--help --json $drive" ;;
         status) echo "--help --json $drive --axis --reset-flash-count" ;;
@@ -35,7 +37,7 @@ _axiscomp_options()
     esac
 }
 
-_axiscomp_commands="example inspect convert lookup formats runs judge axes status write persist unpersist delete evaluate activate deactivate read files upload download monitor backup restore recover config"
+_axiscomp_commands="example inspect convert lookup formats runs judge fit axes status write persist unpersist delete evaluate activate deactivate read files upload download monitor backup restore recover config"
 
 _axiscomp_formats="csv tamtbl aerotech-1d aerotech-2d icube isg-crosscomp isg-crosscomp2 isg-ssfk klipper linuxcnc pmac-1d pmac-2d rapidcode rapidcode-header siemens-cec siemens-eec reprap softmc softmc-basic"
 
@@ -71,7 +73,7 @@ _axiscomp()
                 _filedir TAMcfg
                 return
             fi
-            if [[ $command == runs || $command == judge ]]; then
+            if [[ $command == runs || $command == judge || $command == fit ]]; then
                 COMPREPLY=($(compgen -W "$_axiscomp_measurements" -- "$cur"))
                 return
             fi
@@ -82,8 +84,29 @@ _axiscomp()
         --outliers) COMPREPLY=($(compgen -W "mad grubbs none" -- "$cur")); return ;;
         --values) COMPREPLY=($(compgen -W "deviation reference" -- "$cur")); return ;;
         --direction-from) COMPREPLY=($(compgen -W "order" -- "$cur")); return ;;
-        --fill) COMPREPLY=($(compgen -W "nearest plane smooth" -- "$cur")); return ;;
-        --method) COMPREPLY=($(compgen -W "linear cubic spline smooth" -- "$cur")); return ;;
+        --fill)
+            if [[ $command == fit ]]; then
+                COMPREPLY=($(compgen -W "nearest smooth" -- "$cur"))
+            else
+                COMPREPLY=($(compgen -W "nearest plane smooth" -- "$cur"))
+            fi
+            return ;;
+        --method)
+            if [[ $command == fit ]]; then
+                COMPREPLY=($(compgen -W "linear cubic spline smooth harmonic" -- "$cur"))
+            else
+                COMPREPLY=($(compgen -W "linear cubic spline smooth" -- "$cur"))
+            fi
+            return ;;
+        --remove) COMPREPLY=($(compgen -W "rigid rigid:X scale" -- "$cur")); return ;;
+        --remove-slope) COMPREPLY=($(compgen -W "lsq ends" -- "$cur")); return ;;
+        --remove-drift) COMPREPLY=($(compgen -W "offset trend" -- "$cur")); return ;;
+        --lookup-at) COMPREPLY=($(compgen -W "encoder set" -- "$cur")); return ;;
+        --zero)
+            [[ $command == fit ]] && COMPREPLY=($(compgen -W "home first mean keep" -- "$cur"))
+            return ;;
+        --measured-with) COMPREPLY=($(compgen -W "off on" -- "$cur")); _filedir; return ;;
+        --onto) COMPREPLY=($(compgen -W "drive" -- "$cur")); _filedir; return ;;
         --to)
             if [[ $command == upload ]]; then
                 COMPREPLY=($(compgen -W "$(_axiscomp_paths)" -- "$cur"))
@@ -100,8 +123,11 @@ _axiscomp()
             return ;;
         --profile) _filedir json; return ;;
         --data) _filedir '@(csv|CSV|TAMtbl)'; return ;;
-        -o | --output | --points | --uncertainty) _filedir; return ;;
-        --axis | --station | --table | --target | --value-unit | --position-unit | --tables | --timeout | --trust-certificate | --name | --rate | --count | --source[123] | --exclude | --columns | --skip-lines | --unit | --overrun | --tolerance | --period | --temperature | --expansion | --reference-temperature | --reference-expansion | --datum) return ;;
+        --points)
+            [[ $command == lookup ]] && _filedir
+            return ;;
+        -o | --output | --uncertainty) _filedir; return ;;
+        --axis | --station | --table | --target | --value-unit | --position-unit | --tables | --timeout | --trust-certificate | --name | --rate | --count | --source[123] | --exclude | --columns | --skip-lines | --unit | --overrun | --tolerance | --period | --temperature | --expansion | --reference-temperature | --reference-expansion | --datum | --smoothness | --harmonics | --turn | --speed | --home | --gain) return ;;
     esac
 
     if [[ -z $command ]]; then
@@ -112,7 +138,7 @@ _axiscomp()
         COMPREPLY=($(compgen -W "$(_axiscomp_paths)" -- "$cur"))
     else
         case $command in
-            inspect | convert | lookup | runs | judge | upload | restore) _filedir ;;
+            inspect | convert | lookup | runs | judge | fit | upload | restore) _filedir ;;
             config)
                 _filedir TAMcfg
                 [[ $prev == config ]] && COMPREPLY=($(compgen -W "show export import" -- "$cur"))

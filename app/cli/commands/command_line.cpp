@@ -20,6 +20,7 @@ CommandLine::CommandLine()
     addFormatsCommand(*this);
     addRunsCommand(*this);
     addJudgeCommand(*this);
+    addFitCommand(*this);
     addAxesCommand(*this);
     addStatusCommand(*this);
     addWriteCommand(*this);

@@ -49,6 +49,7 @@ void addLookupCommand(CommandLine& line);
 void addFormatsCommand(CommandLine& line);
 void addRunsCommand(CommandLine& line);
 void addJudgeCommand(CommandLine& line);
+void addFitCommand(CommandLine& line);
 void addAxesCommand(CommandLine& line);
 void addStatusCommand(CommandLine& line);
 void addWriteCommand(CommandLine& line);

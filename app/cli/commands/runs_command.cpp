@@ -113,14 +113,10 @@ Json headerJson(const MeasurementHeader& header)
 Json runsJson(const MeasurementInput& input)
 {
     const Measurement& measurement = input.measurement;
-    Json sources = Json::array();
-    for (const MeasurementSource& source : input.sources)
-        sources.push_back(
-            {{"file", source.file}, {"format", source.format}, {"sha256", source.sha256}});
     Json warnings = Json::array();
     for (const Diagnostic& diagnostic : input.warnings)
         warnings.push_back(toJson(diagnostic));
-    return {{"source", std::move(sources)}, {"kind", measurementKindName(measurement.kind)},
+    return {{"source", sourcesJson(input.sources)}, {"kind", measurementKindName(measurement.kind)},
         {"unit", positionUnit(measurement)}, {"targets", measurement.targets},
         {"runs",
             {{"up", measurement.runCount(Approach::Up)},

@@ -162,4 +162,21 @@ Result<MeasurementInput> readMeasurements(
     return input;
 }
 
+Json sourcesJson(const std::vector<MeasurementSource>& sources)
+{
+    Json list = Json::array();
+    for (const MeasurementSource& source : sources)
+        list.push_back(
+            {{"file", source.file}, {"format", source.format}, {"sha256", source.sha256}});
+    return list;
+}
+
+std::string sourcesText(const std::vector<MeasurementSource>& sources)
+{
+    std::string names;
+    for (const MeasurementSource& source : sources)
+        names += (names.empty() ? "" : ", ") + source.file + " (" + source.format + ")";
+    return names;
+}
+
 } // namespace axiscomp::app

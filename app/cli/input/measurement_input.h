@@ -35,6 +35,11 @@ struct MeasurementSource {
     std::string sha256; ///< of its bytes, in hexadecimal digits
 };
 
+/// [{"file", "format", "sha256"}]
+[[nodiscard]] Json sourcesJson(const std::vector<MeasurementSource>& sources);
+/// "x.rtl (renishaw), y.csv (runs)"
+[[nodiscard]] std::string sourcesText(const std::vector<MeasurementSource>& sources);
+
 struct MeasurementInput {
     Measurement measurement;
     std::vector<MeasurementSource> sources;

@@ -154,22 +154,6 @@ std::string vdiText(const Measurement& measurement, const Vdi3441Figures& vdi)
             "  ");
 }
 
-std::string verdictsText(const Measurement& measurement, const std::vector<Verdict>& verdicts)
-{
-    if (verdicts.empty())
-        return {};
-    const FineUnit unit(measurement);
-    TextTable table({"figure", ">value", ">tolerance", "uncertainty", "verdict"});
-    for (const Verdict& verdict : verdicts)
-        table.add({figureText(verdict.tolerance.figure).words,
-            verdict.value ? unit.withSymbol(*verdict.value) : "-",
-            unit.withSymbol(verdict.tolerance.value),
-            verdict.uncertainty ? "U " + unit.withSymbol(*verdict.uncertainty)
-                                : "uncertainty not stated",
-            verdictText(verdict.result).words});
-    return "\nVerdict\n" + table.text();
-}
-
 Json numberOrNull(const std::optional<double>& value)
 {
     return value ? Json(*value) : Json(nullptr);
@@ -238,16 +222,6 @@ Json outliersJson(const Outliers& outliers)
         {"flagged", std::move(flagged)}, {"disturbed", std::move(disturbed)}};
 }
 
-Json excludedJson(const Measurement& measurement)
-{
-    Json list = Json::array();
-    for (const RunValue& value : measurement.values)
-        if (!value.isUsed)
-            list.push_back({{"direction", approachName(value.direction)},
-                {"target", value.target + 1}, {"run", value.run}});
-    return list;
-}
-
 Json publishedJson(const PublishedCheck& published)
 {
     if (published.comparisons.empty())
@@ -275,16 +249,6 @@ Json complianceJson(const std::vector<ComplianceLine>& lines)
         list.push_back({{"rule", line.rule}, {"text", line.text.english()},
             {"met", line.isMet ? Json(*line.isMet) : Json(nullptr)},
             {"assumption", line.isAssumed}});
-    return list;
-}
-
-Json verdictsJson(const std::vector<Verdict>& verdicts)
-{
-    Json list = Json::array();
-    for (const Verdict& verdict : verdicts)
-        list.push_back({{"figure", figureName(verdict.tolerance.figure)},
-            {"value", numberOrNull(verdict.value)}, {"tolerance", verdict.tolerance.value},
-            {"U", numberOrNull(verdict.uncertainty)}, {"result", verdictName(verdict.result)}});
     return list;
 }
 
@@ -320,6 +284,42 @@ std::string measurementSummary(const Measurement& measurement)
         + shortText(measurement.targets.front()) + " to "
         + withUnit(shortText(measurement.targets.back()), unit) + ", " + runs(Approach::Up) + ", "
         + runs(Approach::Down);
+}
+
+std::string verdictsText(const Measurement& measurement, const std::vector<Verdict>& verdicts)
+{
+    if (verdicts.empty())
+        return {};
+    const FineUnit unit(measurement);
+    TextTable table({"figure", ">value", ">tolerance", "uncertainty", "verdict"});
+    for (const Verdict& verdict : verdicts)
+        table.add({figureText(verdict.tolerance.figure).words,
+            verdict.value ? unit.withSymbol(*verdict.value) : "-",
+            unit.withSymbol(verdict.tolerance.value),
+            verdict.uncertainty ? "U " + unit.withSymbol(*verdict.uncertainty)
+                                : "uncertainty not stated",
+            verdictText(verdict.result).words});
+    return "\nVerdict\n" + table.text();
+}
+
+Json verdictsJson(const std::vector<Verdict>& verdicts)
+{
+    Json list = Json::array();
+    for (const Verdict& verdict : verdicts)
+        list.push_back({{"figure", figureName(verdict.tolerance.figure)},
+            {"value", numberOrNull(verdict.value)}, {"tolerance", verdict.tolerance.value},
+            {"U", numberOrNull(verdict.uncertainty)}, {"result", verdictName(verdict.result)}});
+    return list;
+}
+
+Json excludedJson(const Measurement& measurement)
+{
+    Json list = Json::array();
+    for (const RunValue& value : measurement.values)
+        if (!value.isUsed)
+            list.push_back({{"direction", approachName(value.direction)},
+                {"target", value.target + 1}, {"run", value.run}});
+    return list;
 }
 
 std::string judgementText(const Measurement& measurement, const Judgement& judgement)

@@ -19,6 +19,13 @@ namespace axiscomp::app {
 
 /// {"B", "Bmean", "M", "EUp", ...}; null: not defined.
 [[nodiscard]] Json axisFiguresJson(const Iso230Figures& figures);
+/// A table of them with a heading; empty without any.
+[[nodiscard]] std::string verdictsText(
+    const Measurement& measurement, const std::vector<Verdict>& verdicts);
+/// [{"figure", "value", "tolerance", "U", "result"}]
+[[nodiscard]] Json verdictsJson(const std::vector<Verdict>& verdicts);
+/// [{"direction", "target", "run"}]
+[[nodiscard]] Json excludedJson(const Measurement& measurement);
 /// Everything of a judgement but source, corrections and uncertainty, which the command knows.
 [[nodiscard]] Json judgementJson(const Measurement& measurement, const Judgement& judgement);
 

@@ -16,10 +16,7 @@ struct FitInput {
     std::stop_token stop;
 
     /// On a modulo axis positions repeat.
-    [[nodiscard]] Outside outside() const
-    {
-        return settings.turn ? Outside::Wrap : Outside::Hold;
-    }
+    [[nodiscard]] Outside outside() const { return settings.turn ? Outside::Wrap : Outside::Hold; }
 };
 
 /// Runs and averages: along one axis.
@@ -28,8 +25,8 @@ struct FitInput {
 [[nodiscard]] Result<FitReport> fitScattered(const FitInput& input);
 
 /// The values as a drive has them. rounding: the largest change by that.
-[[nodiscard]] FittedTable fittedTable(std::vector<double> values, Grid grid,
-    std::string name, std::string target, const std::string& unit);
+[[nodiscard]] FittedTable fittedTable(std::vector<double> values, Grid grid, std::string name,
+    std::string target, const std::string& unit);
 
 /// The largest change of the table that it is merged onto.
 [[nodiscard]] FitMerge mergeOnto(
@@ -39,7 +36,7 @@ void addRemark(FitReport& report, std::string_view name, Text text, bool isWarni
 /// What is to be said of any table, whatever it was made of.
 void addTableRemarks(const FitInput& input, FitReport& report);
 /// What is to be said of a table of runs; judgement: of the measurement.
-void addRunsRemarks(const FitInput& input, const Judgement& judgement,
-    const TableFit& fit, FitReport& report);
+void addRunsRemarks(
+    const FitInput& input, const Judgement& judgement, const TableFit& fit, FitReport& report);
 
 } // namespace axiscomp

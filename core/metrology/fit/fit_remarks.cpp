@@ -5,6 +5,8 @@
 #include "core/text/number_text.h"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
 
 namespace axiscomp {
@@ -61,7 +63,8 @@ void remarkOfSteps(const FitInput& input, const FittedTable& made, Remarks& rema
     const double from = axis.position(steepest.from / stride % axis.size);
     remarks.say("LargestStep",
         AXISCOMP_TEXT("Measurement",
-            "the steepest part of {table} is between {from} and {to}: {step}, {slope} for each {one}")
+            "the steepest part of {table} is between {from} and {to}: {step}, {slope} for each "
+            "{one}")
             .with("table", table.name)
             .with("from", remarks.place(from))
             .with("to", remarks.place(from + axis.distance))
@@ -78,14 +81,21 @@ void remarkOfSteps(const FitInput& input, const FittedTable& made, Remarks& rema
                     remarks.fine(made.density->largestSlopeChange * *input.settings.speed)));
 }
 
+/// Of what float32 changes two digits tell enough.
 void remarkOfRounding(const FittedTable& made, Remarks& remarks)
 {
+    const double factor = remarks.isAngular() ? 3600.0 : 1000.0;
+    std::array<char, 32> buffer{};
+    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(),
+        made.rounding * factor, std::chars_format::general, 2);
     remarks.say("Rounding",
         AXISCOMP_TEXT("Measurement",
-            "the drive's numbers change a value of {table} by at most {rounding} {unit}")
+            "a drive holds numbers with 24 bits, which changes a value of {table} by at most "
+            "{rounding}")
             .with("table", made.table.name)
-            .with("rounding", Quantity{roundedText(made.rounding), {}})
-            .with("unit", made.table.unit));
+            .with("rounding",
+                Quantity{
+                    std::string(buffer.data(), end.ptr), remarks.isAngular() ? "arcsec" : "um"}));
 }
 
 void remarkOfNodes(const FittedTable& made, Remarks& remarks)
@@ -148,8 +158,8 @@ void remarkOfHeldOut(const FitReport& report, Remarks& remarks)
     const auto repeatability = (*report.before)[Iso230Figure::R].value;
     const auto predicted = (*report.predicted)[Iso230Figure::M].value;
     const bool isAboveHalf = before && heldOut > 0.5 * *before;
-    const bool isAbovePrediction = repeatability && predicted && heldOut > 0.5 * *repeatability
-        && heldOut > 2.0 * *predicted;
+    const bool isAbovePrediction =
+        repeatability && predicted && heldOut > 0.5 * *repeatability && heldOut > 2.0 * *predicted;
     if (!isAboveHalf && !isAbovePrediction)
         return;
     Text text = AXISCOMP_TEXT("Measurement",
@@ -191,13 +201,12 @@ void remarkOfPeriods(const FitInput& input, Remarks& remarks)
     const std::vector<double>& targets = input.measurement.targets;
     for (const double period : input.settings.periods.periods)
         remarks.say("TargetsPerPeriod",
-            AXISCOMP_TEXT(
-                "Measurement", "{count} targets lie in {turns} periods of {period}")
+            AXISCOMP_TEXT("Measurement", "{count} targets lie in {turns} periods of {period}")
                 .with("count", targets.size())
                 .with("turns",
-                    Quantity{fineQuantity((targets.back() - targets.front()) / period / 1000.0,
-                                 false)
-                                 .digits,
+                    Quantity{
+                        fineQuantity((targets.back() - targets.front()) / period / 1000.0, false)
+                            .digits,
                         {}})
                 .with("period", remarks.place(period)));
 }
@@ -232,8 +241,8 @@ void remarkOfTurn(const FitInput& input, const CompensationTable& table, Remarks
     if (!input.settings.turn)
         return;
     const GridAxis& axis = table.grid.axes.front();
-    const double jump = static_cast<double>(table.values.back())
-        - static_cast<double>(table.values.front());
+    const double jump =
+        static_cast<double>(table.values.back()) - static_cast<double>(table.values.front());
     Text ends = AXISCOMP_TEXT("Measurement",
         "over a turn, from {from} to {to}, the table ends {jump} above where it begins")
                     .with("from", remarks.place(axis.start))
@@ -290,8 +299,8 @@ void addTableRemarks(const FitInput& input, FitReport& report)
         remarkOfMerge(*report.merge, remarks);
 }
 
-void addRunsRemarks(const FitInput& input, const Judgement& judgement, const TableFit& fit,
-    FitReport& report)
+void addRunsRemarks(
+    const FitInput& input, const Judgement& judgement, const TableFit& fit, FitReport& report)
 {
     Remarks remarks(input, report);
     const FittedTable& made = report.tables.front();

@@ -83,16 +83,15 @@ const KnownTables* tablesOf(const StateRequest& request, std::uint32_t crc)
 Result<FoundState> measuredOn(const StateRequest& request, const MeasuredState& state)
 {
     if (!request.onto)
-        return wrongState(
-            state.tableCrc
+        return wrongState(state.tableCrc
                 ? AXISCOMP_TEXT("Error",
-                      "these are residuals of the table {crc}, which was active while they were "
-                      "measured: merge them with --onto and the file of that table, or with "
-                      "--onto drive")
+                    "these are residuals of the table {crc}, which was active while they were "
+                    "measured: merge them with --onto and the file of that table, or with "
+                    "--onto drive")
                       .with("crc", crcDigits(*state.tableCrc))
                 : Text(AXISCOMP_TEXT("Error",
-                      "these are residuals of a table that was active while they were measured: "
-                      "merge them with --onto and the file of that table, or with --onto drive")));
+                    "these are residuals of a table that was active while they were measured: "
+                    "merge them with --onto and the file of that table, or with --onto drive")));
     FoundState found;
     found.kind = FoundState::Kind::On;
     found.active = request.onto;

@@ -62,14 +62,13 @@ bool hasRawReadings(const Measurement& measurement)
 {
     if (measurement.kind == MeasurementKind::Track)
         return true;
-    return measurement.hasTargets()
-        && std::ranges::any_of(measurement.values, &RunValue::isUsed)
+    return measurement.hasTargets() && std::ranges::any_of(measurement.values, &RunValue::isUsed)
         && std::ranges::all_of(measurement.values,
             [](const RunValue& value) { return !value.isUsed || value.encoder.has_value(); });
 }
 
-FittedTable fittedTable(std::vector<double> values, Grid grid, std::string name,
-    std::string target, const std::string& unit)
+FittedTable fittedTable(std::vector<double> values, Grid grid, std::string name, std::string target,
+    const std::string& unit)
 {
     FittedTable fitted;
     fitted.table.name = std::move(name);
@@ -98,8 +97,7 @@ FitMerge mergeOnto(
             position[axis] = made.grid.axes[axis].position(rest % made.grid.axes[axis].size);
             rest /= made.grid.axes[axis].size;
         }
-        const double change =
-            std::abs(static_cast<double>(made.values[i]) - before.at(position));
+        const double change = std::abs(static_cast<double>(made.values[i]) - before.at(position));
         if (merge.largestAt.empty() || change > merge.largestChange) {
             merge.largestChange = change;
             merge.largestAt = position;

@@ -219,8 +219,7 @@ Result<GridAxis> gridAxis(const FitInput& input, const Scatter& scatter, std::si
         return badFit(AXISCOMP_TEXT("Error", "a grid has at least 2 points along {axis}")
                           .with("axis", made.name));
     // The last point of the grid may lie behind the data, so that none of it is left out.
-    const double steps =
-        std::max(1.0, std::ceil((to - from) / wanted.distance * (1.0 - 1e-12)));
+    const double steps = std::max(1.0, std::ceil((to - from) / wanted.distance * (1.0 - 1e-12)));
     if (steps > 100'000'000.0)
         return badFit(AXISCOMP_TEXT("Error", "the distance along {axis} is too small")
                           .with("axis", made.name));
@@ -233,9 +232,9 @@ Result<Grid> gridOf(const FitInput& input, const Scatter& scatter)
 {
     const FitSettings& settings = input.settings;
     if (settings.grid.size() > 1 && settings.grid.size() != scatter.dimensions())
-        return badFit(AXISCOMP_TEXT("Error",
-            "the grid needs one number, or one for each of the {count} axes")
-                          .with("count", scatter.dimensions()));
+        return badFit(
+            AXISCOMP_TEXT("Error", "the grid needs one number, or one for each of the {count} axes")
+                .with("count", scatter.dimensions()));
     Grid grid;
     for (std::size_t axis = 0; axis < scatter.dimensions(); ++axis) {
         AXISCOMP_TRY(auto made, gridAxis(input, scatter, axis));
@@ -264,15 +263,15 @@ Result<void> checkScatterSettings(const FitInput& input, std::size_t dimensions)
             "--remove-slope, --within, --turn, --home and --remove-drift are for runs over targets "
             "along one axis"));
     if (!settings.tolerances.empty())
-        return badFit(AXISCOMP_TEXT("Error",
-            "the figures of the standard need targets; leave --tolerance out"));
+        return badFit(AXISCOMP_TEXT(
+            "Error", "the figures of the standard need targets; leave --tolerance out"));
     if (settings.zero == FitZero::Home)
         return badFit(AXISCOMP_TEXT("Error",
             "a home position is that of one axis measured over targets; take --zero first, mean, "
             "keep or a position"));
     if (isTrack && settings.remove != BodyRemoval::None)
-        return badFit(AXISCOMP_TEXT("Error",
-            "--remove is for points of two or three axes; a track has one"));
+        return badFit(
+            AXISCOMP_TEXT("Error", "--remove is for points of two or three axes; a track has one"));
     if (!isTrack && settings.direction != FitDirection::Mean)
         return badFit(AXISCOMP_TEXT("Error", "points have no direction; leave --direction out"));
     if (settings.zero == FitZero::Position && settings.zeroPosition.size() != dimensions)
@@ -306,9 +305,8 @@ Result<double> zeroOf(const FitInput& input, const Grid& grid, const std::vector
     return interpolated(GridShape(grid), values, locate(grid, place).points.front());
 }
 
-Result<FittedTable> fitColumn(
-    const FitInput& input, const Scatter& scatter, const Scatter::Column& column, const Grid& grid,
-    GridFit& fit)
+Result<FittedTable> fitColumn(const FitInput& input, const Scatter& scatter,
+    const Scatter::Column& column, const Grid& grid, GridFit& fit)
 {
     ScatteredValues values;
     for (std::size_t axis = 0; axis < scatter.dimensions(); ++axis)
@@ -325,8 +323,8 @@ Result<FittedTable> fitColumn(
     AXISCOMP_TRY(const double zero, zeroOf(input, grid, fit.values));
     for (double& value : fit.values)
         value -= zero;
-    FittedTable made = fittedTable(fit.values, grid, column.name, column.target,
-        std::string(positionUnit(input.measurement)));
+    FittedTable made = fittedTable(
+        fit.values, grid, column.name, column.target, std::string(positionUnit(input.measurement)));
     made.table.filled = fit.filled;
     made.removedConstant = zero;
     made.knots = fit.values.size();
@@ -340,8 +338,8 @@ Result<FittedTable> fitColumn(
 }
 
 /// What the data say of the fit.
-void remarkOfFit(const FitInput& input, const Scatter::Column& column, const GridFit& fit,
-    FitReport& report)
+void remarkOfFit(
+    const FitInput& input, const Scatter::Column& column, const GridFit& fit, FitReport& report)
 {
     const bool isAngular = input.measurement.isAngular;
     addRemark(report, "Explained",
@@ -420,9 +418,10 @@ Text signOf(const FitInput& input, const Scatter& scatter, const FittedTable& ma
             largest = i;
     std::vector<Text> position;
     for (std::size_t axis = 0; axis < scatter.dimensions(); ++axis)
-        position.push_back(AXISCOMP_TEXT("Measurement", "{axis} {position}")
-                               .with("axis", scatter.axes[axis])
-                               .with("position", placeOf(scatter.positions[axis][largest], isAngular)));
+        position.push_back(
+            AXISCOMP_TEXT("Measurement", "{axis} {position}")
+                .with("axis", scatter.axes[axis])
+                .with("position", placeOf(scatter.positions[axis][largest], isAngular)));
     return AXISCOMP_TEXT("Measurement",
         "at {position} the reference was {measured} beside the encoder in {table}; the drive will "
         "add {added}")

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/metrology/fit/fit_parts.h"
 #include "core/metrology/fine_quantity.h"
+#include "core/metrology/fit/fit_parts.h"
 #include "core/table/even_spacing.h"
 
 #include <algorithm>
@@ -265,8 +265,8 @@ Result<Measurement> predictedMeasurement(
 }
 
 /// Where the values go up and down by the residuals that no target shows.
-void predictBetween(const std::vector<MeasuredValue>& values,
-    const TableFitRequest& request, FitReport& report)
+void predictBetween(
+    const std::vector<MeasuredValue>& values, const TableFitRequest& request, FitReport& report)
 {
     auto heldOut = predictHeldOut(values, request);
     if (heldOut) {
@@ -278,6 +278,13 @@ void predictBetween(const std::vector<MeasuredValue>& values,
             "how well the error between the targets is known cannot be told: {reason}")
             .with("reason", textOf(heldOut.error())),
         true);
+}
+
+/// A position as finely as values are shown.
+Quantity readingOf(double position, bool isAngular)
+{
+    const double fine = isAngular ? 1e7 : 1e6;
+    return placeOf(std::round(position * fine) / fine, isAngular);
 }
 
 Text signOf(const FitInput& input, const TableFit& fit, const CompensationTable& table)
@@ -305,8 +312,8 @@ Text signOf(const FitInput& input, const TableFit& fit, const CompensationTable&
     return AXISCOMP_TEXT("Measurement",
         "where the encoder reads {reading} the reference said {reference} on average of {count} "
         "values; the drive will add {added}")
-        .with("reading", placeOf(reading, isAngular))
-        .with("reference", placeOf(reference, isAngular))
+        .with("reading", readingOf(reading, isAngular))
+        .with("reference", readingOf(reference, isAngular))
         .with("count", static_cast<std::int64_t>(largest->weight))
         .with("added", std::move(signedAmount));
 }
@@ -341,9 +348,8 @@ Result<FitReport> fitRuns(const FitInput& input)
     const FitSettings& settings = input.settings;
     AXISCOMP_CHECK(checkRunsSettings(input));
     AXISCOMP_TRY(const auto request, requestOf(input));
-    const Measurement settled = settings.drift
-        ? withoutDrift(input.measurement, *settings.drift)
-        : input.measurement;
+    const Measurement settled =
+        settings.drift ? withoutDrift(input.measurement, *settings.drift) : input.measurement;
     const FitValues values = fitValues(settled, input);
     AXISCOMP_TRY(const auto fit, fitTable(values.values, request));
 

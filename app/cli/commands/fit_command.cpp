@@ -1,0 +1,500 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/commands/command_line.h"
+#include "app/cli/commands/fitted_file.h"
+#include "app/cli/commands/known_tables.h"
+#include "app/cli/input/judging_options.h"
+#include "app/cli/input/measurement_input.h"
+#include "app/cli/output/fit_output.h"
+#include "app/cli/output/json_output.h"
+#include "app/cli/output/judgement_output.h"
+#include "app/common/arguments.h"
+#include "app/common/number_text.h"
+#include "core/table/tam_table.h"
+#include "core/table/target_axis.h"
+
+#include <algorithm>
+#include <map>
+
+namespace axiscomp::app {
+
+namespace {
+
+constexpr std::string_view ontoDrive = "drive";
+
+struct FitOptions {
+    MeasurementInputOptions input;
+    CorrectionOptions correction;
+    ToleranceOptions tolerance;
+    DriveOptions drive;
+    FittedFileOptions file;
+    std::string method = "linear";
+    std::optional<double> smoothness;
+    std::vector<double> periods;
+    int harmonics = 1;
+    std::optional<double> turn;
+    std::string direction = "mean";
+    std::string zero;
+    std::optional<double> home;
+    std::string removedSlope;
+    std::string removedDrift;
+    std::string lookupAt;
+    std::string measuredWith; ///< off, on, or a file
+    std::string onto; ///< drive, or a file
+    double gain = 1.0;
+    std::string remove;
+    std::string fill;
+    bool isRobust = false;
+    std::optional<double> speed;
+};
+
+/// What the options say of the state of the drive; what is found in files and on the drive.
+struct StateSources {
+    std::optional<KnownTables> onto;
+    std::vector<KnownTables> others;
+    std::optional<MeasuredState> stated;
+    std::optional<LookupAt> lookupAt; ///< by the drive's source
+    std::string source;
+};
+
+Result<void> takeZero(const FitOptions& options, FitSettings& settings)
+{
+    static const std::map<std::string, FitZero> words{{"", FitZero::Automatic},
+        {"home", FitZero::Home}, {"first", FitZero::First}, {"mean", FitZero::Mean},
+        {"keep", FitZero::Keep}};
+    settings.home = options.home;
+    if (const auto word = words.find(options.zero); word != words.end()) {
+        settings.zero = word->second;
+        return {};
+    }
+    settings.zero = FitZero::Position;
+    for (const std::string& text : targetList(options.zero)) {
+        const auto number = numberFromText(text);
+        if (!number)
+            return wrongUsage(options.zero
+                    + " is no zero: it is home, first, mean, keep, or a position for each axis",
+                options.input.command);
+        settings.zeroPosition.push_back(*number);
+    }
+    return {};
+}
+
+Result<void> takeRemoval(
+    const FitOptions& options, const Measurement& measurement, FitSettings& settings)
+{
+    const std::string along = "rigid:";
+    if (options.remove == "rigid") {
+        settings.remove = BodyRemoval::Rigid;
+    } else if (options.remove == "scale") {
+        settings.remove = BodyRemoval::Scale;
+    } else if (options.remove.starts_with(along)) {
+        const auto& axes = measurement.points.axes;
+        const auto axis = std::ranges::find(axes, options.remove.substr(along.size()));
+        if (axis == axes.end())
+            return wrongUsage(
+                options.remove + ": the measurement has no such axis", options.input.command);
+        settings.remove = BodyRemoval::RigidAlong;
+        settings.removeAlong = static_cast<std::size_t>(axis - axes.begin());
+    } else if (!options.remove.empty()) {
+        return wrongUsage(
+            options.remove + ": --remove takes rigid, rigid:AXIS or scale", options.input.command);
+    }
+    return {};
+}
+
+Result<void> takeGrid(const FitOptions& options, FitSettings& settings)
+{
+    const ConversionOptions& grid = options.file.conversion;
+    for (const std::size_t points : grid.points)
+        settings.grid.push_back({.points = points});
+    for (const double distance : grid.distances)
+        settings.grid.push_back({.distance = distance});
+    settings.within = grid.within;
+    if (settings.within && !(*settings.within > 0.0))
+        return wrongUsage("--within is above 0", options.input.command);
+    settings.holdsEnds = grid.holdsEnds;
+    return {};
+}
+
+/// What the largest slot holds.
+std::size_t mostPoints(const DriveProfile& profile)
+{
+    std::size_t largest = 0;
+    for (const TableSlot& slot : profile.tableSlots)
+        largest = std::max<std::size_t>(largest, slot.maximumSize);
+    const std::size_t header = profile.layout.headerSize;
+    return largest > header ? (largest - header) / sizeof(float) : 0;
+}
+
+Result<FitSettings> settingsFrom(const FitOptions& options, const Measurement& measurement,
+    const StateSources& sources, const DriveProfile& profile)
+{
+    FitSettings settings;
+    settings.method = fitMethodNamed(options.method).value_or(FitMethod::Linear);
+    settings.smoothness = options.smoothness;
+    settings.periods = {options.periods, options.harmonics};
+    settings.turn = options.turn;
+    settings.direction = options.direction == "positive" ? FitDirection::Positive
+        : options.direction == "negative"                ? FitDirection::Negative
+                                                         : FitDirection::Mean;
+    if (!options.removedSlope.empty())
+        settings.slope =
+            options.removedSlope == "lsq" ? SlopeRemoval::LeastSquares : SlopeRemoval::Ends;
+    if (!options.removedDrift.empty())
+        settings.drift =
+            options.removedDrift == "offset" ? DriftRemoval::Offset : DriftRemoval::Trend;
+    settings.lookupAt = sources.lookupAt;
+    if (!options.lookupAt.empty())
+        settings.lookupAt = options.lookupAt == "set" ? LookupAt::Set : LookupAt::Encoder;
+    settings.gain = options.gain;
+    settings.mostPoints = mostPoints(profile);
+    if (!options.fill.empty())
+        settings.farPoints = options.fill == "smooth" ? FarPoints::Smooth : FarPoints::Nearest;
+    settings.isRobust = options.isRobust;
+    settings.speed = options.speed;
+    AXISCOMP_CHECK(takeZero(options, settings));
+    AXISCOMP_CHECK(takeRemoval(options, measurement, settings));
+    AXISCOMP_CHECK(takeGrid(options, settings));
+    return settings;
+}
+
+TableInputOptions tableFile(
+    const FitOptions& options, const Measurement& measurement, const std::string& file)
+{
+    TableInputOptions input;
+    input.command = options.input.command;
+    input.file = file;
+    input.profile = options.drive.profile;
+    input.dimensions = measurement.kind == MeasurementKind::Points
+        ? static_cast<int>(measurement.points.axes.size())
+        : 1;
+    return input;
+}
+
+/// That the drive's source and --lookup-at say the same.
+Result<void> checkLookup(const FitOptions& options, const StateSources& sources)
+{
+    if (options.lookupAt.empty() || !sources.lookupAt
+        || options.lookupAt == lookupAtName(*sources.lookupAt))
+        return {};
+    return wrongUsage("the axis looks its table up at " + sources.source + ", which is --lookup-at "
+            + std::string(lookupAtName(*sources.lookupAt)),
+        options.input.command);
+}
+
+Result<void> readDrive(Environment& environment, const FitOptions& options, const std::string& unit,
+    StateSources& sources)
+{
+    const auto read = [&](Environment& same, CommandSession& session,
+                          int axis) -> Result<ExitCode> {
+        AXISCOMP_TRY(auto tables, tablesOfAxis(same, session, axis, unit));
+        sources.onto = std::move(tables.active);
+        sources.lookupAt = tables.lookupAt;
+        sources.source = tables.source;
+        for (KnownTables& backup : tables.backups)
+            sources.others.push_back(std::move(backup));
+        return ExitCode::Done;
+    };
+    AXISCOMP_CHECK(withAxis(environment, options.drive, read));
+    return checkLookup(options, sources);
+}
+
+Result<StateSources> readStates(
+    Environment& environment, const FitOptions& options, const Measurement& measurement)
+{
+    const std::string unit(positionUnit(measurement));
+    StateSources sources;
+    if (options.measuredWith == "off" || options.measuredWith == "on") {
+        sources.stated = MeasuredState{
+            options.measuredWith == "off" ? MeasuredState::Kind::Off : MeasuredState::Kind::On, {}};
+    } else if (!options.measuredWith.empty()) {
+        AXISCOMP_TRY(auto tables,
+            tablesOfFile(environment, tableFile(options, measurement, options.measuredWith), unit));
+        sources.stated = MeasuredState{MeasuredState::Kind::On, tables.crcs.front()};
+        sources.others.push_back(std::move(tables));
+    }
+    if (options.onto == ontoDrive) {
+        AXISCOMP_CHECK(readDrive(environment, options, unit, sources));
+    } else if (!options.onto.empty()) {
+        AXISCOMP_TRY(sources.onto,
+            tablesOfFile(environment, tableFile(options, measurement, options.onto), unit));
+    }
+    return sources;
+}
+
+/// What a person reads in the file of the table.
+std::vector<std::string> notesOf(
+    const MeasurementInput& input, const FitReport& report, const FitSettings& settings)
+{
+    std::vector<std::string> notes{
+        "made of " + sourcesText(input.sources) + ": " + measurementSummary(input.measurement),
+        report.state.text.english()};
+    notes.push_back("method " + std::string(fitMethodName(settings.method)) + ", looked up at "
+        + std::string(lookupAtName(report.lookupAt)));
+    return notes;
+}
+
+std::vector<CompensationTable> tablesOf(const FitReport& report)
+{
+    std::vector<CompensationTable> tables;
+    for (const FittedTable& made : report.tables)
+        tables.push_back(made.table);
+    return tables;
+}
+
+Result<ExitCode> runFit(Environment& environment, const FitOptions& options)
+{
+    const bool isWritten = !options.file.output.file.empty();
+    const TableFormat* format = nullptr;
+    if (isWritten) {
+        AXISCOMP_TRY(format, fittedFormat(environment, options.file));
+    }
+    AXISCOMP_TRY(const auto profile, profileOf(options.drive.profile));
+    AXISCOMP_TRY(auto input, readMeasurements(environment, options.input));
+    Measurement& measurement = input.measurement;
+    const bool corrects = options.correction.temperature || options.correction.expansion;
+    if (corrects && !measurement.hasTargets())
+        return fail(ErrorCode::NoTargets, {{"file", options.input.files.front()}});
+    AXISCOMP_TRY(auto corrections, correct(measurement, options.correction, options.input.command));
+    AXISCOMP_TRY(const auto sources, readStates(environment, options, measurement));
+    AXISCOMP_TRY(auto settings, settingsFrom(options, measurement, sources, profile));
+    AXISCOMP_TRY(
+        auto limits, readTolerances(measurement, options.tolerance, options.input.command));
+    settings.tolerances = limits.tolerances;
+    settings.uncertainty = limits.uncertainty;
+    AXISCOMP_TRY(const auto state,
+        findState({measurement.header.compensation, sources.stated, hasRawReadings(measurement),
+            sources.onto ? &*sources.onto : nullptr, sources.others}));
+    AXISCOMP_TRY(
+        const auto report, fitMeasurement(measurement, settings, state, environment.stopToken()));
+
+    std::vector<std::uint32_t> crcs;
+    for (const FittedTable& made : report.tables) {
+        AXISCOMP_TRY(const auto crc, elementCrc(made.table, profile.layout));
+        crcs.push_back(crc);
+    }
+    if (isWritten)
+        AXISCOMP_CHECK(writeFitted(environment, options.file, *format, profile, tablesOf(report),
+            notesOf(input, report, settings)));
+    for (const FitRemark& remark : report.remarks)
+        if (remark.isWarning)
+            environment.warn(remark.text.english());
+    const bool speaks = !isWritten || !options.file.output.isStandardOutput();
+    if (speaks) {
+        environment.print(sourcesText(input.sources) + ": " + measurementSummary(measurement) + "\n"
+            + fitText(measurement, settings, report, crcs, profile));
+        if (isWritten)
+            environment.print("\nWrote " + options.file.output.file + ": "
+                + std::string(format->facts.name) + ".\n");
+    }
+    Json document = fitJson(measurement, settings, report, crcs);
+    document["source"] = sourcesJson(input.sources);
+    document["corrections"] = std::move(corrections);
+    document["uncertainty"] = std::move(limits.terms);
+    document["output"] = isWritten ? Json(options.file.output.file) : Json(nullptr);
+    for (const Diagnostic& diagnostic : input.warnings)
+        document["warnings"].push_back(toJson(diagnostic));
+    environment.document(document);
+    return report.isWithinTolerances() ? ExitCode::Done : ExitCode::ToleranceNotMet;
+}
+
+void addOutputFileOptions(CLI::App& command, FitOptions& options)
+{
+    command
+        .add_option("-o,--output", options.file.output.file,
+            "Table file to write, replaced if it exists; - for standard output. Without it "
+            "nothing is written")
+        ->option_text("FILE");
+    command.add_option("--to", options.file.to, "Format of the output, if its name leaves it open")
+        ->option_text("FORMAT");
+    command
+        .add_option("--table", options.file.table,
+            "Write this column of points only, where the format holds one table")
+        ->option_text("NAME");
+    command.add_flag("--accept-large", options.file.acceptsLarge,
+        "Put corrections above 1 % of the range, or with a slope above 0.1, into a .TAMtbl");
+    addTargetOption(command, options.file.conversion);
+    addOutputOptions(command, options.file.conversion);
+}
+
+void addCurveOptions(CLI::App& command, FitOptions& options)
+{
+    const std::string group = "Curve and grid";
+    command
+        .add_option("--method", options.method,
+            "Curve through the means: linear (the default), cubic, spline, smooth or harmonic")
+        ->option_text("METHOD")
+        ->check(CLI::IsMember(
+            std::vector<std::string>{"linear", "cubic", "spline", "smooth", "harmonic"}))
+        ->group(group);
+    command
+        .add_option("--smoothness", options.smoothness,
+            "Of the method smooth, and of points and tracks; by cross-validation unless given")
+        ->option_text("S")
+        ->check(CLI::NonNegativeNumber.description(""))
+        ->group(group);
+    command
+        .add_option("--period", options.periods,
+            "Known periods, such as the lead of the screw, fitted by the method smooth")
+        ->option_text("P[,P]")
+        ->delimiter(',')
+        ->group(group);
+    command
+        .add_option(
+            "--harmonics", options.harmonics, "Harmonics of each period, and of harmonic (1)")
+        ->option_text("K")
+        ->check(CLI::Range(1, 100))
+        ->group(group);
+    command
+        .add_option("--turn", options.turn,
+            "Length of a turn of a modulo axis, such as 360: the table ends as it begins")
+        ->option_text("LENGTH")
+        ->check(CLI::PositiveNumber.description(""))
+        ->group(group);
+    command
+        .add_option("--direction", options.direction,
+            "Which runs the table is made of: mean of both (the default), positive or negative")
+        ->option_text("CHOICE")
+        ->check(CLI::IsMember(std::vector<std::string>{"mean", "positive", "negative"}))
+        ->group(group);
+    command
+        .add_option("--points", options.file.conversion.points,
+            "Even grid with N points, for each axis or for all; the targets unless given")
+        ->option_text("N[,N[,N]]")
+        ->delimiter(',')
+        ->check(CLI::Range(2, 100'000'000))
+        ->group(group);
+    command
+        .add_option("--distance", options.file.conversion.distances,
+            "Even grid with spacing D, for each axis or for all")
+        ->option_text("D[,D[,D]]")
+        ->delimiter(',')
+        ->check(CLI::PositiveNumber.description(""))
+        ->excludes("--points")
+        ->group(group);
+    command
+        .add_option("--within", options.file.conversion.within,
+            "The fewest points that leave no more than this to the curve, in mm or deg")
+        ->option_text("DEVIATION")
+        ->excludes("--points")
+        ->excludes("--distance")
+        ->group(group);
+    command
+        .add_flag("--hold", options.file.conversion.holdsEnds,
+            "Let the grid extend beyond the targets, where the end values are held")
+        ->group(group);
+    command
+        .add_option("--speed", options.speed,
+            "Speed of the axis in mm/s or deg/s, for the steps of the velocity that are told")
+        ->option_text("V")
+        ->check(CLI::PositiveNumber.description(""))
+        ->group(group);
+}
+
+void addZeroOptions(CLI::App& command, FitOptions& options)
+{
+    const std::string group = "Zero, slope and drift";
+    command
+        .add_option("--zero", options.zero,
+            "Where the table is 0: home, first (the first target), mean, keep, or a position; home "
+            "where it is known and measured, else first, unless given")
+        ->option_text("WHERE")
+        ->group(group);
+    command.add_option("--home", options.home, "Home position of the axis")
+        ->option_text("POSITION")
+        ->group(group);
+    command
+        .add_option("--remove-slope", options.removedSlope,
+            "Take the slope out, for straightness: lsq (least squares) or ends")
+        ->option_text("HOW")
+        ->check(CLI::IsMember(std::vector<std::string>{"lsq", "ends"}))
+        ->group(group);
+    command
+        .add_option("--remove-drift", options.removedDrift,
+            "Take the drift of the runs out before they are averaged: offset or trend")
+        ->option_text("HOW")
+        ->check(CLI::IsMember(std::vector<std::string>{"offset", "trend"}))
+        ->group(group);
+}
+
+void addStateOptions(CLI::App& command, FitOptions& options)
+{
+    const std::string group = "State of the drive";
+    command
+        .add_option("--lookup-at", options.lookupAt,
+            "Where the drive looks the table up: encoder (before the compensation) or set (after "
+            "it); with --onto drive by its source")
+        ->option_text("WHERE")
+        ->check(CLI::IsMember(std::vector<std::string>{"encoder", "set"}))
+        ->group(group);
+    command
+        .add_option("--measured-with", options.measuredWith,
+            "What was active while it was measured, where the file does not say it: off, on, or "
+            "the file of the table")
+        ->option_text("STATE")
+        ->group(group);
+    command
+        .add_option("--onto", options.onto,
+            "Merge residuals onto the table that was active: its file, or drive for the one that "
+            "the axis uses (--drive, --axis)")
+        ->option_text("TABLE")
+        ->group(group);
+    command
+        .add_option("--gain", options.gain,
+            "Of the residuals that are merged (1); 0.7 is usual where the machine answers late")
+        ->option_text("GAIN")
+        ->group(group);
+}
+
+void addPointsOptions(CLI::App& command, FitOptions& options)
+{
+    const std::string group = "Points and tracks";
+    command
+        .add_option("--remove", options.remove,
+            "Take out how an artefact lay: rigid, rigid:X (lines along X keep no slope), or scale")
+        ->option_text("WHAT")
+        ->group(group);
+    command
+        .add_option("--fill", options.fill,
+            "Points of the grid that are far from any measured one: smooth or nearest; refused "
+            "unless given")
+        ->option_text("HOW")
+        ->check(CLI::IsMember(std::vector<std::string>{"smooth", "nearest"}))
+        ->group(group);
+    command
+        .add_flag(
+            "--robust", options.isRobust, "Give values that do not fit the others less weight")
+        ->group(group);
+}
+
+} // namespace
+
+void addFitCommand(CommandLine& line)
+{
+    auto options = std::make_shared<FitOptions>();
+    const std::string name = commandName("fit");
+    options->input.command = name;
+    options->drive.command = name;
+    options->file.output.command = name;
+    options->file.conversion.command = name;
+    CLI::App* command = line.add("fit", fileCommands,
+        "Make a compensation table of a measurement, and foretell what it does",
+        [options](Environment& environment) { return runFit(environment, *options); });
+    addMeasurementOptions(*command, options->input);
+    addOutputFileOptions(*command, *options);
+    addToleranceOptions(*command, options->tolerance);
+    addCurveOptions(*command, *options);
+    addZeroOptions(*command, *options);
+    addStateOptions(*command, *options);
+    addPointsOptions(*command, *options);
+    addCorrectionOptions(*command, options->correction);
+    addDriveOptions(*command, options->drive);
+    addAxisOption(*command, options->drive);
+    command->footer(
+        "Examples:\n"
+        "  axiscomp fit x.rtl -o x.csv --measured-with off --lookup-at encoder\n"
+        "  axiscomp fit x.csv -o x.TAMtbl --method smooth --period 10 --distance 0.5\n"
+        "  axiscomp fit after.csv -o new.csv --onto drive --drive http://192.0.2.5 --axis X\n"
+        "  axiscomp fit plane.csv -o plane.csv --remove rigid --points 41,31");
+}
+
+} // namespace axiscomp::app

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/commands/fitted_file.h"
+
+#include "app/common/arguments.h"
+#include "core/csv/calibration_csv.h"
+#include "core/formats/formats.h"
+#include "core/formats/triamec/triamec_tables.h"
+#include "core/table/large_correction.h"
+#include "core/table/tam_table.h"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace axiscomp::app {
+
+namespace {
+
+std::string columnNames(const std::vector<CompensationTable>& tables)
+{
+    std::string names;
+    for (const CompensationTable& table : tables)
+        names += (names.empty() ? "" : ", ") + table.name;
+    return names;
+}
+
+/// One of several columns, where one was named or the format holds no more.
+Result<void> chooseColumns(const FittedFileOptions& options, const TableFormat& format,
+    std::vector<CompensationTable>& tables)
+{
+    if (options.table.empty()) {
+        if (format.facts.mostColumns == 1 && tables.size() > 1)
+            return wrongUsage(std::string(format.facts.name)
+                    + " holds one table: choose one with --table: " + columnNames(tables),
+                options.output.command);
+        return {};
+    }
+    const auto chosen = std::ranges::find(tables, options.table, &CompensationTable::name);
+    if (chosen == tables.end())
+        return fail(
+            ErrorCode::TableNotFound, {{"table", options.table}, {"known", columnNames(tables)}});
+    tables = {*chosen};
+    return {};
+}
+
+Result<void> stateTargets(const FittedFileOptions& options, std::vector<CompensationTable>& tables)
+{
+    const auto& targets = options.conversion.targets;
+    if (targets.empty())
+        return {};
+    if (targets.size() != 1 && targets.size() != tables.size())
+        return wrongUsage("--target needs one axis, or one for each table: " + columnNames(tables),
+            options.output.command);
+    for (std::size_t i = 0; i < tables.size(); ++i)
+        tables[i].target = targets.size() == 1 ? targets.front() : targets[i];
+    return {};
+}
+
+Result<Bytes> convertedBytes(Environment& environment, const FittedFileOptions& options,
+    const TableFormat& format, const DriveProfile& profile, const CalibrationData& data)
+{
+    const NeutralTable tables[] = {neutralTable(data)};
+    ConversionOptions conversion = options.conversion;
+    conversion.targets.clear(); // stated already
+    AXISCOMP_TRY(auto request,
+        conversionRequest(conversion, calibration_csv::format(), format, data.grid.axes.size()));
+    request.writing.layout = &profile.layout;
+    request.writing.fileName = std::filesystem::path(options.output.file).filename().string();
+    AXISCOMP_TRY(const auto converted, convertTables(tables, request));
+    for (const Text& line : conversionReport(converted, request))
+        environment.console().note(options.output.file + ": " + line.english());
+    const ByteView view = asBytes(converted.written.bytes);
+    return Bytes(view.begin(), view.end());
+}
+
+Result<Bytes> tableBytes(Environment& environment, const FittedFileOptions& options,
+    const CompensationTable& table, const DriveProfile& profile)
+{
+    for (const Text& large : largeCorrections(table)) {
+        if (!options.acceptsLarge)
+            return fail(ErrorCode::LargeCorrection, {{"reason", large}});
+        environment.warn(large.english());
+    }
+    return encodeTamTable(table, false, profile.layout);
+}
+
+} // namespace
+
+Result<const TableFormat*> fittedFormat(Environment& environment, const FittedFileOptions& options)
+{
+    AXISCOMP_TRY(const auto format,
+        options.output.isStandardOutput() && options.to.empty()
+            ? Result<const TableFormat*>(&calibration_csv::format())
+            : outputFormat(options.output.file, options.to));
+    AXISCOMP_CHECK(checkOutput(environment, options.output, format->facts.isText));
+    return format;
+}
+
+Result<void> writeFitted(Environment& environment, const FittedFileOptions& options,
+    const TableFormat& format, const DriveProfile& profile, std::vector<CompensationTable> tables,
+    std::vector<std::string> notes)
+{
+    AXISCOMP_CHECK(chooseColumns(options, format, tables));
+    AXISCOMP_CHECK(stateTargets(options, tables));
+    CalibrationData data{tables.front().grid, tables, std::move(notes)};
+    const bool isOwn = isTriamec(format) && options.conversion.toSign.empty()
+        && options.conversion.settings.empty();
+    if (!isOwn) {
+        AXISCOMP_TRY(const auto bytes, convertedBytes(environment, options, format, profile, data));
+        return writeOutput(environment, options.output, bytes);
+    }
+    if (&format == &tam_table::format()) {
+        AXISCOMP_TRY(
+            const auto bytes, tableBytes(environment, options, data.tables.front(), profile));
+        return writeOutput(environment, options.output, bytes);
+    }
+    return writeOutput(environment, options.output, asBytes(writeCalibrationCsv(data)));
+}
+
+} // namespace axiscomp::app

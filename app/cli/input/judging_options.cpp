@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/input/judging_options.h"
+
+#include "app/common/arguments.h"
+#include "core/io/local_file.h"
+#include "core/metrology/judge/corrections.h"
+
+namespace axiscomp::app {
+
+namespace {
+
+Json uncertaintyJson(const Uncertainty& terms)
+{
+    return {{"U", terms.total}, {"device", terms.device}, {"misalignment", terms.misalignment},
+        {"temperature", terms.temperature}, {"coefficient", terms.coefficient},
+        {"environment", terms.environment}};
+}
+
+/// "U=2.1um", or the terms of a budget in a file.
+Result<Json> readUncertainty(const Measurement& measurement, const ToleranceOptions& options,
+    const std::string& command, std::optional<double>& uncertainty)
+{
+    if (options.uncertainty.empty())
+        return Json(nullptr);
+    if (options.uncertainty.starts_with("U=")) {
+        AXISCOMP_TRY(
+            uncertainty, amountFromText(options.uncertainty.substr(2), measurement.isAngular));
+        return Json{{"U", *uncertainty}};
+    }
+    if (measurement.isAngular)
+        return wrongUsage(
+            "a budget is for lengths; for angles give the uncertainty itself, such as "
+            "--uncertainty U=2arcsec",
+            command);
+    constexpr std::uint64_t mostBytes = 64 * 1024;
+    AXISCOMP_TRY(const auto bytes, loadFile(options.uncertainty, mostBytes));
+    AXISCOMP_TRY(const auto budget, uncertaintyBudgetFromJson(asText(bytes), measurement.range()));
+    const Uncertainty terms = uncertaintyOf(budget);
+    uncertainty = terms.total;
+    return uncertaintyJson(terms);
+}
+
+} // namespace
+
+void addCorrectionOptions(CLI::App& command, CorrectionOptions& options)
+{
+    const std::string group = "Correction to 20 C, made only when asked for";
+    command
+        .add_option("--temperature", options.temperature, "Temperature of the axis's scale in C")
+        ->option_text("C")
+        ->group(group);
+    command
+        .add_option("--expansion", options.expansion,
+            "Coefficient of expansion of the axis's scale in 1/K, such as 11.5e-6")
+        ->option_text("PER_K")
+        ->group(group);
+    command
+        .add_option("--reference-temperature", options.referenceTemperature,
+            "Temperature of the reference in C")
+        ->option_text("C")
+        ->group(group);
+    command
+        .add_option("--reference-expansion", options.referenceExpansion,
+            "Coefficient of the reference in 1/K; 0 for a laser with wavelength compensation")
+        ->option_text("PER_K")
+        ->group(group);
+    command
+        .add_option("--datum", options.datum,
+            "Position in mm that does not move with temperature; the first target unless given")
+        ->option_text("POSITION")
+        ->group(group);
+    command
+        .add_flag("--not-corrected", options.isNotCorrected,
+            "The values are not corrected to 20 C, where the file does not say it")
+        ->group(group);
+}
+
+Result<Json> correct(
+    Measurement& measurement, const CorrectionOptions& options, const std::string& command)
+{
+    if (!options.temperature && !options.expansion)
+        return Json::object();
+    TemperatureCorrection correction;
+    const auto temperature =
+        options.temperature ? options.temperature : measurement.header.materialTemperature;
+    const auto expansion = options.expansion ? options.expansion : measurement.header.expansion;
+    if (!temperature)
+        return wrongUsage("the temperature of the scale is not known: give --temperature", command);
+    if (!expansion)
+        return wrongUsage("the coefficient of expansion of the scale is not known: give "
+                          "--expansion; for steel it is about 11.5e-6",
+            command);
+    correction.materialCelsius = *temperature;
+    correction.expansionPerKelvin = *expansion;
+    correction.referenceCelsius = options.referenceTemperature;
+    correction.referenceExpansionPerKelvin = options.referenceExpansion;
+    correction.datum = options.datum;
+    correction.isConfirmed = options.isNotCorrected;
+    AXISCOMP_TRY(measurement, correctedForTemperature(std::move(measurement), correction));
+    return Json{{"temperature",
+        {{"material", *temperature}, {"expansion", *expansion},
+            {"reference", correction.referenceCelsius},
+            {"referenceExpansion", correction.referenceExpansionPerKelvin},
+            {"datum", correction.datum.value_or(measurement.targets.front())}}}};
+}
+
+void addToleranceOptions(CLI::App& command, ToleranceOptions& options)
+{
+    command
+        .add_option("--tolerance", options.tolerances,
+            "Limits, such as A=10um,R=4um; exit code 8 when one is not met")
+        ->option_text("FIGURE=LIMIT,...");
+    command
+        .add_option("--uncertainty", options.uncertainty,
+            "Uncertainty of the measurement with k = 2: U=2.1um, or a JSON file with its terms")
+        ->option_text("U");
+}
+
+Result<ToleranceLimits> readTolerances(
+    const Measurement& measurement, const ToleranceOptions& options, const std::string& command)
+{
+    ToleranceLimits limits;
+    if (!options.tolerances.empty()) {
+        AXISCOMP_TRY(
+            limits.tolerances, tolerancesFromText(options.tolerances, measurement.isAngular));
+    }
+    AXISCOMP_TRY(limits.terms, readUncertainty(measurement, options, command, limits.uncertainty));
+    return limits;
+}
+
+} // namespace axiscomp::app

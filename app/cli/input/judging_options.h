@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/cli/output/json.h"
+#include "core/base/result.h"
+#include "core/metrology/judge/uncertainty.h"
+#include "core/metrology/measurement.h"
+
+#include <CLI/App.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace axiscomp::app {
+
+/// What brings a measurement to 20 C, common to all commands that work with its values.
+struct CorrectionOptions {
+    std::optional<double> temperature;
+    std::optional<double> expansion;
+    double referenceTemperature = 20.0;
+    double referenceExpansion = 0.0;
+    std::optional<double> datum;
+    bool isNotCorrected = false;
+};
+void addCorrectionOptions(CLI::App& command, CorrectionOptions& options);
+
+/// The measurement as it would be at 20 deg C, when the user asked for it. Gives what was done, as
+/// --json has it. Errors: InvalidArgument.
+[[nodiscard]] Result<Json> correct(
+    Measurement& measurement, const CorrectionOptions& options, const std::string& command);
+
+/// Limits of the figures, and how well they are known.
+struct ToleranceOptions {
+    std::string tolerances;
+    std::string uncertainty; ///< "U=2.1um", or a file with the budget
+};
+/// --tolerance, --uncertainty
+void addToleranceOptions(CLI::App& command, ToleranceOptions& options);
+
+struct ToleranceLimits {
+    std::vector<Tolerance> tolerances;
+    std::optional<double> uncertainty; ///< U with k = 2, in mm or deg
+    Json terms; ///< of the uncertainty, as --json has them; null: not stated
+};
+/// Errors: InvalidArgument, FileNotReadable, FileTooLarge.
+[[nodiscard]] Result<ToleranceLimits> readTolerances(
+    const Measurement& measurement, const ToleranceOptions& options, const std::string& command);
+
+} // namespace axiscomp::app

@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/app/program_run.h"
+
+#include "tests/support/test_registry.h"
+#include "tests/support/verify.h"
+
+#include <QFile>
+#include <QJsonArray>
+#include <QTest>
+
+#include <algorithm>
+#include <cmath>
+
+namespace tst_fitcommand {
+
+using namespace axiscomp;
+using test::ProgramRun;
+using test::Sandbox;
+using test::VirtualDriveProcess;
+
+namespace {
+
+QString publicFile(const QString& name)
+{
+    return QStringLiteral(AXISCOMP_SOURCE_FOLDER "/tests/data/metrology/") + name;
+}
+
+const QStringList offAtEncoder{"--measured-with", "off", "--lookup-at", "encoder"};
+
+/// 11 targets from 0 to 100 mm, up and down; deviation: of a target in um.
+template <typename Deviation>
+QByteArray runs(const QByteArray& head, Deviation deviation, int targets = 11)
+{
+    QByteArray text = head + "target [mm],direction,deviation [um]\n";
+    for (const char* direction : {"+", "-"})
+        for (int i = 0; i < targets; ++i)
+            text += QByteArray::number(10 * i) + ',' + direction + ','
+                + QByteArray::number(deviation(10.0 * i), 'g', 17) + '\n';
+    return text;
+}
+
+double figure(const QJsonObject& json, const char* group, const char* name)
+{
+    return json.value(QLatin1String(group)).toObject().value(QLatin1String(name)).toDouble();
+}
+
+QByteArray lastNumbers(const QByteArray& csv)
+{
+    QByteArray numbers;
+    for (const QByteArray& line : csv.split('\n'))
+        if (line.contains(',') && !line.startsWith("//") && !line.contains('['))
+            numbers += line.mid(line.lastIndexOf(',') + 1) + ' ';
+    return numbers.trimmed();
+}
+
+} // namespace
+
+class tst_FitCommand : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { test::failOnWarnings(); }
+
+    void aFitHasEveryKeyOfTheDocumentation()
+    {
+        const Sandbox box;
+        const ProgramRun run = box.run(
+            QStringList{"fit", publicFile("b02_x.csv"), "--zero", "keep", "--json"} + offAtEncoder);
+        VERIFY_CODE(run, 0);
+        const QJsonObject json = run.json();
+        QCOMPARE(json.keys(),
+            (QStringList{"before", "columns", "corrections", "crossValidation", "densification",
+                "direction", "excluded", "heldOut", "knots", "lookupAt", "merge", "method", "nodes",
+                "output", "periods", "predicted", "remarks", "residual", "sign", "smoothness",
+                "source", "state", "table", "uncertainty", "verdict", "warnings"}));
+        QVERIFY(std::abs(figure(json, "predicted", "B") - 0.0334657) < 1e-6);
+        QVERIFY(std::abs(figure(json, "predicted", "M")) < 1e-6);
+        QVERIFY(std::abs(figure(json, "predicted", "E") - 0.0334657) < 1e-6);
+        QVERIFY(std::abs(figure(json, "predicted", "R") - 0.0549840) < 1e-6);
+        QVERIFY(std::abs(figure(json, "predicted", "A") - 0.0551810) < 1e-6);
+        QVERIFY(std::abs(figure(json, "heldOut", "rms") - 0.0209982) < 1e-6);
+        QVERIFY(std::abs(figure(json, "heldOut", "largest") - 0.0410688) < 1e-6);
+        QVERIFY(std::abs(figure(json, "heldOut", "M") - 0.0750335) < 1e-6);
+        QVERIFY(std::abs(figure(json, "before", "A") - 0.1352711) < 1e-6);
+        const QJsonObject table = json.value("table").toObject();
+        QCOMPARE(table.keys(), (QStringList{"axes", "crc", "unit"}));
+        QCOMPARE(json.value("state").toString(), "off");
+        QVERIFY(json.value("merge").isNull());
+        QCOMPARE(json.value("warnings").toArray().first().toObject().value("code").toString(),
+            "BetweenTargets");
+    }
+
+    void theTableIsWrittenForTheAxisThatWasMeasured()
+    {
+        const Sandbox box;
+        box.file("x.csv", runs("// axis: X\n// compensation: off\n", [](double p) { return p; }));
+        const ProgramRun run =
+            box.run({"fit", "x.csv", "-o", "table.csv", "--lookup-at", "encoder"});
+        VERIFY_CODE(run, 0);
+        const QByteArray csv = box.content("table.csv");
+        QVERIFY2(csv.contains("X [mm],dX [mm]\n0,0\n10,0.01\n"), csv.constData());
+        QVERIFY2(csv.contains("x.csv (runs): 11 targets from 0 to 100 mm"), csv.constData());
+        QVERIFY2(run.out.contains("where the encoder reads 100 mm the reference said 100.1 mm on "
+                                  "average of 2 values; the drive will add +100.000 um"),
+            run.out.constData());
+        // as convert writes it for another controller, whose values have the other sign
+        VERIFY_CODE(box.run({"fit", "x.csv", "-o", "table.TAMtbl", "--lookup-at", "encoder"}), 0);
+        VERIFY_CODE(
+            box.run({"convert", "table.csv", "by-way.txt", "--dims", "1", "--to", "linuxcnc"}), 0);
+        VERIFY_CODE(box.run({"fit", "x.csv", "-o", "straight.txt", "--to", "linuxcnc",
+                        "--lookup-at", "encoder"}),
+            0);
+        QCOMPARE(lastNumbers(box.content("straight.txt").replace(' ', ',')),
+            lastNumbers(box.content("by-way.txt").replace(' ', ',')));
+        const ProgramRun silent = box.run({"fit", "x.csv", "-o", "-", "--lookup-at", "encoder"});
+        VERIFY_CODE(silent, 0);
+        QCOMPARE(silent.out, csv);
+    }
+
+    void aToleranceThatIsNotForetoldHasTheCodeOfJudge()
+    {
+        const Sandbox box;
+        const QStringList fit{"fit", publicFile("bifrost.csv"), "--zero", "keep", "--tolerance"};
+        VERIFY_CODE(box.run(fit + QStringList{"A=9um"} + offAtEncoder), 0);
+        const ProgramRun failed = box.run(fit + QStringList{"A=8um"} + offAtEncoder);
+        VERIFY_CODE(failed, 8);
+        QVERIFY2(failed.out.contains("failed"), failed.out.constData());
+        QVERIFY2(failed.out.contains("8.354 um"), failed.out.constData());
+    }
+
+    void whatCannotBeAskedIsRefusedWithTheWayOut_data()
+    {
+        QTest::addColumn<QByteArray>("file");
+        QTest::addColumn<QStringList>("options");
+        QTest::addColumn<QByteArray>("code");
+        QTest::addColumn<QByteArray>("words");
+        const auto slope = [](double p) { return p; };
+        const QByteArray off = runs("// compensation: off\n", slope);
+        const QByteArray on = runs("// compensation: crc:1c291ca3\n", slope);
+        const QByteArray open = runs("", slope);
+        const QStringList encoder{"--lookup-at", "encoder"};
+        const QStringList onto = encoder + QStringList{"--onto", "old.csv"};
+        QTest::newRow("not on record")
+            << open << encoder << QByteArray("MeasurementState") << QByteArray("--measured-with");
+        QTest::newRow("off and merged")
+            << off << onto << QByteArray("MeasurementState") << QByteArray("leave out --onto");
+        QTest::newRow("on and not merged") << on << encoder << QByteArray("MeasurementState")
+                                           << QByteArray("merge them with --onto");
+        QTest::newRow("unknown table")
+            << on << onto << QByteArray("MeasurementState")
+            << QByteArray("the table 1c291ca3 active, which is not old.csv");
+        QTest::newRow("no lookup") << off << QStringList() << QByteArray("InvalidArgument")
+                                   << QByteArray("--lookup-at set");
+        QTest::newRow("period not resolved")
+            << off << encoder + QStringList{"--method", "smooth", "--period", "10"}
+            << QByteArray("PeriodNotResolved") << QByteArray("not multiples");
+        QTest::newRow("points far away")
+            << QByteArray("X [mm],Y [mm],dX [um]\n0,0,1\n1,0,2\n0,1,3\n1,1,1\n100,100,1\n")
+            << encoder
+                + QStringList{"--measured-with", "off", "--points", "51", "--smoothness", "1"}
+            << QByteArray("NoDataThere") << QByteArray("--fill smooth");
+        QTest::newRow("one direction somewhere")
+            << off.left(off.lastIndexOf("100,-")) << encoder << QByteArray("InvalidArgument")
+            << QByteArray("the target 100 mm has no value of one direction");
+        QTest::newRow("too fine") << off << encoder + QStringList{"--points", "600000"}
+                                  << QByteArray("ResamplingImpossible")
+                                  << QByteArray("more than 524212 points");
+        QTest::newRow("no zero") << off << encoder + QStringList{"--zero", "here"}
+                                 << QByteArray("InvalidArgument")
+                                 << QByteArray("home, first, mean, keep");
+    }
+    void whatCannotBeAskedIsRefusedWithTheWayOut()
+    {
+        QFETCH(QByteArray, file);
+        QFETCH(QStringList, options);
+        QFETCH(QByteArray, code);
+        QFETCH(QByteArray, words);
+        const Sandbox box;
+        box.file("m.csv", file);
+        box.file("old.csv", "X [mm],dX [mm]\n0,0\n100,0.1\n");
+        const ProgramRun run = box.run(QStringList{"fit", "m.csv", "-o", "t.csv"} + options);
+        VERIFY_CODE(run, 2);
+        QVERIFY2(run.err.contains("error: " + code + ": "), run.err.constData());
+        QVERIFY2(run.err.contains(words), run.err.constData());
+        QVERIFY(!QFile::exists(box.path("t.csv")));
+    }
+
+    /// A drive is measured with its table active; the residuals are merged onto what it holds, and
+    /// where it looks its table up decides their places.
+    void residualsAreMergedOntoTheTableOfTheDrive_data()
+    {
+        QTest::addColumn<QString>("source");
+        QTest::addColumn<QString>("lookupAt");
+        QTest::addColumn<QString>("other");
+        QTest::newRow("set") << test::positionSource(0) << "set"
+                             << "encoder";
+        QTest::newRow("encoder") << "Axes[0]/Signals/PositionController/MasterPosition"
+                                 << "encoder"
+                                 << "set";
+    }
+    void residualsAreMergedOntoTheTableOfTheDrive()
+    {
+        QFETCH(QString, source);
+        QFETCH(QString, lookupAt);
+        QFETCH(QString, other);
+        const Sandbox box;
+        const VirtualDriveProcess drive(box);
+        QVERIFY(drive.isReady());
+        const QStringList axis{"--drive", drive.url(), "--axis", "0"};
+        box.file(
+            "first.csv", runs("// axis: X\n// compensation: off\n", [](double p) { return p; }));
+        const ProgramRun made = box.run(
+            {"fit", "first.csv", "-o", "first-table.csv", "--lookup-at", "encoder", "--json"});
+        VERIFY_CODE(made, 0);
+        const auto crc =
+            static_cast<quint32>(made.json().value("table").toObject().value("crc").toDouble());
+        VERIFY_CODE(box.run(QStringList{"write", "--data", "first-table.csv", "--dims", "1",
+                                "--source1", source}
+                        + axis),
+            0);
+        const QByteArray head =
+            "// axis: X\n// compensation: crc:" + QByteArray::number(crc, 16) + '\n';
+        box.file("second.csv", runs(head, [](double) { return 2.0; }));
+        const ProgramRun merged = box.run(QStringList{"fit", "second.csv", "-o", "second-table.csv",
+                                              "--zero", "keep", "--onto", "drive", "--json"}
+            + axis);
+        VERIFY_CODE(merged, 0);
+        const QJsonObject json = merged.json();
+        QCOMPARE(json.value("state").toString(), "on");
+        QCOMPARE(json.value("lookupAt").toString(), lookupAt);
+        QVERIFY(std::abs(figure(json, "merge", "largestChange") - 0.002) < 1e-6);
+        const QList<QByteArray> values = lastNumbers(box.content("second-table.csv")).split(' ');
+        QCOMPARE(values.size(), 11);
+        // Encoder: c(u) + r at u with u + c(u) = P. Set: c(P) + r at P + r. The ends are held.
+        for (int i = 0; i <= 10; ++i) {
+            const double place = 10.0 * i;
+            const double measured =
+                lookupAt == "set" ? std::max(0.0, place - 0.002) : std::min(place, 100.0 / 1.001);
+            QVERIFY2(std::abs(values[i].toDouble() - (0.001 * measured + 0.002)) < 1e-8,
+                values[i].constData());
+        }
+
+        // What the axis had before is in its backups, and no longer what is merged onto.
+        VERIFY_CODE(
+            box.run(QStringList{"write", "--data", "second-table.csv", "--dims", "1"} + axis), 0);
+        const ProgramRun late = box.run(
+            QStringList{"fit", "second.csv", "--zero", "keep", "--onto", "drive", "--json"} + axis);
+        VERIFY_CODE(late, 0);
+        QVERIFY2(late.json().value("merge").toObject().value("onto").toString().contains("backup"),
+            late.out.constData());
+        box.file("third.csv", runs("// compensation: crc:00c0ffee\n", [](double) { return 2.0; }));
+        const ProgramRun unknown =
+            box.run(QStringList{"fit", "third.csv", "--onto", "drive"} + axis);
+        VERIFY_CODE(unknown, 2);
+        QVERIFY2(unknown.err.contains("MeasurementState"), unknown.err.constData());
+        QVERIFY2(unknown.err.contains("00c0ffee"), unknown.err.constData());
+        const ProgramRun wrong = box.run(
+            QStringList{"fit", "second.csv", "--onto", "drive", "--lookup-at", other} + axis);
+        VERIFY_CODE(wrong, 2);
+        QVERIFY2(
+            wrong.err.contains("which is --lookup-at " + lookupAt.toUtf8()), wrong.err.constData());
+    }
+
+    void columnsOfPointsAreTablesOfOneFile()
+    {
+        const Sandbox box;
+        QByteArray text = "X [mm],Y [mm],dX [um],dY [um]\n";
+        for (int x = 0; x <= 30; x += 10)
+            for (int y = 0; y <= 20; y += 10)
+                text += QByteArray::number(x) + ',' + QByteArray::number(y) + ','
+                    + QByteArray::number(x) + ',' + QByteArray::number(-y) + '\n';
+        box.file("plane.csv", text);
+        const QStringList fit = QStringList{"fit", "plane.csv", "--smoothness", "0"} + offAtEncoder;
+        const ProgramRun run = box.run(fit + QStringList{"-o", "tables.csv"});
+        VERIFY_CODE(run, 0);
+        const QByteArray csv = box.content("tables.csv");
+        QVERIFY2(csv.contains("X [mm],Y [mm],dX [mm],dY [mm]\n"), csv.constData());
+        QVERIFY2(csv.contains("\n30,20,0.03,-0.02\n"), csv.constData());
+        VERIFY_CODE(box.run({"inspect", "tables.csv", "--dims", "2"}), 0);
+        const ProgramRun several = box.run(fit + QStringList{"-o", "one.TAMtbl"});
+        VERIFY_CODE(several, 2);
+        QVERIFY2(several.err.contains("choose one with --table: dX, dY"), several.err.constData());
+        VERIFY_CODE(box.run(fit + QStringList{"-o", "one.TAMtbl", "--table", "dY"}), 0);
+    }
+};
+
+AXISCOMP_TEST(tst_FitCommand)
+
+} // namespace tst_fitcommand
+
+#include "tst_fitcommand.moc"

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/metrology/fit/measured_state.h"
+#include "tests/support/test_registry.h"
+#include "tests/support/verify.h"
+
+#include <QTest>
+
+namespace tst_measuredstate {
+
+using namespace axiscomp;
+using Kind = MeasuredState::Kind;
+
+namespace {
+
+KnownTables known(const char* name, std::uint32_t crc)
+{
+    CompensationTable table;
+    table.grid.axes = {{"X", "mm", 0.0, 1.0, 2}};
+    table.values = {0.0F, 1.0F};
+    return {Verbatim{name}, {table}, {crc}};
+}
+
+constexpr std::uint32_t first = 0x1c291ca3;
+constexpr std::uint32_t second = 0x00c0ffee;
+
+} // namespace
+
+class TestMeasuredState : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { test::failOnWarnings(); }
+
+    void aTableIsRefusedWhereRecordAndRequestDisagree_data()
+    {
+        QTest::addColumn<int>("onFile");
+        QTest::addColumn<quint32>("fileCrc"); // 0: none
+        QTest::addColumn<int>("stated"); // -1: nothing
+        QTest::addColumn<bool>("isMerged");
+        QTest::addColumn<QString>("words");
+        const int none = static_cast<int>(Kind::NotSaid);
+        const int off = static_cast<int>(Kind::Off);
+        const int on = static_cast<int>(Kind::On);
+        QTest::newRow("off and merged")
+            << off << 0U << -1 << true << "must not be added to old.csv";
+        QTest::newRow("on and not merged")
+            << on << first << -1 << false << "residuals of the table 1c291ca3";
+        QTest::newRow("on, table not said, not merged")
+            << on << 0U << -1 << false << "residuals of a table that was active";
+        QTest::newRow("unknown table")
+            << on << second << -1 << true << "with the table 00c0ffee active, which is not old.csv";
+        QTest::newRow("not on record") << none << 0U << -1 << false << "--measured-with off";
+        QTest::newRow("stated otherwise")
+            << off << 0U << on << true << "the compensation off, not with the compensation on";
+        QTest::newRow("stated off and merged") << none << 0U << off << true << "leave out --onto";
+    }
+    void aTableIsRefusedWhereRecordAndRequestDisagree()
+    {
+        QFETCH(int, onFile);
+        QFETCH(quint32, fileCrc);
+        QFETCH(int, stated);
+        QFETCH(bool, isMerged);
+        QFETCH(QString, words);
+        const KnownTables old = known("old.csv", first);
+        StateRequest request;
+        request.onFile.kind = static_cast<Kind>(onFile);
+        if (fileCrc != 0)
+            request.onFile.tableCrc = fileCrc;
+        if (stated >= 0)
+            request.stated = MeasuredState{static_cast<Kind>(stated), {}};
+        request.onto = isMerged ? &old : nullptr;
+        const auto found = findState(request);
+        VERIFY_ERROR(found, ErrorCode::MeasurementState);
+        QVERIFY2(QString::fromStdString(sentence(found.error())).contains(words),
+            sentence(found.error()).c_str());
+    }
+
+    void theTableThatWasActiveIsFoundAmongAllThatAreKnown()
+    {
+        const KnownTables now = known("the table of axis 0", first);
+        const std::vector<KnownTables> backups{known("a", 7), known("b", second)};
+        StateRequest request;
+        request.onto = &now;
+        request.others = backups;
+        request.onFile = {Kind::On, first};
+        auto found = findState(request);
+        VERIFY_RESULT(found);
+        QCOMPARE(found->active, &now);
+        QVERIFY(found->assumption.isEmpty());
+        request.onFile = {Kind::On, second};
+        found = findState(request);
+        VERIFY_RESULT(found);
+        QCOMPARE(found->active, &backups[1]);
+        QCOMPARE(found->kind, FoundState::Kind::On);
+    }
+
+    void aTableThatIsNotNamedIsTakenForGrantedAloud()
+    {
+        const KnownTables now = known("old.csv", first);
+        StateRequest request;
+        request.onto = &now;
+        request.onFile = {Kind::On, {}};
+        const auto found = findState(request);
+        VERIFY_RESULT(found);
+        QVERIFY2(found->assumption.english().find("1c291ca3") != std::string::npos,
+            found->assumption.english().c_str());
+    }
+
+    void rawReadingsMakeTheStateIrrelevant()
+    {
+        StateRequest request;
+        request.hasRawReadings = true;
+        const auto found = findState(request);
+        VERIFY_RESULT(found);
+        QCOMPARE(found->kind, FoundState::Kind::Irrelevant);
+        QVERIFY(!found->text.isEmpty());
+    }
+};
+
+AXISCOMP_TEST(TestMeasuredState)
+
+} // namespace tst_measuredstate
+
+#include "tst_measuredstate.moc"

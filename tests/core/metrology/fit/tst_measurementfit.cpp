@@ -1,0 +1,320 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/metrology/fit/measurement_fit.h"
+#include "tests/core/metrology/measurement_reading.h"
+#include "tests/support/test_registry.h"
+#include "tests/support/verify.h"
+
+#include <QTest>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace tst_measurementfit {
+
+using namespace axiscomp;
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+FoundState measuredOff()
+{
+    return {};
+}
+
+FitSettings keeping(LookupAt lookupAt = LookupAt::Encoder)
+{
+    FitSettings settings;
+    settings.zero = FitZero::Keep;
+    settings.lookupAt = lookupAt;
+    return settings;
+}
+
+/// One run up and one down over even targets; deviation: of a target.
+template <typename Deviation>
+Measurement runsOver(double from, double distance, std::size_t count, Deviation deviation)
+{
+    Measurement runs;
+    for (std::size_t i = 0; i < count; ++i)
+        runs.targets.push_back(from + static_cast<double>(i) * distance);
+    for (const Approach direction : {Approach::Up, Approach::Down})
+        for (std::size_t i = 0; i < count; ++i)
+            runs.values.push_back({i, direction, 1, deviation(runs.targets[i])});
+    return runs;
+}
+
+bool hasRemark(const FitReport& report, std::string_view name, std::string_view words = {})
+{
+    return std::ranges::any_of(report.remarks, [&](const FitRemark& remark) {
+        return remark.name == name && remark.text.english().find(words) != std::string::npos;
+    });
+}
+
+/// Fails with a message that names the way out.
+bool isRefused(const Result<FitReport>& report, std::string_view words)
+{
+    if (!report && sentence(report.error()).find(words) != std::string::npos)
+        return true;
+    qInfo("%s", report ? "a table was made" : sentence(report.error()).c_str());
+    return false;
+}
+
+/// Of the closed form in the specification of a residual merge.
+double waveError(double u)
+{
+    return 0.5 * std::sin(2.0 * pi * u / 100.0) + 2e-4 * u;
+}
+
+} // namespace
+
+class TestMeasurementFit : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { test::failOnWarnings(); }
+
+    /// Numbers computed for the specification of this program, not with it.
+    void aPublicMeasurementGivesTheKnownTable()
+    {
+        const auto reading = test::readAs("runs", test::publicMeasurement("bifrost.csv"));
+        VERIFY_MEASUREMENT(reading);
+        const auto report = fitMeasurement(*reading.measurement, keeping(), measuredOff());
+        VERIFY_RESULT(report);
+        const FittedTable& made = report->tables.front();
+        const double expected[] = {3.226e-3, -1.888e-3, 0.615e-3, -8.452e-3, 6.500e-3};
+        QCOMPARE(made.table.values.size(), std::size_t{5});
+        for (std::size_t i = 0; i < 5; ++i)
+            QVERIFY(std::abs(static_cast<double>(made.table.values[i]) - expected[i]) < 1e-6);
+        QVERIFY(std::abs(*(*report->predicted)[Iso230Figure::A].value - 0.0083537) < 1e-6);
+        QVERIFY(std::abs(report->heldOut->range - 0.0177945) < 1e-6);
+        QVERIFY(std::abs(*(*report->before)[Iso230Figure::A].value - 0.0185713) < 1e-6);
+        QVERIFY(hasRemark(*report, "BetweenTargets", "M is 17.79"));
+        QVERIFY2(report->sign.english().find("where the encoder reads 45.6 mm the reference said "
+                                             "45.591548 mm on average of 10 values; the drive will "
+                                             "add -8.452 um")
+                != std::string::npos,
+            report->sign.english().c_str());
+    }
+
+    /// With the table active that the residuals belong to, the knots are the error itself; adding
+    /// residuals at the targets would be micrometres off.
+    void residualsAreMergedExactly()
+    {
+        KnownTables old{Verbatim{"old.csv"}, {{}}, {1}};
+        CompensationTable& table = old.tables.front();
+        table.grid.axes = {{"X", "mm", 0.0, 10.0, 51}};
+        for (std::size_t i = 0; i <= 50; ++i)
+            table.values.push_back(
+                static_cast<float>(0.9 * waveError(10.0 * static_cast<double>(i))));
+        const Lookup lookup(table);
+        for (const LookupAt lookupAt : {LookupAt::Encoder, LookupAt::Set}) {
+            const Measurement runs = runsOver(0.0, 10.0, 51, [&](double target) {
+                double raw = target - lookup.at(target);
+                for (int i = 0; i < 200 && lookupAt == LookupAt::Encoder; ++i)
+                    raw = target - lookup.at(raw); // a contraction by 0.03
+                return raw + waveError(raw) - target;
+            });
+            const FoundState state{FoundState::Kind::On, &old, {}, {}};
+            const auto report = fitMeasurement(runs, keeping(lookupAt), state);
+            VERIFY_RESULT(report);
+            for (const FitKnot& knot : report->tables.front().means) {
+                const double raw =
+                    lookupAt == LookupAt::Encoder ? knot.position : knot.position - knot.value;
+                QVERIFY(std::abs(knot.value - waveError(raw)) < 1e-12);
+            }
+            QCOMPARE(report->tables.front().table.grid.axes.front().size, 51U); // the old grid
+            QVERIFY(report->merge && report->merge->largestChange > 0.04);
+            QVERIFY(hasRemark(*report, "Merged", "onto old.csv with gain 1"));
+        }
+    }
+
+    void halfOfTheResidualIsTakenWithHalfTheGain()
+    {
+        KnownTables old{Verbatim{"old.csv"}, {{}}, {1}};
+        old.tables.front().grid.axes = {{"X", "mm", 0.0, 10.0, 11}};
+        old.tables.front().values.assign(11, 0.25F);
+        const Measurement runs = runsOver(0.0, 10.0, 11, [](double) { return 0.5; });
+        FitSettings settings = keeping();
+        settings.gain = 0.5;
+        settings.holdsEnds = true;
+        const FoundState state{FoundState::Kind::On, &old, {}, {}};
+        const auto report = fitMeasurement(runs, settings, state);
+        VERIFY_RESULT(report);
+        for (const float value : report->tables.front().table.values)
+            QCOMPARE(value, 0.5F);
+        QVERIFY(
+            isRefused(fitMeasurement(runs, settings, measuredOff()), "a gain is for residuals"));
+    }
+
+    /// The servo's own error is in the readings, and not in the table.
+    void rawReadingsAreReferenceMinusEncoder()
+    {
+        Measurement runs = runsOver(0.0, 10.0, 11, [](double) { return 0.0; });
+        for (RunValue& value : runs.values) {
+            const double servo = value.direction == Approach::Up ? 0.03 : 0.01;
+            value.encoder = runs.targets[value.target] + servo;
+            value.deviation = servo + 1e-3 * *value.encoder;
+        }
+        QVERIFY(hasRawReadings(runs));
+        const FoundState state{FoundState::Kind::Irrelevant, nullptr, {}, {}};
+        const auto report = fitMeasurement(runs, keeping(), state);
+        VERIFY_RESULT(report);
+        const CompensationTable& table = report->tables.front().table;
+        QCOMPARE(table.grid.axes.front().size, 11U);
+        for (std::size_t i = 1; i < 11; ++i) // the first is held from 0.02 on
+            QVERIFY(std::abs(static_cast<double>(table.values[i])
+                        - 1e-3 * table.grid.axes.front().position(i))
+                < 1e-8);
+        runs.values.front().encoder.reset();
+        QVERIFY(!hasRawReadings(runs));
+    }
+
+    /// Both directions count the same, though one has three times the samples.
+    void aTrackIsFittedOntoItsGrid()
+    {
+        Measurement track;
+        track.kind = MeasurementKind::Track;
+        track.header.axis = "X";
+        const auto add = [&track](double encoder, Approach direction) {
+            const double half = direction == Approach::Up ? 0.002 : -0.002;
+            track.track.push_back({encoder, encoder * (1.0 + 1e-4) + half, direction});
+        };
+        for (int i = 0; i <= 1000; ++i)
+            add(0.1 * i, Approach::Up);
+        for (int i = 3000; i >= 0; --i)
+            add(0.1 * i / 3.0, Approach::Down);
+        FitSettings settings = keeping();
+        settings.grid = {{.points = 11}};
+        const FoundState state{FoundState::Kind::Irrelevant, nullptr, {}, {}};
+        const auto report = fitMeasurement(track, settings, state);
+        VERIFY_RESULT(report);
+        const CompensationTable& table = report->tables.front().table;
+        QCOMPARE(table.target, std::string("X"));
+        QCOMPARE(table.grid.axes.front().last(), 100.0);
+        for (std::size_t i = 0; i < 11; ++i)
+            QVERIFY(std::abs(static_cast<double>(table.values[i])
+                        - 1e-4 * table.grid.axes.front().position(i))
+                < 2e-5);
+        QVERIFY(!report->predicted);
+        settings.grid.clear();
+        QVERIFY(isRefused(fitMeasurement(track, settings, state), "--points or --distance"));
+    }
+
+    /// Of an artefact that lies turned and shifted nothing is left.
+    void howAnArtefactLayIsTakenOut()
+    {
+        Measurement plane;
+        plane.kind = MeasurementKind::Points;
+        MeasuredPoints& points = plane.points;
+        points.axes = {"X", "Y"};
+        points.columns = {"dX", "dY"};
+        points.positions.resize(2);
+        points.values.resize(2);
+        for (int x = 0; x <= 4; ++x)
+            for (int y = 0; y <= 3; ++y) {
+                points.positions[0].push_back(25.0 * x);
+                points.positions[1].push_back(20.0 * y);
+                points.values[0].push_back(0.01 - 1e-4 * 20.0 * y);
+                points.values[1].push_back(-0.02 + 1e-4 * 25.0 * x);
+            }
+        FitSettings settings;
+        settings.lookupAt = LookupAt::Encoder;
+        settings.remove = BodyRemoval::Rigid;
+        settings.smoothness = 0.0;
+        const auto report = fitMeasurement(plane, settings, measuredOff());
+        VERIFY_RESULT(report);
+        QCOMPARE(report->tables.size(), std::size_t{2});
+        QCOMPARE(report->tables[1].table.target, std::string("Y"));
+        QCOMPARE(report->tables[0].table.grid.axes[0].size, 5U);
+        for (const FittedTable& made : report->tables)
+            for (const float value : made.table.values)
+                QVERIFY(std::abs(value) < 1e-9F);
+        QVERIFY(std::abs(report->removedBody->rotation[2] - 1e-4) < 1e-12);
+        QVERIFY(hasRemark(*report, "Squareness", "X and Y are 0.000 arcsec off 90 degrees"));
+        settings.method = FitMethod::Spline;
+        QVERIFY(isRefused(fitMeasurement(plane, settings, measuredOff()), "leave out --method"));
+    }
+
+    void theZeroIsAtTheHomePositionWhereItIsKnown()
+    {
+        const Measurement runs = runsOver(0.0, 10.0, 11, [](double p) { return 0.001 * p + 0.5; });
+        FitSettings settings = keeping();
+        settings.zero = FitZero::Automatic;
+        const auto valueAt = [&](double position) {
+            const auto report = fitMeasurement(runs, settings, measuredOff());
+            return report ? Lookup(report->tables.front().table).at(position) : NAN;
+        };
+        QCOMPARE(valueAt(0.0), 0.0); // the first target
+        settings.home = 40.0;
+        QCOMPARE(valueAt(40.0), 0.0);
+        settings.home = 400.0; // not measured
+        QCOMPARE(valueAt(0.0), 0.0);
+        settings.zero = FitZero::Home;
+        QVERIFY(isRefused(
+            fitMeasurement(runs, settings, measuredOff()), "400 mm is outside the targets"));
+        settings.home.reset();
+        QVERIFY(isRefused(fitMeasurement(runs, settings, measuredOff()), "give it with --home"));
+        settings.zero = FitZero::Position;
+        settings.zeroPosition = {101.0};
+        QVERIFY(isRefused(fitMeasurement(runs, settings, measuredOff()), "outside the targets"));
+    }
+
+    void whatIsLeftOpenIsAskedFor()
+    {
+        Measurement runs = runsOver(0.0, 10.0, 11, [](double p) { return 0.001 * p; });
+        FitSettings settings = keeping();
+        settings.lookupAt.reset();
+        QVERIFY(isRefused(fitMeasurement(runs, settings, measuredOff()), "--lookup-at encoder"));
+        settings = keeping(LookupAt::Set);
+        runs.targets[3] = 33.0;
+        QVERIFY(isRefused(fitMeasurement(runs, settings, measuredOff()), "not evenly spaced"));
+        settings = keeping();
+        settings.remove = BodyRemoval::Rigid;
+        QVERIFY(isRefused(fitMeasurement(runs, settings, measuredOff()), "--remove, --robust"));
+        settings = keeping();
+        settings.smoothness = 1.0;
+        QVERIFY(isRefused(fitMeasurement(runs, settings, measuredOff()), "--method smooth"));
+    }
+
+    void aPeriodThatTheTargetsCannotTellIsRefused()
+    {
+        const Measurement runs = runsOver(0.0, 10.0, 21, [](double p) { return 1e-5 * p; });
+        FitSettings settings = keeping();
+        settings.method = FitMethod::Smooth;
+        settings.periods = {{10.0}};
+        VERIFY_ERROR(fitMeasurement(runs, settings, measuredOff()), ErrorCode::PeriodNotResolved);
+        settings.periods = {{37.0}};
+        settings.smoothness = 1.0;
+        const auto report = fitMeasurement(runs, settings, measuredOff());
+        VERIFY_RESULT(report);
+        QVERIFY(hasRemark(*report, "TargetsPerPeriod", "21 targets lie in 5.405 periods of 37 mm"));
+    }
+
+    void aTableThatHelpsLittleSaysSo()
+    {
+        Measurement runs = runsOver(0.0, 10.0, 11, [](double) { return 0.0; });
+        for (RunValue& value : runs.values)
+            value.deviation = value.direction == Approach::Up ? 0.01 : -0.01;
+        const auto report = fitMeasurement(runs, keeping(), measuredOff());
+        VERIFY_RESULT(report);
+        QVERIFY(hasRemark(*report, "LittleImprovement", "from 20.000 um to 20.000 um"));
+        QVERIFY(hasRemark(*report, "MostlyReversal", "up to 10.000 um remains"));
+        QVERIFY(report->remarks.front().isWarning);
+    }
+
+    void threeTargetsMakeATableThatNothingIsKnownOfBetween()
+    {
+        const Measurement runs = runsOver(0.0, 10.0, 3, [](double p) { return 0.001 * p; });
+        const auto report = fitMeasurement(runs, keeping(), measuredOff());
+        VERIFY_RESULT(report);
+        QVERIFY(!report->heldOut);
+        QVERIFY(hasRemark(*report, "HeldOutUnknown", "3 targets; four are needed"));
+    }
+};
+
+AXISCOMP_TEST(TestMeasurementFit)
+
+} // namespace tst_measurementfit
+
+#include "tst_measurementfit.moc"
