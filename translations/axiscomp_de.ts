@@ -5191,6 +5191,254 @@
         <source>there are values at {count} targets; four are needed to leave one out</source>
         <translation>an {count} Zielpositionen gibt es Werte; um eine wegzulassen, sind vier nötig</translation>
     </message>
+    <message>
+        <source>{file} is not a valid record: {reason}</source>
+        <translation>{file} ist kein gültiges Protokoll: {reason}</translation>
+    </message>
+    <message>
+        <source>a distance of {distance} from the curve takes at least {sizes} points, more than allowed; allow more points or a larger distance</source>
+        <translation>ein Abstand von {distance} von der Kurve braucht mindestens {sizes} Punkte, mehr als erlaubt; mehr Punkte oder einen größeren Abstand erlauben</translation>
+    </message>
+    <message>
+        <source>along {axis}, {points} points: at most {distance} from the curve; at a point its slope changes by up to {slope}, which at {speed} is a step of the velocity of {step}</source>
+        <translation>entlang {axis}, {points} Punkte: höchstens {distance} von der Kurve; an einem Punkt ändert sich die Steigung um bis zu {slope}, bei {speed} ein Sprung der Geschwindigkeit von {step}</translation>
+    </message>
+    <message>
+        <source>along {axis}, {points} points: at most {distance} from the curve; at a point its slope changes by up to {slope}</source>
+        <translation>entlang {axis}, {points} Punkte: höchstens {distance} von der Kurve; an einem Punkt ändert sich die Steigung um bis zu {slope}</translation>
+    </message>
+    <message>
+        <source>smoothing needs at least {fewest} positions along {axis}, which has {count}; take the method spline or cubic</source>
+        <translation>Glätten braucht mindestens {fewest} Positionen entlang {axis}, und es sind {count}; das Verfahren spline oder cubic nehmen</translation>
+    </message>
+    <message>
+        <source>the measurement does not say whether a compensation was active while it was made; say it with --measured-with off, --measured-with on, or --measured-with and the file of the table that was active</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the measurement says that it was made with {recorded}, not with {stated}; leave out --measured-with, or take the table that was active</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>these are residuals of the table {crc}, which was active while they were measured: merge them with --onto and the file of that table, or with --onto drive</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>these are residuals of a table that was active while they were measured: merge them with --onto and the file of that table, or with --onto drive</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it was measured with the table {crc} active, which is not {name} ({known}), nor any other table known; give its file with --measured-with, or merge onto it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it was measured with the compensation off: the values are the whole error, and must not be added to {name}; leave out --onto, or measure with that table active</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at which position the drive looks the table up decides where its values belong: say --lookup-at encoder for a position before the compensation, or --lookup-at set for one after it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a gain is above 0 and at most 2; it is usually 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a gain is for residuals that are merged onto the table that was active; here the values are the whole error</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>how the artefact lay is found from the deviations along all of its axes, but there is no column for {axis}, such as d{axis}; leave --remove out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} has no table whose target is that of the column {column}; state the targets of its tables, or measure without a table</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>all points have the same position along {axis}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the positions along {axis} are no even grid; say the grid of the table with --points or --distance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a grid has at least 2 points along {axis}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the distance along {axis} is too small</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the grid needs one number, or one for each of the {count} axes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>points and tracks are fitted on the grid itself, as the drive interpolates it; leave out --method and --period</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>--remove-slope, --within, --turn, --home and --remove-drift are for runs over targets along one axis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the figures of the standard need targets; leave --tolerance out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a home position is that of one axis measured over targets; take --zero first, mean, keep or a position</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>--remove is for points of two or three axes; a track has one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>points have no direction; leave --direction out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the zero needs {count} numbers, one for each axis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>--remove names an axis that the points do not have</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the position of the zero is outside the grid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there are no values in this direction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>--remove, --robust and --fill are for points of two or three axes and for tracks; this measurement has targets along one axis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the measurement is along one axis: give one number for its grid and zero</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a smoothness is for the method smooth (--method smooth); the others go through every mean</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>runs along one axis are merged onto a table of one dimension; {name} has {dimensions}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the home position of the axis is not known: give it with --home, or the position of the zero with --zero</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the home position {home} is outside the targets, so that the error there is not known; take --zero first or another position</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the position {position} of the zero is outside the targets, which go from {from} to {to}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the targets are not evenly spaced; say the grid of the table with --points, --distance or --within</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a SHA-256 of 64 hexadecimal digits is expected</source>
+        <translation>erwartet wird ein SHA-256 aus 64 hexadezimalen Ziffern</translation>
+    </message>
+    <message>
+        <source>at least one file is expected</source>
+        <translation>erwartet wird mindestens eine Datei</translation>
+    </message>
+    <message>
+        <source>what is left out is expected, such as down:1:1, run:up:3 or target:7</source>
+        <translation>erwartet wird, was weggelassen wird, etwa down:1:1, run:up:3 oder target:7</translation>
+    </message>
+    <message>
+        <source>the record has version {found}, and this program reads version {known} at most; open it with a newer version of the program</source>
+        <translation>das Protokoll hat Version {found}, und dieses Programm liest höchstens Version {known}; mit einer neueren Version des Programms öffnen</translation>
+    </message>
+    <message>
+        <source>the second measurement was made with the compensation off; activate the table {crc} and measure again</source>
+        <translation>die zweite Messung wurde ohne Kompensation gemacht; die Tabelle {crc} einschalten und noch einmal messen</translation>
+    </message>
+    <message>
+        <source>the second measurement was made with the table {found} active, and the record has the table {crc}; activate that one and measure again, or take the record of {found}</source>
+        <translation>bei der zweiten Messung war die Tabelle {found} aktiv, und das Protokoll hat die Tabelle {crc}; diese einschalten und noch einmal messen, oder das Protokoll von {found} nehmen</translation>
+    </message>
+    <message>
+        <source>the second measurement does not say which table was active while it was made; if it was the table {crc}, say it with --measured-with on</source>
+        <translation>die zweite Messung sagt nicht, welche Tabelle dabei aktiv war; war es die Tabelle {crc}, --measured-with on angeben</translation>
+    </message>
+    <message>
+        <source>only measurements of runs over targets are compared</source>
+        <translation>verglichen werden nur Messungen mit Durchläufen über Zielpositionen</translation>
+    </message>
+    <message>
+        <source>one measurement is of lengths and the other of angles; they are not of the same axis</source>
+        <translation>eine Messung hat Längen und die andere Winkel; sie sind nicht von derselben Achse</translation>
+    </message>
+    <message>
+        <source>this is no figure of ISO 230-2, such as A or EUp</source>
+        <translation>das ist kein Kennwert der ISO 230-2, wie A oder EUp</translation>
+    </message>
+    <message>
+        <source>a distance above 0 is expected</source>
+        <translation>erwartet wird ein Abstand über 0</translation>
+    </message>
+    <message>
+        <source>numbers of the table&apos;s points are expected, ascending from 0</source>
+        <translation>erwartet werden Nummern von Punkten der Tabelle, aufsteigend ab 0</translation>
+    </message>
+    <message>
+        <source>a table has 1 to 3 axes</source>
+        <translation>eine Tabelle hat 1 bis 3 Achsen</translation>
+    </message>
+    <message>
+        <source>{count} values are here, and the grid has {expected} points</source>
+        <translation>hier stehen {count} Werte, und das Raster hat {expected} Punkte</translation>
+    </message>
+    <message>
+        <source>this list has {count} elements, and the others have {expected}</source>
+        <translation>diese Liste hat {count} Elemente, und die anderen haben {expected}</translation>
+    </message>
+    <message>
+        <source>the values have the CRC-32 {found}: they were changed, or the file is damaged</source>
+        <translation>die Werte haben die CRC-32 {found}: sie wurden geändert, oder die Datei ist beschädigt</translation>
+    </message>
+    <message>
+        <source>whole numbers from {least} to {most} are expected, not {found}</source>
+        <translation>erwartet werden ganze Zahlen von {least} bis {most}, nicht {found}</translation>
+    </message>
+    <message>
+        <source>&quot;{found}&quot; is neither up nor down</source>
+        <translation>„{found}“ ist weder up noch down</translation>
+    </message>
+    <message>
+        <source>there are values without targets</source>
+        <translation>es gibt Werte ohne Zielpositionen</translation>
+    </message>
+    <message>
+        <source>{count} lists are here, and there are {expected} names</source>
+        <translation>hier stehen {count} Listen, und es gibt {expected} Namen</translation>
+    </message>
+    <message>
+        <source>points have 2 or 3 axes</source>
+        <translation>Punkte haben 2 oder 3 Achsen</translation>
+    </message>
+    <message>
+        <source>targets are expected to ascend</source>
+        <translation>erwartet werden aufsteigende Zielpositionen</translation>
+    </message>
+    <message>
+        <source>&quot;{found}&quot; is none of: {known}</source>
+        <translation>„{found}“ ist keines von: {known}</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -5372,6 +5620,194 @@
     <message>
         <source>down</source>
         <translation>abwärts</translation>
+    </message>
+    <message>
+        <source>a slope of {slope} over {length} was taken out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{constant} was taken out of all values of {table}, so that it is 0 where --zero has it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the steepest part of {table} is between {from} and {to}: {step}, {slope} for each {one}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at {speed} for each second the velocity jumps by at most {step} for each second at a point of the table</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a drive holds numbers with 24 bits, which changes a value of {table} by at most {rounding}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>{count} points of {table} have nothing measured beside them and were filled</source>
+        <comment>1 point of {table} has nothing measured beside it and was filled</comment>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>merged onto {name} with gain {gain}: a value changes by at most {change}, at {place}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the table improves little: {figure} from {before} to {after}, less than a fifth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>between the targets the error is not known well enough: foretold without each target, M is {heldOut}; measure at more targets</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>between the targets the error is not known well enough: foretold without each target, M is {heldOut}, before it was {before}; measure at more targets</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>most of this error is reversal, which no table removes: up to {reversal} remains in each direction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the table is for both directions: up to {reversal} of the reversal remains in each</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the table is for one direction: in the other up to {reversal} of reversal remains</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} targets lie in {turns} periods of {period}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>{count} values do not fit the others and are in the table; `axiscomp judge` names them, --exclude leaves them out</source>
+        <comment>1 value does not fit the others and is in the table; `axiscomp judge` names it, --exclude leaves it out</comment>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>at the home position {home} the drive will add {value}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>over a turn, from {from} to {to}, the table ends {jump} above where it begins</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>{count} points with straight lines between them are at most {distance} off the curve, at {place}</source>
+        <comment>{count} points with straight lines between them are at most {distance} off the curve, at {place}</comment>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>{name} has {old} points, and there are {count} targets: what it has between them is replaced by the new curve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the compensation off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the compensation on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the table {crc} active</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>measured with the table {crc} of {name} active</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>measured with {name} active ({known})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the measurement does not say which table was active; {name} ({known}) is taken to have been</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the raw positions of the encoder are on file: the table is made of reference minus encoder, whatever compensation was active</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>measured with the compensation off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{table} explains {share} % of the variance of {count} values; {rms} rms remains</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{table} explains little: values that were left out are foretold with {left} rms, and they are {values} rms themselves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>{count} values lie outside the grid and were left out</source>
+        <comment>1 value lies outside the grid and was left out</comment>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>{count} values of {table} do not fit the others and count little; the first is point {first}, {residual} off</source>
+        <comment>1 value of {table} does not fit the others and counts little: point {first}, {residual} off</comment>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>{first} and {second} are {angle} off 90 degrees</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a scale of {scale} for each {length} was taken out; the mean scale error of the axes is in it, and stays in the machine</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{axis} {position}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at {position} the reference was {measured} beside the encoder in {table}; the drive will add {added}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>how well the error between the targets is known cannot be told: {reason}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>where the encoder reads {reading} the reference said {reference} on average of {count} values; the drive will add {added}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the error is {factor} times what it was before: the table has the wrong sign</source>
+        <translation>der Fehler ist das {factor}-fache von vorher: die Tabelle hat das falsche Vorzeichen</translation>
+    </message>
+    <message>
+        <source>the error is the same as before: the compensation was not active, or another axis was measured</source>
+        <translation>der Fehler ist derselbe wie vorher: die Kompensation war nicht aktiv, oder es wurde eine andere Achse gemessen</translation>
+    </message>
+    <message>
+        <source>what is left is {factor} times the error before: the table adds {share} times what it should; look at the units of measurement and table</source>
+        <translation>was bleibt, ist das {factor}-fache des Fehlers vorher: die Tabelle addiert das {share}-fache von dem, was sie soll; die Einheiten von Messung und Tabelle prüfen</translation>
+    </message>
+    <message>
+        <source>what is left resembles neither the error before nor its slope: the machine was in another state, such as another temperature or load, or it is another axis</source>
+        <translation>was bleibt, ähnelt weder dem Fehler vorher noch dessen Steigung: die Maschine war in einem anderen Zustand, etwa anderer Temperatur oder Last, oder es ist eine andere Achse</translation>
+    </message>
+    <message>
+        <source>what is left follows the slope of the error before: the table is shifted by about {shift} against the axis; look at the home position and the source of the table</source>
+        <translation>was bleibt, folgt der Steigung des Fehlers vorher: die Tabelle ist um etwa {shift} gegen die Achse verschoben; Referenzposition und Quelle der Tabelle prüfen</translation>
     </message>
 </context>
 <context>
@@ -7170,6 +7606,14 @@
     <message>
         <source>left out: the grid is cropped</source>
         <translation>weggelassen: Das Gitter wird zugeschnitten</translation>
+    </message>
+    <message>
+        <source>spline (natural cubic)</source>
+        <translation>Spline (natürlich kubisch)</translation>
+    </message>
+    <message>
+        <source>without noise (smoothing spline)</source>
+        <translation>ohne Rauschen (Glättungsspline)</translation>
     </message>
 </context>
 <context>

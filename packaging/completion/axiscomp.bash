@@ -19,7 +19,8 @@ _axiscomp_options()
         formats) echo "--help --json --markdown --measurements" ;;
         runs) echo "--help --json --output $measurement" ;;
         judge) echo "--help --json --tolerance --uncertainty --outliers --period --vdi $correction $measurement" ;;
-        fit) echo "--help --json $drive --axis --output --to --table --accept-large --target --to-sign --set-out $grid --smoothness --period --harmonics --turn --direction --speed --zero --home --remove-slope --remove-drift --lookup-at --measured-with --onto --gain --remove --fill --robust --tolerance --uncertainty $correction $measurement" ;;
+        fit) echo "--help --json $drive --axis --output --to --table --accept-large --target --to-sign --set-out $grid --smoothness --period --harmonics --turn --direction --zero --home --remove-slope --remove-drift --lookup-at --measured-with --onto --gain --remove --fill --robust --tolerance --uncertainty $correction $measurement" ;;
+        compare) echo "--help --json --record --measured-with --keep --tolerance --uncertainty ${measurement/--exclude /}" ;;
         axes) echo "--help --json --find --any-baud --network $drive" ;;
         files) echo "--help --json $drive" ;;
         status) echo "--help --json $drive --axis --reset-flash-count" ;;
@@ -37,7 +38,7 @@ _axiscomp_options()
     esac
 }
 
-_axiscomp_commands="example inspect convert lookup formats runs judge fit axes status write persist unpersist delete evaluate activate deactivate read files upload download monitor backup restore recover config"
+_axiscomp_commands="example inspect convert lookup formats runs judge fit compare axes status write persist unpersist delete evaluate activate deactivate read files upload download monitor backup restore recover config"
 
 _axiscomp_formats="csv tamtbl aerotech-1d aerotech-2d icube isg-crosscomp isg-crosscomp2 isg-ssfk klipper linuxcnc pmac-1d pmac-2d rapidcode rapidcode-header siemens-cec siemens-eec reprap softmc softmc-basic"
 
@@ -73,7 +74,7 @@ _axiscomp()
                 _filedir TAMcfg
                 return
             fi
-            if [[ $command == runs || $command == judge || $command == fit ]]; then
+            if [[ $command == runs || $command == judge || $command == fit || $command == compare ]]; then
                 COMPREPLY=($(compgen -W "$_axiscomp_measurements" -- "$cur"))
                 return
             fi
@@ -105,7 +106,15 @@ _axiscomp()
         --zero)
             [[ $command == fit ]] && COMPREPLY=($(compgen -W "home first mean keep" -- "$cur"))
             return ;;
-        --measured-with) COMPREPLY=($(compgen -W "off on" -- "$cur")); _filedir; return ;;
+        --measured-with)
+            if [[ $command == compare ]]; then
+                COMPREPLY=($(compgen -W "on" -- "$cur"))
+            else
+                COMPREPLY=($(compgen -W "off on" -- "$cur"))
+                _filedir
+            fi
+            return ;;
+        --record) _filedir axcal; return ;;
         --onto) COMPREPLY=($(compgen -W "drive" -- "$cur")); _filedir; return ;;
         --to)
             if [[ $command == upload ]]; then
@@ -138,7 +147,7 @@ _axiscomp()
         COMPREPLY=($(compgen -W "$(_axiscomp_paths)" -- "$cur"))
     else
         case $command in
-            inspect | convert | lookup | runs | judge | fit | upload | restore) _filedir ;;
+            inspect | convert | lookup | runs | judge | fit | compare | upload | restore) _filedir ;;
             config)
                 _filedir TAMcfg
                 [[ $prev == config ]] && COMPREPLY=($(compgen -W "show export import" -- "$cur"))

@@ -21,6 +21,7 @@ CommandLine::CommandLine()
     addRunsCommand(*this);
     addJudgeCommand(*this);
     addFitCommand(*this);
+    addCompareCommand(*this);
     addAxesCommand(*this);
     addStatusCommand(*this);
     addWriteCommand(*this);

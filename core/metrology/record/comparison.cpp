@@ -187,7 +187,7 @@ ComparisonHint scaleHint(double factor)
     if (std::abs(factor - 1.0) <= 0.1)
         return {"NotActive",
             AXISCOMP_TEXT("Measurement",
-                "the error is the same as before: the compensation was not active, or not this "
+                "the error is the same as before: the compensation was not active, or another "
                 "axis was measured")};
     return {"Scale",
         AXISCOMP_TEXT("Measurement",
