@@ -40,7 +40,7 @@ for file in bin/axiscomp bin/axiscomp-virtualdrive bin/axis-compensation-wizard 
     share/man/man1/axis-compensation-wizard.1.gz share/bash-completion/completions/axiscomp \
     share/applications/axis-compensation-wizard.desktop \
     share/axiscomp/profiles/generic.json share/axiscomp/examples/calibration-2d.csv \
-    share/axiscomp/machines/screw.json \
+    share/axiscomp/schemas/axcal.schema.json share/axiscomp/machines/screw.json \
     share/doc/axis-compensation-wizard/copyright share/doc/axis-compensation-wizard/changelog.gz; do
     grep -qx "./usr/$file" <<<"$files" || fail "the package has no /usr/$file"
 done

@@ -5539,6 +5539,118 @@
         <source>there are more than {most} gross errors</source>
         <translation>Es sind mehr als {most} grobe Fehler</translation>
     </message>
+    <message>
+        <source>{file} is not a valid record: {reason}</source>
+        <translation>{file} ist kein gültiges Protokoll: {reason}</translation>
+    </message>
+    <message>
+        <source>a distance of {distance} from the curve takes at least {sizes} points, more than allowed; allow more points or a larger distance</source>
+        <translation>ein Abstand von {distance} von der Kurve braucht mindestens {sizes} Punkte, mehr als erlaubt; mehr Punkte oder einen größeren Abstand erlauben</translation>
+    </message>
+    <message>
+        <source>along {axis}, {points} points: at most {distance} from the curve; at a point its slope changes by up to {slope}, which at {speed} is a step of the velocity of {step}</source>
+        <translation>entlang {axis}, {points} Punkte: höchstens {distance} von der Kurve; an einem Punkt ändert sich die Steigung um bis zu {slope}, bei {speed} ein Sprung der Geschwindigkeit von {step}</translation>
+    </message>
+    <message>
+        <source>along {axis}, {points} points: at most {distance} from the curve; at a point its slope changes by up to {slope}</source>
+        <translation>entlang {axis}, {points} Punkte: höchstens {distance} von der Kurve; an einem Punkt ändert sich die Steigung um bis zu {slope}</translation>
+    </message>
+    <message>
+        <source>smoothing needs at least {fewest} positions along {axis}, which has {count}; take the method spline or cubic</source>
+        <translation>Glätten braucht mindestens {fewest} Positionen entlang {axis}, und es sind {count}; das Verfahren spline oder cubic nehmen</translation>
+    </message>
+    <message>
+        <source>a SHA-256 of 64 hexadecimal digits is expected</source>
+        <translation>erwartet wird ein SHA-256 aus 64 hexadezimalen Ziffern</translation>
+    </message>
+    <message>
+        <source>at least one file is expected</source>
+        <translation>erwartet wird mindestens eine Datei</translation>
+    </message>
+    <message>
+        <source>what is left out is expected, such as down:1:1, run:up:3 or target:7</source>
+        <translation>erwartet wird, was weggelassen wird, etwa down:1:1, run:up:3 oder target:7</translation>
+    </message>
+    <message>
+        <source>the record has version {found}, and this program reads version {known} at most; open it with a newer version of the program</source>
+        <translation>das Protokoll hat Version {found}, und dieses Programm liest höchstens Version {known}; mit einer neueren Version des Programms öffnen</translation>
+    </message>
+    <message>
+        <source>the second measurement was made with the compensation off; activate the table {crc} and measure again</source>
+        <translation>die zweite Messung wurde ohne Kompensation gemacht; die Tabelle {crc} einschalten und noch einmal messen</translation>
+    </message>
+    <message>
+        <source>the second measurement was made with the table {found} active, and the record has the table {crc}; activate that one and measure again, or take the record of {found}</source>
+        <translation>bei der zweiten Messung war die Tabelle {found} aktiv, und das Protokoll hat die Tabelle {crc}; diese einschalten und noch einmal messen, oder das Protokoll von {found} nehmen</translation>
+    </message>
+    <message>
+        <source>the second measurement does not say which table was active while it was made; if it was the table {crc}, say it with --measured-with on</source>
+        <translation>die zweite Messung sagt nicht, welche Tabelle dabei aktiv war; war es die Tabelle {crc}, --measured-with on angeben</translation>
+    </message>
+    <message>
+        <source>only measurements of runs over targets are compared</source>
+        <translation>verglichen werden nur Messungen mit Durchläufen über Zielpositionen</translation>
+    </message>
+    <message>
+        <source>one measurement is of lengths and the other of angles; they are not of the same axis</source>
+        <translation>eine Messung hat Längen und die andere Winkel; sie sind nicht von derselben Achse</translation>
+    </message>
+    <message>
+        <source>this is no figure of ISO 230-2, such as A or EUp</source>
+        <translation>das ist kein Kennwert der ISO 230-2, wie A oder EUp</translation>
+    </message>
+    <message>
+        <source>a distance above 0 is expected</source>
+        <translation>erwartet wird ein Abstand über 0</translation>
+    </message>
+    <message>
+        <source>numbers of the table&apos;s points are expected, ascending from 0</source>
+        <translation>erwartet werden Nummern von Punkten der Tabelle, aufsteigend ab 0</translation>
+    </message>
+    <message>
+        <source>a table has 1 to 3 axes</source>
+        <translation>eine Tabelle hat 1 bis 3 Achsen</translation>
+    </message>
+    <message>
+        <source>{count} values are here, and the grid has {expected} points</source>
+        <translation>hier stehen {count} Werte, und das Raster hat {expected} Punkte</translation>
+    </message>
+    <message>
+        <source>this list has {count} elements, and the others have {expected}</source>
+        <translation>diese Liste hat {count} Elemente, und die anderen haben {expected}</translation>
+    </message>
+    <message>
+        <source>the values have the CRC-32 {found}: they were changed, or the file is damaged</source>
+        <translation>die Werte haben die CRC-32 {found}: sie wurden geändert, oder die Datei ist beschädigt</translation>
+    </message>
+    <message>
+        <source>whole numbers from {least} to {most} are expected, not {found}</source>
+        <translation>erwartet werden ganze Zahlen von {least} bis {most}, nicht {found}</translation>
+    </message>
+    <message>
+        <source>&quot;{found}&quot; is neither up nor down</source>
+        <translation>„{found}“ ist weder up noch down</translation>
+    </message>
+    <message>
+        <source>there are values without targets</source>
+        <translation>es gibt Werte ohne Zielpositionen</translation>
+    </message>
+    <message>
+        <source>{count} lists are here, and there are {expected} names</source>
+        <translation>hier stehen {count} Listen, und es gibt {expected} Namen</translation>
+    </message>
+    <message>
+        <source>points have 2 or 3 axes</source>
+        <translation>Punkte haben 2 oder 3 Achsen</translation>
+    </message>
+    <message>
+        <source>targets are expected to ascend</source>
+        <translation>erwartet werden aufsteigende Zielpositionen</translation>
+    </message>
+    <message>
+        <source>&quot;{found}&quot; is none of: {known}</source>
+        <translation>„{found}“ ist keines von: {known}</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -5888,6 +6000,26 @@
             <numerusform>wo der Geber {reading} anzeigt, sagte die Referenz {reference}, einmal gemessen; der Antrieb wird {added} addieren</numerusform>
             <numerusform>wo der Geber {reading} anzeigt, sagte die Referenz {reference} im Mittel von {count} Werten; der Antrieb wird {added} addieren</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>the error is {factor} times what it was before: the table has the wrong sign</source>
+        <translation>der Fehler ist das {factor}-fache von vorher: die Tabelle hat das falsche Vorzeichen</translation>
+    </message>
+    <message>
+        <source>the error is the same as before: the compensation was not active, or another axis was measured</source>
+        <translation>der Fehler ist derselbe wie vorher: die Kompensation war nicht aktiv, oder es wurde eine andere Achse gemessen</translation>
+    </message>
+    <message>
+        <source>what is left is {factor} times the error before: the table adds {share} times what it should; look at the units of measurement and table</source>
+        <translation>was bleibt, ist das {factor}-fache des Fehlers vorher: die Tabelle addiert das {share}-fache von dem, was sie soll; die Einheiten von Messung und Tabelle prüfen</translation>
+    </message>
+    <message>
+        <source>what is left resembles neither the error before nor its slope: the machine was in another state, such as another temperature or load, or it is another axis</source>
+        <translation>was bleibt, ähnelt weder dem Fehler vorher noch dessen Steigung: die Maschine war in einem anderen Zustand, etwa anderer Temperatur oder Last, oder es ist eine andere Achse</translation>
+    </message>
+    <message>
+        <source>what is left follows the slope of the error before: the table is shifted by about {shift} against the axis; look at the home position and the source of the table</source>
+        <translation>was bleibt, folgt der Steigung des Fehlers vorher: die Tabelle ist um etwa {shift} gegen die Achse verschoben; Referenzposition und Quelle der Tabelle prüfen</translation>
     </message>
 </context>
 <context>
@@ -7678,6 +7810,14 @@
     <message>
         <source>left out: the grid is cropped</source>
         <translation>weggelassen: Das Gitter wird zugeschnitten</translation>
+    </message>
+    <message>
+        <source>spline (natural cubic)</source>
+        <translation>Spline (natürlich kubisch)</translation>
+    </message>
+    <message>
+        <source>without noise (smoothing spline)</source>
+        <translation>ohne Rauschen (Glättungsspline)</translation>
     </message>
 </context>
 <context>

@@ -54,6 +54,8 @@ constexpr std::array errorRows{
         AXISCOMP_TEXT("Error", "the TAM configuration {file} is wrong in line {line}: {reason}")},
     ErrorRow{ErrorCode::InvalidBackup, "InvalidBackup", ErrorClass::InputFile,
         AXISCOMP_TEXT("Error", "{file} is not a valid backup: {reason}")},
+    ErrorRow{ErrorCode::InvalidRecord, "InvalidRecord", ErrorClass::InputFile,
+        AXISCOMP_TEXT("Error", "{file} is not a valid record: {reason}")},
     ErrorRow{ErrorCode::UnknownFormat, "UnknownFormat", ErrorClass::Request,
         AXISCOMP_TEXT("Error", "the format of {file} is not known; name one of: {known}")},
     ErrorRow{ErrorCode::TableNotFound, "TableNotFound", ErrorClass::Request,

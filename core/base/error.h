@@ -29,6 +29,7 @@ enum class ErrorCode {
     InvalidProfile, ///< file, path (JSON path), reason
     InvalidConfiguration, ///< file, line, reason (TAM configuration)
     InvalidBackup, ///< file, reason
+    InvalidRecord, ///< file, reason (.axcal)
     UnknownFormat, ///< file, known
     TableNotFound, ///< table, known
     FormatAmbiguous, ///< file, candidates

@@ -2,6 +2,7 @@
 #include "core/conversion/axis_interpolant.h"
 
 #include "core/curve/cubic_curve.h"
+#include "core/curve/smoothing_spline.h"
 #include "core/neutral/table_motion.h"
 
 #include <algorithm>
@@ -49,6 +50,29 @@ void AxisInterpolant::load(const double* first, std::size_t stride, Line& line) 
         line.values.back() = line.values.front();
     if (m_method == ResamplingMethod::MonotoneCubic)
         line.slopes = monotoneSlopes(m_knots, line.values, m_wrap.has_value());
+    if (m_method == ResamplingMethod::SmoothingSpline)
+        smooth(line);
+    if (followsCurve(m_method))
+        line.slopes = splineSlopes(m_knots, line.values, m_wrap.has_value());
+}
+
+/// A smoothing spline is the natural spline through its own values at the knots.
+void AxisInterpolant::smooth(Line& line) const
+{
+    const std::size_t places = m_knots.size() - (m_wrap ? 1 : 0); // the last one is the first
+    const auto smoothed =
+        smoothingSpline({std::span(m_knots).first(places), std::span(line.values).first(places)},
+            {.smoothness = {}, .wrap = m_wrap, .periods = {}});
+    for (std::size_t i = 0; i < places; ++i)
+        line.values[i] =
+            smoothed ? smoothed->curve.at(m_knots[i]) : std::numeric_limits<double>::quiet_NaN();
+    if (m_wrap)
+        line.values.back() = line.values.front();
+}
+
+FittedCurve AxisInterpolant::curve(const Line& line) const
+{
+    return {{m_knots, line.values, line.slopes, m_wrap}, {}};
 }
 
 double AxisInterpolant::at(const Line& line, const Place& place) const
@@ -66,6 +90,8 @@ double AxisInterpolant::at(const Line& line, const Place& place) const
     const double end = width * line.slopes[place.knot + 1];
     const double value =
         from + t * (begin + t * (3.0 * rise - 2.0 * begin - end + t * (begin + end - 2.0 * rise)));
+    if (m_method != ResamplingMethod::MonotoneCubic)
+        return value;
     // rounding must not overshoot either
     return std::clamp(value, std::min(from, to), std::max(from, to));
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/conversion/resampling.h"
+#include "core/curve/fitted_curve.h"
 
 #include <span>
 
@@ -22,13 +23,17 @@ public:
     /// The values at the knots of one line, and what the method makes of them.
     struct Line {
         std::vector<double> values;
-        std::vector<double> slopes; ///< of MonotoneCubic
+        std::vector<double> slopes; ///< of curves
     };
     /// first: the line's first value; the others follow at distances of stride.
+    /// A line that cannot be smoothed becomes not-a-number.
     void load(const double* first, std::size_t stride, Line& line) const;
     [[nodiscard]] double at(const Line& line, const Place& place) const;
+    [[nodiscard]] FittedCurve curve(const Line& line) const;
 
 private:
+    void smooth(Line& line) const;
+
     std::size_t m_count; ///< of the axis's own knots
     std::vector<double> m_knots; ///< those of a modulo axis end with the first one again
     std::optional<double> m_wrap;

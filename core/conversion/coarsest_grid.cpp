@@ -2,6 +2,7 @@
 #include "core/conversion/axis_interpolant.h"
 #include "core/conversion/conversion_errors.h"
 #include "core/conversion/resampling.h"
+#include "core/curve/curve_grid.h"
 #include "core/neutral/table_motion.h"
 #include "core/table/position_unit.h"
 #include "core/text/number_text.h"
@@ -9,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace axiscomp {
 
@@ -192,12 +194,18 @@ public:
     }
 
     [[nodiscard]] Result<CoarsestGrid> run();
+    /// For methods that follow a curve.
+    [[nodiscard]] Result<CoarsestGrid> runAlongCurves() const;
 
 private:
     using Sizes = std::vector<std::size_t>;
     [[nodiscard]] std::size_t mostAlong(std::size_t axis) const;
     [[nodiscard]] static double countOf(const Sizes& sizes);
+    [[nodiscard]] std::vector<PlannedAxis> planOf(const Sizes& sizes) const;
     [[nodiscard]] Result<double> deviationOf(const Sizes& sizes) const;
+    [[nodiscard]] Result<std::size_t> fewestAlongCurves(std::size_t axis, double wanted) const;
+    /// The distance from the curves along each axis, in the unit of the first column.
+    [[nodiscard]] Result<std::vector<double>> distancesFromCurves(const Sizes& sizes) const;
     [[nodiscard]] Result<Sizes> fewestAlone() const;
     [[nodiscard]] Result<CoarsestGrid> refined(const Sizes& fewest) const;
     [[nodiscard]] Result<CoarsestGrid> reduced(CoarsestGrid grid) const;
@@ -229,14 +237,21 @@ double GridSearch::countOf(const Sizes& sizes)
     return count;
 }
 
-Result<double> GridSearch::deviationOf(const Sizes& sizes) const
+std::vector<PlannedAxis> GridSearch::planOf(const Sizes& sizes) const
 {
     std::vector<PlannedAxis> plan;
     for (std::size_t n = 0; n < sizes.size(); ++n) {
         const SourceAxis& axis = m_table.axes[n];
         plan.push_back(planPoints(axis, axis.knots.front(), endOf(axis), sizes[n]));
+        if (m_method == ResamplingMethod::SmoothingSpline)
+            plan.back().isKept = false;
     }
-    AXISCOMP_TRY(const auto resampled, resampleOnto(m_table, plan, m_method));
+    return plan;
+}
+
+Result<double> GridSearch::deviationOf(const Sizes& sizes) const
+{
+    AXISCOMP_TRY(const auto resampled, resampleOnto(m_table, planOf(sizes), m_method));
     double largest = 0.0;
     for (std::size_t i = 0; i < m_factors.size(); ++i)
         largest = std::max(largest, m_factors[i] * resampled.report.columns[i].largest);
@@ -326,6 +341,68 @@ Result<CoarsestGrid> GridSearch::reduced(CoarsestGrid grid) const
     return grid;
 }
 
+Result<std::size_t> GridSearch::fewestAlongCurves(std::size_t axis, double wanted) const
+{
+    const std::size_t stride = strideOf(m_table, axis);
+    const SourceAxis& source = m_table.axes[axis];
+    const AxisInterpolant interpolant(source, m_method);
+    AxisInterpolant::Line line;
+    std::size_t fewest = 2;
+    for (std::size_t i = 0; i < m_factors.size(); ++i) {
+        const CompensationColumn& column = m_table.columns[i];
+        for (std::size_t first = 0; first < column.values.size(); ++first) {
+            if (first / stride % source.knots.size() != 0)
+                continue;
+            interpolant.load(&column.values[first], stride, line);
+            const FittedCurve curve = interpolant.curve(line);
+            const double within = wanted / m_factors[i];
+            const double from = source.knots.front();
+            if (curveGrid(curve, from, endOf(source), fewest).largestDistance <= within)
+                continue;
+            AXISCOMP_TRY(const auto grid,
+                fewestCurvePoints(
+                    curve, from, endOf(source), within, mostAlong(axis), column.unit));
+            fewest = std::max(fewest, grid.points);
+        }
+    }
+    return fewest;
+}
+
+Result<std::vector<double>> GridSearch::distancesFromCurves(const Sizes& sizes) const
+{
+    AXISCOMP_TRY(const auto resampled, resampleOnto(m_table, planOf(sizes), m_method));
+    std::vector<double> distances(sizes.size(), 0.0);
+    for (std::size_t i = 0; i < m_factors.size(); ++i)
+        for (const ColumnDeviation::Density& density : resampled.report.columns[i].density)
+            distances[density.axis] =
+                std::max(distances[density.axis], m_factors[i] * density.largestDistance);
+    return distances;
+}
+
+Result<CoarsestGrid> GridSearch::runAlongCurves() const
+{
+    CoarsestGrid grid;
+    const double share = m_wanted / static_cast<double>(m_table.axes.size());
+    for (std::size_t n = 0; n < m_table.axes.size(); ++n) {
+        AXISCOMP_TRY(const auto fewest, fewestAlongCurves(n, share));
+        grid.points.push_back(fewest);
+    }
+    for (;;) {
+        if (countOf(grid.points) > static_cast<double>(m_limits.mostPoints))
+            return resamplingImpossible(AXISCOMP_TEXT("Error",
+                "a distance of {distance} from the curve takes at least {sizes} points, more than "
+                "allowed; allow more points or a larger distance")
+                                            .with("distance", quantity(m_wanted))
+                                            .with("sizes", sizeText(grid.points)));
+        AXISCOMP_TRY(const auto distances, distancesFromCurves(grid.points));
+        grid.deviation = std::accumulate(distances.begin(), distances.end(), 0.0);
+        if (grid.deviation <= m_wanted * roundedUp)
+            return grid;
+        ++grid.points[static_cast<std::size_t>(
+            std::ranges::max_element(distances) - distances.begin())];
+    }
+}
+
 Result<CoarsestGrid> GridSearch::run()
 {
     AXISCOMP_TRY(const auto fewest, fewestAlone());
@@ -356,7 +433,12 @@ Result<CoarsestGrid> coarsestGrid(
     if (isTooFew || limits.mostPoints < (std::size_t{1} << table.axes.size()))
         return invalidArgument(AXISCOMP_TEXT(
             "Error", "a grid has at least two points along each axis; allow as many"));
-    return GridSearch(table, deviation, method, limits).run();
+    GridSearch search(table, deviation, method, limits);
+    if (!followsCurve(method))
+        return search.run();
+    std::vector<PlannedAxis> plan(table.axes.size());
+    AXISCOMP_CHECK(checkMethod(table, plan, method));
+    return search.runAlongCurves();
 }
 
 } // namespace axiscomp

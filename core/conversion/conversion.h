@@ -32,6 +32,8 @@ struct ConversionRequest {
     std::optional<DirectionChoice> direction; ///< merges values of two directions of motion
     bool dropsWrap = false; ///< a modulo axis becomes a linear one
     std::variant<std::monostate, ResamplingRequest, WantedDeviation> resampling;
+    /// Of the axis, in positions per second, for the steps of its velocity that are told.
+    std::optional<double> speed;
     TableWriteOptions writing;
 };
 

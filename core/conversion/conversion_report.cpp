@@ -73,6 +73,27 @@ Text resamplingLine(const TableConversion& table, std::size_t column)
         .with("rms", amountOf(deviation.rms, unit));
 }
 
+/// Of a table that follows a curve, along one axis.
+Text densityLine(const TableConversion& table, std::size_t column,
+    const ColumnDeviation::Density& density, std::optional<double> speed)
+{
+    const std::string& unit = table.source.columns[column].unit;
+    const std::string& position = table.source.axes[density.axis].unit;
+    return (speed ? AXISCOMP_TEXT("Error",
+                "along {axis}, {points} points: at most {distance} from the curve; at a point its "
+                "slope changes by up to {slope}, which at {speed} is a step of the velocity of "
+                "{step}")
+                  : AXISCOMP_TEXT("Error",
+                      "along {axis}, {points} points: at most {distance} from the curve; at a "
+                      "point its slope changes by up to {slope}"))
+        .with("axis", axisText(table.source, density.axis))
+        .with("points", density.points)
+        .with("distance", amountOf(density.largestDistance, unit))
+        .with("slope", amountOf(density.largestSlopeChange, unit + "/" + position))
+        .with("speed", amountOf(speed.value_or(0.0), position + "/s"))
+        .with("step", amountOf(density.largestSlopeChange * speed.value_or(0.0), unit + "/s"));
+}
+
 Text directionLine(const TableConversion& table, const DirectionLoss& loss, DirectionChoice choice)
 {
     const CompensationColumn& column = table.result.columns[loss.column];
@@ -143,12 +164,20 @@ Text differenceLine(const TableConversion& table, const ColumnDifference& differ
         .with("difference", differenceOf(table, difference));
 }
 
+void addResampling(const TableConversion& table, std::size_t column, std::optional<double> speed,
+    std::vector<Text>& lines)
+{
+    lines.push_back(resamplingLine(table, column));
+    for (const ColumnDeviation::Density& density : table.resampling->columns[column].density)
+        lines.push_back(densityLine(table, column, density, speed));
+}
+
 void addTable(
     const TableConversion& table, const ConversionRequest& request, std::vector<Text>& lines)
 {
     lines.push_back(signLine(request, table.example));
     for (std::size_t n = 0; table.resampling && n < table.resampling->columns.size(); ++n)
-        lines.push_back(resamplingLine(table, n));
+        addResampling(table, n, request.speed, lines);
     for (const DirectionLoss& loss : table.directionLosses)
         lines.push_back(directionLine(table, loss, *request.direction));
     if (!isFloatRounding(table, request) || table.positionRounding > 0.0)

@@ -3,15 +3,19 @@
 #include "core/conversion/conversion_errors.h"
 
 #include "core/conversion/axis_interpolant.h"
+#include "core/curve/curve_grid.h"
 #include "core/neutral/table_motion.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
 namespace axiscomp {
 
 namespace {
+
+constexpr std::array<std::string_view, 4> methodNames{"linear", "cubic", "spline", "smooth"};
 
 /// Values over a grid of these sizes, the first axis fastest.
 struct Values {
@@ -50,6 +54,27 @@ void interpolateAlong(
     }
     data.values = std::move(made);
     data.sizes[axis] = places.size();
+}
+
+/// Of all lines along an axis, before they are interpolated.
+ColumnDeviation::Density densityAlong(
+    const Values& data, std::size_t axis, const AxisInterpolant& interpolant, const AxisGrid& grid)
+{
+    std::size_t stride = 1;
+    for (std::size_t n = 0; n < axis; ++n)
+        stride *= data.sizes[n];
+    const double to = grid.start + static_cast<double>(grid.size - 1) * grid.distance;
+    ColumnDeviation::Density density{axis, grid.size};
+    AxisInterpolant::Line line;
+    for (std::size_t first = 0; first < data.values.size(); ++first) {
+        if (first / stride % data.sizes[axis] != 0)
+            continue;
+        interpolant.load(&data.values[first], stride, line);
+        const CurveGrid made = curveGrid(interpolant.curve(line), grid.start, to, grid.size);
+        density.largestDistance = std::max(density.largestDistance, made.largestDistance);
+        density.largestSlopeChange = std::max(density.largestSlopeChange, made.largestSlopeChange);
+    }
+    return density;
 }
 
 std::vector<std::size_t> sizesOf(const NeutralTable& table)
@@ -132,6 +157,50 @@ void closeTurn(const SourceAxis& axis, const PlannedAxis& planned, SourceAxis& m
 
 } // namespace
 
+std::string_view resamplingMethodName(ResamplingMethod method)
+{
+    return methodNames[static_cast<std::size_t>(method)];
+}
+
+std::optional<ResamplingMethod> resamplingMethodNamed(std::string_view name)
+{
+    const auto found = std::ranges::find(methodNames, name);
+    if (found == methodNames.end())
+        return std::nullopt;
+    return static_cast<ResamplingMethod>(found - methodNames.begin());
+}
+
+bool followsCurve(ResamplingMethod method)
+{
+    return method == ResamplingMethod::NaturalSpline || method == ResamplingMethod::SmoothingSpline;
+}
+
+double ColumnDeviation::distanceFromCurve() const
+{
+    double sum = 0.0;
+    for (const Density& axis : density)
+        sum += axis.largestDistance;
+    return sum;
+}
+
+Result<void> checkMethod(
+    const NeutralTable& table, const std::vector<PlannedAxis>& plan, ResamplingMethod method)
+{
+    constexpr std::size_t fewest = 8; // of smoothingSpline
+    for (std::size_t n = 0; method == ResamplingMethod::SmoothingSpline && n < plan.size(); ++n) {
+        const SourceAxis& axis = table.axes[n];
+        const std::size_t places = axis.knots.size() - (isFullTurn(axis) ? 1 : 0);
+        if (!plan[n].isKept && places < fewest)
+            return resamplingImpossible(AXISCOMP_TEXT("Error",
+                "smoothing needs at least {fewest} positions along {axis}, which has {count}; take "
+                "the method spline or cubic")
+                                            .with("fewest", fewest)
+                                            .with("axis", axisText(table, n))
+                                            .with("count", places));
+    }
+    return {};
+}
+
 Result<void> checkResamplable(const NeutralTable& table)
 {
     if (auto fine = checkConsistent(table); !fine)
@@ -183,11 +252,17 @@ Result<ResampledTable> resampleOnto(
             result.report.remarks.push_back(plan[n].remark);
     }
     const bool isKept = std::ranges::all_of(plan, &PlannedAxis::isKept);
+    std::vector<std::vector<ColumnDeviation::Density>> densities;
     for (CompensationColumn& column : result.table.columns) {
         Values data{sizesOf(table), std::move(column.values)};
-        for (std::size_t n = 0; n < plan.size(); ++n)
-            if (!plan[n].isKept)
-                interpolateAlong(data, n, interpolants[n], places[n]);
+        densities.emplace_back();
+        for (std::size_t n = 0; n < plan.size(); ++n) {
+            if (plan[n].isKept)
+                continue;
+            if (followsCurve(method))
+                densities.back().push_back(densityAlong(data, n, interpolants[n], plan[n].grid));
+            interpolateAlong(data, n, interpolants[n], places[n]);
+        }
         column.values = std::move(data.values);
         if (!isKept)
             column.filled.clear(); // other points
@@ -198,6 +273,8 @@ Result<ResampledTable> resampleOnto(
                                                 .with("column", columnText(table, column)));
     }
     result.report.columns = deviationsOf(table, plan, result.table);
+    for (std::size_t i = 0; i < densities.size(); ++i)
+        result.report.columns[i].density = std::move(densities[i]);
     return result;
 }
 
@@ -213,6 +290,9 @@ Result<ResampledTable> resample(const NeutralTable& table, const ResamplingReque
     double points = 1.0;
     for (std::size_t n = 0; n < table.axes.size(); ++n) {
         AXISCOMP_TRY(auto planned, planAxis(table, n, request.axes[n], request.holdsEnds));
+        const bool isAsked = request.axes[n].points > 0 || request.axes[n].distance > 0.0;
+        if (isAsked && request.method == ResamplingMethod::SmoothingSpline)
+            planned.isKept = false; // the same positions, but smoothed
         points *= static_cast<double>(planned.grid.size);
         plan.push_back(std::move(planned));
     }
@@ -220,6 +300,7 @@ Result<ResampledTable> resample(const NeutralTable& table, const ResamplingReque
         return resamplingImpossible(AXISCOMP_TEXT(
             "Error", "the grid would have more than {count} points; take fewer along an axis")
                                         .with("count", mostGridPoints));
+    AXISCOMP_CHECK(checkMethod(table, plan, request.method));
     return resampleOnto(table, plan, request.method);
 }
 

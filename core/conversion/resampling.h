@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 namespace axiscomp {
@@ -15,7 +16,13 @@ enum class ResamplingMethod {
     Linear, ///< what controllers do
     MonotoneCubic, ///< PCHIP: smooth, through the knots, without overshoot (Fritsch and Carlson
                    ///< 1980, slopes of Fritsch and Butland 1984)
+    NaturalSpline, ///< natural cubic spline through the knots (AN140 5.2): smooth mechanics
+    SmoothingSpline, ///< near the knots, by generalised cross-validation: noise; 8 knots at least
 };
+[[nodiscard]] std::string_view resamplingMethodName(ResamplingMethod method); ///< "cubic"
+[[nodiscard]] std::optional<ResamplingMethod> resamplingMethodNamed(std::string_view name);
+/// Whether a curve is meant that a denser table follows more closely, rather than the knots.
+[[nodiscard]] bool followsCurve(ResamplingMethod method);
 
 /// One axis of an even grid: positions start + i * distance.
 struct AxisGrid {
@@ -46,9 +53,20 @@ struct ResamplingRequest {
 /// at the source's own knots within the wanted range. Where the grid ends before these, its end is
 /// held.
 struct ColumnDeviation {
+    /// Along one axis, for methods that follow a curve: the largest of all its lines.
+    struct Density {
+        std::size_t axis = 0;
+        std::size_t points = 0;
+        double largestDistance = 0.0; ///< from the curve, in the unit of the column
+        double largestSlopeChange = 0.0; ///< at a point, in the unit of the column per position
+    };
     double largest = 0.0; ///< in the unit of the column
     std::vector<double> position; ///< of the largest; empty: there is none
     double rms = 0.0;
+    std::vector<Density> density = {}; ///< of the axes that were resampled, in their order
+
+    /// Nowhere is the table further from the surface of all curves.
+    [[nodiscard]] double distanceFromCurve() const;
 };
 
 struct ResamplingReport {
@@ -93,6 +111,9 @@ struct CoarsestGrid {
 ///   all axes are refined in proportion, by a hundredth or the next point, until the deviation is
 ///   kept. Then axes lose points again, one by one, the axis with the fewest first, until no axis
 ///   can do with one less.
+/// For methods that follow a curve the deviation is the distance from it, everywhere between the
+/// ends: in 1D every number of points from 2 on is tried; in 2D and 3D each axis gets an equal
+/// share of the distance, and then points until the sum over all axes keeps it.
 /// deviation: >= 0, in the unit of the first column; columns with another unit of the same kind are
 /// converted, and those of unknown units taken as numbers. Errors: InvalidArgument;
 /// ResamplingImpossible when the limits do not suffice, with the deviation that is possible.
@@ -125,6 +146,10 @@ struct PlannedAxis {
 /// That the table is consistent and the values of modulo axes the same at both ends. Errors:
 /// InvalidArgument, ResamplingImpossible.
 [[nodiscard]] Result<void> checkResamplable(const NeutralTable& table);
+
+/// Errors: ResamplingImpossible for too few knots to be smoothed.
+[[nodiscard]] Result<void> checkMethod(
+    const NeutralTable& table, const std::vector<PlannedAxis>& plan, ResamplingMethod method);
 
 /// table: resamplable; plan: one for each axis. Errors: ResamplingImpossible (numbers too large).
 [[nodiscard]] Result<ResampledTable> resampleOnto(

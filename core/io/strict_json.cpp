@@ -260,6 +260,11 @@ bool JsonNode::isText() const
     return m_value != nullptr && m_value->is_string();
 }
 
+bool JsonNode::isNull() const
+{
+    return m_value != nullptr && m_value->is_null();
+}
+
 std::string_view JsonNode::textView() const
 {
     if (isText())
@@ -293,6 +298,44 @@ double JsonNode::number() const
         refuse(AXISCOMP_TEXT("Error", "a number is expected, not {found}")
                    .with("found", described(m_value)));
     return 0.0;
+}
+
+std::vector<double> JsonNode::numbers() const
+{
+    std::vector<double> result;
+    for (const auto& number : numbersOrNull())
+        result.push_back(number.value_or(0.0));
+    if (m_value != nullptr && m_value->is_array()) {
+        const auto hole = std::ranges::find_if(*m_value, &json::is_null);
+        if (hole != m_value->end())
+            static_cast<void>(element(hole - m_value->begin()).number());
+    }
+    return result;
+}
+
+std::vector<std::optional<double>> JsonNode::numbersOrNull() const
+{
+    std::vector<std::optional<double>> result;
+    if (m_value == nullptr || !m_value->is_array()) {
+        static_cast<void>(items());
+        return result;
+    }
+    result.reserve(m_value->size());
+    for (const json& item : *m_value) {
+        if (item.is_number())
+            result.emplace_back(item.get<double>());
+        else
+            result.emplace_back();
+        if (!item.is_number() && !item.is_null())
+            static_cast<void>(element(&item - &m_value->front()).number());
+    }
+    return result;
+}
+
+JsonNode JsonNode::element(std::ptrdiff_t index) const
+{
+    return {m_document, &(*m_value)[static_cast<std::size_t>(index)],
+        m_path + "[" + std::to_string(index) + "]"};
 }
 
 std::int64_t JsonNode::integerWithin(std::int64_t minimum, std::int64_t maximum) const

@@ -71,6 +71,8 @@ public:
     [[nodiscard]] std::string_view textView() const; ///< lives as long as the document
     [[nodiscard]] bool boolean() const;
     [[nodiscard]] double number() const;
+    [[nodiscard]] std::vector<double> numbers() const; ///< of a list
+    [[nodiscard]] std::vector<std::optional<double>> numbersOrNull() const; ///< of a list
     template <typename Integer>
     [[nodiscard]] Integer integer(Integer minimum = std::numeric_limits<Integer>::min(),
         Integer maximum = std::numeric_limits<Integer>::max()) const
@@ -80,6 +82,9 @@ public:
     }
 
     [[nodiscard]] bool isText() const;
+    [[nodiscard]] bool isNull() const; ///< null stands here
+    /// What stands here, of whatever kind. Null pointer: there was a problem on the way here.
+    [[nodiscard]] const nlohmann::json* value() const { return m_value; }
     /// Records a problem at this place, unless there is one already.
     void refuse(Text reason) const;
 
@@ -87,6 +92,7 @@ private:
     friend class StrictJson;
     JsonNode(StrictJson* document, const nlohmann::json* value, std::string path);
     [[nodiscard]] std::int64_t integerWithin(std::int64_t minimum, std::int64_t maximum) const;
+    [[nodiscard]] JsonNode element(std::ptrdiff_t index) const; ///< of a list that has it
     [[nodiscard]] std::string pathOf(std::string_view key) const;
 
     StrictJson* m_document;

@@ -130,6 +130,8 @@ struct Measurement {
     [[nodiscard]] int runCount(Approach direction) const;
     /// Values that are left out.
     [[nodiscard]] std::size_t excludedCount() const;
+
+    friend bool operator==(const Measurement&, const Measurement&) = default;
 };
 
 /// "mm" or "deg"

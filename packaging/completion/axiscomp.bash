@@ -7,7 +7,7 @@ _axiscomp_options()
     local drive="--drive --profile --trust-certificate --timeout"
     local conversion="--target --sign --direction --no-wrap --scale --offset --zero"
     local incomplete="--fill --crop --snap"
-    local grid="--points --distance --within --method --hold"
+    local grid="--points --distance --within --method --speed --hold"
     local measurement="--from --exclude --swap-directions --columns --skip-lines --unit --value-unit --values --direction-from --invert-reference --overrun"
     local correction="--temperature --expansion --reference-temperature --reference-expansion --datum --not-corrected"
     case $1 in
@@ -20,7 +20,8 @@ _axiscomp_options()
         targets) echo "--help --json --from --to --count --spacing --period --cycles --seed --overrun --feed --dwell --axis --unit --dialect --output" ;;
         runs) echo "--help --json --output $measurement" ;;
         judge) echo "--help --json --tolerance --uncertainty --outliers --period --vdi $correction $measurement" ;;
-        fit) echo "--help --json $drive --axis --output --to --table --accept-large --target --to-sign --set-out $grid --smoothness --period --harmonics --turn --direction --speed --zero --home --remove-slope --remove-drift --lookup-at --measured-with --onto --gain --remove --fill --robust --tolerance --uncertainty $correction $measurement" ;;
+        fit) echo "--help --json $drive --axis --output --to --table --accept-large --target --to-sign --set-out $grid --smoothness --period --harmonics --turn --direction --zero --home --remove-slope --remove-drift --lookup-at --measured-with --onto --gain --remove --fill --robust --tolerance --uncertainty $correction $measurement" ;;
+        compare) echo "--help --json --record --measured-with --keep --tolerance --uncertainty ${measurement/--exclude /}" ;;
         axes) echo "--help --json --find --any-baud --network $drive" ;;
         files) echo "--help --json $drive" ;;
         status) echo "--help --json $drive --axis --reset-flash-count" ;;
@@ -38,7 +39,7 @@ _axiscomp_options()
     esac
 }
 
-_axiscomp_commands="example inspect convert lookup formats targets runs judge fit axes status write persist unpersist delete evaluate activate deactivate read files upload download monitor backup restore recover config"
+_axiscomp_commands="example inspect convert lookup formats targets runs judge fit compare axes status write persist unpersist delete evaluate activate deactivate read files upload download monitor backup restore recover config"
 
 _axiscomp_formats="csv tamtbl aerotech-1d aerotech-2d icube isg-crosscomp isg-crosscomp2 isg-ssfk klipper linuxcnc pmac-1d pmac-2d rapidcode rapidcode-header siemens-cec siemens-eec reprap softmc softmc-basic"
 
@@ -81,7 +82,7 @@ _axiscomp()
                 _filedir TAMcfg
                 return
             fi
-            if [[ $command == runs || $command == judge || $command == fit ]]; then
+            if [[ $command == runs || $command == judge || $command == fit || $command == compare ]]; then
                 COMPREPLY=($(compgen -W "$_axiscomp_measurements" -- "$cur"))
                 return
             fi
@@ -103,7 +104,7 @@ _axiscomp()
             if [[ $command == fit ]]; then
                 COMPREPLY=($(compgen -W "linear cubic spline smooth harmonic" -- "$cur"))
             else
-                COMPREPLY=($(compgen -W "linear cubic" -- "$cur"))
+                COMPREPLY=($(compgen -W "linear cubic spline smooth" -- "$cur"))
             fi
             return ;;
         --remove) COMPREPLY=($(compgen -W "rigid rigid:X scale" -- "$cur")); return ;;
@@ -113,7 +114,15 @@ _axiscomp()
         --zero)
             [[ $command == fit ]] && COMPREPLY=($(compgen -W "home first mean keep" -- "$cur"))
             return ;;
-        --measured-with) COMPREPLY=($(compgen -W "off on" -- "$cur")); _filedir; return ;;
+        --measured-with)
+            if [[ $command == compare ]]; then
+                COMPREPLY=($(compgen -W "on" -- "$cur"))
+            else
+                COMPREPLY=($(compgen -W "off on" -- "$cur"))
+                _filedir
+            fi
+            return ;;
+        --record) _filedir axcal; return ;;
         --onto) COMPREPLY=($(compgen -W "drive" -- "$cur")); _filedir; return ;;
         --to)
             if [[ $command == upload ]]; then
@@ -146,7 +155,7 @@ _axiscomp()
         COMPREPLY=($(compgen -W "$(_axiscomp_paths)" -- "$cur"))
     else
         case $command in
-            inspect | convert | lookup | runs | judge | fit | upload | restore) _filedir ;;
+            inspect | convert | lookup | runs | judge | fit | compare | upload | restore) _filedir ;;
             config)
                 _filedir TAMcfg
                 [[ $prev == config ]] && COMPREPLY=($(compgen -W "show export import" -- "$cur"))

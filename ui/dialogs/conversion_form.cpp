@@ -83,7 +83,7 @@ ConversionForm::ConversionForm(Purpose purpose, QWidget* parent)
     , m_snap(new QLineEdit)
     , m_grid(combo("gridField", 4))
     , m_number(new QLineEdit)
-    , m_method(combo("methodField", 2))
+    , m_method(combo("methodField", 4))
     , m_holds(new QCheckBox)
     , m_settings(new SettingFields(*m_form, 1, purpose == Purpose::Export, this))
 {
@@ -363,6 +363,8 @@ void ConversionForm::fillItems()
     m_grid->setItemText(3, tr("coarsest within a deviation"));
     m_method->setItemText(0, tr("linear, as controllers do"));
     m_method->setItemText(1, tr("smooth (monotone cubic)"));
+    m_method->setItemText(2, tr("spline (natural cubic)"));
+    m_method->setItemText(3, tr("without noise (smoothing spline)"));
 }
 
 void ConversionForm::nameNumber()

@@ -22,6 +22,7 @@ CommandLine::CommandLine()
     addRunsCommand(*this);
     addJudgeCommand(*this);
     addFitCommand(*this);
+    addCompareCommand(*this);
     addAxesCommand(*this);
     addStatusCommand(*this);
     addWriteCommand(*this);

@@ -51,6 +51,7 @@ void addTargetsCommand(CommandLine& line);
 void addRunsCommand(CommandLine& line);
 void addJudgeCommand(CommandLine& line);
 void addFitCommand(CommandLine& line);
+void addCompareCommand(CommandLine& line);
 void addAxesCommand(CommandLine& line);
 void addStatusCommand(CommandLine& line);
 void addWriteCommand(CommandLine& line);

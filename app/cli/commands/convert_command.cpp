@@ -162,15 +162,31 @@ Result<std::vector<NeutralTable>> chosenColumns(
     return whole;
 }
 
-Json conversionJson(const TableConversion& table)
+/// Along each axis of a table that follows a curve.
+Json densityJson(const ColumnDeviation& column, std::optional<double> speed)
+{
+    Json list = Json::array();
+    for (const ColumnDeviation::Density& density : column.density)
+        list.push_back({{"axis", density.axis + 1}, {"points", density.points},
+            {"largestDistance", density.largestDistance},
+            {"largestSlopeChange", density.largestSlopeChange},
+            {"velocityStep", speed ? Json(density.largestSlopeChange * *speed) : Json(nullptr)}});
+    return list;
+}
+
+Json conversionJson(const TableConversion& table, std::optional<double> speed)
 {
     Json columns = Json::array();
     for (const ColumnDifference& difference : table.difference.columns)
         columns.push_back({{"largestDifference", difference.largest}, {"where", difference.where},
             {"largestInside", difference.largestInside}});
+    Json densities = Json::array();
+    if (table.resampling)
+        for (const ColumnDeviation& column : table.resampling->columns)
+            densities.push_back(densityJson(column, speed));
     return {{"points", table.result.pointCount()}, {"columns", std::move(columns)},
-        {"valueRounding", table.valueRounding}, {"positionRounding", table.positionRounding},
-        {"example", table.example.english()}};
+        {"density", std::move(densities)}, {"valueRounding", table.valueRounding},
+        {"positionRounding", table.positionRounding}, {"example", table.example.english()}};
 }
 
 /// Between the formats of two controllers, or with a change of the numbers.
@@ -202,7 +218,7 @@ Result<ExitCode> convertOther(Environment& environment, const ConvertOptions& op
     const std::vector<std::string> report = englishOf(conversionReport(conversion, request));
     Json results = Json::array();
     for (const TableConversion& table : conversion.tables)
-        results.push_back(conversionJson(table));
+        results.push_back(conversionJson(table, request.speed));
     environment.document({{"input", options.input.file}, {"output", options.output},
         {"from", input.format->facts.name}, {"to", to.facts.name}, {"tables", std::move(results)},
         {"report", report}, {"bytes", bytes.size()}});
@@ -277,7 +293,8 @@ void addConvertCommand(CommandLine& line)
         "Examples:\n"
         "  axiscomp convert x.csv x.TAMtbl --dims 1 --table 2 --persistent\n"
         "  axiscomp convert x.csv x.txt --dims 1 --to softmc\n"
-        "  axiscomp convert measured.csv even.csv --dims 1 --within 0.1 --method cubic");
+        "  axiscomp convert measured.csv even.csv --dims 1 --within 0.1 --method cubic\n"
+        "  axiscomp convert x.csv dense.csv --dims 1 --within 0.01 --method spline --speed 100");
 }
 
 } // namespace axiscomp::app

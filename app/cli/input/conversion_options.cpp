@@ -50,11 +50,15 @@ Result<std::vector<Number>> perAxis(const std::vector<Number>& given, std::size_
         command);
 }
 
+ResamplingMethod methodOf(const ConversionOptions& options)
+{
+    return resamplingMethodNamed(options.method).value_or(ResamplingMethod::Linear);
+}
+
 Result<ResamplingRequest> gridRequest(const ConversionOptions& options, std::size_t dimensions)
 {
     ResamplingRequest request;
-    request.method =
-        options.method == "cubic" ? ResamplingMethod::MonotoneCubic : ResamplingMethod::Linear;
+    request.method = methodOf(options);
     request.holdsEnds = options.holdsEnds;
     request.axes.resize(dimensions);
     if (!options.points.empty()) {
@@ -150,9 +154,17 @@ void addResamplingOptions(CLI::App& command, ConversionOptions& options)
         ->group(group);
     command
         .add_option("--method", options.method,
-            "Interpolation between points: linear (the default) or cubic (monotone)")
+            "Between the points of the source: linear (the default), cubic (monotone), spline "
+            "(natural cubic) or smooth (smoothing spline)")
         ->option_text("METHOD")
-        ->check(CLI::IsMember(std::vector<std::string>{"linear", "cubic"}))
+        ->check(CLI::IsMember(std::vector<std::string>{"linear", "cubic", "spline", "smooth"}))
+        ->group(group);
+    command
+        .add_option("--speed", options.speed,
+            "Speed of the axis in positions per second: says the steps of the velocity that are "
+            "left with spline and smooth")
+        ->option_text("SPEED")
+        ->check(CLI::PositiveNumber.description(""))
         ->group(group);
     command
         .add_flag("--hold", options.holdsEnds,
@@ -188,10 +200,13 @@ Result<ConversionRequest> conversionRequest(const ConversionOptions& options,
     request.adjustment = options.adjustment;
     request.direction = directionOf(options.direction);
     request.dropsWrap = options.dropsWrap;
+    request.speed = options.speed;
+    if (!options.resamples() && (options.method != "linear" || options.speed))
+        return wrongUsage("--method and --speed belong to an even grid: give --points, --distance "
+                          "or --within",
+            options.command);
     if (options.within) {
-        const bool isCubic = options.method == "cubic";
-        request.resampling = WantedDeviation{
-            *options.within, isCubic ? ResamplingMethod::MonotoneCubic : ResamplingMethod::Linear};
+        request.resampling = WantedDeviation{*options.within, methodOf(options)};
     } else if (options.resamples()) {
         AXISCOMP_TRY(auto grid, gridRequest(options, dimensions));
         request.resampling = std::move(grid);

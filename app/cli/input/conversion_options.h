@@ -24,6 +24,7 @@ struct ConversionOptions {
     std::vector<double> distances; ///< likewise
     std::optional<double> within; ///< the deviation to keep
     std::string method = "linear";
+    std::optional<double> speed; ///< in positions per second
     bool holdsEnds = false; ///< a grid may go beyond the data
     bool dropsWrap = false;
     Adjustment adjustment;
@@ -37,7 +38,8 @@ struct ConversionOptions {
     [[nodiscard]] bool isAnything() const
     {
         return resamples() || adjustment != Adjustment{} || !sign.empty() || !toSign.empty()
-            || !targets.empty() || !direction.empty() || dropsWrap || !settings.empty();
+            || !targets.empty() || !direction.empty() || dropsWrap || !settings.empty()
+            || method != "linear" || speed.has_value();
     }
 };
 

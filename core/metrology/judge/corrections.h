@@ -21,6 +21,8 @@ struct TemperatureCorrection {
     std::optional<double> datum =
         {}; ///< position that does not move, in mm; nothing: the first target
     bool isConfirmed = false; ///< the user says that the values are not corrected yet
+
+    friend bool operator==(const TemperatureCorrection&, const TemperatureCorrection&) = default;
 };
 
 /// As it would be at 20 deg C: positions from the datum are multiplied by
@@ -35,6 +37,8 @@ struct AirState {
     double pressureKilopascal = 101.325;
     double celsius = 20.0;
     double humidityPercent = 50.0;
+
+    friend bool operator==(const AirState&, const AirState&) = default;
 };
 /// n = 1 + 7.86e-4 p / (273 + t) - 1.5e-11 h (t^2 + 160): the shop-floor formula of NIST's
 /// Engineering Metrology Toolbox, appendix B.
@@ -44,6 +48,8 @@ struct DeadPathCorrection {
     double lengthMm = 0.0; ///< between the interferometer and the reflector at the zero setting
     AirState atZero = {}; ///< when the instrument was set to zero
     std::map<std::pair<Approach, int>, AirState> duringRun = {}; ///< of each direction and run
+
+    friend bool operator==(const DeadPathCorrection&, const DeadPathCorrection&) = default;
 };
 /// Adds -D (n_j / n_0 - 1) to each deviation of run j, for an axis that moves away from the
 /// interferometer. Errors: InvalidArgument for angles, and for a run whose air is not known.

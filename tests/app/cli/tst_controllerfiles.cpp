@@ -198,6 +198,44 @@ private Q_SLOTS:
             run.json().value("tables").toArray().at(0).toObject().value("points").toInt(), points);
     }
 
+    void aDenserTableSaysWhatIsLeftOfTheCurve()
+    {
+        const Sandbox box;
+        box.file("uneven.csv", unevenError);
+        const QStringList words{"convert", "uneven.csv", "dense.csv", "--dims", "1", "--within",
+            "0.001", "--method", "spline", "--speed", "100"};
+        const ProgramRun run = box.run(words + QStringList{"--json"});
+        VERIFY_CODE(run, 0);
+        const QJsonObject table = run.json().value("tables").toArray().at(0).toObject();
+        const QJsonObject density =
+            table.value("density").toArray().at(0).toArray().at(0).toObject();
+        QCOMPARE(density.keys(),
+            (QStringList{
+                "axis", "largestDistance", "largestSlopeChange", "points", "velocityStep"}));
+        QCOMPARE(density.value("points").toInt(), table.value("points").toInt());
+        QVERIFY(density.value("largestDistance").toDouble() <= 0.001);
+        QCOMPARE(density.value("velocityStep").toDouble(),
+            100.0 * density.value("largestSlopeChange").toDouble());
+        const ProgramRun text = box.run(words);
+        VERIFY_CODE(text, 0);
+        QVERIFY2(text.out.contains("from the curve; at a point its slope changes by up to")
+                && text.out.contains("which at 100 mm/s is a step of the velocity of"),
+            text.out.constData());
+    }
+
+    void aMethodWithoutAGridIsRefused()
+    {
+        const Sandbox box;
+        box.file("x.csv", "X,A\n0,1\n1,2\n3,1\n");
+        for (const QStringList& options :
+            {QStringList{"--method", "spline"}, QStringList{"--speed", "10"}}) {
+            const ProgramRun run =
+                box.run(QStringList{"convert", "x.csv", "y.csv", "--dims", "1"} + options);
+            VERIFY_CODE(run, 2);
+            QVERIFY(!QFile::exists(box.path("y.csv")));
+        }
+    }
+
     void aTextThatIsNoTableIsNotRecognised()
     {
         const Sandbox box;

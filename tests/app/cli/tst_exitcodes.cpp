@@ -31,6 +31,7 @@ const std::map<ErrorCode, int> expectedCodes{
     {ErrorCode::InvalidProfile, 3},
     {ErrorCode::InvalidConfiguration, 3},
     {ErrorCode::InvalidBackup, 3},
+    {ErrorCode::InvalidRecord, 3},
     {ErrorCode::UnknownFormat, 2},
     {ErrorCode::FormatAmbiguous, 2},
     {ErrorCode::FormatCannotHold, 2},

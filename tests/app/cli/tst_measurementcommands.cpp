@@ -6,6 +6,8 @@
 
 #include <QFile>
 #include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QTest>
 
 namespace tst_measurementcommands {
@@ -31,6 +33,75 @@ class tst_MeasurementCommands : public QObject {
 
 private Q_SLOTS:
     void init() { test::failOnWarnings(); }
+
+    void aComparisonHasEveryKeyOfTheDocumentation()
+    {
+        const Sandbox box;
+        const ProgramRun run = box.run({"compare", publicFile("b02_x.csv"), publicFile("b02_x.csv"),
+            "--tolerance", "A=150um,R=50um", "--json"});
+        VERIFY_CODE(run, 8); // R is 55.2 um
+        const QJsonObject json = run.json();
+        QCOMPARE(json.keys(),
+            (QStringList{"after", "asPredicted", "before", "heldOut", "hints", "largestAsPredicted",
+                "predicted", "residual", "source", "uncertainty", "unit", "verdict", "warnings"}));
+        QVERIFY(std::abs(json.value("after").toObject().value("A").toDouble() - 0.1352711) < 1e-6);
+        QCOMPARE(json.value("residual").toArray().size(), 9);
+        QVERIFY(json.value("asPredicted").isNull());
+        QCOMPARE(
+            json.value("hints").toArray().at(0).toObject().value("name").toString(), "NotActive");
+        QCOMPARE(
+            json.value("verdict").toArray().at(1).toObject().value("result").toString(), "failed");
+    }
+
+    void aRecordSaysWhatWasPromisedAndKeepsWhatCameOfIt()
+    {
+        const Sandbox box;
+        const QByteArray record = R"({"format": "axiscomp-record", "version": 1, "later": {"a": 1},
+            "write": {"time": "2026-11-21T09:00:00Z", "slot": "Small1", "persistent": true,
+            "crc32": "1c291ca3"}, "prediction": {"before": {}, "predicted": {"M": 0.001}, "heldOut":
+            {"rms": 1, "largest": 1, "M": 0.001, "targets": [], "residuals": []}}})";
+        box.file("x.axcal", record);
+        box.file("before.csv", small);
+        box.file("after.csv",
+            "// compensation: crc:1c291ca3\ntarget [mm],direction,run,deviation [um]\n0,+,1,0.1\n"
+            "10,+,1,0.2\n10,-,1,0.3\n0,-,1,0.4\n");
+        const QStringList words{"compare", "before.csv", "after.csv", "--record", "x.axcal"};
+        const ProgramRun off =
+            box.run({"compare", "after.csv", "before.csv", "--record", "x.axcal"});
+        VERIFY_CODE(off, 2);
+        QVERIFY2(off.err.contains("error: MeasurementState: "), off.err.constData());
+        VERIFY_CODE(box.run({"compare", "after.csv", "before.csv", "--record", "x.axcal",
+                        "--measured-with", "on"}),
+            0);
+        const ProgramRun run = box.run(words + QStringList{"--keep", "--json"});
+        VERIFY_CODE(run, 0);
+        QCOMPARE(run.json().value("asPredicted").toBool(), true);
+        QCOMPARE(run.json().value("predicted").toObject().value("M").toDouble(), 0.001);
+        QFile kept(box.path("x.axcal"));
+        QVERIFY(kept.open(QIODevice::ReadOnly));
+        const QJsonObject json = QJsonDocument::fromJson(kept.readAll()).object();
+        QCOMPARE(json.value("later").toObject().value("a").toInt(), 1);
+        const QJsonObject after = json.value("after").toArray().at(0).toObject();
+        QCOMPARE(after.value("asPredicted").toBool(), true);
+        QCOMPARE(after.value("measurement")
+                     .toObject()
+                     .value("files")
+                     .toArray()
+                     .at(0)
+                     .toObject()
+                     .value("file")
+                     .toString(),
+            "after.csv");
+        const ProgramRun text = box.run(words);
+        VERIFY_CODE(text, 0);
+        QVERIFY2(text.out.contains("As predicted: M is"), text.out.constData());
+        VERIFY_CODE(box.run({"compare", "before.csv", "after.csv", "--keep"}), 2);
+        box.file("new.axcal", R"({"format": "axiscomp-record", "version": 9})");
+        const ProgramRun newer =
+            box.run({"compare", "before.csv", "after.csv", "--record", "new.axcal"});
+        VERIFY_CODE(newer, 3);
+        QVERIFY2(newer.err.contains("error: InvalidRecord: "), newer.err.constData());
+    }
 
     void aJudgementHasEveryKeyOfTheDocumentation()
     {

@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/metrology/record/comparison.h"
+
+#include "core/curve/smoothing_spline.h"
+#include "core/store/backup_json.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace axiscomp {
+
+namespace {
+
+using Numbers = std::vector<double>;
+
+auto wrongStateAfter(Text reason)
+{
+    return fail(ErrorCode::MeasurementState, {{"reason", std::move(reason)}});
+}
+
+/// Whether the second measurement was made with the table active.
+Result<void> checkStateAfter(const Measurement& after, const ComparisonRequest& request)
+{
+    if (!request.tableCrc)
+        return {};
+    const MeasuredState& state = after.header.compensation;
+    const std::string crc = crcText(*request.tableCrc);
+    if (state.kind == MeasuredState::Kind::Off)
+        return wrongStateAfter(AXISCOMP_TEXT("Error",
+            "the second measurement was made with the compensation off; activate the table {crc} "
+            "and measure again")
+                                   .with("crc", crc));
+    if (state.tableCrc && *state.tableCrc != *request.tableCrc)
+        return wrongStateAfter(AXISCOMP_TEXT("Error",
+            "the second measurement was made with the table {found} active, and the record has the "
+            "table {crc}; activate that one and measure again, or take the record of {found}")
+                                   .with("found", crcText(*state.tableCrc))
+                                   .with("crc", crc));
+    if (!state.tableCrc && !request.isTableStated)
+        return wrongStateAfter(AXISCOMP_TEXT("Error",
+            "the second measurement does not say which table was active while it was made; if it "
+            "was the table {crc}, say it with --measured-with on")
+                                   .with("crc", crc));
+    return {};
+}
+
+std::optional<double> squaredError(const DirectionFigures& figures)
+{
+    if (!figures.s)
+        return std::nullopt;
+    return *figures.s * *figures.s / static_cast<double>(figures.n);
+}
+
+/// The mean of both directions, or of the one that there is.
+RemainingError remainingAt(const TargetFigures& target)
+{
+    RemainingError error{target.position};
+    const auto up = squaredError(target.up);
+    const auto down = squaredError(target.down);
+    if (target.mean) {
+        error.value = *target.mean;
+        if (up && down)
+            error.standardError = 0.5 * std::sqrt(*up + *down);
+        return error;
+    }
+    error.value = target.up.mean ? *target.up.mean : target.down.mean.value_or(0.0);
+    const auto& only = target.up.mean ? up : down;
+    if (only)
+        error.standardError = std::sqrt(*only);
+    return error;
+}
+
+std::vector<RemainingError> remainingErrors(const Iso230Figures& figures)
+{
+    std::vector<RemainingError> errors;
+    for (const TargetFigures& target : figures.targets)
+        errors.push_back(remainingAt(target));
+    return errors;
+}
+
+/// 2 s / sqrt(2 n), of the pooled standard deviation; 0 when there is none.
+double scatterOfMeans(const Iso230Figures& figures)
+{
+    double squares = 0.0;
+    double degrees = 0.0;
+    std::size_t fewest = 0;
+    for (const TargetFigures& target : figures.targets)
+        for (const DirectionFigures* direction : {&target.up, &target.down}) {
+            if (!direction->s)
+                continue;
+            const double freedom = static_cast<double>(direction->n) - 1.0;
+            squares += freedom * *direction->s * *direction->s;
+            degrees += freedom;
+            fewest = fewest == 0 ? direction->n : std::min(fewest, direction->n);
+        }
+    return degrees > 0.0 ? 2.0 * std::sqrt(squares / degrees / (2.0 * static_cast<double>(fewest)))
+                         : 0.0;
+}
+
+void centre(Numbers& values)
+{
+    double sum = 0.0;
+    for (const double value : values)
+        sum += value;
+    for (double& value : values)
+        value -= sum / static_cast<double>(values.size());
+}
+
+double product(const Numbers& a, const Numbers& b)
+{
+    double sum = 0.0;
+    for (std::size_t i = 0; i < a.size(); ++i)
+        sum += a[i] * b[i];
+    return sum;
+}
+
+/// How well one curve is a multiple of another; both about their means.
+struct Likeness {
+    double factor = 0.0; ///< least squares
+    double correlation = 0.0; ///< -1 to 1
+};
+
+Likeness likenessOf(const Numbers& curve, const Numbers& pattern)
+{
+    const double size = product(pattern, pattern);
+    const double own = product(curve, curve);
+    if (!(size > 0.0 && own > 0.0))
+        return {};
+    const double common = product(curve, pattern);
+    return {common / size, common / std::sqrt(size * own)};
+}
+
+/// What is left, and what it is compared with, at the targets that lie within the first ones.
+struct ErrorCurves {
+    Numbers residual;
+    Numbers before;
+    Numbers slope;
+};
+
+ErrorCurves errorCurves(const Iso230Figures& before, const std::vector<RemainingError>& residual)
+{
+    Numbers knots;
+    Numbers means;
+    for (const RemainingError& error : remainingErrors(before)) {
+        knots.push_back(error.position);
+        means.push_back(error.value);
+    }
+    ErrorCurves curves;
+    const auto spline = interpolatingSpline({knots, means});
+    if (!spline)
+        return curves;
+    const double step = 1e-4 * (knots.back() - knots.front());
+    for (const RemainingError& error : residual) {
+        const double x = error.position;
+        if (x < knots.front() || x > knots.back())
+            continue;
+        const double low = std::max(x - step, knots.front());
+        const double high = std::min(x + step, knots.back());
+        curves.residual.push_back(error.value);
+        curves.before.push_back(spline->at(x));
+        curves.slope.push_back((spline->at(high) - spline->at(low)) / (high - low));
+    }
+    for (Numbers* curve : {&curves.residual, &curves.before, &curves.slope})
+        if (!curve->empty())
+            centre(*curve);
+    return curves;
+}
+
+/// Two digits: what is said only points somewhere.
+std::string about(double value)
+{
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%.2g", value);
+    return text.data();
+}
+
+ComparisonHint scaleHint(double factor)
+{
+    constexpr double tolerance = 0.25;
+    if (std::abs(factor - 2.0) <= tolerance)
+        return {"Sign",
+            AXISCOMP_TEXT("Measurement",
+                "the error is {factor} times what it was before: the table has the wrong sign")
+                .with("factor", about(factor))};
+    if (std::abs(factor - 1.0) <= 0.1)
+        return {"NotActive",
+            AXISCOMP_TEXT("Measurement",
+                "the error is the same as before: the compensation was not active, or another "
+                "axis was measured")};
+    return {"Scale",
+        AXISCOMP_TEXT("Measurement",
+            "what is left is {factor} times the error before: the table adds {share} times what it "
+            "should; look at the units of measurement and table")
+            .with("factor", about(factor))
+            .with("share", about(1.0 - factor))};
+}
+
+std::vector<ComparisonHint> hintsOf(const ErrorCurves& curves, bool isAngular)
+{
+    constexpr std::size_t fewestTargets = 4;
+    constexpr double alike = 0.9;
+    const ComparisonHint other{"OtherState",
+        AXISCOMP_TEXT("Measurement",
+            "what is left resembles neither the error before nor its slope: the machine was in "
+            "another state, such as another temperature or load, or it is another axis")};
+    if (curves.residual.size() < fewestTargets)
+        return {other};
+    const Likeness error = likenessOf(curves.residual, curves.before);
+    const Likeness slope = likenessOf(curves.residual, curves.slope);
+    if (std::max(std::abs(error.correlation), std::abs(slope.correlation)) < alike)
+        return {other};
+    if (std::abs(error.correlation) >= std::abs(slope.correlation))
+        return {scaleHint(error.factor)};
+    return {{"Shifted",
+        AXISCOMP_TEXT("Measurement",
+            "what is left follows the slope of the error before: the table is shifted by about "
+            "{shift} against the axis; look at the home position and the source of the table")
+            .with("shift", Quantity{about(slope.factor), isAngular ? "deg" : "mm"})}};
+}
+
+void judgePrediction(Comparison& comparison, const ComparisonRequest& request)
+{
+    constexpr double allowance = 1.2;
+    const auto& spread = comparison.after[Iso230Figure::M].value;
+    if (!request.heldOut || !spread)
+        return;
+    comparison.largestAsPredicted = allowance * request.heldOut->range
+        + std::max(request.uncertainty.value_or(0.0), scatterOfMeans(comparison.after));
+    comparison.isAsPredicted = *spread <= *comparison.largestAsPredicted;
+}
+
+bool isSuspicious(const Comparison& comparison)
+{
+    if (comparison.isAsPredicted)
+        return !*comparison.isAsPredicted;
+    const auto& before = comparison.before[Iso230Figure::M].value;
+    const auto& after = comparison.after[Iso230Figure::M].value;
+    return before && after && *after >= *before;
+}
+
+} // namespace
+
+bool Comparison::isWithinTolerances() const
+{
+    return std::ranges::all_of(
+        verdicts, [](const Verdict& verdict) { return verdict.result == VerdictResult::Passed; });
+}
+
+ComparisonRequest comparisonRequest(const CalibrationRecord& record)
+{
+    ComparisonRequest request;
+    if (record.prediction) {
+        request.predicted = record.prediction->predicted;
+        request.heldOut = record.prediction->heldOut;
+    }
+    if (!record.tables.empty())
+        request.tableCrc = record.tables.front().crc;
+    if (record.write)
+        request.tableCrc = record.write->crc;
+    if (record.fit) {
+        request.tolerances = record.fit->settings.tolerances;
+        request.uncertainty = record.fit->settings.uncertainty;
+    }
+    return request;
+}
+
+Result<Comparison> compareMeasurements(
+    const Measurement& before, const Measurement& after, const ComparisonRequest& request)
+{
+    if (!before.hasTargets() || !after.hasTargets())
+        return fail(ErrorCode::InvalidArgument,
+            {{"reason",
+                AXISCOMP_TEXT("Error", "only measurements of runs over targets are compared")}});
+    if (before.isAngular != after.isAngular)
+        return fail(ErrorCode::InvalidArgument,
+            {{"reason",
+                AXISCOMP_TEXT("Error",
+                    "one measurement is of lengths and the other of angles; they are not of the "
+                    "same axis")}});
+    AXISCOMP_CHECK(checkStateAfter(after, request));
+    Comparison comparison{
+        iso230Figures(before), request.predicted, request.heldOut, iso230Figures(after), {}};
+    comparison.residual = remainingErrors(comparison.after);
+    judgePrediction(comparison, request);
+    if (isSuspicious(comparison))
+        comparison.hints =
+            hintsOf(errorCurves(comparison.before, comparison.residual), after.isAngular);
+    comparison.verdicts = verdicts(comparison.after, request.tolerances, request.uncertainty);
+    return comparison;
+}
+
+} // namespace axiscomp

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/metrology/record/calibration_record.h"
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace axiscomp {
+
+// Before and after a compensation: whether the machine became as good as was promised, and if not,
+// what to look at. Positions and values in mm or deg.
+
+/// What was promised, and what decides.
+struct ComparisonRequest {
+    std::optional<FigureValues> predicted = {};
+    std::optional<HeldOut> heldOut = {};
+    std::optional<std::uint32_t> tableCrc = {}; ///< of the table that is compared
+    /// A person says that this table was active, where the second measurement does not say it.
+    bool isTableStated = false;
+    std::vector<Tolerance> tolerances = {};
+    std::optional<double> uncertainty = {}; ///< U with k = 2
+};
+/// What a record says: its prediction, its table, and the tolerances of its fit.
+[[nodiscard]] ComparisonRequest comparisonRequest(const CalibrationRecord& record);
+
+/// What is left of the error at a target.
+struct RemainingError {
+    double position = 0.0;
+    double value = 0.0; ///< mean of the directions that there are
+    std::optional<double> standardError = {}; ///< of the mean; nothing with a single value
+};
+
+/// What to look at when the machine is not as promised.
+struct ComparisonHint {
+    std::string_view name; ///< "Sign", "Scale", "Shifted", "NotActive", "OtherState"
+    Text text;
+};
+
+struct Comparison {
+    Iso230Figures before;
+    std::optional<FigureValues> predicted = {};
+    std::optional<HeldOut> heldOut = {};
+    Iso230Figures after;
+    std::vector<RemainingError> residual; ///< by target of the second measurement
+    /// The largest M that counts as predicted: 1.2 M held out + max(U, 2 s / sqrt(2 n)), s the
+    /// pooled standard deviation of the second measurement, n its runs in each direction.
+    std::optional<double> largestAsPredicted = {};
+    std::optional<bool> isAsPredicted = {}; ///< nothing without a held-out figure, or without M
+    std::vector<ComparisonHint> hints = {};
+    std::vector<Verdict> verdicts = {}; ///< of the second measurement
+
+    [[nodiscard]] bool isWithinTolerances() const;
+};
+
+/// Hints are looked for when the error is not as predicted; without a prediction, when M is not
+/// smaller than before. With b the mean error before at the targets after, b' its slope (natural
+/// spline) and r what is left, all about their means: r = k b with |correlation| above 0.9 is a
+/// table that adds 1 - k times what it should (k = 2: the sign; k = 1: not active); r = d b' one
+/// that is shifted by d.
+/// Errors: InvalidArgument for measurements without targets or of lengths and angles;
+/// MeasurementState when tableCrc is given and the second measurement was not made with that table
+/// active.
+[[nodiscard]] Result<Comparison> compareMeasurements(
+    const Measurement& before, const Measurement& after, const ComparisonRequest& request);
+
+} // namespace axiscomp

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/metrology/record/comparison.h"
+#include "tests/support/test_registry.h"
+#include "tests/support/verify.h"
+
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+namespace tst_comparison {
+
+using namespace axiscomp;
+using Curve = std::function<double(double)>;
+
+namespace {
+
+constexpr double wave = 2.0 * std::numbers::pi / 200.0;
+
+double errorBefore(double x)
+{
+    return 0.01 * std::sin(wave * x);
+}
+
+/// 26 targets over 500 mm; runs in each direction that differ by +-spread about the curve, and a
+/// reversal.
+Measurement measured(const Curve& curve, double spread = 0.0, double reversal = 0.0, int runs = 2)
+{
+    Measurement measurement;
+    for (std::size_t i = 0; i < 26; ++i) {
+        measurement.targets.push_back(20.0 * static_cast<double>(i));
+        for (const Approach direction : {Approach::Up, Approach::Down})
+            for (int run = 1; run <= runs; ++run)
+                measurement.values.push_back({i, direction, run,
+                    curve(measurement.targets.back()) + (run % 2 == 1 ? spread : -spread)
+                        + (direction == Approach::Up ? 0.5 : -0.5) * reversal});
+    }
+    sortValues(measurement.values);
+    return measurement;
+}
+
+ComparisonRequest promised(double range)
+{
+    ComparisonRequest request;
+    request.heldOut = HeldOut{{}, range, range, range};
+    return request;
+}
+
+} // namespace
+
+class TestComparison : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { test::failOnWarnings(); }
+
+    void figuresAndTheStandardErrorOfWhatIsLeft()
+    {
+        // +-d in two runs: s = sqrt(2) d in each direction, that of the mean of both is d / sqrt(2)
+        const auto result = compareMeasurements(measured(&errorBefore),
+            measured([](double x) { return 0.1 * errorBefore(x); }, 1e-4, 2e-3), promised(1e-3));
+        VERIFY_RESULT(result);
+        QCOMPARE(result->residual.size(), std::size_t{26});
+        QCOMPARE(result->residual[1].position, 20.0);
+        QVERIFY(std::abs(result->residual[1].value - 0.1 * errorBefore(20.0)) < 1e-15);
+        QVERIFY(std::abs(*result->residual[1].standardError - 1e-4 / std::sqrt(2.0)) < 1e-15);
+        QVERIFY(std::abs(*result->after[Iso230Figure::B].value - 2e-3) < 1e-15);
+        QVERIFY(result->hints.empty() == *result->isAsPredicted);
+    }
+
+    void asPredictedIsASumOfWhatWasHeldOutAndWhatCannotBeTold()
+    {
+        const auto after = measured([](double x) { return 0.1 * errorBefore(x); }, 1e-4);
+        // 2 s / sqrt(2 n) = 2 sqrt(2) 1e-4 / 2
+        const auto byScatter = compareMeasurements(measured(&errorBefore), after, promised(1e-3));
+        VERIFY_RESULT(byScatter);
+        QVERIFY(
+            std::abs(*byScatter->largestAsPredicted - (1.2e-3 + std::sqrt(2.0) * 1e-4)) < 1e-15);
+        auto request = promised(1e-3);
+        request.uncertainty = 5e-4;
+        const auto byUncertainty = compareMeasurements(measured(&errorBefore), after, request);
+        VERIFY_RESULT(byUncertainty);
+        QVERIFY(std::abs(*byUncertainty->largestAsPredicted - 1.7e-3) < 1e-15);
+        // M after is 2e-3 sin at the targets, whose largest is at 36 degrees beside 90
+        QCOMPARE(*byUncertainty->isAsPredicted, false);
+        request.uncertainty = 0.9e-3;
+        const auto passed = compareMeasurements(measured(&errorBefore), after, request);
+        VERIFY_RESULT(passed);
+        QCOMPARE(*passed->isAsPredicted, true);
+        QVERIFY(passed->hints.empty());
+    }
+
+    void whatIsLeftSaysWhatToLookAt_data()
+    {
+        QTest::addColumn<double>("share");
+        QTest::addColumn<double>("shift");
+        QTest::addColumn<QByteArray>("name");
+        QTest::addColumn<QByteArray>("text");
+        QTest::newRow("twice") << 2.0 << 0.0 << QByteArray("Sign")
+                               << QByteArray("the error is 2 times what it was before");
+        QTest::newRow("the same") << 1.0 << 0.0 << QByteArray("NotActive")
+                                  << QByteArray("the error is the same as before");
+        QTest::newRow("half") << 0.5 << 0.0 << QByteArray("Scale")
+                              << QByteArray("the table adds 0.5 times what it should");
+        QTest::newRow("too much") << -0.8 << 0.0 << QByteArray("Scale")
+                                  << QByteArray("the table adds 1.8 times what it should");
+        QTest::newRow("shifted") << 0.0 << 2.0 << QByteArray("Shifted")
+                                 << QByteArray("the table is shifted by about 2");
+    }
+    void whatIsLeftSaysWhatToLookAt()
+    {
+        QFETCH(double, share);
+        QFETCH(double, shift);
+        QFETCH(QByteArray, name);
+        QFETCH(QByteArray, text);
+        const auto after = measured([&](double x) {
+            return share * errorBefore(x) + errorBefore(x + shift) - errorBefore(x);
+        });
+        const auto result = compareMeasurements(measured(&errorBefore), after, promised(1e-5));
+        VERIFY_RESULT(result);
+        QCOMPARE(result->hints.size(), std::size_t{1});
+        QCOMPARE(QByteArray::fromStdString(std::string(result->hints[0].name)), name);
+        const auto said = QByteArray::fromStdString(result->hints[0].text.english());
+        QVERIFY2(said.contains(text), said.constData());
+    }
+
+    void somethingElseIsAnotherStateOfTheMachine()
+    {
+        const auto after = measured([](double x) { return 0.01 * std::sin(3.7 * wave * x + 1.0); });
+        const auto result = compareMeasurements(measured(&errorBefore), after, promised(1e-5));
+        VERIFY_RESULT(result);
+        QCOMPARE(result->hints.size(), std::size_t{1});
+        QCOMPARE(result->hints[0].name, std::string_view("OtherState"));
+    }
+
+    void withoutAPredictionAWorseMachineIsLookedAt()
+    {
+        const auto worse = measured([](double x) { return 2.0 * errorBefore(x); });
+        const auto better = measured([](double x) { return 0.5 * errorBefore(x); });
+        const auto hinted = compareMeasurements(measured(&errorBefore), worse, {});
+        VERIFY_RESULT(hinted);
+        QCOMPARE(hinted->hints.size(), std::size_t{1});
+        QVERIFY(!hinted->isAsPredicted);
+        const auto fine = compareMeasurements(measured(&errorBefore), better, {});
+        VERIFY_RESULT(fine);
+        QVERIFY(fine->hints.empty());
+    }
+
+    void theTableMustHaveBeenActive_data()
+    {
+        QTest::addColumn<int>("state");
+        QTest::addColumn<uint>("crc");
+        QTest::addColumn<bool>("isStated");
+        QTest::addColumn<QByteArray>("reason");
+        QTest::newRow("this table") << 2 << 0x1c291ca3U << false << QByteArray();
+        QTest::newRow("stated") << 0 << 0U << true << QByteArray();
+        QTest::newRow("on, stated") << 2 << 0U << true << QByteArray();
+        QTest::newRow("off") << 1 << 0U << true << QByteArray("with the compensation off");
+        QTest::newRow("another table")
+            << 2 << 7U << true << QByteArray("with the table 00000007 active");
+        QTest::newRow("not said") << 0 << 0U << false << QByteArray("--measured-with on");
+        QTest::newRow("some table") << 2 << 0U << false << QByteArray("--measured-with on");
+    }
+    void theTableMustHaveBeenActive()
+    {
+        QFETCH(int, state);
+        QFETCH(uint, crc);
+        QFETCH(bool, isStated);
+        QFETCH(QByteArray, reason);
+        auto after = measured(&errorBefore);
+        after.header.compensation.kind = static_cast<MeasuredState::Kind>(state);
+        if (crc != 0)
+            after.header.compensation.tableCrc = crc;
+        ComparisonRequest request;
+        request.tableCrc = 0x1c291ca3;
+        request.isTableStated = isStated;
+        const auto result = compareMeasurements(measured(&errorBefore), after, request);
+        if (reason.isEmpty()) {
+            VERIFY_RESULT(result);
+            return;
+        }
+        VERIFY_ERROR(result, ErrorCode::MeasurementState);
+        const auto said = QByteArray::fromStdString(sentence(result.error()));
+        QVERIFY2(said.contains(reason), said.constData());
+        request.tableCrc.reset(); // nothing is asked without a record
+        VERIFY_RESULT(compareMeasurements(measured(&errorBefore), after, request));
+    }
+
+    void whatCannotBeComparedIsRefused()
+    {
+        auto angles = measured(&errorBefore);
+        angles.isAngular = true;
+        VERIFY_ERROR(
+            compareMeasurements(measured(&errorBefore), angles, {}), ErrorCode::InvalidArgument);
+        Measurement track;
+        track.kind = MeasurementKind::Track;
+        VERIFY_ERROR(
+            compareMeasurements(measured(&errorBefore), track, {}), ErrorCode::InvalidArgument);
+    }
+
+    void theVerdictIsThatOfTheSecondMeasurement()
+    {
+        ComparisonRequest request;
+        request.tolerances = {{Iso230Figure::E, 0.005}};
+        const auto after = measured([](double x) { return 0.1 * errorBefore(x); });
+        const auto result = compareMeasurements(measured(&errorBefore), after, request);
+        VERIFY_RESULT(result);
+        QVERIFY(result->isWithinTolerances());
+        const auto other = compareMeasurements(after, measured(&errorBefore), request);
+        VERIFY_RESULT(other);
+        QVERIFY(!other->isWithinTolerances());
+    }
+
+    void aRecordSaysWhatWasPromised()
+    {
+        CalibrationRecord record;
+        QVERIFY(!comparisonRequest(record).tableCrc);
+        record.tables.push_back({{}, 5});
+        record.prediction = RecordedPrediction{{}, {}, HeldOut{{}, 1.0, 2.0, 3.0}};
+        record.fit = RecordedFit{};
+        record.fit->settings.tolerances = {{Iso230Figure::A, 0.01}};
+        const auto request = comparisonRequest(record);
+        QCOMPARE(request.tableCrc, std::optional<std::uint32_t>(5));
+        QCOMPARE(request.heldOut->range, 3.0);
+        QCOMPARE(request.tolerances.size(), std::size_t{1});
+    }
+};
+
+AXISCOMP_TEST(TestComparison)
+
+} // namespace tst_comparison
+
+#include "tst_comparison.moc"
