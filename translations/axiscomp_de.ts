@@ -5651,6 +5651,62 @@
         <source>&quot;{found}&quot; is none of: {known}</source>
         <translation>„{found}“ ist keines von: {known}</translation>
     </message>
+    <message>
+        <source>the compensation changed in mid-measurement, from {before} to {now}; what was taken belongs to {before}: begin a new file</source>
+        <translation>Die Kompensation hat sich während der Messung von {before} zu {now} geändert; die bisherigen Werte gehören zu {before}: Beginnen Sie eine neue Datei</translation>
+    </message>
+    <message>
+        <source>the axis stands at {position}; step {step} at {target} is due</source>
+        <translation>Die Achse steht bei {position}; fällig ist Schritt {step} bei {target}</translation>
+    </message>
+    <message>
+        <source>{problem}; this is the target of step {other}: move the axis back</source>
+        <translation>{problem}; dies ist die Zielposition von Schritt {other}: Fahren Sie die Achse zurück</translation>
+    </message>
+    <message>
+        <source>step {step} is approached upwards, and the axis did not come from below; go to {approach} and come back</source>
+        <translation>Schritt {step} wird aufwärts angefahren, und die Achse kam nicht von unten; fahren Sie nach {approach} und zurück</translation>
+    </message>
+    <message>
+        <source>step {step} is approached downwards, and the axis did not come from above; go to {approach} and come back</source>
+        <translation>Schritt {step} wird abwärts angefahren, und die Achse kam nicht von oben; fahren Sie nach {approach} und zurück</translation>
+    </message>
+    <message>
+        <source>the axis came only {way} in the direction of step {step}, less than the overrun of {overrun}; go to {approach} and come back</source>
+        <translation>Die Achse kam nur {way} weit in der Richtung von Schritt {step}, weniger als der Überlauf von {overrun}; fahren Sie nach {approach} und zurück</translation>
+    </message>
+    <message>
+        <source>the instrument gives no position</source>
+        <translation>Das Messgerät liefert keine Position</translation>
+    </message>
+    <message>
+        <source>the readings of the instrument differ by {spread}, more than the window of {window}; they are taken again</source>
+        <translation>Die Ablesungen des Messgeräts unterscheiden sich um {spread}, mehr als das Fenster von {window}; sie werden wiederholt</translation>
+    </message>
+    <message>
+        <source>it is not an ordinary file</source>
+        <translation>Sie ist keine gewöhnliche Datei</translation>
+    </message>
+    <message>
+        <source>another program is writing measured values to it</source>
+        <translation>Ein anderes Programm schreibt gerade Messwerte hinein</translation>
+    </message>
+    <message>
+        <source>it holds something else than captured values; name a new file</source>
+        <translation>Sie enthält etwas anderes als aufgenommene Messwerte; nennen Sie eine neue Datei</translation>
+    </message>
+    <message>
+        <source>line {line} has {found} where {expected} is expected; name a new file</source>
+        <translation>In Zeile {line} steht {found}, erwartet wird {expected}; nennen Sie eine neue Datei</translation>
+    </message>
+    <message>
+        <source>the end</source>
+        <translation>das Ende</translation>
+    </message>
+    <message>
+        <source>step {step} of the plan, {begin}...</source>
+        <translation>Schritt {step} des Plans, {begin}...</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>

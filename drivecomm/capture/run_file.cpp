@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "drivecomm/capture/run_file.h"
+
+#include "core/io/local_file.h"
+#include "core/text/number_text.h"
+#include "core/text/utf8.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <charconv>
+
+namespace axiscomp::drivecomm {
+
+namespace {
+
+constexpr std::string_view firstLine = "// axiscomp runs: 1";
+constexpr std::size_t mostRunFileBytes = 64 * 1024 * 1024;
+
+tl::unexpected<Error> notWritable(const std::filesystem::path& file, Text reason)
+{
+    return fail(
+        ErrorCode::FileNotWritable, {{"file", file.string()}, {"reason", std::move(reason)}});
+}
+
+tl::unexpected<Error> notOurs(const std::filesystem::path& file, Text reason)
+{
+    return fail(
+        ErrorCode::FileNotReadable, {{"file", file.string()}, {"reason", std::move(reason)}});
+}
+
+std::string unitOf(const MeasuringPlan& plan)
+{
+    return plan.isAngular ? "deg" : "mm";
+}
+
+std::string columnLine(const MeasuringPlan& plan)
+{
+    const std::string unit = " [" + unitOf(plan) + "]";
+    return "target" + unit + ",direction,run,deviation" + unit + ",encoder" + unit + ",output"
+        + unit + ",time";
+}
+
+/// What a step's line begins with.
+std::string lineBegin(const MeasuringStep& step)
+{
+    return planPosition(step.target) + (step.direction == Approach::Up ? ",+," : ",-,")
+        + std::to_string(step.run) + ",";
+}
+
+std::string decimalText(double value, int decimals)
+{
+    std::array<char, 400> digits{};
+    const auto end = std::to_chars(
+        digits.data(), digits.data() + digits.size(), value, std::chars_format::fixed, decimals);
+    return {digits.data(), end.ptr};
+}
+
+/// A tenth of a nanometre is finer than any instrument.
+std::string lineOfValue(const CapturedValue& value)
+{
+    constexpr int decimals = 7;
+    constexpr int secondsDecimals = 3;
+    return lineBegin(value.step) + decimalText(value.deviation, decimals) + ","
+        + decimalText(value.encoder, decimals) + "," + decimalText(value.output, decimals) + ","
+        + decimalText(std::chrono::duration<double>(value.time).count(), secondsDecimals) + "\n";
+}
+
+/// Whether a whole line is no comment.
+bool hasWholeData(std::string_view content)
+{
+    std::size_t begin = 0;
+    while (content.substr(begin).starts_with("//")) {
+        const std::size_t end = content.find('\n', begin);
+        if (end == std::string_view::npos)
+            return false;
+        begin = end + 1;
+    }
+    return content.find('\n', begin) != std::string_view::npos;
+}
+
+Result<std::string> contentOf(const std::filesystem::path& file, const FileDescriptor& descriptor)
+{
+    struct stat status { };
+    if (::fstat(descriptor.get(), &status) != 0 || !S_ISREG(status.st_mode))
+        return notOurs(file, AXISCOMP_TEXT("Error", "it is not an ordinary file"));
+    if (static_cast<std::size_t>(status.st_size) > mostRunFileBytes)
+        return fail(ErrorCode::FileTooLarge,
+            {{"file", file.string()}, {"size", status.st_size}, {"limit", mostRunFileBytes}});
+    std::string content(static_cast<std::size_t>(status.st_size), '\0');
+    std::size_t done = 0;
+    while (done < content.size()) {
+        const ssize_t size = ::pread(descriptor.get(), content.data() + done, content.size() - done,
+            static_cast<off_t>(done));
+        if (size <= 0)
+            return notOurs(file, fileErrorReason(errno));
+        done += static_cast<std::size_t>(size);
+    }
+    return content;
+}
+
+} // namespace
+
+RunFile::RunFile(std::filesystem::path file, FileDescriptor descriptor)
+    : m_file(std::move(file))
+    , m_descriptor(std::move(descriptor))
+{
+}
+
+Result<RunFile> RunFile::open(const std::filesystem::path& file, const MeasuringPlan& plan,
+    const std::string& state, const std::string& date)
+{
+    constexpr mode_t usualMode = 0666;
+    FileDescriptor descriptor(
+        ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NONBLOCK, usualMode));
+    if (!descriptor.isOpen())
+        return notWritable(file, fileErrorReason(errno));
+    if (::flock(descriptor.get(), LOCK_EX | LOCK_NB) != 0)
+        return notWritable(
+            file, AXISCOMP_TEXT("Error", "another program is writing measured values to it"));
+    AXISCOMP_TRY(std::string content, contentOf(file, descriptor));
+    RunFile made(file, std::move(descriptor));
+    const std::string_view known = std::string_view(content).substr(0, firstLine.size());
+    if (firstLine.substr(0, known.size()) != known)
+        return notOurs(file,
+            AXISCOMP_TEXT(
+                "Error", "it holds something else than captured values; name a new file"));
+    // Without the columns, which come last of what begins a file, nothing can have been taken.
+    if (!hasWholeData(content))
+        AXISCOMP_CHECK(made.begin(plan, state, date));
+    else
+        AXISCOMP_CHECK(made.goOn(content, plan, state));
+    return made;
+}
+
+Result<void> RunFile::begin(
+    const MeasuringPlan& plan, const std::string& state, const std::string& date)
+{
+    const std::string unit = unitOf(plan);
+    return write(std::string(firstLine) + "\n// axis: " + plan.axis + "\n// date: " + date
+        + "\n// compensation: " + state + "\n// feed: " + toText(plan.feedPerMinute) + " " + unit
+        + "/min\n// dwell: " + toText(plan.dwellSeconds) + " s\n// corrected: none\n"
+        + columnLine(plan) + "\n");
+}
+
+Result<void> RunFile::goOn(
+    const std::string& content, const MeasuringPlan& plan, const std::string& state)
+{
+    bool hasColumns = false;
+    std::size_t number = 0;
+    while (true) {
+        const std::size_t end = content.find('\n', m_size);
+        if (end == std::string::npos)
+            break;
+        const std::string line = content.substr(m_size, end - m_size);
+        ++number;
+        const auto wrong = [&](const Text& expected) {
+            return notOurs(m_file,
+                AXISCOMP_TEXT("Error",
+                    "line {line} has {found} where {expected} is expected; name a new file")
+                    .with("line", number)
+                    .with("found", '"' + shownText(line, 60) + '"')
+                    .with("expected", expected));
+        };
+        constexpr std::string_view stateKey = "// compensation: ";
+        if (number == 1 && line != firstLine)
+            return wrong(Verbatim{std::string(firstLine)});
+        if (line.starts_with(stateKey) && line.substr(stateKey.size()) != state)
+            return wrong(Verbatim{std::string(stateKey) + state});
+        if (!hasColumns && !line.starts_with("//")) {
+            if (line != columnLine(plan))
+                return wrong(Verbatim{columnLine(plan)});
+            hasColumns = true;
+        } else if (hasColumns) {
+            if (m_taken == plan.steps.size())
+                return wrong(AXISCOMP_TEXT("Error", "the end"));
+            if (!line.starts_with(lineBegin(plan.steps[m_taken])))
+                return wrong(AXISCOMP_TEXT("Error", "step {step} of the plan, {begin}...")
+                                 .with("step", m_taken + 1)
+                                 .with("begin", lineBegin(plan.steps[m_taken])));
+            ++m_taken;
+        }
+        m_size = end + 1;
+    }
+    if (m_size < content.size() && ::ftruncate(m_descriptor.get(), static_cast<off_t>(m_size)) != 0)
+        return notWritable(m_file, fileErrorReason(errno));
+    return {};
+}
+
+/// Behind the last whole line; all of it or nothing.
+Result<void> RunFile::write(const std::string& text)
+{
+    std::size_t done = 0;
+    while (done < text.size()) {
+        const ssize_t size = ::pwrite(m_descriptor.get(), text.data() + done, text.size() - done,
+            static_cast<off_t>(m_size + done));
+        if (size < 0 && errno == EINTR)
+            continue;
+        if (size <= 0)
+            break;
+        done += static_cast<std::size_t>(size);
+    }
+    const int problem = done < text.size() || ::fdatasync(m_descriptor.get()) != 0 ? errno : 0;
+    // What was behind it is older than this; and a part of a line is none.
+    const std::size_t whole = problem == 0 ? m_size + text.size() : m_size;
+    if (::ftruncate(m_descriptor.get(), static_cast<off_t>(whole)) != 0 || problem != 0)
+        return notWritable(m_file, fileErrorReason(problem != 0 ? problem : errno));
+    m_size = whole;
+    return {};
+}
+
+Result<void> RunFile::append(const CapturedValue& value)
+{
+    AXISCOMP_CHECK(write(lineOfValue(value)));
+    ++m_taken;
+    return {};
+}
+
+} // namespace axiscomp::drivecomm

@@ -1,0 +1,458 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/io/local_file.h"
+#include "core/metrology/formats/measurement_format.h"
+#include "core/metrology/judge/iso230.h"
+#include "drivecomm/capture/capture_session.h"
+#include "drivecomm/capture/run_file.h"
+#include "drivecomm/profile/profile_loader.h"
+#include "drivecomm/virtualdrive/firmware/virtual_drive.h"
+#include "drivecomm/virtualdrive/machine/machine_file.h"
+#include "drivecomm/virtualdrive/machine/program_motion.h"
+#include "tests/support/test_registry.h"
+#include "tests/support/verify.h"
+
+#include <QTemporaryDir>
+
+#include <cmath>
+#include <functional>
+
+namespace tst_capture {
+
+using namespace axiscomp;
+using namespace axiscomp::drivecomm;
+using namespace std::chrono_literals;
+
+namespace {
+
+using Event = CaptureSession::Event;
+
+MeasuringPlan planOver(double to, int count, int cycles, double overrun)
+{
+    MeasuringPlanRequest request;
+    request.to = to;
+    request.count = count;
+    request.cycles = cycles;
+    request.overrun = overrun;
+    request.dwellSeconds = 2.5;
+    return makeMeasuringPlan(request).value();
+}
+
+/// An axis that is moved by hand, read 20 times a second.
+class HandMoved {
+public:
+    explicit HandMoved(const MeasuringPlan& plan, CaptureRules rules = {})
+        : session(plan, rules) { }
+
+    /// In steps of 0.5, and one reading at each.
+    void move(double to)
+    {
+        while (reading.encoder != to) {
+            const double left = to - reading.encoder;
+            reading.encoder =
+                std::abs(left) <= 0.5 ? to : reading.encoder + (left > 0 ? 0.5 : -0.5);
+            (void)read();
+        }
+    }
+    /// The events of so many readings at one place.
+    std::vector<Event> stand(int readings)
+    {
+        std::vector<Event> events;
+        for (int i = 0; i < readings; ++i)
+            events.push_back(read());
+        return events;
+    }
+    Event read()
+    {
+        reading.time += 50ms;
+        reading.reference = reading.encoder + error(reading.encoder);
+        const Event event = session.take(reading);
+        if (event == Event::Refused || event == Event::Stopped)
+            m_problem = session.problem().english();
+        return event;
+    }
+    [[nodiscard]] bool takes() { return std::ranges::count(stand(60), Event::Taken) == 1; }
+    [[nodiscard]] const std::string& problem() const { return m_problem; }
+
+    CaptureSession session;
+    CaptureReading reading{0ns, 0.0, 0.0, 0.0, "off"};
+    std::function<double(double)> error = [](double position) { return 0.001 + 1e-5 * position; };
+
+private:
+    std::string m_problem;
+};
+
+const std::string screw = R"({"axes": {"X": {"slope": 12e-6,
+ "waves": [{"period": 430, "amplitude": 0.003, "phase": 0.7}, {"period": 97, "amplitude": 0.0012},
+           {"period": 10, "amplitude": 0.0008, "phase": 0.3}],
+ "reversal": 0.0024, "reversalWidth": 0.01, "noise": {"approach": 0.0001, "reading": 0.00002}}}})";
+
+struct Played {
+    std::vector<CapturedValue> values;
+    int refusals = 0;
+    Event last = Event::Moving;
+    std::string problem;
+};
+
+/// The plan on the screw, read 20 times a second by its registers; isLost(n): whether the n-th
+/// exchange, from 0, has no answer.
+Played play(const MeasuringPlan& plan, const std::function<bool(int)>& isLost)
+{
+    std::chrono::nanoseconds time{0};
+    VirtualDriveOptions options;
+    options.machine = parseMachine(screw, "screw").value();
+    options.program = plan;
+    options.programStart = 500ms;
+    options.clock = [&time] { return time; };
+    const auto drive = VirtualDrive::create(genericProfile(), options).value();
+    CaptureSession session(plan, {});
+    Played played;
+    const double end = ProgramMotion(plan, plan.steps.front().approach).endSeconds()
+        + 6.0; // beyond the longest gap
+    for (int n = 0; n < static_cast<int>(20.0 * end); ++n, time += 50ms) {
+        if (isLost(n))
+            continue;
+        const auto read = drive
+                              ->readRegisters({"Axes[0]/Signals/PositionController/MasterPosition",
+                                  "Axes[0]/Signals/Compensations/Axis/Output",
+                                  "Machine/Axes[0]/ReferencePosition",
+                                  "Axes[0]/Signals/Compensations/Axis/State"})
+                              .value();
+        played.last = session.take({time, toDouble(read[0].value), toDouble(read[1].value),
+            toDouble(read[2].value), toText(read[3].value)});
+        if (played.last == Event::Taken)
+            played.values.push_back(session.value());
+        if (played.last == Event::Refused) {
+            ++played.refusals;
+            played.problem = session.problem().english();
+        }
+        if (played.last == Event::Done)
+            break;
+    }
+    return played;
+}
+
+std::string contentOf(const std::filesystem::path& file)
+{
+    const auto bytes = loadFile(file, 1'000'000);
+    return bytes ? std::string(asText(*bytes)) : std::string();
+}
+
+void put(const std::filesystem::path& file, std::string_view text)
+{
+    QVERIFY(saveFile(file, asBytes(text)));
+}
+
+CapturedValue valueOf(const MeasuringPlan& plan, std::size_t step)
+{
+    return {plan.steps[step], 0.001 * static_cast<double>(step) - 0.0023, plan.steps[step].target,
+        0.0, std::chrono::seconds(step)};
+}
+
+} // namespace
+
+class tst_Capture : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { test::failOnWarnings(); }
+
+    void takesEachStepOnceWithTheMeanOfItsReadings()
+    {
+        const MeasuringPlan plan = planOver(30.0, 4, 1, 1.0);
+        HandMoved axis(plan);
+        axis.move(-1.0);
+        for (const MeasuringStep& step : plan.steps) {
+            axis.move(step.approach);
+            axis.move(step.target);
+            QVERIFY2(axis.takes(), axis.problem().c_str());
+            const CapturedValue& value = axis.session.value();
+            QCOMPARE(value.step, step);
+            QVERIFY(std::abs(value.deviation - (0.001 + 1e-5 * step.target)) < 1e-12);
+            QVERIFY(std::abs(value.encoder - step.target) < 1e-12);
+            QCOMPARE(axis.stand(100).back() == Event::Taken, false);
+        }
+        QCOMPARE(axis.read(), Event::Done);
+        QCOMPARE(axis.session.due(), plan.steps.size());
+    }
+
+    void standsForTheDwellAndThenReadsTenTimes()
+    {
+        HandMoved axis(planOver(30.0, 4, 1, 1.0));
+        axis.move(-1.0);
+        axis.move(0.0);
+        const std::vector<Event> events = axis.stand(40);
+        const auto taken = std::ranges::find(events, Event::Taken) - events.begin();
+        QCOMPARE(taken, 19 + 9); // 1 s since the axis came, which is a reading before; ten readings
+        QCOMPARE(events[static_cast<std::size_t>(taken) - 1], Event::Standing);
+        QCOMPARE(events[static_cast<std::size_t>(taken) + 1], Event::Moving);
+    }
+
+    void anAxisThatTremblesDoesNotStand()
+    {
+        HandMoved axis(planOver(30.0, 4, 1, 1.0));
+        axis.move(-1.0);
+        axis.move(0.0);
+        for (int i = 0; i < 100; ++i) {
+            axis.reading.encoder = i % 2 == 0 ? 0.0012 : 0.0;
+            QCOMPARE(axis.read(), Event::Moving);
+        }
+        axis.reading.encoder = 0.0;
+        QVERIFY(axis.takes());
+    }
+
+    void anotherTargetOrDirectionIsRefusedAndSaid()
+    {
+        const MeasuringPlan plan = planOver(30.0, 4, 1, 1.0);
+        HandMoved axis(plan);
+        axis.move(2.0);
+        axis.move(0.0);
+        QCOMPARE(axis.stand(40).back(), Event::Refused);
+        QVERIFY2(
+            axis.problem().starts_with("step 1 is approached upwards, and the axis did not come "
+                                       "from below; go to -1.000 mm"),
+            axis.problem().c_str());
+        axis.move(-0.3);
+        for (const double place : {-0.2, -0.1, 0.0}) {
+            axis.reading.encoder = place;
+            (void)axis.read();
+        }
+        QCOMPARE(axis.stand(40).back(), Event::Refused);
+        QVERIFY2(
+            axis.problem().starts_with("the axis came only 0.300 mm in the direction of step 1, "
+                                       "less than the overrun of 1.000 mm"),
+            axis.problem().c_str());
+        axis.move(-1.0);
+        axis.move(plan.steps[2].target);
+        QCOMPARE(axis.stand(40).back(), Event::Refused);
+        QVERIFY2(axis.problem().find("step 1 at 0.000 mm is due; this is the target of step 3")
+                != std::string::npos,
+            axis.problem().c_str());
+        axis.move(-1.0);
+        axis.move(0.0);
+        QVERIFY2(axis.takes(), axis.problem().c_str());
+    }
+
+    void whatTheDriveAddsBelongsToThePosition()
+    {
+        HandMoved axis(planOver(30.0, 4, 1, 1.0));
+        axis.reading.output = 0.5;
+        axis.move(-1.5);
+        axis.move(-0.5);
+        QVERIFY2(axis.takes(), axis.problem().c_str());
+        QCOMPARE(axis.session.value().output, 0.5);
+    }
+
+    void readingsThatDifferAreTakenAgain()
+    {
+        HandMoved axis(planOver(30.0, 4, 1, 1.0));
+        int n = 0;
+        axis.error = [&n](double) { return n++ % 10 == 4 ? 0.005 : 0.001; };
+        axis.move(-1.0);
+        axis.move(0.0);
+        const std::vector<Event> events = axis.stand(60);
+        QCOMPARE(std::ranges::count(events, Event::Taken), 0);
+        QVERIFY(std::ranges::count(events, Event::Refused) >= 3);
+        QVERIFY2(axis.problem().find("differ by 0.004 mm, more than the window of 0.001 mm")
+                != std::string::npos,
+            axis.problem().c_str());
+        axis.error = [](double) { return 0.001; };
+        QVERIFY(axis.takes());
+        QVERIFY(std::abs(axis.session.value().deviation - 0.001) < 1e-12);
+    }
+
+    void anInstrumentWithoutAPositionGivesNoValue()
+    {
+        HandMoved axis(planOver(30.0, 4, 1, 1.0));
+        axis.error = [](double) { return std::nan(""); };
+        axis.move(-1.0);
+        axis.move(0.0);
+        QCOMPARE(axis.stand(60).back(), Event::Refused);
+        QCOMPARE(QString::fromStdString(axis.problem()),
+            QStringLiteral("the instrument gives no position"));
+        QCOMPARE(axis.session.due(), std::size_t{0});
+    }
+
+    void aChangedStateStopsIt()
+    {
+        HandMoved axis(planOver(30.0, 4, 1, 1.0));
+        axis.move(-1.0);
+        axis.move(0.0);
+        QVERIFY(axis.takes());
+        axis.reading.state = "crc:1c291ca3";
+        QCOMPARE(axis.read(), Event::Stopped);
+        QVERIFY2(axis.problem().find("from off to crc:1c291ca3") != std::string::npos,
+            axis.problem().c_str());
+        axis.reading.state = "off";
+        QCOMPARE(axis.read(), Event::Stopped);
+    }
+
+    void aClockThatJumpsTakesNothingTwice()
+    {
+        HandMoved axis(planOver(30.0, 4, 1, 1.0));
+        axis.move(-1.0);
+        axis.move(0.0);
+        (void)axis.stand(15);
+        axis.reading.time -= 1h;
+        const std::vector<Event> events = axis.stand(60);
+        QCOMPARE(std::ranges::count(events, Event::Taken), 1);
+        QVERIFY(std::ranges::find(events, Event::Taken) - events.begin() >= 28);
+        axis.reading.time -= 1h;
+        QCOMPARE(std::ranges::count(axis.stand(60), Event::Taken), 0);
+    }
+
+    void aLongPauseLeavesNoWayThatCounts()
+    {
+        const MeasuringPlan plan = planOver(30.0, 4, 1, 1.0);
+        HandMoved axis(plan);
+        axis.move(-1.0);
+        axis.move(0.0);
+        axis.reading.time += 3s;
+        QCOMPARE(axis.stand(60).back(), Event::Refused);
+        axis.move(-1.0);
+        axis.move(0.0);
+        QVERIFY(axis.takes());
+    }
+
+    void aProgramIsCapturedAndJudged()
+    {
+        MeasuringPlanRequest request;
+        request.to = 500.0;
+        request.count = 51;
+        request.period = 10.0;
+        const MeasuringPlan plan = makeMeasuringPlan(request).value();
+        const Played played = play(plan, [](int) { return false; });
+        QVERIFY2(played.values.size() == plan.steps.size(), played.problem.c_str());
+        QCOMPARE(played.refusals, 0);
+        QCOMPARE(played.last, Event::Done);
+        QTemporaryDir folder;
+        const std::filesystem::path file =
+            folder.filePath(QStringLiteral("runs.csv")).toStdString();
+        {
+            auto runs = RunFile::open(file, plan, "off", "2026-11-21T09:30:00");
+            QVERIFY2(runs.has_value(), runs ? "" : sentence(runs.error()).c_str());
+            for (const CapturedValue& value : played.values)
+                QVERIFY(runs->append(value));
+        }
+        const std::string text = contentOf(file);
+        const MeasurementReading reading =
+            chooseMeasurementFormat(text, "runs.csv", {}).value()->read(text, {});
+        QVERIFY(reading.measurement.has_value());
+        QCOMPARE(reading.diagnostics.size(), std::size_t{0});
+        QCOMPARE(reading.measurement->header.axis, std::string("X"));
+        QCOMPARE(reading.measurement->header.compensation.kind, MeasuredState::Kind::Off);
+        QCOMPARE(reading.measurement->values.size(), plan.steps.size());
+        const Iso230Figures figures = iso230Figures(*reading.measurement);
+        QVERIFY(std::abs(figures[Iso230Figure::M].value.value() - 0.0116) < 0.0005);
+        QVERIFY(std::abs(figures[Iso230Figure::B].value.value() - 0.0024) < 0.0003);
+    }
+
+    void aFaultAtAnyExchangeTakesNothingTwiceAndLosesNothingSilently()
+    {
+        const MeasuringPlan plan = planOver(30.0, 3, 1, 1.0);
+        const Played whole = play(plan, [](int) { return false; });
+        QCOMPARE(whole.values.size(), plan.steps.size());
+        for (const int length : {1, 8, 60}) {
+            for (int first = 0; first < 420; first += length == 1 ? 1 : 11) {
+                const Played played =
+                    play(plan, [&](int n) { return n >= first && n < first + length; });
+                for (std::size_t i = 0; i < played.values.size(); ++i) {
+                    QCOMPARE(played.values[i].step, plan.steps[i]);
+                    QVERIFY(
+                        std::abs(played.values[i].deviation - whole.values[i].deviation) < 1e-4);
+                }
+                const bool isComplete = played.values.size() == plan.steps.size();
+                QVERIFY(isComplete == (played.last == Event::Done));
+                QVERIFY2(
+                    isComplete || played.refusals > 0, "a value was lost and nothing was said");
+                QVERIFY(isComplete || length > 1); // one lost exchange hides no turn
+            }
+        }
+    }
+
+    void aKillAtAnyByteLeavesWholeLines()
+    {
+        const MeasuringPlan plan = planOver(30.0, 3, 1, 1.0);
+        QTemporaryDir folder;
+        const std::filesystem::path file =
+            folder.filePath(QStringLiteral("runs.csv")).toStdString();
+        const auto fill = [&] {
+            auto runs = RunFile::open(file, plan, "off", "2026-11-21T09:30:00");
+            if (!runs)
+                return std::string(sentence(runs.error()));
+            for (std::size_t step = runs->taken(); step < plan.steps.size(); ++step)
+                if (!runs->append(valueOf(plan, step)))
+                    return std::string("not written");
+            return contentOf(file);
+        };
+        const std::string whole = fill();
+        QCOMPARE(std::ranges::count(whole, '\n'), 8 + 6);
+        for (std::size_t size = 0; size <= whole.size(); ++size) {
+            put(file, std::string_view(whole).substr(0, size));
+            const auto lines = std::ranges::count(whole.substr(0, size), '\n');
+            {
+                const auto runs = RunFile::open(file, plan, "off", "2026-11-21T09:30:00");
+                QVERIFY2(runs.has_value(), runs ? "" : sentence(runs.error()).c_str());
+                QCOMPARE(
+                    static_cast<long>(runs->taken()), std::max(0L, static_cast<long>(lines) - 8));
+            }
+            QCOMPARE(QString::fromStdString(fill()), QString::fromStdString(whole));
+        }
+    }
+
+    void aFileOfSomethingElseIsRefusedAndLeftAsItIs()
+    {
+        const MeasuringPlan plan = planOver(30.0, 3, 1, 1.0);
+        QTemporaryDir folder;
+        const std::filesystem::path file =
+            folder.filePath(QStringLiteral("runs.csv")).toStdString();
+        const auto refusal = [&](const std::string& content, const std::string& state = "off") {
+            put(file, content);
+            const auto runs = RunFile::open(file, plan, state, "now");
+            if (runs)
+                return std::string("it was taken");
+            return contentOf(file) == content ? sentence(runs.error()) : "it was changed";
+        };
+        QVERIFY(refusal("hello").find("something else than captured values") != std::string::npos);
+        QVERIFY(refusal("a,b\n1,2\n").find("something else") != std::string::npos);
+        std::string whole;
+        put(file, "");
+        {
+            auto runs = RunFile::open(file, plan, "off", "now").value();
+            QVERIFY(runs.append(valueOf(plan, 0)));
+            whole = contentOf(file);
+        }
+        const std::string otherState = refusal(whole, "crc:1c291ca3");
+        QVERIFY2(otherState.find("line 4 has \"// compensation: off\" where // compensation: "
+                                 "crc:1c291ca3 is expected")
+                != std::string::npos,
+            otherState.c_str());
+        std::string otherPlan = whole;
+        otherPlan.replace(otherPlan.find("\n0.000,+,1,") + 1, 5, "0.001");
+        const std::string said = refusal(otherPlan);
+        QVERIFY2(
+            said.find("where step 1 of the plan, 0.000,+,1,... is expected") != std::string::npos,
+            said.c_str());
+        std::string repeated = whole + whole.substr(whole.find("\n0.000,") + 1);
+        QVERIFY(refusal(repeated).find("step 2 of the plan") != std::string::npos);
+    }
+
+    void twoProgramsCannotWriteToOneFile()
+    {
+        const MeasuringPlan plan = planOver(30.0, 3, 1, 1.0);
+        QTemporaryDir folder;
+        const std::filesystem::path file =
+            folder.filePath(QStringLiteral("runs.csv")).toStdString();
+        const auto first = RunFile::open(file, plan, "off", "now");
+        QVERIFY(first.has_value());
+        const auto second = RunFile::open(file, plan, "off", "now");
+        VERIFY_ERROR(second, ErrorCode::FileNotWritable);
+        VERIFY_ERROR(RunFile::open(folder.path().toStdString(), plan, "off", "now"),
+            ErrorCode::FileNotWritable);
+    }
+};
+
+AXISCOMP_TEST(tst_Capture)
+
+} // namespace tst_capture
+
+#include "tst_capture.moc"
