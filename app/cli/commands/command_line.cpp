@@ -21,6 +21,7 @@ CommandLine::CommandLine()
     addRunsCommand(*this);
     addJudgeCommand(*this);
     addFitCommand(*this);
+    addReportCommand(*this);
     addAxesCommand(*this);
     addStatusCommand(*this);
     addWriteCommand(*this);

@@ -50,6 +50,7 @@ void addFormatsCommand(CommandLine& line);
 void addRunsCommand(CommandLine& line);
 void addJudgeCommand(CommandLine& line);
 void addFitCommand(CommandLine& line);
+void addReportCommand(CommandLine& line);
 void addAxesCommand(CommandLine& line);
 void addStatusCommand(CommandLine& line);
 void addWriteCommand(CommandLine& line);

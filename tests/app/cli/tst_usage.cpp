@@ -18,9 +18,9 @@ using test::Sandbox;
 namespace {
 
 const QStringList commands{"example", "inspect", "convert", "lookup", "formats", "runs", "judge",
-    "fit", "axes", "status", "write", "persist", "unpersist", "delete", "evaluate", "activate",
-    "deactivate", "read", "files", "upload", "download", "monitor", "backup", "restore", "recover",
-    "config"};
+    "fit", "report", "axes", "status", "write", "persist", "unpersist", "delete", "evaluate",
+    "activate", "deactivate", "read", "files", "upload", "download", "monitor", "backup", "restore",
+    "recover", "config"};
 
 QString sourceFile(const QString& name)
 {
