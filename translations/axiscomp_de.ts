@@ -5707,6 +5707,10 @@
         <source>step {step} of the plan, {begin}...</source>
         <translation>Schritt {step} des Plans, {begin}...</translation>
     </message>
+    <message>
+        <source>there is no font to draw a PDF with: install one, such as fonts-dejavu-core, or write the report as HTML</source>
+        <translation>es gibt keine Schrift, mit der sich ein PDF zeichnen lässt: Installieren Sie eine, etwa fonts-dejavu-core, oder schreiben Sie den Bericht als HTML</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -6430,6 +6434,413 @@
     <message>
         <source>not everything in the file is used</source>
         <translation>nicht alles in der Datei wird verwendet</translation>
+    </message>
+</context>
+<context>
+    <name>Report</name>
+    <message>
+        <source>Deviation in {unit}</source>
+        <translation>Abweichung in {unit}</translation>
+    </message>
+    <message>
+        <source>Position in {unit}</source>
+        <translation>Position in {unit}</translation>
+    </message>
+    <message>
+        <source>Deviation over position: means of both directions with bands of 2 s, the mean of both, single runs</source>
+        <translation>Abweichung über der Position: Mittelwerte beider Richtungen mit Bändern von 2 s, das Mittel beider, einzelne Durchläufe</translation>
+    </message>
+    <message>
+        <source>What lines and markers mean</source>
+        <translation>Was Linien und Zeichen bedeuten</translation>
+    </message>
+    <message>
+        <source>mean ↑</source>
+        <translation>Mittel ↑</translation>
+    </message>
+    <message>
+        <source>mean ↓</source>
+        <translation>Mittel ↓</translation>
+    </message>
+    <message>
+        <source>mean of both</source>
+        <translation>Mittel beider</translation>
+    </message>
+    <message>
+        <source>mean ↑ ± 2 s</source>
+        <translation>Mittel ↑ ± 2 s</translation>
+    </message>
+    <message>
+        <source>mean ↓ ± 2 s</source>
+        <translation>Mittel ↓ ± 2 s</translation>
+    </message>
+    <message>
+        <source>single run</source>
+        <translation>ein Durchlauf</translation>
+    </message>
+    <message>
+        <source>to 20 °C from {material} with {expansion}</source>
+        <translation>von {material} auf 20 °C mit {expansion}</translation>
+    </message>
+    <message>
+        <source>dead path of {length}</source>
+        <translation>Totstrecke von {length}</translation>
+    </message>
+    <message>
+        <source>drift taken out for the table, not for figures</source>
+        <translation>Drift für die Tabelle entfernt, nicht für Kenngrößen</translation>
+    </message>
+    <message>
+        <source>smooth grid of scattered points</source>
+        <translation>glattes Gitter aus verstreuten Punkten</translation>
+    </message>
+    <message>
+        <source>{method}, from the runs ↑</source>
+        <translation>{method}, aus den Durchläufen ↑</translation>
+    </message>
+    <message>
+        <source>{method}, from the runs ↓</source>
+        <translation>{method}, aus den Durchläufen ↓</translation>
+    </message>
+    <message>
+        <source>{method}, from the mean of both directions</source>
+        <translation>{method}, aus dem Mittel beider Richtungen</translation>
+    </message>
+    <message>
+        <source>failed after {share} of the table</source>
+        <translation>nach {share} der Tabelle fehlgeschlagen</translation>
+    </message>
+    <message>
+        <source>passed over {share} of the table</source>
+        <translation>über {share} der Tabelle bestanden</translation>
+    </message>
+    <message>
+        <source>At the set position {position} the drive adds {added} to what the encoder reads.</source>
+        <translation>Bei der Sollposition {position} addiert der Antrieb {added} zu dem, was der Geber anzeigt.</translation>
+    </message>
+    <message>
+        <source>Where the encoder reads {reading}, the reference said {reference}: the drive adds {added}.</source>
+        <translation>Wo der Geber {reading} anzeigt, sagte die Referenz {reference}: Der Antrieb addiert {added}.</translation>
+    </message>
+    <message>
+        <source>Compensation of axis {axis}, machine {machine}</source>
+        <translation>Kompensation der Achse {axis}, Maschine {machine}</translation>
+    </message>
+    <message>
+        <source>not defined</source>
+        <translation>nicht definiert</translation>
+    </message>
+    <message>
+        <source>Accuracy A: {before} before, {after} after.</source>
+        <translation>Genauigkeit A: {before} vorher, {after} nachher.</translation>
+    </message>
+    <message>
+        <source>Accuracy A: {before} before. There is no measurement afterwards on record.</source>
+        <translation>Genauigkeit A: {before} vorher. Im Protokoll steht keine Messung danach.</translation>
+    </message>
+    <message>
+        <source>The accuracy A before is not defined.</source>
+        <translation>Die Genauigkeit A vorher ist nicht definiert.</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Maschine</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Achse</translation>
+    </message>
+    <message>
+        <source>Serial number</source>
+        <translation>Seriennummer</translation>
+    </message>
+    <message>
+        <source>Drive</source>
+        <translation>Antrieb</translation>
+    </message>
+    <message>
+        <source>Serial number of the drive</source>
+        <translation>Seriennummer des Antriebs</translation>
+    </message>
+    <message>
+        <source>Firmware profile</source>
+        <translation>Firmware-Profil</translation>
+    </message>
+    <message>
+        <source>Measurements</source>
+        <translation>Messungen</translation>
+    </message>
+    <message>
+        <source>before</source>
+        <translation>vorher</translation>
+    </message>
+    <message>
+        <source>after</source>
+        <translation>nachher</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Datum</translation>
+    </message>
+    <message>
+        <source>Operator</source>
+        <translation>Ausführende Person</translation>
+    </message>
+    <message>
+        <source>Instrument</source>
+        <translation>Messgerät</translation>
+    </message>
+    <message>
+        <source>Feed, dwell</source>
+        <translation>Vorschub, Verweilzeit</translation>
+    </message>
+    <message>
+        <source>Environment</source>
+        <translation>Umgebung</translation>
+    </message>
+    <message>
+        <source>Compensation</source>
+        <translation>Kompensation</translation>
+    </message>
+    <message>
+        <source>Corrections</source>
+        <translation>Korrekturen</translation>
+    </message>
+    <message>
+        <source>Targets and runs</source>
+        <translation>Zielpositionen und Durchläufe</translation>
+    </message>
+    <message>
+        <source>Left out</source>
+        <translation>Ausgeschlossen</translation>
+    </message>
+    <message>
+        <source>air {air}, material {material}, expansion {expansion}</source>
+        <translation>Luft {air}, Material {material}, Ausdehnung {expansion}</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
+    </message>
+    <message>
+        <source>on, which table is not stated</source>
+        <translation>ein, welche Tabelle ist nicht angegeben</translation>
+    </message>
+    <message>
+        <source>on, table {crc}</source>
+        <translation>ein, Tabelle {crc}</translation>
+    </message>
+    <message>
+        <source>to 20 °C by the instrument</source>
+        <translation>auf 20 °C durch das Messgerät</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>none here, by the instrument not stated</source>
+        <translation>hier keine, durch das Messgerät nicht angegeben</translation>
+    </message>
+    <message>
+        <source>no targets: {kind}</source>
+        <translation>keine Zielpositionen: {kind}</translation>
+    </message>
+    <message numerus="yes">
+        <source>{count} targets from {from} to {to}, {up} runs ↑, {down} runs ↓</source>
+        <comment>1 target at {from}, {up} runs ↑, {down} runs ↓</comment>
+        <translation>
+            <numerusform>1 Zielposition bei {from}, {up} Durchläufe ↑, {down} Durchläufe ↓</numerusform>
+            <numerusform>{count} Zielpositionen von {from} bis {to}, {up} Durchläufe ↑, {down} Durchläufe ↓</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>{direction} target {target} run {run}</source>
+        <translation>{direction} Ziel {target} Durchlauf {run}</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nichts</translation>
+    </message>
+    <message>
+        <source>{count} values: not an evaluation by ISO 230-2</source>
+        <translation>{count} Werte: keine Auswertung nach ISO 230-2</translation>
+    </message>
+    <message>
+        <source>{values}: not an evaluation by ISO 230-2</source>
+        <translation>{values}: keine Auswertung nach ISO 230-2</translation>
+    </message>
+    <message>
+        <source>Deviation over position: before, after, to one scale</source>
+        <translation>Abweichung über der Position: vorher, nachher, im selben Maßstab</translation>
+    </message>
+    <message>
+        <source>Deviation over position, before</source>
+        <translation>Abweichung über der Position, vorher</translation>
+    </message>
+    <message>
+        <source>Deviation over position, after</source>
+        <translation>Abweichung über der Position, nachher</translation>
+    </message>
+    <message>
+        <source>Figures of ISO 230-2:2014 in {unit}</source>
+        <translation>Kenngrößen nach ISO 230-2:2014 in {unit}</translation>
+    </message>
+    <message>
+        <source>predicted</source>
+        <translation>vorhergesagt</translation>
+    </message>
+    <message>
+        <source>held out</source>
+        <translation>ausgelassen</translation>
+    </message>
+    <message>
+        <source>Held out: what is left at targets that the table was made without: M {range}, rms {rms}, largest {largest}. Of the two predictions this is the one to believe.</source>
+        <translation>Ausgelassen: was an Zielpositionen bleibt, ohne die die Tabelle gemacht wurde: M {range}, Effektivwert {rms}, größter Wert {largest}. Von beiden Vorhersagen ist dies die glaubwürdige.</translation>
+    </message>
+    <message>
+        <source>Verdict on the measurement after</source>
+        <translation>Urteil über die Messung nachher</translation>
+    </message>
+    <message>
+        <source>Verdict on the measurement before</source>
+        <translation>Urteil über die Messung vorher</translation>
+    </message>
+    <message>
+        <source>Tolerances</source>
+        <translation>Toleranzen</translation>
+    </message>
+    <message>
+        <source>Uncertainty U, k = 2</source>
+        <translation>Unsicherheit U, k = 2</translation>
+    </message>
+    <message>
+        <source>value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>tolerance</source>
+        <translation>Toleranz</translation>
+    </message>
+    <message>
+        <source>uncertainty U, k = 2</source>
+        <translation>Unsicherheit U, k = 2</translation>
+    </message>
+    <message>
+        <source>verdict</source>
+        <translation>Urteil</translation>
+    </message>
+    <message>
+        <source>Table</source>
+        <translation>Tabelle</translation>
+    </message>
+    <message>
+        <source>Grid</source>
+        <translation>Gitter</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <source>CRC-32</source>
+        <translation>CRC-32</translation>
+    </message>
+    <message>
+        <source>Slot</source>
+        <translation>Tabellenplatz</translation>
+    </message>
+    <message>
+        <source>Persistency</source>
+        <translation>Dauerhaftigkeit</translation>
+    </message>
+    <message>
+        <source>End-to-end proof</source>
+        <translation>Nachweis am Antrieb</translation>
+    </message>
+    <message>
+        <source>Sign</source>
+        <translation>Vorzeichen</translation>
+    </message>
+    <message>
+        <source>{count} points from {from} to {to}</source>
+        <translation>{count} Stützstellen von {from} bis {to}</translation>
+    </message>
+    <message>
+        <source>persistent</source>
+        <translation>dauerhaft</translation>
+    </message>
+    <message>
+        <source>volatile</source>
+        <translation>flüchtig</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>Notizen</translation>
+    </message>
+    <message>
+        <source>none on record</source>
+        <translation>keine im Protokoll</translation>
+    </message>
+    <message numerus="yes">
+        <source>and {count} more in the record</source>
+        <comment>and 1 more in the record</comment>
+        <translation>
+            <numerusform>und 1 weitere im Protokoll</numerusform>
+            <numerusform>und {count} weitere im Protokoll</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Input files</source>
+        <translation>Eingelesene Dateien</translation>
+    </message>
+    <message>
+        <source>file</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>format</source>
+        <translation>Format</translation>
+    </message>
+    <message>
+        <source>Made by Axis Compensation Wizard {version}. Figures that the values do not define are not defined; what is not on record is not stated.</source>
+        <translation>Erstellt von Axis Compensation Wizard {version}. Kenngrößen, die sich aus den Werten nicht ergeben, sind nicht definiert; was nicht im Protokoll steht, ist nicht angegeben.</translation>
+    </message>
+    <message>
+        <source>Targets before, in {unit}</source>
+        <translation>Zielpositionen vorher, in {unit}</translation>
+    </message>
+    <message>
+        <source>Targets after, in {unit}</source>
+        <translation>Zielpositionen nachher, in {unit}</translation>
+    </message>
+    <message>
+        <source>target in {unit}</source>
+        <translation>Ziel in {unit}</translation>
+    </message>
+    <message>
+        <source>values ↑</source>
+        <translation>Werte ↑</translation>
+    </message>
+    <message>
+        <source>s ↑</source>
+        <translation>s ↑</translation>
+    </message>
+    <message>
+        <source>values ↓</source>
+        <translation>Werte ↓</translation>
+    </message>
+    <message>
+        <source>s ↓</source>
+        <translation>s ↓</translation>
+    </message>
+    <message>
+        <source>Left out: {values}</source>
+        <translation>Ausgeschlossen: {values}</translation>
+    </message>
+    <message>
+        <source>not stated</source>
+        <translation>nicht angegeben</translation>
     </message>
 </context>
 <context>

@@ -18,6 +18,16 @@ bool isSame(const char* a, const char* b)
     return a == b || (a != nullptr && b != nullptr && std::strcmp(a, b) == 0);
 }
 
+const Wording& englishWording()
+{
+    static const Wording english{
+        [](const TextPattern& pattern, std::optional<std::int64_t> count) {
+            return std::string(pattern.one != nullptr && count == 1 ? pattern.one : pattern.words);
+        },
+        '.'};
+    return english;
+}
+
 } // namespace
 
 struct Text::Words {
@@ -117,8 +127,14 @@ Text Text::with(std::string_view name, Argument value) &&
 
 std::string Text::english() const
 {
-    const bool isOne = m_pattern.one != nullptr && m_arguments.integer("count") == 1;
-    std::string_view words = isOne ? m_pattern.one : m_pattern.words;
+    return in(englishWording());
+}
+
+std::string Text::in(const Wording& wording) const
+{
+    const std::string translated = wording.words(
+        m_pattern, m_pattern.one != nullptr ? m_arguments.integer("count") : std::nullopt);
+    std::string_view words = translated;
     std::string text;
     while (true) {
         const std::size_t open = words.find('{');
@@ -126,7 +142,7 @@ std::string Text::english() const
         if (open == std::string_view::npos || close == std::string_view::npos)
             return text.append(words);
         const Argument* const value = m_arguments.find(words.substr(open + 1, close - open - 1));
-        text.append(words.substr(0, open)).append(value ? value->english() : "?");
+        text.append(words.substr(0, open)).append(value ? value->in(wording) : "?");
         words.remove_prefix(close + 1);
     }
 }
@@ -147,19 +163,29 @@ Argument::Argument(const std::vector<std::string>& names)
 
 std::string Argument::english() const
 {
-    return std::visit(Overloaded{[](const Verbatim& name) { return name.text; },
-                          [](const Quantity& number) {
-                              return number.unit.empty() ? number.digits
-                                                         : number.digits + ' ' + number.unit;
-                          },
-                          [](std::int64_t count) { return std::to_string(count); },
-                          [](const Text& text) { return text.english(); },
-                          [](const std::vector<Text>& list) {
-                              std::string joined;
-                              for (const Text& item : list)
-                                  joined.append(joined.empty() ? "" : ", ").append(item.english());
-                              return joined;
-                          }},
+    return in(englishWording());
+}
+
+std::string Argument::in(const Wording& wording) const
+{
+    return std::visit(
+        Overloaded{[](const Verbatim& name) { return name.text; },
+            [&wording](const Quantity& number) {
+                std::string digits = number.digits;
+                std::ranges::replace(digits, '.', wording.decimalSign);
+                if (number.unit.empty())
+                    return digits;
+                return digits + ' '
+                    + wording.words({"Unit", number.unit.c_str(), nullptr}, std::nullopt);
+            },
+            [](std::int64_t count) { return std::to_string(count); },
+            [&wording](const Text& text) { return text.in(wording); },
+            [&wording](const std::vector<Text>& list) {
+                std::string joined;
+                for (const Text& item : list)
+                    joined.append(joined.empty() ? "" : ", ").append(item.in(wording));
+                return joined;
+            }},
         m_value);
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <initializer_list>
 #include <memory>
 #include <optional>
@@ -74,8 +75,15 @@ struct TextPattern {
     [[nodiscard]] Text with(std::string_view name, Argument value) const;
 };
 
+/// How a language says the words of a text and writes its numbers.
+struct Wording {
+    /// The words of a pattern, still with its placeholders. count: of a pattern that counts.
+    std::function<std::string(const TextPattern& pattern, std::optional<std::int64_t> count)> words;
+    char decimalSign = '.';
+};
+
 /// A sentence, or a part of one, as a value: the words of a pattern and what its placeholders stand
-/// for. English is made here, every other language by the window.
+/// for.
 class Text {
 public:
     Text() = default;
@@ -99,6 +107,8 @@ public:
     [[nodiscard]] const Arguments& arguments() const { return m_arguments; }
     /// A placeholder without an argument becomes "?".
     [[nodiscard]] std::string english() const;
+    /// The same in another language.
+    [[nodiscard]] std::string in(const Wording& wording) const;
 
     friend bool operator==(const Text& a, const Text& b);
 
@@ -142,6 +152,7 @@ public:
 
     [[nodiscard]] const Value& value() const { return m_value; }
     [[nodiscard]] std::string english() const;
+    [[nodiscard]] std::string in(const Wording& wording) const;
 
     friend bool operator==(const Argument&, const Argument&) = default;
 

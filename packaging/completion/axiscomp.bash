@@ -20,8 +20,9 @@ _axiscomp_options()
         targets) echo "--help --json --from --to --count --spacing --period --cycles --seed --overrun --feed --dwell --axis --unit --dialect --output" ;;
         runs) echo "--help --json --output $measurement" ;;
         judge) echo "--help --json --tolerance --uncertainty --outliers --period --vdi $correction $measurement" ;;
-        fit) echo "--help --json $drive --axis --output --to --table --accept-large --target --to-sign --set-out $grid --smoothness --period --harmonics --turn --direction --zero --home --remove-slope --remove-drift --lookup-at --measured-with --onto --gain --remove --fill --robust --tolerance --uncertainty $correction $measurement" ;;
+        fit) echo "--help --json $drive --axis --output --to --table --accept-large --target --to-sign --set-out $grid --smoothness --period --harmonics --turn --direction --speed --zero --home --remove-slope --remove-drift --lookup-at --measured-with --onto --gain --remove --fill --robust --tolerance --uncertainty $correction $measurement" ;;
         compare) echo "--help --json --record --measured-with --keep --tolerance --uncertainty ${measurement/--exclude /}" ;;
+        report) echo "--help --json --output --language --lists" ;;
         axes) echo "--help --json --find --any-baud --network $drive" ;;
         files) echo "--help --json $drive" ;;
         status) echo "--help --json $drive --axis --reset-flash-count" ;;
@@ -39,7 +40,7 @@ _axiscomp_options()
     esac
 }
 
-_axiscomp_commands="example inspect convert lookup formats targets runs judge fit compare axes status write persist unpersist delete evaluate activate deactivate read files upload download monitor backup restore recover config"
+_axiscomp_commands="example inspect convert lookup formats targets runs judge fit compare report axes status write persist unpersist delete evaluate activate deactivate read files upload download monitor backup restore recover config"
 
 _axiscomp_formats="csv tamtbl aerotech-1d aerotech-2d icube isg-crosscomp isg-crosscomp2 isg-ssfk klipper linuxcnc pmac-1d pmac-2d rapidcode rapidcode-header siemens-cec siemens-eec reprap softmc softmc-basic"
 
@@ -131,6 +132,7 @@ _axiscomp()
                 COMPREPLY=($(compgen -W "$_axiscomp_formats" -- "$cur"))
             fi
             return ;;
+        --language) COMPREPLY=($(compgen -W "en de" -- "$cur")); return ;;
         --outside) COMPREPLY=($(compgen -W "hold zero wrap extrapolate error" -- "$cur")); return ;;
         --slot) COMPREPLY=($(compgen -W "$_axiscomp_slots" -- "$cur")); return ;;
         --drive)
@@ -156,6 +158,7 @@ _axiscomp()
     else
         case $command in
             inspect | convert | lookup | runs | judge | fit | compare | upload | restore) _filedir ;;
+            report) _filedir axcal ;;
             config)
                 _filedir TAMcfg
                 [[ $prev == config ]] && COMPREPLY=($(compgen -W "show export import" -- "$cur"))

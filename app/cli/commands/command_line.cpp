@@ -23,6 +23,7 @@ CommandLine::CommandLine()
     addJudgeCommand(*this);
     addFitCommand(*this);
     addCompareCommand(*this);
+    addReportCommand(*this);
     addAxesCommand(*this);
     addStatusCommand(*this);
     addWriteCommand(*this);

@@ -52,6 +52,7 @@ void addRunsCommand(CommandLine& line);
 void addJudgeCommand(CommandLine& line);
 void addFitCommand(CommandLine& line);
 void addCompareCommand(CommandLine& line);
+void addReportCommand(CommandLine& line);
 void addAxesCommand(CommandLine& line);
 void addStatusCommand(CommandLine& line);
 void addWriteCommand(CommandLine& line);

@@ -18,7 +18,7 @@ using test::Sandbox;
 namespace {
 
 const QStringList commands{"example", "inspect", "convert", "lookup", "formats", "targets", "runs",
-    "judge", "fit", "compare", "axes", "status", "write", "persist", "unpersist", "delete", "evaluate",
+    "judge", "fit", "compare", "report", "axes", "status", "write", "persist", "unpersist", "delete", "evaluate",
     "activate", "deactivate", "read", "files", "upload", "download", "monitor", "backup", "restore",
     "recover", "config"};
 

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/commands/command_line.h"
+#include "app/cli/output/json_output.h"
+#include "app/cli/output/judgement_output.h"
+#include "app/cli/output/output_file.h"
+#include "app/cli/output/report_output.h"
+#include "app/common/arguments.h"
+#include "core/io/local_file.h"
+#include "core/metrology/report/record_report.h"
+#include "core/metrology/report/report_html.h"
+
+#include <algorithm>
+#include <cctype>
+
+namespace axiscomp::app {
+
+namespace {
+
+struct ReportCommandOptions {
+    std::string record;
+    std::string output;
+    std::string language = "en";
+    bool wantsLists = false;
+};
+
+Result<bool> isPdf(const std::string& file)
+{
+    std::string extension = std::filesystem::path(file).extension().string();
+    std::ranges::transform(extension, extension.begin(),
+        [](char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); });
+    if (extension == ".pdf")
+        return true;
+    if (extension == ".html" || extension == ".htm")
+        return false;
+    return wrongUsage(
+        "the report is PDF or HTML: name a file that ends in .pdf or .html", commandName("report"));
+}
+
+Result<void> checkLanguage(const std::string& language)
+{
+    const std::vector<std::string> languages = reportLanguages();
+    if (std::ranges::find(languages, language) != languages.end())
+        return {};
+    std::string known;
+    for (const std::string& each : languages)
+        known += (known.empty() ? "" : ", ") + each;
+    return wrongUsage("--language: a report is written in " + known, commandName("report"));
+}
+
+Json figuresOrNull(const std::optional<ReportMeasurement>& measured)
+{
+    return measured && measured->measurement.hasTargets()
+        ? axisFiguresJson(iso230Figures(measured->measurement))
+        : Json(nullptr);
+}
+
+Json predictedJson(const std::optional<ReportPrediction>& prediction)
+{
+    if (!prediction)
+        return nullptr;
+    Iso230Figures figures;
+    for (std::size_t i = 0; i < figures.axis.size(); ++i)
+        figures.axis[i].value = prediction->figures[i];
+    return axisFiguresJson(figures);
+}
+
+Json heldOutJson(const std::optional<ReportPrediction>& prediction)
+{
+    if (!prediction || !prediction->heldOutM)
+        return nullptr;
+    return {{"rms", *prediction->heldOutRms}, {"largest", *prediction->heldOutLargest},
+        {"M", *prediction->heldOutM}};
+}
+
+Json reportJson(const ReportCommandOptions& options, const ReportContent& content)
+{
+    Json sources = Json::array();
+    for (const ReportInput& input : content.inputs)
+        sources.push_back(
+            {{"file", input.file}, {"format", input.format}, {"sha256", input.sha256}});
+    const auto& last = content.after ? content.after : content.before;
+    Json verdict = Json::array();
+    if (last && last->measurement.hasTargets())
+        verdict = verdictsJson(
+            verdicts(iso230Figures(last->measurement), content.tolerances, content.uncertainty));
+    return {{"record", options.record}, {"output", options.output}, {"language", options.language},
+        {"unit", content.isAngular ? "deg" : "mm"}, {"before", figuresOrNull(content.before)},
+        {"predicted", predictedJson(content.prediction)},
+        {"heldOut", heldOutJson(content.prediction)}, {"after", figuresOrNull(content.after)},
+        {"verdict", std::move(verdict)}, {"source", std::move(sources)}};
+}
+
+Result<ExitCode> runReport(Environment& environment, const ReportCommandOptions& options)
+{
+    AXISCOMP_TRY(const bool asPdf, isPdf(options.output));
+    AXISCOMP_CHECK(checkLanguage(options.language));
+    AXISCOMP_TRY(const auto record, loadRecord(options.record));
+    AXISCOMP_TRY(const auto content, reportContent(record, AXISCOMP_VERSION));
+    const ReportDocument document =
+        inLanguage(reportDocument(content, {options.wantsLists}), options.language);
+    if (asPdf) {
+        AXISCOMP_TRY(const auto pdf, drawnAsPdf(document));
+        AXISCOMP_CHECK(saveFile(options.output, pdf));
+    } else {
+        AXISCOMP_CHECK(saveFile(options.output, asBytes(reportHtml(document))));
+    }
+    environment.print("Report written to " + options.output + "\n");
+    environment.document(reportJson(options, content));
+    return ExitCode::Done;
+}
+
+} // namespace
+
+void addReportCommand(CommandLine& line)
+{
+    auto options = std::make_shared<ReportCommandOptions>();
+    CLI::App* command = line.add("report", fileCommands,
+        "Write the report of a record: by how much an axis became better, on one page",
+        [options](Environment& environment) { return runReport(environment, *options); });
+    command->add_option("record", options->record, "Record of the compensation (.axcal)")
+        ->option_text("RECORD")
+        ->required();
+    command
+        ->add_option("-o,--output", options->output,
+            "The report; its extension says whether it is PDF or HTML")
+        ->option_text("FILE")
+        ->required();
+    command->add_option("--language", options->language, "Language of the report: en or de")
+        ->option_text("LANGUAGE");
+    command->add_flag("--lists", options->wantsLists,
+        "Add pages with every target and every value that is left out");
+    command->footer("Examples:\n"
+                    "  axiscomp report job.axcal -o report.pdf\n"
+                    "  axiscomp report job.axcal -o report.html --language de");
+}
+
+} // namespace axiscomp::app

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/bytes.h"
+#include "core/base/result.h"
+#include "core/metrology/report/report_document.h"
+
+#include <string>
+#include <vector>
+
+namespace axiscomp::app {
+
+/// "en" and every language that there is a translation for.
+[[nodiscard]] std::vector<std::string> reportLanguages();
+
+/// language: one of reportLanguages().
+[[nodiscard]] ReportDocument inLanguage(ReportDocument document, const std::string& language);
+
+/// The document as PDF, by the module that is loaded for it. Errors: FileNotReadable when the
+/// module is not installed; InvalidArgument where no font is.
+[[nodiscard]] Result<Bytes> drawnAsPdf(const ReportDocument& document);
+
+} // namespace axiscomp::app

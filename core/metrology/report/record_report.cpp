@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/metrology/report/record_report.h"
+
+#include "core/metrology/report/report_text.h"
+#include "core/table/table_units.h"
+#include "core/text/number_text.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace axiscomp {
+
+namespace {
+
+using namespace report;
+
+std::vector<Text> correctionTexts(const RecordedCorrections& corrections)
+{
+    std::vector<Text> list;
+    if (const auto& temperature = corrections.temperature)
+        list.push_back(
+            AXISCOMP_TEXT("Report", "to 20 °C from {material} with {expansion}")
+                .with("material", quantityText(roundedText(temperature->materialCelsius), "°C"))
+                .with("expansion",
+                    quantityText(roundedText(temperature->expansionPerKelvin * 1e6), "µm/(m·K)")));
+    if (const auto& deadPath = corrections.deadPath)
+        list.push_back(AXISCOMP_TEXT("Report", "dead path of {length}")
+                           .with("length", quantityText(roundedText(deadPath->lengthMm), "mm")));
+    if (corrections.drift)
+        list.push_back(AXISCOMP_TEXT("Report", "drift taken out for the table, not for figures"));
+    return list;
+}
+
+Result<ReportMeasurement> measured(const RecordedMeasurement& recorded)
+{
+    ReportMeasurement result;
+    AXISCOMP_TRY(result.measurement, usedMeasurement(recorded));
+    result.corrections = correctionTexts(recorded.corrections);
+    result.areCorrectionsKnown = true;
+    return result;
+}
+
+void addInputs(std::vector<ReportInput>& inputs, const RecordedMeasurement& recorded)
+{
+    for (const RecordedFile& file : recorded.files)
+        inputs.push_back({file.file, file.format, file.sha256});
+}
+
+Text methodText(const CalibrationRecord& record)
+{
+    if (!record.fit)
+        return {};
+    const FitSettings& settings = record.fit->settings;
+    if (record.before && !record.before->files.front().measurement.hasTargets())
+        return AXISCOMP_TEXT("Report", "smooth grid of scattered points");
+    const std::string method(fitMethodName(settings.method));
+    switch (settings.direction) {
+    case FitDirection::Positive:
+        return AXISCOMP_TEXT("Report", "{method}, from the runs ↑").with("method", method);
+    case FitDirection::Negative:
+        return AXISCOMP_TEXT("Report", "{method}, from the runs ↓").with("method", method);
+    case FitDirection::Mean:
+        break;
+    }
+    return AXISCOMP_TEXT("Report", "{method}, from the mean of both directions")
+        .with("method", method);
+}
+
+Text proofText(const RecordedWrite& write)
+{
+    if (!write.proof)
+        return {};
+    const RecordedWrite::Proof& proof = *write.proof;
+    const Text share = quantityText(percentText(proof.provedShare), "%");
+    if (!proof.isProved)
+        return AXISCOMP_TEXT("Report", "failed after {share} of the table").with("share", share);
+    return AXISCOMP_TEXT("Report", "passed over {share} of the table").with("share", share);
+}
+
+/// At the largest value of a table of one dimension, whose values are in mm or deg.
+Text signText(
+    const CompensationTable& table, const std::optional<LookupAt>& lookupAt, bool isAngular)
+{
+    if (table.values.empty() || table.grid.axes.size() != 1)
+        return {};
+    const auto largest =
+        std::ranges::max_element(table.values, {}, [](float value) { return std::abs(value); });
+    const auto index = static_cast<std::size_t>(largest - table.values.begin());
+    const double position = table.grid.axes.front().position(index);
+    const auto added = static_cast<double>(*largest);
+    const FineUnit unit = fineUnit(isAngular);
+    constexpr int placeDecimals = 4;
+    const Text amount =
+        quantityText((added > 0.0 ? "+" : "") + fixedDigits(added * unit.factor, 3), unit.symbol);
+    const auto place = [&unit](double value) {
+        return quantityText(fixedDigits(value, placeDecimals), unit.positionSymbol);
+    };
+    if (lookupAt == LookupAt::Set)
+        return AXISCOMP_TEXT("Report",
+            "At the set position {position} the drive adds {added} to what the encoder reads.")
+            .with("position", place(position))
+            .with("added", amount);
+    return AXISCOMP_TEXT("Report",
+        "Where the encoder reads {reading}, the reference said {reference}: the drive adds "
+        "{added}.")
+        .with("reading", place(position))
+        .with("reference", place(position + added))
+        .with("added", amount);
+}
+
+void addTable(ReportContent& content, const CalibrationRecord& record)
+{
+    ReportedTable& table = content.table;
+    table.method = methodText(record);
+    if (!record.tables.empty()) {
+        const RecordedTable& first = record.tables.front();
+        table.grid = first.table.grid;
+        table.crc = first.crc;
+        if (first.table.unit == "mm" || first.table.unit == "deg")
+            content.sign = signText(first.table,
+                record.fit ? record.fit->settings.lookupAt : std::nullopt, content.isAngular);
+    }
+    if (record.write) {
+        table.slot = record.write->slot;
+        table.isPersistent = record.write->isPersistent;
+        table.proof = proofText(*record.write);
+    }
+}
+
+void addTolerances(ReportContent& content, const CalibrationRecord& record)
+{
+    if (record.verdict) {
+        for (const Verdict& verdict : record.verdict->figures) {
+            content.tolerances.push_back(verdict.tolerance);
+            content.uncertainty = verdict.uncertainty;
+        }
+    }
+    if (content.tolerances.empty() && record.fit) {
+        content.tolerances = record.fit->settings.tolerances;
+        content.uncertainty = record.fit->settings.uncertainty;
+    }
+}
+
+} // namespace
+
+Result<ReportContent> reportContent(
+    const CalibrationRecord& record, const std::string& programVersion)
+{
+    ReportContent content;
+    content.programVersion = programVersion;
+    if (record.before) {
+        AXISCOMP_TRY(content.before, measured(*record.before));
+        addInputs(content.inputs, *record.before);
+    }
+    if (!record.after.empty()) {
+        AXISCOMP_TRY(content.after, measured(record.after.back().measurement));
+        addInputs(content.inputs, record.after.back().measurement);
+    }
+    for (const auto* one : {&content.after, &content.before}) {
+        if (!*one)
+            continue;
+        content.isAngular = (*one)->measurement.isAngular;
+        content.machine = (*one)->measurement.header.machine;
+        content.axis = (*one)->measurement.header.axis;
+        content.serial = (*one)->measurement.header.serial;
+    }
+    if (record.drive) {
+        content.drive = record.drive->name;
+        content.driveSerial = std::to_string(record.drive->serialNumber);
+        content.firmwareProfile = record.drive->profile;
+        if (content.axis.empty())
+            content.axis = record.drive->axisName;
+    }
+    if (record.prediction) {
+        content.prediction.emplace();
+        content.prediction->figures = record.prediction->predicted.values;
+        if (const auto& heldOut = record.prediction->heldOut) {
+            content.prediction->heldOutRms = heldOut->rms;
+            content.prediction->heldOutLargest = heldOut->largest;
+            content.prediction->heldOutM = heldOut->range;
+        }
+    }
+    addTable(content, record);
+    addTolerances(content, record);
+    for (const std::string& note : record.notes)
+        content.notes.push_back(statedText(note));
+    return content;
+}
+
+} // namespace axiscomp

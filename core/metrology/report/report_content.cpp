@@ -1,0 +1,504 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/metrology/report/report_content.h"
+
+#include "core/metrology/report/deviation_plot.h"
+#include "core/metrology/report/report_text.h"
+#include "core/text/number_text.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace axiscomp {
+
+namespace {
+
+using namespace report;
+
+constexpr double pageWidth = 180.0; // mm, A4 without its margins
+constexpr int figureDecimals = 2; // of um or arc seconds: 10 nm
+constexpr std::size_t mostNotes = 3; // on the first page, as the rest of a list
+constexpr std::size_t mostInputs = 4;
+constexpr std::size_t mostExclusions = 6;
+
+/// A measurement as the page needs it.
+struct Judged {
+    const ReportMeasurement* reported = nullptr; ///< null: not on record
+    Iso230Figures figures;
+};
+
+Judged judged(const std::optional<ReportMeasurement>& reported)
+{
+    Judged result;
+    if (!reported)
+        return result;
+    result.reported = &*reported;
+    if (reported->measurement.hasTargets())
+        result.figures = iso230Figures(reported->measurement);
+    return result;
+}
+
+class ReportWriter {
+public:
+    ReportWriter(const ReportContent& content, const ReportOptions& options)
+        : m_content(content)
+        , m_options(options)
+        , m_unit(fineUnit(content.isAngular))
+        , m_before(judged(content.before))
+        , m_after(judged(content.after))
+    {
+    }
+
+    ReportDocument written()
+    {
+        m_document.title = title();
+        addOutcome();
+        addMachine();
+        addMeasurements();
+        addPlots();
+        addFigures();
+        addVerdicts();
+        addTable();
+        addNotes();
+        addInputs(m_options.wantsLists ? 0 : mostInputs);
+        if (m_options.wantsLists)
+            addLists();
+        return std::move(m_document);
+    }
+
+private:
+    [[nodiscard]] Text title() const
+    {
+        return AXISCOMP_TEXT("Report", "Compensation of axis {axis}, machine {machine}")
+            .with("axis", statedText(m_content.axis))
+            .with("machine", statedText(m_content.machine));
+    }
+
+    void heading(const TextPattern& text) { m_document.blocks.emplace_back(ReportHeading{text}); }
+    void paragraph(Text text, bool isStrong = false)
+    {
+        m_document.blocks.emplace_back(ReportParagraph{std::move(text), isStrong});
+    }
+
+    [[nodiscard]] Text fine(const std::optional<double>& value) const
+    {
+        return value
+            ? quantityText(fixedDigits(*value * m_unit.factor, figureDecimals), m_unit.symbol)
+            : Text(AXISCOMP_TEXT("Report", "not defined"));
+    }
+    /// In a table whose heading says the unit.
+    [[nodiscard]] Text cell(const std::optional<double>& value) const
+    {
+        return value ? numberText(*value * m_unit.factor, figureDecimals)
+                     : Text(AXISCOMP_TEXT("Report", "not defined"));
+    }
+    [[nodiscard]] static std::optional<double> accuracyOf(const Judged& one)
+    {
+        return one.reported ? one.figures[Iso230Figure::A].value : std::nullopt;
+    }
+
+    /// The sentence that is read first.
+    void addOutcome()
+    {
+        const auto before = accuracyOf(m_before);
+        const auto after = accuracyOf(m_after);
+        if (before && after)
+            paragraph(AXISCOMP_TEXT("Report", "Accuracy A: {before} before, {after} after.")
+                          .with("before", fine(before))
+                          .with("after", fine(after)),
+                true);
+        else if (before)
+            paragraph(AXISCOMP_TEXT("Report",
+                          "Accuracy A: {before} before. There is no measurement afterwards on "
+                          "record.")
+                          .with("before", fine(before)),
+                true);
+        else
+            paragraph(AXISCOMP_TEXT("Report", "The accuracy A before is not defined."), true);
+    }
+
+    void addMachine()
+    {
+        m_document.blocks.emplace_back(ReportFacts{
+            {{AXISCOMP_TEXT("Report", "Machine"), statedText(m_content.machine)},
+                {AXISCOMP_TEXT("Report", "Axis"), statedText(m_content.axis)},
+                {AXISCOMP_TEXT("Report", "Serial number"), statedText(m_content.serial)},
+                {AXISCOMP_TEXT("Report", "Drive"), statedText(m_content.drive)},
+                {AXISCOMP_TEXT("Report", "Serial number of the drive"),
+                    statedText(m_content.driveSerial)},
+                {AXISCOMP_TEXT("Report", "Firmware profile"),
+                    statedText(m_content.firmwareProfile)}},
+            2});
+    }
+
+    /// A column for each measurement; absent ones say so in every row.
+    void addMeasurements()
+    {
+        heading(AXISCOMP_TEXT("Report", "Measurements"));
+        ReportTable table;
+        table.header = {
+            Text(), AXISCOMP_TEXT("Report", "before"), AXISCOMP_TEXT("Report", "after")};
+        const auto row = [&](const TextPattern& name, auto text) {
+            std::vector<Text> cells{name};
+            for (const Judged* one : {&m_before, &m_after})
+                cells.push_back(one->reported ? text(*one->reported) : notStated());
+            table.rows.push_back(std::move(cells));
+        };
+        const auto header = [](const ReportMeasurement& one) -> const MeasurementHeader& {
+            return one.measurement.header;
+        };
+        row(AXISCOMP_TEXT("Report", "Date"),
+            [&](const ReportMeasurement& one) { return statedText(header(one).date); });
+        row(AXISCOMP_TEXT("Report", "Operator"),
+            [&](const ReportMeasurement& one) { return statedText(header(one).operatorName); });
+        row(AXISCOMP_TEXT("Report", "Instrument"),
+            [&](const ReportMeasurement& one) { return statedText(header(one).instrument); });
+        row(AXISCOMP_TEXT("Report", "Feed, dwell"), [&](const ReportMeasurement& one) {
+            return listText({statedText(header(one).feed), statedText(header(one).dwell)});
+        });
+        row(AXISCOMP_TEXT("Report", "Environment"),
+            [&](const ReportMeasurement& one) { return environmentText(header(one)); });
+        row(AXISCOMP_TEXT("Report", "Compensation"),
+            [&](const ReportMeasurement& one) { return stateText(header(one).compensation); });
+        row(AXISCOMP_TEXT("Report", "Corrections"),
+            [&](const ReportMeasurement& one) { return correctionsText(one); });
+        row(AXISCOMP_TEXT("Report", "Targets and runs"),
+            [&](const ReportMeasurement& one) { return extentText(one.measurement); });
+        row(AXISCOMP_TEXT("Report", "Left out"),
+            [&](const ReportMeasurement& one) { return exclusionsText(one.measurement); });
+        m_document.blocks.emplace_back(std::move(table));
+    }
+
+    [[nodiscard]] static Text listText(std::vector<Text> items)
+    {
+        return Text({"", "{items}", nullptr}, {{"items", std::move(items)}});
+    }
+
+    [[nodiscard]] static Text environmentText(const MeasurementHeader& header)
+    {
+        const auto temperature = [](const std::optional<double>& value) {
+            return value ? quantityText(roundedText(*value), "°C") : notStated();
+        };
+        return AXISCOMP_TEXT("Report", "air {air}, material {material}, expansion {expansion}")
+            .with("air", temperature(header.airTemperature))
+            .with("material", temperature(header.materialTemperature))
+            .with("expansion",
+                header.expansion ? quantityText(roundedText(*header.expansion * 1e6), "µm/(m·K)")
+                                 : notStated());
+    }
+
+    [[nodiscard]] static Text stateText(const MeasuredState& state)
+    {
+        if (state.kind == MeasuredState::Kind::NotSaid)
+            return notStated();
+        if (state.kind == MeasuredState::Kind::Off)
+            return AXISCOMP_TEXT("Report", "off");
+        if (!state.tableCrc)
+            return AXISCOMP_TEXT("Report", "on, which table is not stated");
+        return AXISCOMP_TEXT("Report", "on, table {crc}").with("crc", crcText(*state.tableCrc));
+    }
+
+    [[nodiscard]] static Text correctionsText(const ReportMeasurement& one)
+    {
+        if (!one.corrections.empty())
+            return listText(one.corrections);
+        switch (one.measurement.header.corrected) {
+        case MeasurementHeader::Corrected::To20Celsius:
+            return AXISCOMP_TEXT("Report", "to 20 °C by the instrument");
+        case MeasurementHeader::Corrected::None:
+            return AXISCOMP_TEXT("Report", "none");
+        case MeasurementHeader::Corrected::NotSaid:
+            break;
+        }
+        return one.areCorrectionsKnown
+            ? Text(AXISCOMP_TEXT("Report", "none here, by the instrument not stated"))
+            : notStated();
+    }
+
+    [[nodiscard]] Text extentText(const Measurement& measurement) const
+    {
+        if (!measurement.hasTargets() || measurement.targets.empty())
+            return AXISCOMP_TEXT("Report", "no targets: {kind}")
+                .with("kind", measurementKindText(measurement.kind));
+        return AXISCOMP_COUNTED("Report",
+            "{count} targets from {from} to {to}, {up} runs ↑, {down} runs ↓",
+            "1 target at {from}, {up} runs ↑, {down} runs ↓")
+            .with("count", measurement.targets.size())
+            .with("from", quantityText(toText(measurement.targets.front()), ""))
+            .with("to", quantityText(toText(measurement.targets.back()), m_unit.positionSymbol))
+            .with("up", measurement.runCount(Approach::Up))
+            .with("down", measurement.runCount(Approach::Down));
+    }
+
+    [[nodiscard]] static std::vector<Text> exclusions(const Measurement& measurement)
+    {
+        std::vector<Text> list;
+        for (const RunValue& value : measurement.values)
+            if (!value.isUsed)
+                list.push_back(
+                    AXISCOMP_TEXT("Report", "{direction} target {target} run {run}")
+                        .with("direction", Verbatim{value.direction == Approach::Up ? "↑" : "↓"})
+                        .with("target", value.target + 1)
+                        .with("run", value.run));
+        return list;
+    }
+
+    [[nodiscard]] static Text exclusionsText(const Measurement& measurement)
+    {
+        std::vector<Text> list = exclusions(measurement);
+        const std::size_t count = list.size();
+        if (count == 0)
+            return AXISCOMP_TEXT("Report", "nothing");
+        if (count > mostExclusions)
+            return AXISCOMP_TEXT("Report", "{count} values: not an evaluation by ISO 230-2")
+                .with("count", count);
+        return AXISCOMP_TEXT("Report", "{values}: not an evaluation by ISO 230-2")
+            .with("values", std::move(list));
+    }
+
+    [[nodiscard]] static bool hasPlot(const Judged& one)
+    {
+        return one.reported && !one.figures.targets.empty();
+    }
+
+    void addPlots()
+    {
+        const bool hasBoth = hasPlot(m_before) && hasPlot(m_after);
+        if (!hasPlot(m_before) && !hasPlot(m_after))
+            return;
+        std::optional<DeviationRange> range;
+        for (const Judged* one : {&m_before, &m_after}) {
+            if (!hasPlot(*one))
+                continue;
+            const auto own = deviationRange(one->reported->measurement, one->figures);
+            range = range ? united(*range, own) : own;
+        }
+        if (hasBoth)
+            heading(
+                AXISCOMP_TEXT("Report", "Deviation over position: before, after, to one scale"));
+        else if (hasPlot(m_before))
+            heading(AXISCOMP_TEXT("Report", "Deviation over position, before"));
+        else
+            heading(AXISCOMP_TEXT("Report", "Deviation over position, after"));
+        constexpr double gap = 2.0;
+        const PlotSize size{hasBoth ? (pageWidth - gap) / 2.0 : pageWidth, 62.0};
+        ReportPlots plots;
+        for (const Judged* one : {&m_before, &m_after})
+            if (hasPlot(*one))
+                plots.plots.push_back(
+                    deviationPlot(one->reported->measurement, one->figures, *range, size));
+        m_document.blocks.emplace_back(std::move(plots));
+        m_document.blocks.emplace_back(ReportPlots{{deviationLegend(pageWidth)}});
+    }
+
+    void addFigures()
+    {
+        m_document.blocks.emplace_back(
+            ReportHeading{AXISCOMP_TEXT("Report", "Figures of ISO 230-2:2014 in {unit}")
+                              .with("unit", Verbatim{m_unit.symbol})});
+        ReportTable table;
+        table.hasNumbers = true;
+        table.header = {Text(), AXISCOMP_TEXT("Report", "before"),
+            AXISCOMP_TEXT("Report", "predicted"), AXISCOMP_TEXT("Report", "held out"),
+            AXISCOMP_TEXT("Report", "after")};
+        using F = Iso230Figure;
+        for (const F figure : {F::A, F::AUp, F::ADown, F::R, F::RUp, F::RDown, F::E, F::EUp,
+                 F::EDown, F::B, F::MeanReversal, F::M}) {
+            const auto measured = [&](const Judged& one) {
+                return one.reported ? cell(one.figures[figure].value) : notStated();
+            };
+            table.rows.push_back({figureText(figure), measured(m_before), predictedCell(figure),
+                heldOutCell(figure), measured(m_after)});
+        }
+        m_document.blocks.emplace_back(std::move(table));
+        if (const auto& prediction = m_content.prediction; prediction && prediction->heldOutM)
+            paragraph(AXISCOMP_TEXT("Report",
+                "Held out: what is left at targets that the table was made without: M {range}, rms "
+                "{rms}, largest {largest}. Of the two predictions this is the one to believe.")
+                          .with("range", fine(prediction->heldOutM))
+                          .with("rms", fine(prediction->heldOutRms))
+                          .with("largest", fine(prediction->heldOutLargest)));
+    }
+
+    [[nodiscard]] Text predictedCell(Iso230Figure figure) const
+    {
+        const auto& prediction = m_content.prediction;
+        return prediction ? cell(prediction->figures[static_cast<std::size_t>(figure)])
+                          : notStated();
+    }
+    [[nodiscard]] Text heldOutCell(Iso230Figure figure) const
+    {
+        const auto& prediction = m_content.prediction;
+        if (figure != Iso230Figure::M)
+            return Verbatim{"–"}; // there is but one figure held out
+        return prediction ? cell(prediction->heldOutM) : notStated();
+    }
+
+    void addVerdicts()
+    {
+        const bool isAfter = m_after.reported != nullptr;
+        heading(isAfter ? AXISCOMP_TEXT("Report", "Verdict on the measurement after")
+                        : AXISCOMP_TEXT("Report", "Verdict on the measurement before"));
+        const Text uncertainty = m_content.uncertainty ? fine(m_content.uncertainty) : notStated();
+        if (m_content.tolerances.empty()) {
+            m_document.blocks.emplace_back(
+                ReportFacts{{{AXISCOMP_TEXT("Report", "Tolerances"), notStated()},
+                                {AXISCOMP_TEXT("Report", "Uncertainty U, k = 2"), uncertainty}},
+                    2});
+            return;
+        }
+        ReportTable table;
+        table.hasNumbers = true;
+        table.header = {Text(), AXISCOMP_TEXT("Report", "value"),
+            AXISCOMP_TEXT("Report", "tolerance"), AXISCOMP_TEXT("Report", "uncertainty U, k = 2"),
+            AXISCOMP_TEXT("Report", "verdict")};
+        const Iso230Figures& figures = isAfter ? m_after.figures : m_before.figures;
+        for (const Verdict& verdict :
+            verdicts(figures, m_content.tolerances, m_content.uncertainty))
+            table.rows.push_back({figureText(verdict.tolerance.figure), fine(verdict.value),
+                fine(verdict.tolerance.value), uncertainty, verdictText(verdict.result)});
+        m_document.blocks.emplace_back(std::move(table));
+    }
+
+    void addTable()
+    {
+        const ReportedTable& table = m_content.table;
+        heading(AXISCOMP_TEXT("Report", "Table"));
+        m_document.blocks.emplace_back(ReportFacts{
+            {{AXISCOMP_TEXT("Report", "Grid"), gridText()},
+                {AXISCOMP_TEXT("Report", "Method"),
+                    table.method.isEmpty() ? notStated() : table.method},
+                {AXISCOMP_TEXT("Report", "CRC-32"), table.crc ? crcText(*table.crc) : notStated()},
+                {AXISCOMP_TEXT("Report", "Slot"), statedText(table.slot)},
+                {AXISCOMP_TEXT("Report", "Persistency"), persistencyText()},
+                {AXISCOMP_TEXT("Report", "End-to-end proof"),
+                    table.proof.isEmpty() ? notStated() : table.proof}},
+            2});
+        m_document.blocks.emplace_back(ReportFacts{{{AXISCOMP_TEXT("Report", "Sign"),
+            m_content.sign.isEmpty() ? notStated() : m_content.sign}}});
+    }
+
+    [[nodiscard]] Text gridText() const
+    {
+        std::vector<Text> axes;
+        for (const GridAxis& axis : m_content.table.grid.axes)
+            axes.push_back(
+                AXISCOMP_TEXT("Report", "{count} points from {from} to {to}")
+                    .with("count", axis.size)
+                    .with("from", quantityText(roundedText(axis.start), ""))
+                    .with("to",
+                        quantityText(roundedText(axis.last()),
+                            axis.unit.empty() || axis.unit == "deg" ? m_unit.positionSymbol
+                                                                    : axis.unit.c_str())));
+        return axes.empty() ? notStated() : listText(std::move(axes));
+    }
+
+    [[nodiscard]] Text persistencyText() const
+    {
+        const auto& isPersistent = m_content.table.isPersistent;
+        if (!isPersistent)
+            return notStated();
+        return *isPersistent ? AXISCOMP_TEXT("Report", "persistent")
+                             : AXISCOMP_TEXT("Report", "volatile");
+    }
+
+    [[nodiscard]] static Text crcText(std::uint32_t crc)
+    {
+        std::string digits(8, '0');
+        std::array<char, 8> buffer{};
+        const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), crc, 16);
+        const auto length = static_cast<std::size_t>(end.ptr - buffer.data());
+        std::copy(buffer.data(), end.ptr, digits.begin() + static_cast<long>(8 - length));
+        return Verbatim{digits};
+    }
+
+    void addNotes()
+    {
+        heading(AXISCOMP_TEXT("Report", "Notes"));
+        const auto& notes = m_content.notes;
+        if (notes.empty())
+            paragraph(AXISCOMP_TEXT("Report", "none on record"));
+        const std::size_t count =
+            m_options.wantsLists ? notes.size() : std::min(notes.size(), mostNotes);
+        for (std::size_t i = 0; i < count; ++i)
+            paragraph(notes[i]);
+        if (count < notes.size())
+            paragraph(AXISCOMP_COUNTED(
+                "Report", "and {count} more in the record", "and 1 more in the record")
+                          .with("count", notes.size() - count));
+    }
+
+    /// most: 0 for all of them.
+    void addInputs(std::size_t most)
+    {
+        heading(AXISCOMP_TEXT("Report", "Input files"));
+        const auto& inputs = m_content.inputs;
+        const std::size_t count = most == 0 ? inputs.size() : std::min(inputs.size(), most);
+        if (inputs.empty())
+            paragraph(notStated());
+        ReportTable table;
+        table.header = {AXISCOMP_TEXT("Report", "file"), AXISCOMP_TEXT("Report", "format"),
+            Verbatim{"SHA-256"}};
+        for (std::size_t i = 0; i < count; ++i)
+            table.rows.push_back({statedText(inputs[i].file), statedText(inputs[i].format),
+                statedText(inputs[i].sha256)});
+        if (!inputs.empty())
+            m_document.blocks.emplace_back(std::move(table));
+        if (count < inputs.size())
+            paragraph(AXISCOMP_COUNTED(
+                "Report", "and {count} more in the record", "and 1 more in the record")
+                          .with("count", inputs.size() - count));
+        paragraph(AXISCOMP_TEXT("Report",
+            "Made by Axis Compensation Wizard {version}. Figures that the values do not define are "
+            "not defined; what is not on record is not stated.")
+                      .with("version", statedText(m_content.programVersion)));
+    }
+
+    void addLists()
+    {
+        m_document.blocks.emplace_back(ReportPageBreak{});
+        if (hasPlot(m_before))
+            addTargets(AXISCOMP_TEXT("Report", "Targets before, in {unit}"), m_before);
+        if (hasPlot(m_after))
+            addTargets(AXISCOMP_TEXT("Report", "Targets after, in {unit}"), m_after);
+    }
+
+    void addTargets(const TextPattern& name, const Judged& one)
+    {
+        m_document.blocks.emplace_back(ReportHeading{name.with("unit", Verbatim{m_unit.symbol})});
+        ReportTable table;
+        table.hasNumbers = true;
+        table.header = {AXISCOMP_TEXT("Report", "target in {unit}")
+                            .with("unit", Verbatim{m_unit.positionSymbol}),
+            AXISCOMP_TEXT("Report", "values ↑"), AXISCOMP_TEXT("Report", "mean ↑"),
+            AXISCOMP_TEXT("Report", "s ↑"), AXISCOMP_TEXT("Report", "values ↓"),
+            AXISCOMP_TEXT("Report", "mean ↓"), AXISCOMP_TEXT("Report", "s ↓"), Verbatim{"B"},
+            Verbatim{"R"}};
+        for (const TargetFigures& target : one.figures.targets)
+            table.rows.push_back({quantityText(toText(target.position), ""),
+                numberText(static_cast<double>(target.up.n), 0), cell(target.up.mean),
+                cell(target.up.s), numberText(static_cast<double>(target.down.n), 0),
+                cell(target.down.mean), cell(target.down.s), cell(target.reversal),
+                cell(target.repeatability)});
+        m_document.blocks.emplace_back(std::move(table));
+        if (auto list = exclusions(one.reported->measurement); !list.empty())
+            paragraph(
+                AXISCOMP_TEXT("Report", "Left out: {values}").with("values", std::move(list)));
+    }
+
+    const ReportContent& m_content;
+    const ReportOptions& m_options;
+    FineUnit m_unit;
+    Judged m_before;
+    Judged m_after;
+    ReportDocument m_document;
+};
+
+} // namespace
+
+ReportDocument reportDocument(const ReportContent& content, const ReportOptions& options)
+{
+    return ReportWriter(content, options).written();
+}
+
+} // namespace axiscomp

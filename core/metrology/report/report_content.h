@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/metrology/judge/iso230.h"
+#include "core/metrology/judge/uncertainty.h"
+#include "core/metrology/report/report_document.h"
+#include "core/table/grid.h"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace axiscomp {
+
+// The facts that a report shows. What is empty is not on record, and the page says so.
+
+/// A file that went into it.
+struct ReportInput {
+    std::string file;
+    std::string format;
+    std::string sha256; ///< of its bytes, in hexadecimal digits
+};
+
+/// What was measured, before or after: corrected, and with the values marked that are left out.
+struct ReportMeasurement {
+    Measurement measurement;
+    std::vector<Text> corrections; ///< what was made of the values as read
+    /// Whether it is on record what was corrected: without that an empty list says nothing.
+    bool areCorrectionsKnown = false;
+};
+
+struct ReportPrediction {
+    /// Of the same runs with the table active; in mm or deg, by Iso230Figure.
+    std::array<std::optional<double>, iso230FigureCount> figures{};
+    /// What is left at targets that the table was made without, in mm or deg.
+    std::optional<double> heldOutRms;
+    std::optional<double> heldOutLargest;
+    std::optional<double> heldOutM;
+};
+
+struct ReportedTable {
+    Grid grid; ///< without axes: not on record
+    Text method;
+    std::optional<std::uint32_t> crc;
+    std::string slot;
+    std::optional<bool> isPersistent;
+    Text proof; ///< what the end-to-end proof has come to
+};
+
+struct ReportContent {
+    bool isAngular = false; ///< lengths are degrees
+    std::string machine;
+    std::string axis;
+    std::string serial; ///< as the measurement's file says it
+    std::string drive;
+    std::string driveSerial;
+    std::string firmwareProfile;
+    std::optional<ReportMeasurement> before;
+    std::optional<ReportMeasurement> after;
+    std::optional<ReportPrediction> prediction;
+    ReportedTable table;
+    Text sign; ///< what the drive will add where, in numbers
+    std::vector<Tolerance> tolerances;
+    std::optional<double> uncertainty; ///< U with k = 2, in mm or deg
+    std::vector<Text> notes;
+    std::vector<ReportInput> inputs;
+    std::string programVersion;
+};
+
+struct ReportOptions {
+    /// A second page with every target, every value that is left out, all notes and all files.
+    bool wantsLists = false;
+};
+
+/// The page: one of A4 without lists, however much is on record.
+[[nodiscard]] ReportDocument reportDocument(
+    const ReportContent& content, const ReportOptions& options = {});
+
+} // namespace axiscomp

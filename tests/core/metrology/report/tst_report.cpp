@@ -1,0 +1,351 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/metrology/report/report_content.h"
+#include "core/metrology/report/report_html.h"
+#include "tests/core/metrology/measurement_reading.h"
+#include "tests/support/test_registry.h"
+
+#include <QRegularExpression>
+
+#include <cmath>
+
+namespace tst_report {
+
+using namespace axiscomp;
+
+namespace {
+
+Measurement publicRuns(const std::string& name)
+{
+    return test::readAs("runs", test::publicMeasurement(name)).measurement.value_or(Measurement{});
+}
+
+Text words(const char* text)
+{
+    return Verbatim{text};
+}
+
+ReportMeasurement measured(double scale)
+{
+    ReportMeasurement result;
+    result.measurement = publicRuns("bifrost.csv");
+    for (RunValue& value : result.measurement.values)
+        value.deviation *= scale;
+    MeasurementHeader& header = result.measurement.header;
+    header.date = scale == 1.0 ? "2026-11-20" : "2026-11-21";
+    header.operatorName = "A. Meter";
+    header.instrument = "XL-80 12345";
+    header.feed = "1000 mm/min";
+    header.dwell = "3 s";
+    header.airTemperature = 20.4;
+    header.materialTemperature = 20.9;
+    header.expansion = 11.5e-6;
+    header.compensation.kind = scale == 1.0 ? MeasuredState::Kind::Off : MeasuredState::Kind::On;
+    if (scale != 1.0)
+        header.compensation.tableCrc = 0x0c291ca3;
+    result.corrections = {words("dead path of 120 mm")};
+    return result;
+}
+
+ReportContent wholeContent()
+{
+    ReportContent content;
+    content.machine = "Mill 7";
+    content.axis = "X";
+    content.serial = "M-4711";
+    content.drive = "Triamec-616";
+    content.driveSerial = "9087";
+    content.firmwareProfile = "generic";
+    content.before = measured(1.0);
+    content.before->measurement.values[3].isUsed = false;
+    content.after = measured(0.1);
+    content.prediction.emplace();
+    content.prediction->figures[static_cast<std::size_t>(Iso230Figure::A)] = 0.0083537;
+    content.prediction->heldOutM = 0.0177945;
+    content.prediction->heldOutRms = 0.004321;
+    content.prediction->heldOutLargest = 0.0098765;
+    content.table.grid.axes = {{"X", "mm", 15.0, 10.2, 5}};
+    content.table.method = words("smooth");
+    content.table.crc = 0x0c291ca3;
+    content.table.slot = "small3";
+    content.table.isPersistent = true;
+    content.table.proof = words("passed over 83 % of the table");
+    content.sign = words("the drive will add +0.0021 mm");
+    content.tolerances = {{Iso230Figure::A, 0.005}, {Iso230Figure::R, 0.0001}};
+    content.uncertainty = 0.0011;
+    content.notes = {words("after a change of the belt")};
+    content.inputs = {
+        {"before.csv", "runs", std::string(64, 'a')}, {"after.csv", "runs", std::string(64, 'b')}};
+    content.programVersion = "9.8.7";
+    return content;
+}
+
+QString htmlOf(const ReportContent& content, const ReportOptions& options = {})
+{
+    return QString::fromStdString(reportHtml(reportDocument(content, options)));
+}
+
+/// Text between tags, in order.
+QStringList textsOf(const QString& html)
+{
+    static const QRegularExpression tag(QStringLiteral("<[^>]*>"));
+    QString body = html.mid(html.indexOf(QStringLiteral("<body>")));
+    QStringList texts;
+    for (const QString& piece : body.split(tag))
+        if (!piece.trimmed().isEmpty())
+            texts += piece.trimmed();
+    return texts;
+}
+
+QStringList rowOf(const QString& html, const QString& name)
+{
+    const qsizetype begin = html.indexOf(QStringLiteral("scope=\"row\">") + name + u'<');
+    if (begin < 0)
+        return {};
+    return textsOf(QStringLiteral("<body>")
+        + html.mid(begin - 4, html.indexOf(QStringLiteral("</tr>"), begin) - begin + 4));
+}
+
+struct Svg {
+    QStringList lines; ///< the tags of its polylines
+    QList<QPair<double, double>> ticks; ///< y in mm, and the number that stands there
+    /// Deviation at a height, from the numbers at the axis alone.
+    [[nodiscard]] double deviation(double y) const
+    {
+        const auto& a = ticks.first();
+        const auto& b = ticks.last();
+        return a.second + (y - a.first) / (b.first - a.first) * (b.second - a.second);
+    }
+};
+
+Svg svgOf(const QString& html, int number)
+{
+    Svg svg;
+    const QString text = html.section(QStringLiteral("<svg"), number + 1, number + 1)
+                             .section(QStringLiteral("</svg>"), 0, 0);
+    static const QRegularExpression line(QStringLiteral("<polyline[^>]*>"));
+    for (auto match = line.globalMatch(text); match.hasNext();)
+        svg.lines += match.next().captured();
+    static const QRegularExpression label(
+        QStringLiteral("<text x=\"[^\"]*\" y=\"([^\"]*)\" font-size=\"([^\"]*)\" "
+                       "text-anchor=\"end\">([^<]*)</text>"));
+    for (auto match = label.globalMatch(text); match.hasNext();) {
+        const auto found = match.next();
+        // The number stands around its tick: a little more than a third of its height below it.
+        svg.ticks.append({found.captured(1).toDouble() - 0.35 * found.captured(2).toDouble(),
+            found.captured(3).toDouble()});
+    }
+    return svg;
+}
+
+QList<double> heightsOf(const QString& line)
+{
+    QList<double> heights;
+    const QString points = line.section(u'"', 1, 1);
+    for (const QString& point : points.split(u' '))
+        heights += point.section(u',', 1).toDouble();
+    return heights;
+}
+
+} // namespace
+
+class tst_Report : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { test::failOnWarnings(); }
+
+    void everythingOnRecordIsOnThePage()
+    {
+        const QString text = textsOf(htmlOf(wholeContent())).join(u'\n');
+        for (const char* fact : {"Mill 7", "M-4711", "Triamec-616", "9087", "generic", "2026-11-20",
+                 "2026-11-21", "A. Meter", "XL-80 12345", "1000 mm/min, 3 s",
+                 "air 20.4 °C, material 20.9 °C, expansion 11.5 µm/(m·K)", "off",
+                 "on, table 0c291ca3", "dead path of 120 mm",
+                 "5 targets from 15 to 55.8 mm, 5 runs ↑, 5 runs ↓",
+                 "↑ target 1 run 4: not an evaluation by ISO 230-2", "nothing", "8.35", "17.79 µm",
+                 "4.32 µm", "9.88 µm", "5 points from 15 to 55.8 mm", "smooth", "small3",
+                 "persistent", "passed over 83 % of the table", "the drive will add +0.0021 mm",
+                 "5.00 µm", "1.10 µm", "after a change of the belt", "before.csv", "after.csv"})
+            QVERIFY2(text.contains(QString::fromUtf8(fact)), fact);
+        QVERIFY(text.contains(QString(64, u'a')));
+        QVERIFY(text.contains(QString(64, u'b')));
+        QVERIFY(text.contains(QStringLiteral("9.8.7")));
+    }
+
+    void figuresAreThoseOfThePublicMeasurement()
+    {
+        ReportContent content = wholeContent();
+        content.before->measurement.values[3].isUsed = true;
+        const QString html = htmlOf(content);
+        // metrology.md of the specification of ISO 230-2's figures, chapter of public measurements
+        QCOMPARE(rowOf(html, QStringLiteral("accuracy A")),
+            (QStringList{"accuracy A", "18.57", "8.35", "–", "1.86"}));
+        QCOMPARE(rowOf(html, QStringLiteral("repeatability R")),
+            (QStringList{"repeatability R", "8.35", "not defined", "–", "0.84"}));
+        QCOMPARE(rowOf(html, QStringLiteral("range of the mean deviation M")),
+            (QStringList{
+                "range of the mean deviation M", "14.95", "not defined", "17.79", "1.50"}));
+    }
+
+    void aVerdictIsThatOfTheLastMeasurement()
+    {
+        const QString text = textsOf(htmlOf(wholeContent())).join(u'|');
+        QVERIFY2(text.contains(QStringLiteral("accuracy A|1.86 µm|5.00 µm|1.10 µm|passed")),
+            qPrintable(text));
+        QVERIFY(text.contains(QStringLiteral("repeatability R|0.84 µm|0.10 µm|1.10 µm|undecided")));
+    }
+
+    void whatIsNotOnRecordIsNotStated()
+    {
+        const QString html = htmlOf({});
+        for (const char* name :
+            {"Machine", "Axis", "Serial number", "Drive", "Serial number of the drive",
+                "Firmware profile", "Grid", "Method", "CRC-32", "Slot", "Persistency",
+                "End-to-end proof", "Sign", "Tolerances", "Uncertainty U, k = 2"})
+            QVERIFY2(html.contains(QStringLiteral("<dt>%1</dt><dd>not stated</dd>")
+                                       .arg(QString::fromLatin1(name))),
+                name);
+        for (const char* name : {"Date", "Operator", "Instrument", "Feed, dwell", "Environment",
+                 "Compensation", "Corrections", "Targets and runs", "Left out"})
+            QCOMPARE(rowOf(html, QString::fromLatin1(name)),
+                (QStringList{QString::fromLatin1(name), "not stated", "not stated"}));
+        QVERIFY(!html.contains(QStringLiteral("<dd></dd>")));
+        QCOMPARE(rowOf(html, QStringLiteral("accuracy A")),
+            (QStringList{"accuracy A", "not stated", "not stated", "–", "not stated"}));
+        const QString body = html.mid(html.indexOf(QStringLiteral("<tbody>")));
+        QVERIFY(!body.contains(QStringLiteral("<td>0")));
+    }
+
+    void aFigureThatIsNotDefinedIsNeverZero()
+    {
+        ReportContent content = wholeContent();
+        std::erase_if(content.before->measurement.values,
+            [](const RunValue& value) { return value.direction == Approach::Down; });
+        QCOMPARE(rowOf(htmlOf(content), QStringLiteral("accuracy A")).at(1),
+            QStringLiteral("not defined"));
+    }
+
+    void curvesShowTheMeans()
+    {
+        ReportContent content = wholeContent();
+        content.before->measurement.values[3].isUsed = true;
+        content.after.reset();
+        const Svg svg = svgOf(htmlOf(content), 0);
+        QVERIFY(svg.ticks.size() >= 3);
+        const QList<double> means{2.25, 0.394, 2.084, -9.02, 6.032}; // of the five runs up, in um
+        bool hasThem = false;
+        for (const QString& line : svg.lines) {
+            const QList<double> heights = heightsOf(line);
+            bool isSame = heights.size() == means.size();
+            for (qsizetype i = 0; isSame && i < means.size(); ++i)
+                isSame = std::abs(svg.deviation(heights[i]) - means[i]) < 0.02;
+            hasThem = hasThem || isSame;
+        }
+        QVERIFY(hasThem);
+    }
+
+    void accuracyIsMarkedFromItsLowestToItsHighestPlace()
+    {
+        ReportContent content = wholeContent();
+        content.before->measurement.values[3].isUsed = true;
+        content.after.reset();
+        const Svg svg = svgOf(htmlOf(content), 0);
+        QList<double> spans;
+        for (const QString& line : svg.lines) {
+            const QList<double> heights = heightsOf(line);
+            if (heights.size() == 2)
+                spans += std::abs(svg.deviation(heights[1]) - svg.deviation(heights[0]));
+        }
+        for (const double figure : {18.5713, 15.988, 14.952, 4.564}) // A, E, M, B
+            QVERIFY2(std::ranges::any_of(
+                         spans, [&](double span) { return std::abs(span - figure) < 0.03; }),
+                QByteArray::number(figure).constData());
+    }
+
+    void beforeAndAfterHaveOneScale()
+    {
+        const QString html = htmlOf(wholeContent());
+        const Svg before = svgOf(html, 0);
+        QVERIFY(before.ticks.size() >= 3);
+        QCOMPARE(svgOf(html, 1).ticks, before.ticks);
+    }
+
+    void nothingComesFromElsewhere()
+    {
+        const QString html = htmlOf(wholeContent(), {true});
+        for (const char* reference : {"http", "src=", "href", "<script", "url(", "@import", "<link",
+                 "<iframe", "javascript"})
+            QVERIFY2(
+                !html.contains(QString::fromLatin1(reference), Qt::CaseInsensitive), reference);
+    }
+
+    void markupInTextsIsText()
+    {
+        ReportContent content = wholeContent();
+        content.machine = "<script>alert(\"1\")</script> & 'Co'";
+        content.notes = {words("</p><b>bold")};
+        const QString html = htmlOf(content);
+        QVERIFY(!html.contains(QStringLiteral("<script>")));
+        QVERIFY(!html.contains(QStringLiteral("<b>")));
+        QVERIFY(html.contains(
+            QStringLiteral("&lt;script&gt;alert(&quot;1&quot;)&lt;/script&gt; &amp; 'Co'")));
+    }
+
+    void anglesAreInArcSeconds()
+    {
+        ReportContent content = wholeContent();
+        content.isAngular = true;
+        for (auto* one : {&*content.before, &*content.after})
+            one->measurement.isAngular = true;
+        content.before->measurement.values[3].isUsed = true;
+        const QString html = htmlOf(content);
+        // 0.0185713 deg, the accuracy of the public measurement, were it one of angles
+        QCOMPARE(rowOf(html, QStringLiteral("accuracy A")).at(1), QStringLiteral("66.86"));
+        QVERIFY(html.contains(QStringLiteral("Figures of ISO 230-2:2014 in ″")));
+        QVERIFY(html.contains(QStringLiteral("5 targets from 15 to 55.8 °")));
+        QVERIFY(!html.contains(QStringLiteral(" mm, 5 runs")));
+    }
+
+    void longListsStayOffTheFirstPage()
+    {
+        ReportContent content = wholeContent();
+        content.notes.assign(40, words("one of many"));
+        content.inputs.assign(30, {"file.csv", "runs", std::string(64, 'c')});
+        const QString html = htmlOf(content);
+        QCOMPARE(html.count(QStringLiteral("one of many")), 3);
+        QVERIFY(html.contains(QStringLiteral("and 37 more in the record")));
+        QCOMPARE(html.count(QString(64, u'c')), 4);
+        QVERIFY(html.contains(QStringLiteral("and 26 more in the record")));
+        QVERIFY(!html.contains(QStringLiteral("class=\"page\"")));
+        const QString whole = htmlOf(content, {true});
+        QVERIFY(whole.contains(QStringLiteral("class=\"page\"")));
+        QCOMPARE(whole.count(QStringLiteral("one of many")), 40);
+    }
+
+    void everyTextOfADocumentChangesWithItsLanguage()
+    {
+        Wording wording;
+        wording.decimalSign = ',';
+        wording.words = [](const TextPattern& pattern, std::optional<std::int64_t>) {
+            const std::string text = pattern.words;
+            return std::string(pattern.context) == "Report"
+                    || std::string(pattern.context) == "Measurement"
+                ? "~" + text
+                : text;
+        };
+        const QString html = QString::fromStdString(
+            reportHtml(worded(reportDocument(wholeContent(), {true}), wording, "de")));
+        QVERIFY(html.contains(QStringLiteral("<html lang=\"de\">")));
+        static const QRegularExpression english(
+            QStringLiteral("[>\"](Machine|before|Sign|accuracy A|Position in mm|mean ↑)[<\"]"));
+        QVERIFY2(!html.contains(english), qPrintable(english.match(html).captured()));
+        static const QRegularExpression point(QStringLiteral("<td>-?[0-9]+\\.[0-9]"));
+        QVERIFY2(!html.contains(point), qPrintable(point.match(html).captured()));
+    }
+};
+
+AXISCOMP_TEST(tst_Report)
+
+} // namespace tst_report
+
+#include "tst_report.moc"
