@@ -61,5 +61,6 @@ void addMonitorCommand(CommandLine& line);
 void addBackupCommands(CommandLine& line);
 void addRecoverCommand(CommandLine& line);
 void addConfigCommand(CommandLine& line);
+void addMachineCommands(CommandLine& line);
 
 } // namespace axiscomp::app

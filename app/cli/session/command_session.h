@@ -33,6 +33,8 @@ struct DriveOptions {
 
 enum class DriveCount { One, Several };
 void addDriveOptions(CLI::App& command, DriveOptions& options, DriveCount count = DriveCount::One);
+/// The same without --drive, for commands whose file names the drives.
+void addConnectionOptions(CLI::App& command, DriveOptions& options);
 CLI::Option* addAxisOption(CLI::App& command, DriveOptions& options);
 
 /// What Qt needs to exist while drives are talked to. Made by drive commands only: it costs more
