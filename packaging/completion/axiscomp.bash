@@ -34,11 +34,13 @@ _axiscomp_options()
         recover) echo "--help --json $drive --axis --finish --undo" ;;
         plan) echo "--help --json $connection --only --jobs --allow-missing" ;;
         apply) echo "--help --json $connection --only --jobs --allow-missing --activate" ;;
+        snapshot) echo "--help --json $drive --output --name" ;;
+        metrics) echo "--help --json $drive --machine --prove --output" ;;
         config) echo "--help --json $drive --from --output --station --force --dry-run" ;;
     esac
 }
 
-_axiscomp_commands="example inspect convert lookup formats runs judge axes status write persist unpersist delete evaluate activate deactivate read files upload download monitor backup restore recover config plan apply"
+_axiscomp_commands="example inspect convert lookup formats runs judge axes status write persist unpersist delete evaluate activate deactivate read files upload download monitor backup restore recover config plan apply snapshot metrics"
 
 _axiscomp_formats="csv tamtbl aerotech-1d aerotech-2d icube isg-crosscomp isg-crosscomp2 isg-ssfk klipper linuxcnc pmac-1d pmac-2d rapidcode rapidcode-header siemens-cec siemens-eec reprap softmc softmc-basic"
 
@@ -102,6 +104,7 @@ _axiscomp()
             __ltrim_colon_completions "$cur"
             return ;;
         --profile) _filedir json; return ;;
+        --machine) _filedir toml; return ;;
         --data) _filedir '@(csv|CSV|TAMtbl)'; return ;;
         -o | --output | --points | --uncertainty) _filedir; return ;;
         --axis | --only | --jobs | --station | --table | --target | --value-unit | --position-unit | --tables | --timeout | --trust-certificate | --name | --rate | --count | --source[123] | --exclude | --columns | --skip-lines | --unit | --overrun | --tolerance | --period | --temperature | --expansion | --reference-temperature | --reference-expansion | --datum) return ;;

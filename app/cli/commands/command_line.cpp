@@ -33,6 +33,8 @@ CommandLine::CommandLine()
     addRecoverCommand(*this);
     addConfigCommand(*this);
     addMachineCommands(*this);
+    addSnapshotCommand(*this);
+    addMetricsCommand(*this);
     // Last, as commands take over what is there when they are added.
     m_parser.footer(
         "ENDPOINT is http://host[:port], https://host[:port] or demo: (a virtual drive inside the\n"

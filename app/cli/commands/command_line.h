@@ -62,5 +62,7 @@ void addBackupCommands(CommandLine& line);
 void addRecoverCommand(CommandLine& line);
 void addConfigCommand(CommandLine& line);
 void addMachineCommands(CommandLine& line);
+void addSnapshotCommand(CommandLine& line);
+void addMetricsCommand(CommandLine& line);
 
 } // namespace axiscomp::app

@@ -175,6 +175,13 @@ OperationOptions CommandSession::operation() const
     return operation;
 }
 
+OperationOptions CommandSession::quietOperation() const
+{
+    OperationOptions quiet = operation();
+    quiet.progress = {};
+    return quiet;
+}
+
 Exchange CommandSession::exchange() const
 {
     Exchange exchange;

@@ -85,6 +85,9 @@ public:
     [[nodiscard]] bool isDemo() const { return m_demoState.has_value(); }
     /// Deadline, stop and progress of an operation.
     [[nodiscard]] OperationOptions operation() const;
+    /// The same without progress, for several drives at the same time: they would write over each
+    /// other's line.
+    [[nodiscard]] OperationOptions quietOperation() const;
     [[nodiscard]] Exchange exchange() const;
 
     /// The axis that the options name. Errors: InvalidArgument when none is named and there are

@@ -107,14 +107,6 @@ MachineContext contextOf(const MachineOptions& options, const CommandSession& se
         std::filesystem::path(options.file).parent_path(), session.storeRoot(), options.activates};
 }
 
-/// Many at once would write over each other's line.
-OperationOptions quietOperation(const CommandSession& session)
-{
-    OperationOptions operation = session.operation();
-    operation.progress = {};
-    return operation;
-}
-
 } // namespace
 
 bool MachineRun::differs() const
@@ -159,7 +151,7 @@ void planMachine(Environment& environment, const MachineOptions& options, Machin
         [&](MachineDriveRun& drive, CommandSession& session) -> Result<void> {
             AXISCOMP_TRY(drive.plan,
                 planDrive(session.compensator(), session.profile(), drive.wanted, drive.tables,
-                    contextOf(options, session), quietOperation(session)));
+                    contextOf(options, session), session.quietOperation()));
             return {};
         });
     for (const MachineDriveRun& drive : run.drives)
@@ -177,7 +169,7 @@ void applyMachine(Environment& environment, const MachineOptions& options, Machi
     forEachDrive(environment, options, std::move(drives), "write",
         [&](MachineDriveRun& drive, CommandSession& session) -> Result<void> {
             drive.outcomes = applyPlan(session.compensator(), *drive.plan,
-                contextOf(options, session), quietOperation(session));
+                contextOf(options, session), session.quietOperation());
             return {};
         });
 }

@@ -194,6 +194,48 @@ private Q_SLOTS:
         VERIFY_CODE(machine.run({"plan", "--allow-missing"}), 0);
     }
 
+    void whatInterruptsAnApplyTheNextOneContinues_data()
+    {
+        QTest::addColumn<int>("writtenAxes");
+        for (const int axes : {0, 2})
+            QTest::addRow("killed after %d axes", axes) << axes;
+    }
+    void whatInterruptsAnApplyTheNextOneContinues()
+    {
+        QFETCH(int, writtenAxes);
+        constexpr int axes = 4;
+        const Sandbox box;
+        const VirtualDriveProcess drive(
+            box, {"--axes", QString::number(axes), "--fault", "slow=20"});
+        QByteArray text = "version = 1\n" + driveSection(drive.url(), 100001);
+        for (int axis = 0; axis < axes; ++axis) {
+            const QByteArray name = "table" + QByteArray::number(axis) + ".csv";
+            box.file(name, "P,V\n0,0\n50,0.00" + QByteArray::number(axis + 1) + "\n");
+            text += axisSection(axis, name);
+        }
+        box.file("machine.toml", text);
+        const auto apply = box.start(test::axiscompProgram(), {"apply", box.path("machine.toml")});
+        // Its plan is printed before it writes.
+        QTRY_VERIFY(apply->bytesAvailable() > 0 || apply->waitForReadyRead(10));
+        const auto hasTable = [&](int axis) {
+            return !box.run({"status", "--json", "--drive", drive.url(), "--axis",
+                                QString::number(axis)})
+                        .json()
+                        .value("slot")
+                        .isNull();
+        };
+        if (writtenAxes > 0)
+            QTRY_VERIFY(hasTable(writtenAxes - 1));
+        apply->kill();
+        QVERIFY(apply->waitForFinished(test::patienceMs));
+        QCOMPARE(apply->exitStatus(), QProcess::CrashExit);
+        VERIFY_CODE(box.run({"plan", "machine.toml"}), 9);
+        VERIFY_CODE(box.run({"apply", "machine.toml"}), 0);
+        VERIFY_CODE(box.run({"plan", "machine.toml"}), 0);
+        for (int axis = 0; axis < axes; ++axis)
+            QVERIFY(hasTable(axis));
+    }
+
     void onlyTheAxesThatAreNamedAreWritten()
     {
         const Machine machine;
