@@ -5711,6 +5711,30 @@
         <source>there is no font to draw a PDF with: install one, such as fonts-dejavu-core, or write the report as HTML</source>
         <translation>es gibt keine Schrift, mit der sich ein PDF zeichnen lässt: Installieren Sie eine, etwa fonts-dejavu-core, oder schreiben Sie den Bericht als HTML</translation>
     </message>
+    <message numerus="yes">
+        <source>{file} is not a valid machine file: {count} problems</source>
+        <comment>{file} is not a valid machine file: one problem</comment>
+        <translation>
+            <numerusform>{file} ist keine gültige Maschinendatei: ein Problem</numerusform>
+            <numerusform>{file} ist keine gültige Maschinendatei: {count} Probleme</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the old state</source>
+        <translation>der alte Zustand</translation>
+    </message>
+    <message>
+        <source>what it is writing at this moment</source>
+        <translation>was gerade geschrieben wird</translation>
+    </message>
+    <message>
+        <source>values of the tolerance</source>
+        <translation>Werte der Toleranz</translation>
+    </message>
+    <message>
+        <source>{file} has several tables; name one of them with column: {known}</source>
+        <translation>{file} hat mehrere Tabellen; nennen Sie eine davon mit column: {known}</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -6434,6 +6458,98 @@
     <message>
         <source>not everything in the file is used</source>
         <translation>nicht alles in der Datei wird verwendet</translation>
+    </message>
+    <message>
+        <source>an entry {key}</source>
+        <translation>ein Eintrag {key}</translation>
+    </message>
+    <message>
+        <source>a text in quotation marks</source>
+        <translation>ein Text in Anführungszeichen</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true oder false</translation>
+    </message>
+    <message>
+        <source>a name or a number</source>
+        <translation>ein Name oder eine Nummer</translation>
+    </message>
+    <message>
+        <source>one of {known}</source>
+        <translation>eines von {known}</translation>
+    </message>
+    <message>
+        <source>sections that begin with [[{key}]]</source>
+        <translation>Abschnitte, die mit [[{key}]] beginnen</translation>
+    </message>
+    <message>
+        <source>at most {count} of them</source>
+        <translation>höchstens {count} davon</translation>
+    </message>
+    <message>
+        <source>a known key; the nearest is {key}</source>
+        <translation>ein bekannter Schlüssel; der ähnlichste ist {key}</translation>
+    </message>
+    <message>
+        <source>valid TOML ({reason})</source>
+        <translation>gültiges TOML ({reason})</translation>
+    </message>
+    <message>
+        <source>{number}, the version of this format</source>
+        <translation>{number}, die Version dieses Formats</translation>
+    </message>
+    <message>
+        <source>{name} is a drive in line {line} already</source>
+        <translation>{name} ist schon in Zeile {line} ein Antrieb</translation>
+    </message>
+    <message>
+        <source>the serial number of the drive, as a number</source>
+        <translation>die Seriennummer des Antriebs als Zahl</translation>
+    </message>
+    <message>
+        <source>serial number {name} is in line {line} already</source>
+        <translation>die Seriennummer {name} steht schon in Zeile {line}</translation>
+    </message>
+    <message>
+        <source>a list of one to three registers</source>
+        <translation>eine Liste von einem bis drei Registern</translation>
+    </message>
+    <message>
+        <source>settings as {example}</source>
+        <translation>Einstellungen wie {example}</translation>
+    </message>
+    <message>
+        <source>a text, a number, true or false</source>
+        <translation>ein Text, eine Zahl, true oder false</translation>
+    </message>
+    <message>
+        <source>a number and its unit, such as {example}</source>
+        <translation>eine Zahl und ihre Einheit, etwa {example}</translation>
+    </message>
+    <message>
+        <source>an entry file, or no-table = true for an axis that shall have none</source>
+        <translation>ein Eintrag file, oder no-table = true für eine Achse, die keine Tabelle haben soll</translation>
+    </message>
+    <message>
+        <source>{key} of an axis without a table</source>
+        <translation>{key} bei einer Achse ohne Tabelle</translation>
+    </message>
+    <message>
+        <source>no-table beside file</source>
+        <translation>no-table neben file</translation>
+    </message>
+    <message>
+        <source>an entry sources, with the register that looks the table up for each of its dimensions</source>
+        <translation>ein Eintrag sources mit dem Register, das die Tabelle nachschlägt, für jede ihrer Dimensionen</translation>
+    </message>
+    <message>
+        <source>axis {name} of this drive is in line {line} already</source>
+        <translation>die Achse {name} dieses Antriebs steht schon in Zeile {line}</translation>
+    </message>
+    <message>
+        <source>slot {name} is taken by the axis in line {line}</source>
+        <translation>den Tabellenplatz {name} hat schon die Achse in Zeile {line}</translation>
     </message>
 </context>
 <context>

@@ -17,6 +17,7 @@ enum class ExitCode : int {
     ReadBackDiffers = 6,
     FlashWear = 7,
     ToleranceNotMet = 8, ///< failed, undecided or not defined (judge)
+    Differs = 9, ///< the drives have something else than the machine file says (plan)
     Stopped = 130,
 };
 

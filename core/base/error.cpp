@@ -314,6 +314,10 @@ Text textOf(const Error& error)
                 "used up; write volatile, or reset the count with 'axiscomp status "
                 "--reset-flash-count'"),
             error.context};
+    if (error.code == ErrorCode::InvalidConfiguration && error.context.contains("machine"))
+        return {AXISCOMP_COUNTED("Error", "{file} is not a valid machine file: {count} problems",
+                    "{file} is not a valid machine file: one problem"),
+            error.context};
     if (error.code == ErrorCode::NoTable && error.context.contains("configured"))
         return {
             AXISCOMP_TEXT("Error",

@@ -109,6 +109,14 @@ Result<WritePlan> AxisCompensator::plan(
     return prepared.plan;
 }
 
+Result<WritePlan> AxisCompensator::compare(
+    int axis, const WriteRequest& request, const OperationOptions& options)
+{
+    const RegisterAccess access = d->access(options);
+    AXISCOMP_TRY(auto drive, d->identify(access, axis));
+    return WritePlanner(access, d->store, d->sources, drive, d->clock()).compare(axis, request);
+}
+
 Result<WriteReport> AxisCompensator::write(
     int axis, const WriteRequest& request, const OperationOptions& options)
 {

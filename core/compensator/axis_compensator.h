@@ -75,6 +75,10 @@ public:
     /// FlashWear, ChangedMeanwhile.
     [[nodiscard]] Result<WritePlan> plan(
         int axis, const WriteRequest& request, const OperationOptions& options = {});
+    /// The same while the compensation is active, too: how the axis differs from what was asked
+    /// for. Errors: those of plan without CompensationActive.
+    [[nodiscard]] Result<WritePlan> compare(
+        int axis, const WriteRequest& request, const OperationOptions& options = {});
     /// Plans, backs up, writes, verifies; puts everything back when a step fails or the user stops.
     /// Errors: those of plan, NothingToWrite, VerifyMismatch, RollbackFailed. After any error but
     /// OutcomeUnknown and RollbackFailed the drive holds the old state.

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/drive/drive_search.h"
 
-#include <algorithm>
-#include <atomic>
+#include "core/base/parallel.h"
+
 #include <mutex>
 #include <optional>
-#include <thread>
 
 namespace axiscomp {
 
@@ -52,20 +51,13 @@ std::vector<DriveSighting> findDrives(
 {
     std::vector<DriveSighting> sightings(
         candidates.size(), DriveSighting{{}, {}, fail(ErrorCode::Cancelled)});
-    std::atomic<std::size_t> next = 0;
     std::mutex reporting;
-    {
-        std::vector<std::jthread> threads;
-        for (std::size_t i = 0; i < std::min(candidates.size(), search.mostAtOnce); ++i)
-            threads.emplace_back([&] {
-                for (std::size_t row = next++; row < candidates.size(); row = next++) {
-                    sightings[row] = look(candidates[row], search);
-                    const std::lock_guard lock(reporting);
-                    if (search.sighted)
-                        search.sighted(sightings[row]);
-                }
-            });
-    }
+    forEachAtOnce(candidates.size(), search.mostAtOnce, [&](std::size_t row) {
+        sightings[row] = look(candidates[row], search);
+        const std::lock_guard lock(reporting);
+        if (search.sighted)
+            search.sighted(sightings[row]);
+    });
     return sightings;
 }
 

@@ -94,11 +94,29 @@ Text axisText(int index, const std::string& name)
 
 Result<PreparedWrite> WritePlanner::prepare(int axis, const WriteRequest& request)
 {
-    m_axis = axis;
-    AXISCOMP_TRY(auto status, readStatus(m_access, m_drive, axis, m_sources));
-    m_status = status;
+    AXISCOMP_CHECK(readAxis(axis));
     if (m_status.isOn())
         return fail(compensationActive(m_status));
+    return decide(request);
+}
+
+Result<WritePlan> WritePlanner::compare(int axis, const WriteRequest& request)
+{
+    AXISCOMP_CHECK(readAxis(axis));
+    AXISCOMP_TRY(auto prepared, decide(request));
+    return std::move(prepared.plan);
+}
+
+Result<void> WritePlanner::readAxis(int axis)
+{
+    m_axis = axis;
+    AXISCOMP_TRY(m_status, readStatus(m_access, m_drive, axis, m_sources));
+    return {};
+}
+
+Result<PreparedWrite> WritePlanner::decide(const WriteRequest& request)
+{
+    const int axis = m_axis;
     if (request.expected && !(*request.expected == m_status.setup))
         return fail(ErrorCode::ChangedMeanwhile,
             {{"what",

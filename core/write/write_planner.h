@@ -40,8 +40,12 @@ public:
     }
 
     [[nodiscard]] Result<PreparedWrite> prepare(int axis, const WriteRequest& request);
+    /// What prepare would find if the compensation were off, which it need not be.
+    [[nodiscard]] Result<WritePlan> compare(int axis, const WriteRequest& request);
 
 private:
+    [[nodiscard]] Result<void> readAxis(int axis);
+    [[nodiscard]] Result<PreparedWrite> decide(const WriteRequest& request);
     [[nodiscard]] Result<void> decideSources(const WriteRequest& request);
     [[nodiscard]] Result<PositionFacts> positionFacts(int axis);
     [[nodiscard]] Result<WriteRequest> inUnitsOfDrive(const WriteRequest& request);

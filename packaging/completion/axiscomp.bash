@@ -6,6 +6,7 @@ _axiscomp_options()
 {
     local drive="--drive --profile --trust-certificate --timeout"
     local conversion="--target --sign --direction --no-wrap --scale --offset --zero"
+    local connection="--profile --trust-certificate --timeout"
     local incomplete="--fill --crop --snap"
     local grid="--points --distance --within --method --speed --hold"
     local measurement="--from --exclude --swap-directions --columns --skip-lines --unit --value-unit --values --direction-from --invert-reference --overrun"
@@ -36,11 +37,15 @@ _axiscomp_options()
         backup) echo "--help --json $drive --output" ;;
         restore) echo "--help --json $drive --force --dry-run" ;;
         recover) echo "--help --json $drive --axis --finish --undo" ;;
+        plan) echo "--help --json $connection --only --jobs --allow-missing" ;;
+        apply) echo "--help --json $connection --only --jobs --allow-missing --activate" ;;
+        snapshot) echo "--help --json $drive --output --name" ;;
+        metrics) echo "--help --json $drive --machine --prove --output" ;;
         config) echo "--help --json $drive --from --output --station --force --dry-run" ;;
     esac
 }
 
-_axiscomp_commands="example inspect convert lookup formats targets runs judge fit compare report axes status write persist unpersist delete evaluate activate deactivate read files upload download monitor backup restore recover config"
+_axiscomp_commands="example inspect convert lookup formats targets runs judge fit compare report axes status write persist unpersist delete evaluate activate deactivate read files upload download monitor backup restore recover config plan apply snapshot metrics"
 
 _axiscomp_formats="csv tamtbl aerotech-1d aerotech-2d icube isg-crosscomp isg-crosscomp2 isg-ssfk klipper linuxcnc pmac-1d pmac-2d rapidcode rapidcode-header siemens-cec siemens-eec reprap softmc softmc-basic"
 
@@ -141,12 +146,13 @@ _axiscomp()
             __ltrim_colon_completions "$cur"
             return ;;
         --profile) _filedir json; return ;;
+        --machine) _filedir toml; return ;;
         --data) _filedir '@(csv|CSV|TAMtbl)'; return ;;
         --points)
             [[ $command == lookup ]] && _filedir
             return ;;
         -o | --output | --uncertainty) _filedir; return ;;
-        --axis | --station | --table | --target | --value-unit | --position-unit | --tables | --timeout | --trust-certificate | --name | --rate | --count | --source[123] | --exclude | --columns | --skip-lines | --unit | --overrun | --tolerance | --period | --temperature | --expansion | --reference-temperature | --reference-expansion | --datum | --smoothness | --harmonics | --turn | --speed | --home | --gain) return ;;
+        --axis | --only | --jobs | --station | --table | --target | --value-unit | --position-unit | --tables | --timeout | --trust-certificate | --name | --rate | --count | --source[123] | --exclude | --columns | --skip-lines | --unit | --overrun | --tolerance | --period | --temperature | --expansion | --reference-temperature | --reference-expansion | --datum | --smoothness | --harmonics | --turn | --speed | --home | --gain) return ;;
     esac
 
     if [[ -z $command ]]; then
@@ -159,6 +165,7 @@ _axiscomp()
         case $command in
             inspect | convert | lookup | runs | judge | fit | compare | upload | restore) _filedir ;;
             report) _filedir axcal ;;
+            plan | apply) _filedir toml ;;
             config)
                 _filedir TAMcfg
                 [[ $prev == config ]] && COMPREPLY=($(compgen -W "show export import" -- "$cur"))

@@ -6,8 +6,7 @@
 #include "app/cli/session/drive_search.h"
 #include "app/common/arguments.h"
 #include "app/common/text_table.h"
-
-#include <thread>
+#include "core/base/parallel.h"
 
 namespace axiscomp::app {
 
@@ -42,13 +41,8 @@ DriveAnswer ask(Environment& environment, const DriveOptions& options, const std
 std::vector<DriveAnswer> askAll(Environment& environment, const DriveOptions& options)
 {
     std::vector<DriveAnswer> answers(options.endpoints.size());
-    std::vector<std::jthread> threads;
-    for (std::size_t i = 0; i < answers.size(); ++i)
-        threads.emplace_back([&environment, &options, &answers, i] {
-            answers[i] = ask(environment, options, options.endpoints[i]);
-        });
-    for (std::jthread& thread : threads)
-        thread.join();
+    forEachAtOnce(answers.size(), answers.size(),
+        [&](std::size_t i) { answers[i] = ask(environment, options, options.endpoints[i]); });
     return answers;
 }
 

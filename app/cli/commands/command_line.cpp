@@ -36,6 +36,9 @@ CommandLine::CommandLine()
     addBackupCommands(*this);
     addRecoverCommand(*this);
     addConfigCommand(*this);
+    addMachineCommands(*this);
+    addSnapshotCommand(*this);
+    addMetricsCommand(*this);
     // Last, as commands take over what is there when they are added.
     m_parser.footer(
         "ENDPOINT is http://host[:port], https://host[:port] or demo: (a virtual drive inside the\n"

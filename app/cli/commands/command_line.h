@@ -65,5 +65,8 @@ void addMonitorCommand(CommandLine& line);
 void addBackupCommands(CommandLine& line);
 void addRecoverCommand(CommandLine& line);
 void addConfigCommand(CommandLine& line);
+void addMachineCommands(CommandLine& line);
+void addSnapshotCommand(CommandLine& line);
+void addMetricsCommand(CommandLine& line);
 
 } // namespace axiscomp::app

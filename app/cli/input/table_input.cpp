@@ -4,6 +4,7 @@
 #include "app/common/arguments.h"
 #include "app/common/number_text.h"
 #include "app/common/standard_streams.h"
+#include "core/conversion/table_choice.h"
 #include "core/formats/formats.h"
 #include "core/formats/triamec/triamec_tables.h"
 #include "core/io/local_file.h"
@@ -315,67 +316,22 @@ Result<FormatSettings> settingsOf(const std::vector<std::string>& pairs, const s
 
 namespace {
 
-struct Choice {
-    std::string name;
-    std::string text; ///< as the list shows it
-};
-
-/// The index of the table that "Table 2", "2", "#2" or "name:2" means; nothing where there is none.
-/// Errors: TableAmbiguous for the number of one table that is the name of another.
-Result<std::optional<std::size_t>> tableIndex(
-    std::string_view asked, const std::vector<Choice>& choices)
+Result<std::size_t> choose(const std::vector<TableName>& tables, const TableInputOptions& options)
 {
-    constexpr std::string_view namePrefix = "name:";
-    const auto indexNamed = [&](std::string_view name) -> std::optional<std::size_t> {
-        const auto found = std::ranges::find(choices, name, &Choice::name);
-        if (found == choices.end())
-            return std::nullopt;
-        return static_cast<std::size_t>(found - choices.begin());
-    };
-    const auto indexNumbered = [&](std::string_view text) -> std::optional<std::size_t> {
-        const auto number = wholeNumberOf(text);
-        if (!number || *number < 1 || static_cast<std::size_t>(*number) > choices.size())
-            return std::nullopt;
-        return static_cast<std::size_t>(*number - 1);
-    };
-    const auto named = indexNamed(asked);
-    const auto numbered = indexNumbered(asked);
-    if (named && numbered && named != numbered)
-        return fail(ErrorCode::TableAmbiguous,
-            {{"table", asked}, {"named", *named + 1}, {"numbered", *numbered + 1}});
-    if (named || numbered)
-        return named ? named : numbered;
-    if (asked.starts_with(namePrefix))
-        return indexNamed(asked.substr(namePrefix.size()));
-    if (asked.starts_with('#'))
-        return indexNumbered(asked.substr(1));
-    return std::nullopt;
-}
-
-Result<std::size_t> choose(const std::vector<Choice>& choices, const TableInputOptions& options)
-{
-    std::string list;
-    for (std::size_t i = 0; i < choices.size(); ++i)
-        list += (i == 0 ? "" : ", ") + std::to_string(i + 1) + " (" + choices[i].text + ")";
-    if (options.table.empty() && choices.size() == 1)
+    if (!options.table.empty())
+        return axiscomp::chooseTable(tables, options.table);
+    if (tables.size() == 1)
         return std::size_t{0};
-    if (options.table.empty())
-        return wrongUsage(displayName(options.file) + " has " + std::to_string(choices.size())
-                + " tables: choose one with --table: " + list,
-            options.command);
-    const auto index = tableIndex(options.table, choices);
-    if (!index)
-        return fail(index.error());
-    if (*index)
-        return **index;
-    return fail(ErrorCode::TableNotFound, {{"table", options.table}, {"known", list}});
+    return wrongUsage(displayName(options.file) + " has " + std::to_string(tables.size())
+            + " tables: choose one with --table: " + tableList(tables),
+        options.command);
 }
 
 } // namespace
 
 Result<std::size_t> chooseTable(const CalibrationData& data, const TableInputOptions& options)
 {
-    std::vector<Choice> choices;
+    std::vector<TableName> choices;
     for (const CompensationTable& table : data.tables)
         choices.push_back({table.name, table.name});
     return choose(choices, options);
@@ -392,7 +348,7 @@ std::vector<NeutralTable> neutralColumns(const TableInput& input)
 Result<std::size_t> chooseColumn(
     const std::vector<NeutralTable>& columns, const TableInputOptions& options)
 {
-    std::vector<Choice> choices;
+    std::vector<TableName> choices;
     for (const NeutralTable& table : columns) {
         const CompensationColumn& column = table.columns.front();
         const std::string name = !column.name.empty() ? column.name : table.name;

@@ -38,6 +38,11 @@ void addDriveOptions(CLI::App& command, DriveOptions& options, DriveCount count)
             ? "Address of the drive, may be given several times; $AXISCOMP_DRIVE unless given"
             : "Address of the drive; $AXISCOMP_DRIVE unless given");
     drive->option_text("ENDPOINT")->envname("AXISCOMP_DRIVE")->allow_extra_args(false);
+    addConnectionOptions(command, options);
+}
+
+void addConnectionOptions(CLI::App& command, DriveOptions& options)
+{
     addProfileOption(command, options.profile);
     command
         .add_option("--trust-certificate", options.trustedFingerprint,
@@ -168,6 +173,13 @@ OperationOptions CommandSession::operation() const
         m_environment.console().progress(stepWords(progress.step), progress.fraction);
     };
     return operation;
+}
+
+OperationOptions CommandSession::quietOperation() const
+{
+    OperationOptions quiet = operation();
+    quiet.progress = {};
+    return quiet;
 }
 
 Exchange CommandSession::exchange() const

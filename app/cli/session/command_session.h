@@ -33,6 +33,8 @@ struct DriveOptions {
 
 enum class DriveCount { One, Several };
 void addDriveOptions(CLI::App& command, DriveOptions& options, DriveCount count = DriveCount::One);
+/// The same without --drive, for commands whose file names the drives.
+void addConnectionOptions(CLI::App& command, DriveOptions& options);
 CLI::Option* addAxisOption(CLI::App& command, DriveOptions& options);
 
 /// What Qt needs to exist while drives are talked to. Made by drive commands only: it costs more
@@ -83,6 +85,9 @@ public:
     [[nodiscard]] bool isDemo() const { return m_demoState.has_value(); }
     /// Deadline, stop and progress of an operation.
     [[nodiscard]] OperationOptions operation() const;
+    /// The same without progress, for several drives at the same time: they would write over each
+    /// other's line.
+    [[nodiscard]] OperationOptions quietOperation() const;
     [[nodiscard]] Exchange exchange() const;
 
     /// The axis that the options name. Errors: InvalidArgument when none is named and there are

@@ -20,7 +20,7 @@ namespace {
 const QStringList commands{"example", "inspect", "convert", "lookup", "formats", "targets", "runs",
     "judge", "fit", "compare", "report", "axes", "status", "write", "persist", "unpersist", "delete", "evaluate",
     "activate", "deactivate", "read", "files", "upload", "download", "monitor", "backup", "restore",
-    "recover", "config"};
+    "recover", "config", "plan", "apply", "snapshot", "metrics"};
 
 QString sourceFile(const QString& name)
 {

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/commands/command_line.h"
+#include "app/cli/output/json_output.h"
+#include "app/cli/output/output_file.h"
+#include "app/cli/session/drive_search.h"
+#include "app/cli/session/machine_run.h"
+#include "app/common/arguments.h"
+#include "app/common/number_text.h"
+#include "core/base/parallel.h"
+#include "core/compensator/drive_summary.h"
+#include "core/io/local_file.h"
+#include "core/machine/open_metrics.h"
+#include "core/machine/snapshot.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+
+namespace axiscomp::app {
+
+namespace {
+
+constexpr std::size_t mostAtOnce = 16;
+constexpr int proofSamples = 5;
+constexpr const char* machineFileName = "machine.toml";
+
+struct SnapshotOptions {
+    DriveOptions drive;
+    std::string folder;
+    std::string name;
+};
+
+struct MetricsOptions {
+    MachineOptions machine; ///< without a file: drive.endpoints
+    std::string output;
+    bool proves = false;
+};
+
+Result<void> needDrives(const DriveOptions& options)
+{
+    if (!options.endpoints.empty())
+        return {};
+    return wrongUsage(
+        "the drive is missing: give --drive http://host, or set AXISCOMP_DRIVE", options.command);
+}
+
+Result<DriveSnapshot> snapshotOf(
+    Environment& environment, const DriveOptions& options, const std::string& endpoint)
+{
+    AXISCOMP_TRY(const auto session, CommandSession::open(environment, options, endpoint));
+    return snapshotDrive(session->compensator(), session->profile(), shownEndpoint(endpoint),
+        session->quietOperation());
+}
+
+/// All of them, or none: a machine file without one of its drives would be another machine.
+Result<std::vector<DriveSnapshot>> snapshotsOf(
+    Environment& environment, const DriveOptions& options)
+{
+    std::vector<Result<DriveSnapshot>> taken(options.endpoints.size(), fail(ErrorCode::Cancelled));
+    const QtRuntime runtime;
+    forEachAtOnce(taken.size(), mostAtOnce, [&](std::size_t index) {
+        taken[index] = snapshotOf(environment, options, options.endpoints[index]);
+    });
+    std::vector<DriveSnapshot> snapshots;
+    for (auto& snapshot : taken) {
+        if (!snapshot)
+            return fail(std::move(snapshot).error());
+        snapshots.push_back(*std::move(snapshot));
+    }
+    std::ranges::sort(
+        snapshots, {}, [](const DriveSnapshot& snapshot) { return snapshot.drive.serialNumber; });
+    return snapshots;
+}
+
+/// What is written must be a machine file: a drive that was named twice is none.
+Result<std::string> machineText(
+    const SnapshotOptions& options, const std::vector<DriveSnapshot>& snapshots)
+{
+    MachineFile machine{options.name, {}};
+    for (const DriveSnapshot& snapshot : snapshots)
+        if (!snapshot.drive.axes.empty())
+            machine.drives.push_back(snapshot.drive);
+    std::string text = writeMachine(machine);
+    const MachineReading reading = readMachine(text);
+    if (reading.machine)
+        return text;
+    return wrongUsage("these drives make no machine: " + message(reading.diagnostics.front()),
+        options.drive.command);
+}
+
+Result<ExitCode> runSnapshot(Environment& environment, const SnapshotOptions& options)
+{
+    AXISCOMP_CHECK(needDrives(options.drive));
+    AXISCOMP_TRY(const auto snapshots, snapshotsOf(environment, options.drive));
+    AXISCOMP_TRY(const auto text, machineText(options, snapshots));
+    const std::filesystem::path folder(options.folder);
+    std::error_code failed;
+    std::filesystem::create_directories(folder, failed);
+    if (failed)
+        return fail(
+            ErrorCode::FileNotWritable, {{"file", options.folder}, {"reason", failed.message()}});
+    Json files = Json::array();
+    for (const DriveSnapshot& snapshot : snapshots)
+        for (const DriveSnapshot::TableFile& file : snapshot.files) {
+            AXISCOMP_CHECK(saveFile(folder / file.name, file.bytes));
+            files.push_back(file.name);
+        }
+    // Last: what it names is there.
+    AXISCOMP_CHECK(saveFile(folder / machineFileName, asBytes(text)));
+    environment.document({{"output", (folder / machineFileName).string()},
+        {"drives", snapshots.size()}, {"tables", files}});
+    environment.print("Wrote " + (folder / machineFileName).string() + ": "
+        + plural(snapshots.size(), "drive", "drives") + ", "
+        + plural(files.size(), "table", "tables") + ".\n");
+    return ExitCode::Done;
+}
+
+/// The drives of the machine file and how they differ, or those of --drive.
+Result<MachineRun> metricsRun(Environment& environment, const MetricsOptions& options)
+{
+    if (!options.machine.file.empty()) {
+        AXISCOMP_TRY(auto run, beginMachineRun(environment, options.machine));
+        planMachine(environment, options.machine, run);
+        return run;
+    }
+    AXISCOMP_CHECK(needDrives(options.machine.drive));
+    MachineRun run;
+    for (const std::string& endpoint : options.machine.drive.endpoints) {
+        run.drives.emplace_back();
+        run.drives.back().wanted.endpoint = endpoint;
+        run.drives.back().endpoint = shownEndpoint(endpoint);
+    }
+    return run;
+}
+
+Result<void> collect(Environment& environment, const MetricsOptions& options,
+    const MachineDriveRun& drive, DriveMetrics& metrics)
+{
+    if (drive.problem)
+        return fail(*drive.problem);
+    AXISCOMP_TRY(const auto session,
+        CommandSession::open(environment, options.machine.drive, drive.wanted.endpoint));
+    AXISCOMP_TRY(metrics.summary,
+        summarizeDrive(session->compensator(), session->storeRoot(), session->quietOperation()));
+    for (const AxisSummary& row : metrics.summary->axes)
+        if (options.proves && row.status && row.status->isOn())
+            metrics.proofs.emplace(row.axis.index,
+                session->compensator().prove(
+                    row.axis.index, proofSamples, session->quietOperation()));
+    for (const AxisPlan& axis : drive.plan ? drive.plan->axes : std::vector<AxisPlan>())
+        if (!axis.problem)
+            metrics.differs.emplace(axis.axis, axis.differs());
+    return {};
+}
+
+/// A drive that does not answer is a metric, not an error.
+Result<ExitCode> runMetrics(Environment& environment, const MetricsOptions& options)
+{
+    const Output output{options.output, options.machine.drive.command};
+    AXISCOMP_CHECK(checkOutput(environment, output, true));
+    const QtRuntime runtime;
+    AXISCOMP_TRY(const auto run, metricsRun(environment, options));
+    std::vector<DriveMetrics> metrics(run.drives.size());
+    std::vector<Result<void>> collected(run.drives.size());
+    forEachAtOnce(metrics.size(), mostAtOnce, [&](std::size_t index) {
+        metrics[index].endpoint = run.drives[index].endpoint;
+        collected[index] = collect(environment, options, run.drives[index], metrics[index]);
+    });
+    for (std::size_t index = 0; index < metrics.size(); ++index)
+        if (!collected[index])
+            environment.warn(
+                metrics[index].endpoint + ": " + singleLine(sentence(collected[index].error())));
+    if (environment.stopToken().stop_requested())
+        return fail(ErrorCode::Cancelled);
+    AXISCOMP_CHECK(writeOutput(environment, output, asBytes(openMetrics(metrics))));
+    environment.document({{"output", options.output}, {"drives", metrics.size()}});
+    return ExitCode::Done;
+}
+
+} // namespace
+
+void addSnapshotCommand(CommandLine& line)
+{
+    auto options = std::make_shared<SnapshotOptions>();
+    options->drive.command = commandName("snapshot");
+    CLI::App* command = line.add("snapshot", driveCommands,
+        "Write a machine file with all tables from running drives",
+        [options](Environment& environment) { return runSnapshot(environment, *options); });
+    addDriveOptions(*command, options->drive, DriveCount::Several);
+    command
+        ->add_option("-o,--output", options->folder,
+            "Folder for machine.toml and the tables; files of the same names are replaced")
+        ->option_text("FOLDER")
+        ->required();
+    command->add_option("--name", options->name, "Name of the machine")->option_text("TEXT");
+    command->footer("Applied to drives with the same serial numbers and without tables, the file "
+                    "gives the\n"
+                    "same state, and a snapshot of them the same bytes.\n\n"
+                    "Example:\n"
+                    "  axiscomp snapshot -o mill --drive http://192.168.1.20 --drive "
+                    "http://192.168.1.21");
+}
+
+void addMetricsCommand(CommandLine& line)
+{
+    auto options = std::make_shared<MetricsOptions>();
+    options->machine.drive.command = commandName("metrics");
+    CLI::App* command = line.add("metrics", driveCommands,
+        "Print the states of drives as OpenMetrics text, for a collector",
+        [options](Environment& environment) { return runMetrics(environment, *options); });
+    addDriveOptions(*command, options->machine.drive, DriveCount::Several);
+    command
+        ->add_option("--machine", options->machine.file,
+            "Machine file: its drives, and whether they differ from it")
+        ->option_text("FILE");
+    command->add_flag("--prove", options->proves,
+        "Compare the outputs of active compensations with their tables now");
+    command
+        ->add_option("-o,--output", options->output,
+            "File to write, whole or not at all; standard output without it")
+        ->option_text("FILE");
+    command->footer("Example:\n"
+                    "  axiscomp metrics --machine machine.toml \\\n"
+                    "      -o /var/lib/prometheus/node-exporter/axiscomp.prom");
+}
+
+} // namespace axiscomp::app

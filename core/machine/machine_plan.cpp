@@ -1,0 +1,344 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/machine/machine_plan.h"
+
+#include "core/axis/axis_reader.h"
+#include "core/compensator/axis_operations.h"
+#include "core/compensator/multi_axis_write.h"
+#include "core/drive/axis_target.h"
+#include "core/table/position_unit.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace axiscomp {
+
+namespace {
+
+constexpr int proofSamples = 5;
+
+bool endsPlan(const Error& error)
+{
+    return isLinkFailure(error.code) || error.code == ErrorCode::Cancelled;
+}
+
+/// Plans the axes of one drive.
+class DrivePlanner {
+public:
+    DrivePlanner(AxisCompensator& compensator, const DriveProfile& profile,
+        const MachineContext& context, const OperationOptions& options)
+        : m_compensator(compensator)
+        , m_profile(profile)
+        , m_context(context)
+        , m_options(options)
+    {
+        m_options.progress = {};
+    }
+
+    [[nodiscard]] Result<DrivePlan> plan(
+        const MachineDrive& drive, std::span<const MachineTable> tables);
+
+private:
+    [[nodiscard]] Result<void> planAxis(
+        const MachineAxis& axis, const MachineTable& table, AxisPlan& plan);
+    [[nodiscard]] Result<CompensationTable> settledTable(
+        const MachineAxis& axis, const MachineTable& table, AxisPlan& plan);
+    [[nodiscard]] Result<bool> isWithinTolerance(
+        const ValueTolerance& tolerance, const AxisPlan& plan);
+    void findObstacle(AxisPlan& plan) const;
+    void planActivation(const MachineAxis& axis, AxisPlan& plan) const;
+    void checkFlash(DrivePlan& plan) const;
+    void checkNamedOnce(DrivePlan& plan) const;
+
+    AxisCompensator& m_compensator;
+    const DriveProfile& m_profile;
+    const MachineContext& m_context;
+    OperationOptions m_options;
+};
+
+Result<DrivePlan> DrivePlanner::plan(
+    const MachineDrive& drive, std::span<const MachineTable> tables)
+{
+    DrivePlan result;
+    AXISCOMP_TRY(result.drive, m_compensator.identify(m_options));
+    if (result.drive.serialNumber != drive.serialNumber)
+        return fail(ErrorCode::OtherDrive,
+            {{"expected", drive.serialNumber}, {"found", result.drive.serialNumber}});
+    for (std::size_t n = 0; n < drive.axes.size(); ++n) {
+        AxisPlan& plan = result.axes.emplace_back();
+        plan.name = drive.axes[n].axis;
+        auto planned = planAxis(drive.axes[n], tables[n], plan);
+        if (!planned && endsPlan(planned.error()))
+            return fail(std::move(planned).error());
+        if (!planned)
+            plan.problem = std::move(planned).error();
+    }
+    checkNamedOnce(result);
+    checkFlash(result);
+    return result;
+}
+
+/// A table whose numbers depend on what the axis is among its sources is read with that.
+Result<CompensationTable> DrivePlanner::settledTable(
+    const MachineAxis& axis, const MachineTable& table, AxisPlan& plan)
+{
+    if (table.table)
+        return *table.table;
+    if (!table.isOpen)
+        return fail(*table.problem);
+    std::vector<std::string> paths;
+    for (const std::string& source : *axis.sources) {
+        AXISCOMP_TRY(auto resolved, m_compensator.resolveSource(source, m_options));
+        paths.push_back(std::move(resolved.path));
+    }
+    const std::string target = axisTarget(m_profile, plan.axis, paths);
+    if (target.empty())
+        return fail(*table.problem);
+    MachineTable again =
+        readMachineTable(axis, m_context.folder, m_profile.layout, target, m_options.stop);
+    plan.fileProblems = std::move(again.problems);
+    if (!again.table)
+        return fail(*std::move(again.problem));
+    return *std::move(again.table);
+}
+
+Result<void> DrivePlanner::planAxis(
+    const MachineAxis& axis, const MachineTable& table, AxisPlan& plan)
+{
+    AXISCOMP_TRY(plan.axis, m_compensator.findAxis(axis.axis, m_options));
+    AXISCOMP_TRY(
+        const auto now, settledStatus(m_compensator, m_context.storeRoot, plan.axis, m_options));
+    plan.before = now.status;
+    if (now.isBeingWritten)
+        return fail(ErrorCode::ChangedMeanwhile,
+            {{"what",
+                 AXISCOMP_TEXT("Error", "the settings of axis {axis}").with("axis", plan.axis)},
+                {"before", AXISCOMP_TEXT("Error", "the old state")},
+                {"now", AXISCOMP_TEXT("Error", "what it is writing at this moment")}});
+    if (now.settlingProblem)
+        return fail(*now.settlingProblem);
+    plan.isUnfinished = plan.before.unfinishedWrite.has_value();
+    WriteRequest& request = plan.request;
+    if (axis.sources)
+        request.sources =
+            axis.sources->empty() ? std::vector<std::string>{std::string()} : *axis.sources;
+    if (axis.file.empty()) {
+        request.withoutTable = true;
+        request.dimensionality = static_cast<int>(std::max<std::size_t>(1,
+            axis.sources ? request.sources.size()
+                         : static_cast<std::size_t>(plan.before.setup.dimensionality)));
+    } else {
+        AXISCOMP_TRY(request.table, settledTable(axis, table, plan));
+        request.dimensionality = request.table->grid.dimensions();
+        request.persistency = axis.persistency;
+        request.acceptsLarge = axis.acceptsLarge;
+        if (!axis.slot.empty())
+            request.slot = axis.slot;
+    }
+    AXISCOMP_TRY(plan.plan, m_compensator.compare(plan.axis, request, m_options));
+    if (axis.tolerance && plan.plan.table && !plan.plan.changes.empty()) {
+        AXISCOMP_TRY(const bool isSame, isWithinTolerance(*axis.tolerance, plan));
+        if (isSame) {
+            request.table.reset();
+            AXISCOMP_TRY(plan.plan, m_compensator.compare(plan.axis, request, m_options));
+        }
+    }
+    request.expected = plan.plan.before;
+    planActivation(axis, plan);
+    findObstacle(plan);
+    return {};
+}
+
+/// Whether the drive's table is that of the file but for this much.
+Result<bool> DrivePlanner::isWithinTolerance(const ValueTolerance& tolerance, const AxisPlan& plan)
+{
+    const CompensationTable& wanted = *plan.plan.table;
+    const auto& header = plan.before.table;
+    if (!header || !sameSpans(header->grid, wanted.grid))
+        return false;
+    const auto factor = unitFactor(tolerance.unit, plan.before.axis.unit);
+    if (!factor)
+        return fail(ErrorCode::UnitMismatch,
+            {{"what", AXISCOMP_TEXT("Error", "values of the tolerance")}, {"unit", tolerance.unit},
+                {"other", unitSymbol(plan.before.axis.unit)}});
+    AXISCOMP_TRY(const auto held, m_compensator.readTable(plan.axis, m_options));
+    if (!sameSpans(held.grid, wanted.grid))
+        return false;
+    const double most = tolerance.value * *factor;
+    return std::ranges::equal(held.values, wanted.values, [most](float a, float b) {
+        return std::abs(static_cast<double>(a) - static_cast<double>(b)) <= most;
+    });
+}
+
+void DrivePlanner::planActivation(const MachineAxis& axis, AxisPlan& plan) const
+{
+    if (!axis.isActive || *axis.isActive == plan.before.isOn())
+        return;
+    plan.switches = *axis.isActive ? Switch::Activate : Switch::Deactivate;
+}
+
+void DrivePlanner::findObstacle(AxisPlan& plan) const
+{
+    const bool isSwitchedOff =
+        m_context.activates && plan.switches == std::optional(Switch::Deactivate);
+    const bool activates = m_context.activates && plan.switches == std::optional(Switch::Activate);
+    if (plan.writes() && plan.before.isOn() && !isSwitchedOff)
+        plan.obstacle = compensationActive(plan.before);
+    else if (auto accepted = checkLargeAccepted(plan.plan, plan.request);
+             plan.writes() && !accepted)
+        plan.obstacle = std::move(accepted).error();
+    else if (activates && !plan.before.axis.isHomed)
+        plan.obstacle = Error{ErrorCode::NotHomed, {{"axis", plan.axis}}, {}};
+}
+
+/// By its index and by its name.
+void DrivePlanner::checkNamedOnce(DrivePlan& plan) const
+{
+    for (std::size_t n = 1; n < plan.axes.size(); ++n) {
+        AxisPlan& axis = plan.axes[n];
+        const auto before = std::span(plan.axes).first(n);
+        if (!axis.problem && std::ranges::any_of(before, [&](const AxisPlan& other) {
+                return !other.problem && other.axis == axis.axis;
+            }))
+            axis.problem = Error{ErrorCode::InvalidArgument,
+                {{"reason",
+                    AXISCOMP_TEXT("Error", "axis {axis} is named twice").with("axis", axis.axis)}},
+                {}};
+    }
+}
+
+void DrivePlanner::checkFlash(DrivePlan& plan) const
+{
+    int operations = 0;
+    int needed = 0; ///< with what putting back the one that fails may cost
+    for (const AxisPlan& axis : plan.axes) {
+        if (axis.problem)
+            continue;
+        operations += axis.plan.flashOperations;
+        needed = std::max(needed, operations + axis.plan.flashReserve);
+        if (auto fits = checkTogether(needed, axis.plan.flashBudget.left);
+            needed > 0 && !fits && !plan.obstacle)
+            plan.obstacle = std::move(fits).error();
+    }
+}
+
+/// Carries out one plan.
+class DriveApplication {
+public:
+    DriveApplication(AxisCompensator& compensator, const DrivePlan& plan,
+        const MachineContext& context, const OperationOptions& options)
+        : m_compensator(compensator)
+        , m_plan(plan)
+        , m_context(context)
+        , m_options(options)
+        , m_outcomes(plan.axes.size())
+    {
+    }
+
+    [[nodiscard]] std::vector<AxisOutcome> run()
+    {
+        // Up to the first that fails.
+        static_cast<void>(
+            switchAll(Switch::Deactivate) && writeAll() && switchAll(Switch::Activate));
+        readAll();
+        return std::move(m_outcomes);
+    }
+
+private:
+    [[nodiscard]] bool switchAll(Switch wanted);
+    [[nodiscard]] bool writeAll();
+    void readAll();
+
+    AxisCompensator& m_compensator;
+    const DrivePlan& m_plan;
+    const MachineContext& m_context;
+    OperationOptions m_options;
+    std::vector<AxisOutcome> m_outcomes;
+};
+
+bool DriveApplication::switchAll(Switch wanted)
+{
+    for (std::size_t n = 0; n < m_plan.axes.size() && m_context.activates; ++n) {
+        if (m_plan.axes[n].switches != std::optional(wanted))
+            continue;
+        AxisOutcome& outcome = m_outcomes[n];
+        outcome.isAttempted = true;
+        auto activation =
+            m_compensator.switchTo(m_plan.axes[n].axis, wanted, proofSamples, m_options);
+        if (!activation)
+            outcome.problem = std::move(activation).error();
+        else if (activation->proof && !*activation->proof)
+            outcome.problem = activation->proof->error();
+        if (activation)
+            outcome.activation = *std::move(activation);
+        if (outcome.problem)
+            return false;
+    }
+    return true;
+}
+
+bool DriveApplication::writeAll()
+{
+    for (std::size_t n = 0; n < m_plan.axes.size(); ++n) {
+        const AxisPlan& axis = m_plan.axes[n];
+        if (!axis.writes())
+            continue;
+        AxisOutcome& outcome = m_outcomes[n];
+        outcome.isAttempted = true;
+        auto report = m_compensator.write(axis.axis, axis.request, m_options);
+        if (report)
+            outcome.report = *std::move(report);
+        else if (!holdsNewState(report))
+            outcome.problem = std::move(report).error();
+        if (outcome.problem)
+            return false;
+    }
+    return true;
+}
+
+/// Also when the user has stopped the writes.
+void DriveApplication::readAll()
+{
+    OperationOptions quiet = m_options;
+    quiet.stop = {};
+    quiet.progress = {};
+    for (std::size_t n = 0; n < m_outcomes.size(); ++n) {
+        auto now = m_compensator.status(m_plan.axes[n].axis, quiet);
+        if (!now && isLinkFailure(now.error().code))
+            return;
+        if (now)
+            m_outcomes[n].now = *std::move(now);
+    }
+}
+
+} // namespace
+
+bool DrivePlan::differs() const
+{
+    return std::ranges::any_of(axes, &AxisPlan::differs);
+}
+
+const Error* DrivePlan::firstProblem() const
+{
+    for (const AxisPlan& axis : axes) {
+        if (axis.problem)
+            return &*axis.problem;
+        if (axis.obstacle)
+            return &*axis.obstacle;
+    }
+    return obstacle ? &*obstacle : nullptr;
+}
+
+Result<DrivePlan> planDrive(AxisCompensator& compensator, const DriveProfile& profile,
+    const MachineDrive& drive, std::span<const MachineTable> tables, const MachineContext& context,
+    const OperationOptions& options)
+{
+    return DrivePlanner(compensator, profile, context, options).plan(drive, tables);
+}
+
+std::vector<AxisOutcome> applyPlan(AxisCompensator& compensator, const DrivePlan& plan,
+    const MachineContext& context, const OperationOptions& options)
+{
+    return DriveApplication(compensator, plan, context, options).run();
+}
+
+} // namespace axiscomp

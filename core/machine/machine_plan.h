@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/compensator/axis_compensator.h"
+#include "core/machine/machine_tables.h"
+
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace axiscomp {
+
+/// How one axis differs from its machine file, and what brings it there.
+struct AxisPlan {
+    std::string name; ///< as the machine file has it
+    int axis = 0;
+    AxisStatus before;
+    WriteRequest request; ///< what would be written
+    WritePlan plan; ///< the axis has all of it when there are no changes
+    bool isUnfinished = false; ///< an earlier write did not end: the next one ends it
+    std::optional<Switch> switches; ///< the activation is another one than the file says
+    std::optional<Error> problem; ///< why there is no plan
+    /// Why the plan cannot be carried out now, although it is known what differs.
+    std::optional<Error> obstacle;
+    std::vector<Diagnostic> fileProblems; ///< of a table that was read again (MachineTable::isOpen)
+
+    [[nodiscard]] bool writes() const { return !plan.changes.empty() || isUnfinished; }
+    [[nodiscard]] bool differs() const { return writes() || switches.has_value(); }
+};
+
+struct DrivePlan {
+    DriveIdentity drive;
+    std::vector<AxisPlan> axes; ///< in the order of the file
+    /// Why the axes cannot have all of it together.
+    std::optional<Error> obstacle;
+
+    [[nodiscard]] bool differs() const;
+    /// The first reason why nothing may be written.
+    [[nodiscard]] const Error* firstProblem() const;
+};
+
+/// What a plan needs besides the drive.
+struct MachineContext {
+    std::filesystem::path folder; ///< of the machine file
+    std::filesystem::path storeRoot;
+    bool activates = false; ///< activations are to be switched as the file says
+};
+
+/// Reads the drive and compares it with the file; changes nothing. tables: one for each axis of the
+/// drive, as readMachineTable gives them with no axisTarget. What is wrong with one axis stands at
+/// that axis. Errors: those of the link, OtherDrive, Cancelled.
+[[nodiscard]] Result<DrivePlan> planDrive(AxisCompensator& compensator, const DriveProfile& profile,
+    const MachineDrive& drive, std::span<const MachineTable> tables, const MachineContext& context,
+    const OperationOptions& options);
+
+/// What became of one axis.
+struct AxisOutcome {
+    /// None: it was not written, because nothing had to be, or because an axis before it failed.
+    std::optional<WriteReport> report;
+    std::optional<Activation> activation;
+    std::optional<Error> problem;
+    bool isAttempted = false;
+    std::optional<AxisStatus> now; ///< none: it cannot be read
+};
+
+/// Carries a plan without problems and obstacles out: writes axis after axis, each as
+/// AxisCompensator::write does, up to the first that fails; then switches, when context says so.
+/// An axis that somebody has changed since it was planned is not written (ChangedMeanwhile). One
+/// outcome for each axis.
+[[nodiscard]] std::vector<AxisOutcome> applyPlan(AxisCompensator& compensator,
+    const DrivePlan& plan, const MachineContext& context, const OperationOptions& options);
+
+} // namespace axiscomp

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/machine/machine_tables.h"
+
+#include "core/conversion/table_choice.h"
+#include "core/conversion/table_import.h"
+
+#include <algorithm>
+
+namespace axiscomp {
+
+namespace {
+
+/// Of the file itself, whose diagnostics stand beside it.
+Error fileError(const std::filesystem::path& file, const TableImport& import)
+{
+    const auto errors = std::ranges::count(import.problems, Severity::Error, &Diagnostic::severity);
+    return {ErrorCode::InvalidCalibration,
+        {{"file", Verbatim{file.string()}},
+            {"count", static_cast<std::size_t>(errors) + import.suppressedProblems}},
+        {}};
+}
+
+/// "drive": the numbers are in the drive's own unit, whatever the file says.
+void takeUnit(std::string& unit, const std::string& stated)
+{
+    if (!stated.empty())
+        unit = stated == "drive" ? std::string() : stated;
+}
+
+Result<CompensationTable> chosenTable(const MachineAxis& axis, const CalibrationData& data)
+{
+    std::vector<TableName> names;
+    for (const CompensationTable& table : data.tables)
+        names.push_back({table.name, table.name});
+    std::size_t index = 0;
+    if (!axis.column.empty()) {
+        AXISCOMP_TRY(index, chooseTable(names, axis.column));
+    } else if (names.size() != 1) {
+        return fail(ErrorCode::InvalidArgument,
+            {{"reason",
+                AXISCOMP_TEXT(
+                    "Error", "{file} has several tables; name one of them with column: {known}")
+                    .with("file", axis.file)
+                    .with("known", tableList(names))}});
+    }
+    CompensationTable table = data.tables[index];
+    takeUnit(table.unit, axis.valueUnit);
+    for (GridAxis& gridAxis : table.grid.axes)
+        takeUnit(gridAxis.unit, axis.positionUnit);
+    return table;
+}
+
+} // namespace
+
+MachineTable readMachineTable(const MachineAxis& axis, const std::filesystem::path& folder,
+    const TableLayout& layout, const std::string& axisTarget, const std::stop_token& stop)
+{
+    MachineTable result;
+    if (axis.file.empty())
+        return result;
+    result.file = folder / axis.file;
+    TableImportRequest request;
+    request.file = result.file;
+    request.dimensions = axis.sources ? static_cast<int>(axis.sources->size()) : 1;
+    request.choices = axis.choices;
+    request.choices.axisTarget = axisTarget;
+    request.layout = &layout;
+    request.stop = stop;
+    TableImport import = importTables(request);
+    result.problems = std::move(import.problems);
+    result.report = std::move(import.report);
+    if (import.isCancelled) {
+        result.problem = Error{ErrorCode::Cancelled, {}, {}};
+    } else if (import.refusal) {
+        result.isOpen = import.refusal->code == ErrorCode::TargetNotKnown && axisTarget.empty();
+        result.problem = std::move(import.refusal);
+    } else if (!import.data) {
+        import.problems = result.problems;
+        result.problem = fileError(result.file, import);
+    } else if (auto table = chosenTable(axis, *import.data)) {
+        result.table = *std::move(table);
+    } else {
+        result.problem = std::move(table).error();
+    }
+    return result;
+}
+
+} // namespace axiscomp

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/machine/machine_file.h"
+#include "core/table/compensation_table.h"
+#include "core/table/table_layout.h"
+
+#include <filesystem>
+#include <optional>
+#include <stop_token>
+#include <vector>
+
+namespace axiscomp {
+
+/// The table of one axis of a machine, from its file.
+struct MachineTable {
+    std::filesystem::path file;
+    /// As WriteRequest has it. none: the axis shall have no table, or `isOpen`.
+    std::optional<CompensationTable> table;
+    /// It has to be known first what the axis is among its sources, which the drive says: read
+    /// again with its axisTarget.
+    bool isOpen = false;
+    std::vector<Diagnostic> problems; ///< of the file, warnings too
+    std::vector<Text> report; ///< of its conversion
+    std::optional<Error> problem; ///< why there is no table
+};
+
+/// Reads the file of an axis and takes the column that the axis names. folder: of the machine
+/// file. axisTarget: what the axis is among its sources (core/drive/axis_target.h), for a file that
+/// does not say what its values correct; empty: not known yet. Takes long.
+[[nodiscard]] MachineTable readMachineTable(const MachineAxis& axis,
+    const std::filesystem::path& folder, const TableLayout& layout, const std::string& axisTarget,
+    const std::stop_token& stop = {});
+
+} // namespace axiscomp

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/machine/snapshot.h"
+
+#include "core/csv/calibration_csv.h"
+#include "core/drive/axis_target.h"
+#include "core/drive/drive_units.h"
+#include "core/store/backup_json.h"
+#include "core/table/large_correction.h"
+#include "core/table/position_unit.h"
+#include "core/table/tam_table.h"
+
+#include <algorithm>
+#include <cstring>
+#include <span>
+
+namespace axiscomp {
+
+namespace {
+
+/// "" where none is set, up to the last that is.
+std::vector<std::string> sourcesOf(const CompensationSetup& setup)
+{
+    std::vector<std::string> sources;
+    for (const DimSource& source : setup.sources)
+        sources.push_back(!source.isSet() ? std::string()
+                : source.path.empty()     ? "0x" + crcText(source.address)
+                                          : source.path);
+    while (!sources.empty() && sources.back().empty())
+        sources.pop_back();
+    return sources;
+}
+
+bool isSameTable(const CompensationTable& a, const CompensationTable& b)
+{
+    return sameSpans(a.grid, b.grid) && a.values.size() == b.values.size()
+        && std::memcmp(a.values.data(), b.values.data(), a.values.size() * sizeof(float)) == 0;
+}
+
+/// Nothing where a calibration file does not give every bit back.
+std::optional<std::string> csvText(const CompensationTable& table)
+{
+    std::string text = writeCalibrationCsv({table.grid, {table}, {}});
+    CsvOptions options;
+    options.dimensions = table.grid.dimensions();
+    const CsvReading reading = parseCalibrationCsv(text, options);
+    if (!reading.data || !isSameTable(reading.data->tables.front(), table))
+        return std::nullopt;
+    return text;
+}
+
+class Snapshot {
+public:
+    Snapshot(
+        AxisCompensator& compensator, const DriveProfile& profile, const OperationOptions& options)
+        : m_compensator(compensator)
+        , m_profile(profile)
+        , m_options(options)
+    {
+        m_options.progress = {};
+    }
+
+    [[nodiscard]] Result<DriveSnapshot> take(const std::string& endpoint)
+    {
+        AXISCOMP_TRY(const auto drive, m_compensator.identify(m_options));
+        AXISCOMP_TRY(m_axes, m_compensator.axes(m_options));
+        m_result.drive.endpoint = endpoint;
+        m_result.drive.serialNumber = drive.serialNumber;
+        for (const AxisInfo& axis : m_axes)
+            if (axis.hasCompensation())
+                AXISCOMP_CHECK(takeAxis(axis.index));
+        return std::move(m_result);
+    }
+
+private:
+    [[nodiscard]] Result<void> takeAxis(int index);
+    [[nodiscard]] Result<void> takeTable(const AxisStatus& status, MachineAxis& axis);
+    [[nodiscard]] Result<void> nameParts(const AxisStatus& status, CompensationTable& table);
+
+    AxisCompensator& m_compensator;
+    const DriveProfile& m_profile;
+    OperationOptions m_options;
+    std::vector<AxisInfo> m_axes;
+    DriveSnapshot m_result;
+};
+
+Result<void> Snapshot::takeAxis(int index)
+{
+    AXISCOMP_TRY(const auto status, m_compensator.status(index, m_options));
+    MachineAxis axis;
+    axis.axis = std::to_string(index);
+    axis.sources = sourcesOf(status.setup);
+    if (status.table)
+        AXISCOMP_CHECK(takeTable(status, axis));
+    m_result.drive.axes.push_back(std::move(axis));
+    return {};
+}
+
+/// A table of the drive has no names and units, but people read the file.
+Result<void> Snapshot::nameParts(const AxisStatus& status, CompensationTable& table)
+{
+    const auto dimensions = static_cast<std::size_t>(table.grid.dimensions());
+    AXISCOMP_TRY(const auto units,
+        driveUnits(m_profile, std::span(status.setup.sources).first(dimensions), status.axis.index,
+            [this](int axis) -> Result<std::string> {
+                const auto found = std::ranges::find(m_axes, axis, &AxisInfo::index);
+                return found == m_axes.end() ? std::string() : found->unit;
+            }));
+    const auto symbolOf = [](const std::string& unit) {
+        return isPositionUnit(unit) ? unitSymbol(unit) : std::string();
+    };
+    table.name = "Table";
+    table.unit = symbolOf(units.values);
+    for (std::size_t n = 0; n < dimensions; ++n) {
+        table.grid.axes[n].name = "Dim " + std::to_string(n + 1);
+        table.grid.axes[n].unit = symbolOf(units.positions[n]);
+    }
+    table.target = axisTarget(m_profile, status.axis.index, sourcePaths(status.setup));
+    return {};
+}
+
+Result<void> Snapshot::takeTable(const AxisStatus& status, MachineAxis& axis)
+{
+    AXISCOMP_TRY(auto table, m_compensator.readTable(status.axis.index, m_options));
+    const auto dimensions = static_cast<std::size_t>(table.grid.dimensions());
+    for (std::size_t n = 0; n < dimensions; ++n)
+        if (!status.setup.sources[n].isSet())
+            return fail(
+                ErrorCode::SourceMissing, {{"dimension", n + 1}, {"ofAxis", status.axis.index}});
+    axis.sources->resize(dimensions);
+    AXISCOMP_CHECK(nameParts(status, table));
+    DriveSnapshot::TableFile file;
+    file.name = std::to_string(status.drive.serialNumber) + "-axis" + axis.axis;
+    if (const auto text = csvText(table)) {
+        file.name += ".csv";
+        const ByteView bytes = asBytes(*text);
+        file.bytes.assign(bytes.begin(), bytes.end());
+    } else {
+        file.name += ".TAMtbl";
+        AXISCOMP_TRY(file.bytes, encodeTamTable(table, false, m_profile.layout));
+    }
+    axis.file = file.name;
+    axis.persistency = status.table->persistent ? Persistency::Persistent : Persistency::Volatile;
+    axis.isActive = status.isOn();
+    axis.acceptsLarge = !largeCorrections(table).empty(); // the drive has it
+    // Where a file says no unit, its numbers are the drive's own.
+    if (table.unit.empty())
+        axis.valueUnit = "drive";
+    m_result.files.push_back(std::move(file));
+    return {};
+}
+
+} // namespace
+
+Result<DriveSnapshot> snapshotDrive(AxisCompensator& compensator, const DriveProfile& profile,
+    const std::string& endpoint, const OperationOptions& options)
+{
+    return Snapshot(compensator, profile, options).take(endpoint);
+}
+
+} // namespace axiscomp

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/app/program_run.h"
+
+#include "tests/support/patience.h"
+#include "tests/support/test_registry.h"
+#include "tests/support/verify.h"
+
+#include <QFile>
+#include <QMap>
+#include <QRegularExpression>
+#include <QSet>
+#include <QTest>
+
+#include <memory>
+
+namespace tst_snapshotcommands {
+
+using namespace axiscomp;
+using test::ProgramRun;
+using test::Sandbox;
+using test::VirtualDriveProcess;
+
+namespace {
+
+// Steps that no decimal number is exactly, and numbers that are no shorter than a float32.
+const QByteArray uneven1D = "X [mm],Error [um]\n0.1,0.333333343\n0.4,-2.71828175\n0.7,1e-7\n";
+const QByteArray plane = "X,Y,T\n0,0,0\n50,0,0.001\n0,50,0.002\n50,50,-0.003\n";
+
+/// OpenMetrics 1.0, of gauges alone: each metric once, with TYPE and HELP before its samples, no
+/// sample twice, `# EOF` at the end. Values by "name{labels}"; what is wrong is in problem.
+struct ParsedMetrics {
+    QMap<QString, double> values;
+    QString problem;
+
+    explicit ParsedMetrics(const QByteArray& text)
+    {
+        static const QRegularExpression sample(
+            QStringLiteral("^([a-z_]+)\\{((?:[a-z]+=\"(?:[^\"\\\\\\n]|\\\\[\\\\\"n])*\",?)*)\\} "
+                           "(NaN|[+-]Inf|-?[0-9.]+(?:e[+-]?[0-9]+)?)$"));
+        if (!text.endsWith("\n# EOF\n"))
+            problem = QStringLiteral("no EOF");
+        QStringList lines = QString::fromUtf8(text).split(u'\n');
+        lines.removeLast();
+        lines.removeLast();
+        QSet<QString> families;
+        QString family;
+        for (const QString& line : lines) {
+            if (line.startsWith("# TYPE ")) {
+                const QStringList words = line.split(u' ');
+                family = words.value(2);
+                if (words.size() != 4 || words[3] != "gauge" || families.contains(family))
+                    problem = line;
+                families.insert(family);
+                continue;
+            }
+            if (line.startsWith("# HELP " + family + " "))
+                continue;
+            const auto match = sample.match(line);
+            const QString key = match.captured(1) + "{" + match.captured(2) + "}";
+            if (!match.hasMatch() || match.captured(1) != family || values.contains(key))
+                problem = line;
+            bool isNumber = false;
+            values.insert(key, match.captured(3).toDouble(&isNumber));
+            if (!isNumber)
+                problem = line;
+        }
+    }
+
+    /// Of the one sample whose labels have all of these; NaN where there is none, or several.
+    [[nodiscard]] double value(const QString& name, const QStringList& labels = {}) const
+    {
+        QList<double> found;
+        for (auto it = values.begin(); it != values.end(); ++it) {
+            bool fits = it.key().startsWith(name + "{");
+            for (const QString& label : labels)
+                fits = fits && it.key().contains(label);
+            if (fits)
+                found.append(it.value());
+        }
+        return found.size() == 1 ? found.first() : qQNaN();
+    }
+};
+
+ProgramRun write(const Sandbox& box, const VirtualDriveProcess& drive, int axis,
+    const QString& file, const QStringList& sources, const QStringList& more = {})
+{
+    QStringList arguments{"write", "--drive", drive.url(), "--axis", QString::number(axis),
+        "--data", file, "--dims", QString::number(sources.size())};
+    for (int n = 0; n < sources.size(); ++n)
+        arguments << QStringLiteral("--source%1").arg(n + 1) << sources[n];
+    return box.run(arguments + more);
+}
+
+} // namespace
+
+class TestSnapshotCommands : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { test::failOnWarnings(); }
+
+    void aSnapshotThatIsAppliedToFreshDrivesGivesTheSameBytes()
+    {
+        const Sandbox box;
+        box.file("uneven.csv", uneven1D);
+        box.file("plane.csv", plane);
+        auto drive = std::make_unique<VirtualDriveProcess>(box, QStringList{"--axes", "3"});
+        const QString address = drive->url().section('/', -1);
+        const QStringList own{test::positionSource(0)};
+        // In another slot than the first one.
+        VERIFY_CODE(
+            write(box, *drive, 0, "uneven.csv", own, {"--slot", "Small3", "--persistent"}), 0);
+        VERIFY_CODE(
+            write(box, *drive, 2, "plane.csv", {test::positionSource(1), test::positionSource(2)}),
+            0);
+        VERIFY_CODE(box.run({"activate", "--drive", drive->url(), "--axis", "0"}), 0);
+        const ProgramRun first =
+            box.run({"snapshot", "--drive", drive->url(), "-o", "one", "--name", "Mill"});
+        VERIFY_CODE(first, 0);
+        VERIFY_CODE(box.run({"plan", "one/machine.toml"}), 0);
+
+        drive.reset();
+        drive = std::make_unique<VirtualDriveProcess>(
+            box, QStringList{"--axes", "3", "--http", address});
+        QVERIFY(drive->isReady());
+        VERIFY_CODE(box.run({"plan", "one/machine.toml"}), 9);
+        VERIFY_CODE(box.run({"apply", "one/machine.toml", "--activate"}), 0);
+        VERIFY_CODE(
+            box.run({"snapshot", "--drive", drive->url(), "-o", "two", "--name", "Mill"}), 0);
+        for (const char* const name : {"machine.toml", "100001-axis0.csv", "100001-axis2.csv"}) {
+            QVERIFY2(!box.content(QStringLiteral("one/") + name).isEmpty(), name);
+            QCOMPARE(box.content(QStringLiteral("two/") + name),
+                box.content(QStringLiteral("one/") + name));
+        }
+        const QByteArray text = box.content("one/machine.toml");
+        for (const char* const part : {"name = \"Mill\"", "serial = 100001", "active = true",
+                 "persistent = true", "no-table = true"})
+            QVERIFY2(text.contains(part), text.constData());
+    }
+
+    void aSnapshotOfSomeOfTheDrivesIsNotWritten()
+    {
+        const Sandbox box;
+        const VirtualDriveProcess drive(box);
+        const ProgramRun run = box.run(
+            {"snapshot", "--drive", drive.url(), "--drive", "http://127.0.0.1:1", "-o", "folder"});
+        VERIFY_CODE(run, 5);
+        QVERIFY(!QFile::exists(box.path("folder")));
+        VERIFY_CODE(
+            box.run({"snapshot", "--drive", drive.url(), "--drive", drive.url(), "-o", "folder"}),
+            2);
+        QVERIFY(!QFile::exists(box.path("folder")));
+    }
+
+    void metricsSayWhatTheDrivesDo()
+    {
+        const Sandbox box;
+        box.file("uneven.csv", uneven1D);
+        const VirtualDriveProcess drive(box, {"--name", "a \"b\" \\"});
+        VERIFY_CODE(write(box, drive, 0, "uneven.csv", {test::positionSource(0)}), 0);
+        VERIFY_CODE(box.run({"activate", "--drive", drive.url(), "--axis", "0"}), 0);
+        VERIFY_CODE(box.run({"snapshot", "--drive", drive.url(), "-o", "m"}), 0);
+        const ProgramRun run = box.run(
+            {"metrics", "--drive", drive.url(), "--drive", "http://127.0.0.1:1", "--prove"});
+        VERIFY_CODE(run, 0);
+        const ParsedMetrics metrics(run.out);
+        QVERIFY2(metrics.problem.isEmpty(), qPrintable(metrics.problem));
+        const QString here = "endpoint=\"" + drive.url() + "\"";
+        QCOMPARE(metrics.value("axiscomp_drive_up", {here}), 1.0);
+        QCOMPARE(metrics.value("axiscomp_drive_up", {"endpoint=\"http://127.0.0.1:1\""}), 0.0);
+        QCOMPARE(metrics.value("axiscomp_drive_axes", {"drive=\"a \\\"b\\\" \\\\\""}), 2.0);
+        QCOMPARE(metrics.value("axiscomp_axis_state", {"axis=\"0\"", "state=\"Active\""}), 1.0);
+        QCOMPARE(metrics.value("axiscomp_axis_state", {"axis=\"0\"", "state=\"Disabled\""}), 0.0);
+        QCOMPARE(metrics.value("axiscomp_axis_state", {"axis=\"1\"", "state=\"Disabled\""}), 1.0);
+        QCOMPARE(metrics.value("axiscomp_axis_table", {"axis=\"0\""}), 1.0);
+        QCOMPARE(metrics.value("axiscomp_axis_table_persistent", {"axis=\"0\""}), 0.0);
+        QCOMPARE(metrics.value("axiscomp_axis_table", {"axis=\"1\""}), 0.0);
+        QVERIFY(metrics.value("axiscomp_axis_last_write_timestamp_seconds") > 1.6e9);
+        QVERIFY(metrics.value("axiscomp_flash_operations_left") > 0);
+        QVERIFY(!qIsNaN(metrics.value("axiscomp_axis_proof_largest_difference")));
+        QVERIFY(qIsNaN(metrics.value("axiscomp_axis_differs", {"axis=\"0\""})));
+
+        const QStringList ofMachine{"metrics", "--machine", "m/machine.toml"};
+        const ParsedMetrics same(box.run(ofMachine).out);
+        QCOMPARE(same.value("axiscomp_axis_differs", {"axis=\"0\""}), 0.0);
+        VERIFY_CODE(box.run({"deactivate", "--drive", drive.url(), "--axis", "0"}), 0);
+        const ParsedMetrics drifted(box.run(ofMachine).out);
+        QVERIFY2(drifted.problem.isEmpty(), qPrintable(drifted.problem));
+        QCOMPARE(drifted.value("axiscomp_axis_differs", {"axis=\"0\""}), 1.0);
+    }
+};
+
+AXISCOMP_TEST(TestSnapshotCommands)
+
+} // namespace tst_snapshotcommands
+
+#include "tst_snapshotcommands.moc"
