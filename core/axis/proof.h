@@ -37,6 +37,9 @@ struct Proof {
     double provedShare = 0.0; ///< the share of the table's cells in which a sample was, 0 to 1
 };
 
+/// Samples of a proof that follows a switch by itself.
+inline constexpr int proofSamples = 5;
+
 /// Why nothing is proved although nothing differs, and what to do about it, as a sentence; for
 /// another extent than Proved.
 [[nodiscard]] Text notProvedText(Proof::Extent extent);

@@ -11,8 +11,6 @@ namespace axiscomp {
 
 namespace {
 
-constexpr int proofSamples = 5;
-
 /// What the drive has afterwards is read even when the user has stopped the operation.
 OperationOptions quietly(const OperationOptions& options)
 {

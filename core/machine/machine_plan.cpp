@@ -14,8 +14,6 @@ namespace axiscomp {
 
 namespace {
 
-constexpr int proofSamples = 5;
-
 bool endsPlan(const Error& error)
 {
     return isLinkFailure(error.code) || error.code == ErrorCode::Cancelled;

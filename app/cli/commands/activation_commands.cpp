@@ -11,8 +11,6 @@ namespace axiscomp::app {
 
 namespace {
 
-constexpr int proofSamples = 5;
-
 /// What the drive does now that the proof has failed.
 void noteState(Environment& environment, const Activation& activation)
 {

@@ -21,7 +21,6 @@ namespace axiscomp::app {
 namespace {
 
 constexpr std::size_t mostAtOnce = 16;
-constexpr int proofSamples = 5;
 constexpr const char* machineFileName = "machine.toml";
 
 struct SnapshotOptions {
