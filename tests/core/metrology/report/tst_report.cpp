@@ -270,6 +270,29 @@ private Q_SLOTS:
         QCOMPARE(svgOf(html, 1).ticks, before.ticks);
     }
 
+    void allOfACurveIsWithinItsFrame()
+    {
+        const QString html = htmlOf(wholeContent());
+        for (const int number : {0, 1}) {
+            const Svg svg = svgOf(html, number);
+            const auto frame = std::ranges::find_if(svg.lines, [](const QString& line) {
+                const QList<double> heights = heightsOf(line);
+                return heights.size() == 5 && heights.first() == heights.last();
+            });
+            QVERIFY(frame != svg.lines.end());
+            const QList<double> limits = heightsOf(*frame);
+            const auto [top, bottom] = std::ranges::minmax(limits);
+            for (const QString& line : svg.lines) {
+                const QList<double> heights = heightsOf(line);
+                const bool isTick = heights.size() == 2 && heights.last() > bottom;
+                QVERIFY2(isTick
+                        || std::ranges::all_of(
+                            heights, [&](double y) { return y >= top && y <= bottom; }),
+                    qPrintable(line));
+            }
+        }
+    }
+
     void nothingComesFromElsewhere()
     {
         const QString html = htmlOf(wholeContent(), {true});
