@@ -243,6 +243,7 @@ public:
 
 private:
     [[nodiscard]] bool switchAll(Switch wanted);
+    [[nodiscard]] bool writeAxis(std::size_t index);
     [[nodiscard]] bool writeAll();
     void readAll();
 
@@ -274,22 +275,28 @@ bool DriveApplication::switchAll(Switch wanted)
     return true;
 }
 
+bool DriveApplication::writeAxis(std::size_t index)
+{
+    const AxisPlan& axis = m_plan.axes[index];
+    AxisOutcome& outcome = m_outcomes[index];
+    outcome.isAttempted = true;
+    auto report = m_compensator.write(axis.axis, axis.request, m_options);
+    if (report)
+        outcome.report = *std::move(report);
+    else if (!holdsNewState(report))
+        outcome.problem = std::move(report).error();
+    return !outcome.problem;
+}
+
+/// Tables with a slot of their own first, so that no chosen slot is one of those.
 bool DriveApplication::writeAll()
 {
-    for (std::size_t n = 0; n < m_plan.axes.size(); ++n) {
-        const AxisPlan& axis = m_plan.axes[n];
-        if (!axis.writes())
-            continue;
-        AxisOutcome& outcome = m_outcomes[n];
-        outcome.isAttempted = true;
-        auto report = m_compensator.write(axis.axis, axis.request, m_options);
-        if (report)
-            outcome.report = *std::move(report);
-        else if (!holdsNewState(report))
-            outcome.problem = std::move(report).error();
-        if (outcome.problem)
-            return false;
-    }
+    for (const bool isNamed : {true, false})
+        for (std::size_t n = 0; n < m_plan.axes.size(); ++n) {
+            const AxisPlan& axis = m_plan.axes[n];
+            if (axis.writes() && axis.request.slot.has_value() == isNamed && !writeAxis(n))
+                return false;
+        }
     return true;
 }
 

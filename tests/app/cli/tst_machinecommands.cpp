@@ -236,6 +236,18 @@ private Q_SLOTS:
             QVERIFY(hasTable(axis));
     }
 
+    void aSlotThatIsNamedIsNotTakenByAnAxisBefore()
+    {
+        const Machine machine;
+        machine.write(
+            axisSection(0, "first.csv") + axisSection(1, "second.csv", "slot = \"Small1\"\n"),
+            axisSection(0, "first.csv"));
+        VERIFY_CODE(machine.run({"apply"}), 0);
+        QCOMPARE(machine.status(machine.one, 1).value("slot").toString(), "Small1");
+        QCOMPARE(machine.status(machine.one, 0).value("slot").toString(), "Small2");
+        VERIFY_CODE(machine.run({"plan"}), 0);
+    }
+
     void onlyTheAxesThatAreNamedAreWritten()
     {
         const Machine machine;
