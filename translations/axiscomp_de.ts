@@ -5922,7 +5922,7 @@
         <translation>eine Steigung von {slope} über {length} wurde herausgenommen</translation>
     </message>
     <message>
-        <source>{constant} was taken out of all values of {table}, so that it is 0 where --zero has it</source>
+        <source>{constant} was taken out of all values of {table}, which makes it 0 where --zero says</source>
         <translation>{constant} wurde aus allen Werten von {table} herausgenommen, damit die Tabelle dort 0 ist, wo --zero es sagt</translation>
     </message>
     <message>
@@ -6083,6 +6083,14 @@
         <translation>
             <numerusform>wo der Geber {reading} anzeigt, sagte die Referenz {reference}, einmal gemessen; der Antrieb wird {added} addieren</numerusform>
             <numerusform>wo der Geber {reading} anzeigt, sagte die Referenz {reference} im Mittel von {count} Werten; der Antrieb wird {added} addieren</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>where the encoder reads {reading} the reference said {reference} on average of {count} values; {removed} was taken out for the zero of the table, so the drive will add {added}</source>
+        <comment>where the encoder reads {reading} the reference said {reference}, measured once; {removed} was taken out for the zero of the table, so the drive will add {added}</comment>
+        <translation>
+            <numerusform>wo der Geber {reading} anzeigt, sagte die Referenz {reference}, einmal gemessen; für die Null der Tabelle wurden {removed} herausgenommen, also wird der Antrieb {added} addieren</numerusform>
+            <numerusform>wo der Geber {reading} anzeigt, sagte die Referenz {reference} im Mittel von {count} Werten; für die Null der Tabelle wurden {removed} herausgenommen, also wird der Antrieb {added} addieren</numerusform>
         </translation>
     </message>
     <message>

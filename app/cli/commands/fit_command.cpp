@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/commands/command_line.h"
+#include "app/cli/commands/fit_record.h"
 #include "app/cli/commands/fitted_file.h"
 #include "app/cli/commands/known_tables.h"
 #include "app/cli/input/judging_options.h"
@@ -27,6 +28,7 @@ struct FitOptions {
     ToleranceOptions tolerance;
     DriveOptions drive;
     FittedFileOptions file;
+    std::string record; ///< empty: none is begun
     std::string method = "linear";
     std::optional<double> smoothness;
     std::vector<double> periods;
@@ -241,6 +243,24 @@ std::vector<CompensationTable> tablesOf(const FitReport& report)
     return tables;
 }
 
+/// What a person reads. format: of the table that was written; null: none.
+void tell(Environment& environment, const FitOptions& options, const MeasurementInput& input,
+    const FitReport& report, const std::string& text, const TableFormat* format)
+{
+    for (const FitRemark& remark : report.remarks)
+        if (remark.isWarning)
+            environment.warn(remark.text.english());
+    if (format && options.file.output.isStandardOutput())
+        return;
+    environment.print(
+        sourcesText(input.sources) + ": " + measurementSummary(input.measurement) + "\n" + text);
+    if (format)
+        environment.print(
+            "\nWrote " + options.file.output.file + ": " + std::string(format->facts.name) + ".\n");
+    if (!options.record.empty())
+        environment.print("Began the record " + options.record + ".\n");
+}
+
 Result<ExitCode> runFit(Environment& environment, const FitOptions& options)
 {
     const bool isWritten = !options.file.output.file.empty();
@@ -248,13 +268,18 @@ Result<ExitCode> runFit(Environment& environment, const FitOptions& options)
     if (isWritten) {
         AXISCOMP_TRY(format, fittedFormat(environment, options.file));
     }
+    if (!options.record.empty())
+        AXISCOMP_CHECK(checkNewRecord(options.record, options.input.command));
     AXISCOMP_TRY(const auto profile, profileOf(options.drive.profile));
-    AXISCOMP_TRY(auto input, readMeasurements(environment, options.input));
+    MeasurementInputOptions reading = options.input;
+    reading.keepsFiles = !options.record.empty();
+    AXISCOMP_TRY(auto input, readMeasurements(environment, reading));
     Measurement& measurement = input.measurement;
     const bool corrects = options.correction.temperature || options.correction.expansion;
     if (corrects && !measurement.hasTargets())
         return fail(ErrorCode::NoTargets, {{"file", options.input.files.front()}});
-    AXISCOMP_TRY(auto corrections, correct(measurement, options.correction, options.input.command));
+    AXISCOMP_TRY(
+        const auto corrections, correct(measurement, options.correction, options.input.command));
     AXISCOMP_TRY(const auto sources, readStates(environment, options, measurement));
     AXISCOMP_TRY(auto settings, settingsFrom(options, measurement, sources, profile));
     AXISCOMP_TRY(
@@ -275,21 +300,18 @@ Result<ExitCode> runFit(Environment& environment, const FitOptions& options)
     if (isWritten)
         AXISCOMP_CHECK(writeFitted(environment, options.file, *format, profile, tablesOf(report),
             notesOf(input, report, settings)));
-    for (const FitRemark& remark : report.remarks)
-        if (remark.isWarning)
-            environment.warn(remark.text.english());
-    const bool speaks = !isWritten || !options.file.output.isStandardOutput();
-    if (speaks) {
-        environment.print(sourcesText(input.sources) + ": " + measurementSummary(measurement) + "\n"
-            + fitText(measurement, settings, report, crcs, profile));
-        if (isWritten)
-            environment.print("\nWrote " + options.file.output.file + ": "
-                + std::string(format->facts.name) + ".\n");
+    if (!options.record.empty()) {
+        AXISCOMP_TRY(
+            const auto record, recordOfFit(input, options.input, corrections, settings, report));
+        AXISCOMP_CHECK(saveRecord(options.record, record));
     }
+    tell(environment, options, input, report, fitText(measurement, settings, report, crcs, profile),
+        format);
     Json document = fitJson(measurement, settings, report, crcs);
     document["source"] = sourcesJson(input.sources);
-    document["corrections"] = std::move(corrections);
+    document["corrections"] = corrections.document;
     document["uncertainty"] = std::move(limits.terms);
+    document["record"] = options.record.empty() ? Json(nullptr) : Json(options.record);
     document["output"] = isWritten ? Json(options.file.output.file) : Json(nullptr);
     for (const Diagnostic& diagnostic : input.warnings)
         document["warnings"].push_back(toJson(diagnostic));
@@ -304,6 +326,11 @@ void addOutputFileOptions(CLI::App& command, FitOptions& options)
             "Table file to write, replaced if it exists; - for standard output. Without it "
             "nothing is written")
         ->option_text("FILE");
+    command
+        .add_option("--record", options.record,
+            "Begin a record of the compensation (.axcal): measurement, table and what it promises, "
+            "for compare and report")
+        ->option_text("FILE.axcal");
     command.add_option("--to", options.file.to, "Format of the output, if its name leaves it open")
         ->option_text("FORMAT");
     command

@@ -44,7 +44,7 @@ Result<ExitCode> runJudge(Environment& environment, const JudgeCommandOptions& o
         + judgementText(measurement, judgement));
     Json document = judgementJson(measurement, judgement);
     document["source"] = sourcesJson(input.sources);
-    document["corrections"] = std::move(corrections);
+    document["corrections"] = std::move(corrections.document);
     document["uncertainty"] = std::move(limits.terms);
     for (const Diagnostic& diagnostic : input.warnings)
         document["warnings"].push_back(toJson(diagnostic));

@@ -3,7 +3,6 @@
 
 #include "app/common/arguments.h"
 #include "core/io/local_file.h"
-#include "core/metrology/judge/corrections.h"
 
 namespace axiscomp::app {
 
@@ -75,11 +74,11 @@ void addCorrectionOptions(CLI::App& command, CorrectionOptions& options)
         ->group(group);
 }
 
-Result<Json> correct(
+Result<MadeCorrections> correct(
     Measurement& measurement, const CorrectionOptions& options, const std::string& command)
 {
     if (!options.temperature && !options.expansion)
-        return Json::object();
+        return MadeCorrections{};
     TemperatureCorrection correction;
     const auto temperature =
         options.temperature ? options.temperature : measurement.header.materialTemperature;
@@ -97,11 +96,12 @@ Result<Json> correct(
     correction.datum = options.datum;
     correction.isConfirmed = options.isNotCorrected;
     AXISCOMP_TRY(measurement, correctedForTemperature(std::move(measurement), correction));
-    return Json{{"temperature",
-        {{"material", *temperature}, {"expansion", *expansion},
-            {"reference", correction.referenceCelsius},
-            {"referenceExpansion", correction.referenceExpansionPerKelvin},
-            {"datum", correction.datum.value_or(measurement.targets.front())}}}};
+    return MadeCorrections{correction,
+        {{"temperature",
+            {{"material", *temperature}, {"expansion", *expansion},
+                {"reference", correction.referenceCelsius},
+                {"referenceExpansion", correction.referenceExpansionPerKelvin},
+                {"datum", correction.datum.value_or(measurement.targets.front())}}}}};
 }
 
 void addToleranceOptions(CLI::App& command, ToleranceOptions& options)

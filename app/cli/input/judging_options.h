@@ -3,6 +3,7 @@
 
 #include "app/cli/output/json.h"
 #include "core/base/result.h"
+#include "core/metrology/judge/corrections.h"
 #include "core/metrology/judge/uncertainty.h"
 #include "core/metrology/measurement.h"
 
@@ -25,9 +26,12 @@ struct CorrectionOptions {
 };
 void addCorrectionOptions(CLI::App& command, CorrectionOptions& options);
 
-/// The measurement as it would be at 20 deg C, when the user asked for it. Gives what was done, as
-/// --json has it. Errors: InvalidArgument.
-[[nodiscard]] Result<Json> correct(
+struct MadeCorrections {
+    std::optional<TemperatureCorrection> temperature;
+    Json document = Json::object(); ///< as --json has them
+};
+/// The measurement as it would be at 20 deg C, when the user asked for it. Errors: InvalidArgument.
+[[nodiscard]] Result<MadeCorrections> correct(
     Measurement& measurement, const CorrectionOptions& options, const std::string& command);
 
 /// Limits of the figures, and how well they are known.

@@ -159,6 +159,8 @@ Result<MeasurementInput> readMeasurements(
         AXISCOMP_CHECK(exclude(whole, exclusions));
     }
     input.measurement = std::move(whole);
+    if (options.keepsFiles)
+        input.files = std::move(measurements);
     return input;
 }
 

@@ -23,6 +23,7 @@ struct MeasurementInputOptions {
     double overrun = 0.0;
     std::string excluded; ///< "down:1:1,run:up:3"
     bool swapsDirections = false;
+    bool keepsFiles = false; ///< in MeasurementInput::files
 };
 
 /// FILE..., --from, --columns, --unit ...
@@ -44,6 +45,8 @@ struct MeasurementInput {
     Measurement measurement;
     std::vector<MeasurementSource> sources;
     std::vector<Diagnostic> warnings;
+    /// Each file as it was read, in the order of the sources, where the options keep them.
+    std::vector<Measurement> files;
 };
 
 /// Reads the files and makes one measurement of them, with directions exchanged and values excluded

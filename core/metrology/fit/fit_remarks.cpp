@@ -46,8 +46,8 @@ void remarkOfZero(const FittedTable& made, Remarks& remarks)
     if (made.removedConstant != 0.0)
         remarks.say("ZeroMoved",
             AXISCOMP_TEXT("Measurement",
-                "{constant} was taken out of all values of {table}, so that it is 0 where --zero "
-                "has it")
+                "{constant} was taken out of all values of {table}, which makes it 0 where --zero "
+                "says")
                 .with("constant", remarks.fine(made.removedConstant))
                 .with("table", made.table.name));
 }

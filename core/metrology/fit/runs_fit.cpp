@@ -308,17 +308,26 @@ Text signOf(const FitInput& input, const TableFit& fit, const CompensationTable&
     const double reference = isEncoder ? largest->position + whole : largest->position;
     const double reading = reference - whole;
     const double added = lookup.at(largest->position);
+    const double removed = fit.removedConstant + fit.removedSlope * largest->position;
     Quantity signedAmount = fineQuantity(added, isAngular);
     if (added > 0.0)
         signedAmount.digits = "+" + signedAmount.digits;
-    return AXISCOMP_COUNTED("Measurement",
-        "where the encoder reads {reading} the reference said {reference} on average of {count} "
-        "values; the drive will add {added}",
-        "where the encoder reads {reading} the reference said {reference}, measured once; the "
-        "drive will add {added}")
-        .with("reading", placeOf(reading, isAngular))
+    const TextPattern pattern = removed == 0.0
+        ? AXISCOMP_COUNTED("Measurement",
+            "where the encoder reads {reading} the reference said {reference} on average of "
+            "{count} values; the drive will add {added}",
+            "where the encoder reads {reading} the reference said {reference}, measured once; the "
+            "drive will add {added}")
+        : AXISCOMP_COUNTED("Measurement",
+            "where the encoder reads {reading} the reference said {reference} on average of "
+            "{count} values; {removed} was taken out for the zero of the table, so the drive will "
+            "add {added}",
+            "where the encoder reads {reading} the reference said {reference}, measured once; "
+            "{removed} was taken out for the zero of the table, so the drive will add {added}");
+    return pattern.with("reading", placeOf(reading, isAngular))
         .with("reference", placeOf(reference, isAngular))
         .with("count", static_cast<std::int64_t>(largest->weight))
+        .with("removed", fineQuantity(removed, isAngular))
         .with("added", std::move(signedAmount));
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/metrology/record/calibration_record.h"
 #include "tests/app/program_run.h"
 
 #include "tests/support/test_registry.h"
@@ -71,8 +72,8 @@ private Q_SLOTS:
         QCOMPARE(json.keys(),
             (QStringList{"before", "columns", "corrections", "crossValidation", "densification",
                 "direction", "excluded", "heldOut", "knots", "lookupAt", "merge", "method", "nodes",
-                "output", "periods", "predicted", "remarks", "residual", "sign", "smoothness",
-                "source", "state", "table", "uncertainty", "verdict", "warnings"}));
+                "output", "periods", "predicted", "record", "remarks", "residual", "sign",
+                "smoothness", "source", "state", "table", "uncertainty", "verdict", "warnings"}));
         QVERIFY(std::abs(figure(json, "predicted", "B") - 0.0334657) < 1e-6);
         QVERIFY(std::abs(figure(json, "predicted", "M")) < 1e-6);
         QVERIFY(std::abs(figure(json, "predicted", "E") - 0.0334657) < 1e-6);
@@ -281,6 +282,50 @@ private Q_SLOTS:
         VERIFY_CODE(several, 2);
         QVERIFY2(several.err.contains("choose one with --table: dX, dY"), several.err.constData());
         VERIFY_CODE(box.run(fit + QStringList{"-o", "one.TAMtbl", "--table", "dY"}), 0);
+    }
+
+    /// The whole way of a person who has two measurements: table, record, proof of improvement,
+    /// page.
+    void aRecordLeadsFromTheMeasurementToTheReport()
+    {
+        const auto before = [](double position) { return 0.1 * position; };
+        const Sandbox box;
+        box.file("before.csv", runs("// compensation: off\n", before));
+        const QStringList fit{"fit", "before.csv", "--lookup-at", "encoder", "-o", "x.csv",
+            "--record", "x.axcal", "--tolerance", "M=2um", "--exclude", "up:3:1,down:3:1",
+            "--json"};
+        const ProgramRun made = box.run(fit);
+        VERIFY_CODE(made, 0);
+        QCOMPARE(made.json().value("record").toString(), "x.axcal");
+        const QByteArray kept = box.content("x.axcal");
+
+        // What the record holds gives the same figures and the same table.
+        const auto record = recordFromText(kept.toStdString(), "x.axcal");
+        VERIFY_RESULT(record);
+        const auto used = usedMeasurement(*record->before);
+        VERIFY_RESULT(used);
+        QCOMPARE(used->excludedCount(), std::size_t{2});
+        const auto figures = figureValues(iso230Figures(*used));
+        QCOMPARE(figures, record->prediction->before);
+        QVERIFY(std::abs(*figures[Iso230Figure::M] - 0.01) < 1e-12);
+        const QString crc = made.json().value("table").toObject().value("crc").toString();
+
+        // A second fit does not take its place.
+        const ProgramRun again = box.run(fit);
+        VERIFY_CODE(again, 2);
+        QVERIFY2(again.err.contains("x.axcal exists already"), again.err.constData());
+        QCOMPARE(box.content("x.axcal"), kept);
+
+        // Measured again with the table active, a hundredth remains.
+        box.file("after.csv",
+            runs("// compensation: crc:" + crc.toLatin1() + "\n",
+                [&](double position) { return 0.01 * before(position); }));
+        const ProgramRun compared = box.run(
+            {"compare", "before.csv", "after.csv", "--record", "x.axcal", "--keep", "--json"});
+        VERIFY_CODE(compared, 0);
+        QVERIFY(std::abs(figure(compared.json(), "after", "M") - 0.0001) < 1e-12);
+        VERIFY_CODE(box.run({"report", "x.axcal", "-o", "x.html"}), 0);
+        QVERIFY(box.content("x.html").contains(crc.toLatin1()));
     }
 };
 
