@@ -6772,9 +6772,9 @@
     </message>
     <message numerus="yes">
         <source>{count} targets from {from} to {to}, {up} runs ↑, {down} runs ↓</source>
-        <comment>1 target at {from}, {up} runs ↑, {down} runs ↓</comment>
+        <comment>1 target from {from} to {to}, {up} runs ↑, {down} runs ↓</comment>
         <translation>
-            <numerusform>1 Zielposition bei {from}, {up} Durchläufe ↑, {down} Durchläufe ↓</numerusform>
+            <numerusform>1 Zielposition von {from} bis {to}, {up} Durchläufe ↑, {down} Durchläufe ↓</numerusform>
             <numerusform>{count} Zielpositionen von {from} bis {to}, {up} Durchläufe ↑, {down} Durchläufe ↓</numerusform>
         </translation>
     </message>

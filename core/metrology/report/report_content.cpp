@@ -222,7 +222,7 @@ private:
                 .with("kind", measurementKindText(measurement.kind));
         return AXISCOMP_COUNTED("Report",
             "{count} targets from {from} to {to}, {up} runs ↑, {down} runs ↓",
-            "1 target at {from}, {up} runs ↑, {down} runs ↓")
+            "1 target from {from} to {to}, {up} runs ↑, {down} runs ↓")
             .with("count", measurement.targets.size())
             .with("from", quantityText(toText(measurement.targets.front()), ""))
             .with("to", quantityText(toText(measurement.targets.back()), m_unit.positionSymbol))

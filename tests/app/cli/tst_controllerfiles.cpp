@@ -226,7 +226,7 @@ private Q_SLOTS:
     void aMethodWithoutAGridIsRefused()
     {
         const Sandbox box;
-        box.file("x.csv", "X,A\n0,1\n1,2\n3,1\n");
+        box.file("x.csv", "X,A\n0,1\n1,2\n2,1\n");
         for (const QStringList& options :
             {QStringList{"--method", "spline"}, QStringList{"--speed", "10"}}) {
             const ProgramRun run =

@@ -27,6 +27,7 @@ const std::map<ErrorCode, int> expectedCodes{
     {ErrorCode::UnitMissing, 2},
     {ErrorCode::InstrumentScale, 3},
     {ErrorCode::NoTargets, 3},
+    {ErrorCode::MeasurementState, 2},
     {ErrorCode::InvalidTable, 3},
     {ErrorCode::InvalidProfile, 3},
     {ErrorCode::InvalidConfiguration, 3},

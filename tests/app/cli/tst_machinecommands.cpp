@@ -197,13 +197,13 @@ private Q_SLOTS:
     void whatInterruptsAnApplyTheNextOneContinues_data()
     {
         QTest::addColumn<int>("writtenAxes");
-        for (const int axes : {0, 2})
+        for (const int axes : {0, 1})
             QTest::addRow("killed after %d axes", axes) << axes;
     }
     void whatInterruptsAnApplyTheNextOneContinues()
     {
         QFETCH(int, writtenAxes);
-        constexpr int axes = 4;
+        constexpr int axes = 6; // enough for the second one to be killed in time
         const Sandbox box;
         const VirtualDriveProcess drive(
             box, {"--axes", QString::number(axes), "--fault", "slow=20"});

@@ -12,6 +12,14 @@ using namespace axiscomp;
 
 namespace {
 
+QStringList lines(std::initializer_list<const char*> texts)
+{
+    QStringList list;
+    for (const char* text : texts)
+        list += QString::fromUtf8(text);
+    return list;
+}
+
 const std::string head = "version = 1\n[[drive]]\nendpoint = \"http://a\"\nserial = 7\n";
 
 /// Of one drive with one axis, whose lines these are: from line 6 on.
@@ -117,75 +125,73 @@ private Q_SLOTS:
         QTest::addColumn<QStringList>("problems");
         QTest::newRow("a misspelled key")
             << withAxis(axisX + "sorces = 1\n")
-            << QStringList{"9:1 Syntax sorces|a known key; the nearest is sources"};
+            << lines({"9:1 Syntax sorces|a known key; the nearest is sources"});
         QTest::newRow("a misspelled key of a drive")
             << "version = 1\n[[drive]]\nendpoint = \"a\"\nserial = 1\n  serail = 2\n"
                "[[drive.axis]]\n"
                 + axisX
-            << QStringList{"5:3 Syntax serail|a known key; the nearest is serial"};
-        QTest::newRow("another version")
-            << "version = 2\n" + withAxis(axisX).substr(12)
-            << QStringList{"1:11 Syntax 2|1, the version of this format"};
+            << lines({"5:3 Syntax serail|a known key; the nearest is serial"});
+        QTest::newRow("another version") << "version = 2\n" + withAxis(axisX).substr(12)
+                                         << lines({"1:11 Syntax 2|1, the version of this format"});
         QTest::newRow("no serial number")
             << "version = 1\n[[drive]]\nendpoint = \"a\"\n[[drive.axis]]\n" + axisX
-            << QStringList{"2:1 Syntax |an entry serial"};
+            << lines({"2:1 Syntax |an entry serial"});
         QTest::newRow("a serial number as a text")
             << "version = 1\n[[drive]]\nendpoint = \"a\"\nserial = \"7\"\n[[drive.axis]]\n" + axisX
-            << QStringList{"4:10 Syntax 7|the serial number of the drive, as a number"};
+            << lines({"4:10 Syntax 7|the serial number of the drive, as a number"});
         QTest::newRow("a serial number beyond 32 bits")
             << "version = 1\n[[drive]]\nendpoint = \"a\"\nserial = 2147483648\n[[drive.axis]]\n"
                 + axisX
-            << QStringList{"4:10 Syntax 2147483648|the serial number of the drive, as a number"};
+            << lines({"4:10 Syntax 2147483648|the serial number of the drive, as a number"});
         QTest::newRow("no drives")
-            << std::string("version = 1\n") << QStringList{"1:1 Syntax |an entry drive"};
+            << std::string("version = 1\n") << lines({"1:1 Syntax |an entry drive"});
         QTest::newRow("a table of a drive that is none")
             << std::string("version = 1\ndrive = 3\n")
-            << QStringList{"2:9 Syntax 3|sections that begin with [[drive]]"};
+            << lines({"2:9 Syntax 3|sections that begin with [[drive]]"});
         QTest::newRow("neither a table nor none")
             << withAxis("axis = 0\n")
-            << QStringList{"5:1 Syntax |an entry file, or no-table = true for an axis that shall "
-                           "have none"};
-        QTest::newRow("a table and none") << withAxis(
-            axisX + "no-table = true\n") << QStringList{"9:12 Contradiction no-table beside file|"};
+            << lines({"5:1 Syntax |an entry file, or no-table = true for an axis that shall "
+                      "have none"});
+        QTest::newRow("a table and none") << withAxis(axisX + "no-table = true\n")
+                                          << lines({"9:12 Contradiction no-table beside file|"});
         QTest::newRow("a table without sources")
             << withAxis("axis = \"X\"\nfile = \"x.csv\"\n")
-            << QStringList{"5:1 Syntax |an entry sources, with the register that looks the table "
-                           "up for each of its dimensions"};
+            << lines({"5:1 Syntax |an entry sources, with the register that looks the table "
+                      "up for each of its dimensions"});
         QTest::newRow("persistent without a table")
             << withAxis("axis = \"X\"\nno-table = true\npersistent = true\n")
-            << QStringList{"8:14 Contradiction persistent of an axis without a table|"};
+            << lines({"8:14 Contradiction persistent of an axis without a table|"});
         QTest::newRow("active without a table")
             << withAxis("axis = \"X\"\nno-table = true\nactive = true\n")
-            << QStringList{"8:10 Contradiction active of an axis without a table|"};
-        QTest::newRow("a number for a name") << withAxis(
-            axisX + "target = 1\n") << QStringList{"9:10 Syntax 1|a text in quotation marks"};
+            << lines({"8:10 Contradiction active of an axis without a table|"});
+        QTest::newRow("a number for a name") << withAxis(axisX + "target = 1\n")
+                                             << lines({"9:10 Syntax 1|a text in quotation marks"});
         QTest::newRow("a word for true") << withAxis(axisX + "persistent = \"yes\"\n")
-                                         << QStringList{"9:14 Syntax yes|true or false"};
-        QTest::newRow("an unknown sign")
-            << withAxis(axisX + "sign = \"minus\"\n")
-            << QStringList{"9:8 Syntax minus|one of feedback, command"};
+                                         << lines({"9:14 Syntax yes|true or false"});
+        QTest::newRow("an unknown sign") << withAxis(axisX + "sign = \"minus\"\n")
+                                         << lines({"9:8 Syntax minus|one of feedback, command"});
         QTest::newRow("a tolerance without its unit")
             << withAxis(axisX + "tolerance = \"0.1\"\n")
-            << QStringList{"9:13 Syntax 0.1|a number and its unit, such as 0.1 um"};
+            << lines({"9:13 Syntax 0.1|a number and its unit, such as 0.1 um"});
         QTest::newRow("a negative tolerance")
             << withAxis(axisX + "tolerance = \"-1 um\"\n")
-            << QStringList{"9:13 Syntax -1 um|a number and its unit, such as 0.1 um"};
+            << lines({"9:13 Syntax -1 um|a number and its unit, such as 0.1 um"});
         QTest::newRow("four sources")
             << withAxis("axis = 0\nfile = \"a\"\nsources = [\"a\", \"b\", \"c\", \"d\"]\n")
-            << QStringList{"8:11 Syntax [...]|a list of one to three registers"};
+            << lines({"8:11 Syntax [...]|a list of one to three registers"});
         QTest::newRow("two axes that want one slot")
             << withAxis(axisX
                    + "slot = \"Small1\"\n[[drive.axis]]\naxis = 1\nfile = \"y.csv\"\n"
                      "sources = [\"a\"]\nslot = \"small1\"\n")
-            << QStringList{"14:8 Contradiction slot small1 is taken by the axis in line 9|"};
+            << lines({"14:8 Contradiction slot small1 is taken by the axis in line 9|"});
         QTest::newRow("an axis that is there twice")
             << withAxis(axisX + "[[drive.axis]]\n" + axisX)
-            << QStringList{"10:8 Contradiction axis X of this drive is in line 6 already|"};
+            << lines({"10:8 Contradiction axis X of this drive is in line 6 already|"});
         QTest::newRow("a drive that is there twice")
             << withAxis(axisX) + "[[drive]]\nendpoint = \"http://a\"\nserial = 7\n[[drive.axis]]\n"
                 + axisX
-            << QStringList{"10:12 Contradiction http://a is a drive in line 3 already|",
-                   "11:10 Contradiction serial number 7 is in line 4 already|"};
+            << lines({"10:12 Contradiction http://a is a drive in line 3 already|",
+                   "11:10 Contradiction serial number 7 is in line 4 already|"});
         QTest::newRow("a key that is there twice")
             << std::string("version = 1\nversion = 1\n") << QStringList();
     }

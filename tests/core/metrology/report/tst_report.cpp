@@ -14,6 +14,14 @@ using namespace axiscomp;
 
 namespace {
 
+QStringList lines(std::initializer_list<const char*> texts)
+{
+    QStringList list;
+    for (const char* text : texts)
+        list += QString::fromUtf8(text);
+    return list;
+}
+
 Measurement publicRuns(const std::string& name)
 {
     return test::readAs("runs", test::publicMeasurement(name)).measurement.value_or(Measurement{});
@@ -179,12 +187,11 @@ private Q_SLOTS:
         const QString html = htmlOf(content);
         // metrology.md of the specification of ISO 230-2's figures, chapter of public measurements
         QCOMPARE(rowOf(html, QStringLiteral("accuracy A")),
-            (QStringList{"accuracy A", "18.57", "8.35", "–", "1.86"}));
+            lines({"accuracy A", "18.57", "8.35", "–", "1.86"}));
         QCOMPARE(rowOf(html, QStringLiteral("repeatability R")),
-            (QStringList{"repeatability R", "8.35", "not defined", "–", "0.84"}));
+            lines({"repeatability R", "8.35", "not defined", "–", "0.84"}));
         QCOMPARE(rowOf(html, QStringLiteral("range of the mean deviation M")),
-            (QStringList{
-                "range of the mean deviation M", "14.95", "not defined", "17.79", "1.50"}));
+            (lines({"range of the mean deviation M", "14.95", "not defined", "17.79", "1.50"})));
     }
 
     void aVerdictIsThatOfTheLastMeasurement()
@@ -207,11 +214,11 @@ private Q_SLOTS:
                 name);
         for (const char* name : {"Date", "Operator", "Instrument", "Feed, dwell", "Environment",
                  "Compensation", "Corrections", "Targets and runs", "Left out"})
-            QCOMPARE(rowOf(html, QString::fromLatin1(name)),
-                (QStringList{QString::fromLatin1(name), "not stated", "not stated"}));
+            QCOMPARE(
+                rowOf(html, QString::fromLatin1(name)), lines({name, "not stated", "not stated"}));
         QVERIFY(!html.contains(QStringLiteral("<dd></dd>")));
         QCOMPARE(rowOf(html, QStringLiteral("accuracy A")),
-            (QStringList{"accuracy A", "not stated", "not stated", "–", "not stated"}));
+            lines({"accuracy A", "not stated", "not stated", "–", "not stated"}));
         const QString body = html.mid(html.indexOf(QStringLiteral("<tbody>")));
         QVERIFY(!body.contains(QStringLiteral("<td>0")));
     }
