@@ -9,6 +9,7 @@
 #include "app/common/text_table.h"
 
 #include <memory>
+#include <span>
 
 namespace axiscomp::app {
 
@@ -17,6 +18,12 @@ namespace {
 std::string placeOf(const MachineDriveRun& drive)
 {
     return drive.endpoint + " (serial number " + std::to_string(drive.wanted.serialNumber) + ")";
+}
+
+/// None where there is no plan.
+std::span<const AxisPlan> plannedAxes(const MachineDriveRun& drive)
+{
+    return drive.plan ? std::span<const AxisPlan>(drive.plan->axes) : std::span<const AxisPlan>();
 }
 
 /// One line of its own for each thing that stands in the way; the code of the first is the
@@ -62,7 +69,7 @@ void printPlans(Environment& environment, const MachineRun& run)
 void noteWarnings(Environment& environment, const MachineRun& run)
 {
     for (const MachineDriveRun& drive : run.drives)
-        for (const AxisPlan& axis : drive.plan ? drive.plan->axes : std::vector<AxisPlan>()) {
+        for (const AxisPlan& axis : plannedAxes(drive)) {
             const std::string place = placeOf(drive) + ", axis " + axis.name + ": ";
             if (axis.plan.changes.empty())
                 continue;
@@ -84,7 +91,7 @@ void addProblems(Environment& environment, const MachineOptions& options, const 
             environment.warn(placeOf(drive) + " does not answer and is left out");
         else if (drive.problem)
             problems.add(placeOf(drive), *drive.problem);
-        for (const AxisPlan& axis : drive.plan ? drive.plan->axes : std::vector<AxisPlan>())
+        for (const AxisPlan& axis : plannedAxes(drive))
             if (axis.problem)
                 problems.add(placeOf(drive) + ", axis " + axis.name, *axis.problem);
     }
@@ -102,6 +109,15 @@ template <typename Report> void forEachObstacle(const MachineRun& run, Report re
         if (drive.plan->obstacle)
             report(placeOf(drive), *drive.plan->obstacle);
     }
+}
+
+void planAndShow(
+    Environment& environment, const MachineOptions& options, MachineRun& run, Problems& problems)
+{
+    planMachine(environment, options, run);
+    printPlans(environment, run);
+    noteWarnings(environment, run);
+    addProblems(environment, options, run, problems);
 }
 
 Json runJson(const MachineOptions& options, const MachineRun& run)
@@ -127,11 +143,8 @@ Result<ExitCode> runPlan(Environment& environment, const MachineOptions& options
 {
     AXISCOMP_TRY(auto run, beginMachineRun(environment, options));
     const QtRuntime runtime;
-    planMachine(environment, options, run);
-    printPlans(environment, run);
-    noteWarnings(environment, run);
     Problems problems(environment);
-    addProblems(environment, options, run, problems);
+    planAndShow(environment, options, run, problems);
     forEachObstacle(run, [&](const std::string& place, const Error& error) {
         environment.warn(place + ": this cannot be written now: " + sentence(error));
     });
@@ -171,11 +184,8 @@ Result<ExitCode> runApply(Environment& environment, const MachineOptions& option
 {
     AXISCOMP_TRY(auto run, beginMachineRun(environment, options));
     const QtRuntime runtime;
-    planMachine(environment, options, run);
-    printPlans(environment, run);
-    noteWarnings(environment, run);
     Problems problems(environment);
-    addProblems(environment, options, run, problems);
+    planAndShow(environment, options, run, problems);
     forEachObstacle(
         run, [&](const std::string& place, const Error& error) { problems.add(place, error); });
     if (problems.code() != ExitCode::Done) {
