@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "drivecomm/virtualdrive/firmware/register_tree.h"
 
-#include "drivecomm/codec/edit_distance.h"
+#include "core/text/edit_distance.h"
 
 #include <algorithm>
 #include <array>
@@ -182,7 +182,8 @@ std::string RegisterTree::nearest(std::string_view path) const
     std::array<Match, 3> best;
     best.fill({farthest, nullptr});
     for (const Register& one : m_registers) {
-        Match match{editDistance(wanted, one.path, best.back().distance), &one};
+        Match match{
+            editDistance(wanted, one.path, LetterCase::Ignored, best.back().distance), &one};
         for (Match& place : best)
             if (match.distance < place.distance)
                 std::swap(match, place);

@@ -4,9 +4,9 @@
 #include "core/base/bytes.h"
 #include "core/io/local_file.h"
 #include "core/io/strict_json.h"
+#include "core/text/edit_distance.h"
 #include "core/text/number_text.h"
 #include "core/text/utf8.h"
-#include "drivecomm/codec/edit_distance.h"
 
 #include <algorithm>
 #include <array>
@@ -36,7 +36,7 @@ void expectOnly(const JsonNode& node, std::initializer_list<std::string_view> kn
         if (std::ranges::find(known, name) != known.end())
             continue;
         const auto distanceTo = [&name](std::string_view one) {
-            return editDistance(name, one, one.size());
+            return editDistance(name, one, LetterCase::Ignored, one.size());
         };
         const std::string_view nearest = std::ranges::min(known, {}, distanceTo);
         std::vector<std::string> all(known.begin(), known.end());
