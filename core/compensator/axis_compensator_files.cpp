@@ -199,18 +199,16 @@ Result<void> AxisCompensator::Private::checkFlashOfFiles(const RegisterAccess& a
     if (plans.empty())
         return {};
     AXISCOMP_TRY(const auto drive, identify(access));
-    int operations = 0;
+    FlashSum flash;
     for (const WritePlan& plan : plans)
-        operations += plan.flashOperations;
-    int needed = operations;
+        flash.add(plan.flashOperations, plan.flashReserve);
     for (const AxisBackup::File& file : files) {
         AXISCOMP_TRY(const TableSlot slot, slotOf(file));
         AXISCOMP_TRY(const auto cost,
             FileReplacement(access, store, drive, clock, slot).planReplacement(file.bytes));
-        operations += cost.operations;
-        needed = std::max(needed, operations + cost.reserve);
+        flash.add(cost.operations, cost.reserve);
     }
-    return checkTogether(needed, plans.front().flashBudget.left);
+    return flash.check(plans.front().flashBudget.left);
 }
 
 /// A drive that restarted while a later part was restored has lost what was volatile or not saved

@@ -59,8 +59,7 @@ Result<std::vector<WritePlan>> planMultiAxis(AxisCompensator& compensator,
             return refuse(
                 AXISCOMP_TEXT("Error", "axis {axis} is named twice").with("axis", write.axis));
     std::vector<WritePlan> plans;
-    int flashOperations = 0;
-    int needed = 0; ///< with what putting back the one that fails may cost
+    FlashSum flash;
     for (const AxisWrite& write : writes) {
         auto plan = compensator.plan(write.axis, write.request, options);
         if (!plan) {
@@ -68,23 +67,28 @@ Result<std::vector<WritePlan>> planMultiAxis(AxisCompensator& compensator,
             error.context.set("ofAxis", write.axis);
             return fail(std::move(error));
         }
-        flashOperations += plan->flashOperations;
-        needed = std::max(needed, flashOperations + plan->flashReserve);
+        flash.add(plan->flashOperations, plan->flashReserve);
         plans.push_back(*std::move(plan));
     }
     if (!plans.empty())
-        AXISCOMP_CHECK(checkTogether(needed, plans.front().flashBudget.left));
+        AXISCOMP_CHECK(flash.check(plans.front().flashBudget.left));
     return plans;
 }
 
-Result<void> checkTogether(int needed, int left)
+void FlashSum::add(int operations, int reserve)
 {
-    if (needed <= left)
+    m_operations += operations;
+    m_needed = std::max(m_needed, m_operations + reserve);
+}
+
+Result<void> FlashSum::check(int left) const
+{
+    if (m_needed <= left)
         return {};
     return refuse(AXISCOMP_TEXT("Error",
         "together these writes cost {cost} flash operations, and {left} are possible now; "
         "write them volatile, or fewer at a time")
-                      .with("cost", needed)
+                      .with("cost", m_needed)
                       .with("left", left));
 }
 

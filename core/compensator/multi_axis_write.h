@@ -27,9 +27,18 @@ struct AxisWrite {
 [[nodiscard]] Result<std::vector<WritePlan>> planMultiAxis(AxisCompensator& compensator,
     std::span<const AxisWrite> writes, const OperationOptions& options = {});
 
-/// Refuses writes that together need more flash operations than are possible now. needed: with what
-/// putting back the one that fails may cost. Errors: InvalidArgument.
-[[nodiscard]] Result<void> checkTogether(int needed, int left);
+/// Flash operations of changes that are made one after the other.
+class FlashSum {
+public:
+    /// reserve: what putting this change back may cost, if it is the one that fails.
+    void add(int operations, int reserve);
+    /// Refuses changes that together need more than are possible now. Errors: InvalidArgument.
+    [[nodiscard]] Result<void> check(int left) const;
+
+private:
+    int m_operations = 0;
+    int m_needed = 0;
+};
 
 /// A table, and the axis that shall have it.
 struct AxisTable {

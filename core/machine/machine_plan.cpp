@@ -206,15 +206,12 @@ void DrivePlanner::checkNamedOnce(DrivePlan& plan) const
 
 void DrivePlanner::checkFlash(DrivePlan& plan) const
 {
-    int operations = 0;
-    int needed = 0; ///< with what putting back the one that fails may cost
+    FlashSum flash;
     for (const AxisPlan& axis : plan.axes) {
         if (axis.problem)
             continue;
-        operations += axis.plan.flashOperations;
-        needed = std::max(needed, operations + axis.plan.flashReserve);
-        if (auto fits = checkTogether(needed, axis.plan.flashBudget.left);
-            needed > 0 && !fits && !plan.obstacle)
+        flash.add(axis.plan.flashOperations, axis.plan.flashReserve);
+        if (auto fits = flash.check(axis.plan.flashBudget.left); !fits && !plan.obstacle)
             plan.obstacle = std::move(fits).error();
     }
 }
