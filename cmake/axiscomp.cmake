@@ -129,3 +129,23 @@ function(axiscomp_add_tests part)
       ENVIRONMENT "QT_QPA_PLATFORM=offscreen;LC_ALL=C.UTF-8")
   endforeach()
 endfunction()
+
+# axiscomp_translate(TRANSLATIONS MESSAGES ENTRIES) sets the variables of these names: the .ts files, a
+# language each; what lrelease makes of them in this folder's build; and the entries of a .qrc file.
+function(axiscomp_translate translations_variable messages_variable entries_variable)
+  file(GLOB translations CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/translations/axiscomp_*.ts)
+  set(all_messages "")
+  set(entries "")
+  foreach(translation ${translations})
+    cmake_path(GET translation STEM language)
+    set(messages ${CMAKE_CURRENT_BINARY_DIR}/${language}.qm)
+    add_custom_command(OUTPUT ${messages}
+      COMMAND Qt6::lrelease -silent ${translation} -qm ${messages}
+      DEPENDS ${translation} VERBATIM)
+    list(APPEND all_messages ${messages})
+    string(APPEND entries "    <file alias=\"${language}.qm\">${messages}</file>\n")
+  endforeach()
+  set(${translations_variable} ${translations} PARENT_SCOPE)
+  set(${messages_variable} ${all_messages} PARENT_SCOPE)
+  set(${entries_variable} "${entries}" PARENT_SCOPE)
+endfunction()
