@@ -6643,6 +6643,10 @@
         <translation>Bei der Sollposition {position} addiert der Antrieb {added} zu dem, was der Geber anzeigt.</translation>
     </message>
     <message>
+        <source>Where the encoder reads {reading}, the drive adds {added}.</source>
+        <translation>Wo der Geber {reading} anzeigt, addiert der Antrieb {added}.</translation>
+    </message>
+    <message>
         <source>Where the encoder reads {reading}, the reference said {reference}: the drive adds {added}.</source>
         <translation>Wo der Geber {reading} anzeigt, sagte die Referenz {reference}: Der Antrieb addiert {added}.</translation>
     </message>

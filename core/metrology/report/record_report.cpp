@@ -77,9 +77,14 @@ Text proofText(const RecordedWrite& write)
     return AXISCOMP_TEXT("Report", "passed over {share} of the table").with("share", share);
 }
 
+/// Whether the values of the table are what was measured: nothing was taken out of them.
+bool isAsMeasured(const std::optional<RecordedFit>& fit)
+{
+    return fit && fit->settings.zero == FitZero::Keep && fit->settings.slope == SlopeRemoval::Keep;
+}
+
 /// At the largest value of a table of one dimension, whose values are in mm or deg.
-Text signText(
-    const CompensationTable& table, const std::optional<LookupAt>& lookupAt, bool isAngular)
+Text signText(const CompensationTable& table, const std::optional<RecordedFit>& fit, bool isAngular)
 {
     if (table.values.empty() || table.grid.axes.size() != 1)
         return {};
@@ -95,10 +100,14 @@ Text signText(
     const auto place = [&unit](double value) {
         return quantityText(fixedDigits(value, placeDecimals), unit.positionSymbol);
     };
-    if (lookupAt == LookupAt::Set)
+    if (fit && fit->settings.lookupAt == LookupAt::Set)
         return AXISCOMP_TEXT("Report",
             "At the set position {position} the drive adds {added} to what the encoder reads.")
             .with("position", place(position))
+            .with("added", amount);
+    if (!isAsMeasured(fit))
+        return AXISCOMP_TEXT("Report", "Where the encoder reads {reading}, the drive adds {added}.")
+            .with("reading", place(position))
             .with("added", amount);
     return AXISCOMP_TEXT("Report",
         "Where the encoder reads {reading}, the reference said {reference}: the drive adds "
@@ -117,8 +126,7 @@ void addTable(ReportContent& content, const CalibrationRecord& record)
         table.grid = first.table.grid;
         table.crc = first.crc;
         if (first.table.unit == "mm" || first.table.unit == "deg")
-            content.sign = signText(first.table,
-                record.fit ? record.fit->settings.lookupAt : std::nullopt, content.isAngular);
+            content.sign = signText(first.table, record.fit, content.isAngular);
     }
     if (record.write) {
         table.slot = record.write->slot;

@@ -43,6 +43,7 @@ CalibrationRecord wholeRecord()
     record.program = "axiscomp 0.1";
     record.before = recorded("bifrost.csv", 1.0);
     record.fit.emplace();
+    record.fit->settings.zero = FitZero::Keep; // as the values of the table are
     RecordedTable table;
     table.table.unit = "mm";
     table.table.grid.axes = {{"X", "mm", 15.0, 10.2, 5}};
@@ -115,6 +116,18 @@ private Q_SLOTS:
         QVERIFY2(info.contains("(A4)"), info.constData());
         QVERIFY(box.content("r.pdf").contains("<pdfaid:part>1</pdfaid:part>")
             || box.content("r.pdf").contains("pdfaid:part=\"1\""));
+    }
+
+    /// With its zero moved, a value of the table is not what the reference showed there.
+    void theReferenceIsNotSaidToHaveShownWhatWasMoved()
+    {
+        const Sandbox box;
+        CalibrationRecord record = wholeRecord();
+        record.fit->settings.zero = FitZero::First;
+        VERIFY_CODE(box.run({"report", recordIn(box, record), "-o", "r.html"}), 0);
+        const QByteArray html = box.content("r.html");
+        QVERIFY(html.contains("Where the encoder reads 45.6000 mm, the drive adds -8.452"));
+        QVERIFY(!html.contains("the reference said"));
     }
 
     void aFullRecordIsStillOnePage()
