@@ -5344,8 +5344,8 @@
         <translation>{position} hat mehr als die drei Nachkommastellen, die ein Programm schreibt; wählen Sie ein Ende mit weniger Stellen</translation>
     </message>
     <message>
-        <source>the last target ({to}) must be above the first ({from}); exchange the two</source>
-        <translation>Die letzte Zielposition ({to}) muss über der ersten ({from}) liegen; vertauschen Sie die beiden</translation>
+        <source>the last target ({to}) must be above the first ({from}); exchange the two, or choose other ends</source>
+        <translation>Die letzte Zielposition ({to}) muss über der ersten ({from}) liegen; vertauschen Sie die beiden, oder wählen Sie andere Enden</translation>
     </message>
     <message>
         <source>a period is above 0; leave it out if none is known</source>

@@ -59,8 +59,9 @@ Result<void> checkEnds(const MeasuringPlanRequest& request)
                                       .with("position", planQuantity(end, request.isAngular)));
     }
     if (!(request.from < request.to))
-        return impossiblePlan(AXISCOMP_TEXT(
-            "Error", "the last target ({to}) must be above the first ({from}); exchange the two")
+        return impossiblePlan(AXISCOMP_TEXT("Error",
+            "the last target ({to}) must be above the first ({from}); exchange the two, or choose "
+            "other ends")
                                   .with("from", planQuantity(request.from, request.isAngular))
                                   .with("to", planQuantity(request.to, request.isAngular)));
     return {};

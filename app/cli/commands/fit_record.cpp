@@ -37,6 +37,10 @@ Result<CalibrationRecord> recordOfFit(const MeasurementInput& input,
     record.program = "axiscomp " AXISCOMP_VERSION;
     record.time = std::chrono::system_clock::now();
     AXISCOMP_TRY(record.before, recordedMeasurement(input, options, corrections, settings));
+    // What the file left open was stated by a person, or taken for granted.
+    record.notes = {report.state.text.english()};
+    if (!report.state.assumption.isEmpty())
+        record.notes.push_back(report.state.assumption.english());
     record.fit = RecordedFit{settings};
     record.fit->settings.lookupAt = report.lookupAt;
     if (report.state.active)

@@ -310,6 +310,7 @@ private Q_SLOTS:
         const auto figures = figureValues(iso230Figures(*used));
         QCOMPARE(figures, record->prediction->before);
         QVERIFY(std::abs(*figures[Iso230Figure::M] - 0.01) < 1e-12);
+        QCOMPARE(record->notes, std::vector<std::string>{"measured with the compensation off"});
         const QByteArray crc =
             QByteArray::number(record->tables.front().crc, 16).rightJustified(8, '0');
 
