@@ -223,13 +223,11 @@ void CompensationWizard::Private::chooseDrive(const QString& endpoint)
     const int current = controller.currentAxis();
     if (current >= 0 && axes.at(static_cast<std::size_t>(current)).endpoint == endpoint)
         return;
-    for (std::size_t i = 0; i < axes.size(); ++i) {
-        if (axes[i].endpoint == endpoint && axes[i].isUsable) {
-            chooseAxis(static_cast<int>(i));
-            return;
-        }
-    }
-    messages.showUnreachable(endpoint);
+    const int usable = controller.usableAxisOf(endpoint);
+    if (usable >= 0)
+        chooseAxis(usable);
+    else
+        messages.showUnreachable(endpoint);
 }
 
 void CompensationWizard::Private::chooseAxis(int index)

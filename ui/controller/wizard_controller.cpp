@@ -214,6 +214,17 @@ int WizardController::currentAxis() const
     return m_parts->drives.currentIndex();
 }
 
+int WizardController::usableAxisOf(const QString& endpoint) const
+{
+    // The axes of a drive that has just been lost are still those that it had.
+    const auto drive = std::ranges::find(drives(), endpoint, &DriveState::endpoint);
+    if (drive == drives().end() || drive->connection != DriveState::Connection::Connected)
+        return -1;
+    const auto axis = std::ranges::find_if(axes(),
+        [&](const AxisEntry& entry) { return entry.endpoint == endpoint && entry.isUsable; });
+    return axis == axes().end() ? -1 : static_cast<int>(axis - axes().begin());
+}
+
 bool WizardController::isCurrentDrive(const AxisEntry& entry) const
 {
     if (currentAxis() < 0)

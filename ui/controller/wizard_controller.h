@@ -43,6 +43,8 @@ public:
     [[nodiscard]] const std::vector<DriveState>& drives() const;
     [[nodiscard]] const std::vector<AxisEntry>& axes() const;
     [[nodiscard]] int currentAxis() const; ///< index into axes(), -1 none
+    /// The first axis that can be used of a drive that answers: index into axes(), -1 none.
+    [[nodiscard]] int usableAxisOf(const QString& endpoint) const;
     /// Whether the current axis is of the drive that this entry was of; it may be lost.
     [[nodiscard]] bool isCurrentDrive(const AxisEntry& entry) const;
     /// The drive of the current axis answers.

@@ -111,9 +111,18 @@ QString DriveBar::currentEndpoint() const
 void DriveBar::showDrives()
 {
     const QSignalBlocker blocker(m_drives);
-    m_drives->clear();
-    for (const DriveState& drive : m_controller.drives())
-        m_drives->addItem(driveText(drive), drive.endpoint);
+    const auto& drives = m_controller.drives();
+    const int count = static_cast<int>(drives.size());
+    // In place: a drive that is connecting changes every second, and the list may be open.
+    for (int row = 0; row < count; ++row) {
+        const DriveState& drive = drives[static_cast<std::size_t>(row)];
+        if (row == m_drives->count())
+            m_drives->addItem(QString());
+        m_drives->setItemText(row, driveText(drive));
+        m_drives->setItemData(row, drive.endpoint);
+    }
+    while (m_drives->count() > count)
+        m_drives->removeItem(count);
     m_drives->setCurrentIndex(m_drives->findData(currentEndpoint()));
     m_drives->setPlaceholderText(tr("no drive"));
     m_drives->setEnabled(m_drives->count() > 0);

@@ -132,8 +132,7 @@ void MessagePresenter::followUnreachable()
         return;
     const QString endpoint = m_unreachable;
     const auto drive = std::ranges::find(m_controller.drives(), endpoint, &DriveState::endpoint);
-    const bool isUsable = std::ranges::any_of(m_controller.axes(),
-        [&](const AxisEntry& entry) { return entry.endpoint == endpoint && entry.isUsable; });
+    const bool isUsable = m_controller.usableAxisOf(endpoint) >= 0;
     if (!isUsable && drive != m_controller.drives().end())
         return sayUnreachable(*drive);
     forgetUnreachable();

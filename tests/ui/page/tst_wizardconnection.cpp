@@ -3,6 +3,8 @@
 #include "tests/ui/support/window_test.h"
 #include "ui/text/endpoint_text.h"
 
+#include <QAbstractItemView>
+#include <QComboBox>
 #include <QTest>
 #include <QTreeWidget>
 
@@ -166,6 +168,7 @@ private Q_SLOTS:
         bench.controller().setEndpoints({bench.served.url(), second.url()});
         QVERIFY(user.isThere());
         QTRY_COMPARE(bench.controller().axes().size(), std::size_t(4));
+        bench.controller().selectAxis(0); // the drive that answered first has been chosen
         second.stop();
         bench.controller().refresh();
         QTRY_VERIFY(bench.controller().drives().at(1).connection == DriveState::Connection::Lost);
@@ -180,6 +183,33 @@ private Q_SLOTS:
         // What the user wanted is done as soon as the drive is there.
         QTRY_COMPARE(bench.controller().currentAxis(), 2);
         QVERIFY(user.message("unreachableMessage").isEmpty());
+    }
+
+    /// A drive that is lost is told of every second: who is about to choose keeps the place.
+    void aListOfDrivesThatIsOpenKeepsItsPlace()
+    {
+        PageFixture bench;
+        auto& user = bench.user;
+        drivecomm::VirtualDriveOptions options = PageFixture::twoAxes();
+        options.name = "Stage-8";
+        options.serialNumber = 1560;
+        test::ServedDrive second(options);
+        bench.controller().setEndpoints({bench.served.url(), second.url()});
+        QVERIFY(user.isThere());
+        QTRY_COMPARE(bench.controller().axes().size(), std::size_t(4));
+        bench.controller().selectAxis(0);
+        auto& drives = user.the<QComboBox>("driveField");
+        drives.showPopup();
+        QTRY_VERIFY(drives.view()->isVisible());
+        drives.view()->setCurrentIndex(drives.model()->index(1, drives.modelColumn()));
+        QCOMPARE(drives.view()->currentIndex().row(), 1);
+        second.stop();
+        bench.controller().refresh();
+        QTRY_VERIFY(bench.controller().drives().at(1).connection == DriveState::Connection::Lost);
+        QVERIFY(drives.view()->isVisible());
+        QCOMPARE(drives.view()->currentIndex().row(), 1);
+        QTest::keyClick(drives.view(), Qt::Key_Return);
+        QTRY_VERIFY(user.message("unreachableMessage").startsWith(QStringLiteral("Stage-8 ")));
     }
 
     void anAddressWithoutASchemeIsThatOfAWebServer_data()
