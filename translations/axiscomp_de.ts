@@ -5990,10 +5990,6 @@
         <translation>über eine Umdrehung, von {from} bis {to}, endet die Tabelle {jump} über ihrem Anfang</translation>
     </message>
     <message>
-        <source>{name} has {old} points, and there are {count} targets: what it has between them is replaced by the new curve</source>
-        <translation>{name} hat {old} Punkte, und es gibt {count} Zielpositionen: was die Tabelle dazwischen hatte, ersetzt die neue Kurve</translation>
-    </message>
-    <message>
         <source>the compensation off</source>
         <translation>ausgeschalteter Kompensation</translation>
     </message>
@@ -6112,6 +6108,10 @@
     <message>
         <source>what is left follows the slope of the error before: the table is shifted by about {shift} against the axis; look at the home position and the source of the table</source>
         <translation>was bleibt, folgt der Steigung des Fehlers vorher: die Tabelle ist um etwa {shift} gegen die Achse verschoben; Referenzposition und Quelle der Tabelle prüfen</translation>
+    </message>
+    <message>
+        <source>the new table is coarser than {name}: up to {lost} of what that has between the new points is lost; take more points (--points)</source>
+        <translation>die neue Tabelle ist gröber als {name}: bis zu {lost} von dem, was diese zwischen den neuen Punkten hat, gehen verloren; mehr Punkte verlangen (--points)</translation>
     </message>
 </context>
 <context>

@@ -27,16 +27,8 @@ std::vector<float> valuesAt(const Grid& grid, const ControllerLookup& applied)
 {
     std::vector<float> values;
     values.reserve(grid.pointCount());
-    std::vector<double> position(grid.axes.size());
-    for (std::size_t point = 0; point < grid.pointCount(); ++point) {
-        std::size_t rest = point;
-        for (std::size_t n = 0; n < grid.axes.size(); ++n) {
-            const GridAxis& axis = grid.axes[n];
-            position[n] = axis.start + static_cast<double>(rest % axis.size) * axis.distance;
-            rest /= axis.size;
-        }
-        values.push_back(static_cast<float>(applied.at(position)));
-    }
+    for (std::size_t point = 0; point < grid.pointCount(); ++point)
+        values.push_back(static_cast<float>(applied.at(positionOf(grid, point))));
     return values;
 }
 

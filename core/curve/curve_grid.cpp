@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <numbers>
 #include <vector>
 
@@ -59,9 +60,13 @@ void EvenLines::visitPlaces(const std::function<bool(double)>& visit) const
     std::vector<double> knots;
     for (std::size_t i = 0; i < m_values.size(); ++i)
         knots.push_back(position(i, m_values.size()));
-    for (const double knot : m_curve.base.knots)
-        if (knot > m_from && knot < m_to)
-            knots.push_back(knot);
+    const auto addWithin = [&](const CubicCurve& curve) {
+        std::ranges::copy_if(curve.knots, std::back_inserter(knots),
+            [this](double knot) { return knot > m_from && knot < m_to; });
+    };
+    addWithin(m_curve.base);
+    if (m_curve.onto)
+        addWithin(*m_curve.onto);
     std::ranges::sort(knots);
     for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
         const double width = knots[i + 1] - knots[i];

@@ -7,12 +7,13 @@ namespace axiscomp {
 
 double FittedCurve::at(double position) const
 {
+    const double before = onto ? onto->at(position) : 0.0;
     if (!base.wrap)
         position = std::clamp(position, base.knots.front(), base.knots.back());
     double sum = base.at(position);
     for (const PeriodicTerm& term : terms)
         sum += term.at(position);
-    return sum;
+    return before + sum;
 }
 
 } // namespace axiscomp

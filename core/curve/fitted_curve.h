@@ -4,15 +4,18 @@
 #include "core/curve/cubic_curve.h"
 #include "core/curve/periodic_terms.h"
 
+#include <optional>
 #include <vector>
 
 namespace axiscomp {
 
-/// A curve and, added to it, terms of known periods. Beyond the knots of the curve the ends of the
+/// A curve and, added to it, terms of known periods. Beyond the knots of the curve the ends of that
 /// sum are held.
 struct FittedCurve {
     CubicCurve base;
     std::vector<PeriodicTerm> terms = {};
+    /// What the sum corrects, and is added to: a table, by its points. It holds its own ends.
+    std::optional<CubicCurve> onto = {};
 
     [[nodiscard]] double at(double position) const;
 };

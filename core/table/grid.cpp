@@ -24,6 +24,17 @@ bool isWithin(const Grid& grid, std::span<const double> positions)
     return true;
 }
 
+std::vector<double> positionOf(const Grid& grid, std::size_t point)
+{
+    std::vector<double> position;
+    position.reserve(grid.axes.size());
+    for (const GridAxis& axis : grid.axes) {
+        position.push_back(axis.position(static_cast<std::uint32_t>(point % axis.size)));
+        point /= axis.size;
+    }
+    return position;
+}
+
 bool pointsAreDistinct(const GridAxis& axis)
 {
     const double largest = std::max(std::abs(axis.start), std::abs(axis.last()));

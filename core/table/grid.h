@@ -48,6 +48,9 @@ struct Grid {
 /// dimension.
 [[nodiscard]] bool isWithin(const Grid& grid, std::span<const double> positions);
 
+/// The position of a point of a table, dimension 1 fastest; one number per dimension.
+[[nodiscard]] std::vector<double> positionOf(const Grid& grid, std::size_t point);
+
 /// False where the distance is below some thirty times the resolution of the positions: neighbours
 /// would be one place, or at uneven places, and a lookup could not tell which of them is meant. Or
 /// below the resolution of numbers at all.

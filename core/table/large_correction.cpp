@@ -65,13 +65,6 @@ SteepestStep steepestAlong(
     return steepest;
 }
 
-double positionOf(const Grid& grid, std::size_t dimension, std::size_t element)
-{
-    for (std::size_t n = 0; n < dimension; ++n)
-        element /= grid.axes[n].size;
-    return grid.axes[dimension].position(element % grid.axes[dimension].size);
-}
-
 float largestValue(const CompensationTable& table)
 {
     float largest = 0.0F;
@@ -85,7 +78,7 @@ Text slopeText(const CompensationTable& table, const SteepestStep& step)
     const Grid& grid = table.grid;
     const std::string& unit = grid.axes[step.dimension].unit;
     const auto place = [&](std::size_t element) {
-        return Quantity{roundedText(positionOf(grid, step.dimension, element)), unit};
+        return Quantity{roundedText(positionOf(grid, element)[step.dimension]), unit};
     };
     return AXISCOMP_TEXT("Error",
         "The correction has a slope of {slope} along dimension {number}, between {first} and "

@@ -63,17 +63,6 @@ std::string tableWords(const WritePlan& plan, const CompensationTable& table, st
         + plural(plan.tableBytes, "byte", "bytes");
 }
 
-/// The grid position of a value, dimension 1 fastest.
-std::vector<double> positionOf(const Grid& grid, std::size_t element)
-{
-    std::vector<double> position;
-    for (const GridAxis& axis : grid.axes) {
-        position.push_back(axis.position(element % axis.size));
-        element /= axis.size;
-    }
-    return position;
-}
-
 } // namespace
 
 std::string signSentence(const CompensationTable& table, std::string_view unit)

@@ -63,10 +63,7 @@ void remarkOfSteps(const FitInput& input, const FittedTable& made, Remarks& rema
     const CompensationTable& table = made.table;
     const SteepestStep steepest = steepestStep(table);
     const GridAxis& axis = table.grid.axes[steepest.dimension];
-    std::size_t stride = 1;
-    for (std::size_t n = 0; n < steepest.dimension; ++n)
-        stride *= table.grid.axes[n].size;
-    const double from = axis.position(steepest.from / stride % axis.size);
+    const double from = positionOf(table.grid, steepest.from)[steepest.dimension];
     remarks.say("LargestStep",
         AXISCOMP_TEXT("Measurement",
             "the steepest part of {table} is between {from} and {to}: {step}, {slope} for each "
@@ -127,6 +124,14 @@ void remarkOfMerge(const FitMerge& merge, Remarks& remarks)
             .with("gain", Quantity{roundedText(merge.gain), {}})
             .with("change", remarks.fine(merge.largestChange))
             .with("place", std::move(places)));
+    constexpr double least = 1e-6; // mm or deg; below it float32 alone makes a difference
+    if (merge.lostDetail > least)
+        remarks.warn("OldDetailLost",
+            AXISCOMP_TEXT("Measurement",
+                "the new table is coarser than {name}: up to {lost} of what that has between the "
+                "new points is lost; take more points (--points)")
+                .with("name", merge.onto)
+                .with("lost", remarks.fine(merge.lostDetail)));
 }
 
 /// A figure that says best how good the axis is: A, else E, else M.
@@ -272,22 +277,6 @@ void remarkOfDensity(const FitInput& input, const FittedTable& made, Remarks& re
                 .with("place", remarks.place(made.density->distanceAt)));
 }
 
-/// What an old table had between the targets is not measured, and not kept.
-void remarkOfOldPoints(const FitInput& input, const FittedTable& made, Remarks& remarks)
-{
-    if (input.state.kind != FoundState::Kind::On)
-        return;
-    const std::size_t old = input.state.active->tables.front().values.size();
-    if (old > made.knots)
-        remarks.warn("OldPointsReplaced",
-            AXISCOMP_TEXT("Measurement",
-                "{name} has {old} points, and there are {count} targets: what it has between them "
-                "is replaced by the new curve")
-                .with("name", input.state.active->name)
-                .with("old", old)
-                .with("count", made.knots));
-}
-
 } // namespace
 
 void addTableRemarks(const FitInput& input, FitReport& report)
@@ -314,7 +303,6 @@ void addRunsRemarks(
     for (const JudgeWarning& warning : judgement.warnings)
         remarks.warn(warning.name, warning.text);
     remarkOfOutliers(judgement, remarks);
-    remarkOfOldPoints(input, made, remarks);
     remarkOfHome(input, made.table, remarks);
     remarkOfTurn(input, made.table, remarks);
     remarkOfPeriods(input, remarks);

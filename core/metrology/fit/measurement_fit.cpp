@@ -83,6 +83,28 @@ FittedTable fittedTable(std::vector<double> values, Grid grid, std::string name,
     return fitted;
 }
 
+namespace {
+
+/// What a table has within a coarser grid and straight lines between the points of that do not.
+double lostDetail(const CompensationTable& table, const Grid& grid, Outside outside)
+{
+    const Lookup exact(table, outside);
+    CompensationTable coarse{table.name, table.unit, grid, {}};
+    for (std::size_t i = 0; i < grid.pointCount(); ++i)
+        coarse.values.push_back(static_cast<float>(exact.at(positionOf(grid, i))));
+    const Lookup lines(coarse, outside);
+    double lost = 0.0;
+    for (std::size_t i = 0; i < table.values.size(); ++i) {
+        const auto position = positionOf(table.grid, i);
+        if (isWithin(grid, position))
+            lost =
+                std::max(lost, std::abs(lines.at(position) - static_cast<double>(table.values[i])));
+    }
+    return lost;
+}
+
+} // namespace
+
 FitMerge mergeOnto(
     const FitInput& input, const CompensationTable& old, const CompensationTable& made)
 {
@@ -90,19 +112,20 @@ FitMerge mergeOnto(
     merge.onto = input.state.active->name;
     merge.gain = input.settings.gain;
     const Lookup before(old, input.outside());
-    std::vector<double> position(made.grid.axes.size());
-    for (std::size_t i = 0; i < made.values.size(); ++i) {
-        std::size_t rest = i;
-        for (std::size_t axis = 0; axis < position.size(); ++axis) {
-            position[axis] = made.grid.axes[axis].position(rest % made.grid.axes[axis].size);
-            rest /= made.grid.axes[axis].size;
-        }
-        const double change = std::abs(static_cast<double>(made.values[i]) - before.at(position));
-        if (merge.largestAt.empty() || change > merge.largestChange) {
-            merge.largestChange = change;
-            merge.largestAt = position;
+    const Lookup after(made, input.outside());
+    // What both have at the points of either
+    for (const Grid* grid : {&made.grid, &old.grid}) {
+        for (std::size_t i = 0; i < grid->pointCount(); ++i) {
+            auto position = positionOf(*grid, i);
+            const double change = std::abs(after.at(position) - before.at(position));
+            if (merge.largestAt.empty() || change > merge.largestChange) {
+                merge.largestChange = change;
+                merge.largestAt = std::move(position);
+            }
         }
     }
+    if (input.state.kind == FoundState::Kind::On)
+        merge.lostDetail = lostDetail(old, made.grid, input.outside());
     return merge;
 }
 

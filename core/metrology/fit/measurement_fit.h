@@ -95,8 +95,10 @@ struct FittedTable {
 struct FitMerge {
     Text onto;
     double gain = 1.0;
-    double largestChange = 0.0; ///< of a value of the table
+    double largestChange = 0.0; ///< of what the drive adds, at a point of either table
     std::vector<double> largestAt = {}; ///< the position of it
+    /// The most that the old table had between the points of the new one, which is lost.
+    double lostDetail = 0.0;
 };
 
 /// Something that is to be known before the table is used.

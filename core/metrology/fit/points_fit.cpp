@@ -228,6 +228,26 @@ Result<GridAxis> gridAxis(const FitInput& input, const Scatter& scatter, std::si
     return made;
 }
 
+/// The grid of the table that the points are merged onto, where they cover it and no other is asked
+/// for.
+std::optional<Grid> coveredOldGrid(const FitInput& input, const Scatter& scatter)
+{
+    if (!input.settings.grid.empty())
+        return std::nullopt;
+    const ActiveTable active = activeFor(input, scatter.columns.front().target);
+    if (!active.table)
+        return std::nullopt;
+    Grid grid = active.table->grid;
+    for (std::size_t axis = 0; axis < scatter.dimensions(); ++axis) {
+        const auto [from, to] = std::ranges::minmax(scatter.positions[axis]);
+        const double rounding = 1e-9 * (to - from);
+        if (grid.axes[axis].start < from - rounding || grid.axes[axis].last() > to + rounding)
+            return std::nullopt;
+        grid.axes[axis].name = scatter.axes[axis];
+    }
+    return grid;
+}
+
 Result<Grid> gridOf(const FitInput& input, const Scatter& scatter)
 {
     const FitSettings& settings = input.settings;
@@ -235,6 +255,8 @@ Result<Grid> gridOf(const FitInput& input, const Scatter& scatter)
         return badFit(
             AXISCOMP_TEXT("Error", "the grid needs one number, or one for each of the {count} axes")
                 .with("count", scatter.dimensions()));
+    if (auto old = coveredOldGrid(input, scatter))
+        return *std::move(old);
     Grid grid;
     for (std::size_t axis = 0; axis < scatter.dimensions(); ++axis) {
         AXISCOMP_TRY(auto made, gridAxis(input, scatter, axis));
@@ -305,13 +327,51 @@ Result<double> zeroOf(const FitInput& input, const Grid& grid, const std::vector
     return interpolated(GridShape(grid), values, locate(grid, place).points.front());
 }
 
+ScatteredNumbers withoutActive(const ActiveTable& active, const Scatter::Column& column)
+{
+    ScatteredNumbers residuals = column.values;
+    if (!active.table)
+        return residuals;
+    const Lookup before(*active.table, active.outside);
+    std::vector<double> place(column.places.size());
+    for (std::size_t i = 0; i < residuals.size(); ++i) {
+        for (std::size_t axis = 0; axis < place.size(); ++axis)
+            place[axis] = column.places[axis][i];
+        residuals[i] -= before.at(place);
+    }
+    return residuals;
+}
+
+/// A value measured within the grid belongs beside its edge where a deviation moves it out: there
+/// the drive has the value of the edge.
+std::vector<ScatteredNumbers> heldPlaces(
+    const Scatter& scatter, const Scatter::Column& column, const Grid& grid)
+{
+    std::vector<ScatteredNumbers> places = column.places;
+    for (std::size_t axis = 0; axis < places.size(); ++axis) {
+        const GridAxis& along = grid.axes[axis];
+        const double rounding = 1e-9 * (along.last() - along.start);
+        for (std::size_t i = 0; i < places[axis].size(); ++i) {
+            const double measured = scatter.positions[axis][i];
+            if (measured >= along.start - rounding && measured <= along.last() + rounding)
+                places[axis][i] = std::clamp(places[axis][i], along.start, along.last());
+        }
+    }
+    return places;
+}
+
 Result<FittedTable> fitColumn(const FitInput& input, const Scatter& scatter,
     const Scatter::Column& column, const Grid& grid, GridFit& fit)
 {
+    // Residuals are fitted, and what was active is added as it is: a table that is denser than the
+    // points keeps what it has between them.
+    const ActiveTable active = activeFor(input, column.target);
+    const ScatteredNumbers residuals = withoutActive(active, column);
     ScatteredValues values;
+    const auto places = heldPlaces(scatter, column, grid);
     for (std::size_t axis = 0; axis < scatter.dimensions(); ++axis)
-        values.coordinates[axis] = column.places[axis];
-    values.values = column.values;
+        values.coordinates[axis] = places[axis];
+    values.values = residuals;
     values.weights = scatter.weights;
     GridFitRequest request;
     request.grid = grid;
@@ -320,6 +380,11 @@ Result<FittedTable> fitColumn(const FitInput& input, const Scatter& scatter,
     request.farPoints = input.settings.farPoints;
     request.stop = input.stop;
     AXISCOMP_TRY(fit, fitGrid(values, request));
+    if (active.table) {
+        const Lookup before(*active.table, active.outside);
+        for (std::size_t i = 0; i < fit.values.size(); ++i)
+            fit.values[i] += before.at(positionOf(grid, i));
+    }
     AXISCOMP_TRY(const double zero, zeroOf(input, grid, fit.values));
     for (double& value : fit.values)
         value -= zero;

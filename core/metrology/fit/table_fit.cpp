@@ -130,10 +130,25 @@ struct KnotColumns {
     }
 };
 
-Result<FittedCurve> fitCurve(
-    const std::vector<FitKnot>& knots, const TableFitRequest& request, TableFit& fit)
+/// The table that was active, in the unit of positions.
+std::optional<CubicCurve> activeLines(const ActiveTable& active)
 {
-    const KnotColumns columns(knots);
+    if (!active.table)
+        return std::nullopt;
+    const GridAxis& axis = active.table->grid.axes.front();
+    CubicCurve lines;
+    for (std::uint32_t i = 0; i < axis.size; ++i) {
+        lines.knots.push_back(axis.position(i));
+        lines.values.push_back(active.factor * static_cast<double>(active.table->values[i]));
+    }
+    if (active.outside == Outside::Wrap)
+        lines.wrap = axis.last() - axis.start;
+    return lines;
+}
+
+Result<FittedCurve> curveThrough(
+    const KnotColumns& columns, const TableFitRequest& request, TableFit& fit)
+{
     const CurveSamples samples{columns.positions, columns.values, columns.weights, request.unit};
     if (!request.periods.periods.empty() && request.method != FitMethod::Smooth)
         return badFit(AXISCOMP_TEXT(
@@ -161,6 +176,21 @@ Result<FittedCurve> fitCurve(
     }
     }
     return badFit(AXISCOMP_TEXT("Error", "there is no such method"));
+}
+
+/// Residuals are fitted, and what was active is added as it is: a table that is denser than the
+/// targets keeps what it has between them.
+Result<FittedCurve> fitCurve(
+    const std::vector<FitKnot>& knots, const TableFitRequest& request, TableFit& fit)
+{
+    KnotColumns columns(knots);
+    auto before = activeLines(request.active);
+    if (before)
+        for (std::size_t i = 0; i < columns.values.size(); ++i)
+            columns.values[i] -= before->at(columns.positions[i]);
+    AXISCOMP_TRY(FittedCurve curve, curveThrough(columns, request, fit));
+    curve.onto = std::move(before);
+    return curve;
 }
 
 /// Slope and constant that are taken out of the table.

@@ -54,7 +54,9 @@ struct TableFitRequest {
     ZeroRule zero = ZeroRule::First;
     double zeroPosition = 0.0; ///< of ZeroRule::Position
     LookupAt lookupAt = LookupAt::Encoder;
-    ActiveTable active = {}; ///< during the measurement; its errors are part of the new table
+    /// During the measurement. The new table is this one, everywhere, and the curve through the
+    /// residuals.
+    ActiveTable active = {};
     double gain = 1.0; ///< of what was measured, where a table was active
     /// By default the knots where they are even; with periods p / 20 apart.
     AxisRequest grid = {};

@@ -66,6 +66,17 @@ double waveError(double u)
     return 0.5 * std::sin(2.0 * pi * u / 100.0) + 2e-4 * u;
 }
 
+/// A table of 501 points, up and down by 2 um.
+KnownTables toothed()
+{
+    KnownTables old{Verbatim{"old.csv"}, {{}}, {1}};
+    CompensationTable& table = old.tables.front();
+    table.grid.axes = {{"X", "mm", 0.0, 1.0, 501}};
+    for (int i = 0; i <= 500; ++i)
+        table.values.push_back(i % 2 == 0 ? -0.002F : 0.002F);
+    return old;
+}
+
 } // namespace
 
 class TestMeasurementFit : public QObject {
@@ -145,6 +156,93 @@ private Q_SLOTS:
             QCOMPARE(value, 0.5F);
         QVERIFY(
             isRefused(fitMeasurement(runs, settings, measuredOff()), "a gain is for residuals"));
+    }
+
+    /// new = old + gain x residual, also where nothing was measured: with the same residual
+    /// everywhere the whole table is moved by it.
+    void aDenserTableKeepsWhatItHasBetweenTheTargets_data()
+    {
+        QTest::addColumn<bool>("isEncoder");
+        QTest::addColumn<double>("gain");
+        QTest::newRow("encoder") << true << 1.0;
+        QTest::newRow("set") << false << 1.0;
+        QTest::newRow("encoder, gain 0.7") << true << 0.7;
+    }
+    void aDenserTableKeepsWhatItHasBetweenTheTargets()
+    {
+        QFETCH(const bool, isEncoder);
+        QFETCH(const double, gain);
+        const KnownTables old = toothed();
+        const Measurement runs = runsOver(0.0, 50.0, 11, [](double) { return 0.001; });
+        FitSettings settings = keeping(isEncoder ? LookupAt::Encoder : LookupAt::Set);
+        settings.gain = gain;
+        const auto report = fitMeasurement(runs, settings, {FoundState::Kind::On, &old, {}, {}});
+        VERIFY_RESULT(report);
+        const auto& values = report->tables.front().table.values;
+        const auto& before = old.tables.front().values;
+        const double limit = isEncoder ? 1e-8 : 4.1e-6;
+        QCOMPARE(values.size(), before.size());
+        for (std::size_t i = 0; i < values.size(); ++i)
+            QVERIFY(std::abs(static_cast<double>(values[i]) - static_cast<double>(before[i])
+                        - 0.001 * gain)
+                < limit);
+        QVERIFY(std::abs(report->merge->largestChange - 0.001 * gain) < limit);
+        QVERIFY(report->heldOut->range < limit);
+        QVERIFY(!hasRemark(*report, "OldDetailLost"));
+    }
+
+    /// Every tenth point of the teeth is low, and their tops are 4 um above.
+    void whatACoarserGridLosesOfTheOldTableIsSaid()
+    {
+        const KnownTables old = toothed();
+        const Measurement runs = runsOver(0.0, 50.0, 11, [](double) { return 0.001; });
+        FitSettings settings = keeping();
+        settings.grid = {AxisRequest{.points = 51}};
+        const auto report = fitMeasurement(runs, settings, {FoundState::Kind::On, &old, {}, {}});
+        VERIFY_RESULT(report);
+        QCOMPARE(report->tables.front().table.values.size(), std::size_t{51});
+        QVERIFY(hasRemark(*report, "OldDetailLost", "up to 4.000 um of what that has"));
+        QVERIFY(std::abs(report->merge->lostDetail - 0.004) < 1e-8);
+        QVERIFY(std::abs(report->merge->largestChange - 0.003) < 1e-8);
+    }
+
+    /// Points on the edges belong to the edges, though the old table moves half of them out.
+    void pointsAreMergedOntoADenserTable()
+    {
+        KnownTables old{Verbatim{"old.csv"}, {{}}, {1}};
+        CompensationTable& table = old.tables.front();
+        table.target = "X";
+        table.grid.axes = {{"X", "mm", 0.0, 10.0, 11}, {"Y", "mm", 0.0, 10.0, 11}};
+        for (int i = 0; i < 121; ++i)
+            table.values.push_back(i % 2 == 0 ? -0.002F : 0.002F);
+        Measurement plane;
+        plane.kind = MeasurementKind::Points;
+        MeasuredPoints& points = plane.points;
+        points.axes = {"X", "Y"};
+        points.columns = {"dX"};
+        points.positions.resize(2);
+        points.values.resize(1);
+        for (const double x : {0.0, 50.0, 100.0})
+            for (const double y : {0.0, 50.0, 100.0}) {
+                points.positions[0].push_back(x);
+                points.positions[1].push_back(y);
+                points.values[0].push_back(0.003);
+            }
+        for (const LookupAt lookupAt : {LookupAt::Encoder, LookupAt::Set}) {
+            FitSettings settings = keeping(lookupAt);
+            settings.smoothness = 1.0;
+            const auto report =
+                fitMeasurement(plane, settings, {FoundState::Kind::On, &old, {}, {}});
+            VERIFY_RESULT(report);
+            QVERIFY(!hasRemark(*report, "PointsOutside"));
+            const CompensationTable& made = report->tables.front().table;
+            const double limit = lookupAt == LookupAt::Encoder ? 1e-8 : 1.3e-6;
+            QCOMPARE(made.values.size(), table.values.size());
+            for (std::size_t i = 0; i < made.values.size(); ++i)
+                QVERIFY(std::abs(static_cast<double>(made.values[i])
+                            - static_cast<double>(table.values[i]) - 0.003)
+                    < limit);
+        }
     }
 
     /// The servo's own error is in the readings, and not in the table.
