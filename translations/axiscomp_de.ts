@@ -5735,6 +5735,26 @@
         <source>{file} has several tables; name one of them with column: {known}</source>
         <translation>{file} hat mehrere Tabellen; nennen Sie eine davon mit column: {known}</translation>
     </message>
+    <message>
+        <source>axis {index} of {drive} (serial number {serial})</source>
+        <translation>Achse {index} von {drive} (Seriennummer {serial})</translation>
+    </message>
+    <message>
+        <source>axis {index} ({name}) of {drive} (serial number {serial})</source>
+        <translation>Achse {index} ({name}) von {drive} (Seriennummer {serial})</translation>
+    </message>
+    <message>
+        <source>the record is of {recorded}, and this is {found}; begin a record for each axis</source>
+        <translation>das Protokoll gehört zu {recorded}, und dies ist {found}; für jede Achse ein eigenes beginnen</translation>
+    </message>
+    <message>
+        <source>the record does not say that its table was written: `axiscomp write --record` writes it and notes that</source>
+        <translation>das Protokoll sagt nicht, dass seine Tabelle geschrieben wurde: „axiscomp write --record“ schreibt sie und hält das fest</translation>
+    </message>
+    <message>
+        <source>the axis has the table {found}, and that of the record is {recorded}: write the record&apos;s table again (`axiscomp write --record`), or leave the record out</source>
+        <translation>die Achse hat die Tabelle {found}, und die des Protokolls ist {recorded}: die Tabelle des Protokolls noch einmal schreiben („axiscomp write --record“) oder das Protokoll weglassen</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>

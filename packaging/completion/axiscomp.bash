@@ -27,8 +27,9 @@ _axiscomp_options()
         axes) echo "--help --json --find --any-baud --network $drive" ;;
         files) echo "--help --json $drive" ;;
         status) echo "--help --json $drive --axis --reset-flash-count" ;;
-        persist | unpersist | evaluate | activate | deactivate) echo "--help --json $drive --axis" ;;
-        write) echo "--help --json $drive --axis --data --dims --table --from --set-in --map --source1 --source2 --source3 --own-position --persistent --volatile --slot --accept-large --dry-run --value-unit --position-unit $incomplete $conversion $grid" ;;
+        persist | unpersist | evaluate | deactivate) echo "--help --json $drive --axis" ;;
+        activate) echo "--help --json $drive --axis --record" ;;
+        write) echo "--help --json $drive --axis --data --record --dims --table --from --set-in --map --source1 --source2 --source3 --own-position --persistent --volatile --slot --accept-large --dry-run --value-unit --position-unit $incomplete $conversion $grid" ;;
         delete) echo "--help --json $drive --axis --slot --dry-run" ;;
         read) echo "--help --json $drive --axis --output --to --target --to-sign --set-out $grid" ;;
         upload) echo "--help --json $drive --to" ;;

@@ -5,6 +5,7 @@
 #include "app/cli/session/command_session.h"
 #include "app/common/number_text.h"
 #include "core/compensator/axis_compensator.h"
+#include "core/compensator/drive_record.h"
 #include "core/text/number_text.h"
 
 namespace axiscomp::app {
@@ -41,12 +42,22 @@ void printProof(Environment& environment, const Proof& proof)
     }
 }
 
-Result<ExitCode> runActivation(
-    Environment& environment, CommandSession& session, Switch wanted, int axis)
+struct ActivationOptions {
+    DriveOptions drive;
+    std::string record; ///< that notes the proof
+};
+
+Result<ExitCode> runActivation(Environment& environment, CommandSession& session, Switch wanted,
+    const std::string& recordFile, int axis)
 {
     const auto before = settledStatus(environment, session, axis);
     if (!before)
         return fail(before.error());
+    CalibrationRecord record;
+    if (!recordFile.empty()) {
+        AXISCOMP_TRY(record, loadRecord(recordFile));
+        AXISCOMP_CHECK(checkRecordTable(record, before->status));
+    }
     AXISCOMP_TRY(const auto activation,
         session.compensator().switchTo(axis, wanted, proofSamples, session.operation()));
     const AxisStatus& status = activation.status;
@@ -65,6 +76,10 @@ Result<ExitCode> runActivation(
         json["proof"] = toJson(proof, dimensions);
         printProof(environment, proof);
         environment.print(proofText(proof, status));
+        if (!recordFile.empty()) {
+            AXISCOMP_CHECK(recordProof(record, status, proof));
+            AXISCOMP_CHECK(saveRecord(recordFile, record));
+        }
     }
     environment.document(json);
     return ExitCode::Done;
@@ -73,17 +88,22 @@ Result<ExitCode> runActivation(
 void addActivation(
     CommandLine& line, const std::string& name, const std::string& description, Switch wanted)
 {
-    auto options = std::make_shared<DriveOptions>();
-    options->command = commandName(name);
+    auto options = std::make_shared<ActivationOptions>();
+    options->drive.command = commandName(name);
     CLI::App* command =
         line.add(name, driveCommands, description, [options, wanted](Environment& environment) {
-            return withAxis(environment, *options,
-                [wanted](Environment& sameEnvironment, CommandSession& session, int axis) {
-                    return runActivation(sameEnvironment, session, wanted, axis);
+            return withAxis(environment, options->drive,
+                [options, wanted](Environment& sameEnvironment, CommandSession& session, int axis) {
+                    return runActivation(sameEnvironment, session, wanted, options->record, axis);
                 });
         });
-    addDriveOptions(*command, *options);
-    addAxisOption(*command, *options);
+    addDriveOptions(*command, options->drive);
+    addAxisOption(*command, options->drive);
+    if (wanted == Switch::Activate)
+        command
+            ->add_option("--record", options->record,
+                "Record of the compensation (axiscomp write --record), which notes the proof")
+            ->option_text("FILE.axcal");
 }
 
 } // namespace

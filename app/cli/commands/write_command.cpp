@@ -6,8 +6,10 @@
 #include "app/common/arguments.h"
 #include "app/common/number_text.h"
 #include "core/axis/proposals.h"
+#include "core/compensator/drive_record.h"
 #include "core/compensator/multi_axis_write.h"
 #include "core/drive/axis_target.h"
+#include "core/formats/formats.h"
 
 #include <algorithm>
 #include <array>
@@ -30,6 +32,7 @@ struct WriteOptions {
     bool isVolatile = false;
     bool isDryRun = false;
     bool acceptsLarge = false;
+    std::string record; ///< whose table is written
 };
 
 /// Those that were given, from dimension 1 on. Errors: SourceMissing for a gap.
@@ -249,6 +252,51 @@ Result<ExitCode> runMapped(Environment& environment, const WriteOptions& options
     });
 }
 
+/// The tables of a record as if a file had been read.
+Result<TableInput> inputOfRecord(const CalibrationRecord& record, const WriteOptions& options)
+{
+    if (record.tables.empty())
+        return wrongUsage(options.record + " has no table: axiscomp fit --record makes one",
+            options.drive.command);
+    TableInput input;
+    input.format = &calibration_csv::format();
+    input.data = CalibrationData{record.tables.front().table.grid, {}, {}};
+    for (const RecordedTable& recorded : record.tables)
+        input.data->tables.push_back(recorded.table);
+    return input;
+}
+
+Result<void> noteWritten(
+    CommandSession& session, const WriteOptions& options, CalibrationRecord record, int axis)
+{
+    AXISCOMP_TRY(const auto now, session.compensator().status(axis, session.operation()));
+    AXISCOMP_CHECK(
+        recordWrite(record, now, session.profile().name, std::chrono::system_clock::now()));
+    return saveRecord(options.record, record);
+}
+
+/// Writes, and notes in the record, where there is one, what the drive holds then.
+Result<ExitCode> writeAndNote(Environment& environment, CommandSession& session,
+    const WriteOptions& options, const WriteRequest& request, CalibrationRecord record, int axis)
+{
+    if (options.record.empty())
+        return runWrite(environment, session, axis, request, options.isDryRun);
+    AXISCOMP_TRY(const auto before, session.compensator().status(axis, session.operation()));
+    AXISCOMP_CHECK(checkRecordAxis(record, before));
+    AXISCOMP_TRY(
+        auto document, writeAndReport(environment, session, axis, request, options.isDryRun));
+    if (!options.isDryRun) {
+        const auto noted = noteWritten(session, options, std::move(record), axis);
+        if (!noted) {
+            environment.console().note(
+                "note: the drive has the table; only the record does not say so");
+            return fail(noted.error());
+        }
+    }
+    environment.document(document);
+    return ExitCode::Done;
+}
+
 Result<ExitCode> runWriteCommand(Environment& environment, const WriteOptions& options)
 {
     if (!options.map.empty())
@@ -257,7 +305,14 @@ Result<ExitCode> runWriteCommand(Environment& environment, const WriteOptions& o
     AXISCOMP_TRY(pending.request, requestWithoutTable(options));
     WriteRequest& request = pending.request;
     TableInput input;
-    if (!options.input.file.empty()) {
+    CalibrationRecord record;
+    if (!options.record.empty()) {
+        AXISCOMP_TRY(record, loadRecord(options.record));
+        AXISCOMP_TRY(input, inputOfRecord(record, options));
+        pending.inputOptions = options.input;
+        pending.inputOptions.file = options.record;
+        AXISCOMP_CHECK(beginTable(environment, options, input, pending));
+    } else if (!options.input.file.empty()) {
         AXISCOMP_TRY(input, readData(environment, options, pending.inputOptions));
         AXISCOMP_CHECK(beginTable(environment, options, input, pending));
     } else if (request.sources.empty() && !options.usesOwnPosition && !request.persistency) {
@@ -277,7 +332,7 @@ Result<ExitCode> runWriteCommand(Environment& environment, const WriteOptions& o
                     const auto now, session.compensator().status(axis, session.operation()));
                 request.dimensionality = now.setup.dimensionality;
             }
-            auto ended = runWrite(same, session, axis, request, options.isDryRun);
+            auto ended = writeAndNote(same, session, options, request, record, axis);
             if (!ended && ended.error().code == ErrorCode::SourceMissing)
                 proposeSources(same, session, request, axis);
             return ended;
@@ -321,6 +376,10 @@ void addWriteCommand(CommandLine& line)
             "the "
             "axis keeps its table")
         ->option_text("FILE");
+    CLI::Option* const record = command->add_option("--record", options->record,
+        "Record of a compensation in place of --data: its table is written, and it notes drive, "
+        "slot and CRC");
+    record->option_text("FILE.axcal")->excludes("--data");
     addDimensionsOption(*command, options->input);
     CLI::Option* const table = addTableOption(*command, options->input);
     addFromOption(*command, options->input);
@@ -356,6 +415,7 @@ void addWriteCommand(CommandLine& line)
         ->allow_extra_args(false)
         ->excludes(axis)
         ->excludes(table)
+        ->excludes(record)
         ->excludes(slot);
     command->add_flag("--accept-large", options->acceptsLarge,
         "Write corrections above 1 % of the range, or with a slope above 0.1, which without this "

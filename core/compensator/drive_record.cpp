@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/compensator/drive_record.h"
+
+#include "core/store/backup_json.h"
+
+#include <utility>
+
+namespace axiscomp {
+
+namespace {
+
+auto notOfRecord(Text reason)
+{
+    return fail(ErrorCode::InvalidArgument, {{"reason", std::move(reason)}});
+}
+
+/// "axis 0 (X) of Virtual-1 (serial number 100001)"
+Text axisText(int index, const std::string& name, const std::string& drive, std::int32_t serial)
+{
+    const TextPattern pattern = name.empty()
+        ? AXISCOMP_TEXT("Error", "axis {index} of {drive} (serial number {serial})")
+        : AXISCOMP_TEXT("Error", "axis {index} ({name}) of {drive} (serial number {serial})");
+    return pattern.with("index", index)
+        .with("name", name)
+        .with("drive", drive)
+        .with("serial", Verbatim{std::to_string(serial)});
+}
+
+} // namespace
+
+Result<void> checkRecordAxis(const CalibrationRecord& record, const AxisStatus& status)
+{
+    if (!record.drive
+        || (record.drive->serialNumber == status.drive.serialNumber
+            && record.drive->axis == status.axis.index))
+        return {};
+    return notOfRecord(AXISCOMP_TEXT(
+        "Error", "the record is of {recorded}, and this is {found}; begin a record for each axis")
+                           .with("recorded",
+                               axisText(record.drive->axis, record.drive->axisName,
+                                   record.drive->name, record.drive->serialNumber))
+                           .with("found",
+                               axisText(status.axis.index, status.axis.name, status.drive.name,
+                                   status.drive.serialNumber)));
+}
+
+Result<void> recordWrite(
+    CalibrationRecord& record, const AxisStatus& now, const std::string& profileName, WallTime time)
+{
+    AXISCOMP_CHECK(checkRecordAxis(record, now));
+    if (!now.table)
+        return fail(ErrorCode::NoTable, {{"axis", std::to_string(now.axis.index)}});
+    if (!record.drive) {
+        record.drive = RecordedDrive{
+            now.drive.name, now.drive.serialNumber, profileName, now.axis.index, now.axis.name};
+        if (record.before && !record.before->files.empty())
+            record.drive->state = record.before->files.front().measurement.header.compensation;
+    }
+    RecordedWrite write;
+    if (record.write)
+        write.others = std::move(record.write->others);
+    write.time = time;
+    write.slot = now.setup.slot;
+    write.isPersistent = now.table->persistent;
+    write.crc = now.table->crc;
+    record.write = std::move(write);
+    return {};
+}
+
+Result<void> checkRecordTable(const CalibrationRecord& record, const AxisStatus& status)
+{
+    AXISCOMP_CHECK(checkRecordAxis(record, status));
+    if (!record.write)
+        return notOfRecord(AXISCOMP_TEXT("Error",
+            "the record does not say that its table was written: `axiscomp write --record` writes "
+            "it and notes that"));
+    if (!status.table)
+        return fail(ErrorCode::NoTable, {{"axis", std::to_string(status.axis.index)}});
+    if (status.table->crc == record.write->crc)
+        return {};
+    return notOfRecord(AXISCOMP_TEXT("Error",
+        "the axis has the table {found}, and that of the record is {recorded}: write the record's "
+        "table again (`axiscomp write --record`), or leave the record out")
+                           .with("found", crcText(status.table->crc))
+                           .with("recorded", crcText(record.write->crc)));
+}
+
+Result<void> recordProof(CalibrationRecord& record, const AxisStatus& now, const Proof& proof)
+{
+    AXISCOMP_CHECK(checkRecordTable(record, now));
+    record.write->proof = RecordedWrite::Proof{proof.extent == Proof::Extent::Proved,
+        static_cast<int>(proof.samples.size()), proof.largestDifference, proof.tolerance,
+        proof.provedShare};
+    return {};
+}
+
+} // namespace axiscomp

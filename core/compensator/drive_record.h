@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/axis/axis_status.h"
+#include "core/axis/proof.h"
+#include "core/base/result.h"
+#include "core/base/wall_time.h"
+#include "core/metrology/record/calibration_record.h"
+
+#include <string>
+
+namespace axiscomp {
+
+// What a drive holds, in the record of a compensation.
+
+/// A record is of one axis: that of its first write, or of its measurement where a drive took part
+/// in that. Errors: InvalidArgument, with both axes.
+[[nodiscard]] Result<void> checkRecordAxis(
+    const CalibrationRecord& record, const AxisStatus& status);
+
+/// Notes that the axis holds the table. now: as read after the write. What was on record of an
+/// earlier write, and its proof, is replaced. Errors: as checkRecordAxis; NoTable.
+[[nodiscard]] Result<void> recordWrite(CalibrationRecord& record, const AxisStatus& now,
+    const std::string& profileName, WallTime time);
+
+/// Whether the axis has the table that was written by the record. Errors: as checkRecordAxis;
+/// InvalidArgument for a record that was not written, and for another table.
+[[nodiscard]] Result<void> checkRecordTable(
+    const CalibrationRecord& record, const AxisStatus& status);
+
+/// Notes the proof of the record's table. Errors: as checkRecordTable.
+[[nodiscard]] Result<void> recordProof(
+    CalibrationRecord& record, const AxisStatus& now, const Proof& proof);
+
+} // namespace axiscomp

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/metrology/record/calibration_record.h"
+#include "tests/app/program_run.h"
+#include "tests/support/file_content.h"
+#include "tests/support/test_registry.h"
+#include "tests/support/verify.h"
+
+#include <QTest>
+
+namespace tst_recordonadrive {
+
+using namespace axiscomp;
+using test::ProgramRun;
+using test::Sandbox;
+using test::VirtualDriveProcess;
+
+namespace {
+
+/// A record with a table, as `axiscomp fit --record` leaves it, and a drive.
+struct Fixture {
+    Sandbox box;
+    VirtualDriveProcess drive;
+
+    Fixture() : drive(box)
+    {
+        CalibrationRecord record;
+        record.program = "axiscomp 0.1";
+        RecordedTable table;
+        table.table.name = "dX";
+        table.table.target = "X";
+        table.table.unit = "mm";
+        table.table.grid.axes = {{"X", "mm", 0.0, 40.0, 3}};
+        table.table.values = {0.0F, 0.0021F, -0.001F};
+        table.crc = tableCrc(table.table);
+        record.tables = {table};
+        box.file("job.axcal", QByteArray::fromStdString(recordText(record)));
+    }
+
+    [[nodiscard]] ProgramRun run(const QStringList& arguments, const QString& axis = "0") const
+    {
+        return box.run(arguments + QStringList{"--drive", drive.url(), "--axis", axis});
+    }
+    [[nodiscard]] ProgramRun write(const QStringList& more = {}, const QString& axis = "0") const
+    {
+        return run(
+            QStringList{"write", "--record", "job.axcal", "--source1", test::positionSource(0)}
+                + more,
+            axis);
+    }
+    [[nodiscard]] QByteArray text() const
+    {
+        return QByteArray::fromStdString(test::contentOf(box.path("job.axcal").toStdString()));
+    }
+    [[nodiscard]] CalibrationRecord record() const
+    {
+        auto loaded = loadRecord(box.path("job.axcal").toStdString());
+        return loaded ? *std::move(loaded) : CalibrationRecord{};
+    }
+};
+
+} // namespace
+
+class tst_RecordOnADrive : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { test::failOnWarnings(); }
+
+    void aRecordNotesWhereItsTableIsAndThatItIsProved()
+    {
+        const Fixture bench;
+        VERIFY_CODE(bench.write({"--persistent"}), 0);
+        CalibrationRecord record = bench.record();
+        QVERIFY(record.drive && record.write);
+        QCOMPARE(record.drive->serialNumber, 100001);
+        QCOMPARE(record.drive->profile, std::string("generic"));
+        QCOMPARE(record.drive->axisName, std::string("X"));
+        QCOMPARE(record.write->slot, std::string("Small1"));
+        QVERIFY(record.write->isPersistent);
+        QCOMPARE(record.write->crc, record.tables.front().crc);
+        QVERIFY(!record.write->proof);
+
+        VERIFY_CODE(bench.run({"activate", "--record", "job.axcal"}), 0);
+        record = bench.record();
+        QVERIFY(record.write->proof && record.write->proof->isProved);
+        QVERIFY(record.write->proof->samples > 0);
+        QVERIFY(record.write->proof->provedShare > 0.0);
+    }
+
+    void aTableThatIsThereAlreadyIsNotedToo()
+    {
+        const Fixture bench;
+        const QByteArray before = bench.text();
+        VERIFY_CODE(bench.write(), 0);
+        bench.box.file("job.axcal", before);
+        const ProgramRun again = bench.write();
+        VERIFY_CODE(again, 0);
+        QVERIFY2(again.out.contains("Nothing had to be written."), again.out.constData());
+        QVERIFY(bench.record().write);
+    }
+
+    void aDryRunLeavesTheRecordAsItIs()
+    {
+        const Fixture bench;
+        const QByteArray before = bench.text();
+        VERIFY_CODE(bench.write({"--dry-run"}), 0);
+        QCOMPARE(bench.text(), before);
+    }
+
+    void aRecordIsOfOneAxis()
+    {
+        const Fixture bench;
+        VERIFY_CODE(bench.write(), 0);
+        const QByteArray before = bench.text();
+        const ProgramRun other = bench.write({}, "1");
+        VERIFY_CODE(other, 2);
+        QVERIFY2(other.err.contains("the record is of axis 0 (X) of Virtual-1 (serial number "
+                                    "100001), and this is axis 1 (Y)"),
+            other.err.constData());
+        QCOMPARE(bench.text(), before);
+        QVERIFY(bench.run({"status", "--json"}, "1").json().value("table").isNull());
+    }
+
+    /// Neither is it switched on.
+    void aProofOfAnotherTableIsNotNoted()
+    {
+        const Fixture bench;
+        const ProgramRun early = bench.run({"activate", "--record", "job.axcal"});
+        VERIFY_CODE(early, 2);
+        QVERIFY2(early.err.contains("`axiscomp write --record` writes it"), early.err.constData());
+        VERIFY_CODE(bench.write(), 0);
+        bench.box.file("other.csv", "X [mm],Error [mm]\n0,0\n40,0.0011\n80,-0.003\n");
+        VERIFY_CODE(bench.run({"write", "--data", "other.csv", "--dims", "1"}), 0);
+        const QByteArray before = bench.text();
+        const ProgramRun other = bench.run({"activate", "--record", "job.axcal"});
+        VERIFY_CODE(other, 2);
+        QVERIFY2(other.err.contains("and that of the record is"), other.err.constData());
+        QCOMPARE(bench.text(), before);
+        QCOMPARE(bench.run({"status", "--json"}).json().value("state").toString(), "Disabled");
+    }
+};
+
+AXISCOMP_TEST(tst_RecordOnADrive)
+
+} // namespace tst_recordonadrive
+
+#include "tst_recordonadrive.moc"
