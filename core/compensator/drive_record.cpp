@@ -88,9 +88,10 @@ Result<void> checkRecordTable(const CalibrationRecord& record, const AxisStatus&
 Result<void> recordProof(CalibrationRecord& record, const AxisStatus& now, const Proof& proof)
 {
     AXISCOMP_CHECK(checkRecordTable(record, now));
-    record.write->proof = RecordedWrite::Proof{proof.extent == Proof::Extent::Proved,
-        static_cast<int>(proof.samples.size()), proof.largestDifference, proof.tolerance,
-        proof.provedShare};
+    if (proof.extent != Proof::Extent::Proved)
+        return {};
+    record.write->proof = RecordedWrite::Proof{true, static_cast<int>(proof.samples.size()),
+        proof.largestDifference, proof.tolerance, proof.provedShare};
     return {};
 }
 

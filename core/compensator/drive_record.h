@@ -28,7 +28,8 @@ namespace axiscomp {
 [[nodiscard]] Result<void> checkRecordTable(
     const CalibrationRecord& record, const AxisStatus& status);
 
-/// Notes the proof of the record's table. Errors: as checkRecordTable.
+/// Notes the proof of the record's table; one that shows nothing (Proof::Extent) is none and leaves
+/// the record as it is. Errors: as checkRecordTable.
 [[nodiscard]] Result<void> recordProof(
     CalibrationRecord& record, const AxisStatus& now, const Proof& proof);
 

@@ -79,6 +79,8 @@ Result<ExitCode> runActivation(Environment& environment, CommandSession& session
         if (!recordFile.empty()) {
             AXISCOMP_CHECK(recordProof(record, status, proof));
             AXISCOMP_CHECK(saveRecord(recordFile, record));
+            if (!record.write->proof)
+                environment.console().note("note: the record has no proof yet");
         }
     }
     environment.document(json);
