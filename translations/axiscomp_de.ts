@@ -5755,6 +5755,82 @@
         <source>the axis has the table {found}, and that of the record is {recorded}: write the record&apos;s table again (`axiscomp write --record`), or leave the record out</source>
         <translation>die Achse hat die Tabelle {found}, und die des Protokolls ist {recorded}: die Tabelle des Protokolls noch einmal schreiben („axiscomp write --record“) oder das Protokoll weglassen</translation>
     </message>
+    <message>
+        <source>the plan is for axis {planned}, and this is axis {axis}: choose the axis with --axis, or make a plan with axiscomp targets --axis {axis}</source>
+        <translation>der Messplan gilt für Achse {planned}, und dies ist Achse {axis}: wählen Sie die Achse mit --axis, oder machen Sie mit axiscomp targets --axis {axis} einen Messplan</translation>
+    </message>
+    <message>
+        <source>the compensation of axis {axis} is neither on nor off (the drive says {state}): switch it with axiscomp activate or axiscomp deactivate first</source>
+        <translation>die Kompensation von Achse {axis} ist weder ein- noch ausgeschaltet (der Antrieb meldet {state}): schalten Sie sie zuerst mit axiscomp activate oder axiscomp deactivate</translation>
+    </message>
+    <message>
+        <source>the register {path} is of type {type}, which is no position</source>
+        <translation>das Register {path} hat den Typ {type} und ist keine Position</translation>
+    </message>
+    <message>
+        <source>the plan is in {planned}, and axis {axis} of the drive in {unit}: make a plan with axiscomp targets --unit, or choose another axis</source>
+        <translation>der Messplan ist in {planned}, und Achse {axis} des Antriebs in {unit}: machen Sie mit axiscomp targets --unit einen Messplan, oder wählen Sie eine andere Achse</translation>
+    </message>
+    <message>
+        <source>the instrument is in {unit}, which cannot be converted to {planned}, the unit of the plan: state its unit with --unit</source>
+        <translation>das Messgerät ist in {unit}, was sich nicht in {planned} umrechnen lässt, die Einheit des Messplans: geben Sie seine Einheit mit --unit an</translation>
+    </message>
+    <message>
+        <source>{path} follows the encoder of the axis itself: name the register of an instrument</source>
+        <translation>{path} folgt dem Geber der Achse selbst: nennen Sie das Register eines Messgeräts</translation>
+    </message>
+    <message>
+        <source>since the value before, the axis has moved by {way}, and the instrument says {measured}</source>
+        <translation>seit dem Wert davor hat sich die Achse um {way} bewegt, und das Messgerät meldet {measured}</translation>
+    </message>
+    <message>
+        <source>{found}: it counts the other way; begin a new file with --invert-reference</source>
+        <translation>{found}: es zählt andersherum; beginnen Sie mit --invert-reference eine neue Datei</translation>
+    </message>
+    <message>
+        <source>{found}: its unit or factor is another one, or its zero was set anew, or its beam was interrupted; put that right, or begin a new file with the right --unit</source>
+        <translation>{found}: seine Einheit oder sein Faktor ist anders, oder es wurde neu auf null gesetzt, oder sein Strahl war unterbrochen; stellen Sie das richtig, oder beginnen Sie mit dem richtigen --unit eine neue Datei</translation>
+    </message>
+    <message>
+        <source>the instrument says {line}, where a number is expected; --pattern says where it is</source>
+        <translation>das Messgerät meldet {line}, wo eine Zahl erwartet wird; --pattern sagt, wo sie steht</translation>
+    </message>
+    <message>
+        <source>--pattern {pattern} is no regular expression: {problem} at character {place}</source>
+        <translation>--pattern {pattern} ist kein regulärer Ausdruck: {problem} bei Zeichen {place}</translation>
+    </message>
+    <message>
+        <source>the instrument says {line}: its number has a comma; set it to a decimal point, or say what the number is with --pattern</source>
+        <translation>das Messgerät meldet {line}: seine Zahl hat ein Komma; stellen Sie es auf einen Dezimalpunkt ein, oder sagen Sie mit --pattern, was die Zahl ist</translation>
+    </message>
+    <message>
+        <source>the instrument says {line} without a unit: state it with --unit, such as --unit mm</source>
+        <translation>das Messgerät meldet {line} ohne Einheit: geben Sie sie mit --unit an, zum Beispiel --unit mm</translation>
+    </message>
+    <message>
+        <source>the instrument says {line}, in another unit than {unit}: set the instrument, or begin a new file with the right --unit</source>
+        <translation>das Messgerät meldet {line}, in einer anderen Einheit als {unit}: stellen Sie das Messgerät um, oder beginnen Sie mit dem richtigen --unit eine neue Datei</translation>
+    </message>
+    <message>
+        <source>the instrument says nothing: look whether it sends, and whether its lines end</source>
+        <translation>das Messgerät meldet nichts: sehen Sie nach, ob es sendet und ob seine Zeilen enden</translation>
+    </message>
+    <message>
+        <source>{position} is {difference} from the encoder, and until now it was {seen} at most: type it once more if it is right, or another number</source>
+        <translation>{position} ist {difference} vom Geber entfernt, und bisher waren es höchstens {seen}: geben Sie es noch einmal ein, wenn es stimmt, oder eine andere Zahl</translation>
+    </message>
+    <message>
+        <source>{position} is {difference} from the encoder: type it once more if it is right, or another number</source>
+        <translation>{position} ist {difference} vom Geber entfernt: geben Sie es noch einmal ein, wenn es stimmt, oder eine andere Zahl</translation>
+    </message>
+    <message>
+        <source>the position of the instrument is asked for</source>
+        <translation>die Position des Messgeräts wird erfragt</translation>
+    </message>
+    <message>
+        <source>--request {text}: behind a backslash r, n, t or another backslash is expected</source>
+        <translation>--request {text}: hinter einem umgekehrten Schrägstrich wird r, n, t oder noch einer erwartet</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>

@@ -4,6 +4,7 @@
 #include <poll.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
@@ -36,6 +37,31 @@ Result<bool> readMore(int descriptor, Interrupt& interrupt, std::string& text)
         return fail(ErrorCode::FileNotReadable,
             {{"file", Verbatim{"standard input"}}, {"reason", Verbatim{std::strerror(reason)}}});
     return count > 0;
+}
+
+Result<Input> waitForInput(Interrupt& interrupt, bool reads,
+    std::chrono::steady_clock::time_point until, std::string& text)
+{
+    std::array<pollfd, 2> both{
+        pollfd{interrupt.wakeDescriptor(), POLLIN, 0}, pollfd{STDIN_FILENO, POLLIN, 0}};
+    while (!interrupt.stopped()) {
+        const auto left =
+            std::chrono::ceil<std::chrono::milliseconds>(until - std::chrono::steady_clock::now());
+        const int timeout = static_cast<int>(std::max<std::int64_t>(left.count(), 0));
+        const int ready = ::poll(both.data(), reads ? both.size() : 1, timeout);
+        if (ready == 0)
+            return Input::None;
+        if (ready > 0 && reads && both[1].revents != 0 && !interrupt.stopped()) {
+            AXISCOMP_TRY(const auto more, readMore(STDIN_FILENO, interrupt, text));
+            return more ? Input::Some : Input::Ended;
+        }
+    }
+    return fail(ErrorCode::Cancelled);
+}
+
+bool standardInputIsTerminal()
+{
+    return ::isatty(STDIN_FILENO) == 1;
 }
 
 Result<std::string> readStandardInput(Interrupt& interrupt, std::uint64_t maximumSize)

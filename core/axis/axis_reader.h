@@ -4,17 +4,12 @@
 #include "core/axis/axis_status.h"
 #include "core/axis/register_access.h"
 #include "core/axis/source_directory.h"
+#include "core/axis/state_words.h"
 
 namespace axiscomp {
 
 [[nodiscard]] Result<std::vector<AxisInfo>> readAxes(
     const RegisterAccess& access, const DriveIdentity& drive);
-
-/// What the drive's words mean, by its profile.
-[[nodiscard]] CompensationState compensationState(
-    const RegisterEnums& enums, std::string_view word);
-[[nodiscard]] CompensationFault compensationFault(
-    const RegisterEnums& enums, std::string_view word);
 
 /// unfinishedWrite is left empty. Errors: NoCompensation; ChangedMeanwhile when somebody else keeps
 /// changing the axis while it is read.

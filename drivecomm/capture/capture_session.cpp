@@ -11,16 +11,20 @@ namespace axiscomp::drivecomm {
 
 namespace {
 
-double toleranceOf(const MeasuringPlan& plan)
+/// Mean distance of targets; 0 for a single one.
+double spacingOf(const MeasuringPlan& plan)
+{
+    const std::vector<double> targets = targetsOf(plan);
+    if (targets.size() < 2)
+        return 0.0;
+    return (targets.back() - targets.front()) / static_cast<double>(targets.size() - 1);
+}
+
+double toleranceOf(double spacing)
 {
     constexpr double share = 0.01;
     constexpr double most = 0.1;
-    const std::vector<double> targets = targetsOf(plan);
-    if (targets.size() < 2)
-        return most;
-    const double spacing =
-        (targets.back() - targets.front()) / static_cast<double>(targets.size() - 1);
-    return std::min(most, share * spacing);
+    return spacing > 0.0 ? std::min(most, share * spacing) : most;
 }
 
 Quantity shownPosition(double position, const MeasuringPlan& plan)
@@ -54,12 +58,16 @@ void CaptureSession::Way::add(double position, double turn)
     }
 }
 
-CaptureSession::CaptureSession(MeasuringPlan plan, CaptureRules rules, std::size_t firstStep)
+CaptureSession::CaptureSession(
+    MeasuringPlan plan, CaptureRules rules, std::span<const CapturedValue> taken)
     : m_plan(std::move(plan))
     , m_rules(rules)
-    , m_due(firstStep)
-    , m_tolerance(toleranceOf(m_plan))
+    , m_due(taken.size())
+    , m_spacing(spacingOf(m_plan))
+    , m_tolerance(toleranceOf(m_spacing))
 {
+    if (!taken.empty())
+        m_before = taken.back();
 }
 
 bool CaptureSession::stateChanged(const CaptureReading& reading)
@@ -166,12 +174,36 @@ Text CaptureSession::obstacle(double position) const
     return {};
 }
 
+Text CaptureSession::scaleProblem(const CapturedValue& value) const
+{
+    if (!m_before)
+        return {};
+    constexpr double share = 0.2;
+    const double way = value.step.target - m_before->step.target;
+    const double measured = way + value.deviation - m_before->deviation;
+    if (std::abs(measured - way) <= share * std::max(std::abs(way), m_spacing))
+        return {};
+    const Text found = AXISCOMP_TEXT("Error",
+        "since the value before, the axis has moved by {way}, and the instrument says {measured}")
+                           .with("way", shownPosition(way, m_plan))
+                           .with("measured", shownPosition(measured, m_plan));
+    const double slope = way != 0.0 ? measured / way : 0.0;
+    if (std::abs(slope + 1.0) <= share)
+        return AXISCOMP_TEXT(
+            "Error", "{found}: it counts the other way; begin a new file with --invert-reference")
+            .with("found", found);
+    return AXISCOMP_TEXT("Error",
+        "{found}: its unit or factor is another one, or its zero was set anew, or its beam was "
+        "interrupted; put that right, or begin a new file with the right --unit")
+        .with("found", found);
+}
+
 CaptureSession::Event CaptureSession::average(const CaptureReading& reading)
 {
     if (!std::isfinite(reading.reference)) {
         m_readings.clear();
         m_problem = AXISCOMP_TEXT("Error", "the instrument gives no position");
-        return Event::Refused;
+        return Event::NoReference;
     }
     m_readings.push_back(reading);
     if (m_readings.size() < static_cast<std::size_t>(std::max(1, m_rules.readings)))
@@ -195,7 +227,10 @@ CaptureSession::Event CaptureSession::average(const CaptureReading& reading)
                             Quantity{roundedText(m_rules.window), m_plan.isAngular ? "deg" : "mm"});
         return Event::Refused;
     }
-    m_value = value;
+    m_problem = scaleProblem(value);
+    if (!m_problem.isEmpty())
+        return Event::Refused;
+    m_before = m_value = value;
     m_isTaken = true;
     ++m_due;
     return Event::Taken;

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -41,17 +42,21 @@ struct CapturedValue {
 /// direction over the overrun (as far as readings can tell, which miss a turn), or from the target
 /// before it where that is nearer. A standstill gives one value at most. Where readings are missing
 /// for longer than the dwell, nothing from before counts: the axis may have moved and turned
-/// unseen. Does nothing by itself: everything follows from the readings.
+/// unseen. From one value to the next the reference must move as the axis does, within a fifth of
+/// the way or of the spacing: otherwise its unit or direction is another one, or its zero was set
+/// anew. Does nothing by itself: everything follows from the readings.
 class CaptureSession {
 public:
-    /// firstStep: the first that is due, from 0; those before it have been taken.
-    CaptureSession(MeasuringPlan plan, CaptureRules rules, std::size_t firstStep = 0);
+    /// taken: the values of the first steps, which are not taken again.
+    CaptureSession(
+        MeasuringPlan plan, CaptureRules rules, std::span<const CapturedValue> taken = {});
 
     enum class Event {
         Moving, ///< the axis moves, or has not left the position that was taken
         Standing, ///< for a while that is too short yet, or its values are being averaged
         Taken, ///< value() is the one of a step; the next one is due
         Refused, ///< the axis stands where no value is taken; problem() says why
+        NoReference, ///< it stands where a value is due, and the reading has no reference
         Stopped, ///< the state has changed: nothing is taken any more; problem() says it
         Done, ///< every step has been taken
     };
@@ -83,12 +88,15 @@ private:
     [[nodiscard]] bool isMoving(const CaptureReading& reading);
     [[nodiscard]] Text obstacle(double position) const;
     [[nodiscard]] Text otherTarget(double position) const;
+    /// Empty: the reference has moved as the axis has since the value before.
+    [[nodiscard]] Text scaleProblem(const CapturedValue& value) const;
     [[nodiscard]] Event average(const CaptureReading& reading);
     void beginStanding(const CaptureReading& reading);
 
     MeasuringPlan m_plan;
     CaptureRules m_rules;
     std::size_t m_due;
+    double m_spacing; ///< mean, of targets
     double m_tolerance; ///< of a target
     std::optional<std::string> m_state;
     bool m_isStopped = false;
@@ -100,6 +108,7 @@ private:
     double m_highest = 0.0;
     bool m_isTaken = false; ///< this standstill has given its value
     std::vector<CaptureReading> m_readings; ///< that are being averaged
+    std::optional<CapturedValue> m_before; ///< the value of the step before the one that is due
     CapturedValue m_value;
     Text m_problem;
 };

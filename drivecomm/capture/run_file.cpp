@@ -3,6 +3,7 @@
 
 #include "core/io/local_file.h"
 #include "core/text/number_text.h"
+#include "core/text/token_scanner.h"
 #include "core/text/utf8.h"
 
 #include <fcntl.h>
@@ -13,12 +14,15 @@
 #include <array>
 #include <cerrno>
 #include <charconv>
+#include <optional>
 
 namespace axiscomp::drivecomm {
 
 namespace {
 
 constexpr std::string_view firstLine = "// axiscomp runs: 1";
+constexpr std::string_view stateKey = "// compensation: ";
+constexpr std::string_view referenceKey = "// reference: ";
 constexpr std::size_t mostRunFileBytes = 64 * 1024 * 1024;
 
 tl::unexpected<Error> notWritable(const std::filesystem::path& file, Text reason)
@@ -70,8 +74,27 @@ std::string lineOfValue(const CapturedValue& value)
         + decimalText(std::chrono::duration<double>(value.time).count(), secondsDecimals) + "\n";
 }
 
-/// Whether a whole line is no comment.
-bool hasWholeData(std::string_view content)
+/// The value of a step from its line; nothing when this is no whole one.
+std::optional<CapturedValue> valueOfLine(std::string_view line, const MeasuringStep& step)
+{
+    const std::string begin = lineBegin(step);
+    if (!line.starts_with(begin))
+        return std::nullopt;
+    std::vector<Token> cells;
+    splitCells({line.substr(begin.size()), 0, 1}, ',', cells);
+    std::vector<double> numbers;
+    for (const Token& cell : cells)
+        if (const auto number = numberOf(cell.text))
+            numbers.push_back(*number);
+    constexpr std::size_t columns = 4; // deviation, encoder, output, time
+    if (cells.size() != columns || numbers.size() != columns)
+        return std::nullopt;
+    return CapturedValue{step, numbers[0], numbers[1], numbers[2],
+        std::chrono::round<std::chrono::nanoseconds>(std::chrono::duration<double>(numbers[3]))};
+}
+
+/// Whether there is a whole line behind the columns, which come last of what begins a file.
+bool hasWholeValue(std::string_view content)
 {
     std::size_t begin = 0;
     while (content.substr(begin).starts_with("//")) {
@@ -80,7 +103,9 @@ bool hasWholeData(std::string_view content)
             return false;
         begin = end + 1;
     }
-    return content.find('\n', begin) != std::string_view::npos;
+    const std::size_t columns = content.find('\n', begin);
+    return columns != std::string_view::npos
+        && content.find('\n', columns + 1) != std::string_view::npos;
 }
 
 Result<std::string> contentOf(const std::filesystem::path& file, const FileDescriptor& descriptor)
@@ -111,8 +136,8 @@ RunFile::RunFile(std::filesystem::path file, FileDescriptor descriptor)
 {
 }
 
-Result<RunFile> RunFile::open(const std::filesystem::path& file, const MeasuringPlan& plan,
-    const std::string& state, const std::string& date)
+Result<RunFile> RunFile::open(
+    const std::filesystem::path& file, const MeasuringPlan& plan, const RunOrigin& origin)
 {
     constexpr mode_t usualMode = 0666;
     FileDescriptor descriptor(
@@ -129,27 +154,30 @@ Result<RunFile> RunFile::open(const std::filesystem::path& file, const Measuring
         return notOurs(file,
             AXISCOMP_TEXT(
                 "Error", "it holds something else than captured values; name a new file"));
-    // Without the columns, which come last of what begins a file, nothing can have been taken.
-    if (!hasWholeData(content))
-        AXISCOMP_CHECK(made.begin(plan, state, date));
+    // Without a value it may as well be of another plan or instrument.
+    if (!hasWholeValue(content))
+        AXISCOMP_CHECK(made.begin(plan, origin));
     else
-        AXISCOMP_CHECK(made.goOn(content, plan, state));
+        AXISCOMP_CHECK(made.goOn(content, plan, origin));
     return made;
 }
 
-Result<void> RunFile::begin(
-    const MeasuringPlan& plan, const std::string& state, const std::string& date)
+Result<void> RunFile::begin(const MeasuringPlan& plan, const RunOrigin& origin)
 {
     const std::string unit = unitOf(plan);
-    return write(std::string(firstLine) + "\n// axis: " + plan.axis + "\n// date: " + date
-        + "\n// compensation: " + state + "\n// feed: " + toText(plan.feedPerMinute) + " " + unit
+    return write(std::string(firstLine) + "\n// axis: " + plan.axis + "\n// date: " + origin.date
+        + "\n" + std::string(stateKey) + origin.state + "\n" + std::string(referenceKey)
+        + origin.reference + "\n// feed: " + toText(plan.feedPerMinute) + " " + unit
         + "/min\n// dwell: " + toText(plan.dwellSeconds) + " s\n// corrected: none\n"
         + columnLine(plan) + "\n");
 }
 
 Result<void> RunFile::goOn(
-    const std::string& content, const MeasuringPlan& plan, const std::string& state)
+    const std::string& content, const MeasuringPlan& plan, const RunOrigin& origin)
 {
+    const auto isOther = [](std::string_view line, std::string_view key, std::string_view value) {
+        return line.starts_with(key) && line.substr(key.size()) != value;
+    };
     bool hasColumns = false;
     std::size_t number = 0;
     while (true) {
@@ -166,23 +194,26 @@ Result<void> RunFile::goOn(
                     .with("found", '"' + shownText(line, 60) + '"')
                     .with("expected", expected));
         };
-        constexpr std::string_view stateKey = "// compensation: ";
         if (number == 1 && line != firstLine)
             return wrong(Verbatim{std::string(firstLine)});
-        if (line.starts_with(stateKey) && line.substr(stateKey.size()) != state)
-            return wrong(Verbatim{std::string(stateKey) + state});
+        if (isOther(line, stateKey, origin.state))
+            return wrong(Verbatim{std::string(stateKey) + origin.state});
+        if (isOther(line, referenceKey, origin.reference))
+            return wrong(Verbatim{std::string(referenceKey) + origin.reference});
         if (!hasColumns && !line.starts_with("//")) {
             if (line != columnLine(plan))
                 return wrong(Verbatim{columnLine(plan)});
             hasColumns = true;
         } else if (hasColumns) {
-            if (m_taken == plan.steps.size())
+            if (taken() == plan.steps.size())
                 return wrong(AXISCOMP_TEXT("Error", "the end"));
-            if (!line.starts_with(lineBegin(plan.steps[m_taken])))
+            const MeasuringStep& step = plan.steps[taken()];
+            const auto value = valueOfLine(line, step);
+            if (!value)
                 return wrong(AXISCOMP_TEXT("Error", "step {step} of the plan, {begin}...")
-                                 .with("step", m_taken + 1)
-                                 .with("begin", lineBegin(plan.steps[m_taken])));
-            ++m_taken;
+                                 .with("step", taken() + 1)
+                                 .with("begin", lineBegin(step)));
+            m_values.push_back(*value);
         }
         m_size = end + 1;
     }
@@ -216,7 +247,7 @@ Result<void> RunFile::write(const std::string& text)
 Result<void> RunFile::append(const CapturedValue& value)
 {
     AXISCOMP_CHECK(write(lineOfValue(value)));
-    ++m_taken;
+    m_values.push_back(value);
     return {};
 }
 

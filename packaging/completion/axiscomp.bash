@@ -34,6 +34,7 @@ _axiscomp_options()
         read) echo "--help --json $drive --axis --output --to --target --to-sign --set-out $grid" ;;
         upload) echo "--help --json $drive --to" ;;
         download) echo "--help --json $drive --output" ;;
+        capture) echo "--help --json $drive --axis --plan --output --reference --unit --invert-reference --zero-at --pattern --request --encoder --window --dwell --average --rate" ;;
         monitor) echo "--help --json $drive --axis --rate --count" ;;
         backup) echo "--help --json $drive --output" ;;
         restore) echo "--help --json $drive --force --dry-run" ;;
@@ -46,7 +47,7 @@ _axiscomp_options()
     esac
 }
 
-_axiscomp_commands="example inspect convert lookup formats targets runs judge fit compare report axes status write persist unpersist delete evaluate activate deactivate read files upload download monitor backup restore recover config plan apply snapshot metrics"
+_axiscomp_commands="example inspect convert lookup formats targets capture runs judge fit compare report axes status write persist unpersist delete evaluate activate deactivate read files upload download monitor backup restore recover config plan apply snapshot metrics"
 
 _axiscomp_formats="csv tamtbl aerotech-1d aerotech-2d icube isg-crosscomp isg-crosscomp2 isg-ssfk klipper linuxcnc pmac-1d pmac-2d rapidcode rapidcode-header siemens-cec siemens-eec reprap softmc softmc-basic"
 
@@ -80,6 +81,18 @@ _axiscomp()
             --unit) COMPREPLY=($(compgen -W "mm deg" -- "$cur")); return ;;
             --dialect) COMPREPLY=($(compgen -W "linuxcnc fanuc siemens" -- "$cur")); return ;;
             --from | --to | --count | --spacing | --cycles | --seed | --feed | --dwell) return ;;
+        esac
+    fi
+    if [[ $command == capture ]]; then
+        case $prev in
+            --plan) _filedir csv; return ;;
+            --reference)
+                COMPREPLY=($(compgen -W "- typed serial:/dev/" -- "$cur"))
+                [[ ${COMPREPLY-} == serial:* ]] && compopt -o nospace
+                __ltrim_colon_completions "$cur"
+                return ;;
+            --unit) COMPREPLY=($(compgen -W "mm um m inch deg arcsec" -- "$cur")); return ;;
+            --zero-at | --pattern | --request | --encoder | --window | --dwell | --average) return ;;
         esac
     fi
     case $prev in

@@ -23,6 +23,18 @@ const QByteArray user = "anna";
 const QByteArray password = "Xq9-geheim/7";
 const QByteArray residuals1D =
     "target [mm],direction,deviation [um]\n0,+,0.1\n50,+,0.2\n100,+,0.1\n";
+/// A plan, and the file of its only value: nothing is left to be waited for.
+const QString captureReference =
+    QStringLiteral("Axes[1]/Signals/PositionController/MasterPosition");
+const QByteArray plan = "// axiscomp plan: 1\n// axis: X\n// overrun: 1 mm\n// feed: 1000 mm/min\n"
+                        "// dwell: 5 s\n// seed: 1\nstep,run,direction,target [mm],approach [mm]\n"
+                        "1,1,+,0.000,-1.000\n";
+const QByteArray runs =
+    "// axiscomp runs: 1\n// axis: X\n// date: now\n// compensation: off\n// reference: "
+    + captureReference.toLatin1()
+    + "\n// corrected: none\ntarget [mm],direction,run,deviation [mm],encoder [mm],output "
+      "[mm],time\n"
+      "0.000,+,1,0.0000000,0.0000000,0.0000000,0.000\n";
 const QByteArray line1D = "X [mm],Error [mm]\n0,0\n50,0.002\n100,-0.003\n";
 
 /// The password in every form in which it could turn up.
@@ -87,6 +99,8 @@ const QList<QStringList>& driveCommands()
 {
     static const QList<QStringList> all{
         {"axes"},
+        {"capture", "--axis", "0", "--plan", "plan.csv", "--reference", captureReference, "-o",
+            "runs.csv"},
         {"write", "--axis", "0", "--data", "line.csv", "--dims", "1", "--source1",
             test::positionSource(0), "--persistent"},
         {"status", "--axis", "0"},
@@ -164,6 +178,8 @@ private Q_SLOTS:
         const Sandbox box;
         box.file("line.csv", line1D);
         box.file("residuals.csv", residuals1D);
+        box.file("plan.csv", plan);
+        box.file("runs.csv", runs);
         box.file("machine.TAMcfg", machine);
         for (const QStringList& command : driveCommands()) {
             if (!isRight && (command.front() == "restore" || command.front() == "upload"))

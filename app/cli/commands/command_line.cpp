@@ -19,6 +19,7 @@ CommandLine::CommandLine()
     addLookupCommand(*this);
     addFormatsCommand(*this);
     addTargetsCommand(*this);
+    addCaptureCommand(*this);
     addRunsCommand(*this);
     addJudgeCommand(*this);
     addFitCommand(*this);

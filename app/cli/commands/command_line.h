@@ -48,6 +48,7 @@ void addConvertCommand(CommandLine& line);
 void addLookupCommand(CommandLine& line);
 void addFormatsCommand(CommandLine& line);
 void addTargetsCommand(CommandLine& line);
+void addCaptureCommand(CommandLine& line);
 void addRunsCommand(CommandLine& line);
 void addJudgeCommand(CommandLine& line);
 void addFitCommand(CommandLine& line);

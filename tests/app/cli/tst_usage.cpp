@@ -17,10 +17,11 @@ using test::Sandbox;
 
 namespace {
 
-const QStringList commands{"example", "inspect", "convert", "lookup", "formats", "targets", "runs",
-    "judge", "fit", "compare", "report", "axes", "status", "write", "persist", "unpersist",
-    "delete", "evaluate", "activate", "deactivate", "read", "files", "upload", "download",
-    "monitor", "backup", "restore", "recover", "config", "plan", "apply", "snapshot", "metrics"};
+const QStringList commands{"example", "inspect", "convert", "lookup", "formats", "targets",
+    "capture", "runs", "judge", "fit", "compare", "report", "axes", "status", "write", "persist",
+    "unpersist", "delete", "evaluate", "activate", "deactivate", "read", "files", "upload",
+    "download", "monitor", "backup", "restore", "recover", "config", "plan", "apply", "snapshot",
+    "metrics"};
 
 QString sourceFile(const QString& name)
 {

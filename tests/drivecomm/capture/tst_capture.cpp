@@ -40,8 +40,11 @@ MeasuringPlan planOver(double to, int count, int cycles, double overrun)
 /// An axis that is moved by hand, read 20 times a second.
 class HandMoved {
 public:
-    explicit HandMoved(const MeasuringPlan& plan, CaptureRules rules = {})
-        : session(plan, rules) { }
+    explicit HandMoved(const MeasuringPlan& plan, CaptureRules rules = {},
+        std::span<const CapturedValue> taken = {})
+        : session(plan, rules, taken)
+    {
+    }
 
     /// In steps of 0.5, and one reading at each.
     void move(double to)
@@ -141,6 +144,8 @@ void put(const std::filesystem::path& file, std::string_view text)
 {
     QVERIFY(saveFile(file, asBytes(text)));
 }
+
+const RunOrigin origin{"off", "laser", "2026-11-21T09:30:00"};
 
 CapturedValue valueOf(const MeasuringPlan& plan, std::size_t step)
 {
@@ -266,10 +271,61 @@ private Q_SLOTS:
         axis.error = [](double) { return std::nan(""); };
         axis.move(-1.0);
         axis.move(0.0);
-        QCOMPARE(axis.stand(60).back(), Event::Refused);
-        QCOMPARE(QString::fromStdString(axis.problem()),
+        QCOMPARE(axis.stand(60).back(), Event::NoReference);
+        QCOMPARE(QString::fromStdString(axis.session.problem().english()),
             QStringLiteral("the instrument gives no position"));
         QCOMPARE(axis.session.due(), std::size_t{0});
+    }
+
+    void anInstrumentThatDoesNotFollowTheAxisGivesNoFurtherValue_data()
+    {
+        QTest::addColumn<double>("factor");
+        QTest::addColumn<double>("jump");
+        QTest::addColumn<QByteArray>("said");
+        QTest::newRow("wrong sign") << -1.0 << 0.0
+                                    << QByteArray("counts the other way; begin a new file with "
+                                                  "--invert-reference");
+        QTest::newRow("another unit") << 1000.0 << 0.0 << QByteArray("its unit or factor");
+        QTest::newRow("factor") << 0.5 << 0.0 << QByteArray("its unit or factor");
+        QTest::newRow("zero set anew") << 1.0 << 3.0 << QByteArray("its zero was set anew");
+    }
+    void anInstrumentThatDoesNotFollowTheAxisGivesNoFurtherValue()
+    {
+        QFETCH(const double, factor);
+        QFETCH(const double, jump);
+        QFETCH(const QByteArray, said);
+        const MeasuringPlan plan = planOver(30.0, 4, 1, 1.0);
+        HandMoved axis(plan);
+        const double second = plan.steps[1].target;
+        axis.error = [&](double position) {
+            return factor * position - position + (position == second ? jump : 0.0);
+        };
+        axis.move(-1.0);
+        axis.move(0.0);
+        QVERIFY(axis.takes());
+        axis.move(second);
+        QCOMPARE(axis.stand(60).back() == Event::Taken, false);
+        QCOMPARE(axis.session.due(), std::size_t{1});
+        QVERIFY2(
+            axis.problem().find(said.toStdString()) != std::string::npos, axis.problem().c_str());
+        axis.error = [](double) { return 0.001; };
+        QVERIFY(axis.takes());
+    }
+
+    void whatWasTakenBeforeIsComparedToo()
+    {
+        const MeasuringPlan plan = planOver(30.0, 4, 1, 1.0);
+        const CapturedValue first = valueOf(plan, 0);
+        HandMoved axis(plan, {}, std::span(&first, 1));
+        axis.error = [](double position) { return -2.0 * position; };
+        axis.move(plan.steps[1].approach);
+        axis.move(plan.steps[1].target);
+        QVERIFY(!axis.takes());
+        QVERIFY2(
+            axis.problem().find("--invert-reference") != std::string::npos, axis.problem().c_str());
+        axis.error = [](double) { return 0.001; };
+        QVERIFY(axis.takes());
+        QCOMPARE(axis.session.value().step.step, 2);
     }
 
     void aChangedStateStopsIt()
@@ -328,7 +384,7 @@ private Q_SLOTS:
         const std::filesystem::path file =
             folder.filePath(QStringLiteral("runs.csv")).toStdString();
         {
-            auto runs = RunFile::open(file, plan, "off", "2026-11-21T09:30:00");
+            auto runs = RunFile::open(file, plan, origin);
             QVERIFY2(runs.has_value(), runs ? "" : sentence(runs.error()).c_str());
             for (const CapturedValue& value : played.values)
                 QVERIFY(runs->append(value));
@@ -376,7 +432,7 @@ private Q_SLOTS:
         const std::filesystem::path file =
             folder.filePath(QStringLiteral("runs.csv")).toStdString();
         const auto fill = [&] {
-            auto runs = RunFile::open(file, plan, "off", "2026-11-21T09:30:00");
+            auto runs = RunFile::open(file, plan, origin);
             if (!runs)
                 return std::string(sentence(runs.error()));
             for (std::size_t step = runs->taken(); step < plan.steps.size(); ++step)
@@ -385,15 +441,15 @@ private Q_SLOTS:
             return contentOf(file);
         };
         const std::string whole = fill();
-        QCOMPARE(std::ranges::count(whole, '\n'), 8 + 6);
+        QCOMPARE(std::ranges::count(whole, '\n'), 9 + 6);
         for (std::size_t size = 0; size <= whole.size(); ++size) {
             put(file, std::string_view(whole).substr(0, size));
             const auto lines = std::ranges::count(whole.substr(0, size), '\n');
             {
-                const auto runs = RunFile::open(file, plan, "off", "2026-11-21T09:30:00");
+                const auto runs = RunFile::open(file, plan, origin);
                 QVERIFY2(runs.has_value(), runs ? "" : sentence(runs.error()).c_str());
                 QCOMPARE(
-                    static_cast<long>(runs->taken()), std::max(0L, static_cast<long>(lines) - 8));
+                    static_cast<long>(runs->taken()), std::max(0L, static_cast<long>(lines) - 9));
             }
             QCOMPARE(QString::fromStdString(fill()), QString::fromStdString(whole));
         }
@@ -407,7 +463,7 @@ private Q_SLOTS:
             folder.filePath(QStringLiteral("runs.csv")).toStdString();
         const auto refusal = [&](const std::string& content, const std::string& state = "off") {
             put(file, content);
-            const auto runs = RunFile::open(file, plan, state, "now");
+            const auto runs = RunFile::open(file, plan, {state, "laser", "now"});
             if (runs)
                 return std::string("it was taken");
             return contentOf(file) == content ? sentence(runs.error()) : "it was changed";
@@ -417,9 +473,15 @@ private Q_SLOTS:
         std::string whole;
         put(file, "");
         {
-            auto runs = RunFile::open(file, plan, "off", "now").value();
+            auto runs = RunFile::open(file, plan, origin).value();
             QVERIFY(runs.append(valueOf(plan, 0)));
             whole = contentOf(file);
+        }
+        {
+            const auto again = RunFile::open(file, plan, origin).value();
+            QCOMPARE(again.values().size(), std::size_t{1});
+            QVERIFY(std::abs(again.values()[0].deviation + 0.0023) < 1e-12);
+            QCOMPARE(again.values()[0].time, std::chrono::nanoseconds(0));
         }
         const std::string otherState = refusal(whole, "crc:1c291ca3");
         QVERIFY2(otherState.find("line 4 has \"// compensation: off\" where // compensation: "
@@ -432,8 +494,28 @@ private Q_SLOTS:
         QVERIFY2(
             said.find("where step 1 of the plan, 0.000,+,1,... is expected") != std::string::npos,
             said.c_str());
+        std::string damaged = whole;
+        damaged.replace(damaged.rfind(",0.000"), 6, ",now");
+        QVERIFY(refusal(damaged).find("step 1 of the plan") != std::string::npos);
+        std::string otherInstrument = whole;
+        otherInstrument.replace(otherInstrument.find("laser"), 5, "ruler");
+        QVERIFY(
+            refusal(otherInstrument).find("// reference: laser is expected") != std::string::npos);
         std::string repeated = whole + whole.substr(whole.find("\n0.000,") + 1);
         QVERIFY(refusal(repeated).find("step 2 of the plan") != std::string::npos);
+    }
+
+    void aFileWithoutAValueBeginsAnew()
+    {
+        const MeasuringPlan plan = planOver(30.0, 3, 1, 1.0);
+        QTemporaryDir folder;
+        const std::filesystem::path file =
+            folder.filePath(QStringLiteral("runs.csv")).toStdString();
+        QVERIFY(RunFile::open(file, plan, {"off", "a much longer name of a laser", "then"}));
+        QVERIFY(RunFile::open(file, plan, origin));
+        const std::string text = contentOf(file);
+        QVERIFY2(text.find("// reference: laser\n") != std::string::npos, text.c_str());
+        QCOMPARE(std::ranges::count(text, '\n'), 9);
     }
 
     void twoProgramsCannotWriteToOneFile()
@@ -442,12 +524,12 @@ private Q_SLOTS:
         QTemporaryDir folder;
         const std::filesystem::path file =
             folder.filePath(QStringLiteral("runs.csv")).toStdString();
-        const auto first = RunFile::open(file, plan, "off", "now");
+        const auto first = RunFile::open(file, plan, origin);
         QVERIFY(first.has_value());
-        const auto second = RunFile::open(file, plan, "off", "now");
+        const auto second = RunFile::open(file, plan, origin);
         VERIFY_ERROR(second, ErrorCode::FileNotWritable);
-        VERIFY_ERROR(RunFile::open(folder.path().toStdString(), plan, "off", "now"),
-            ErrorCode::FileNotWritable);
+        VERIFY_ERROR(
+            RunFile::open(folder.path().toStdString(), plan, origin), ErrorCode::FileNotWritable);
     }
 };
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "drivecomm/link_factory.h"
+#include "drivecomm/serial/serial_codec.h"
 #include "tests/drivecomm/serial/serial_link_fixture.h"
 #include "tests/support/test_registry.h"
 

@@ -1,0 +1,547 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/commands/command_line.h"
+#include "app/cli/input/table_input.h"
+#include "app/cli/session/command_session.h"
+#include "app/common/arguments.h"
+#include "app/common/number_text.h"
+#include "app/common/standard_streams.h"
+#include "core/base/wall_time.h"
+#include "core/io/local_file.h"
+#include "core/metrology/fine_quantity.h"
+#include "drivecomm/capture/capture_run.h"
+#include "drivecomm/capture/serial_instrument.h"
+
+#include <cmath>
+#include <ctime>
+
+namespace axiscomp::app {
+
+namespace {
+
+struct CaptureOptions {
+    DriveOptions drive;
+    std::string plan;
+    std::string reference;
+    std::string encoder; ///< register; empty: the profile's
+    std::string pattern;
+    std::string request;
+    std::string output;
+    drivecomm::ReferenceScale scale;
+    double window = 0.001; ///< in mm or deg
+    double dwellSeconds = 1.0;
+    int readings = 10;
+    double rateHz = 20.0;
+};
+
+constexpr std::string_view typedReference = "typed";
+
+/// Where the reference comes from.
+enum class ReferenceKind { Register, Lines, Typed, Serial };
+
+ReferenceKind kindOf(const std::string& reference)
+{
+    if (reference == typedReference)
+        return ReferenceKind::Typed;
+    if (reference == standardStream)
+        return standardInputIsTerminal() ? ReferenceKind::Typed : ReferenceKind::Lines;
+    return reference.starts_with("serial:") ? ReferenceKind::Serial : ReferenceKind::Register;
+}
+
+std::string shownReference(const CaptureOptions& options, ReferenceKind kind)
+{
+    switch (kind) {
+    case ReferenceKind::Lines:
+        return drivecomm::referenceText("standard input", options.scale);
+    case ReferenceKind::Typed:
+        return drivecomm::referenceText("typed", options.scale);
+    case ReferenceKind::Serial:
+    case ReferenceKind::Register:
+        break;
+    }
+    return drivecomm::referenceText(options.reference, options.scale);
+}
+
+drivecomm::CaptureRules rulesOf(const CaptureOptions& options)
+{
+    return {options.window,
+        std::chrono::duration_cast<std::chrono::nanoseconds>(
+            std::chrono::duration<double>(options.dwellSeconds)),
+        options.readings};
+}
+
+/// Of a clock that no person sets, and that goes on while the computer sleeps.
+std::chrono::nanoseconds timeSinceStart()
+{
+    timespec now{};
+    ::clock_gettime(CLOCK_BOOTTIME, &now);
+    return std::chrono::seconds(now.tv_sec) + std::chrono::nanoseconds(now.tv_nsec);
+}
+
+/// One capture: what it works with, and what it tells.
+class Capture {
+public:
+    Capture(Environment& environment, CommandSession& session, CaptureOptions& options,
+        drivecomm::CaptureRun& run, ReferenceKind kind)
+        : m_environment(environment)
+        , m_session(session)
+        , m_options(options)
+        , m_run(run)
+        , m_kind(kind)
+    {
+    }
+
+    /// Everything that only one kind of reference has.
+    [[nodiscard]] Result<void> prepare(std::span<const drivecomm::CapturedValue> taken);
+    /// Times of readings follow this one.
+    void beginAt(std::chrono::nanoseconds time) { m_offset = time - timeSinceStart(); }
+    [[nodiscard]] Result<void> follow();
+
+private:
+    [[nodiscard]] std::chrono::nanoseconds now() const { return timeSinceStart() + m_offset; }
+    [[nodiscard]] const MeasuringPlan& plan() const { return m_run.plan(); }
+    [[nodiscard]] std::string unit() const { return plan().isAngular ? "deg" : "mm"; }
+    [[nodiscard]] Result<void> readOnce();
+    [[nodiscard]] Result<void> waitUntil(std::chrono::steady_clock::time_point moment);
+    void takeInput(const std::string& text);
+    void takeTyped(std::string_view line);
+    void ask();
+    void showValue();
+    void hintAtZero(const drivecomm::CapturedValue& value);
+    [[nodiscard]] Result<void> show(const drivecomm::CaptureNews& news);
+    [[nodiscard]] std::string dueText() const;
+
+    Environment& m_environment;
+    CommandSession& m_session;
+    CaptureOptions& m_options;
+    drivecomm::CaptureRun& m_run;
+    ReferenceKind m_kind;
+    std::chrono::nanoseconds m_offset{0};
+    std::optional<drivecomm::ReferenceLines> m_lines;
+    std::optional<drivecomm::TypedReference> m_typed;
+    std::unique_ptr<drivecomm::SerialInstrument> m_serial;
+    std::string m_typedLine; ///< that has not ended
+    bool m_isAsked = false; ///< for a typed reference
+    bool m_isDone = false;
+};
+
+Result<void> Capture::prepare(std::span<const drivecomm::CapturedValue> taken)
+{
+    if (m_kind == ReferenceKind::Register)
+        return {};
+    drivecomm::ReferenceScale scale = m_options.scale;
+    // The question names the unit.
+    if (m_kind == ReferenceKind::Typed && scale.unit.empty())
+        scale.unit = unit();
+    AXISCOMP_TRY(auto reader,
+        drivecomm::ReferenceLineReader::make(scale, plan().isAngular, m_options.pattern));
+    switch (m_kind) {
+    case ReferenceKind::Lines:
+        m_lines.emplace(std::move(reader), rulesOf(m_options).dwell);
+        m_run.setInstrument([this](std::chrono::nanoseconds time) { return m_lines->at(time); });
+        break;
+    case ReferenceKind::Typed:
+        m_typed.emplace(std::move(reader), taken, m_options.window);
+        m_run.setInstrument([this](std::chrono::nanoseconds) { return m_typed->reading(); });
+        break;
+    case ReferenceKind::Serial: {
+        AXISCOMP_TRY(m_serial,
+            drivecomm::SerialInstrument::open(m_options.reference, m_options.request,
+                drivecomm::ReferenceLines(std::move(reader), rulesOf(m_options).dwell)));
+        m_run.setInstrument([this](std::chrono::nanoseconds time) { return m_serial->at(time); });
+        break;
+    }
+    case ReferenceKind::Register:
+        break;
+    }
+    return {};
+}
+
+std::string Capture::dueText() const
+{
+    const MeasuringStep& due = plan().steps[m_run.taken()];
+    return "step " + std::to_string(due.step) + " is due: " + planPosition(due.target) + " "
+        + unit() + (due.direction == Approach::Up ? ", upwards from " : ", downwards from ")
+        + planPosition(due.approach) + " " + unit();
+}
+
+void Capture::showValue()
+{
+    const drivecomm::CapturedValue& value = m_run.value();
+    const Quantity deviation = fineQuantity(value.deviation, plan().isAngular);
+    m_environment.print(std::to_string(value.step.step) + "/" + std::to_string(plan().steps.size())
+        + "  " + planPosition(value.step.target) + " " + unit() + " "
+        + std::string(approachName(value.step.direction)) + ", run "
+        + std::to_string(value.step.run) + ": " + signedText(deviation.digits) + " "
+        + deviation.unit + "\n");
+    if (value.step.step == 1)
+        hintAtZero(value);
+}
+
+/// A laser is set to 0 wherever the axis stands.
+void Capture::hintAtZero(const drivecomm::CapturedValue& value)
+{
+    constexpr double share = 0.01;
+    const std::vector<double> targets = targetsOf(plan());
+    if (std::abs(value.deviation) <= share * (targets.back() - targets.front()))
+        return;
+    const double zero = m_options.scale.zeroAt - value.deviation;
+    m_environment.console().note("the instrument is far from the axis, as if it said 0 at "
+        + planPosition(zero) + " " + unit() + ": if that is right, begin a new file with --zero-at "
+        + planPosition(zero));
+}
+
+void Capture::ask()
+{
+    const MeasuringStep& due = plan().steps[m_run.taken()];
+    m_isAsked = true;
+    m_environment.console().note(planPosition(due.target) + " " + unit() + " "
+        + std::string(approachName(due.direction)) + ": what does the instrument say, in "
+        + (m_options.scale.unit.empty() ? unit() : m_options.scale.unit) + "?");
+}
+
+void Capture::takeTyped(std::string_view line)
+{
+    if (line.find_first_not_of(" \t\r") == std::string_view::npos)
+        return;
+    if (!m_isAsked) {
+        m_environment.console().note(
+            "no position is asked for at the moment: wait until the axis stands at its target");
+        return;
+    }
+    const Text problem = m_typed->type(line, m_run.lastReading(), plan().isAngular);
+    if (!problem.isEmpty())
+        m_environment.console().note(problem.english());
+}
+
+void Capture::takeInput(const std::string& text)
+{
+    if (m_lines) {
+        m_lines->feed(text, now());
+        return;
+    }
+    m_typedLine += text;
+    for (std::size_t end = m_typedLine.find('\n'); end != std::string::npos;
+         end = m_typedLine.find('\n')) {
+        takeTyped(std::string_view(m_typedLine).substr(0, end));
+        m_typedLine.erase(0, end + 1);
+    }
+    if (m_typedLine.size() > drivecomm::ReferenceLines::longestLine)
+        m_typedLine.clear();
+}
+
+/// Meanwhile what comes on standard input is taken.
+Result<void> Capture::waitUntil(std::chrono::steady_clock::time_point moment)
+{
+    const bool reads = m_kind == ReferenceKind::Lines || m_kind == ReferenceKind::Typed;
+    while (true) {
+        std::string text;
+        AXISCOMP_TRY(
+            const auto input, waitForInput(m_environment.interrupt(), reads, moment, text));
+        if (input == Input::None)
+            return {};
+        if (input == Input::Ended)
+            return fail(ErrorCode::FileNotReadable,
+                {{"file", Verbatim{"standard input"}},
+                    {"reason",
+                        Verbatim{
+                            "it has ended, and the plan has values that are not taken; the program "
+                            "that writes to it must go on for as long as is measured"}}});
+        takeInput(text);
+    }
+}
+
+Result<void> Capture::show(const drivecomm::CaptureNews& news)
+{
+    Console& console = m_environment.console();
+    if (news.isBack)
+        console.note("the drive answers again");
+    switch (news.kind) {
+    case drivecomm::CaptureNews::Kind::Lost:
+        console.note(news.text.english() + "; waiting for it, Ctrl-C ends");
+        return {};
+    case drivecomm::CaptureNews::Kind::Refused:
+        console.note(news.text.english());
+        if (m_typed)
+            m_typed->forget();
+        return {};
+    case drivecomm::CaptureNews::Kind::NoReference:
+        if (m_typed)
+            ask();
+        else
+            console.note(dueText() + ": " + news.text.english());
+        return {};
+    case drivecomm::CaptureNews::Kind::Moving:
+        m_isAsked = false;
+        if (m_typed)
+            m_typed->forget();
+        return {};
+    case drivecomm::CaptureNews::Kind::Stopped:
+        return fail(ErrorCode::MeasurementState, {{"reason", news.text}});
+    case drivecomm::CaptureNews::Kind::Done:
+        m_isDone = true;
+        return {};
+    case drivecomm::CaptureNews::Kind::Taken:
+    case drivecomm::CaptureNews::Kind::Nothing:
+        break;
+    }
+    return {};
+}
+
+Result<void> Capture::readOnce()
+{
+    const std::size_t before = m_run.taken();
+    AXISCOMP_TRY(const auto news, m_run.read([this] { return now(); }, m_session.exchange()));
+    if (m_run.taken() > before) {
+        showValue();
+        m_isAsked = false;
+        if (m_typed)
+            m_typed->taken(m_run.value());
+    }
+    AXISCOMP_CHECK(show(news));
+    return m_environment.console().flush();
+}
+
+Result<void> Capture::follow()
+{
+    if (m_run.taken() == plan().steps.size())
+        return {};
+    m_environment.print(dueText() + "\n");
+    const auto period = std::chrono::duration_cast<std::chrono::nanoseconds>(
+        std::chrono::duration<double>(1.0 / m_options.rateHz));
+    constexpr std::chrono::seconds retry(1);
+    auto due = std::chrono::steady_clock::now();
+    while (!m_isDone) {
+        AXISCOMP_CHECK(readOnce());
+        // A drive that is slower than the rate sets the pace; nothing is made up for.
+        due = std::max(due + period, std::chrono::steady_clock::now());
+        if (m_run.isLost())
+            due = std::chrono::steady_clock::now() + retry;
+        if (!m_isDone)
+            AXISCOMP_CHECK(waitUntil(due));
+    }
+    return {};
+}
+
+Result<MeasuringPlan> readPlan(const CaptureOptions& options)
+{
+    AXISCOMP_TRY(const auto bytes, loadFile(options.plan, mostPlanBytes));
+    return readMeasuringPlan(asText(bytes), displayName(options.plan));
+}
+
+Result<void> checkUsage(const CaptureOptions& options, ReferenceKind kind)
+{
+    const std::string& command = options.drive.command;
+    if (kind == ReferenceKind::Register && !options.pattern.empty())
+        return wrongUsage("--pattern is for lines of text, and a register has none", command);
+    if (kind != ReferenceKind::Serial && !options.request.empty())
+        return wrongUsage("--request is for an instrument on a serial port", command);
+    if (options.output == standardStream)
+        return wrongUsage(
+            "the values are kept in a file, so that nothing is lost: name it with -o", command);
+    return {};
+}
+
+/// The path of a register that is named as those of sources are.
+Result<std::string> registerPath(CommandSession& session, const std::string& text)
+{
+    const auto source = session.compensator().resolveSource(text, session.operation());
+    if (source)
+        return source->path;
+    // It is there, and what it is not good for is said of an instrument, not of a source.
+    if (source.error().code == ErrorCode::SourceWrongType)
+        return normalisedPath(text);
+    return fail(source.error());
+}
+
+Result<drivecomm::AxisReadings> openReadings(CommandSession& session, int axis,
+    const AxisStatus& status, const MeasuringPlan& plan, CaptureOptions& options,
+    ReferenceKind kind)
+{
+    drivecomm::CaptureRegisters registers;
+    if (!options.encoder.empty()) {
+        AXISCOMP_TRY(registers.encoder, registerPath(session, options.encoder));
+    } else {
+        AXISCOMP_TRY(
+            const auto shortlist, session.compensator().sourceShortlist(session.operation()));
+        registers.encoder = drivecomm::encoderRegister(session.profile(), shortlist, axis);
+    }
+    if (registers.encoder.empty())
+        return wrongUsage("the drive profile does not say which register is the encoder of the "
+                          "axis: name it with --encoder",
+            options.drive.command);
+    drivecomm::ReferenceScale scale;
+    if (kind == ReferenceKind::Register) {
+        AXISCOMP_TRY(options.reference, registerPath(session, options.reference));
+        registers.reference = options.reference;
+        scale = options.scale;
+    }
+    return drivecomm::AxisReadings::open(
+        session.link(), session.profile(), status, plan, registers, scale, session.exchange());
+}
+
+void sayWhatIsRead(Environment& environment, const drivecomm::AxisReadings& readings,
+    const MeasuringPlan& plan, const CaptureOptions& options)
+{
+    if (readings.isUnitAssumed())
+        environment.warn("the drive does not say the unit of the axis: it is taken to be that of "
+                         "the plan");
+    double farthest = 0.0;
+    for (const double target : targetsOf(plan))
+        if (std::abs(target) > std::abs(farthest))
+            farthest = target;
+    if (const auto resolution = readings.resolutionAt(farthest)) {
+        const Quantity step = fineQuantity(*resolution, plan.isAngular);
+        environment.console().note(options.reference + " is a Single: at " + planPosition(farthest)
+            + (plan.isAngular ? " deg" : " mm") + " its numbers are " + step.digits + " "
+            + step.unit + " apart");
+    }
+}
+
+/// Times go on from the last value that there is, whatever the clock says now.
+std::chrono::nanoseconds firstTime(Environment& environment, const drivecomm::RunFile& file)
+{
+    const std::chrono::nanoseconds wall = std::chrono::system_clock::now().time_since_epoch();
+    if (file.values().empty() || file.values().back().time <= wall)
+        return wall;
+    environment.warn("the clock of this computer is behind the last value of the file: times go on "
+                     "from there");
+    return file.values().back().time;
+}
+
+Result<ExitCode> runCapture(
+    Environment& environment, CommandSession& session, int axis, CaptureOptions& options)
+{
+    const ReferenceKind kind = kindOf(options.reference);
+    AXISCOMP_CHECK(checkUsage(options, kind));
+    AXISCOMP_TRY(const auto plan, readPlan(options));
+    AXISCOMP_TRY(const auto status, session.compensator().status(axis, session.operation()));
+    environment.console().clearProgress();
+    AXISCOMP_TRY(auto readings, openReadings(session, axis, status, plan, options, kind));
+    const std::string state = readings.state();
+    const std::string reference = shownReference(options, kind);
+    AXISCOMP_TRY(auto file,
+        drivecomm::RunFile::open(options.output, plan,
+            {state, reference,
+                utcText(
+                    std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now()))}));
+    sayWhatIsRead(environment, readings, plan, options);
+    const std::size_t before = file.taken();
+    const std::chrono::nanoseconds begin = firstTime(environment, file);
+    const std::vector<drivecomm::CapturedValue> taken(file.values().begin(), file.values().end());
+    drivecomm::CaptureRun run(
+        session.link(), std::move(readings), std::move(file), plan, rulesOf(options), status.drive);
+    Capture capture(environment, session, options, run, kind);
+    AXISCOMP_CHECK(capture.prepare(taken));
+    capture.beginAt(begin);
+    environment.print("axis " + plan.axis + " of " + status.drive.name + ", compensation " + state
+        + ", " + std::to_string(before) + " of " + plural(plan.steps.size(), "value", "values")
+        + " taken; the program moves no axis\n");
+    const auto followed = capture.follow();
+    const std::string count = std::to_string(run.taken()) + " of "
+        + plural(plan.steps.size(), "value", "values") + " in " + options.output;
+    if (!followed) {
+        environment.console().note(count + "; the same command goes on behind them");
+        return fail(followed.error());
+    }
+    environment.print(count + "\n");
+    environment.document({{"output", options.output}, {"axis", plan.axis},
+        {"unit", plan.isAngular ? "deg" : "mm"}, {"compensation", state}, {"reference", reference},
+        {"steps", plan.steps.size()}, {"before", before}, {"taken", run.taken()}});
+    return ExitCode::Done;
+}
+
+void addInstrumentOptions(CLI::App& command, CaptureOptions& options)
+{
+    command
+        .add_option("--reference", options.reference,
+            "Where the axis really is: a register of the drive, serial:/dev/ttyUSB1?baud=9600, "
+            "- for lines on standard input, or typed")
+        ->option_text("REF (required)")
+        ->required();
+    command
+        .add_option("--unit", options.scale.unit,
+            "Unit of the instrument; of a register it is that of the axis, of lines the one behind "
+            "the number unless given")
+        ->option_text("UNIT");
+    command.add_flag(
+        "--invert-reference", options.scale.isInverted, "The instrument counts the other way");
+    command
+        .add_option("--zero-at", options.scale.zeroAt,
+            "Position of the axis where the instrument says 0 (0 unless given)")
+        ->option_text("P");
+    command
+        .add_option("--pattern", options.pattern,
+            "Regular expression for the number in a line, its first group or all of it; the first "
+            "number of the line unless given")
+        ->option_text("REGEX");
+    command
+        .add_option("--request", options.request,
+            "Send this to the serial instrument before each reading, with \\r and \\n for line "
+            "ends")
+        ->option_text("TEXT");
+}
+
+void addRuleOptions(CLI::App& command, CaptureOptions& options)
+{
+    constexpr double mostSeconds = 60.0;
+    command
+        .add_option("--encoder", options.encoder,
+            "Register of the raw position; the profile's unless given")
+        ->option_text("REG");
+    command
+        .add_option("--window", options.window,
+            "The axis stands while its encoder stays within so many mm or deg, and readings may "
+            "differ by as much (0.001 unless given)")
+        ->option_text("W")
+        ->check(CLI::Range(1e-9, 10.0));
+    command
+        .add_option("--dwell", options.dwellSeconds,
+            "So many seconds, before anything is taken (1 unless given)")
+        ->option_text("S")
+        ->check(CLI::Range(0.01, mostSeconds));
+    command
+        .add_option("--average", options.readings, "Readings that make a value (10 unless given)")
+        ->option_text("N")
+        ->check(CLI::Range(1, 1000));
+    command.add_option("--rate", options.rateHz, "Readings per second, 10 to 50 (20 unless given)")
+        ->option_text("HZ")
+        ->check(CLI::Range(10.0, 50.0));
+}
+
+} // namespace
+
+void addCaptureCommand(CommandLine& line)
+{
+    auto options = std::make_shared<CaptureOptions>();
+    options->drive.command = commandName("capture");
+    CLI::App* command = line.add("capture", driveCommands,
+        "Take the values of a measuring plan while something else moves the axis",
+        [options](Environment& environment) {
+            return withAxis(environment, options->drive,
+                [options](Environment& inside, CommandSession& session, int axis) {
+                    return runCapture(inside, session, axis, *options);
+                });
+        });
+    addDriveOptions(*command, options->drive);
+    addAxisOption(*command, options->drive);
+    command->add_option("--plan", options->plan, "Plan as axiscomp targets writes it")
+        ->option_text("FILE (required)")
+        ->required();
+    command
+        ->add_option("-o,--output", options->output,
+            "File of the values; one that is there goes on where it ends")
+        ->option_text("FILE (required)")
+        ->required();
+    addInstrumentOptions(*command, *options);
+    addRuleOptions(*command, *options);
+    command->footer(
+        "axiscomp never moves an axis: the machine's control or a person does.\n\n"
+        "Examples:\n"
+        "  axiscomp capture --axis X --plan plan.csv -o runs.csv \\\n"
+        "      --reference 'Machine/Axes[0]/ReferencePosition'\n"
+        "  axiscomp capture --axis X --plan plan.csv -o runs.csv \\\n"
+        "      --reference 'serial:/dev/ttyUSB1?baud=9600'\n"
+        "  laser-reader | axiscomp capture --axis X --plan plan.csv -o runs.csv --reference -");
+}
+
+} // namespace axiscomp::app

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "drivecomm/capture/axis_readings.h"
+
+#include "core/axis/state_words.h"
+#include "core/table/position_unit.h"
+#include "core/text/number_text.h"
+#include "core/text/token_scanner.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <utility>
+
+namespace axiscomp::drivecomm {
+
+namespace {
+
+/// In m_paths; behind these the CRC of the table and the reference, where there are any.
+enum ReadingPlace : std::size_t { AtEncoder, AtOutput, AtState, AtHoming, AtTable, AtCrc };
+
+tl::unexpected<Error> notCaptured(Text reason)
+{
+    return fail(ErrorCode::InvalidArgument, {{"reason", std::move(reason)}});
+}
+
+std::string unitOfPlan(const MeasuringPlan& plan)
+{
+    return plan.isAngular ? "deg" : "mm";
+}
+
+std::string crcState(double crc)
+{
+    std::array<char, 8> digits{};
+    const auto end = std::to_chars(
+        digits.data(), digits.data() + digits.size(), static_cast<std::uint32_t>(crc), 16);
+    const std::string text(digits.data(), end.ptr);
+    return "crc:" + std::string(digits.size() - text.size(), '0') + text;
+}
+
+std::string axisShown(const AxisInfo& axis)
+{
+    return axis.name.empty() ? std::to_string(axis.index) : axis.name;
+}
+
+Result<void> checkAxisOf(const AxisStatus& status, const MeasuringPlan& plan)
+{
+    if (!status.axis.name.empty() && !sameLetters(status.axis.name, plan.axis))
+        return notCaptured(AXISCOMP_TEXT("Error",
+            "the plan is for axis {planned}, and this is axis {axis}: choose the axis with --axis, "
+            "or make a plan with axiscomp targets --axis {axis}")
+                               .with("planned", plan.axis)
+                               .with("axis", status.axis.name));
+    if (!status.axis.isHomed)
+        return fail(ErrorCode::NotHomed, {{"axis", axisShown(status.axis)}});
+    return {};
+}
+
+/// What an axis does that is switched neither on nor off gives no deviations of either.
+Result<void> checkSwitched(const AxisStatus& status)
+{
+    switch (status.axis.state) {
+    case CompensationState::Disabled:
+    case CompensationState::Evaluating:
+    case CompensationState::Active:
+        return {};
+    default:
+        return fail(ErrorCode::MeasurementState,
+            {{"reason",
+                AXISCOMP_TEXT("Error",
+                    "the compensation of axis {axis} is neither on nor off (the drive says "
+                    "{state}): switch it with axiscomp activate or axiscomp deactivate first")
+                    .with("axis", axisShown(status.axis))
+                    .with("state", status.axis.stateWord)}});
+    }
+}
+
+} // namespace
+
+Result<AxisReadings> AxisReadings::open(DriveLink& link, const DriveProfile& profile,
+    const AxisStatus& status, const MeasuringPlan& plan, CaptureRegisters registers,
+    ReferenceScale scale, const Exchange& exchange)
+{
+    AXISCOMP_CHECK(checkAxisOf(status, plan));
+    AXISCOMP_CHECK(checkSwitched(status));
+    AxisReadings made(link, profile);
+    made.m_registers = std::move(registers);
+    made.m_scale = std::move(scale);
+    AXISCOMP_CHECK(made.setUnits(status, plan));
+    AXISCOMP_CHECK(made.checkReference(status));
+    made.choosePaths(status);
+    AXISCOMP_TRY(const auto readings, link.readRegisters(made.m_paths, exchange));
+    made.m_state = made.stateOf(readings);
+    for (const std::string& path : {made.m_registers.encoder, made.m_registers.reference}) {
+        const auto reading = std::ranges::find(readings, path, &RegisterReading::path);
+        if (reading == readings.end())
+            continue;
+        if (std::holds_alternative<std::string>(reading->value)
+            || std::holds_alternative<bool>(reading->value))
+            return notCaptured(AXISCOMP_TEXT(
+                "Error", "the register {path} is of type {type}, which is no position")
+                                   .with("path", path)
+                                   .with("type", reading->type));
+        made.m_isSingle =
+            path == made.m_registers.reference && std::holds_alternative<float>(reading->value);
+    }
+    return made;
+}
+
+Result<void> AxisReadings::setUnits(const AxisStatus& status, const MeasuringPlan& plan)
+{
+    const std::string wanted = unitOfPlan(plan);
+    const std::string unit = unitSymbol(status.axis.unit);
+    m_isUnitAssumed = unit.empty();
+    const auto factor = unitFactor(m_isUnitAssumed ? wanted : unit, wanted);
+    if (!factor)
+        return notCaptured(AXISCOMP_TEXT("Error",
+            "the plan is in {planned}, and axis {axis} of the drive in {unit}: make a plan with "
+            "axiscomp targets --unit, or choose another axis")
+                               .with("planned", wanted)
+                               .with("axis", axisShown(status.axis))
+                               .with("unit", unit));
+    m_axisFactor = *factor;
+    if (m_scale.unit.empty())
+        m_scale.unit = m_isUnitAssumed ? wanted : unit;
+    const auto reference = unitFactor(m_scale.unit, wanted);
+    if (!reference)
+        return notCaptured(AXISCOMP_TEXT("Error",
+            "the instrument is in {unit}, which cannot be converted to {planned}, the unit of the "
+            "plan: state its unit with --unit")
+                               .with("unit", m_scale.unit)
+                               .with("planned", wanted));
+    m_referenceFactor = *reference;
+    return {};
+}
+
+/// An encoder that is measured with itself has no error.
+Result<void> AxisReadings::checkReference(const AxisStatus& status) const
+{
+    if (m_registers.reference.empty())
+        return {};
+    const bool isOwn = m_registers.reference == m_registers.encoder
+        || (m_profile->axisOfPosition(m_registers.reference) == status.axis.index
+            && !m_profile->isBeforeCompensation(m_registers.reference));
+    if (isOwn)
+        return notCaptured(AXISCOMP_TEXT("Error",
+            "{path} follows the encoder of the axis itself: name the register of an instrument")
+                               .with("path", m_registers.reference));
+    return {};
+}
+
+void AxisReadings::choosePaths(const AxisStatus& status)
+{
+    const RegisterPaths& names = m_profile->registers;
+    const auto path = [&](const std::string& pattern) {
+        return expandPath(pattern, {.axis = status.axis.index, .slot = {}, .n = {}});
+    };
+    m_paths = {m_registers.encoder, path(names.output), path(names.state), path(names.homingState),
+        path(names.table)};
+    m_slot = status.table ? status.setup.slot : std::string();
+    if (!m_slot.empty())
+        m_paths.push_back(expandPath(names.tableCrc, {.axis = {}, .slot = m_slot, .n = {}}));
+    if (!m_registers.reference.empty())
+        m_paths.push_back(m_registers.reference);
+}
+
+std::string AxisReadings::stateOf(const std::vector<RegisterReading>& readings) const
+{
+    const std::string homing = toText(readings[AtHoming].value);
+    if (homing != m_profile->enums.homingDone)
+        return homing;
+    const std::string word = toText(readings[AtState].value);
+    switch (compensationState(m_profile->enums, word)) {
+    case CompensationState::Disabled:
+    case CompensationState::Evaluating:
+        return "off";
+    case CompensationState::Active: {
+        const std::string table = toText(readings[AtTable].value);
+        return !m_slot.empty() && table == m_slot ? crcState(toDouble(readings[AtCrc].value))
+                                                  : "on, " + table;
+    }
+    default:
+        return word;
+    }
+}
+
+Result<CaptureReading> AxisReadings::read(const Exchange& exchange)
+{
+    AXISCOMP_TRY(const auto readings, m_link->readRegisters(m_paths, exchange));
+    CaptureReading reading;
+    reading.encoder = toDouble(readings[AtEncoder].value) * m_axisFactor;
+    reading.output = toDouble(readings[AtOutput].value) * m_axisFactor;
+    reading.state = stateOf(readings);
+    reading.reference = m_registers.reference.empty()
+        ? std::numeric_limits<double>::quiet_NaN()
+        : m_scale.position(toDouble(readings.back().value), m_referenceFactor);
+    return reading;
+}
+
+std::optional<double> AxisReadings::resolutionAt(double position) const
+{
+    if (!m_isSingle)
+        return std::nullopt;
+    const auto number =
+        static_cast<float>(std::abs((position - m_scale.zeroAt) / m_referenceFactor));
+    const float next = std::nextafter(number, std::numeric_limits<float>::infinity());
+    return (static_cast<double>(next) - static_cast<double>(number)) * m_referenceFactor;
+}
+
+std::string encoderRegister(
+    const DriveProfile& profile, const std::vector<DimSource>& shortlist, int axis)
+{
+    const auto found = std::ranges::find_if(shortlist, [&](const DimSource& source) {
+        return profile.axisOfPosition(source.path) == axis
+            && profile.isBeforeCompensation(source.path);
+    });
+    return found == shortlist.end() ? std::string() : found->path;
+}
+
+std::string referenceText(const std::string& source, const ReferenceScale& scale)
+{
+    std::string text = source;
+    if (!scale.unit.empty())
+        text += " [" + scale.unit + "]";
+    if (scale.isInverted)
+        text += ", inverted";
+    if (scale.zeroAt != 0.0)
+        text += ", 0 at " + toText(scale.zeroAt);
+    return text;
+}
+
+} // namespace axiscomp::drivecomm

@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "drivecomm/capture/reference_lines.h"
+
+#include "core/metrology/fine_quantity.h"
+#include "core/table/position_unit.h"
+#include "core/text/number_text.h"
+#include "core/text/token_scanner.h"
+#include "core/text/utf8.h"
+
+#include <QRegularExpression>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace axiscomp::drivecomm {
+
+namespace {
+
+bool isLineDigit(char c)
+{
+    return c >= '0' && c <= '9';
+}
+
+std::string shownLine(std::string_view line)
+{
+    constexpr std::size_t mostShown = 60;
+    return '"' + shownText(line, mostShown) + '"';
+}
+
+InstrumentReading noPosition(Text text)
+{
+    InstrumentReading reading;
+    reading.problem = std::move(text);
+    return reading;
+}
+
+InstrumentReading noNumber(std::string_view line)
+{
+    return noPosition(AXISCOMP_TEXT("Error",
+        "the instrument says {line}, where a number is expected; --pattern says where it is")
+                          .with("line", shownLine(line)));
+}
+
+/// Of the first number in a line; empty: there is none.
+std::string_view firstNumber(std::string_view line)
+{
+    const auto isStart = [&](std::size_t i) {
+        return isLineDigit(line[i])
+            || (line[i] == '.' && i + 1 < line.size() && isLineDigit(line[i + 1]));
+    };
+    std::size_t begin = 0;
+    while (begin < line.size() && !isStart(begin))
+        ++begin;
+    if (begin == line.size())
+        return {};
+    std::size_t end = begin;
+    const auto digits = [&] {
+        while (end < line.size() && isLineDigit(line[end]))
+            ++end;
+    };
+    digits();
+    if (end < line.size() && line[end] == '.') {
+        ++end;
+        digits();
+    }
+    const std::size_t exponent = end;
+    if (end < line.size() && (line[end] == 'e' || line[end] == 'E')) {
+        ++end;
+        if (end < line.size() && (line[end] == '+' || line[end] == '-'))
+            ++end;
+        const std::size_t first = end;
+        digits();
+        if (end == first)
+            end = exponent;
+    }
+    if (begin > 0 && (line[begin - 1] == '-' || line[begin - 1] == '+'))
+        --begin;
+    return line.substr(begin, end - begin);
+}
+
+/// The word behind a number, up to a blank or what ends a field.
+std::string_view wordBehind(std::string_view rest)
+{
+    const std::size_t begin = std::min(rest.find_first_not_of(" \t"), rest.size());
+    const std::size_t end = rest.find_first_of(" \t,;\r", begin);
+    return rest.substr(begin, end == std::string_view::npos ? end : end - begin);
+}
+
+} // namespace
+
+struct ReferenceLineReader::Private {
+    ReferenceScale scale;
+    std::string wanted; ///< "mm" or "deg"
+    std::optional<QRegularExpression> pattern;
+
+    /// The number and what stands behind it; an empty number: there is none.
+    struct Found {
+        std::string number;
+        std::string_view rest;
+    };
+    [[nodiscard]] Found find(std::string_view line) const;
+};
+
+ReferenceLineReader::Private::Found ReferenceLineReader::Private::find(std::string_view line) const
+{
+    if (!pattern) {
+        const std::string_view number = firstNumber(line);
+        if (number.empty())
+            return {};
+        const auto end = static_cast<std::size_t>(number.data() - line.data()) + number.size();
+        return {std::string(number), line.substr(end)};
+    }
+    const auto match =
+        pattern->match(QString::fromUtf8(line.data(), static_cast<qsizetype>(line.size())));
+    if (!match.hasMatch())
+        return {};
+    std::string number =
+        match.captured(pattern->captureCount() > 0 ? 1 : 0).trimmed().toStdString();
+    if (number.find('.') == std::string::npos && std::ranges::count(number, ',') == 1)
+        std::ranges::replace(number, ',', '.');
+    return {std::move(number), {}};
+}
+
+Result<ReferenceLineReader> ReferenceLineReader::make(
+    ReferenceScale scale, bool isAngular, const std::string& pattern)
+{
+    auto made = std::make_unique<Private>();
+    made->wanted = isAngular ? "deg" : "mm";
+    if (!scale.unit.empty() && !unitFactor(scale.unit, made->wanted))
+        return fail(ErrorCode::InvalidArgument,
+            {{"reason",
+                AXISCOMP_TEXT("Error",
+                    "the instrument is in {unit}, which cannot be converted to {planned}, the unit "
+                    "of the plan: state its unit with --unit")
+                    .with("unit", scale.unit)
+                    .with("planned", made->wanted)}});
+    made->scale = std::move(scale);
+    if (!pattern.empty()) {
+        made->pattern.emplace(QString::fromStdString(pattern));
+        if (!made->pattern->isValid())
+            return fail(ErrorCode::InvalidArgument,
+                {{"reason",
+                    AXISCOMP_TEXT("Error",
+                        "--pattern {pattern} is no regular expression: {problem} at character "
+                        "{place}")
+                        .with("pattern", shownLine(pattern))
+                        .with("problem", made->pattern->errorString().toStdString())
+                        .with("place",
+                            static_cast<std::int64_t>(made->pattern->patternErrorOffset() + 1))}});
+    }
+    return ReferenceLineReader(std::move(made));
+}
+
+ReferenceLineReader::ReferenceLineReader(std::unique_ptr<Private> theD) : d(std::move(theD)) { }
+ReferenceLineReader::ReferenceLineReader(ReferenceLineReader&& other) noexcept = default;
+ReferenceLineReader& ReferenceLineReader::operator=(ReferenceLineReader&& other) noexcept = default;
+ReferenceLineReader::~ReferenceLineReader() = default;
+
+InstrumentReading ReferenceLineReader::read(std::string_view line) const
+{
+    const Private::Found found = d->find(line);
+    const auto number = numberOf(found.number);
+    if (!number)
+        return noNumber(line);
+    if (found.rest.size() > 1 && found.rest[0] == ',' && isLineDigit(found.rest[1]))
+        return noPosition(AXISCOMP_TEXT("Error",
+            "the instrument says {line}: its number has a comma; set it to a decimal point, or "
+            "say what the number is with --pattern")
+                              .with("line", shownLine(line)));
+    const std::string_view word = wordBehind(found.rest);
+    const std::string said = isPositionUnit(word) ? std::string(word) : std::string();
+    if (said.empty() && d->scale.unit.empty())
+        return noPosition(AXISCOMP_TEXT("Error",
+            "the instrument says {line} without a unit: state it with --unit, such as --unit mm")
+                              .with("line", shownLine(line)));
+    const bool isOther =
+        !said.empty() && !d->scale.unit.empty() && !isSameUnit(said, d->scale.unit);
+    const auto factor = unitFactor(said.empty() ? d->scale.unit : said, d->wanted);
+    if (isOther || !factor)
+        return noPosition(AXISCOMP_TEXT("Error",
+            "the instrument says {line}, in another unit than {unit}: set the instrument, or "
+            "begin a new file with the right --unit")
+                              .with("line", shownLine(line))
+                              .with("unit", d->scale.unit.empty() ? d->wanted : d->scale.unit));
+    const double position = d->scale.position(*number, *factor);
+    return std::isfinite(position) ? InstrumentReading{position, {}} : noNumber(line);
+}
+
+void ReferenceLines::feed(std::string_view bytes, std::chrono::nanoseconds now)
+{
+    for (const char c : bytes) {
+        if (c == '\n' || c == '\r')
+            take(now);
+        else if (m_line.size() < longestLine)
+            m_line += c;
+    }
+}
+
+void ReferenceLines::take(std::chrono::nanoseconds now)
+{
+    const std::string line = std::exchange(m_line, {});
+    if (!trimmedToken({line, 0, 1}))
+        return;
+    m_last = m_reader.read(line);
+    m_time = now;
+}
+
+InstrumentReading ReferenceLines::at(std::chrono::nanoseconds now) const
+{
+    if (m_time && now >= *m_time && now - *m_time <= m_longestAge)
+        return m_last;
+    return noPosition(AXISCOMP_TEXT("Error",
+        "the instrument says nothing: look whether it sends, and whether its "
+        "lines end"));
+}
+
+TypedReference::TypedReference(
+    ReferenceLineReader reader, std::span<const CapturedValue> taken, double window)
+    : m_reader(std::move(reader))
+    , m_window(window)
+{
+    for (const CapturedValue& value : taken)
+        this->taken(value);
+}
+
+double TypedReference::differenceOf(const CapturedValue& value)
+{
+    return std::abs(value.deviation + value.step.target - value.encoder - value.output);
+}
+
+void TypedReference::taken(const CapturedValue& value)
+{
+    m_seen = std::max(m_seen.value_or(0.0), differenceOf(value));
+    forget();
+}
+
+void TypedReference::forget()
+{
+    m_position.reset();
+    m_doubted.reset();
+}
+
+Text TypedReference::type(std::string_view line, const CaptureReading& axis, bool isAngular)
+{
+    const InstrumentReading read = m_reader.read(line);
+    if (!read.problem.isEmpty())
+        return read.problem;
+    constexpr double times = 10.0;
+    const double difference = std::abs(read.position - axis.encoder - axis.output);
+    const double limit = times * std::max(m_seen.value_or(times * m_window), m_window);
+    if (difference > limit && m_doubted != read.position) {
+        m_doubted = read.position;
+        return (m_seen ? AXISCOMP_TEXT("Error",
+                    "{position} is {difference} from the encoder, and until now it was {seen} at "
+                    "most: type it once more if it is right, or another number")
+                       : AXISCOMP_TEXT("Error",
+                           "{position} is {difference} from the encoder: type it once more if it "
+                           "is right, or another number"))
+            .with("position", placeOf(read.position, isAngular))
+            .with("difference", fineQuantity(difference, isAngular))
+            .with("seen", fineQuantity(m_seen.value_or(0.0), isAngular));
+    }
+    m_doubted.reset();
+    m_position = read.position;
+    return {};
+}
+
+InstrumentReading TypedReference::reading() const
+{
+    InstrumentReading reading;
+    if (m_position)
+        reading.position = *m_position;
+    else
+        reading.problem = AXISCOMP_TEXT("Error", "the position of the instrument is asked for");
+    return reading;
+}
+
+} // namespace axiscomp::drivecomm

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "drivecomm/capture/axis_readings.h"
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <string>
+#include <string_view>
+
+namespace axiscomp::drivecomm {
+
+/// What an instrument says: a position, or why there is none.
+struct InstrumentReading {
+    double position = std::numeric_limits<double>::quiet_NaN(); ///< in mm or deg
+    Text problem; ///< empty with a position
+};
+
+/// Reads positions from lines of text such as "+517.3000042 mm": the first number of a line with a
+/// decimal point, and the unit behind it. Nothing is guessed: a line without a unit needs the one
+/// of the scale, and one with another unit, with a comma in its number or without a number is a
+/// problem.
+class ReferenceLineReader {
+public:
+    /// pattern: a regular expression whose first group, or all of it, is the number; empty: none.
+    /// Only then a decimal comma is taken. Errors: InvalidArgument.
+    [[nodiscard]] static Result<ReferenceLineReader> make(
+        ReferenceScale scale, bool isAngular, const std::string& pattern = {});
+    ReferenceLineReader(ReferenceLineReader&& other) noexcept;
+    ReferenceLineReader& operator=(ReferenceLineReader&& other) noexcept;
+    ~ReferenceLineReader();
+
+    [[nodiscard]] InstrumentReading read(std::string_view line) const;
+
+private:
+    struct Private;
+    explicit ReferenceLineReader(std::unique_ptr<Private> d);
+    std::unique_ptr<Private> d;
+};
+
+/// The lines of an instrument as they come. Only the newest counts, and not for long: it may belong
+/// to where the axis was.
+class ReferenceLines {
+public:
+    /// dwell: as of CaptureRules; a line counts for a second at most, and no longer than this, so
+    /// that what is averaged was said after the axis had come to stand.
+    ReferenceLines(ReferenceLineReader reader, std::chrono::nanoseconds dwell)
+        : m_reader(std::move(reader))
+        , m_longestAge(std::min<std::chrono::nanoseconds>(dwell, std::chrono::seconds(1)))
+    {
+    }
+
+    static constexpr std::size_t longestLine = 4096;
+
+    /// bytes: what came, whole lines or not, ended by LF or CR; now: of the clock of the readings.
+    void feed(std::string_view bytes, std::chrono::nanoseconds now);
+    [[nodiscard]] InstrumentReading at(std::chrono::nanoseconds now) const;
+
+private:
+    void take(std::chrono::nanoseconds now);
+
+    ReferenceLineReader m_reader;
+    std::chrono::nanoseconds m_longestAge;
+    std::string m_line; ///< that has not ended
+    std::optional<std::chrono::nanoseconds> m_time; ///< of the last line
+    InstrumentReading m_last;
+};
+
+/// A reference that a person reads and types, one for each standstill. A number that is further
+/// from the encoder than ten times what was seen so far is asked for once more.
+class TypedReference {
+public:
+    /// taken: the values that there are already. window: as of CaptureRules; until there is a value
+    /// a hundred of it are no surprise, and later ten of it.
+    TypedReference(ReferenceLineReader reader, std::span<const CapturedValue> taken, double window);
+
+    /// Empty: it counts from now on. Otherwise what is wrong with it, or the question whether it is
+    /// right, to which the same number once more is the answer.
+    [[nodiscard]] Text type(std::string_view line, const CaptureReading& axis, bool isAngular);
+    [[nodiscard]] InstrumentReading reading() const;
+    /// The axis moves, or what was typed was not taken.
+    void forget();
+    void taken(const CapturedValue& value);
+
+private:
+    [[nodiscard]] static double differenceOf(const CapturedValue& value);
+
+    ReferenceLineReader m_reader;
+    std::optional<double> m_seen; ///< largest difference from encoder + output so far
+    double m_window;
+    std::optional<double> m_position;
+    std::optional<double> m_doubted;
+};
+
+} // namespace axiscomp::drivecomm

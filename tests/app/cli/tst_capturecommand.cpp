@@ -1,0 +1,419 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/app/program_run.h"
+
+#include "tests/support/patience.h"
+#include "tests/support/test_registry.h"
+#include "tests/support/verify.h"
+
+#include <QJsonObject>
+#include <QTest>
+#include <QUrl>
+
+#include <cmath>
+#include <csignal>
+
+namespace tst_capturecommand {
+
+using namespace axiscomp;
+using test::ProgramRun;
+using test::Sandbox;
+using test::VirtualDriveProcess;
+
+namespace {
+
+/// A straight error, so that every deviation is known: 12 um/m.
+const QByteArray straight = R"({"axes": {"X": {"slope": 12e-6}, "Y": {}},
+    "instrument": {"axis": "X", "zero": 17.3}})";
+const QString referenceRegister = QStringLiteral("Machine/Axes[0]/ReferencePosition");
+constexpr int steps = 4;
+
+/// A plan over two targets, and a machine that plays it so fast that a reading that comes late
+/// misses neither a target nor a turn.
+struct CaptureFixture {
+    static constexpr int speed = 6;
+    /// dwell: at each target, in s
+    explicit CaptureFixture(double dwell = 1.2)
+    {
+        box.file("machine.json", straight);
+        const ProgramRun made = box.run({"targets", "--from", "0", "--to", "30", "--count", "2",
+            "--cycles", "1", "--overrun", "10", "--feed", "400", "--dwell",
+            QString::number(speed * dwell), "-o", "plan.csv"});
+        if (made.code != 0)
+            qWarning("%s", made.text().constData());
+    }
+    /// From the beginning of the program.
+    void startMachine()
+    {
+        machine.reset();
+        machine = std::make_unique<VirtualDriveProcess>(box,
+            QStringList{"--machine", "machine.json", "--program", "plan.csv", "--instrument",
+                box.path("laser"), "--speed", QString::number(speed)});
+    }
+    [[nodiscard]] QStringList words(
+        const QString& reference = referenceRegister, const QStringList& more = {}) const
+    {
+        return QStringList{"capture", "--drive", machine->url(), "--axis", "X", "--plan",
+                   "plan.csv", "--reference", reference, "-o", "runs.csv", "--dwell", "0.4",
+                   "--average", "3", "--rate", "50", "--zero-at", "-17.3"}
+        + more;
+    }
+    /// Lines of values in the file.
+    [[nodiscard]] long taken() const
+    {
+        const QByteArray text = box.content("runs.csv");
+        const qsizetype columns = text.indexOf("\ntarget [mm],");
+        return columns < 0 ? 0 : text.mid(columns + 1).count('\n') - 1;
+    }
+    /// Waits until the program has said this on standard error.
+    [[nodiscard]] static bool hasSaid(QProcess& process, const QByteArray& words, QByteArray& said)
+    {
+        process.setReadChannel(QProcess::StandardError);
+        while (!said.contains(words)) {
+            if (process.bytesAvailable() == 0 && !process.waitForReadyRead(test::patienceMs))
+                return false;
+            said += process.readAllStandardError();
+        }
+        return true;
+    }
+
+    Sandbox box;
+    std::unique_ptr<VirtualDriveProcess> machine;
+};
+
+/// Every value of the plan once, and right.
+void verifyRuns(const Sandbox& box, double tolerance)
+{
+    const ProgramRun read = box.run({"runs", "runs.csv", "--json"});
+    VERIFY_CODE(read, 0);
+    QCOMPARE(read.json().value("values").toInt(), steps);
+    const QByteArray text = box.content("runs.csv");
+    const QByteArrayList lines =
+        text.mid(text.indexOf("\ntarget [mm],") + 1).trimmed().split('\n').mid(1);
+    QCOMPARE(lines.size(), steps);
+    for (const QByteArray& line : lines) {
+        const QByteArrayList cells = line.split(',');
+        QVERIFY2(std::abs(cells.at(3).toDouble() - 12e-6 * cells.at(0).toDouble()) < tolerance,
+            line.constData());
+    }
+}
+
+} // namespace
+
+class tst_CaptureCommand : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { test::failOnWarnings(); }
+
+    void aProgramIsCapturedByARegister()
+    {
+        CaptureFixture fixture;
+        fixture.startMachine();
+        const ProgramRun run = fixture.box.run(fixture.words());
+        VERIFY_CODE(run, 0);
+        QVERIFY2(run.out.contains("1/4  0.000 mm up, run 1: "), run.out.constData());
+        QVERIFY2(run.out.endsWith("4 of 4 values in runs.csv\n"), run.out.constData());
+        QVERIFY2(!run.err.contains("error"), run.err.constData());
+        verifyRuns(fixture.box, 2e-6);
+        const QByteArray file = fixture.box.content("runs.csv");
+        QVERIFY(file.contains("\n// compensation: off\n"));
+        QVERIFY(file.contains("\n// reference: Machine/Axes[0]/ReferencePosition, 0 at -17.3\n"));
+        // All of it is there: nothing is taken twice, and the machine may be anywhere.
+        const ProgramRun again = fixture.box.run(fixture.words() + QStringList{"--json"});
+        VERIFY_CODE(again, 0);
+        QCOMPARE(again.json().keys(),
+            (QStringList{"axis", "before", "compensation", "output", "reference", "steps", "taken",
+                "unit"}));
+        QCOMPARE(again.json().value("before").toInt(), steps);
+        QCOMPARE(again.json().value("taken").toInt(), steps);
+        QCOMPARE(fixture.box.content("runs.csv"), file);
+    }
+
+    void aKillAtEveryLineTakesNothingTwiceAndLosesNothing()
+    {
+        CaptureFixture fixture;
+        for (int line = 1; line <= steps; ++line) {
+            fixture.startMachine();
+            auto process = fixture.box.start(test::axiscompProgram(), fixture.words());
+            QByteArray said;
+            const QByteArray taken = QByteArray::number(line) + "/4  ";
+            while (!said.contains(taken) && process->waitForReadyRead(test::patienceMs))
+                said += process->readAllStandardOutput();
+            QVERIFY2(said.contains(taken), process->readAllStandardError().constData());
+            process->kill();
+            QVERIFY(process->state() == QProcess::NotRunning
+                || process->waitForFinished(test::patienceMs));
+            QCOMPARE(fixture.taken(), static_cast<long>(line));
+            QCOMPARE(fixture.box.content("runs.csv").back(), '\n');
+        }
+        VERIFY_CODE(fixture.box.run(fixture.words()), 0);
+        verifyRuns(fixture.box, 2e-6);
+    }
+
+    void anInterruptLeavesAWholeFileThatGoesOn()
+    {
+        CaptureFixture fixture;
+        fixture.startMachine();
+        auto process = fixture.box.start(test::axiscompProgram(), fixture.words());
+        QByteArray said;
+        while (!said.contains("2/4  ") && process->waitForReadyRead(test::patienceMs))
+            said += process->readAllStandardOutput();
+        ::kill(static_cast<pid_t>(process->processId()), SIGINT);
+        QVERIFY(process->waitForFinished(test::patienceMs));
+        QCOMPARE(process->exitStatus(), QProcess::NormalExit);
+        QCOMPARE(process->exitCode(), 130);
+        const QByteArray err = process->readAllStandardError();
+        QVERIFY2(err.contains("2 of 4 values in runs.csv; the same command goes on behind them"),
+            err.constData());
+        QCOMPARE(fixture.taken(), 2L);
+        fixture.startMachine();
+        const ProgramRun rest = fixture.box.run(fixture.words());
+        VERIFY_CODE(rest, 0);
+        QVERIFY2(rest.out.contains("2 of 4 values taken"), rest.out.constData());
+        QVERIFY2(!rest.out.contains("\n2/4  "), rest.out.constData());
+        verifyRuns(fixture.box, 2e-6);
+    }
+
+    void aDriveThatGoesAwayIsWaitedFor()
+    {
+        CaptureFixture fixture;
+        fixture.startMachine();
+        const QStringList words = fixture.words();
+        const QString address = QUrl(fixture.machine->url()).authority();
+        auto process = fixture.box.start(test::axiscompProgram(), words);
+        QByteArray said;
+        while (!said.contains("1/4  ") && process->waitForReadyRead(test::patienceMs))
+            said += process->readAllStandardOutput();
+        fixture.machine.reset();
+        QByteArray err;
+        QVERIFY2(
+            CaptureFixture::hasSaid(*process, "waiting for it, Ctrl-C ends", err), err.constData());
+        const VirtualDriveProcess again(fixture.box,
+            {"--machine", "machine.json", "--program", "plan.csv", "--speed",
+                QString::number(CaptureFixture::speed), "--http", address});
+        QVERIFY(again.isReady());
+        QVERIFY2(
+            CaptureFixture::hasSaid(*process, "the drive answers again", err), err.constData());
+        QVERIFY(process->waitForFinished(test::patienceMs));
+        QCOMPARE(process->exitCode(), 0);
+        QCOMPARE(err.count("waiting for it"), 1);
+        verifyRuns(fixture.box, 2e-6);
+    }
+
+    void linesOfAnotherProgramAreTakenThroughAPipe()
+    {
+        CaptureFixture fixture;
+        fixture.startMachine();
+        QStringList quotedWords;
+        for (const QString& word : fixture.words("-"))
+            quotedWords += "'" + word + "'";
+        const ProgramRun run = fixture.box.runProgram("/bin/bash",
+            {"-c", "cat laser | '" + test::axiscompProgram() + "' " + quotedWords.join(u' ')});
+        VERIFY_CODE(run, 0);
+        verifyRuns(fixture.box, 2e-6);
+        QVERIFY(
+            fixture.box.content("runs.csv").contains("// reference: standard input, 0 at -17.3\n"));
+    }
+
+    void anInstrumentOnASerialPortIsRead_data()
+    {
+        QTest::addColumn<QStringList>("more");
+        QTest::newRow("by itself") << QStringList{};
+        QTest::newRow("asked, with a pattern")
+            << QStringList{"--request", "R\\r\\n", "--pattern", "[+-]([0-9.]+) mm", "--unit", "mm"};
+    }
+    void anInstrumentOnASerialPortIsRead()
+    {
+        QFETCH(const QStringList, more);
+        CaptureFixture fixture;
+        fixture.startMachine();
+        const QString laser = "serial:" + fixture.box.path("laser") + "?baud=9600";
+        const ProgramRun run = fixture.box.run(fixture.words(laser, more));
+        VERIFY_CODE(run, 0);
+        verifyRuns(fixture.box, 2e-6);
+    }
+
+    void whatIsTypedIsAskedForAtEachTarget()
+    {
+        CaptureFixture fixture(4.0);
+        fixture.startMachine();
+        auto process = fixture.box.start(test::axiscompProgram(), fixture.words("typed"));
+        QByteArray err;
+        const QByteArray plan = fixture.box.content("plan.csv");
+        int step = 0;
+        qsizetype doubts = 0;
+        for (const QByteArray& line : plan.mid(plan.indexOf("\n1,1,+") + 1).trimmed().split('\n')) {
+            const QByteArrayList cells = line.split(',');
+            const QByteArray direction = cells.at(2) == "+" ? "up" : "down";
+            const QByteArray question =
+                cells.at(3) + " mm " + direction + ": what does the instrument say, in mm?";
+            QVERIFY2(CaptureFixture::hasSaid(*process, question, err), err.constData());
+            const double target = cells.at(3).toDouble();
+            if (++step == 2) { // a slip of the pen, and what it should have been
+                process->write(QByteArray::number(target + 5.0 + 17.3, 'f', 5) + "\n");
+                QVERIFY2(
+                    CaptureFixture::hasSaid(*process, "type it once more", err), err.constData());
+            }
+            doubts += err.count("type it once more");
+            err.clear();
+            process->write(QByteArray::number(target * (1 + 12e-6) + 17.3, 'f', 5) + "\n");
+        }
+        QVERIFY(process->waitForFinished(test::patienceMs));
+        QCOMPARE(process->exitCode(), 0);
+        QCOMPARE(doubts, 1);
+        verifyRuns(fixture.box, 6e-6);
+    }
+
+    void standardInputThatEndsIsSaid()
+    {
+        CaptureFixture fixture;
+        fixture.startMachine();
+        const ProgramRun run = fixture.box.run(fixture.words("-"), "0.0 mm\n");
+        VERIFY_CODE(run, 3);
+        QVERIFY2(run.err.contains("error: FileNotReadable: standard input cannot be read: it has "
+                                  "ended"),
+            run.err.constData());
+        QVERIFY2(run.err.contains("0 of 4 values in runs.csv"), run.err.constData());
+    }
+
+    void anInstrumentThatIsWrongIsSaidWithTheWayOut_data()
+    {
+        QTest::addColumn<QByteArray>("machine");
+        QTest::addColumn<QStringList>("more");
+        QTest::addColumn<QByteArray>("said");
+        QTest::addColumn<int>("taken");
+        const QByteArray begin = R"({"axes": {"X": {"slope": 12e-6}}, "instrument": )";
+        QTest::newRow("wrong sign") << begin + R"({"zero": 17.3, "sign": -1}})" << QStringList{}
+                                    << QByteArray("begin a new file with --invert-reference") << 1;
+        QTest::newRow("another unit")
+            << begin + R"({"unit": "inch"}})" << QStringList{"--unit", "mm"}
+            << QByteArray("in another unit than mm") << 0;
+        QTest::newRow("nonsense") << begin + "{}}" << QStringList{"--pattern", "Laser (.*)"}
+                                  << QByteArray("where a number is expected") << 0;
+    }
+    void anInstrumentThatIsWrongIsSaidWithTheWayOut()
+    {
+        QFETCH(const QByteArray, machine);
+        QFETCH(const QStringList, more);
+        QFETCH(const QByteArray, said);
+        QFETCH(const int, taken);
+        CaptureFixture fixture;
+        fixture.box.file("machine.json", machine);
+        fixture.startMachine();
+        auto process = fixture.box.start(
+            test::axiscompProgram(), fixture.words("serial:" + fixture.box.path("laser"), more));
+        QByteArray err;
+        QVERIFY2(CaptureFixture::hasSaid(*process, said, err), err.constData());
+        process->terminate();
+        QVERIFY(process->waitForFinished(test::patienceMs));
+        QCOMPARE(process->exitCode(), 130);
+        QCOMPARE(fixture.taken(), static_cast<long>(taken));
+    }
+
+    void anInstrumentThatIsZeroElsewhereIsSaidAtTheFirstValue()
+    {
+        CaptureFixture fixture;
+        fixture.startMachine();
+        QStringList words = fixture.words();
+        words[words.indexOf("--zero-at") + 1] = "0";
+        auto process = fixture.box.start(test::axiscompProgram(), words);
+        QByteArray err;
+        QVERIFY2(CaptureFixture::hasSaid(
+                     *process, "if that is right, begin a new file with --zero-at -17.300", err),
+            err.constData());
+        process->terminate();
+        QVERIFY(process->waitForFinished(test::patienceMs));
+    }
+
+    void whatCannotBeCapturedIsRefused_data()
+    {
+        QTest::addColumn<QStringList>("changed"); // option and value
+        QTest::addColumn<int>("code");
+        QTest::addColumn<QByteArray>("said");
+        QTest::newRow("plan of another axis") << QStringList{
+            "--axis", "Y"} << 2 << QByteArray("the plan is for axis X, and this is axis Y");
+        QTest::newRow("no plan") << QStringList{"--plan", "machine.json"} << 3
+                                 << QByteArray("machine.json cannot be read: line 1");
+        QTest::newRow("no such register")
+            << QStringList{"--reference", "Machine/Axes[0]/ReferencePositon"} << 2
+            << QByteArray("; the nearest are ");
+        QTest::newRow("the encoder itself")
+            << QStringList{"--reference", "Axes[0]/Signals/PositionController/MasterPosition"} << 2
+            << QByteArray("follows the encoder of the axis itself");
+        QTest::newRow("no such port") << QStringList{"--reference", "serial:/dev/no-such-port"} << 5
+                                      << QByteArray("there is no such port");
+        QTest::newRow("standard output")
+            << QStringList{"-o", "-"} << 2 << QByteArray("name it with -o");
+        QTest::newRow("another file") << QStringList{"-o", "plan.csv"} << 3
+                                      << QByteArray("something else than captured values");
+        QTest::newRow("pattern") << QStringList{"--pattern", "x"} << 2
+                                 << QByteArray("--pattern is for lines of text");
+        QTest::newRow("request") << QStringList{"--request", "x"} << 2
+                                 << QByteArray("--request is for an instrument on a serial port");
+        QTest::newRow("rate") << QStringList{"--rate", "51"} << 2 << QByteArray("--rate");
+        QTest::newRow("unit") << QStringList{"--unit", "deg"} << 2
+                              << QByteArray("the instrument is in deg");
+    }
+    void whatCannotBeCapturedIsRefused()
+    {
+        QFETCH(const QStringList, changed);
+        QFETCH(const int, code);
+        QFETCH(const QByteArray, said);
+        CaptureFixture fixture;
+        fixture.startMachine();
+        QStringList words = fixture.words();
+        const qsizetype place = words.indexOf(changed.at(0));
+        if (place < 0)
+            words += changed;
+        else
+            words[place + 1] = changed.at(1);
+        const QByteArray plan = fixture.box.content("plan.csv");
+        const ProgramRun run = fixture.box.run(words);
+        VERIFY_CODE(run, code);
+        QVERIFY2(run.err.contains(said), run.err.constData());
+        QCOMPARE(fixture.taken(), 0L);
+        QCOMPARE(fixture.box.content("plan.csv"), plan);
+    }
+
+    void theTableThatIsActiveIsNamedInTheFile()
+    {
+        CaptureFixture fixture;
+        fixture.startMachine();
+        const QString drive = fixture.machine->url();
+        fixture.box.file("table.csv", "X [mm],Error [mm]\n0,0\n15,0.00018\n30,0.00036\n");
+        VERIFY_CODE(
+            fixture.box.run({"write", "--drive", drive, "--axis", "X", "--data", "table.csv",
+                "--dims", "1", "--source1", test::positionSource(0), "--volatile"}),
+            0);
+        VERIFY_CODE(fixture.box.run({"activate", "--drive", drive, "--axis", "X"}), 0);
+        const QJsonObject status =
+            fixture.box.run({"status", "--drive", drive, "--axis", "X", "--json"}).json();
+        const auto crc =
+            static_cast<uint>(status.value("table").toObject().value("crc").toInteger());
+        auto process = fixture.box.start(test::axiscompProgram(), fixture.words());
+        QByteArray said;
+        while (!said.contains("1/4  ") && process->waitForReadyRead(test::patienceMs))
+            said += process->readAllStandardOutput();
+        const QByteArray file = fixture.box.content("runs.csv");
+        const QByteArray expected =
+            "// compensation: crc:" + QByteArray::number(crc, 16).rightJustified(8, '0') + "\n";
+        QVERIFY2(file.contains(expected), file.constData());
+        VERIFY_CODE(fixture.box.run({"deactivate", "--drive", drive, "--axis", "X"}), 0);
+        QByteArray err;
+        QVERIFY2(
+            CaptureFixture::hasSaid(*process, "error: MeasurementState: ", err), err.constData());
+        QVERIFY(process->waitForFinished(test::patienceMs));
+        QCOMPARE(process->exitCode(), 2);
+        // What is active now belongs into another file.
+        const ProgramRun other = fixture.box.run(fixture.words());
+        VERIFY_CODE(other, 3);
+        QVERIFY2(other.err.contains("where // compensation: off is expected; name a new file"),
+            other.err.constData());
+    }
+};
+
+AXISCOMP_TEST(tst_CaptureCommand)
+
+} // namespace tst_capturecommand
+
+#include "tst_capturecommand.moc"

@@ -1,0 +1,517 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/compensator/axis_compensator.h"
+#include "core/io/local_file.h"
+#include "core/metrology/formats/measurement_format.h"
+#include "drivecomm/capture/capture_run.h"
+#include "drivecomm/profile/profile_loader.h"
+#include "drivecomm/virtualdrive/machine/machine_file.h"
+#include "drivecomm/virtualdrive/machine/program_motion.h"
+#include "tests/support/faulty_link.h"
+#include "tests/support/test_registry.h"
+#include "tests/support/verify.h"
+
+#include <QTemporaryDir>
+
+#include <cmath>
+#include <functional>
+#include <set>
+
+namespace tst_capturerun {
+
+using namespace axiscomp;
+using namespace axiscomp::drivecomm;
+using namespace std::chrono_literals;
+using test::LinkFault;
+using Kind = CaptureNews::Kind;
+
+namespace {
+
+/// A straight error of 12 um/m, so that every deviation is known: without waves, noise and map.
+const std::string straight =
+    R"({"axes": {"X": {"slope": 12e-6}, "Y": {}}, "instrument": {"axis": "X"}})";
+const std::string referenceRegister = "Machine/Axes[0]/ReferencePosition";
+const std::string encoder = "Axes[0]/Signals/PositionController/MasterPosition";
+
+MeasuringPlan planOf(const std::string& axis = "X", bool isAngular = false)
+{
+    MeasuringPlanRequest request;
+    request.axis = axis;
+    request.isAngular = isAngular;
+    request.to = 30.0;
+    request.count = 3;
+    request.cycles = 1;
+    request.overrun = 1.0;
+    request.dwellSeconds = 2.5;
+    return makeMeasuringPlan(request).value();
+}
+
+/// The straight machine, moved by the plan, and what captures it; time passes only by step().
+struct CaptureFixture {
+    explicit CaptureFixture(const std::filesystem::path& file = {})
+        : drive(VirtualDrive::create(genericProfile(), options()).value())
+        , link(*drive)
+        , store(std::filesystem::path(folder.path().toStdString()) / "axiscomp")
+        , compensator(link, genericProfile(), store)
+        , path(file.empty() ? folder.filePath(QStringLiteral("runs.csv")).toStdString()
+                            : file.string())
+    {
+    }
+
+    VirtualDriveOptions options()
+    {
+        VirtualDriveOptions options;
+        options.machine = parseMachine(straight, "straight").value();
+        options.program = plan;
+        options.programStart = 500ms;
+        options.clock = [this] { return time; };
+        return options;
+    }
+    [[nodiscard]] Result<AxisReadings> readings(const CaptureRegisters& registers,
+        const ReferenceScale& scale = {}, int axis = 0, const MeasuringPlan& of = planOf())
+    {
+        AXISCOMP_TRY(const auto status, compensator.status(axis));
+        return AxisReadings::open(link, genericProfile(), status, of, registers, scale, {});
+    }
+    [[nodiscard]] std::string refusal(const CaptureRegisters& registers,
+        const ReferenceScale& scale = {}, int axis = 0, const MeasuringPlan& of = planOf())
+    {
+        const auto opened = readings(registers, scale, axis, of);
+        return opened ? "it was taken" : sentence(opened.error());
+    }
+    [[nodiscard]] Result<void> open(const std::string& reference = referenceRegister)
+    {
+        AXISCOMP_TRY(auto opened, readings({encoder, reference}));
+        AXISCOMP_TRY(auto file, RunFile::open(path, plan, {opened.state(), "laser", "now"}));
+        run.emplace(link, std::move(opened), std::move(file), plan, CaptureRules{},
+            compensator.identify().value());
+        return {};
+    }
+    [[nodiscard]] Result<CaptureNews> step()
+    {
+        time += 50ms;
+        return run->read([this] { return time; }, {});
+    }
+    /// Until the program has ended, or the plan has all its values.
+    struct Played {
+        std::vector<CaptureNews> news; ///< without Nothing and Moving, unless the drive is back
+        std::optional<Error> error;
+        [[nodiscard]] std::vector<Kind> kinds() const
+        {
+            std::vector<Kind> all;
+            for (const CaptureNews& each : news)
+                all.push_back(each.kind);
+            return all;
+        }
+    };
+    Played play(const std::function<void()>& before = {})
+    {
+        Played played;
+        const double seconds = ProgramMotion(plan, plan.steps.front().approach).endSeconds() + 6.0;
+        for (int n = 0; n < static_cast<int>(20.0 * seconds); ++n) {
+            if (before)
+                before();
+            const auto news = step();
+            if (!news) {
+                played.error = news.error();
+                break;
+            }
+            if (news->isBack || (news->kind != Kind::Nothing && news->kind != Kind::Moving))
+                played.news.push_back(*news);
+            if (news->kind == Kind::Done || news->kind == Kind::Stopped)
+                break;
+        }
+        return played;
+    }
+
+    QTemporaryDir folder;
+    std::chrono::nanoseconds time{0};
+    MeasuringPlan plan = planOf();
+    std::unique_ptr<VirtualDrive> drive;
+    test::FaultyLink link;
+    DriveStore store;
+    AxisCompensator compensator;
+    std::filesystem::path path;
+    std::optional<CaptureRun> run;
+};
+
+std::string contentOf(const std::filesystem::path& file)
+{
+    const auto bytes = loadFile(file, 1'000'000);
+    return bytes ? std::string(asText(*bytes)) : std::string();
+}
+
+/// Every value of the plan once, and right.
+void verifyComplete(const std::filesystem::path& file, const MeasuringPlan& plan)
+{
+    const std::string text = contentOf(file);
+    const auto reading = chooseMeasurementFormat(text, "runs.csv", {}).value()->read(text, {});
+    QVERIFY(reading.measurement.has_value());
+    QCOMPARE(reading.measurement->values.size(), plan.steps.size());
+    for (const RunValue& value : reading.measurement->values) {
+        const double target = reading.measurement->targets[value.target];
+        QVERIFY(std::abs(value.deviation - 12e-6 * target) < 1e-7);
+    }
+}
+
+ReferenceLineReader readerOf(const std::string& unit = {}, const std::string& pattern = {})
+{
+    ReferenceScale scale;
+    scale.unit = unit;
+    return ReferenceLineReader::make(scale, false, pattern).value();
+}
+
+} // namespace
+
+class tst_CaptureRun : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { test::failOnWarnings(); }
+
+    void everythingIsReadInOneRequestAndNothingIsWritten()
+    {
+        CaptureFixture fixture;
+        QVERIFY(fixture.open());
+        const int before = fixture.link.exchanges();
+        std::set<std::string> kinds;
+        fixture.link.beginning = [&](std::string_view what) { kinds.emplace(what); };
+        int steps = 0;
+        const auto played = fixture.play([&] { ++steps; });
+        QVERIFY(!played.error);
+        QCOMPARE(played.kinds(),
+            (std::vector<Kind>{
+                Kind::Taken, Kind::Taken, Kind::Taken, Kind::Taken, Kind::Taken, Kind::Done}));
+        QCOMPARE(fixture.link.exchanges() - before, steps);
+        QCOMPARE(kinds, std::set<std::string>{"read"});
+        verifyComplete(fixture.path, fixture.plan);
+    }
+
+    void aFaultAtAnyExchangeTakesNothingTwiceAndLosesNothing_data()
+    {
+        QTest::addColumn<int>("fault");
+        QTest::addColumn<int>("every"); // exchange: a drive that only reads is the same after all
+        QTest::newRow("request lost") << static_cast<int>(LinkFault::RequestLost) << 1;
+        QTest::newRow("reply lost") << static_cast<int>(LinkFault::ReplyLost) << 7;
+        QTest::newRow("reply garbled") << static_cast<int>(LinkFault::ReplyGarbled) << 7;
+        QTest::newRow("late") << static_cast<int>(LinkFault::Late) << 7;
+    }
+    void aFaultAtAnyExchangeTakesNothingTwiceAndLosesNothing()
+    {
+        QFETCH(const int, fault);
+        QFETCH(const int, every);
+        bool isReached = true;
+        for (int number = 1; isReached; number += every) {
+            CaptureFixture fixture;
+            QVERIFY(fixture.open());
+            fixture.link.failAt(number, static_cast<LinkFault>(fault));
+            const auto played = fixture.play();
+            isReached = fixture.link.hasFailed();
+            QVERIFY(!played.error);
+            QCOMPARE(std::ranges::count(played.kinds(), Kind::Lost), static_cast<long>(isReached));
+            QCOMPARE(std::ranges::any_of(played.news, &CaptureNews::isBack), isReached);
+            verifyComplete(fixture.path, fixture.plan);
+        }
+    }
+
+    void aDriveThatIsGoneIsWaitedForAndMissedTargetsAreSaid()
+    {
+        CaptureFixture fixture;
+        QVERIFY(fixture.open());
+        fixture.link.failAt(60, LinkFault::DriveGone);
+        int exchanges = 0;
+        const auto played = fixture.play([&] {
+            if (++exchanges == 160)
+                fixture.link.heal();
+        });
+        QVERIFY(!played.error);
+        QCOMPARE(std::ranges::count(played.kinds(), Kind::Lost), 1);
+        const auto refused = std::ranges::find(played.news, Kind::Refused, &CaptureNews::kind);
+        QVERIFY(refused != played.news.end());
+        QVERIFY(fixture.run->taken() < fixture.plan.steps.size());
+        // The same file goes on, while the machine plays its program once more.
+        const std::size_t taken = fixture.run->taken();
+        const std::filesystem::path file = fixture.path;
+        fixture.run.reset();
+        CaptureFixture again(file);
+        QVERIFY(again.open());
+        QCOMPARE(again.run->taken(), taken);
+        QCOMPARE(again.play().kinds().back(), Kind::Done);
+        verifyComplete(file, again.plan);
+    }
+
+    void anotherDriveAtTheSameAddressIsRefused()
+    {
+        CaptureFixture fixture;
+        QVERIFY(fixture.open());
+        fixture.link.failAt(30, LinkFault::RequestLost);
+        fixture.link.altersIdentity = [](DriveIdentity& drive) { drive.serialNumber = 1; };
+        const auto played = fixture.play();
+        QVERIFY(played.error);
+        QCOMPARE(played.error->code, ErrorCode::OtherDrive);
+    }
+
+    void whatTheDriveRefusesEndsIt()
+    {
+        CaptureFixture fixture;
+        QVERIFY(fixture.open());
+        fixture.link.failAt(30, LinkFault::Refused);
+        const auto played = fixture.play();
+        QVERIFY(played.error);
+        QCOMPARE(played.error->code, ErrorCode::DriveRejected);
+    }
+
+    void aDriveThatStartsAgainIsNotHomedAndStopsIt()
+    {
+        CaptureFixture fixture;
+        QVERIFY(fixture.open());
+        const std::string homing = "Axes[0]/Signals/Homing/State";
+        int n = 0;
+        fixture.link.altersReading = [&](RegisterReading& reading) {
+            if (reading.path == homing && ++n > 40)
+                reading.value = std::string("NotHomed");
+        };
+        const auto played = fixture.play();
+        QCOMPARE(played.kinds().back(), Kind::Stopped);
+        QVERIFY2(
+            played.news.back().text.english().find("from off to NotHomed") != std::string::npos,
+            played.news.back().text.english().c_str());
+    }
+
+    void aTableThatIsSwitchedOnMeanwhileStopsIt()
+    {
+        CaptureFixture fixture;
+        QVERIFY(fixture.open());
+        int n = 0;
+        fixture.link.altersReading = [&](RegisterReading& reading) {
+            if (reading.path == "Axes[0]/Signals/Compensations/Axis/State" && ++n > 40)
+                reading.value = std::string("Active");
+        };
+        const auto played = fixture.play();
+        QCOMPARE(played.kinds().back(), Kind::Stopped);
+        QVERIFY2(played.news.back().text.english().find("from off to on") != std::string::npos,
+            played.news.back().text.english().c_str());
+    }
+
+    void whatCannotBeCapturedIsRefusedBeforeAnythingIsTaken()
+    {
+        CaptureFixture fixture;
+        const auto contains = [](const std::string& text, std::string_view part) {
+            if (text.find(part) == std::string::npos)
+                qWarning("%s", text.c_str());
+            return text.find(part) != std::string::npos;
+        };
+        const CaptureRegisters right{encoder, referenceRegister};
+        QVERIFY(contains(fixture.refusal(right, {}, 0, planOf("Y")),
+            "the plan is for axis Y, and this is axis X"));
+        QVERIFY(contains(fixture.refusal(right, {}, 0, planOf("X", true)),
+            "the plan is in deg, and axis X of the drive in mm"));
+        QVERIFY(contains(
+            fixture.refusal({encoder, encoder}), "follows the encoder of the axis itself"));
+        QVERIFY(contains(
+            fixture.refusal({encoder, "Axes[0]/Signals/PositionController/ActualPosition"}),
+            "follows the encoder of the axis itself"));
+        QVERIFY(contains(fixture.refusal({encoder, "Axes[0]/Signals/Compensations/Axis/State"}),
+            "which is no position"));
+        QVERIFY(contains(fixture.refusal({encoder, "Machine/Axes[0]/ReferencePositon"}),
+            "Machine/Axes[0]/ReferencePositon"));
+        ReferenceScale angular;
+        angular.unit = "arcsec";
+        QVERIFY(contains(fixture.refusal(right, angular), "the instrument is in arcsec"));
+        fixture.link.altersReading = [](RegisterReading& reading) {
+            if (reading.path == "Axes[0]/Signals/Homing/State")
+                reading.value = std::string("NotHomed");
+        };
+        QVERIFY(contains(fixture.refusal(right), "axis X must be homed first"));
+        fixture.link.altersReading = [](RegisterReading& reading) {
+            if (reading.path == "Axes[0]/Signals/Compensations/Axis/State")
+                reading.value = std::string("Ramping");
+        };
+        QVERIFY(contains(fixture.refusal(right), "neither on nor off (the drive says Ramping)"));
+    }
+
+    void aSingleSaysHowFarItsNumbersAreApart()
+    {
+        CaptureFixture fixture;
+        const auto whole = fixture.readings({encoder, referenceRegister});
+        QVERIFY(whole && !whole->resolutionAt(500.0));
+        fixture.link.altersReading = [](RegisterReading& reading) {
+            if (reading.path == referenceRegister)
+                reading.value = static_cast<float>(toDouble(reading.value));
+        };
+        const auto single = fixture.readings({encoder, referenceRegister});
+        QVERIFY(single.has_value());
+        QCOMPARE(single->resolutionAt(500.0).value(), std::ldexp(1.0, 8 - 23)); // 256 <= 500 < 512
+        ReferenceScale metres;
+        metres.unit = "m";
+        const auto inMetres = fixture.readings({encoder, referenceRegister}, metres);
+        QCOMPARE(inMetres->resolutionAt(500.0).value(), 1000.0 * std::ldexp(1.0, -1 - 23));
+    }
+
+    void anInstrumentOfLinesIsTakenOnlyWhileItSpeaks()
+    {
+        CaptureFixture fixture;
+        QVERIFY(fixture.open({}));
+        ReferenceLines lines(readerOf(), 1s);
+        fixture.run->setInstrument([&](std::chrono::nanoseconds now) { return lines.at(now); });
+        const auto silent = fixture.play();
+        QCOMPARE(fixture.run->taken(), std::size_t{0});
+        QVERIFY(std::ranges::count(silent.kinds(), Kind::NoReference) >= 1);
+        QVERIFY2(silent.news.front().text.english().starts_with("the instrument says nothing"),
+            silent.news.front().text.english().c_str());
+        CaptureFixture speaking;
+        QVERIFY(speaking.open({}));
+        speaking.run->setInstrument([&](std::chrono::nanoseconds now) {
+            const double x = speaking.run->lastReading().encoder;
+            lines.feed(
+                QByteArray::number(1000.0 * x * (1 + 12e-6), 'f', 4).toStdString() + " um\r\n",
+                now);
+            return lines.at(now);
+        });
+        QCOMPARE(speaking.play().kinds().back(), Kind::Done);
+        verifyComplete(speaking.path, speaking.plan);
+    }
+
+    void linesAreReadOrSaidToBeWrong_data()
+    {
+        QTest::addColumn<QString>("line");
+        QTest::addColumn<QString>("unit");
+        QTest::addColumn<QString>("pattern");
+        QTest::addColumn<double>("position"); // NaN: a problem
+        QTest::addColumn<QString>("problem");
+        const double none = std::nan("");
+        QTest::newRow("unit in it") << "+517.3000042 mm"
+                                    << ""
+                                    << "" << 517.3000042 << "";
+        QTest::newRow("unit stated") << "-.5"
+                                     << "um"
+                                     << "" << -0.0005 << "";
+        QTest::newRow("both") << "X: 12.5e1um;OK"
+                              << "um"
+                              << "" << 0.125 << "";
+        QTest::newRow("inch") << "1 inch"
+                              << ""
+                              << "" << 25.4 << "";
+        QTest::newRow("words behind") << "3.25 OK"
+                                      << "mm"
+                                      << "" << 3.25 << "";
+        QTest::newRow("dash") << "A-3.5 mm"
+                              << ""
+                              << "" << -3.5 << "";
+        QTest::newRow("pattern") << "7;3,25;1"
+                                 << "mm"
+                                 << "^\\d+;([^;]*);" << 3.25 << "";
+        QTest::newRow("pattern without a group") << "P7 3.5"
+                                                 << "mm"
+                                                 << "\\d+\\.\\d+" << 3.5 << "";
+        QTest::newRow("nonsense") << "%$!"
+                                  << "mm"
+                                  << "" << none
+                                  << "the instrument says \"%$!\", where a number is expected";
+        QTest::newRow("no match") << "12.5"
+                                  << "mm"
+                                  << "x(.*)" << none << "--pattern";
+        QTest::newRow("match of no number") << "xERR"
+                                            << "mm"
+                                            << "x(.*)" << none << "--pattern";
+        QTest::newRow("comma") << "517,300 mm"
+                               << ""
+                               << "" << none << "has a comma";
+        QTest::newRow("no unit") << "517.300"
+                                 << ""
+                                 << "" << none << "--unit mm";
+        QTest::newRow("another unit") << "517.300 inch"
+                                      << "mm"
+                                      << "" << none << "in another unit than mm";
+        QTest::newRow("an angle") << "5 arcsec"
+                                  << ""
+                                  << "" << none << "in another unit than mm";
+        QTest::newRow("beyond a double") << "1e999 mm"
+                                         << ""
+                                         << "" << none << "a number is expected";
+    }
+    void linesAreReadOrSaidToBeWrong()
+    {
+        QFETCH(const QString, line);
+        QFETCH(const QString, unit);
+        QFETCH(const QString, pattern);
+        QFETCH(const double, position);
+        QFETCH(const QString, problem);
+        const InstrumentReading reading =
+            readerOf(unit.toStdString(), pattern.toStdString()).read(line.toStdString());
+        const std::string said = reading.problem.english();
+        QVERIFY2(said.find(problem.toStdString()) != std::string::npos, said.c_str());
+        QCOMPARE(std::isnan(reading.position), std::isnan(position));
+        QCOMPARE(said.empty(), !std::isnan(position));
+        QVERIFY(std::isnan(position) || std::abs(reading.position - position) < 1e-12);
+    }
+
+    void signAndZeroOfAnInstrumentAreTakenOut()
+    {
+        ReferenceScale scale;
+        scale.isInverted = true;
+        scale.zeroAt = 100.0;
+        const auto reader = ReferenceLineReader::make(scale, false).value();
+        QCOMPARE(reader.read("-3.5 mm").position, 103.5);
+        VERIFY_ERROR(ReferenceLineReader::make({}, false, "("), ErrorCode::InvalidArgument);
+        scale.unit = "kg";
+        VERIFY_ERROR(ReferenceLineReader::make(scale, false), ErrorCode::InvalidArgument);
+    }
+
+    void onlyTheNewestWholeLineCountsAndOnlyForASecond()
+    {
+        ReferenceLines lines(readerOf(), 5s);
+        lines.feed("1.5 mm\r\n2.5 m", 10s);
+        QCOMPARE(lines.at(10s).position, 1.5);
+        lines.feed("m\n", 10500ms);
+        QCOMPARE(lines.at(11500ms).position, 2.5);
+        QVERIFY(std::isnan(lines.at(11501ms).position));
+        QVERIFY(std::isnan(lines.at(9s).position)); // a clock that jumped
+        lines.feed("\n\n", 12s);
+        QVERIFY(std::isnan(lines.at(12s).position)); // nothing was said
+        lines.feed(std::string(100'000, '7') + "\n", 13s);
+        QVERIFY(std::isnan(lines.at(13s).position));
+        lines.feed("3.5 mm\n", 14s);
+        QCOMPARE(lines.at(14s).position, 3.5);
+        // No longer than the axis has stood when its value is taken.
+        ReferenceLines quick(readerOf(), 400ms);
+        quick.feed("4.5 mm\n", 10s);
+        QCOMPARE(quick.at(10400ms).position, 4.5);
+        QVERIFY(std::isnan(quick.at(10401ms).position));
+    }
+
+    void aTypedNumberThatSurprisesIsAskedForOnceMore()
+    {
+        TypedReference typed(readerOf("mm"), {}, 0.001);
+        CaptureReading axis;
+        axis.encoder = 10.0;
+        axis.output = 0.002;
+        QVERIFY(std::isnan(typed.reading().position));
+        QVERIFY(!typed.type("what?", axis, false).isEmpty());
+        const std::string question = typed.type("10.5", axis, false).english();
+        QVERIFY2(question.starts_with("10.5 mm is 498.000 um from the encoder: type it once more"),
+            question.c_str());
+        QVERIFY(!typed.type("10.6", axis, false).isEmpty()); // another one: asked again
+        QVERIFY(typed.type("10.6", axis, false).isEmpty());
+        QCOMPARE(typed.reading().position, 10.6);
+        typed.forget();
+        QVERIFY(typed.type("10.005", axis, false).isEmpty());
+        CapturedValue value;
+        value.step.target = 10.0;
+        value.deviation = 0.005;
+        value.encoder = 10.0;
+        value.output = 0.002;
+        typed.taken(value);
+        QVERIFY(std::isnan(typed.reading().position));
+        QVERIFY(typed.type("10.0319", axis, false).isEmpty()); // within ten times 3 um
+        const std::string more = typed.type("10.0321", axis, false).english();
+        QVERIFY2(more.find("until now it was 3.000 um at most") != std::string::npos, more.c_str());
+        TypedReference later(readerOf("mm"), std::span(&value, 1), 0.001);
+        QVERIFY(!later.type("10.0321", axis, false).isEmpty());
+    }
+};
+
+AXISCOMP_TEST(tst_CaptureRun)
+
+} // namespace tst_capturerun
+
+#include "tst_capturerun.moc"
