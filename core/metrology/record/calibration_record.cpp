@@ -340,14 +340,6 @@ Result<Measurement> usedMeasurement(const RecordedMeasurement& recorded)
     return whole;
 }
 
-FigureValues figureValues(const Iso230Figures& figures)
-{
-    FigureValues result;
-    for (const Iso230Figure figure : allIso230Figures())
-        result.values[static_cast<std::size_t>(figure)] = figures[figure].value;
-    return result;
-}
-
 std::string recordText(const CalibrationRecord& record)
 {
     OrderedJson document = documentFrame(record);

@@ -63,18 +63,6 @@ struct RecordedMeasurement {
 /// for temperature and dead path. Errors: InvalidArgument for what the files do not have.
 [[nodiscard]] Result<Measurement> usedMeasurement(const RecordedMeasurement& recorded);
 
-/// The figures of an axis alone. Nothing: not defined.
-struct FigureValues {
-    std::array<std::optional<double>, iso230FigureCount> values{};
-
-    [[nodiscard]] const std::optional<double>& operator[](Iso230Figure figure) const
-    {
-        return values[static_cast<std::size_t>(figure)];
-    }
-    friend bool operator==(const FigureValues&, const FigureValues&) = default;
-};
-[[nodiscard]] FigureValues figureValues(const Iso230Figures& figures);
-
 /// How the tables were made.
 struct RecordedFit {
     FitSettings settings = {};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/metrology/report/record_report.h"
 
+#include "core/metrology/fine_quantity.h"
 #include "core/metrology/report/report_text.h"
 #include "core/table/table_units.h"
 #include "core/text/number_text.h"
@@ -93,12 +94,12 @@ Text signText(const CompensationTable& table, const std::optional<RecordedFit>& 
     const auto index = static_cast<std::size_t>(largest - table.values.begin());
     const double position = table.grid.axes.front().position(index);
     const auto added = static_cast<double>(*largest);
-    const FineUnit unit = fineUnit(isAngular);
     constexpr int placeDecimals = 4;
-    const Text amount =
-        quantityText((added > 0.0 ? "+" : "") + fixedDigits(added * unit.factor, 3), unit.symbol);
-    const auto place = [&unit](double value) {
-        return quantityText(fixedDigits(value, placeDecimals), unit.positionSymbol);
+    const std::optional<double> shown[] = {added};
+    const FineUnit unit = fineUnit(shown, isAngular);
+    const Text amount = quantityText((added > 0.0 ? "+" : "") + unit.digits(added), unit.symbol);
+    const auto place = [isAngular](double value) {
+        return quantityText(fixedDigits(value, placeDecimals), positionSymbol(isAngular));
     };
     if (fit && fit->settings.lookupAt == LookupAt::Set)
         return AXISCOMP_TEXT("Report",

@@ -34,6 +34,24 @@ class tst_MeasurementCommands : public QObject {
 private Q_SLOTS:
     void init() { test::failOnWarnings(); }
 
+    /// Two targets 10 mm apart; a stage that is good to a nanometre.
+    void figuresBelowAMicrometreAreShownInNanometres()
+    {
+        const Sandbox box;
+        const ProgramRun run = box.run({"judge",
+            box.file("fine.csv",
+                "target [mm],direction,run,deviation [nm]\n0,+,1,0.2\n10,+,1,0.9\n0,-,1,0.4\n"
+                "10,-,1,0.5\n"),
+            "--tolerance", "E=5nm"});
+        VERIFY_CODE(run, 0);
+        const QString text = QString::fromUtf8(run.out).simplified();
+        QVERIFY2(text.contains("Figures of ISO 230-2:2014, in nm"), run.out.constData());
+        QVERIFY2(text.contains("systematic deviation E 0.700 0.100 0.700"), run.out.constData());
+        QVERIFY2(text.contains("Targets, in nm"), run.out.constData());
+        QVERIFY2(
+            text.contains("0.700 nm 5.000 nm uncertainty not stated passed"), run.out.constData());
+    }
+
     void aComparisonHasEveryKeyOfTheDocumentation()
     {
         const Sandbox box;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/metrology/fine_quantity.h"
 #include "core/metrology/judge/corrections.h"
 #include "core/metrology/judge/judgement.h"
 #include "tests/core/metrology/measurement_reading.h"
@@ -367,6 +368,28 @@ private Q_SLOTS:
         QCOMPARE(vdi->pa, 0.5);
         // Means 1.5 and 2; half widths (1 + ps)/2 and 2.
         QCOMPARE(vdi->p, 1.5 + (1.0 + ps) / 2.0 - (1.5 - (1.0 + ps) / 2.0));
+    }
+
+    /// Values that stand in one table have one unit, which suits the largest.
+    void aFigureIsShownInTheUnitThatSuitsIt()
+    {
+        const auto shown = [](double value, bool isAngular = false) {
+            const Quantity quantity = fineQuantity(value, isAngular);
+            return quantity.digits + " " + quantity.unit;
+        };
+        QCOMPARE(shown(0.0123456), "12.346 um");
+        QCOMPARE(shown(100e-6), "0.100 um");
+        QCOMPARE(shown(-99.9994e-6), "-99.999 nm");
+        QCOMPARE(shown(0.4321e-6), "0.432 nm");
+        QCOMPARE(shown(5e-9), "0.005 nm");
+        QCOMPARE(shown(-4.9e-9), "0.000 um");
+        QCOMPARE(shown(0.0), "0.000 um");
+        QCOMPARE(shown(1e-6, true), "0.004 arcsec");
+        const std::optional<double> both[] = {3e-7, std::nullopt, -0.002};
+        const FineUnit unit = fineUnit(both, false);
+        QCOMPARE(unit.digits(3e-7) + unit.name, "0.000um");
+        QCOMPARE(unit.digits(-0.002, 2) + unit.name, "-2.00um");
+        QCOMPARE(std::string(fineUnit(std::span(both).first(2), false).symbol), "nm");
     }
 
     void aJudgementSaysWhatIsDoubtful()
