@@ -5260,8 +5260,16 @@
         <translation>das Gitter braucht eine Zahl, oder eine für jede der {count} Achsen</translation>
     </message>
     <message>
-        <source>points and tracks are fitted on the grid itself, as the drive interpolates it; leave out --method and --period</source>
-        <translation>Punkte und Bahnen werden auf dem Gitter selbst angepasst, so wie der Antrieb interpoliert; lassen Sie --method und --period weg</translation>
+        <source>points are fitted on the grid itself, as the drive interpolates it; leave out --method and --period</source>
+        <translation>Punkte werden auf dem Gitter selbst angepasst, so wie der Antrieb interpoliert; lassen Sie --method und --period weg</translation>
+    </message>
+    <message>
+        <source>a track is fitted on the grid itself, or by --method smooth, which known periods (--period) need; leave other methods out</source>
+        <translation>eine Bahn wird auf dem Gitter selbst angepasst oder mit --method smooth, das bekannte Perioden (--period) brauchen; lassen Sie andere Methoden weg</translation>
+    </message>
+    <message>
+        <source>--robust is for a fit on the grid itself; leave out --robust or --method smooth</source>
+        <translation>--robust ist für die Anpassung auf dem Gitter selbst; lassen Sie --robust oder --method smooth weg</translation>
     </message>
     <message>
         <source>--remove-slope, --within, --turn, --home and --remove-drift are for runs over targets along one axis</source>

@@ -26,7 +26,7 @@ std::string methodText(
     const Measurement& measurement, const FitSettings& settings, const FittedTable& made)
 {
     std::string text(fitMethodName(settings.method));
-    if (!measurement.hasTargets())
+    if (isFittedOnGrid(measurement, settings))
         text = "penalised least squares on the grid";
     if (made.smoothness)
         text += ", smoothness " + shortText(*made.smoothness)
@@ -206,7 +206,7 @@ Json fitJson(const Measurement& measurement, const FitSettings& settings, const 
     for (std::size_t i = 0; i < report.tables.size(); ++i)
         columns.push_back(columnJson(report.tables[i], crcs[i]));
     return {{"table", tableJson(first, crcs.front())}, {"columns", std::move(columns)},
-        {"method", measurement.hasTargets() ? Json(fitMethodName(settings.method)) : Json("grid")},
+        {"method", isFittedOnGrid(measurement, settings) ? "grid" : fitMethodName(settings.method)},
         {"direction", fitDirectionName(settings.direction)},
         {"smoothness", jsonOf(first.smoothness)}, {"periods", periodsJson(first)},
         {"knots", first.knots},

@@ -52,7 +52,7 @@ Text methodText(const CalibrationRecord& record)
     if (!record.fit)
         return {};
     const FitSettings& settings = record.fit->settings;
-    if (record.before && !record.before->files.front().measurement.hasTargets())
+    if (record.before && isFittedOnGrid(record.before->files.front().measurement, settings))
         return AXISCOMP_TEXT("Report", "smooth grid of scattered points");
     const std::string method(fitMethodName(settings.method));
     switch (settings.direction) {
