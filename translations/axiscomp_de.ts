@@ -5758,20 +5758,20 @@
 <context>
     <name>Measurement</name>
     <message>
-        <source>temperature on record</source>
-        <translation>Temperatur festgehalten</translation>
+        <source>the file states the temperature</source>
+        <translation>die Datei nennt die Temperatur</translation>
     </message>
     <message>
-        <source>instrument on record</source>
-        <translation>Messgerät festgehalten</translation>
+        <source>the file states the instrument</source>
+        <translation>die Datei nennt das Messgerät</translation>
     </message>
     <message>
-        <source>feed on record</source>
-        <translation>Vorschub festgehalten</translation>
+        <source>the file states the feed</source>
+        <translation>die Datei nennt den Vorschub</translation>
     </message>
     <message>
-        <source>dwell on record</source>
-        <translation>Verweilzeit festgehalten</translation>
+        <source>the file states the dwell</source>
+        <translation>die Datei nennt die Verweilzeit</translation>
     </message>
     <message>
         <source>at least {due} targets over {range}: {count}</source>
@@ -5794,16 +5794,16 @@
         <translation>5 Durchläufe in jeder Richtung: die Datei enthält Mittelwerte</translation>
     </message>
     <message>
-        <source>5 runs in each direction: {count} values where there are fewest</source>
-        <translation>5 Durchläufe in jeder Richtung: {count} Werte, wo es am wenigsten sind</translation>
+        <source>5 runs in each direction: {count} at the target with the fewest</source>
+        <translation>5 Durchläufe in jeder Richtung: {count} an der Zielposition mit den wenigsten</translation>
     </message>
     <message>
         <source>every target is approached in both directions</source>
         <translation>jede Zielposition ist in beiden Richtungen angefahren</translation>
     </message>
     <message>
-        <source>the targets are not all at the same place of a period of the axis; no period is stated</source>
-        <translation>die Zielpositionen liegen nicht alle an derselben Stelle einer Periode der Achse; es ist keine Periode angegeben</translation>
+        <source>the targets are not all at the same place of a period of the axis; --period states one</source>
+        <translation>die Zielpositionen liegen nicht alle an derselben Stelle einer Periode der Achse; --period nennt eine</translation>
     </message>
     <message>
         <source>the targets are not all at the same place of the period {period}</source>

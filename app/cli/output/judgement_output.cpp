@@ -36,7 +36,8 @@ std::string placeText(const Iso230Figures& figures, const FigureLine& line)
     if (!figure.value || line.both == Iso230Figure::MeanReversal)
         return {};
     const std::string high = shortText(figures.targets[figure.high].position);
-    return line.isRange ? high + " and " + shortText(figures.targets[figure.low].position) : high;
+    const bool isAtTwo = line.isRange && figure.high != figure.low;
+    return isAtTwo ? high + " and " + shortText(figures.targets[figure.low].position) : high;
 }
 
 std::string figuresText(
