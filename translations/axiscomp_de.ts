@@ -4936,6 +4936,18 @@
         <translation>eine Temperatur ist in °C und ein Ausdehnungskoeffizient in 1/K, zum Beispiel 22.5 und 11.5e-6</translation>
     </message>
     <message>
+        <source>a dead path is a length in mm between the interferometer and the reflector, at most 100 m</source>
+        <translation>eine Totstrecke ist eine Länge in mm zwischen Interferometer und Reflektor, höchstens 100 m</translation>
+    </message>
+    <message>
+        <source>there is no such air on the dead path: pressure is in kPa (50 to 120), temperature in deg C (-40 to 60), humidity in percent (0 to 100)</source>
+        <translation>solche Luft gibt es auf der Totstrecke nicht: Druck in kPa (50 bis 120), Temperatur in °C (-40 bis 60), Feuchte in Prozent (0 bis 100)</translation>
+    </message>
+    <message>
+        <source>{file} does not describe a dead path: {reason}</source>
+        <translation>{file} beschreibt keine Totstrecke: {reason}</translation>
+    </message>
+    <message>
         <source>the air of run {run} {direction} is not known; the dead path needs pressure, temperature and humidity of every run</source>
         <translation>die Luft während Durchlauf {run} {direction} ist nicht bekannt; die Totstrecke braucht Druck, Temperatur und Feuchte jedes Durchlaufs</translation>
     </message>
@@ -6611,12 +6623,12 @@
         <translation>ein Durchlauf</translation>
     </message>
     <message>
-        <source>to 20 °C from {material} with {expansion}</source>
-        <translation>von {material} auf 20 °C mit {expansion}</translation>
+        <source>to 20 °C from {material} with {expansion}: values changed by up to {largest}</source>
+        <translation>von {material} auf 20 °C mit {expansion}: Werte um bis zu {largest} geändert</translation>
     </message>
     <message>
-        <source>dead path of {length}</source>
-        <translation>Totstrecke von {length}</translation>
+        <source>dead path of {length}: values changed by up to {largest}</source>
+        <translation>Totstrecke von {length}: Werte um bis zu {largest} geändert</translation>
     </message>
     <message>
         <source>drift taken out for the table, not for figures</source>

@@ -15,18 +15,26 @@ namespace {
 
 using namespace report;
 
-std::vector<Text> correctionTexts(const RecordedCorrections& corrections)
+std::vector<Text> correctionTexts(
+    const RecordedCorrections& corrections, const CorrectedMeasurement& made)
 {
+    const auto largest = [&made](const std::optional<double>& change) {
+        return fineText(change.value_or(0.0), made.measurement.isAngular);
+    };
     std::vector<Text> list;
     if (const auto& temperature = corrections.temperature)
         list.push_back(
-            AXISCOMP_TEXT("Report", "to 20 °C from {material} with {expansion}")
+            AXISCOMP_TEXT("Report",
+                "to 20 °C from {material} with {expansion}: values changed by up to {largest}")
                 .with("material", quantityText(roundedText(temperature->materialCelsius), "°C"))
                 .with("expansion",
-                    quantityText(roundedText(temperature->expansionPerKelvin * 1e6), "µm/(m·K)")));
+                    quantityText(roundedText(temperature->expansionPerKelvin * 1e6), "µm/(m·K)"))
+                .with("largest", largest(made.largestByTemperature)));
     if (const auto& deadPath = corrections.deadPath)
-        list.push_back(AXISCOMP_TEXT("Report", "dead path of {length}")
-                           .with("length", quantityText(roundedText(deadPath->lengthMm), "mm")));
+        list.push_back(
+            AXISCOMP_TEXT("Report", "dead path of {length}: values changed by up to {largest}")
+                .with("length", quantityText(roundedText(deadPath->lengthMm), "mm"))
+                .with("largest", largest(made.largestByDeadPath)));
     if (corrections.drift)
         list.push_back(AXISCOMP_TEXT("Report", "drift taken out for the table, not for figures"));
     return list;
@@ -35,8 +43,9 @@ std::vector<Text> correctionTexts(const RecordedCorrections& corrections)
 Result<ReportMeasurement> measured(const RecordedMeasurement& recorded)
 {
     ReportMeasurement result;
-    AXISCOMP_TRY(result.measurement, usedMeasurement(recorded));
-    result.corrections = correctionTexts(recorded.corrections);
+    AXISCOMP_TRY(auto made, correctedMeasurement(recorded));
+    result.corrections = correctionTexts(recorded.corrections, made);
+    result.measurement = std::move(made.measurement);
     result.areCorrectionsKnown = true;
     return result;
 }

@@ -293,6 +293,57 @@ private Q_SLOTS:
             QVERIFY2(std::abs(one.deviation - expected) < 2e-6,
                 std::to_string(1e6 * one.deviation).c_str());
         }
+        const CorrectionsBefore alone{.deadPath = correction};
+        const auto made = axiscomp::corrected(measurement, alone);
+        VERIFY_RESULT(made);
+        QVERIFY(made->largestByDeadPath && !made->largestByTemperature);
+        // By numpy: -100 (n(101.325, 21, 50) / n(101.325, 20, 50) - 1).
+        QVERIFY(std::abs(*made->largestByDeadPath - 9.550276226510945e-05) < 1e-12);
+    }
+
+    void airThatCannotBeIsRefused()
+    {
+        const Measurement measurement = noisy(2, 10.0, 1);
+        DeadPathCorrection correction{.lengthMm = 100.0};
+        for (const Approach direction : {Approach::Up, Approach::Down})
+            correction.duringRun[{direction, 1}] = {};
+        VERIFY_RESULT(correctedForDeadPath(measurement, correction));
+        for (const AirState& air : {AirState{1013.25, 20.0, 50.0}, AirState{760.0, 20.0, 50.0},
+                 AirState{101.3, 293.15, 50.0}, AirState{101.3, 20.0, -1.0},
+                 AirState{101.3, 20.0, 101.0}, AirState{std::nan(""), 20.0, 50.0}}) {
+            DeadPathCorrection wrong = correction;
+            wrong.atZero = air;
+            VERIFY_ERROR(correctedForDeadPath(measurement, wrong), ErrorCode::InvalidArgument);
+            wrong = correction;
+            wrong.duringRun[{Approach::Down, 1}] = air;
+            VERIFY_ERROR(correctedForDeadPath(measurement, wrong), ErrorCode::InvalidArgument);
+        }
+        correction.lengthMm = 2e5;
+        VERIFY_ERROR(correctedForDeadPath(measurement, correction), ErrorCode::InvalidArgument);
+    }
+
+    /// The dead path first: what it leaves is brought to 20 deg C.
+    void correctionsSayByHowMuchTheyChangeAtMost()
+    {
+        Measurement measurement = noisy(3, 1000.0, 1);
+        for (RunValue& one : measurement.values)
+            one.deviation = 0.0;
+        measurement.values.back().isUsed = false;
+        CorrectionsBefore both{
+            TemperatureCorrection{
+                .materialCelsius = 22.0, .expansionPerKelvin = 11.5e-6, .isConfirmed = true},
+            DeadPathCorrection{.lengthMm = -1000.0}};
+        for (const Approach direction : {Approach::Up, Approach::Down})
+            both.deadPath->duringRun[{direction, 1}] = {101.325, 21.0, 50.0};
+        const auto made = axiscomp::corrected(measurement, both);
+        VERIFY_RESULT(made);
+        QVERIFY(std::abs(*made->largestByDeadPath - 0.0009550276226510945) < 1e-12);
+        // By numpy: (1000 + d) / (1 + 23e-6) - 1000 - d, with d = -0.000955028.
+        QVERIFY(std::abs(*made->largestByTemperature - 0.022999449047163445) < 1e-11);
+        const auto none = axiscomp::corrected(measurement, {});
+        VERIFY_RESULT(none);
+        QVERIFY(none->measurement == measurement);
+        QVERIFY(!none->largestByDeadPath && !none->largestByTemperature);
     }
 
     void conditionsOfTheStandard()
