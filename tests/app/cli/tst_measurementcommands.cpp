@@ -349,6 +349,10 @@ private Q_SLOTS:
         const QJsonObject kept = QJsonDocument::fromJson(box.content("x.axcal")).object();
         QCOMPARE(kept.value("before").toObject().value("corrections").toObject().keys(),
             QStringList{"deadPath"});
+        VERIFY_CODE(
+            box.run({"report", record, "--language", "de", "-o", box.path("report.html")}), 0);
+        QVERIFY(box.content("report.html")
+                    .contains("Totstrecke von 1000 mm: Werte um bis zu 0,96 µm geändert"));
 
         const QString few = box.file("few.json", begin + "]}");
         const ProgramRun unknown = box.run({"judge", file, "--dead-path", few});
