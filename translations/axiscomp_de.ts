@@ -4936,6 +4936,18 @@
         <translation>eine Temperatur ist in °C und ein Ausdehnungskoeffizient in 1/K, zum Beispiel 22.5 und 11.5e-6</translation>
     </message>
     <message>
+        <source>a dead path is a length in mm between the interferometer and the reflector, at most 100 m</source>
+        <translation>eine Totstrecke ist eine Länge in mm zwischen Interferometer und Reflektor, höchstens 100 m</translation>
+    </message>
+    <message>
+        <source>there is no such air on the dead path: pressure is in kPa (50 to 120), temperature in deg C (-40 to 60), humidity in percent (0 to 100)</source>
+        <translation>solche Luft gibt es auf der Totstrecke nicht: Druck in kPa (50 bis 120), Temperatur in °C (-40 bis 60), Feuchte in Prozent (0 bis 100)</translation>
+    </message>
+    <message>
+        <source>{file} does not describe a dead path: {reason}</source>
+        <translation>{file} beschreibt keine Totstrecke: {reason}</translation>
+    </message>
+    <message>
         <source>the air of run {run} {direction} is not known; the dead path needs pressure, temperature and humidity of every run</source>
         <translation>die Luft während Durchlauf {run} {direction} ist nicht bekannt; die Totstrecke braucht Druck, Temperatur und Feuchte jedes Durchlaufs</translation>
     </message>
@@ -5260,8 +5272,16 @@
         <translation>das Gitter braucht eine Zahl, oder eine für jede der {count} Achsen</translation>
     </message>
     <message>
-        <source>points and tracks are fitted on the grid itself, as the drive interpolates it; leave out --method and --period</source>
-        <translation>Punkte und Bahnen werden auf dem Gitter selbst angepasst, so wie der Antrieb interpoliert; lassen Sie --method und --period weg</translation>
+        <source>points are fitted on the grid itself, as the drive interpolates it; leave out --method and --period</source>
+        <translation>Punkte werden auf dem Gitter selbst angepasst, so wie der Antrieb interpoliert; lassen Sie --method und --period weg</translation>
+    </message>
+    <message>
+        <source>a track is fitted on the grid itself, or by --method smooth, which known periods (--period) need; leave other methods out</source>
+        <translation>eine Bahn wird auf dem Gitter selbst angepasst oder mit --method smooth, das bekannte Perioden (--period) brauchen; lassen Sie andere Methoden weg</translation>
+    </message>
+    <message>
+        <source>--robust is for a fit on the grid itself; leave out --robust or --method smooth</source>
+        <translation>--robust ist für die Anpassung auf dem Gitter selbst; lassen Sie --robust oder --method smooth weg</translation>
     </message>
     <message>
         <source>--remove-slope, --within, --turn, --home and --remove-drift are for runs over targets along one axis</source>
@@ -5846,20 +5866,20 @@
 <context>
     <name>Measurement</name>
     <message>
-        <source>temperature on record</source>
-        <translation>Temperatur festgehalten</translation>
+        <source>the file states the temperature</source>
+        <translation>die Datei nennt die Temperatur</translation>
     </message>
     <message>
-        <source>instrument on record</source>
-        <translation>Messgerät festgehalten</translation>
+        <source>the file states the instrument</source>
+        <translation>die Datei nennt das Messgerät</translation>
     </message>
     <message>
-        <source>feed on record</source>
-        <translation>Vorschub festgehalten</translation>
+        <source>the file states the feed</source>
+        <translation>die Datei nennt den Vorschub</translation>
     </message>
     <message>
-        <source>dwell on record</source>
-        <translation>Verweilzeit festgehalten</translation>
+        <source>the file states the dwell</source>
+        <translation>die Datei nennt die Verweilzeit</translation>
     </message>
     <message>
         <source>at least {due} targets over {range}: {count}</source>
@@ -5882,16 +5902,16 @@
         <translation>5 Durchläufe in jeder Richtung: die Datei enthält Mittelwerte</translation>
     </message>
     <message>
-        <source>5 runs in each direction: {count} values where there are fewest</source>
-        <translation>5 Durchläufe in jeder Richtung: {count} Werte, wo es am wenigsten sind</translation>
+        <source>5 runs in each direction: {count} at the target with the fewest</source>
+        <translation>5 Durchläufe in jeder Richtung: {count} an der Zielposition mit den wenigsten</translation>
     </message>
     <message>
         <source>every target is approached in both directions</source>
         <translation>jede Zielposition ist in beiden Richtungen angefahren</translation>
     </message>
     <message>
-        <source>the targets are not all at the same place of a period of the axis; no period is stated</source>
-        <translation>die Zielpositionen liegen nicht alle an derselben Stelle einer Periode der Achse; es ist keine Periode angegeben</translation>
+        <source>the targets are not all at the same place of a period of the axis; --period states one</source>
+        <translation>die Zielpositionen liegen nicht alle an derselben Stelle einer Periode der Achse; --period nennt eine</translation>
     </message>
     <message>
         <source>the targets are not all at the same place of the period {period}</source>
@@ -6699,12 +6719,12 @@
         <translation>ein Durchlauf</translation>
     </message>
     <message>
-        <source>to 20 °C from {material} with {expansion}</source>
-        <translation>von {material} auf 20 °C mit {expansion}</translation>
+        <source>to 20 °C from {material} with {expansion}: values changed by up to {largest}</source>
+        <translation>von {material} auf 20 °C mit {expansion}: Werte um bis zu {largest} geändert</translation>
     </message>
     <message>
-        <source>dead path of {length}</source>
-        <translation>Totstrecke von {length}</translation>
+        <source>dead path of {length}: values changed by up to {largest}</source>
+        <translation>Totstrecke von {length}: Werte um bis zu {largest} geändert</translation>
     </message>
     <message>
         <source>drift taken out for the table, not for figures</source>

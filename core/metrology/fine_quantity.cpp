@@ -3,23 +3,34 @@
 
 #include "core/text/number_text.h"
 
-#include <array>
-#include <charconv>
+#include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace axiscomp {
 
+std::string FineUnit::digits(double value, int decimals) const
+{
+    return fixedDigits(value * factor, decimals);
+}
+
+FineUnit fineUnit(std::span<const std::optional<double>> shown, bool isAngular)
+{
+    if (isAngular)
+        return {3600.0, "arcsec", "″"};
+    constexpr double smallestInUm = 100e-6; // mm
+    constexpr double nothing = 5e-9; // mm
+    double largest = 0.0;
+    for (const auto& value : shown)
+        largest = std::max(largest, std::abs(value.value_or(0.0)));
+    const bool suitsNm = largest < smallestInUm && largest >= nothing;
+    return suitsNm ? FineUnit{1e6, "nm", "nm"} : FineUnit{};
+}
+
 Quantity fineQuantity(double value, bool isAngular)
 {
-    const double factor = isAngular ? 3600.0 : 1000.0;
-    std::array<char, 352> buffer{};
-    const auto end = std::to_chars(
-        buffer.data(), buffer.data() + buffer.size(), value * factor, std::chars_format::fixed, 3);
-    std::string digits(buffer.data(), end.ptr);
-    if (digits == "-0.000")
-        digits.erase(0, 1);
-    return {std::move(digits), isAngular ? "arcsec" : "um"};
+    const std::optional<double> shown[] = {value};
+    const FineUnit unit = fineUnit(shown, isAngular);
+    return {unit.digits(value), unit.name};
 }
 
 Quantity placeOf(double position, bool isAngular)

@@ -3,9 +3,26 @@
 
 #include "core/base/text.h"
 
+#include <optional>
+#include <span>
+#include <string>
+
 namespace axiscomp {
 
-/// A value in mm or deg as people see it: in um or arcsec, with 3 digits behind the point.
+/// The unit in which deviations and figures are shown.
+struct FineUnit {
+    double factor = 1000.0; ///< from mm or deg
+    const char* name = "um"; ///< in letters of ASCII
+    const char* symbol = "µm"; ///< on a page
+
+    /// value: in mm or deg
+    [[nodiscard]] std::string digits(double value, int decimals = 3) const;
+};
+/// The one that suits values in mm or deg which are read together: um, nm where the largest of them
+/// is below 100 nm, and arcsec for angles. Below 5 pm there is only what computing leaves: 0 um.
+[[nodiscard]] FineUnit fineUnit(std::span<const std::optional<double>> shown, bool isAngular);
+
+/// A value in mm or deg that stands alone, in the unit that suits it.
 [[nodiscard]] Quantity fineQuantity(double value, bool isAngular);
 /// A position in mm or deg, to a nanometre, or 1e-7 deg.
 [[nodiscard]] Quantity placeOf(double position, bool isAngular);

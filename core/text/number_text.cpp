@@ -41,6 +41,17 @@ std::string toText(float value)
     return plainText(value);
 }
 
+std::string fixedDigits(double value, int decimals)
+{
+    std::array<char, 400> buffer{}; // the largest double has 309 digits
+    const auto end = std::to_chars(
+        buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::fixed, decimals);
+    std::string digits(buffer.data(), end.ptr);
+    if (digits.starts_with('-') && digits.find_first_of("123456789") == std::string::npos)
+        digits.erase(0, 1);
+    return digits;
+}
+
 std::string roundedText(double value)
 {
     constexpr int digits = 12;

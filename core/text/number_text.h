@@ -12,6 +12,10 @@ namespace axiscomp {
 [[nodiscard]] std::string toText(double value);
 [[nodiscard]] std::string toText(float value);
 
+/// With this many digits behind the point, without an exponent, and no sign before what is rounded
+/// to 0.
+[[nodiscard]] std::string fixedDigits(double value, int decimals);
+
 /// A computed number without the rounding of doubles: 12 digits.
 [[nodiscard]] std::string roundedText(double value);
 

@@ -10,7 +10,7 @@ _axiscomp_options()
     local incomplete="--fill --crop --snap"
     local grid="--points --distance --within --method --speed --hold"
     local measurement="--from --exclude --swap-directions --columns --skip-lines --unit --value-unit --values --direction-from --invert-reference --overrun"
-    local correction="--temperature --expansion --reference-temperature --reference-expansion --datum --not-corrected"
+    local correction="--temperature --expansion --reference-temperature --reference-expansion --datum --not-corrected --dead-path"
     case $1 in
         "") echo "--help --version" ;;
         example) echo "--help --json --dims --tables --output" ;;
@@ -165,7 +165,7 @@ _axiscomp()
         --points)
             [[ $command == lookup ]] && _filedir
             return ;;
-        -o | --output | --uncertainty) _filedir; return ;;
+        -o | --output | --uncertainty | --dead-path) _filedir; return ;;
         --axis | --only | --jobs | --station | --table | --target | --value-unit | --position-unit | --tables | --timeout | --trust-certificate | --name | --rate | --count | --source[123] | --exclude | --columns | --skip-lines | --unit | --overrun | --tolerance | --period | --temperature | --expansion | --reference-temperature | --reference-expansion | --datum | --smoothness | --harmonics | --turn | --speed | --home | --gain) return ;;
     esac
 

@@ -245,15 +245,16 @@ std::vector<CompensationTable> tablesOf(const FitReport& report)
 
 /// What a person reads. format: of the table that was written; null: none.
 void tell(Environment& environment, const FitOptions& options, const MeasurementInput& input,
-    const FitReport& report, const std::string& text, const TableFormat* format)
+    const MadeCorrections& corrections, const FitReport& report, const std::string& text,
+    const TableFormat* format)
 {
     for (const FitRemark& remark : report.remarks)
         if (remark.isWarning)
             environment.warn(remark.text.english());
     if (format && options.file.output.isStandardOutput())
         return;
-    environment.print(
-        sourcesText(input.sources) + ": " + measurementSummary(input.measurement) + "\n" + text);
+    environment.print(sourcesText(input.sources) + ": " + measurementSummary(input.measurement)
+        + "\n" + corrections.text + text);
     if (format)
         environment.print(
             "\nWrote " + options.file.output.file + ": " + std::string(format->facts.name) + ".\n");
@@ -275,8 +276,7 @@ Result<ExitCode> runFit(Environment& environment, const FitOptions& options)
     reading.keepsFiles = !options.record.empty();
     AXISCOMP_TRY(auto input, readMeasurements(environment, reading));
     Measurement& measurement = input.measurement;
-    const bool corrects = options.correction.temperature || options.correction.expansion;
-    if (corrects && !measurement.hasTargets())
+    if (!options.correction.isEmpty() && !measurement.hasTargets())
         return fail(ErrorCode::NoTargets, {{"file", options.input.files.front()}});
     AXISCOMP_TRY(
         const auto corrections, correct(measurement, options.correction, options.input.command));
@@ -305,8 +305,8 @@ Result<ExitCode> runFit(Environment& environment, const FitOptions& options)
             const auto record, recordOfFit(input, options.input, corrections, settings, report));
         AXISCOMP_CHECK(saveRecord(options.record, record));
     }
-    tell(environment, options, input, report, fitText(measurement, settings, report, crcs, profile),
-        format);
+    tell(environment, options, input, corrections, report,
+        fitText(measurement, settings, report, crcs, profile), format);
     Json document = fitJson(measurement, settings, report, crcs);
     document["source"] = sourcesJson(input.sources);
     document["corrections"] = corrections.document;

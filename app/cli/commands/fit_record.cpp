@@ -22,8 +22,8 @@ Result<RecordedMeasurement> recordedMeasurement(const MeasurementInput& input,
     if (!options.excluded.empty()) {
         AXISCOMP_TRY(recorded.exclusions, exclusionsFromText(options.excluded));
     }
-    recorded.corrections.temperature = corrections.temperature;
-    recorded.corrections.drift = settings.drift;
+    recorded.corrections = {
+        corrections.corrections.temperature, corrections.corrections.deadPath, settings.drift};
     return recorded;
 }
 

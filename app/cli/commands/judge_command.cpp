@@ -40,8 +40,8 @@ Result<ExitCode> runJudge(Environment& environment, const JudgeCommandOptions& o
     const Judgement judgement = judge(measurement, judging);
     for (const JudgeWarning& warning : judgement.warnings)
         environment.warn(warning.text.english());
-    environment.print(sourcesText(input.sources) + ": " + measurementSummary(measurement) + "\n\n"
-        + judgementText(measurement, judgement));
+    environment.print(sourcesText(input.sources) + ": " + measurementSummary(measurement) + "\n"
+        + corrections.text + "\n" + judgementText(measurement, judgement));
     Json document = judgementJson(measurement, judgement);
     document["source"] = sourcesJson(input.sources);
     document["corrections"] = std::move(corrections.document);

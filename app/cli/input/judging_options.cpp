@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/input/judging_options.h"
 
+#include "app/cli/output/fine_text.h"
 #include "app/common/arguments.h"
 #include "core/io/local_file.h"
+#include "core/metrology/record/calibration_record.h"
 
 namespace axiscomp::app {
 
@@ -39,11 +41,30 @@ Result<Json> readUncertainty(const Measurement& measurement, const ToleranceOpti
     return uncertaintyJson(terms);
 }
 
+/// Nothing: not asked for.
+Result<std::optional<TemperatureCorrection>> temperatureOf(
+    const Measurement& measurement, const CorrectionOptions& options, const std::string& command)
+{
+    if (!options.temperature && !options.expansion)
+        return std::nullopt;
+    const auto temperature =
+        options.temperature ? options.temperature : measurement.header.materialTemperature;
+    const auto expansion = options.expansion ? options.expansion : measurement.header.expansion;
+    if (!temperature)
+        return wrongUsage("the temperature of the scale is not known: give --temperature", command);
+    if (!expansion)
+        return wrongUsage("the coefficient of expansion of the scale is not known: give "
+                          "--expansion; for steel it is about 11.5e-6",
+            command);
+    return TemperatureCorrection{*temperature, *expansion, options.referenceTemperature,
+        options.referenceExpansion, options.datum, options.isNotCorrected};
+}
+
 } // namespace
 
 void addCorrectionOptions(CLI::App& command, CorrectionOptions& options)
 {
-    const std::string group = "Correction to 20 C, made only when asked for";
+    const std::string group = "Corrections, made only when asked for";
     command
         .add_option("--temperature", options.temperature, "Temperature of the axis's scale in C")
         ->option_text("C")
@@ -72,36 +93,44 @@ void addCorrectionOptions(CLI::App& command, CorrectionOptions& options)
         .add_flag("--not-corrected", options.isNotCorrected,
             "The values are not corrected to 20 C, where the file does not say it")
         ->group(group);
+    command
+        .add_option("--dead-path", options.deadPath,
+            "Dead path of the interferometer: a JSON file with its length and the air of each run")
+        ->option_text("FILE")
+        ->group(group);
 }
 
 Result<MadeCorrections> correct(
     Measurement& measurement, const CorrectionOptions& options, const std::string& command)
 {
-    if (!options.temperature && !options.expansion)
-        return MadeCorrections{};
-    TemperatureCorrection correction;
-    const auto temperature =
-        options.temperature ? options.temperature : measurement.header.materialTemperature;
-    const auto expansion = options.expansion ? options.expansion : measurement.header.expansion;
-    if (!temperature)
-        return wrongUsage("the temperature of the scale is not known: give --temperature", command);
-    if (!expansion)
-        return wrongUsage("the coefficient of expansion of the scale is not known: give "
-                          "--expansion; for steel it is about 11.5e-6",
-            command);
-    correction.materialCelsius = *temperature;
-    correction.expansionPerKelvin = *expansion;
-    correction.referenceCelsius = options.referenceTemperature;
-    correction.referenceExpansionPerKelvin = options.referenceExpansion;
-    correction.datum = options.datum;
-    correction.isConfirmed = options.isNotCorrected;
-    AXISCOMP_TRY(measurement, correctedForTemperature(std::move(measurement), correction));
-    return MadeCorrections{correction,
-        {{"temperature",
-            {{"material", *temperature}, {"expansion", *expansion},
-                {"reference", correction.referenceCelsius},
-                {"referenceExpansion", correction.referenceExpansionPerKelvin},
-                {"datum", correction.datum.value_or(measurement.targets.front())}}}}};
+    MadeCorrections made;
+    if (options.isEmpty())
+        return made;
+    AXISCOMP_TRY(made.corrections.temperature, temperatureOf(measurement, options, command));
+    if (!options.deadPath.empty()) {
+        AXISCOMP_TRY(const auto bytes, loadFile(options.deadPath, maximumDeadPathSize));
+        AXISCOMP_TRY(made.corrections.deadPath, deadPathFromText(asText(bytes), options.deadPath));
+    }
+    AXISCOMP_TRY(auto result, corrected(std::move(measurement), made.corrections));
+    measurement = std::move(result.measurement);
+    if (const auto& deadPath = made.corrections.deadPath) {
+        made.document["deadPath"] = {
+            {"length", deadPath->lengthMm}, {"largest", *result.largestByDeadPath}};
+        made.text += "Corrected for a dead path of " + withUnit(shortText(deadPath->lengthMm), "mm")
+            + ": " + fineText(*result.largestByDeadPath, false) + " at most\n";
+    }
+    if (const auto& temperature = made.corrections.temperature) {
+        made.document["temperature"] = {{"material", temperature->materialCelsius},
+            {"expansion", temperature->expansionPerKelvin},
+            {"reference", temperature->referenceCelsius},
+            {"referenceExpansion", temperature->referenceExpansionPerKelvin},
+            {"datum", temperature->datum.value_or(measurement.targets.front())},
+            {"largest", *result.largestByTemperature}};
+        made.text += "Corrected to 20 C from " + shortText(temperature->materialCelsius)
+            + " C with " + shortText(temperature->expansionPerKelvin)
+            + "/K: " + fineText(*result.largestByTemperature, false) + " at most\n";
+    }
+    return made;
 }
 
 void addToleranceOptions(CLI::App& command, ToleranceOptions& options)

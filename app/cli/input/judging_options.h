@@ -15,7 +15,7 @@
 
 namespace axiscomp::app {
 
-/// What brings a measurement to 20 C, common to all commands that work with its values.
+/// Corrections of a measurement, common to all commands that work with its values.
 struct CorrectionOptions {
     std::optional<double> temperature;
     std::optional<double> expansion;
@@ -23,14 +23,19 @@ struct CorrectionOptions {
     double referenceExpansion = 0.0;
     std::optional<double> datum;
     bool isNotCorrected = false;
+    std::string deadPath; ///< file with its length and the air of each run
+
+    [[nodiscard]] bool isEmpty() const { return !temperature && !expansion && deadPath.empty(); }
 };
 void addCorrectionOptions(CLI::App& command, CorrectionOptions& options);
 
 struct MadeCorrections {
-    std::optional<TemperatureCorrection> temperature;
+    CorrectionsBefore corrections;
+    std::string text; ///< a line for each; empty without any
     Json document = Json::object(); ///< as --json has them
 };
-/// The measurement as it would be at 20 deg C, when the user asked for it. Errors: InvalidArgument.
+/// Corrects the measurement for dead path and temperature, where the user asked for it. Errors:
+/// InvalidArgument, FileNotReadable, FileTooLarge.
 [[nodiscard]] Result<MadeCorrections> correct(
     Measurement& measurement, const CorrectionOptions& options, const std::string& command);
 

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/output/comparison_output.h"
 
+#include "app/cli/output/fine_text.h"
 #include "app/cli/output/judgement_output.h"
 #include "app/common/number_text.h"
 #include "app/common/text_table.h"
+
+#include <algorithm>
+#include <iterator>
 
 namespace axiscomp::app {
 
@@ -11,33 +15,19 @@ namespace {
 
 using Value = std::optional<double>;
 
-/// In um, and in arc seconds for angles; "-": not defined.
-struct FineText {
-    double factor;
-    std::string symbol;
-
-    explicit FineText(const Measurement& measurement)
-        : factor(measurement.isAngular ? 3600.0 : 1000.0)
-        , symbol(measurement.isAngular ? "arcsec" : "um")
-    {
-    }
-    [[nodiscard]] std::string operator()(const Value& value) const
-    {
-        return value ? fixedText(*value * factor, 3) : "-";
-    }
-    [[nodiscard]] std::string withSymbol(double value) const
-    {
-        return withUnit((*this)(value), symbol);
-    }
-};
-
 Value changeOf(const Value& before, const Value& after)
 {
     return before && after ? Value(*after - *before) : std::nullopt;
 }
 
-std::string sideBySide(const FineText& fine, const Comparison& comparison)
+std::string sideBySide(bool isAngular, const Comparison& comparison)
 {
+    std::vector<Value> shown;
+    for (const Iso230Figures* one : {&comparison.before, &comparison.after})
+        std::ranges::copy(figureValues(*one).values, std::back_inserter(shown));
+    if (comparison.predicted)
+        std::ranges::copy(comparison.predicted->values, std::back_inserter(shown));
+    const FineText fine(shown, isAngular);
     TextTable table({"figure", ">before", ">predicted", ">after", ">change"});
     for (const Iso230Figure figure : allIso230Figures()) {
         const Value before = comparison.before[figure].value;
@@ -47,33 +37,37 @@ std::string sideBySide(const FineText& fine, const Comparison& comparison)
         table.add({figureText(figure).words, fine(before), fine(predicted), fine(after),
             fine(changeOf(before, after))});
     }
-    return "Figures, in " + fine.symbol + "\n" + table.text();
+    return "Figures, in " + fine.unit() + "\n" + table.text();
 }
 
-std::string promiseText(const FineText& fine, const Comparison& comparison)
+std::string promiseText(bool isAngular, const Comparison& comparison)
 {
     if (!comparison.heldOut)
         return {};
     std::string text = "\nHeld out, at targets that the table did not know: M "
-        + fine.withSymbol(comparison.heldOut->range) + ", largest "
-        + fine.withSymbol(comparison.heldOut->largest) + ", rms "
-        + fine.withSymbol(comparison.heldOut->rms) + "\n";
+        + fineText(comparison.heldOut->range, isAngular) + ", largest "
+        + fineText(comparison.heldOut->largest, isAngular) + ", rms "
+        + fineText(comparison.heldOut->rms, isAngular) + "\n";
     if (!comparison.isAsPredicted)
         return text;
     const double spread = comparison.after[Iso230Figure::M].value.value_or(0.0);
     return text + (*comparison.isAsPredicted ? "As predicted: " : "Not as predicted: ") + "M is "
-        + fine.withSymbol(spread) + " after, and " + fine.withSymbol(*comparison.largestAsPredicted)
+        + fineText(spread, isAngular) + " after, and "
+        + fineText(*comparison.largestAsPredicted, isAngular)
         + " or less is as predicted (1.2 times M held out, and what cannot be told)\n";
 }
 
-std::string residualText(
-    const Measurement& after, const FineText& fine, const Comparison& comparison)
+std::string residualText(const Measurement& after, const Comparison& comparison)
 {
+    std::vector<Value> shown;
+    for (const RemainingError& error : comparison.residual)
+        shown.insert(shown.end(), {Value(error.value), Value(error.standardError)});
+    const FineText fine(shown, after.isAngular);
     TextTable table(
         {">target [" + std::string(positionUnit(after)) + "]", ">left", ">standard error"});
     for (const RemainingError& error : comparison.residual)
         table.add({shortText(error.position), fine(error.value), fine(error.standardError)});
-    return "\nWhat is left at the targets, in " + fine.symbol + "\n" + table.text();
+    return "\nWhat is left at the targets, in " + fine.unit() + "\n" + table.text();
 }
 
 std::string hintsText(const Comparison& comparison)
@@ -102,10 +96,9 @@ Json numberOrNothing(const Value& value)
 
 std::string comparisonText(const Measurement& after, const Comparison& comparison)
 {
-    const FineText fine(after);
     const std::string verdict = verdictsText(after, comparison.verdicts);
-    return sideBySide(fine, comparison) + promiseText(fine, comparison) + hintsText(comparison)
-        + residualText(after, fine, comparison) + verdict;
+    return sideBySide(after.isAngular, comparison) + promiseText(after.isAngular, comparison)
+        + hintsText(comparison) + residualText(after, comparison) + verdict;
 }
 
 Json comparisonJson(const Measurement& after, const Comparison& comparison)

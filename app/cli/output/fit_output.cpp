@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/output/fit_output.h"
 
+#include "app/cli/output/fine_text.h"
 #include "app/cli/output/json_output.h"
 #include "app/cli/output/judgement_output.h"
 #include "app/common/number_text.h"
@@ -8,6 +9,7 @@
 #include "core/table/tam_table.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace axiscomp::app {
 
@@ -20,31 +22,11 @@ Json jsonOf(const std::optional<double>& value)
     return value ? Json(*value) : Json(nullptr);
 }
 
-/// In um, or in arc seconds.
-class ShownUnit {
-public:
-    explicit ShownUnit(const Measurement& measurement)
-        : m_factor(measurement.isAngular ? 3600.0 : 1000.0)
-        , m_symbol(measurement.isAngular ? "arcsec" : "um")
-    {
-    }
-    [[nodiscard]] std::string number(const std::optional<double>& value) const
-    {
-        return value ? fixedText(*value * m_factor, 3) : "-";
-    }
-    [[nodiscard]] std::string text(double value) const { return withUnit(number(value), m_symbol); }
-    [[nodiscard]] const std::string& symbol() const { return m_symbol; }
-
-private:
-    double m_factor;
-    std::string m_symbol;
-};
-
 std::string methodText(
     const Measurement& measurement, const FitSettings& settings, const FittedTable& made)
 {
     std::string text(fitMethodName(settings.method));
-    if (!measurement.hasTargets())
+    if (isFittedOnGrid(measurement, settings))
         text = "penalised least squares on the grid";
     if (made.smoothness)
         text += ", smoothness " + shortText(*made.smoothness)
@@ -79,12 +61,12 @@ std::string tableText(const Measurement& measurement, const FitSettings& setting
     const FitReport& report, const FittedTable& made, std::uint32_t crc,
     const DriveProfile& profile)
 {
-    const ShownUnit unit(measurement);
+    const auto fine = [&](double value) { return fineText(value, measurement.isAngular); };
     const TableStatistics values = statistics(made.table);
     FitLines lines;
     for (const GridAxis& axis : made.table.grid.axes)
         lines.emplace_back("Grid", gridText(axis));
-    lines.emplace_back("Values", unit.text(values.minimum) + " to " + unit.text(values.maximum));
+    lines.emplace_back("Values", fine(values.minimum) + " to " + fine(values.maximum));
     lines.emplace_back("Corrects",
         made.table.target.empty() ? "not stated by the measurement" : "axis " + made.table.target);
     lines.emplace_back("Method", methodText(measurement, settings, made));
@@ -92,18 +74,18 @@ std::string tableText(const Measurement& measurement, const FitSettings& setting
         report.lookupAt == LookupAt::Encoder ? "at the encoder's position, before the compensation"
                                              : "at the set position, after the compensation");
     lines.emplace_back("Residuals of the fit",
-        unit.text(made.residualRms) + " rms, " + unit.text(made.residualLargest) + " at most");
+        fine(made.residualRms) + " rms, " + fine(made.residualLargest) + " at most");
     if (made.crossValidation)
         lines.emplace_back(
-            "Foretold", unit.text(*made.crossValidation) + " rms at values that were left out");
+            "Foretold", fine(*made.crossValidation) + " rms at values that were left out");
     if (made.filledNodes > 0)
         lines.emplace_back("Filled",
             plural(made.filledNodes, "point", "points") + " of "
                 + std::to_string(made.table.values.size()));
     for (const PeriodicTerm& term : made.periods)
         lines.emplace_back("Period " + shortText(term.period / term.harmonic),
-            "amplitude " + unit.text(term.amplitude()) + ", standard error "
-                + unit.text(term.standardError) + ", phase " + fixedText(term.phase(), 3) + " rad");
+            "amplitude " + fine(term.amplitude()) + ", standard error " + fine(term.standardError)
+                + ", phase " + fixedText(term.phase(), 3) + " rad");
     lines.emplace_back("CRC", hexText(crc));
     lines.emplace_back("On the drive", slotText(made.table.grid, profile));
     return "\nTable " + made.table.name + "\n" + labelled(lines, "  ");
@@ -113,21 +95,26 @@ std::string figuresText(const Measurement& measurement, const FitReport& report)
 {
     if (!report.before || !report.predicted)
         return {};
-    const ShownUnit unit(measurement);
+    std::vector<std::optional<double>> shown;
+    for (const Iso230Figures* one : {&*report.before, &*report.predicted})
+        std::ranges::copy(figureValues(*one).values, std::back_inserter(shown));
+    if (report.heldOut)
+        shown.push_back(report.heldOut->range);
+    const FineText fine(shown, measurement.isAngular);
     TextTable table({"figure", ">before", ">foretold", ">held out"});
     for (const Iso230Figure figure :
         {Iso230Figure::A, Iso230Figure::R, Iso230Figure::E, Iso230Figure::B, Iso230Figure::M}) {
         const bool isRange = figure == Iso230Figure::M && report.heldOut;
-        table.add({figureText(figure).words, unit.number((*report.before)[figure].value),
-            unit.number((*report.predicted)[figure].value),
-            isRange ? unit.number(report.heldOut->range) : ""});
+        table.add({figureText(figure).words, fine((*report.before)[figure].value),
+            fine((*report.predicted)[figure].value), isRange ? fine(report.heldOut->range) : ""});
     }
-    std::string text = "\nFigures of ISO 230-2:2014, in " + unit.symbol() + "\n" + table.text();
+    std::string text = "\nFigures of ISO 230-2:2014, in " + fine.unit() + "\n" + table.text();
     text += "  Foretold: the same runs with the table active. Held out: each target foretold "
             "without it;\n  this is the one to believe between the targets.\n";
     if (report.heldOut)
-        text += "  Held out at single targets: " + unit.text(report.heldOut->rms) + " rms, "
-            + unit.text(report.heldOut->largest) + " at most\n";
+        text +=
+            "  Held out at single targets: " + fineText(report.heldOut->rms, measurement.isAngular)
+            + " rms, " + fineText(report.heldOut->largest, measurement.isAngular) + " at most\n";
     return text;
 }
 
@@ -219,7 +206,7 @@ Json fitJson(const Measurement& measurement, const FitSettings& settings, const 
     for (std::size_t i = 0; i < report.tables.size(); ++i)
         columns.push_back(columnJson(report.tables[i], crcs[i]));
     return {{"table", tableJson(first, crcs.front())}, {"columns", std::move(columns)},
-        {"method", measurement.hasTargets() ? Json(fitMethodName(settings.method)) : Json("grid")},
+        {"method", isFittedOnGrid(measurement, settings) ? "grid" : fitMethodName(settings.method)},
         {"direction", fitDirectionName(settings.direction)},
         {"smoothness", jsonOf(first.smoothness)}, {"periods", periodsJson(first)},
         {"knots", first.knots},

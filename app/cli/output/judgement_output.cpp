@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/output/judgement_output.h"
 
+#include "app/cli/output/fine_text.h"
 #include "app/common/number_text.h"
 #include "app/common/text_table.h"
 #include "core/metrology/run_selection.h"
@@ -12,31 +13,6 @@ namespace axiscomp::app {
 namespace {
 
 using Lines = std::vector<std::pair<std::string, std::string>>;
-
-/// Figures are shown in um, and in arc seconds for angles.
-class FineUnit {
-public:
-    explicit FineUnit(const Measurement& measurement)
-        : m_factor(measurement.isAngular ? 3600.0 : 1000.0)
-        , m_symbol(measurement.isAngular ? "arcsec" : "um")
-    {
-    }
-
-    [[nodiscard]] std::string text(double value) const { return fixedText(value * m_factor, 3); }
-    [[nodiscard]] std::string text(const std::optional<double>& value) const
-    {
-        return value ? text(*value) : "-";
-    }
-    [[nodiscard]] std::string withSymbol(double value) const
-    {
-        return withUnit(text(value), m_symbol);
-    }
-    [[nodiscard]] const std::string& symbol() const { return m_symbol; }
-
-private:
-    double m_factor;
-    std::string m_symbol;
-};
 
 /// One line of the table of figures.
 struct FigureLine {
@@ -60,40 +36,49 @@ std::string placeText(const Iso230Figures& figures, const FigureLine& line)
     if (!figure.value || line.both == Iso230Figure::MeanReversal)
         return {};
     const std::string high = shortText(figures.targets[figure.high].position);
-    return line.isRange ? high + " and " + shortText(figures.targets[figure.low].position) : high;
+    const bool isAtTwo = line.isRange && figure.high != figure.low;
+    return isAtTwo ? high + " and " + shortText(figures.targets[figure.low].position) : high;
 }
 
 std::string figuresText(
     const Measurement& measurement, const Iso230Figures& figures, const std::string& heading)
 {
-    const FineUnit unit(measurement);
+    const FineText fine(figureValues(figures).values, measurement.isAngular);
     TextTable table({"figure", ">up", ">down", ">both",
         "at target [" + std::string(positionUnit(measurement)) + "]"});
     const auto cell = [&](const std::optional<Iso230Figure>& figure) {
-        return figure ? unit.text(figures[*figure].value) : std::string();
+        return figure ? fine(figures[*figure].value) : std::string();
     };
     for (const FigureLine& line : figureLines)
         table.add({figureText(line.both).words, cell(line.up), cell(line.down), cell(line.both),
             placeText(figures, line)});
-    return heading + ", in " + unit.symbol() + "\n" + table.text();
+    return heading + ", in " + fine.unit() + "\n" + table.text();
 }
 
 std::string targetsText(const Measurement& measurement, const Iso230Figures& figures)
 {
-    const FineUnit unit(measurement);
+    const FineText fine(valuesOfTargets(figures), measurement.isAngular);
     TextTable table({">number", ">target [" + std::string(positionUnit(measurement)) + "]", ">n up",
         ">mean up", ">s up", ">n down", ">mean down", ">s down", ">mean", ">B", ">R"});
     for (const TargetFigures& target : figures.targets)
         table.add({std::to_string(target.target + 1), shortText(target.position),
-            std::to_string(target.up.n), unit.text(target.up.mean), unit.text(target.up.s),
-            std::to_string(target.down.n), unit.text(target.down.mean), unit.text(target.down.s),
-            unit.text(target.mean), unit.text(target.reversal), unit.text(target.repeatability)});
-    return "Targets, in " + unit.symbol() + "\n" + table.text();
+            std::to_string(target.up.n), fine(target.up.mean), fine(target.up.s),
+            std::to_string(target.down.n), fine(target.down.mean), fine(target.down.s),
+            fine(target.mean), fine(target.reversal), fine(target.repeatability)});
+    return "Targets, in " + fine.unit() + "\n" + table.text();
+}
+
+std::string fineOrNothing(const std::optional<double>& value, bool isAngular)
+{
+    return value ? fineText(*value, isAngular) : "-";
 }
 
 std::string driftText(const Measurement& measurement, const Judgement& judgement)
 {
-    const FineUnit unit(measurement);
+    std::vector<std::optional<double>> shown;
+    for (const DirectionDrift* drift : {&judgement.driftUp, &judgement.driftDown})
+        shown.insert(shown.end(), {drift->firstToLast, drift->trendPerRun, drift->sWithoutOffsets});
+    const FineText fine(shown, measurement.isAngular);
     TextTable table({"direction", ">first to last", ">per run", ">s without offsets", "drift"});
     bool hasAny = false;
     for (const Approach direction : {Approach::Up, Approach::Down}) {
@@ -102,17 +87,18 @@ std::string driftText(const Measurement& measurement, const Judgement& judgement
         if (!drift.firstToLast)
             continue;
         hasAny = true;
-        table.add({std::string(approachName(direction)), unit.text(drift.firstToLast),
-            unit.text(drift.trendPerRun), unit.text(drift.sWithoutOffsets),
-            drift.isSuspected ? "suspected" : "not suspected"});
+        table.add(
+            {std::string(approachName(direction)), fine(drift.firstToLast), fine(drift.trendPerRun),
+                fine(drift.sWithoutOffsets), drift.isSuspected ? "suspected" : "not suspected"});
     }
     if (!hasAny)
         return {};
-    std::string text = "\nDrift of the runs, in " + unit.symbol() + "\n" + table.text();
+    std::string text = "\nDrift of the runs, in " + fine.unit() + "\n" + table.text();
     if (judgement.withoutOffsets) {
         const auto& without = *judgement.withoutOffsets;
-        text += "  Without the offsets of the runs: A " + unit.text(without[Iso230Figure::A].value)
-            + ", R " + unit.text(without[Iso230Figure::R].value) + "\n";
+        text += "  Without the offsets of the runs: A "
+            + fineOrNothing(without[Iso230Figure::A].value, measurement.isAngular) + ", R "
+            + fineOrNothing(without[Iso230Figure::R].value, measurement.isAngular) + "\n";
     }
     return text;
 }
@@ -146,11 +132,13 @@ std::string complianceText(const std::vector<ComplianceLine>& lines)
 
 std::string vdiText(const Measurement& measurement, const Vdi3441Figures& vdi)
 {
-    const FineUnit unit(measurement);
-    return "\nVDI/DGQ 3441 (assumption: its text was not at hand), in " + unit.symbol() + "\n"
-        + labelled({{"P", unit.text(vdi.p)}, {"Pa", unit.text(vdi.pa)},
-                       {"U largest", unit.text(vdi.uMax)}, {"U mean", unit.text(vdi.uMean)},
-                       {"Ps largest", unit.text(vdi.psMax)}, {"Ps mean", unit.text(vdi.psMean)}},
+    const FineText fine(std::vector<std::optional<double>>{vdi.p, vdi.pa, vdi.uMax, vdi.uMean,
+                            vdi.psMax, vdi.psMean},
+        measurement.isAngular);
+    return "\nVDI/DGQ 3441 (assumption: its text was not at hand), in " + fine.unit() + "\n"
+        + labelled({{"P", fine(vdi.p)}, {"Pa", fine(vdi.pa)}, {"U largest", fine(vdi.uMax)},
+                       {"U mean", fine(vdi.uMean)}, {"Ps largest", fine(vdi.psMax)},
+                       {"Ps mean", fine(vdi.psMean)}},
             "  ");
 }
 
@@ -290,13 +278,12 @@ std::string verdictsText(const Measurement& measurement, const std::vector<Verdi
 {
     if (verdicts.empty())
         return {};
-    const FineUnit unit(measurement);
+    const bool isAngular = measurement.isAngular;
     TextTable table({"figure", ">value", ">tolerance", "uncertainty", "verdict"});
     for (const Verdict& verdict : verdicts)
         table.add({figureText(verdict.tolerance.figure).words,
-            verdict.value ? unit.withSymbol(*verdict.value) : "-",
-            unit.withSymbol(verdict.tolerance.value),
-            verdict.uncertainty ? "U " + unit.withSymbol(*verdict.uncertainty)
+            fineOrNothing(verdict.value, isAngular), fineText(verdict.tolerance.value, isAngular),
+            verdict.uncertainty ? "U " + fineText(*verdict.uncertainty, isAngular)
                                 : "uncertainty not stated",
             verdictText(verdict.result).words});
     return "\nVerdict\n" + table.text();

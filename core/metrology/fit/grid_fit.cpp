@@ -203,6 +203,7 @@ public:
     [[nodiscard]] Result<GridFit> run();
 
 private:
+    [[nodiscard]] Result<void> fitNodes();
     [[nodiscard]] Result<void> choose();
     [[nodiscard]] Result<void> solve();
     [[nodiscard]] Result<void> solveRobustly();
@@ -369,6 +370,24 @@ Result<GridFit> GridFitter::run()
             "no point lies within the grid; check its start and end, and the unit of the "
             "positions"));
     AXISCOMP_CHECK(findFarNodes());
+    if (!m_request.nodes.empty()) {
+        m_nodes = m_request.nodes;
+        for (std::size_t node = 0; node < m_nodes.size(); ++node)
+            m_nodes[node] -= m_plane.at(m_shape, node);
+    } else {
+        AXISCOMP_CHECK(fitNodes());
+    }
+    describe();
+    for (std::size_t node = 0; node < m_nodes.size(); ++node)
+        m_nodes[node] += m_plane.at(m_shape, node);
+    if (m_request.farPoints == FarPoints::Nearest)
+        fillFarNodes();
+    m_fit.values = std::move(m_nodes);
+    return std::move(m_fit);
+}
+
+Result<void> GridFitter::fitNodes()
+{
     AXISCOMP_CHECK(choose());
     if (m_request.isRobust) {
         AXISCOMP_CHECK(solveRobustly());
@@ -379,13 +398,7 @@ Result<GridFit> GridFitter::run()
     } else {
         AXISCOMP_CHECK(solve());
     }
-    describe();
-    for (std::size_t node = 0; node < m_nodes.size(); ++node)
-        m_nodes[node] += m_plane.at(m_shape, node);
-    if (m_request.farPoints == FarPoints::Nearest)
-        fillFarNodes();
-    m_fit.values = std::move(m_nodes);
-    return std::move(m_fit);
+    return {};
 }
 
 } // namespace

@@ -32,6 +32,9 @@ struct GridFitRequest {
     std::optional<double> smoothness = {}; ///< S >= 0; none: by cross-validation
     bool isRobust = false; ///< gross errors are given less weight
     FarPoints farPoints = FarPoints::Refuse;
+    /// Values of the nodes that a curve has: not fitted, but filled and described alike. Empty:
+    /// none. They go with neither a smoothness nor weights of a robust fit.
+    std::vector<double> nodes = {};
     std::stop_token stop = {};
 };
 

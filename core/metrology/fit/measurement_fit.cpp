@@ -58,6 +58,12 @@ bool FitReport::isWithinTolerances() const
         verdicts, [](const Verdict& verdict) { return verdict.result == VerdictResult::Passed; });
 }
 
+bool isFittedOnGrid(const Measurement& measurement, const FitSettings& settings)
+{
+    return measurement.kind == MeasurementKind::Points
+        || (measurement.kind == MeasurementKind::Track && settings.method == FitMethod::Linear);
+}
+
 bool hasRawReadings(const Measurement& measurement)
 {
     if (measurement.kind == MeasurementKind::Track)

@@ -41,7 +41,9 @@ enum class BodyRemoval {
 
 struct FitSettings {
     FitDirection direction = FitDirection::Mean;
-    FitMethod method = FitMethod::Linear; ///< of runs and averages
+    /// Of runs and averages. A track takes Smooth too; Linear is a fit on the grid itself there, as
+    /// of points.
+    FitMethod method = FitMethod::Linear;
     /// L / r of the method smooth, S of points and tracks; none: by cross-validation.
     std::optional<double> smoothness = {};
     KnownPeriods periods = {}; ///< of the method smooth; its harmonics also of harmonic
@@ -133,6 +135,10 @@ struct FitReport {
 /// ResamplingImpossible, SignNotConvertible, NotConverged, Cancelled.
 [[nodiscard]] Result<FitReport> fitMeasurement(const Measurement& measurement,
     const FitSettings& settings, const FoundState& state, std::stop_token stop = {});
+
+/// Whether the values are fitted on the grid itself, without a curve through them: points, and
+/// tracks unless a curve is asked for.
+[[nodiscard]] bool isFittedOnGrid(const Measurement& measurement, const FitSettings& settings);
 
 /// Whether the raw position of every value in use is known, as it always is of a track.
 [[nodiscard]] bool hasRawReadings(const Measurement& measurement);

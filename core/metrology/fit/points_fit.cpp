@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/conversion/resampling.h"
+#include "core/curve/smoothing_spline.h"
 #include "core/metrology/fine_quantity.h"
 #include "core/metrology/fit/fit_parts.h"
 #include "core/metrology/fit/grid_points.h"
@@ -271,14 +272,29 @@ Result<Grid> gridOf(const FitInput& input, const Scatter& scatter)
     return grid;
 }
 
+/// Through every value of a track goes no curve that is of use: only the smoothing spline.
+Result<void> checkScatterMethod(const FitSettings& settings, bool isTrack)
+{
+    const bool isOnGrid = settings.method == FitMethod::Linear && settings.periods.periods.empty();
+    if (!isTrack && !isOnGrid)
+        return badFit(AXISCOMP_TEXT("Error",
+            "points are fitted on the grid itself, as the drive interpolates it; leave out "
+            "--method and --period"));
+    if (!isOnGrid && settings.method != FitMethod::Smooth)
+        return badFit(AXISCOMP_TEXT("Error",
+            "a track is fitted on the grid itself, or by --method smooth, which known periods "
+            "(--period) need; leave other methods out"));
+    if (!isOnGrid && settings.isRobust)
+        return badFit(AXISCOMP_TEXT("Error",
+            "--robust is for a fit on the grid itself; leave out --robust or --method smooth"));
+    return {};
+}
+
 Result<void> checkScatterSettings(const FitInput& input, std::size_t dimensions)
 {
     const FitSettings& settings = input.settings;
     const bool isTrack = input.measurement.kind == MeasurementKind::Track;
-    if (settings.method != FitMethod::Linear || !settings.periods.periods.empty())
-        return badFit(AXISCOMP_TEXT("Error",
-            "points and tracks are fitted on the grid itself, as the drive interpolates it; leave "
-            "out --method and --period"));
+    AXISCOMP_CHECK(checkScatterMethod(settings, isTrack));
     if (settings.slope != SlopeRemoval::Keep || settings.within || settings.turn || settings.home
         || settings.drift)
         return badFit(AXISCOMP_TEXT("Error",
@@ -360,6 +376,27 @@ std::vector<ScatteredNumbers> heldPlaces(
     return places;
 }
 
+void describeCurve(const SmoothedCurve& smoothed, const GridAxis& axis, FittedTable& made)
+{
+    made.knots = smoothed.curve.base.knots.size();
+    made.smoothness = smoothed.smoothness;
+    made.periods = smoothed.curve.terms;
+    made.density = curveGrid(smoothed.curve, axis.start, axis.last(), axis.size);
+}
+
+/// The smoothing spline through a track at the points of the grid.
+Result<SmoothedCurve> curveOf(const FitInput& input, const Scatter& scatter,
+    const Scatter::Column& column, const GridAxis& axis, GridFitRequest& request)
+{
+    const CurveSamples samples{column.places.front(), column.values, scatter.weights, axis.unit};
+    AXISCOMP_TRY(auto smoothed,
+        smoothingSpline(
+            samples, {.smoothness = input.settings.smoothness, .periods = input.settings.periods}));
+    for (std::size_t i = 0; i < axis.size; ++i)
+        request.nodes.push_back(smoothed.curve.at(axis.position(i)));
+    return smoothed;
+}
+
 Result<FittedTable> fitColumn(const FitInput& input, const Scatter& scatter,
     const Scatter::Column& column, const Grid& grid, GridFit& fit)
 {
@@ -375,7 +412,12 @@ Result<FittedTable> fitColumn(const FitInput& input, const Scatter& scatter,
     values.weights = scatter.weights;
     GridFitRequest request;
     request.grid = grid;
-    request.smoothness = input.settings.smoothness;
+    std::optional<SmoothedCurve> smoothed;
+    if (!isFittedOnGrid(input.measurement, input.settings)) {
+        AXISCOMP_TRY(smoothed, curveOf(input, scatter, column, grid.axes.front(), request));
+    } else {
+        request.smoothness = input.settings.smoothness;
+    }
     request.isRobust = input.settings.isRobust;
     request.farPoints = input.settings.farPoints;
     request.stop = input.stop;
@@ -394,6 +436,8 @@ Result<FittedTable> fitColumn(const FitInput& input, const Scatter& scatter,
     made.removedConstant = zero;
     made.knots = fit.values.size();
     made.smoothness = fit.smoothness;
+    if (smoothed)
+        describeCurve(*smoothed, grid.axes.front(), made);
     made.residualRms = fit.residualRms;
     made.residualLargest = fit.residualLargest;
     made.crossValidation = fit.crossValidation;

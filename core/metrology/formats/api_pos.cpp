@@ -50,7 +50,8 @@ std::optional<Block> blockOf(std::string_view line)
 
 class Reader {
 public:
-    Reader(Measurement& measurement, DiagnosticList& diagnostics, Encoding encoding)
+    Reader(Measurement& measurement, const MeasurementReadOptions& /*options*/,
+        DiagnosticList& diagnostics, Encoding encoding)
         : m_measurement(measurement)
         , m_diagnostics(diagnostics)
         , m_encoding(encoding)
@@ -145,28 +146,6 @@ std::vector<RawRunValue> Reader::values()
     return values;
 }
 
-void parse(std::string_view text, const MeasurementReadOptions& options, Measurement& measurement,
-    DiagnosticList& diagnostics)
-{
-    measurement.kind = MeasurementKind::Averages;
-    const TextInspection inspection(text, options.stop, diagnostics);
-    if (diagnostics.hasErrors())
-        return;
-    Reader reader(measurement, diagnostics, inspection.encoding());
-    TextLines lines(inspection.body());
-    while (const auto line = lines.next()) {
-        if (options.stop.stop_requested())
-            return;
-        reader.takeLine(*line);
-    }
-    assembleRuns(reader.values(), options, measurement, diagnostics);
-}
-
-MeasurementReading read(std::string_view text, const MeasurementReadOptions& options)
-{
-    return readMeasurementText(text, options, parse);
-}
-
 MeasurementRecognition recognise(std::string_view text)
 {
     TextLines lines(text);
@@ -189,7 +168,7 @@ const MeasurementFormat& format()
             .rules = rules,
             .assumptions = assumptions},
         .recognise = recognise,
-        .read = read};
+        .read = readRuns<valuesByLine<Reader>, MeasurementKind::Averages>};
     return format;
 }
 

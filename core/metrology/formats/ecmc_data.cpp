@@ -93,7 +93,8 @@ private:
 void Reader::takeLine(const Token& line)
 {
     const Token content = trimmedToken(withoutComment(line, "#"));
-    if (!content)
+    // The first line of a file may be a shell variable with the comment behind it.
+    if (!content || content.text.starts_with("TEST_DATA="))
         return;
     const std::size_t equals = content.text.find('=');
     const auto key = keyOf(trimmed(content.text.substr(0, equals)));
@@ -215,30 +216,6 @@ std::vector<RawRunValue> Reader::values()
     return values;
 }
 
-void parse(std::string_view text, const MeasurementReadOptions& options, Measurement& measurement,
-    DiagnosticList& diagnostics)
-{
-    measurement.kind = MeasurementKind::Runs;
-    const TextInspection inspection(text, options.stop, diagnostics);
-    if (diagnostics.hasErrors())
-        return;
-    Reader reader(measurement, options, diagnostics, inspection.encoding());
-    TextLines lines(inspection.body());
-    while (const auto line = lines.next()) {
-        if (options.stop.stop_requested())
-            return;
-        // The first line of a file may be a shell variable with the comment behind it.
-        if (!trimmed(line->text).starts_with("TEST_DATA="))
-            reader.takeLine(*line);
-    }
-    assembleRuns(reader.values(), options, measurement, diagnostics);
-}
-
-MeasurementReading read(std::string_view text, const MeasurementReadOptions& options)
-{
-    return readMeasurementText(text, options, parse);
-}
-
 MeasurementRecognition recognise(std::string_view text)
 {
     TextLines lines(text);
@@ -260,7 +237,7 @@ const MeasurementFormat& format()
             .kinds = kinds,
             .rules = rules},
         .recognise = recognise,
-        .read = read};
+        .read = readRuns<valuesByLine<Reader>>};
     return format;
 }
 

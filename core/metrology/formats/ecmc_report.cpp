@@ -68,8 +68,7 @@ public:
     }
 
     void takeLine(const Token& line);
-    [[nodiscard]] std::vector<RawRunValue> values() { return std::move(m_values); }
-    void finish();
+    [[nodiscard]] std::vector<RawRunValue> values();
 
 private:
     void takeRow(const Token& line);
@@ -187,7 +186,7 @@ void Reader::takeResult(const Token& line)
         0.5 * std::pow(10.0, parsed.lastDecimal) * unit->factor, line.line});
 }
 
-void Reader::finish()
+std::vector<RawRunValue> Reader::values()
 {
     if (m_unit)
         m_measurement.halfPrintedUnit = m_halfUnit * m_unit->factor;
@@ -197,29 +196,7 @@ void Reader::finish()
                 "a report by a program that is known to print forward and backward the other way "
                 "round"),
             {});
-}
-
-void parse(std::string_view text, const MeasurementReadOptions& options, Measurement& measurement,
-    DiagnosticList& diagnostics)
-{
-    measurement.kind = MeasurementKind::Runs;
-    const TextInspection inspection(text, options.stop, diagnostics);
-    if (diagnostics.hasErrors())
-        return;
-    Reader reader(measurement, options, diagnostics, inspection.encoding());
-    TextLines lines(inspection.body());
-    while (const auto line = lines.next()) {
-        if (options.stop.stop_requested())
-            return;
-        reader.takeLine(*line);
-    }
-    reader.finish();
-    assembleRuns(reader.values(), options, measurement, diagnostics);
-}
-
-MeasurementReading read(std::string_view text, const MeasurementReadOptions& options)
-{
-    return readMeasurementText(text, options, parse);
+    return std::move(m_values);
 }
 
 MeasurementRecognition recognise(std::string_view text)
@@ -245,7 +222,7 @@ const MeasurementFormat& format()
             .kinds = kinds,
             .rules = rules},
         .recognise = recognise,
-        .read = read};
+        .read = readRuns<valuesByLine<Reader>>};
     return format;
 }
 

@@ -2,6 +2,8 @@
 #pragma once
 
 #include "core/metrology/formats/measurement_format.h"
+#include "core/text/text_file.h"
+#include "core/text/token_scanner.h"
 
 namespace axiscomp {
 
@@ -29,5 +31,38 @@ void checkInstrumentScale(std::span<const double> encoder, std::span<const doubl
     const MeasurementReadOptions& options,
     void (*parse)(std::string_view text, const MeasurementReadOptions& options,
         Measurement& measurement, DiagnosticList& diagnostics));
+
+/// The reader of a format of runs, or of their means, which are put together from the values that
+/// `values` finds in the text.
+template <auto values, MeasurementKind kind = MeasurementKind::Runs>
+MeasurementReading readRuns(std::string_view text, const MeasurementReadOptions& options)
+{
+    constexpr auto parse = [](std::string_view whole, const MeasurementReadOptions& how,
+                               Measurement& measurement, DiagnosticList& diagnostics) {
+        measurement.kind = kind;
+        std::vector<RawRunValue> found = values(whole, how, measurement, diagnostics);
+        if (!how.stop.stop_requested())
+            assembleRuns(std::move(found), how, measurement, diagnostics);
+    };
+    return readMeasurementText(text, options, parse);
+}
+
+/// What a Reader that takes line after line has found in the end.
+template <typename Reader>
+std::vector<RawRunValue> valuesByLine(std::string_view text, const MeasurementReadOptions& options,
+    Measurement& measurement, DiagnosticList& diagnostics)
+{
+    const TextInspection inspection(text, options.stop, diagnostics);
+    if (diagnostics.hasErrors())
+        return {};
+    Reader reader(measurement, options, diagnostics, inspection.encoding());
+    TextLines lines(inspection.body());
+    while (const auto line = lines.next()) {
+        if (options.stop.stop_requested())
+            return {};
+        reader.takeLine(*line);
+    }
+    return reader.values();
+}
 
 } // namespace axiscomp

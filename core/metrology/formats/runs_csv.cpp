@@ -238,22 +238,14 @@ void Reader::takeDirections(std::vector<RawRunValue>& values)
     }
 }
 
-void parse(std::string_view text, const MeasurementReadOptions& options, Measurement& measurement,
-    DiagnosticList& diagnostics)
+std::vector<RawRunValue> valuesOf(std::string_view text, const MeasurementReadOptions& options,
+    Measurement& measurement, DiagnosticList& diagnostics)
 {
-    measurement.kind = MeasurementKind::Runs;
     MeasurementCsv csv(text, options, measurement, diagnostics);
     if (!csv.readHeader())
-        return;
+        return {};
     Reader reader(csv, options, measurement);
-    if (!reader.findColumns())
-        return;
-    assembleRuns(reader.read(), options, measurement, diagnostics);
-}
-
-MeasurementReading read(std::string_view text, const MeasurementReadOptions& options)
-{
-    return readMeasurementText(text, options, parse);
+    return reader.findColumns() ? reader.read() : std::vector<RawRunValue>{};
 }
 
 /// "// axiscomp runs: 1" in the first line: whatever is wrong with the rest is said by line.
@@ -291,7 +283,7 @@ const MeasurementFormat& format()
             .kinds = kinds,
             .rules = rules},
         .recognise = recognise,
-        .read = read};
+        .read = readRuns<valuesOf>};
     return format;
 }
 

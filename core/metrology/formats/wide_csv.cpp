@@ -78,24 +78,23 @@ std::optional<bool> holdsReference(MeasurementCsv& csv, const MeasurementReadOpt
     return csv.comments().holdsReference;
 }
 
-void parse(std::string_view text, const MeasurementReadOptions& options, Measurement& measurement,
-    DiagnosticList& diagnostics)
+std::vector<RawRunValue> valuesOf(std::string_view text, const MeasurementReadOptions& options,
+    Measurement& measurement, DiagnosticList& diagnostics)
 {
-    measurement.kind = MeasurementKind::Runs;
     MeasurementCsv csv(text, options, measurement, diagnostics);
     if (!csv.readHeader())
-        return;
+        return {};
     const std::size_t target = csv.column("target", {"position"});
     if (target == 0) {
         csv.error(DiagnosticCode::MissingColumn, 0, AXISCOMP_TEXT("Error", "no column target"),
             AXISCOMP_TEXT("Error", "a column target before those of the runs"));
-        return;
+        return {};
     }
     const auto targetUnit = csv.unit(target, options.unit);
     const std::vector<RunColumn> columns = runColumns(csv, options, targetUnit);
     const auto isReference = holdsReference(csv, options);
     if (!targetUnit || !isReference || diagnostics.hasErrors())
-        return;
+        return {};
     measurement.isAngular = targetUnit->isAngular;
     std::vector<RawRunValue> values;
     while (csv.next()) {
@@ -118,12 +117,7 @@ void parse(std::string_view text, const MeasurementReadOptions& options, Measure
         }
     }
     csv.noteUnknownColumns();
-    assembleRuns(std::move(values), options, measurement, diagnostics);
-}
-
-MeasurementReading read(std::string_view text, const MeasurementReadOptions& options)
-{
-    return readMeasurementText(text, options, parse);
+    return values;
 }
 
 MeasurementRecognition recognise(std::string_view text)
@@ -149,7 +143,7 @@ const MeasurementFormat& format()
             .kinds = kinds,
             .rules = rules},
         .recognise = recognise,
-        .read = read};
+        .read = readRuns<valuesOf>};
     return format;
 }
 

@@ -32,13 +32,13 @@ public:
         checkRuns();
         checkDirections();
         checkPeriod();
-        checkRecord("environment", AXISCOMP_TEXT("Measurement", "temperature on record"),
+        checkRecord("environment", AXISCOMP_TEXT("Measurement", "the file states the temperature"),
             m_measurement.header.airTemperature || m_measurement.header.materialTemperature);
-        checkRecord("instrument", AXISCOMP_TEXT("Measurement", "instrument on record"),
+        checkRecord("instrument", AXISCOMP_TEXT("Measurement", "the file states the instrument"),
             !m_measurement.header.instrument.empty());
-        checkRecord("feed", AXISCOMP_TEXT("Measurement", "feed on record"),
+        checkRecord("feed", AXISCOMP_TEXT("Measurement", "the file states the feed"),
             !m_measurement.header.feed.empty());
-        checkRecord("dwell", AXISCOMP_TEXT("Measurement", "dwell on record"),
+        checkRecord("dwell", AXISCOMP_TEXT("Measurement", "the file states the dwell"),
             !m_measurement.header.dwell.empty());
         return std::move(m_lines);
     }
@@ -125,7 +125,7 @@ void Conditions::checkRuns()
     else
         add("runs",
             AXISCOMP_TEXT(
-                "Measurement", "5 runs in each direction: {count} values where there are fewest")
+                "Measurement", "5 runs in each direction: {count} at the target with the fewest")
                 .with("count", fewest),
             fewest >= 5);
 }
@@ -143,8 +143,8 @@ void Conditions::checkPeriod()
     if (!m_period) {
         add("period",
             AXISCOMP_TEXT("Measurement",
-                "the targets are not all at the same place of a period of the axis; no period is "
-                "stated"),
+                "the targets are not all at the same place of a period of the axis; --period "
+                "states one"),
             std::nullopt);
         return;
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/metrology/judge/corrections.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace axiscomp {
@@ -29,6 +30,38 @@ Result<void> checkCorrectable(const Measurement& measurement, bool isConfirmed)
             "the file does not say whether its values are corrected to 20 deg C already; if they "
             "are not, say so with --not-corrected"));
     return {};
+}
+
+/// Air in another unit would move every value by far too much, and none would look wrong.
+Result<void> checkDeadPath(const DeadPathCorrection& correction)
+{
+    constexpr double longestMm = 1e5;
+    if (!(std::abs(correction.lengthMm) <= longestMm))
+        return notCorrectable(AXISCOMP_TEXT("Error",
+            "a dead path is a length in mm between the interferometer and the reflector, at most "
+            "100 m"));
+    const auto isPossible = [](const AirState& air) {
+        return air.pressureKilopascal >= 50.0 && air.pressureKilopascal <= 120.0
+            && air.celsius >= -40.0 && air.celsius <= 60.0 && air.humidityPercent >= 0.0
+            && air.humidityPercent <= 100.0;
+    };
+    const auto isOfRunPossible = [&](const auto& run) { return isPossible(run.second); };
+    if (!isPossible(correction.atZero)
+        || !std::ranges::all_of(correction.duringRun, isOfRunPossible))
+        return notCorrectable(AXISCOMP_TEXT("Error",
+            "there is no such air on the dead path: pressure is in kPa (50 to 120), temperature in "
+            "deg C (-40 to 60), humidity in percent (0 to 100)"));
+    return {};
+}
+
+double largestChange(const Measurement& before, const Measurement& after)
+{
+    double largest = 0.0;
+    for (std::size_t i = 0; i < after.values.size(); ++i)
+        if (after.values[i].isUsed)
+            largest =
+                std::max(largest, std::abs(after.values[i].deviation - before.values[i].deviation));
+    return largest;
 }
 
 } // namespace
@@ -75,6 +108,7 @@ Result<Measurement> correctedForDeadPath(
     if (measurement.isAngular)
         return notCorrectable(AXISCOMP_TEXT("Error",
             "angles do not change with temperature or air: the correction is for lengths"));
+    AXISCOMP_CHECK(checkDeadPath(correction));
     const double atZero = refractiveIndex(correction.atZero);
     for (RunValue& value : measurement.values) {
         const auto air = correction.duringRun.find({value.direction, value.run});
@@ -87,6 +121,24 @@ Result<Measurement> correctedForDeadPath(
         value.deviation -= correction.lengthMm * (refractiveIndex(air->second) / atZero - 1.0);
     }
     return measurement;
+}
+
+Result<CorrectedMeasurement> corrected(
+    Measurement measurement, const CorrectionsBefore& corrections)
+{
+    CorrectedMeasurement result;
+    if (corrections.deadPath) {
+        AXISCOMP_TRY(auto after, correctedForDeadPath(measurement, *corrections.deadPath));
+        result.largestByDeadPath = largestChange(measurement, after);
+        measurement = std::move(after);
+    }
+    if (corrections.temperature) {
+        AXISCOMP_TRY(auto after, correctedForTemperature(measurement, *corrections.temperature));
+        result.largestByTemperature = largestChange(measurement, after);
+        measurement = std::move(after);
+    }
+    result.measurement = std::move(measurement);
+    return result;
 }
 
 } // namespace axiscomp

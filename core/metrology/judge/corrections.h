@@ -52,8 +52,24 @@ struct DeadPathCorrection {
     friend bool operator==(const DeadPathCorrection&, const DeadPathCorrection&) = default;
 };
 /// Adds -D (n_j / n_0 - 1) to each deviation of run j, for an axis that moves away from the
-/// interferometer. Errors: InvalidArgument for angles, and for a run whose air is not known.
+/// interferometer; D is negative for one that moves towards it. Errors: InvalidArgument for angles,
+/// for a run whose air is not known, and for a length or air that cannot be.
 [[nodiscard]] Result<Measurement> correctedForDeadPath(
     Measurement measurement, const DeadPathCorrection& correction);
+
+/// Those that were asked for.
+struct CorrectionsBefore {
+    std::optional<TemperatureCorrection> temperature = {};
+    std::optional<DeadPathCorrection> deadPath = {};
+};
+struct CorrectedMeasurement {
+    Measurement measurement;
+    /// By how much a value in use has changed at most, in mm. Nothing: not asked for.
+    std::optional<double> largestByTemperature = {};
+    std::optional<double> largestByDeadPath = {};
+};
+/// For the dead path, then to 20 deg C. Errors: those of both.
+[[nodiscard]] Result<CorrectedMeasurement> corrected(
+    Measurement measurement, const CorrectionsBefore& corrections);
 
 } // namespace axiscomp

@@ -237,4 +237,22 @@ Iso230Figures iso230Figures(const Measurement& measurement)
     return result;
 }
 
+FigureValues figureValues(const Iso230Figures& figures)
+{
+    FigureValues result;
+    for (const Iso230Figure figure : allIso230Figures())
+        result.values[static_cast<std::size_t>(figure)] = figures[figure].value;
+    return result;
+}
+
+std::vector<std::optional<double>> valuesOfTargets(const Iso230Figures& figures)
+{
+    std::vector<std::optional<double>> values;
+    for (const TargetFigures& target : figures.targets)
+        values.insert(values.end(),
+            {target.up.mean, target.up.s, target.down.mean, target.down.s, target.mean,
+                target.reversal, target.repeatability});
+    return values;
+}
+
 } // namespace axiscomp

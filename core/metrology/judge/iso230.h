@@ -81,4 +81,19 @@ struct Iso230Figures {
 /// mean, M, E, R and A; of a direction that lacks a target everything.
 [[nodiscard]] Iso230Figures iso230Figures(const Measurement& measurement);
 
+/// The figures of an axis alone. Nothing: not defined.
+struct FigureValues {
+    std::array<std::optional<double>, iso230FigureCount> values{};
+
+    [[nodiscard]] const std::optional<double>& operator[](Iso230Figure figure) const
+    {
+        return values[static_cast<std::size_t>(figure)];
+    }
+    friend bool operator==(const FigureValues&, const FigureValues&) = default;
+};
+[[nodiscard]] FigureValues figureValues(const Iso230Figures& figures);
+
+/// Means, s, B_i and R_i of all targets, as they stand in one table.
+[[nodiscard]] std::vector<std::optional<double>> valuesOfTargets(const Iso230Figures& figures);
+
 } // namespace axiscomp

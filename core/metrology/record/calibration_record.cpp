@@ -321,7 +321,7 @@ void write(const OrderedJson& value, const std::string& indent, std::string& tex
 
 } // namespace
 
-Result<Measurement> usedMeasurement(const RecordedMeasurement& recorded)
+Result<CorrectedMeasurement> correctedMeasurement(const RecordedMeasurement& recorded)
 {
     std::vector<Measurement> measurements;
     for (const RecordedFile& file : recorded.files)
@@ -330,22 +330,30 @@ Result<Measurement> usedMeasurement(const RecordedMeasurement& recorded)
     if (recorded.swapsDirections)
         swapDirections(whole);
     AXISCOMP_CHECK(exclude(whole, recorded.exclusions));
-    if (recorded.corrections.deadPath) {
-        AXISCOMP_TRY(whole, correctedForDeadPath(std::move(whole), *recorded.corrections.deadPath));
-    }
-    if (recorded.corrections.temperature) {
-        AXISCOMP_TRY(
-            whole, correctedForTemperature(std::move(whole), *recorded.corrections.temperature));
-    }
-    return whole;
+    return corrected(
+        std::move(whole), {recorded.corrections.temperature, recorded.corrections.deadPath});
 }
 
-FigureValues figureValues(const Iso230Figures& figures)
+Result<Measurement> usedMeasurement(const RecordedMeasurement& recorded)
 {
-    FigureValues result;
-    for (const Iso230Figure figure : allIso230Figures())
-        result.values[static_cast<std::size_t>(figure)] = figures[figure].value;
-    return result;
+    AXISCOMP_TRY(auto used, correctedMeasurement(recorded));
+    return std::move(used.measurement);
+}
+
+Result<DeadPathCorrection> deadPathFromText(std::string_view text, const std::string& fileName)
+{
+    StrictJson json(text, {.size = maximumDeadPathSize});
+    const JsonNode root = json.root();
+    constexpr std::array<std::string_view, 3> keys{"length", "atZero", "runs"};
+    root.expectMembers(keys, std::span<const std::string_view>());
+    auto correction = json.problem() ? DeadPathCorrection{} : deadPathFromJson(root);
+    if (json.problem())
+        return fail(ErrorCode::InvalidArgument,
+            {{"reason",
+                AXISCOMP_TEXT("Error", "{file} does not describe a dead path: {reason}")
+                    .with("file", Verbatim{fileName})
+                    .with("reason", json.problem()->reason)}});
+    return correction;
 }
 
 std::string recordText(const CalibrationRecord& record)

@@ -62,18 +62,14 @@ struct RecordedMeasurement {
 /// What figures are made of: the files joined, directions exchanged, values left out, and corrected
 /// for temperature and dead path. Errors: InvalidArgument for what the files do not have.
 [[nodiscard]] Result<Measurement> usedMeasurement(const RecordedMeasurement& recorded);
+/// The same, with what the corrections have changed. Errors: likewise.
+[[nodiscard]] Result<CorrectedMeasurement> correctedMeasurement(
+    const RecordedMeasurement& recorded);
 
-/// The figures of an axis alone. Nothing: not defined.
-struct FigureValues {
-    std::array<std::optional<double>, iso230FigureCount> values{};
-
-    [[nodiscard]] const std::optional<double>& operator[](Iso230Figure figure) const
-    {
-        return values[static_cast<std::size_t>(figure)];
-    }
-    friend bool operator==(const FigureValues&, const FigureValues&) = default;
-};
-[[nodiscard]] FigureValues figureValues(const Iso230Figures& figures);
+inline constexpr std::size_t maximumDeadPathSize = std::size_t{1} << 20;
+/// A dead path as a record has it: JSON with length, atZero, runs. Errors: InvalidArgument.
+[[nodiscard]] Result<DeadPathCorrection> deadPathFromText(
+    std::string_view text, const std::string& fileName);
 
 /// How the tables were made.
 struct RecordedFit {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/metrology/report/deviation_plot.h"
 
+#include "core/metrology/fine_quantity.h"
 #include "core/metrology/report/report_text.h"
 
 #include <algorithm>
@@ -54,7 +55,7 @@ public:
         const DeviationRange& range, const PlotSize& size)
         : m_measurement(measurement)
         , m_figures(figures)
-        , m_unit(fineUnit(measurement.isAngular))
+        , m_unit(unitOf(range, measurement.isAngular))
     {
         m_plot.width = size.width;
         m_plot.height = size.height;
@@ -84,6 +85,12 @@ public:
 
 private:
     using Direction = DirectionFigures TargetFigures::*;
+
+    [[nodiscard]] static FineUnit unitOf(const DeviationRange& range, bool isAngular)
+    {
+        const std::optional<double> shown[] = {range.low, range.high};
+        return fineUnit(shown, isAngular);
+    }
 
     [[nodiscard]] PlotPoint place(double position, double deviation) const
     {
@@ -123,7 +130,7 @@ private:
             PlotLabel::Side::Centre, true, smallFont});
         m_plot.labels.push_back({{(m_x.begin + m_x.end) / 2.0, m_plot.height - 1.2},
             AXISCOMP_TEXT("Report", "Position in {unit}")
-                .with("unit", Verbatim{m_unit.positionSymbol}),
+                .with("unit", Verbatim{positionSymbol(m_measurement.isAngular)}),
             PlotLabel::Side::Centre, false, smallFont});
     }
 

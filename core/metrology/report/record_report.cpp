@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/metrology/report/record_report.h"
 
+#include "core/metrology/fine_quantity.h"
 #include "core/metrology/report/report_text.h"
 #include "core/table/table_units.h"
 #include "core/text/number_text.h"
@@ -14,18 +15,26 @@ namespace {
 
 using namespace report;
 
-std::vector<Text> correctionTexts(const RecordedCorrections& corrections)
+std::vector<Text> correctionTexts(
+    const RecordedCorrections& corrections, const CorrectedMeasurement& made)
 {
+    const auto largest = [&made](const std::optional<double>& change) {
+        return fineText(change.value_or(0.0), made.measurement.isAngular);
+    };
     std::vector<Text> list;
     if (const auto& temperature = corrections.temperature)
         list.push_back(
-            AXISCOMP_TEXT("Report", "to 20 °C from {material} with {expansion}")
+            AXISCOMP_TEXT("Report",
+                "to 20 °C from {material} with {expansion}: values changed by up to {largest}")
                 .with("material", quantityText(roundedText(temperature->materialCelsius), "°C"))
                 .with("expansion",
-                    quantityText(roundedText(temperature->expansionPerKelvin * 1e6), "µm/(m·K)")));
+                    quantityText(roundedText(temperature->expansionPerKelvin * 1e6), "µm/(m·K)"))
+                .with("largest", largest(made.largestByTemperature)));
     if (const auto& deadPath = corrections.deadPath)
-        list.push_back(AXISCOMP_TEXT("Report", "dead path of {length}")
-                           .with("length", quantityText(roundedText(deadPath->lengthMm), "mm")));
+        list.push_back(
+            AXISCOMP_TEXT("Report", "dead path of {length}: values changed by up to {largest}")
+                .with("length", quantityText(roundedText(deadPath->lengthMm), "mm"))
+                .with("largest", largest(made.largestByDeadPath)));
     if (corrections.drift)
         list.push_back(AXISCOMP_TEXT("Report", "drift taken out for the table, not for figures"));
     return list;
@@ -34,8 +43,9 @@ std::vector<Text> correctionTexts(const RecordedCorrections& corrections)
 Result<ReportMeasurement> measured(const RecordedMeasurement& recorded)
 {
     ReportMeasurement result;
-    AXISCOMP_TRY(result.measurement, usedMeasurement(recorded));
-    result.corrections = correctionTexts(recorded.corrections);
+    AXISCOMP_TRY(auto made, correctedMeasurement(recorded));
+    result.corrections = correctionTexts(recorded.corrections, made);
+    result.measurement = std::move(made.measurement);
     result.areCorrectionsKnown = true;
     return result;
 }
@@ -51,7 +61,7 @@ Text methodText(const CalibrationRecord& record)
     if (!record.fit)
         return {};
     const FitSettings& settings = record.fit->settings;
-    if (record.before && !record.before->files.front().measurement.hasTargets())
+    if (record.before && isFittedOnGrid(record.before->files.front().measurement, settings))
         return AXISCOMP_TEXT("Report", "smooth grid of scattered points");
     const std::string method(fitMethodName(settings.method));
     switch (settings.direction) {
@@ -93,12 +103,12 @@ Text signText(const CompensationTable& table, const std::optional<RecordedFit>& 
     const auto index = static_cast<std::size_t>(largest - table.values.begin());
     const double position = table.grid.axes.front().position(index);
     const auto added = static_cast<double>(*largest);
-    const FineUnit unit = fineUnit(isAngular);
     constexpr int placeDecimals = 4;
-    const Text amount =
-        quantityText((added > 0.0 ? "+" : "") + fixedDigits(added * unit.factor, 3), unit.symbol);
-    const auto place = [&unit](double value) {
-        return quantityText(fixedDigits(value, placeDecimals), unit.positionSymbol);
+    const std::optional<double> shown[] = {added};
+    const FineUnit unit = fineUnit(shown, isAngular);
+    const Text amount = quantityText((added > 0.0 ? "+" : "") + unit.digits(added), unit.symbol);
+    const auto place = [isAngular](double value) {
+        return quantityText(fixedDigits(value, placeDecimals), positionSymbol(isAngular));
     };
     if (fit && fit->settings.lookupAt == LookupAt::Set)
         return AXISCOMP_TEXT("Report",

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/metrology/report/report_content.h"
 
+#include "core/metrology/fine_quantity.h"
 #include "core/metrology/report/deviation_plot.h"
 #include "core/metrology/report/report_text.h"
 #include "core/text/number_text.h"
@@ -16,7 +17,6 @@ namespace {
 using namespace report;
 
 constexpr double pageWidth = 180.0; // mm, A4 without its margins
-constexpr int figureDecimals = 2; // of um or arc seconds: 10 nm
 constexpr std::size_t mostNotes = 3; // on the first page, as the rest of a list
 constexpr std::size_t mostInputs = 4;
 constexpr std::size_t mostExclusions = 6;
@@ -43,7 +43,6 @@ public:
     ReportWriter(const ReportContent& content, const ReportOptions& options)
         : m_content(content)
         , m_options(options)
-        , m_unit(fineUnit(content.isAngular))
         , m_before(judged(content.before))
         , m_after(judged(content.after))
     {
@@ -82,14 +81,13 @@ private:
 
     [[nodiscard]] Text fine(const std::optional<double>& value) const
     {
-        return value
-            ? quantityText(fixedDigits(*value * m_unit.factor, figureDecimals), m_unit.symbol)
-            : Text(AXISCOMP_TEXT("Report", "not defined"));
+        return value ? fineText(*value, m_content.isAngular)
+                     : Text(AXISCOMP_TEXT("Report", "not defined"));
     }
     /// In a table whose heading says the unit.
-    [[nodiscard]] Text cell(const std::optional<double>& value) const
+    [[nodiscard]] static Text cell(const FineUnit& unit, const std::optional<double>& value)
     {
-        return value ? numberText(*value * m_unit.factor, figureDecimals)
+        return value ? quantityText(unit.digits(*value, figureDecimals), "")
                      : Text(AXISCOMP_TEXT("Report", "not defined"));
     }
     [[nodiscard]] static std::optional<double> accuracyOf(const Judged& one)
@@ -225,7 +223,9 @@ private:
             "1 target from {from} to {to}, {up} runs ↑, {down} runs ↓")
             .with("count", measurement.targets.size())
             .with("from", quantityText(toText(measurement.targets.front()), ""))
-            .with("to", quantityText(toText(measurement.targets.back()), m_unit.positionSymbol))
+            .with("to",
+                quantityText(
+                    toText(measurement.targets.back()), positionSymbol(m_content.isAngular)))
             .with("up", measurement.runCount(Approach::Up))
             .with("down", measurement.runCount(Approach::Down));
     }
@@ -293,9 +293,10 @@ private:
 
     void addFigures()
     {
+        const FineUnit unit = unitOfFigures();
         m_document.blocks.emplace_back(
             ReportHeading{AXISCOMP_TEXT("Report", "Figures of ISO 230-2:2014 in {unit}")
-                              .with("unit", Verbatim{m_unit.symbol})});
+                              .with("unit", Verbatim{unit.symbol})});
         ReportTable table;
         table.hasNumbers = true;
         table.header = {Text(), AXISCOMP_TEXT("Report", "before"),
@@ -305,10 +306,10 @@ private:
         for (const F figure : {F::A, F::AUp, F::ADown, F::R, F::RUp, F::RDown, F::E, F::EUp,
                  F::EDown, F::B, F::MeanReversal, F::M}) {
             const auto measured = [&](const Judged& one) {
-                return one.reported ? cell(one.figures[figure].value) : notStated();
+                return one.reported ? cell(unit, one.figures[figure].value) : notStated();
             };
-            table.rows.push_back({figureText(figure), measured(m_before), predictedCell(figure),
-                heldOutCell(figure), measured(m_after)});
+            table.rows.push_back({figureText(figure), measured(m_before),
+                predictedCell(unit, figure), heldOutCell(unit, figure), measured(m_after)});
         }
         m_document.blocks.emplace_back(std::move(table));
         if (const auto& prediction = m_content.prediction; prediction && prediction->heldOutM)
@@ -320,18 +321,34 @@ private:
                           .with("largest", fine(prediction->heldOutLargest)));
     }
 
-    [[nodiscard]] Text predictedCell(Iso230Figure figure) const
+    /// Of all figures, which are read side by side.
+    [[nodiscard]] FineUnit unitOfFigures() const
+    {
+        std::vector<std::optional<double>> shown;
+        for (const Iso230Figure figure : allIso230Figures()) {
+            for (const Judged* one : {&m_before, &m_after})
+                if (one->reported)
+                    shown.push_back(one->figures[figure].value);
+            if (const auto& prediction = m_content.prediction)
+                shown.push_back(prediction->figures[static_cast<std::size_t>(figure)]);
+        }
+        if (const auto& prediction = m_content.prediction)
+            shown.push_back(prediction->heldOutM);
+        return fineUnit(shown, m_content.isAngular);
+    }
+
+    [[nodiscard]] Text predictedCell(const FineUnit& unit, Iso230Figure figure) const
     {
         const auto& prediction = m_content.prediction;
-        return prediction ? cell(prediction->figures[static_cast<std::size_t>(figure)])
+        return prediction ? cell(unit, prediction->figures[static_cast<std::size_t>(figure)])
                           : notStated();
     }
-    [[nodiscard]] Text heldOutCell(Iso230Figure figure) const
+    [[nodiscard]] Text heldOutCell(const FineUnit& unit, Iso230Figure figure) const
     {
         const auto& prediction = m_content.prediction;
         if (figure != Iso230Figure::M)
             return Verbatim{"–"}; // there is but one figure held out
-        return prediction ? cell(prediction->heldOutM) : notStated();
+        return prediction ? cell(unit, prediction->heldOutM) : notStated();
     }
 
     void addVerdicts()
@@ -382,14 +399,14 @@ private:
     {
         std::vector<Text> axes;
         for (const GridAxis& axis : m_content.table.grid.axes)
-            axes.push_back(
-                AXISCOMP_TEXT("Report", "{count} points from {from} to {to}")
-                    .with("count", axis.size)
-                    .with("from", quantityText(roundedText(axis.start), ""))
-                    .with("to",
-                        quantityText(roundedText(axis.last()),
-                            axis.unit.empty() || axis.unit == "deg" ? m_unit.positionSymbol
-                                                                    : axis.unit.c_str())));
+            axes.push_back(AXISCOMP_TEXT("Report", "{count} points from {from} to {to}")
+                               .with("count", axis.size)
+                               .with("from", quantityText(roundedText(axis.start), ""))
+                               .with("to",
+                                   quantityText(roundedText(axis.last()),
+                                       axis.unit.empty() || axis.unit == "deg"
+                                           ? positionSymbol(m_content.isAngular)
+                                           : axis.unit.c_str())));
         return axes.empty() ? notStated() : listText(std::move(axes));
     }
 
@@ -465,21 +482,22 @@ private:
 
     void addTargets(const TextPattern& name, const Judged& one)
     {
-        m_document.blocks.emplace_back(ReportHeading{name.with("unit", Verbatim{m_unit.symbol})});
+        const FineUnit unit = fineUnit(valuesOfTargets(one.figures), m_content.isAngular);
+        m_document.blocks.emplace_back(ReportHeading{name.with("unit", Verbatim{unit.symbol})});
         ReportTable table;
         table.hasNumbers = true;
         table.header = {AXISCOMP_TEXT("Report", "target in {unit}")
-                            .with("unit", Verbatim{m_unit.positionSymbol}),
+                            .with("unit", Verbatim{positionSymbol(m_content.isAngular)}),
             AXISCOMP_TEXT("Report", "values ↑"), AXISCOMP_TEXT("Report", "mean ↑"),
             AXISCOMP_TEXT("Report", "s ↑"), AXISCOMP_TEXT("Report", "values ↓"),
             AXISCOMP_TEXT("Report", "mean ↓"), AXISCOMP_TEXT("Report", "s ↓"), Verbatim{"B"},
             Verbatim{"R"}};
         for (const TargetFigures& target : one.figures.targets)
             table.rows.push_back({quantityText(toText(target.position), ""),
-                numberText(static_cast<double>(target.up.n), 0), cell(target.up.mean),
-                cell(target.up.s), numberText(static_cast<double>(target.down.n), 0),
-                cell(target.down.mean), cell(target.down.s), cell(target.reversal),
-                cell(target.repeatability)});
+                numberText(static_cast<double>(target.up.n), 0), cell(unit, target.up.mean),
+                cell(unit, target.up.s), numberText(static_cast<double>(target.down.n), 0),
+                cell(unit, target.down.mean), cell(unit, target.down.s),
+                cell(unit, target.reversal), cell(unit, target.repeatability)});
         m_document.blocks.emplace_back(std::move(table));
         if (auto list = exclusions(one.reported->measurement); !list.empty())
             paragraph(
@@ -488,7 +506,6 @@ private:
 
     const ReportContent& m_content;
     const ReportOptions& m_options;
-    FineUnit m_unit;
     Judged m_before;
     Judged m_after;
     ReportDocument m_document;

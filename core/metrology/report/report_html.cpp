@@ -2,7 +2,7 @@
 #include "core/metrology/report/report_html.h"
 
 #include "core/metrology/report/plot_ink.h"
-#include "core/metrology/report/report_text.h"
+#include "core/text/number_text.h"
 
 #include <algorithm>
 
@@ -66,7 +66,7 @@ std::string escaped(const Text& text)
 
 std::string millimetres(double value)
 {
-    return report::fixedDigits(value, 3);
+    return fixedDigits(value, 3);
 }
 
 std::string points(const std::vector<PlotPoint>& list)

@@ -1,27 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/metrology/report/report_text.h"
 
+#include "core/metrology/fine_quantity.h"
+#include "core/text/number_text.h"
 #include "core/text/utf8.h"
-
-#include <array>
-#include <charconv>
 
 namespace axiscomp::report {
 
-FineUnit fineUnit(bool isAngular)
+const char* positionSymbol(bool isAngular)
 {
-    return isAngular ? FineUnit{3600.0, "″", "°"} : FineUnit{1000.0, "µm", "mm"};
+    return isAngular ? "°" : "mm";
 }
 
-std::string fixedDigits(double value, int decimals)
+Text fineText(double value, bool isAngular)
 {
-    std::array<char, 400> buffer{}; // the largest double has 309 digits
-    const auto end = std::to_chars(
-        buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::fixed, decimals);
-    std::string digits(buffer.data(), end.ptr);
-    if (digits.starts_with('-') && digits.find_first_of("123456789") == std::string::npos)
-        digits.erase(0, 1);
-    return digits;
+    const std::optional<double> shown[] = {value};
+    const FineUnit unit = fineUnit(shown, isAngular);
+    return quantityText(unit.digits(value, figureDecimals), unit.symbol);
 }
 
 Text numberText(double value, int decimals)

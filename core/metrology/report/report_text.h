@@ -3,21 +3,16 @@
 
 #include "core/base/text.h"
 
-#include <optional>
 #include <string>
 
 namespace axiscomp::report {
 
-/// How deviations and figures are shown: in um, or in arc seconds for angles.
-struct FineUnit {
-    double factor; ///< from mm or deg
-    const char* symbol; ///< of deviations
-    const char* positionSymbol; ///< of positions, which stay as they are
-};
-[[nodiscard]] FineUnit fineUnit(bool isAngular);
+inline constexpr int figureDecimals = 2; ///< of deviations and figures on a page
 
-/// With this many decimals, and no sign before what is rounded to 0.
-[[nodiscard]] std::string fixedDigits(double value, int decimals);
+/// Of positions on a page.
+[[nodiscard]] const char* positionSymbol(bool isAngular);
+/// A deviation or figure in mm or deg that stands alone, in the unit that suits it.
+[[nodiscard]] Text fineText(double value, bool isAngular);
 /// As a number in the language of the page, without a unit.
 [[nodiscard]] Text numberText(double value, int decimals);
 /// With its unit.

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace tst_fitcommand {
 
@@ -61,6 +62,34 @@ class tst_FitCommand : public QObject {
 
 private Q_SLOTS:
     void init() { test::failOnWarnings(); }
+
+    /// A wave of 0.8 um over 200 mm, a sample every 0.25 mm.
+    void aTrackIsFittedWithItsPeriod()
+    {
+        const Sandbox box;
+        QByteArray track = "encoder [mm],reference [mm]\n";
+        for (int i = 0; i <= 800; ++i) {
+            const double x = 0.25 * i;
+            track += QByteArray::number(x) + ','
+                + QByteArray::number(
+                    x + 0.0008 * std::sin(2.0 * std::numbers::pi * x / 10.0), 'f', 9)
+                + '\n';
+        }
+        const QStringList fit{
+            "fit", box.file("track.csv", track), "--lookup-at", "encoder", "--distance", "0.5"};
+        const ProgramRun run =
+            box.run(fit + QStringList{"--method", "smooth", "--period", "10", "--json"});
+        VERIFY_CODE(run, 0);
+        QCOMPARE(run.json().value("method").toString(), "smooth");
+        const QJsonObject term = run.json().value("periods").toArray().at(0).toObject();
+        QVERIFY(std::abs(term.value("amplitude").toDouble() - 0.0008) < 1e-8);
+        const ProgramRun onGrid = box.run(fit + QStringList{"--json"});
+        VERIFY_CODE(onGrid, 0);
+        QCOMPARE(onGrid.json().value("method").toString(), "grid");
+        const ProgramRun refused = box.run(fit + QStringList{"--method", "spline"});
+        VERIFY_CODE(refused, 2);
+        QVERIFY2(refused.err.contains("--method smooth"), refused.err.constData());
+    }
 
     void aFitHasEveryKeyOfTheDocumentation()
     {

@@ -34,6 +34,24 @@ class tst_MeasurementCommands : public QObject {
 private Q_SLOTS:
     void init() { test::failOnWarnings(); }
 
+    /// Two targets 10 mm apart; a stage that is good to a nanometre.
+    void figuresBelowAMicrometreAreShownInNanometres()
+    {
+        const Sandbox box;
+        const ProgramRun run = box.run({"judge",
+            box.file("fine.csv",
+                "target [mm],direction,run,deviation [nm]\n0,+,1,0.2\n10,+,1,0.9\n0,-,1,0.4\n"
+                "10,-,1,0.5\n"),
+            "--tolerance", "E=5nm"});
+        VERIFY_CODE(run, 0);
+        const QString text = QString::fromUtf8(run.out).simplified();
+        QVERIFY2(text.contains("Figures of ISO 230-2:2014, in nm"), run.out.constData());
+        QVERIFY2(text.contains("systematic deviation E 0.700 0.100 0.700"), run.out.constData());
+        QVERIFY2(text.contains("Targets, in nm"), run.out.constData());
+        QVERIFY2(
+            text.contains("0.700 nm 5.000 nm uncertainty not stated passed"), run.out.constData());
+    }
+
     void aComparisonHasEveryKeyOfTheDocumentation()
     {
         const Sandbox box;
@@ -292,6 +310,59 @@ private Q_SLOTS:
         const double e = run.json().value("axis").toObject().value("EUp").toDouble();
         QVERIFY2(std::abs(e - 0.0148174) < 1e-6, QByteArray::number(e, 'g', 10).constData());
         QCOMPARE(run.json().value("corrections").toObject().keys(), QStringList{"temperature"});
+    }
+
+    /// All runs up are 1 K warmer than the zero setting, all runs down are not: by numpy the dead
+    /// path of 1000 mm adds 0.955028 um to every B_i.
+    void aDeadPathIsCorrectedByTheAirOfEachRun()
+    {
+        const Sandbox box;
+        const QString file = publicFile("bifrost.csv");
+        const QByteArray air = R"({"pressure": 101.325, "temperature": 20, "humidity": 50})";
+        const QByteArray warm = R"({"pressure": 101.325, "temperature": 21, "humidity": 50})";
+        QByteArray runs;
+        for (int run = 1; run <= 5; ++run)
+            runs += (run > 1 ? "," : "") + QByteArray(R"({"direction": "up", "run": )")
+                + QByteArray::number(run) + R"(, "air": )" + warm
+                + R"(}, {"direction": "down", "run": )" + QByteArray::number(run) + R"(, "air": )"
+                + air + "}";
+        const QByteArray begin = R"({"length": 1000, "atZero": )" + air + R"(, "runs": [)";
+        const QString whole = box.file("air.json", begin + runs + "]}");
+        const ProgramRun run = box.run({"judge", file, "--dead-path", whole, "--json"});
+        VERIFY_CODE(run, 0);
+        const QJsonObject axis = run.json().value("axis").toObject();
+        QVERIFY(std::abs(axis.value("B").toDouble() - 0.005519027622650263) < 1e-9);
+        QVERIFY(std::abs(axis.value("Bmean").toDouble() - 0.0016506276226514066) < 1e-9);
+        const QJsonObject made =
+            run.json().value("corrections").toObject().value("deadPath").toObject();
+        QCOMPARE(made.value("length").toDouble(), 1000.0);
+        QVERIFY(std::abs(made.value("largest").toDouble() - 0.0009550276226510945) < 1e-12);
+        const ProgramRun told = box.run({"judge", file, "--dead-path", whole});
+        QVERIFY2(told.out.contains("Corrected for a dead path of 1000 mm: 0.955 um at most\n"),
+            told.out.constData());
+        const QString record = box.path("x.axcal");
+        const ProgramRun fitted = box.run({"fit", file, "--dead-path", whole, "--measured-with",
+            "off", "--lookup-at", "encoder", "--record", record});
+        VERIFY_CODE(fitted, 0);
+        QVERIFY2(fitted.out.contains("Corrected for a dead path of 1000 mm: 0.955 um at most\n"),
+            fitted.out.constData());
+        const QJsonObject kept = QJsonDocument::fromJson(box.content("x.axcal")).object();
+        QCOMPARE(kept.value("before").toObject().value("corrections").toObject().keys(),
+            QStringList{"deadPath"});
+        VERIFY_CODE(
+            box.run({"report", record, "--language", "de", "-o", box.path("report.html")}), 0);
+        QVERIFY(box.content("report.html")
+                    .contains("Totstrecke von 1000 mm: Werte um bis zu 0,96 µm geändert"));
+
+        const QString few = box.file("few.json", begin + "]}");
+        const ProgramRun unknown = box.run({"judge", file, "--dead-path", few});
+        VERIFY_CODE(unknown, 2);
+        QVERIFY2(unknown.err.contains("the air of run 1 up is not known"), unknown.err.constData());
+        const ProgramRun wrong =
+            box.run({"judge", file, "--dead-path", box.file("wrong.json", R"({"length": 3})")});
+        VERIFY_CODE(wrong, 2);
+        QVERIFY2(wrong.err.contains("wrong.json does not describe a dead path: "),
+            wrong.err.constData());
     }
 
     void thePageOfTheFormatsIsUpToDate()

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/metrology/fine_quantity.h"
 #include "core/metrology/judge/corrections.h"
 #include "core/metrology/judge/judgement.h"
 #include "tests/core/metrology/measurement_reading.h"
@@ -292,6 +293,57 @@ private Q_SLOTS:
             QVERIFY2(std::abs(one.deviation - expected) < 2e-6,
                 std::to_string(1e6 * one.deviation).c_str());
         }
+        const CorrectionsBefore alone{.deadPath = correction};
+        const auto made = axiscomp::corrected(measurement, alone);
+        VERIFY_RESULT(made);
+        QVERIFY(made->largestByDeadPath && !made->largestByTemperature);
+        // By numpy: -100 (n(101.325, 21, 50) / n(101.325, 20, 50) - 1).
+        QVERIFY(std::abs(*made->largestByDeadPath - 9.550276226510945e-05) < 1e-12);
+    }
+
+    void airThatCannotBeIsRefused()
+    {
+        const Measurement measurement = noisy(2, 10.0, 1);
+        DeadPathCorrection correction{.lengthMm = 100.0};
+        for (const Approach direction : {Approach::Up, Approach::Down})
+            correction.duringRun[{direction, 1}] = {};
+        VERIFY_RESULT(correctedForDeadPath(measurement, correction));
+        for (const AirState& air : {AirState{1013.25, 20.0, 50.0}, AirState{760.0, 20.0, 50.0},
+                 AirState{101.3, 293.15, 50.0}, AirState{101.3, 20.0, -1.0},
+                 AirState{101.3, 20.0, 101.0}, AirState{std::nan(""), 20.0, 50.0}}) {
+            DeadPathCorrection wrong = correction;
+            wrong.atZero = air;
+            VERIFY_ERROR(correctedForDeadPath(measurement, wrong), ErrorCode::InvalidArgument);
+            wrong = correction;
+            wrong.duringRun[{Approach::Down, 1}] = air;
+            VERIFY_ERROR(correctedForDeadPath(measurement, wrong), ErrorCode::InvalidArgument);
+        }
+        correction.lengthMm = 2e5;
+        VERIFY_ERROR(correctedForDeadPath(measurement, correction), ErrorCode::InvalidArgument);
+    }
+
+    /// The dead path first: what it leaves is brought to 20 deg C.
+    void correctionsSayByHowMuchTheyChangeAtMost()
+    {
+        Measurement measurement = noisy(3, 1000.0, 1);
+        for (RunValue& one : measurement.values)
+            one.deviation = 0.0;
+        measurement.values.back().isUsed = false;
+        CorrectionsBefore both{
+            TemperatureCorrection{
+                .materialCelsius = 22.0, .expansionPerKelvin = 11.5e-6, .isConfirmed = true},
+            DeadPathCorrection{.lengthMm = -1000.0}};
+        for (const Approach direction : {Approach::Up, Approach::Down})
+            both.deadPath->duringRun[{direction, 1}] = {101.325, 21.0, 50.0};
+        const auto made = axiscomp::corrected(measurement, both);
+        VERIFY_RESULT(made);
+        QVERIFY(std::abs(*made->largestByDeadPath - 0.0009550276226510945) < 1e-12);
+        // By numpy: (1000 + d) / (1 + 23e-6) - 1000 - d, with d = -0.000955028.
+        QVERIFY(std::abs(*made->largestByTemperature - 0.022999449047163445) < 1e-11);
+        const auto none = axiscomp::corrected(measurement, {});
+        VERIFY_RESULT(none);
+        QVERIFY(none->measurement == measurement);
+        QVERIFY(!none->largestByDeadPath && !none->largestByTemperature);
     }
 
     void conditionsOfTheStandard()
@@ -367,6 +419,28 @@ private Q_SLOTS:
         QCOMPARE(vdi->pa, 0.5);
         // Means 1.5 and 2; half widths (1 + ps)/2 and 2.
         QCOMPARE(vdi->p, 1.5 + (1.0 + ps) / 2.0 - (1.5 - (1.0 + ps) / 2.0));
+    }
+
+    /// Values that stand in one table have one unit, which suits the largest.
+    void aFigureIsShownInTheUnitThatSuitsIt()
+    {
+        const auto shown = [](double value, bool isAngular = false) {
+            const Quantity quantity = fineQuantity(value, isAngular);
+            return quantity.digits + " " + quantity.unit;
+        };
+        QCOMPARE(shown(0.0123456), "12.346 um");
+        QCOMPARE(shown(100e-6), "0.100 um");
+        QCOMPARE(shown(-99.9994e-6), "-99.999 nm");
+        QCOMPARE(shown(0.4321e-6), "0.432 nm");
+        QCOMPARE(shown(5e-9), "0.005 nm");
+        QCOMPARE(shown(-4.9e-9), "0.000 um");
+        QCOMPARE(shown(0.0), "0.000 um");
+        QCOMPARE(shown(1e-6, true), "0.004 arcsec");
+        const std::optional<double> both[] = {3e-7, std::nullopt, -0.002};
+        const FineUnit unit = fineUnit(both, false);
+        QCOMPARE(unit.digits(3e-7) + unit.name, "0.000um");
+        QCOMPARE(unit.digits(-0.002, 2) + unit.name, "-2.00um");
+        QCOMPARE(std::string(fineUnit(std::span(both).first(2), false).symbol), "nm");
     }
 
     void aJudgementSaysWhatIsDoubtful()

@@ -299,6 +299,79 @@ private Q_SLOTS:
         QVERIFY(isRefused(fitMeasurement(track, settings, state), "--points or --distance"));
     }
 
+    /// A straight line with a known period is met exactly, by any smoothness; the grid's own fit
+    /// with its points 1 mm apart does not see the period.
+    void aTrackIsFittedByASmoothingSplineWithItsPeriods()
+    {
+        const auto error = [](double x) {
+            return 3e-5 * x + 0.0008 * std::sin(2.0 * pi * x / 10.0 + 0.3);
+        };
+        Measurement track;
+        track.kind = MeasurementKind::Track;
+        track.header.axis = "X";
+        for (int i = 0; i <= 4000; ++i)
+            track.track.push_back({0.05 * i, 0.05 * i + error(0.05 * i), Approach::Up});
+        for (int i = 1000; i >= 0; --i)
+            track.track.push_back({0.2 * i, 0.2 * i + error(0.2 * i), Approach::Down});
+        FitSettings settings = keeping();
+        settings.method = FitMethod::Smooth;
+        settings.periods = {{10.0}, 1};
+        settings.grid = {{.distance = 0.5}};
+        const FoundState state{FoundState::Kind::Irrelevant, nullptr, {}, {}};
+        const auto report = fitMeasurement(track, settings, state);
+        VERIFY_RESULT(report);
+        const FittedTable& made = report->tables.front();
+        QCOMPARE(made.table.values.size(), std::size_t{401});
+        for (std::size_t i = 0; i < made.table.values.size(); ++i)
+            QVERIFY(std::abs(static_cast<double>(made.table.values[i])
+                        - error(made.table.grid.axes.front().position(i)))
+                < 1e-8);
+        QCOMPARE(made.periods.size(), std::size_t{1});
+        QVERIFY(std::abs(made.periods.front().amplitude() - 0.0008) < 1e-9);
+        // By numpy, the largest distance of straight lines from the wave: at 4001 places, and
+        // anywhere.
+        QVERIFY(std::abs(made.residualLargest - 9.748906e-6) < 1e-9);
+        QVERIFY(made.density && std::abs(made.density->largestDistance - 9.749044e-6) < 1e-9);
+
+        settings.isRobust = true;
+        QVERIFY(isRefused(fitMeasurement(track, settings, state), "leave out --robust"));
+        settings.isRobust = false;
+        settings.periods = {{0.25}, 1}; // every sample is at one place of it
+        settings.grid = {{.points = 11}};
+        track.track.resize(4001);
+        for (std::size_t i = 0; i < track.track.size(); ++i)
+            track.track[i].encoder = 0.25 * static_cast<double>(i);
+        const auto unresolved = fitMeasurement(track, settings, state);
+        VERIFY_ERROR(unresolved, ErrorCode::PeriodNotResolved);
+        settings.periods = {};
+        settings.method = FitMethod::Spline;
+        QVERIFY(isRefused(fitMeasurement(track, settings, state), "--method smooth"));
+    }
+
+    /// Samples leave a gap: what the spline has there was not measured.
+    void aGapOfATrackIsNotBridgedUnasked()
+    {
+        Measurement track;
+        track.kind = MeasurementKind::Track;
+        for (int i = 0; i <= 200; ++i)
+            if (i < 60 || i > 140)
+                track.track.push_back({0.5 * i, 0.5 * i + 1e-5 * i, Approach::Up});
+        FitSettings settings = keeping();
+        settings.method = FitMethod::Smooth;
+        settings.grid = {{.distance = 2.0}};
+        const FoundState state{FoundState::Kind::Irrelevant, nullptr, {}, {}};
+        VERIFY_ERROR(fitMeasurement(track, settings, state), ErrorCode::NoDataThere);
+        settings.farPoints = FarPoints::Smooth;
+        const auto report = fitMeasurement(track, settings, state);
+        VERIFY_RESULT(report);
+        QVERIFY(report->tables.front().filledNodes > 10);
+        QVERIFY(hasRemark(*report, "NodesFilled"));
+        for (std::size_t i = 0; i <= 50; ++i)
+            QVERIFY(std::abs(static_cast<double>(report->tables.front().table.values[i])
+                        - 4e-5 * static_cast<double>(i))
+                < 1e-8);
+    }
+
     /// Of an artefact that lies turned and shifted nothing is left.
     void howAnArtefactLayIsTakenOut()
     {
