@@ -312,7 +312,7 @@ private Q_SLOTS:
         QCOMPARE(run.json().value("corrections").toObject().keys(), QStringList{"temperature"});
     }
 
-    /// All runs up are 1 K warmer than the zero setting, all runs down are not: by numpy the dead
+    /// All runs up are 1 K warmer than the zero setting, all runs down are not: by Python the dead
     /// path of 1000 mm adds 0.955028 um to every B_i.
     void aDeadPathIsCorrectedByTheAirOfEachRun()
     {

@@ -297,7 +297,7 @@ private Q_SLOTS:
         const auto made = axiscomp::corrected(measurement, alone);
         VERIFY_RESULT(made);
         QVERIFY(made->largestByDeadPath && !made->largestByTemperature);
-        // By numpy: -100 (n(101.325, 21, 50) / n(101.325, 20, 50) - 1).
+        // By Python: -100 (n(101.325, 21, 50) / n(101.325, 20, 50) - 1).
         QVERIFY(std::abs(*made->largestByDeadPath - 9.550276226510945e-05) < 1e-12);
     }
 
@@ -338,7 +338,7 @@ private Q_SLOTS:
         const auto made = axiscomp::corrected(measurement, both);
         VERIFY_RESULT(made);
         QVERIFY(std::abs(*made->largestByDeadPath - 0.0009550276226510945) < 1e-12);
-        // By numpy: (1000 + d) / (1 + 23e-6) - 1000 - d, with d = -0.000955028.
+        // By Python: (1000 + d) / (1 + 23e-6) - 1000 - d, with d = -0.000955028.
         QVERIFY(std::abs(*made->largestByTemperature - 0.022999449047163445) < 1e-11);
         const auto none = axiscomp::corrected(measurement, {});
         VERIFY_RESULT(none);

@@ -328,7 +328,7 @@ private Q_SLOTS:
                 < 1e-8);
         QCOMPARE(made.periods.size(), std::size_t{1});
         QVERIFY(std::abs(made.periods.front().amplitude() - 0.0008) < 1e-9);
-        // By numpy, the largest distance of straight lines from the wave: at 4001 places, and
+        // By Python, the largest distance of straight lines from the wave: at 4001 places, and
         // anywhere.
         QVERIFY(std::abs(made.residualLargest - 9.748906e-6) < 1e-9);
         QVERIFY(made.density && std::abs(made.density->largestDistance - 9.749044e-6) < 1e-9);
