@@ -13,7 +13,7 @@ class MeasurementFilesModel : public QAbstractTableModel {
     Q_OBJECT
 
 public:
-    enum Column { File, Content, Compensation, State, ColumnCount };
+    enum Column { File, State, Content, Compensation, ColumnCount };
 
     /// record must outlive the model.
     explicit MeasurementFilesModel(const RecordModel& record, QObject* parent = nullptr);

@@ -256,7 +256,8 @@ void MeasurePage::showProblems(const ReadMeasurement* reading)
     if (!m_problems->setProblems(file))
         return;
     m_problemStack->setCurrentWidget(m_problems);
-    if (hasErrors)
+    // Who gives the columns their roles sees the problems come and go.
+    if (hasErrors && m_views->currentWidget() != m_columns)
         m_views->setCurrentIndex(problemTab);
 }
 

@@ -718,7 +718,7 @@ void addMeasurement(PageScene& scene, const QString& path, int count)
             const std::function<void(const QString&)>& answer) { answer(path); });
     scene.click("addMeasurement");
     const auto* files = scene.page().findChild<QTableView*>(QStringLiteral("measurementFiles"));
-    constexpr int stateColumn = 3;
+    constexpr int stateColumn = 1;
     wait(
         [&] {
             const auto state = files->model()->index(count - 1, stateColumn);
