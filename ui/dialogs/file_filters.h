@@ -11,6 +11,8 @@ namespace axiscomp::ui {
 
 /// For a file dialog: everything that can be read, one entry for each format, and all files.
 [[nodiscard]] QString openFilter();
+/// The same for the files of measurements.
+[[nodiscard]] QString measurementFilter();
 /// The one entry of a format that is written.
 [[nodiscard]] QString saveFilter(const TableFormat& format);
 /// "softMC (Danaher, Servotronix, Kollmorgen): text table ...", in the language of the window.

@@ -13,6 +13,7 @@ namespace axiscomp::ui {
 struct FileQuestion {
     enum class Purpose {
         OpenData,
+        OpenMeasurement,
         OpenConfiguration,
         OpenBackup,
         SaveExample,

@@ -72,6 +72,21 @@ void FileActions::askAndOpen()
     m_picker(m_window, question, [this](const QString& path) { open(path); });
 }
 
+void FileActions::askForMeasurements()
+{
+    FileQuestion question;
+    question.purpose = FileQuestion::Purpose::OpenMeasurement;
+    question.title = tr("Add Measurement");
+    question.filter = measurementFilter();
+    question.start = m_measurementFolder.isEmpty() ? m_settings.folder() : m_measurementFolder;
+    m_picker(m_window, question, [this](const QString& path) {
+        if (path.isEmpty())
+            return;
+        m_measurementFolder = QFileInfo(path).absolutePath();
+        Q_EMIT measurementsChosen({path});
+    });
+}
+
 void FileActions::open(const QString& path)
 {
     if (path.isEmpty())

@@ -42,6 +42,8 @@ public:
     [[nodiscard]] const FilePicker& picker() const { return m_picker; }
     void askAndOpen();
     void open(const QString& path);
+    /// A file of a measurement; measurementsChosen() follows.
+    void askForMeasurements();
     /// Asks how the file is to be understood.
     void askForImport(const QString& path);
     /// The selected table as a file of another controller.
@@ -59,6 +61,7 @@ public:
 
 Q_SIGNALS:
     void failed(const QString& sentence);
+    void measurementsChosen(const QStringList& paths);
 
 private:
     void askWhereToExport(
@@ -81,6 +84,7 @@ private:
     const DriveProfile& m_profile;
     QWidget& m_window;
     FilePicker m_picker;
+    QString m_measurementFolder; ///< of the last one; empty: none was opened yet
     QPointer<ImportDialog> m_import;
 };
 
