@@ -5778,6 +5778,10 @@
         <source>{file} has several tables; name one of them with column: {known}</source>
         <translation>{file} hat mehrere Tabellen; nennen Sie eine davon mit column: {known}</translation>
     </message>
+    <message>
+        <source>it is one of the files of this measurement; choose another name</source>
+        <translation>sie ist eine der Dateien dieser Messung; wählen Sie einen anderen Namen</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -8828,6 +8832,14 @@
         <source>Add Measurement</source>
         <translation>Messung hinzufügen</translation>
     </message>
+    <message>
+        <source>Save as Runs</source>
+        <translation>Als Durchläufe speichern</translation>
+    </message>
+    <message>
+        <source>Runs (*.csv)</source>
+        <translation>Durchläufe (*.csv)</translation>
+    </message>
 </context>
 <context>
     <name>axiscomp::ui::FileChoices</name>
@@ -9387,12 +9399,28 @@
         <translation>Die Dateien werden gelesen …</translation>
     </message>
     <message>
-        <source>This measurement has no targets, so that it cannot be judged.</source>
-        <translation>Diese Messung hat keine Zielpositionen und kann daher nicht beurteilt werden.</translation>
+        <source>&amp;Save as Runs…</source>
+        <translation>Als Durchläufe &amp;speichern…</translation>
     </message>
     <message>
-        <source>The measurement can be used.</source>
-        <translation>Die Messung kann verwendet werden.</translation>
+        <source>All files as one CSV file, with what is excluded marked in it</source>
+        <translation>Alle Dateien als eine CSV-Datei, in der Ausgeschlossenes gekennzeichnet ist</translation>
+    </message>
+    <message>
+        <source>Values of all files</source>
+        <translation>Werte aller Dateien</translation>
+    </message>
+    <message>
+        <source>Saved as %1. The commands axiscomp judge and axiscomp fit go on with it: figures of ISO 230-2, and a table for Write.</source>
+        <translation>Gespeichert als %1. Damit arbeiten die Befehle axiscomp judge und axiscomp fit weiter: Kennwerte nach ISO 230-2 und eine Tabelle für Schreiben.</translation>
+    </message>
+    <message>
+        <source>Without targets there are no figures of ISO 230-2; the command axiscomp fit makes a table of it for Write.</source>
+        <translation>Ohne Zielpositionen gibt es keine Kennwerte nach ISO 230-2; der Befehl axiscomp fit macht daraus eine Tabelle für Schreiben.</translation>
+    </message>
+    <message>
+        <source>The measurement can be used. Save it as runs for the commands axiscomp judge and axiscomp fit.</source>
+        <translation>Die Messung kann verwendet werden. Speichern Sie sie als Durchläufe für die Befehle axiscomp judge und axiscomp fit.</translation>
     </message>
 </context>
 <context>
@@ -10376,6 +10404,68 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
     <message>
         <source>The backup is of &amp;another drive, which this one replaces</source>
         <translation>Die Sicherung ist von einem &amp;anderen Antrieb, den dieser ersetzt</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::RunValuesModel</name>
+    <message>
+        <source>target %1 at %2</source>
+        <translation>Zielposition %1 bei %2</translation>
+    </message>
+    <message>
+        <source>no value</source>
+        <translation>kein Wert</translation>
+    </message>
+    <message>
+        <source>%1, target %2, run %3, %4</source>
+        <translation>%1, Zielposition %2, Durchlauf %3, %4</translation>
+    </message>
+    <message>
+        <source>excluded</source>
+        <translation>ausgeschlossen</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Zielposition</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::RunValuesView</name>
+    <message>
+        <source>Values of all files</source>
+        <translation>Werte aller Dateien</translation>
+    </message>
+    <message>
+        <source>Leave the selected values out of every figure and table; in the first column, whole targets (Del)</source>
+        <translation>Die ausgewählten Werte aus jedem Kennwert und jeder Tabelle weglassen; in der ersten Spalte ganze Zielpositionen (Entf)</translation>
+    </message>
+    <message>
+        <source>Leave out every value of the run of the current cell</source>
+        <translation>Jeden Wert des Durchlaufs weglassen, in dem die aktuelle Zelle steht</translation>
+    </message>
+    <message>
+        <source>Use A&amp;gain</source>
+        <translation>Wie&amp;der verwenden</translation>
+    </message>
+    <message>
+        <source>Use the selected values again</source>
+        <translation>Die ausgewählten Werte wieder verwenden</translation>
+    </message>
+    <message>
+        <source>Values: %1, excluded: %2 (✕). ↑ up, ↓ down.</source>
+        <translation>Werte: %1, ausgeschlossen: %2 (✕). ↑ aufwärts, ↓ abwärts.</translation>
+    </message>
+    <message>
+        <source>&amp;Exclude</source>
+        <translation>Ausschließe&amp;n</translation>
+    </message>
+    <message>
+        <source>Exclude W&amp;hole Run</source>
+        <translation>&amp;Ganzen Durchlauf ausschließen</translation>
+    </message>
+    <message>
+        <source>Too many cells are selected: at most %1 in one step. A whole target is its cell in the first column; &quot;Exclude Whole Run&quot; takes a whole run.</source>
+        <translation>Zu viele Zellen sind ausgewählt: höchstens %1 in einem Schritt. Für eine ganze Zielposition genügt ihre Zelle in der ersten Spalte, für einen ganzen Durchlauf „Ganzen Durchlauf ausschließen“.</translation>
     </message>
 </context>
 <context>

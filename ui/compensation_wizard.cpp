@@ -92,6 +92,7 @@ struct CompensationWizard::Private {
     void announceTitle();
     [[nodiscard]] bool isWriteShown() const;
     void open(const QStringList& files);
+    void saveMeasurement();
     void showMarkOfMeasure();
 
     CompensationWizard& q;
@@ -184,6 +185,8 @@ void CompensationWizard::Private::connectParts()
     connect(menu, &PageMenu::overviewRequested, &q, [this] { showOverview(); });
     connect(menu, &PageMenu::saveLogRequested, &q, [this] { files.saveLog(page->log->text()); });
     connect(measure, &MeasurePage::addRequested, &q, [this] { files.askForMeasurements(); });
+    connect(measure, &MeasurePage::saveRequested, &q, [this] { saveMeasurement(); });
+    connect(&files, &FileActions::measurementSaved, measure, &MeasurePage::showSaved);
     connect(&files, &FileActions::measurementsChosen, &record, &RecordModel::addFiles);
     connect(&record, &RecordModel::historyChanged, &q, [this] { offerHistory(); });
     connect(page->tabs, &PageTabs::currentChanged, &q, [this] { offerHistory(); });
@@ -457,6 +460,14 @@ void CompensationWizard::Private::open(const QStringList& dropped)
         files.open(dropped.front());
     else
         record.addFiles(dropped);
+}
+
+void CompensationWizard::Private::saveMeasurement()
+{
+    QStringList sources;
+    for (const MeasurementFile& file : record.record().files)
+        sources += file.path;
+    files.saveMeasurement(record.state().measurement, sources);
 }
 
 void CompensationWizard::Private::showMarkOfMeasure()

@@ -71,10 +71,13 @@ QString measurementFilter()
 {
     FilterEntries entries;
     for (const MeasurementFormat* format : measurementFormats())
-        entries.add(qString(format->facts.origin) + QStringLiteral(": ")
-                + translated(format->facts.description),
-            format->facts.extensions);
+        entries.add(measurementFormatText(*format), format->facts.extensions);
     return entries.withAll(QCoreApplication::translate("FileFilter", "Measurements"));
+}
+
+QString measurementFormatText(const MeasurementFormat& format)
+{
+    return qString(format.facts.name) + QStringLiteral(": ") + translated(format.facts.description);
 }
 
 QString saveFilter(const TableFormat& format)

@@ -21,6 +21,7 @@ struct FileQuestion {
         ExportTable,
         SaveConfiguration,
         SaveBackup,
+        SaveMeasurement,
     } purpose = Purpose::OpenData;
     QString title;
     QString filter;

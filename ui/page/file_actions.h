@@ -17,6 +17,7 @@ class QDialog;
 
 namespace axiscomp {
 struct CompensationTable;
+struct Measurement;
 struct TamConfiguration;
 } // namespace axiscomp
 
@@ -44,6 +45,10 @@ public:
     void open(const QString& path);
     /// A file of a measurement; measurementsChosen() follows.
     void askForMeasurements();
+    /// Asks for a file, which gets a measurement with targets as runs; measurementSaved() follows.
+    /// sources: the files that it was read from, which are not written over.
+    void saveMeasurement(
+        const std::shared_ptr<const Measurement>& measurement, const QStringList& sources);
     /// Asks how the file is to be understood.
     void askForImport(const QString& path);
     /// The selected table as a file of another controller.
@@ -62,6 +67,7 @@ public:
 Q_SIGNALS:
     void failed(const QString& sentence);
     void measurementsChosen(const QStringList& paths);
+    void measurementSaved(const QString& path);
 
 private:
     void askWhereToExport(
@@ -75,6 +81,8 @@ private:
         const std::shared_ptr<const TamConfiguration>& from, const std::string& text);
     void saveConfiguration(const QString& path, const QString& original,
         const std::shared_ptr<const TamConfiguration>& from, const std::string& text);
+    void writeMeasurement(const QString& path,
+        const std::shared_ptr<const Measurement>& measurement, const QStringList& sources);
     void save(const QString& path, std::string text);
     void report(const QFuture<Result<void>>& saved);
 

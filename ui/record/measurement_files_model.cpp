@@ -35,15 +35,19 @@ std::size_t warningsOf(const ReadMeasurement& reading)
     return reading.reading ? reading.reading->diagnostics.size() : 0;
 }
 
-QPixmap stateSymbol(const ReadMeasurement& reading)
+QIcon stateSymbol(const ReadMeasurement& reading)
 {
     constexpr int size = 14;
     const bool isBad = reading.refusal.has_value();
     const bool hasWarnings = warningsOf(reading) > 0;
     const Tone tone = isBad ? Tone::Error : hasWarnings ? Tone::Warning : Tone::Success;
     const Symbol symbol = isBad ? Symbol::Error : hasWarnings ? Symbol::Warning : Symbol::Success;
-    return symbolPixmap(
-        symbol, frameColor(tone, QGuiApplication::palette()), size, qGuiApp->devicePixelRatio());
+    const QPalette colors = QGuiApplication::palette();
+    QIcon icon(symbolPixmap(symbol, frameColor(tone, colors), size, qGuiApp->devicePixelRatio()));
+    icon.addPixmap(symbolPixmap(symbol, colors.color(QPalette::HighlightedText), size,
+                       qGuiApp->devicePixelRatio()),
+        QIcon::Selected);
+    return icon;
 }
 
 QString stateOfFile(const ReadMeasurement& reading)
@@ -72,9 +76,7 @@ QString contentText(const ReadMeasurement& reading)
     case MeasurementKind::Runs:
         break;
     }
-    return MeasurementFilesModel::tr("%1 up, %2 down")
-        .arg(measurement->runCount(Approach::Up))
-        .arg(measurement->runCount(Approach::Down));
+    return MeasurementFilesModel::tr("%1 up, %2 down").arg(reading.upRuns).arg(reading.downRuns);
 }
 
 MeasurementFilesModel::MeasurementFilesModel(const RecordModel& record, QObject* parent)

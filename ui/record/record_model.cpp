@@ -18,14 +18,30 @@ bool coversValue(const Exclusion& exclusion, const RunValue& value)
         && (!exclusion.run || *exclusion.run == value.run);
 }
 
+/// Whether both can name the same value.
+bool overlap(const Exclusion& a, const Exclusion& b)
+{
+    const auto agree = [](const auto& one, const auto& other) {
+        return !one || !other || *one == *other;
+    };
+    return agree(a.direction, b.direction) && agree(a.target, b.target) && agree(a.run, b.run);
+}
+
+bool isOneValue(const Exclusion& exclusion)
+{
+    return exclusion.direction && exclusion.target && exclusion.run;
+}
+
 /// The values of a measurement that an exclusion leaves out, but for those of `used`.
 void addOthers(const Measurement& measurement, const Exclusion& exclusion,
     const std::vector<Exclusion>& used, std::vector<Exclusion>& left)
 {
     for (const RunValue& value : measurement.values) {
+        if (!coversValue(exclusion, value))
+            continue;
         const bool isUsed = std::ranges::any_of(
             used, [&](const Exclusion& one) { return coversValue(one, value); });
-        if (coversValue(exclusion, value) && !isUsed)
+        if (!isUsed)
             left.push_back({value.direction, value.target + 1, value.run});
     }
 }
@@ -165,6 +181,12 @@ void RecordModel::setDirectionsSwapped(bool isSwapped)
     change(std::move(next), StepKind::SwapDirections);
 }
 
+bool RecordModel::isMeasurementShown() const
+{
+    return m_state.measurement && m_state.record.files == m_record.files
+        && m_state.record.swapsDirections == m_record.swapsDirections;
+}
+
 void RecordModel::exclude(const std::vector<Exclusion>& exclusions)
 {
     Record next = m_record;
@@ -178,25 +200,27 @@ void RecordModel::exclude(const std::vector<Exclusion>& exclusions)
     change(std::move(next), StepKind::Exclude, countText(added));
 }
 
+bool RecordModel::isLeftOut(const std::vector<Exclusion>& values) const
+{
+    return std::ranges::any_of(m_record.exclusions, [&](const Exclusion& exclusion) {
+        return std::ranges::any_of(
+            values, [&](const Exclusion& one) { return overlap(exclusion, one); });
+    });
+}
+
 void RecordModel::useAgain(const std::vector<Exclusion>& values)
 {
-    // Those of an earlier measurement are of no use for this one.
-    if (!m_state.measurement || m_state.record.files != m_record.files
-        || m_state.record.swapsDirections != m_record.swapsDirections)
+    if (!isMeasurementShown())
         return;
     Record next = m_record;
     next.exclusions.clear();
     for (const Exclusion& exclusion : m_record.exclusions) {
-        const bool isTouched =
-            std::ranges::any_of(m_state.measurement->values, [&](const RunValue& value) {
-                return coversValue(exclusion, value)
-                    && std::ranges::any_of(
-                        values, [&](const Exclusion& one) { return coversValue(one, value); });
-            });
-        if (isTouched)
-            addOthers(*m_state.measurement, exclusion, values, next.exclusions);
-        else
+        const bool isTouched = std::ranges::any_of(
+            values, [&](const Exclusion& one) { return overlap(exclusion, one); });
+        if (!isTouched)
             next.exclusions.push_back(exclusion);
+        else if (!isOneValue(exclusion))
+            addOthers(*m_state.measurement, exclusion, values, next.exclusions);
     }
     change(std::move(next), StepKind::UseAgain, countText(values.size()));
 }

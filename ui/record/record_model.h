@@ -23,6 +23,8 @@ public:
     [[nodiscard]] const Record& record() const { return m_record; }
     /// Of record(), or of an earlier one while isEvaluating().
     [[nodiscard]] const RecordState& state() const { return m_state; }
+    /// Whether the measurement of state() has the values that record() names, used or not.
+    [[nodiscard]] bool isMeasurementShown() const;
     [[nodiscard]] bool isEvaluating() const { return m_isEvaluating; }
 
     // Each is one step. Nothing happens where nothing changes.
@@ -37,6 +39,8 @@ public:
     void exclude(const std::vector<Exclusion>& exclusions);
     /// The values that these name; of a run or target that was left out, the others stay left out.
     void useAgain(const std::vector<Exclusion>& values);
+    /// Whether useAgain() has something to do for one of them: not for what a file leaves out.
+    [[nodiscard]] bool isLeftOut(const std::vector<Exclusion>& values) const;
     void setOutlierRule(OutlierRule rule);
     /// In mm or deg; none: no limit.
     void setTolerance(Iso230Figure figure, std::optional<double> value);

@@ -45,6 +45,8 @@ Result<void> readInto(ReadMeasurement& read, const std::stop_token& stop)
     read.reading = reading;
     if (!reading->measurement)
         return fail(measurementError(name, *reading));
+    read.upRuns = reading->measurement->runCount(Approach::Up);
+    read.downRuns = reading->measurement->runCount(Approach::Down);
     return {};
 }
 
@@ -56,7 +58,9 @@ ReadMeasurement readAgainOrKnown(const MeasurementFile& file,
         known, [&](const ReadMeasurement& one) { return one.file == file && one.stamp == stamp; });
     if (same != known.end())
         return *same;
-    ReadMeasurement read{file, stamp, nullptr, nullptr, {}};
+    ReadMeasurement read;
+    read.file = file;
+    read.stamp = stamp;
     if (const auto done = readInto(read, stop); !done)
         read.refusal = done.error();
     return read;
@@ -95,6 +99,9 @@ RecordState evaluated(
         state.refusal = whole.error();
         return state;
     }
+    state.upRuns = whole->runCount(Approach::Up);
+    state.downRuns = whole->runCount(Approach::Down);
+    state.excludedCount = whole->excludedCount();
     state.measurement = std::make_shared<const Measurement>(std::move(*whole));
     if (!state.measurement->hasTargets() || stop.stop_requested())
         return state;

@@ -19,6 +19,9 @@ struct ReadMeasurement {
     const MeasurementFormat* format = nullptr; ///< null: not known, or the file is not readable
     std::shared_ptr<const MeasurementReading> reading; ///< null: likewise
     std::optional<Error> refusal; ///< why there is no measurement
+    // Counted once: of a million values that takes longer than a picture may be late.
+    int upRuns = 0;
+    int downRuns = 0;
 
     [[nodiscard]] const Measurement* measurement() const
     {
@@ -34,6 +37,9 @@ struct RecordState {
     std::shared_ptr<const Measurement> measurement;
     std::shared_ptr<const Judgement> judgement; ///< of a measurement with targets
     std::optional<Error> refusal; ///< why the files are no measurement together
+    int upRuns = 0; ///< of measurement
+    int downRuns = 0;
+    std::size_t excludedCount = 0; ///< its values that are not used
 };
 
 /// Reads what `known` does not have yet, joins and judges it. Takes as long as the files are large:

@@ -105,6 +105,7 @@ void ColumnPreview::addList(int column)
 {
     auto* list = new QComboBox;
     list->setObjectName(QStringLiteral("roleOfColumn%1").arg(column + 1));
+    list->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     list->addItem(QString());
     for (const char* role : columnRoles)
         list->addItem(QString(), QString::fromLatin1(role));
@@ -147,6 +148,7 @@ void ColumnPreview::retranslate()
                             "read; until then the names of the columns say it."));
         list->setAccessibleDescription(list->toolTip());
     }
+    horizontalHeader()->resizeSections(QHeaderView::ResizeToContents);
 }
 
 } // namespace axiscomp::ui

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/tabs/file_choices.h"
 
+#include "ui/dialogs/file_filters.h"
 #include "ui/style/plain_label.h"
 #include "ui/text/value_text.h"
 
@@ -50,12 +51,10 @@ FileChoices::FileChoices(QWidget* parent)
 void FileChoices::build()
 {
     m_form->setContentsMargins(0, 0, 0, 0);
-    m_form->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
+    m_form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
     m_format->addItem(QString(), QString());
     for (const MeasurementFormat* format : measurementFormats())
-        m_format->addItem(
-            qString(format->facts.name) + QStringLiteral(" – ") + qString(format->facts.origin),
-            qString(format->facts.name));
+        m_format->addItem(QString(), qString(format->facts.name));
     for (int n = 0; n < 3; ++n)
         m_values->addItem(QString());
     for (QComboBox* units : {m_unit, m_valueUnit}) {
@@ -124,6 +123,9 @@ void FileChoices::retranslate()
 {
     m_formatLabel->setText(tr("&Format"));
     m_format->setItemText(0, tr("by its content"));
+    int item = 0;
+    for (const MeasurementFormat* format : measurementFormats())
+        m_format->setItemText(++item, measurementFormatText(*format));
     m_valuesLabel->setText(tr("&Values"));
     m_values->setItemText(0, tr("as the file says"));
     m_values->setItemText(1, tr("deviations from the target"));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/tabs/file_facts.h"
 
+#include "ui/dialogs/file_filters.h"
 #include "ui/record/measurement_files_model.h"
 #include "ui/record/record_state.h"
 #include "ui/text/translated_text.h"
@@ -96,7 +97,7 @@ void FileFacts::show(const ReadMeasurement* reading)
     setRowCount(0);
     if (!reading || !reading->format)
         return;
-    add(tr("Read as"), qString(reading->format->facts.origin));
+    add(tr("Read as"), measurementFormatText(*reading->format));
     const Measurement* measurement = reading->measurement();
     if (!measurement)
         return;

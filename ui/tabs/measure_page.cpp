@@ -11,11 +11,13 @@
 #include "ui/tabs/file_choices.h"
 #include "ui/tabs/file_facts.h"
 #include "ui/tabs/next_step.h"
+#include "ui/tabs/run_values_view.h"
 #include "ui/text/message_text.h"
 #include "ui/text/value_text.h"
 
 #include <QBoxLayout>
 #include <QCheckBox>
+#include <QFileInfo>
 #include <QHeaderView>
 #include <QPushButton>
 #include <QScrollArea>
@@ -28,6 +30,13 @@
 #include <algorithm>
 
 namespace axiscomp::ui {
+
+namespace {
+
+constexpr int problemTab = 2;
+constexpr int valuesTab = 3;
+
+} // namespace
 
 MeasurePage::MeasurePage(RecordModel& record, QWidget* parent)
     : QWidget(parent)
@@ -43,6 +52,8 @@ MeasurePage::MeasurePage(RecordModel& record, QWidget* parent)
     , m_views(new QTabWidget)
     , m_facts(new FileFacts)
     , m_columns(new ColumnPreview)
+    , m_values(new RunValuesView(record))
+    , m_save(new QPushButton)
     , m_problemStack(new QStackedWidget)
     , m_problems(new ProblemList(nullptr, ProblemList::About::Measurement))
     , m_lines(new FileLinesView)
@@ -61,6 +72,7 @@ void MeasurePage::build()
     m_views->addTab(m_facts, QString());
     m_views->addTab(m_columns, QString());
     m_views->addTab(m_problemStack, QString());
+    m_views->addTab(m_values, QString());
     auto* columns = new QSplitter(Qt::Horizontal);
     columns->setObjectName(QStringLiteral("measureColumns"));
     columns->setChildrenCollapsible(false);
@@ -81,6 +93,8 @@ QWidget* MeasurePage::buildLeft()
     m_add->setIcon(symbolIcon(Symbol::Add));
     m_remove->setObjectName(QStringLiteral("removeMeasurement"));
     m_remove->setIcon(symbolIcon(Symbol::Remove));
+    m_save->setObjectName(QStringLiteral("saveMeasurement"));
+    m_save->setIcon(symbolIcon(Symbol::Save));
     m_swap->setObjectName(QStringLiteral("swapDirections"));
     m_files->setObjectName(QStringLiteral("measurementFiles"));
     m_files->setModel(m_model);
@@ -95,6 +109,11 @@ QWidget* MeasurePage::buildLeft()
     m_files->horizontalHeader()->setHighlightSections(false);
     m_files->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     m_files->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    // The name gives way to the rest, whose whole is in its tool tip.
+    m_files->horizontalHeader()->setSectionResizeMode(
+        MeasurementFilesModel::File, QHeaderView::Stretch);
+    m_files->horizontalHeader()->setMinimumSectionSize(
+        m_files->fontMetrics().horizontalAdvance(QStringLiteral("measured.csv")));
     m_files->setMinimumHeight(5 * m_files->verticalHeader()->defaultSectionSize());
 
     auto* fields = new QWidget;
@@ -119,6 +138,7 @@ QWidget* MeasurePage::buildLeft()
     auto* layout = new QVBoxLayout(left);
     layout->setContentsMargins(0, 0, gap, 0);
     layout->addWidget(scroll, 1);
+    layout->addWidget(m_save);
     layout->addWidget(m_nextStep);
     return left;
 }
@@ -126,6 +146,7 @@ QWidget* MeasurePage::buildLeft()
 void MeasurePage::connectParts()
 {
     connect(m_add, &QPushButton::clicked, this, &MeasurePage::addRequested);
+    connect(m_save, &QPushButton::clicked, this, &MeasurePage::saveRequested);
     connect(m_remove, &QPushButton::clicked, this, &MeasurePage::remove);
     auto* removeKey = new QShortcut(QKeySequence::Delete, m_files);
     removeKey->setContext(Qt::WidgetShortcut);
@@ -154,7 +175,10 @@ void MeasurePage::connectParts()
         [this] { m_problemStack->setCurrentWidget(m_problems); });
     connect(m_files->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
         &MeasurePage::showFile);
-    connect(&m_record, &RecordModel::changed, this, &MeasurePage::follow);
+    connect(&m_record, &RecordModel::changed, this, [this] {
+        m_savedName.clear();
+        follow();
+    });
     connect(&m_record, &RecordModel::stateChanged, this, &MeasurePage::follow);
 }
 
@@ -167,12 +191,16 @@ void MeasurePage::retranslate()
     m_remove->setText(tr("Re&move"));
     m_remove->setToolTip(tr("Take the selected file out of the measurement (Del)"));
     m_remove->setAccessibleDescription(m_remove->toolTip());
+    m_save->setText(tr("&Save as Runs…"));
+    m_save->setToolTip(tr("All files as one CSV file, with what is excluded marked in it"));
+    m_save->setAccessibleDescription(m_save->toolTip());
     m_files->setAccessibleName(tr("Files of the measurement"));
     m_swap->setText(tr("E&xchange up and down in all files"));
     m_swap->setToolTip(tr("For files that name the directions the other way round"));
     m_swap->setAccessibleDescription(m_swap->toolTip());
     m_views->setTabText(0, tr("What the file says"));
     m_views->setTabText(1, tr("Columns"));
+    m_views->setTabText(valuesTab, tr("Values of all files"));
     m_views->tabBar()->setAccessibleName(tr("Views of the file"));
     m_model->retranslate();
     m_choices->retranslate();
@@ -180,6 +208,7 @@ void MeasurePage::retranslate()
     m_columns->retranslate();
     m_problems->retranslate();
     m_lines->retranslate();
+    m_values->retranslate();
     follow();
 }
 
@@ -219,6 +248,10 @@ void MeasurePage::follow()
     m_fileCount = count;
     m_swap->setChecked(m_record.record().swapsDirections);
     m_swap->setEnabled(count > 0);
+    const RecordState& state = m_record.state();
+    const bool hasTargets = state.measurement && state.measurement->hasTargets();
+    m_save->setEnabled(hasTargets && !m_record.isEvaluating());
+    m_views->setTabVisible(valuesTab, hasTargets);
     showFile();
     sayNextStep();
 }
@@ -250,7 +283,6 @@ void MeasurePage::showProblems(const ReadMeasurement* reading)
     }
     const bool hasErrors = reading && reading->refusal;
     const std::size_t count = file.problems.size() + file.suppressedProblems;
-    constexpr int problemTab = 2;
     m_views->setTabText(problemTab, tr("Problems (%1)").arg(countText(count)));
     m_views->setTabVisible(problemTab, count > 0);
     if (!m_problems->setProblems(file))
@@ -269,17 +301,31 @@ void MeasurePage::sayNextStep()
     if (m_record.record().files.empty())
         m_nextStep->say(Tone::Information,
             tr("Add the files of a measurement, or go on to Write with a table that is there."));
-    else if (m_record.isEvaluating())
+    else if (m_record.isEvaluating() && !m_record.isMeasurementShown())
         m_nextStep->say(Tone::Information, tr("The files are being read …"));
     else if (refused != state.files.end())
         m_nextStep->say(Tone::Error, errorText(*refused->refusal));
     else if (state.refusal)
         m_nextStep->say(Tone::Error, errorText(*state.refusal));
-    else if (!state.judgement)
-        m_nextStep->say(
-            Tone::Warning, tr("This measurement has no targets, so that it cannot be judged."));
+    else if (!m_savedName.isEmpty())
+        m_nextStep->say(Tone::Success,
+            tr("Saved as %1. The commands axiscomp judge and axiscomp fit go on with it: figures "
+               "of ISO 230-2, and a table for Write.")
+                .arg(m_savedName));
+    else if (!state.measurement->hasTargets())
+        m_nextStep->say(Tone::Information,
+            tr("Without targets there are no figures of ISO 230-2; the command axiscomp fit makes "
+               "a table of it for Write."));
     else
-        m_nextStep->say(Tone::Success, tr("The measurement can be used."));
+        m_nextStep->say(Tone::Success,
+            tr("The measurement can be used. Save it as runs for the commands axiscomp judge and "
+               "axiscomp fit."));
+}
+
+void MeasurePage::showSaved(const QString& path)
+{
+    m_savedName = QFileInfo(path).fileName();
+    sayNextStep();
 }
 
 } // namespace axiscomp::ui

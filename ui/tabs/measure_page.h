@@ -22,6 +22,7 @@ class MeasurementFilesModel;
 class NextStep;
 class ProblemList;
 class RecordModel;
+class RunValuesView;
 struct ReadMeasurement;
 
 /// The tab Measure: the files of a measurement, how each is read, what it says and what is wrong
@@ -34,9 +35,12 @@ public:
     explicit MeasurePage(RecordModel& record, QWidget* parent = nullptr);
 
     void retranslate();
+    /// The measurement is in this file now.
+    void showSaved(const QString& path);
 
 Q_SIGNALS:
     void addRequested(); ///< the user wants to choose files
+    void saveRequested(); ///< the measurement as runs; there is one with targets
 
 private:
     void build();
@@ -62,10 +66,13 @@ private:
     QTabWidget* m_views;
     FileFacts* m_facts;
     ColumnPreview* m_columns;
+    RunValuesView* m_values;
+    QPushButton* m_save;
     QStackedWidget* m_problemStack;
     ProblemList* m_problems;
     FileLinesView* m_lines;
     std::size_t m_fileCount = 0; ///< as last seen
+    QString m_savedName; ///< of the file that has what is shown; empty: not saved
 };
 
 } // namespace axiscomp::ui

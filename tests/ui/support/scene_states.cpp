@@ -761,6 +761,22 @@ void measureBadFile(PageScene& scene)
         2);
 }
 
+void measureValues(PageScene& scene)
+{
+    measureFiles(scene);
+    scene.page().findChild<QTabWidget*>(QStringLiteral("measureTabs"))->setCurrentIndex(3);
+    auto* values = scene.page().findChild<QTableView*>(QStringLiteral("runValues"));
+    // The two that axiscomp judge proposes for exclusion.
+    constexpr int firstRunDown = 6;
+    for (const int target : {0, 1}) {
+        values->setCurrentIndex(values->model()->index(target, firstRunDown));
+        scene.click("excludeValues");
+    }
+    wait([&] { return values->model()->index(1, firstRunDown).data().toString().startsWith(u'✕'); },
+        "the exclusions");
+    QTest::qWait(200);
+}
+
 } // namespace
 
 const std::vector<SceneState>& sceneStates()
@@ -820,6 +836,7 @@ const std::vector<SceneState>& sceneStates()
         {"measure-files", measureFiles},
         {"measure-columns", measureColumns},
         {"measure-bad-file", measureBadFile},
+        {"measure-values", measureValues},
     };
     return all;
 }

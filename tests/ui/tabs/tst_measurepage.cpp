@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/ui/support/heartbeat.h"
 #include "tests/ui/support/measurement_files.h"
 #include "tests/ui/support/page_fixture.h"
 #include "tests/ui/support/window_test.h"
@@ -63,6 +64,33 @@ void drop(PageFixture& bench, const QStringList& paths)
     QCoreApplication::sendEvent(&bench.wizard, &enter);
     QDropEvent event(QPointF(200, 200), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
     QCoreApplication::sendEvent(&bench.wizard, &event);
+}
+
+QString valueText(PageFixture& bench, int row, int column)
+{
+    return bench.user.the<QTableView>("runValues").model()->index(row, column).data().toString();
+}
+
+QString summary(PageFixture& bench)
+{
+    return bench.user.the<QLabel>("runValuesSummary").text();
+}
+
+/// The tab Measure with a public measurement, its values shown and with the keyboard.
+[[nodiscard]] bool showValues(PageFixture& bench, const char* name)
+{
+    if (!bench.user.isThere() || !showMeasure(bench) || !add(bench, publicMeasurement(name))
+        || !says(bench, 0, QStringLiteral("ready")))
+        return false;
+    bench.user.the<QTabWidget>("measureTabs").setCurrentIndex(3);
+    bench.user.the("runValues").setFocus();
+    return bench.user.sees("runValues");
+}
+
+void choose(PageFixture& bench, int row, int column)
+{
+    auto& table = bench.user.the<QTableView>("runValues");
+    table.setCurrentIndex(table.model()->index(row, column));
 }
 
 QString statement(PageFixture& bench, const QString& name)
@@ -230,6 +258,165 @@ private Q_SLOTS:
         QTRY_COMPARE(cell(bench, 0, 2), QStringLiteral("2 up, 0 down"));
         QVERIFY(bench.user.click("swapDirections"));
         QTRY_VERIFY(bench.user.the<QCheckBox>("swapDirections").isChecked());
+    }
+
+    void valuesOfAllFilesAreShownByTargetAndRun()
+    {
+        PageFixture bench;
+        QVERIFY(showValues(bench, "ess_mcu1025"));
+        const auto& model = *bench.user.the<QTableView>("runValues").model();
+        QCOMPARE(model.rowCount(), 5);
+        QCOMPARE(model.columnCount(), 11); // five runs up, five down
+        QCOMPARE(model.headerData(0, Qt::Horizontal).toString(), QStringLiteral("Target [mm]"));
+        QCOMPARE(model.headerData(6, Qt::Horizontal).toString(), QStringLiteral("↓ 1 [µm]"));
+        QCOMPARE(valueText(bench, 1, 0), QStringLiteral("25.2"));
+        QCOMPARE(valueText(bench, 0, 1), QStringLiteral("11.11")); // 0.0111123 mm
+        QCOMPARE(valueText(bench, 0, 6), QStringLiteral("93.18")); // 0.0931843 mm
+        QCOMPARE(model.index(0, 6).data(Qt::AccessibleTextRole).toString(),
+            QStringLiteral("down, target 1, run 1, 93.18 µm"));
+        // Runs of a second file follow those of the first.
+        QVERIFY(add(bench, publicMeasurement("b02_x")));
+        QTRY_COMPARE(model.columnCount(), 21);
+    }
+
+    void aValueIsLeftOutByKeyAndUsedAgain()
+    {
+        PageFixture bench;
+        QVERIFY(showValues(bench, "ess_mcu1025"));
+        QCOMPARE(summary(bench), QStringLiteral("Values: 50, excluded: 0 (✕). ↑ up, ↓ down."));
+        choose(bench, 0, 6);
+        QVERIFY(!bench.user.the("useValuesAgain").isEnabled());
+        bench.user.press(Qt::Key_Delete);
+        QTRY_COMPARE(valueText(bench, 0, 6), QStringLiteral("✕ 93.18"));
+        QCOMPARE(summary(bench), QStringLiteral("Values: 50, excluded: 1 (✕). ↑ up, ↓ down."));
+        QVERIFY(bench.user.the<QTableView>("runValues").currentIndex().column() == 6);
+        QVERIFY(bench.user.click("useValuesAgain"));
+        QTRY_COMPARE(valueText(bench, 0, 6), QStringLiteral("93.18"));
+        QVERIFY(bench.user.the("runValues").hasFocus());
+        bench.user.press(Qt::Key_Z, Qt::ControlModifier);
+        QTRY_COMPARE(valueText(bench, 0, 6), QStringLiteral("✕ 93.18"));
+    }
+
+    void runsAndTargetsAreLeftOutAsAWhole()
+    {
+        PageFixture bench;
+        QVERIFY(showValues(bench, "ess_mcu1025"));
+        choose(bench, 2, 7);
+        QVERIFY(bench.user.click("excludeRun"));
+        QTRY_VERIFY(summary(bench).contains(QStringLiteral("excluded: 5"))); // one of each target
+        for (int row = 0; row < 5; ++row)
+            QVERIFY(valueText(bench, row, 7).startsWith(u'✕'));
+        choose(bench, 4, 0);
+        QVERIFY(!bench.user.the("excludeRun").isEnabled());
+        QVERIFY(bench.user.click("excludeValues"));
+        QTRY_VERIFY(summary(bench).contains(QStringLiteral("excluded: 14"))); // 5 + 10 - 1
+        QVERIFY(
+            valueText(bench, 4, 1).startsWith(u'✕') && !valueText(bench, 3, 1).startsWith(u'✕'));
+    }
+
+    void whatTheFileItselfLeavesOutIsNotUsedAgainHere()
+    {
+        PageFixture bench;
+        const QString path = bench.file(QStringLiteral("used.csv"),
+            "target [mm],direction,run,deviation [um],use\n"
+            "0,+,1,1,1\n10,+,1,2,0\n0,-,1,3,1\n10,-,1,4,1\n");
+        QVERIFY(bench.user.isThere() && showMeasure(bench) && add(bench, path));
+        bench.user.the<QTabWidget>("measureTabs").setCurrentIndex(3);
+        QTRY_COMPARE(valueText(bench, 1, 1), QStringLiteral("✕ 2.00"));
+        choose(bench, 1, 1);
+        QVERIFY(!bench.user.the("useValuesAgain").isEnabled());
+    }
+
+    void theMeasurementIsSavedAsRunsWithWhatIsExcludedMarked()
+    {
+        PageFixture bench;
+        QVERIFY(bench.user.isThere() && showMeasure(bench));
+        QVERIFY(!bench.user.the("saveMeasurement").isEnabled());
+        const QString first = bench.file(QStringLiteral("first.csv"),
+            "target [mm],direction,run,deviation [um]\n0,+,1,1\n10,+,1,2\n");
+        const QString second = bench.file(QStringLiteral("second.csv"),
+            "target [mm],direction,run,deviation [um]\n0,+,1,3\n10,+,1,4\n");
+        QVERIFY(add(bench, first) && add(bench, second));
+        bench.user.the<QTabWidget>("measureTabs").setCurrentIndex(3);
+        QTRY_COMPARE(valueText(bench, 1, 2), QStringLiteral("4.00"));
+        choose(bench, 1, 2);
+        QVERIFY(bench.user.click("excludeValues"));
+        QTRY_COMPARE(valueText(bench, 1, 2), QStringLiteral("✕ 4.00"));
+        bench.picked = bench.path(QStringLiteral("both.csv"));
+        QVERIFY(bench.user.click("saveMeasurement"));
+        const auto& hint = bench.user.the<QLabel>("measureHint");
+        QTRY_VERIFY(hint.text().startsWith(QStringLiteral("Saved as both.csv.")));
+        QCOMPARE(bench.questions.back().purpose, FileQuestion::Purpose::SaveMeasurement);
+        QVERIFY(bench.questions.back().start.endsWith(QStringLiteral("first-runs.csv")));
+        QFile saved(bench.picked);
+        QVERIFY(saved.open(QIODevice::ReadOnly));
+        QCOMPARE(saved.readAll(),
+            QByteArray("// axiscomp runs: 1\n"
+                       "target [mm],direction,run,deviation [mm],use\n"
+                       "0,+,1,0.001,1\n0,+,2,0.003,1\n10,+,1,0.002,1\n10,+,2,0.004,0\n"));
+        // It is about what was shown.
+        bench.user.press(Qt::Key_Z, Qt::ControlModifier);
+        QTRY_VERIFY(!hint.text().startsWith(QStringLiteral("Saved")));
+    }
+
+    void aFileOfTheMeasurementIsNotWrittenOver()
+    {
+        PageFixture bench;
+        QVERIFY(bench.user.isThere() && showMeasure(bench));
+        const QByteArray content = "target [mm],direction,run,deviation [um]\n0,+,1,1\n10,+,1,2\n";
+        const QString path = bench.file(QStringLiteral("own.csv"), content);
+        QVERIFY(add(bench, path));
+        QVERIFY(bench.user.click("saveMeasurement"));
+        QTRY_VERIFY(bench.user.message("failureMessage")
+                        .contains(QStringLiteral("own.csv cannot be written: it is one of the "
+                                                 "files of this measurement")));
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        QCOMPARE(file.readAll(), content);
+    }
+
+    void aTrackIsNamedAsWhatHasNoTargets()
+    {
+        PageFixture bench;
+        QByteArray track = "encoder [mm],reference [mm]\n";
+        for (int n = 0; n < 40; ++n)
+            track += QByteArray::number(n) + ',' + QByteArray::number(n * 1.0001) + '\n';
+        QVERIFY(bench.user.isThere() && showMeasure(bench));
+        QVERIFY(add(bench, bench.file(QStringLiteral("track.csv"), track)));
+        const auto& hint = bench.user.the<QLabel>("measureHint");
+        QTRY_VERIFY(hint.text().startsWith(QStringLiteral("Without targets")));
+        QVERIFY(!bench.user.the("saveMeasurement").isEnabled());
+        QVERIFY(!bench.user.the<QTabWidget>("measureTabs").isTabVisible(3));
+    }
+
+    void aMillionValuesNeverStopTheWindow()
+    {
+        PageFixture bench;
+        QByteArray text = "target [mm],direction,run,deviation [um]\n";
+        for (int run = 1; run <= 100; ++run)
+            for (int target = 0; target < 10'000; ++target)
+                text += QByteArray::number(target) + (run % 2 ? ",+," : ",-,")
+                    + QByteArray::number((run + 1) / 2) + ",1.5\n";
+        const QString path = bench.file(QStringLiteral("million.csv"), text);
+        text.clear();
+        QVERIFY(bench.user.isThere() && showMeasure(bench));
+        bench.user.the<QTabWidget>("measureTabs").setCurrentIndex(3);
+        test::Heartbeat heart;
+        QVERIFY(add(bench, path));
+        QVERIFY(QTest::qWaitFor(
+            [&] { return cell(bench, 0, 1) == QStringLiteral("ready"); }, 10 * test::patienceMs));
+        bench.user.the<QTabWidget>("measureTabs").setCurrentIndex(3);
+        choose(bench, 5, 5);
+        QVERIFY(bench.user.click("excludeRun"));
+        QVERIFY(QTest::qWaitFor(
+            [&] { return valueText(bench, 5, 5).startsWith(u'✕'); }, 10 * test::patienceMs));
+        // Of a build that is not optimised; the goal for one that is are 16 ms.
+        QVERIFY2(heart.longest() < std::chrono::milliseconds(200),
+            qPrintable(QStringLiteral("%1 us").arg(heart.longest().count())));
+        auto& table = bench.user.the<QTableView>("runValues");
+        table.selectAll();
+        QVERIFY(!bench.user.the("excludeValues").isEnabled());
+        QVERIFY(summary(bench).startsWith(QStringLiteral("Too many cells are selected")));
     }
 };
 
