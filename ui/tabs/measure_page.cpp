@@ -104,6 +104,7 @@ QWidget* MeasurePage::buildLeft()
     m_files->setShowGrid(false);
     m_files->setTabKeyNavigation(false);
     m_files->setWordWrap(false);
+    m_files->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
     m_files->verticalHeader()->hide();
     m_files->verticalHeader()->setDefaultSectionSize(m_files->fontMetrics().height() + 8);
     m_files->horizontalHeader()->setHighlightSections(false);
