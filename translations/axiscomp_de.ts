@@ -2,6 +2,49 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en">
 <context>
+    <name>ColumnRole</name>
+    <message>
+        <source>target</source>
+        <translation>Zielposition</translation>
+    </message>
+    <message>
+        <source>direction</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>run</source>
+        <translation>Durchlauf</translation>
+    </message>
+    <message>
+        <source>deviation</source>
+        <translation>Abweichung</translation>
+    </message>
+    <message>
+        <source>reference</source>
+        <translation>Referenz</translation>
+    </message>
+    <message>
+        <source>encoder</source>
+        <translation>Geber</translation>
+    </message>
+    <message>
+        <source>output</source>
+        <translation>Ausgabe</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>temperature</source>
+        <translation>Temperatur</translation>
+    </message>
+    <message>
+        <source>use</source>
+        <translation>verwendet</translation>
+    </message>
+</context>
+<context>
     <name>Error</name>
     <message>
         <source>{size} bytes</source>
@@ -5851,6 +5894,10 @@
         <source>--request {text}: behind a backslash r, n, t or another backslash is expected</source>
         <translation>--request {text}: hinter einem umgekehrten Schrägstrich wird r, n, t oder noch einer erwartet</translation>
     </message>
+    <message>
+        <source>it is one of the files of this measurement; choose another name</source>
+        <translation>sie ist eine der Dateien dieser Messung; wählen Sie einen anderen Namen</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -5861,6 +5908,10 @@
     <message>
         <source>All files (*)</source>
         <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Measurements</source>
+        <translation>Messungen</translation>
     </message>
 </context>
 <context>
@@ -8101,6 +8152,25 @@
     </message>
 </context>
 <context>
+    <name>axiscomp::ui::ColumnPreview</name>
+    <message>
+        <source>Columns of the file</source>
+        <translation>Spalten der Datei</translation>
+    </message>
+    <message>
+        <source>by its name</source>
+        <translation>nach ihrem Namen</translation>
+    </message>
+    <message>
+        <source>What column %1 is</source>
+        <translation>Was Spalte %1 ist</translation>
+    </message>
+    <message>
+        <source>What this column is. Once one is chosen, only chosen columns are read; until then the names of the columns say it.</source>
+        <translation>Was diese Spalte ist. Sobald eine gewählt ist, werden nur gewählte Spalten gelesen; bis dahin sagen es die Namen der Spalten.</translation>
+    </message>
+</context>
+<context>
     <name>axiscomp::ui::CompensationWizard</name>
     <message>
         <source>Axis Compensation Wizard</source>
@@ -8874,6 +8944,204 @@
         <source>Restore Whole Drive</source>
         <translation>Ganzen Antrieb wiederherstellen</translation>
     </message>
+    <message>
+        <source>Add Measurement</source>
+        <translation>Messung hinzufügen</translation>
+    </message>
+    <message>
+        <source>Save as Runs</source>
+        <translation>Als Durchläufe speichern</translation>
+    </message>
+    <message>
+        <source>Runs (*.csv)</source>
+        <translation>Durchläufe (*.csv)</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::FileChoices</name>
+    <message>
+        <source>&amp;Format</source>
+        <translation>&amp;Format</translation>
+    </message>
+    <message>
+        <source>by its content</source>
+        <translation>nach ihrem Inhalt</translation>
+    </message>
+    <message>
+        <source>&amp;Values</source>
+        <translation>&amp;Werte</translation>
+    </message>
+    <message>
+        <source>as the file says</source>
+        <translation>wie die Datei sagt</translation>
+    </message>
+    <message>
+        <source>deviations from the target</source>
+        <translation>Abweichungen von der Zielposition</translation>
+    </message>
+    <message>
+        <source>positions of the reference</source>
+        <translation>Positionen der Referenz</translation>
+    </message>
+    <message>
+        <source>&amp;Unit of targets</source>
+        <translation>Einheit der &amp;Zielpositionen</translation>
+    </message>
+    <message>
+        <source>Unit &amp;of values</source>
+        <translation>Einhei&amp;t der Werte</translation>
+    </message>
+    <message>
+        <source>Lines &amp;before the header</source>
+        <translation>Zeilen vor der &amp;Kopfzeile</translation>
+    </message>
+    <message>
+        <source>D&amp;irections by the order of targets</source>
+        <translation>Richtungen aus der Reihenf&amp;olge</translation>
+    </message>
+    <message>
+        <source>The reference counts the other &amp;way</source>
+        <translation>Die Referenz zählt &amp;andersherum</translation>
+    </message>
+    <message>
+        <source>The format of the file</source>
+        <translation>Das Format der Datei</translation>
+    </message>
+    <message>
+        <source>A deviation is the reference position minus the target</source>
+        <translation>Eine Abweichung ist die Position der Referenz minus Zielposition</translation>
+    </message>
+    <message>
+        <source>For a file that does not name it</source>
+        <translation>Für eine Datei, die sie nicht nennt</translation>
+    </message>
+    <message>
+        <source>Lines of a CSV file that come before the names of its columns</source>
+        <translation>Zeilen einer CSV-Datei, die vor den Namen der Spalten stehen</translation>
+    </message>
+    <message>
+        <source>For a file without directions: a run is up while its targets rise</source>
+        <translation>Für eine Datei ohne Richtungen: aufwärts, solange die Zielpositionen steigen</translation>
+    </message>
+    <message>
+        <source>For an instrument that counts down while the axis moves up</source>
+        <translation>Für ein Messgerät, das abwärts zählt, während die Achse aufwärts fährt</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::FileFacts</name>
+    <message>
+        <source>off: the drive added nothing</source>
+        <translation>aus: Der Antrieb hat nichts addiert</translation>
+    </message>
+    <message>
+        <source>on, with table %1</source>
+        <translation>ein, mit Tabelle %1</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>ein</translation>
+    </message>
+    <message>
+        <source>the file does not say it</source>
+        <translation>die Datei sagt es nicht</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nein</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>%1 from %2 to %3 %4</source>
+        <translation>%1 von %2 bis %3 %4</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Was</translation>
+    </message>
+    <message>
+        <source>Statement of the file</source>
+        <translation>Angabe der Datei</translation>
+    </message>
+    <message>
+        <source>What the file says</source>
+        <translation>Was die Datei sagt</translation>
+    </message>
+    <message>
+        <source>Read as</source>
+        <translation>Gelesen als</translation>
+    </message>
+    <message>
+        <source>Holds</source>
+        <translation>Enthält</translation>
+    </message>
+    <message>
+        <source>Runs</source>
+        <translation>Durchläufe</translation>
+    </message>
+    <message>
+        <source>Targets</source>
+        <translation>Zielpositionen</translation>
+    </message>
+    <message>
+        <source>Compensation</source>
+        <translation>Kompensation</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Maschine</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Achse</translation>
+    </message>
+    <message>
+        <source>Instrument</source>
+        <translation>Messgerät</translation>
+    </message>
+    <message>
+        <source>Serial number</source>
+        <translation>Seriennummer</translation>
+    </message>
+    <message>
+        <source>Operator</source>
+        <translation>Bediener</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Datum</translation>
+    </message>
+    <message>
+        <source>Feed</source>
+        <translation>Vorschub</translation>
+    </message>
+    <message>
+        <source>Dwell</source>
+        <translation>Verweilzeit</translation>
+    </message>
+    <message>
+        <source>Air</source>
+        <translation>Luft</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>Werkstoff</translation>
+    </message>
+    <message>
+        <source>Expansion</source>
+        <translation>Ausdehnung</translation>
+    </message>
+    <message>
+        <source>Corrected to 20 °C</source>
+        <translation>Auf 20 °C korrigiert</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Notiz</translation>
+    </message>
 </context>
 <context>
     <name>axiscomp::ui::FileLinesModel</name>
@@ -9186,6 +9454,154 @@
     <message>
         <source>Hide the log</source>
         <translation>Protokoll ausblenden</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::MeasurePage</name>
+    <message>
+        <source>Files</source>
+        <translation>Dateien</translation>
+    </message>
+    <message>
+        <source>&amp;Add…</source>
+        <translation>&amp;Hinzufügen…</translation>
+    </message>
+    <message>
+        <source>Add files of a measurement; they can also be dropped here (Ctrl+O)</source>
+        <translation>Dateien einer Messung hinzufügen; sie lassen sich auch hierher ziehen (Strg+O)</translation>
+    </message>
+    <message>
+        <source>Re&amp;move</source>
+        <translation>&amp;Entfernen</translation>
+    </message>
+    <message>
+        <source>Take the selected file out of the measurement (Del)</source>
+        <translation>Die gewählte Datei aus der Messung nehmen (Entf)</translation>
+    </message>
+    <message>
+        <source>&amp;Save as Runs…</source>
+        <translation>Als Durchläufe &amp;speichern…</translation>
+    </message>
+    <message>
+        <source>All files as one CSV file, with what is excluded marked in it</source>
+        <translation>Alle Dateien als eine CSV-Datei, in der Ausgeschlossenes gekennzeichnet ist</translation>
+    </message>
+    <message>
+        <source>Files of the measurement</source>
+        <translation>Dateien der Messung</translation>
+    </message>
+    <message>
+        <source>E&amp;xchange up and down in all files</source>
+        <translation>A&amp;ufwärts und abwärts in allen Dateien tauschen</translation>
+    </message>
+    <message>
+        <source>For files that name the directions the other way round</source>
+        <translation>Für Dateien, die die Richtungen umgekehrt benennen</translation>
+    </message>
+    <message>
+        <source>What the file says</source>
+        <translation>Was die Datei sagt</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translation>Spalten</translation>
+    </message>
+    <message>
+        <source>Values of all files</source>
+        <translation>Werte aller Dateien</translation>
+    </message>
+    <message>
+        <source>Views of the file</source>
+        <translation>Ansichten der Datei</translation>
+    </message>
+    <message>
+        <source>Problems (%1)</source>
+        <translation>Probleme (%1)</translation>
+    </message>
+    <message>
+        <source>Add the files of a measurement, or go on to Write with a table that is there.</source>
+        <translation>Fügen Sie die Dateien einer Messung hinzu, oder gehen Sie mit einer vorhandenen Tabelle weiter zu Schreiben.</translation>
+    </message>
+    <message>
+        <source>The files are being read …</source>
+        <translation>Die Dateien werden gelesen …</translation>
+    </message>
+    <message>
+        <source>Saved as %1. The commands axiscomp judge and axiscomp fit go on with it: figures of ISO 230-2, and a table for Write.</source>
+        <translation>Gespeichert als %1. Damit arbeiten die Befehle axiscomp judge und axiscomp fit weiter: Kennwerte nach ISO 230-2 und eine Tabelle für Schreiben.</translation>
+    </message>
+    <message>
+        <source>Without targets there are no figures of ISO 230-2; the command axiscomp fit makes a table of it for Write.</source>
+        <translation>Ohne Zielpositionen gibt es keine Kennwerte nach ISO 230-2; der Befehl axiscomp fit macht daraus eine Tabelle für Schreiben.</translation>
+    </message>
+    <message>
+        <source>The measurement can be used. Save it as runs for the commands axiscomp judge and axiscomp fit.</source>
+        <translation>Die Messung kann verwendet werden. Speichern Sie sie als Durchläufe für die Befehle axiscomp judge und axiscomp fit.</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::MeasurementFilesModel</name>
+    <message>
+        <source>off</source>
+        <comment>compensation</comment>
+        <translation>aus</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <comment>compensation</comment>
+        <translation>ein</translation>
+    </message>
+    <message>
+        <source>not said</source>
+        <translation>nicht genannt</translation>
+    </message>
+    <message>
+        <source>cannot be used</source>
+        <translation>nicht verwendbar</translation>
+    </message>
+    <message>
+        <source>warnings: %1</source>
+        <translation>Warnungen: %1</translation>
+    </message>
+    <message>
+        <source>ready</source>
+        <translation>bereit</translation>
+    </message>
+    <message>
+        <source>samples: %1</source>
+        <translation>Abtastungen: %1</translation>
+    </message>
+    <message>
+        <source>points: %1</source>
+        <translation>Punkte: %1</translation>
+    </message>
+    <message>
+        <source>means</source>
+        <translation>Mittelwerte</translation>
+    </message>
+    <message>
+        <source>%1 up, %2 down</source>
+        <translation>%1 aufwärts, %2 abwärts</translation>
+    </message>
+    <message>
+        <source>being read …</source>
+        <translation>wird gelesen …</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Content</source>
+        <translation>Inhalt</translation>
+    </message>
+    <message>
+        <source>Compensation</source>
+        <translation>Kompensation</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Zustand</translation>
     </message>
 </context>
 <context>
@@ -9881,6 +10297,45 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
     </message>
 </context>
 <context>
+    <name>axiscomp::ui::PageTabs</name>
+    <message>
+        <source>Measure</source>
+        <translation>Messen</translation>
+    </message>
+    <message>
+        <source>Write</source>
+        <translation>Schreiben</translation>
+    </message>
+    <message>
+        <source>The files of a measurement, and how they are read</source>
+        <translation>Die Dateien einer Messung, und wie sie gelesen werden</translation>
+    </message>
+    <message>
+        <source>Bring a table to the drive, and activate it</source>
+        <translation>Eine Tabelle zum Antrieb bringen und aktivieren</translation>
+    </message>
+    <message>
+        <source>ready</source>
+        <translation>bereit</translation>
+    </message>
+    <message>
+        <source>warning</source>
+        <translation>Warnung</translation>
+    </message>
+    <message>
+        <source>empty</source>
+        <translation>leer</translation>
+    </message>
+    <message>
+        <source>Parts of the work</source>
+        <translation>Teile der Arbeit</translation>
+    </message>
+    <message>
+        <source>%1 (Ctrl+Page Up and Ctrl+Page Down change the tab)</source>
+        <translation>%1 (Strg+Bild auf und Strg+Bild ab wechseln den Reiter)</translation>
+    </message>
+</context>
+<context>
     <name>axiscomp::ui::ParameterExport</name>
     <message>
         <source>Wrote %1: only compensation registers have changed.</source>
@@ -9964,6 +10419,10 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <source>Sets the dimensionality to %1D and reads the file again.</source>
         <translation>Setzt die Dimensionalität auf %1D und liest die Datei neu.</translation>
     </message>
+    <message>
+        <source>%1 cannot be used.</source>
+        <translation>%1 kann nicht verwendet werden.</translation>
+    </message>
 </context>
 <context>
     <name>axiscomp::ui::ProblemModel</name>
@@ -9986,6 +10445,45 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
     <message>
         <source>Problem</source>
         <translation>Fehler</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::RecordModel</name>
+    <message>
+        <source>Add %1</source>
+        <translation>%1 hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation>%1 entfernen</translation>
+    </message>
+    <message>
+        <source>How %1 is read</source>
+        <translation>Wie %1 gelesen wird</translation>
+    </message>
+    <message>
+        <source>Exchange up and down</source>
+        <translation>Aufwärts und abwärts tauschen</translation>
+    </message>
+    <message>
+        <source>Exclude (%1)</source>
+        <translation>Ausschließen (%1)</translation>
+    </message>
+    <message>
+        <source>Use again (%1)</source>
+        <translation>Wieder verwenden (%1)</translation>
+    </message>
+    <message>
+        <source>Rule for outliers</source>
+        <translation>Regel für Ausreißer</translation>
+    </message>
+    <message>
+        <source>Tolerance of %1</source>
+        <translation>Toleranz von %1</translation>
+    </message>
+    <message>
+        <source>Uncertainty</source>
+        <translation>Messunsicherheit</translation>
     </message>
 </context>
 <context>
@@ -10022,6 +10520,68 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
     <message>
         <source>The backup is of &amp;another drive, which this one replaces</source>
         <translation>Die Sicherung ist von einem &amp;anderen Antrieb, den dieser ersetzt</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::RunValuesModel</name>
+    <message>
+        <source>target %1 at %2</source>
+        <translation>Zielposition %1 bei %2</translation>
+    </message>
+    <message>
+        <source>no value</source>
+        <translation>kein Wert</translation>
+    </message>
+    <message>
+        <source>%1, target %2, run %3, %4</source>
+        <translation>%1, Zielposition %2, Durchlauf %3, %4</translation>
+    </message>
+    <message>
+        <source>excluded</source>
+        <translation>ausgeschlossen</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Zielposition</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::RunValuesView</name>
+    <message>
+        <source>Values of all files</source>
+        <translation>Werte aller Dateien</translation>
+    </message>
+    <message>
+        <source>&amp;Exclude</source>
+        <translation>Ausschließe&amp;n</translation>
+    </message>
+    <message>
+        <source>Leave the selected values out of every figure and table; in the first column, whole targets (Del)</source>
+        <translation>Die ausgewählten Werte aus jedem Kennwert und jeder Tabelle weglassen; in der ersten Spalte ganze Zielpositionen (Entf)</translation>
+    </message>
+    <message>
+        <source>Exclude W&amp;hole Run</source>
+        <translation>&amp;Ganzen Durchlauf ausschließen</translation>
+    </message>
+    <message>
+        <source>Leave out every value of the run of the current cell</source>
+        <translation>Jeden Wert des Durchlaufs weglassen, in dem die aktuelle Zelle steht</translation>
+    </message>
+    <message>
+        <source>Use A&amp;gain</source>
+        <translation>Wie&amp;der verwenden</translation>
+    </message>
+    <message>
+        <source>Use the selected values again</source>
+        <translation>Die ausgewählten Werte wieder verwenden</translation>
+    </message>
+    <message>
+        <source>Too many cells are selected: at most %1 in one step. A whole target is its cell in the first column; &quot;Exclude Whole Run&quot; takes a whole run.</source>
+        <translation>Zu viele Zellen sind ausgewählt: höchstens %1 in einem Schritt. Für eine ganze Zielposition genügt ihre Zelle in der ersten Spalte, für einen ganzen Durchlauf „Ganzen Durchlauf ausschließen“.</translation>
+    </message>
+    <message>
+        <source>Values: %1, excluded: %2 (✕). ↑ up, ↓ down.</source>
+        <translation>Werte: %1, ausgeschlossen: %2 (✕). ↑ aufwärts, ↓ abwärts.</translation>
     </message>
 </context>
 <context>

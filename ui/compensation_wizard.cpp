@@ -18,14 +18,17 @@
 #include "ui/page/message_presenter.h"
 #include "ui/page/message_stack.h"
 #include "ui/page/page_menu.h"
+#include "ui/page/page_tabs.h"
 #include "ui/page/preview_panel.h"
 #include "ui/page/setup_panel.h"
 #include "ui/page/unsaved_changes_guard.h"
 #include "ui/page/wizard_page.h"
 #include "ui/page/write_flow.h"
 #include "ui/page/write_preview.h"
+#include "ui/record/record_model.h"
 #include "ui/style/dirty_style.h"
 #include "ui/style/plain_tool_tips.h"
+#include "ui/tabs/measure_page.h"
 #include "ui/text/language.h"
 
 #include <QApplication>
@@ -39,18 +42,25 @@
 #include <QShortcut>
 #include <QTimer>
 
+#include <algorithm>
+
 namespace axiscomp::ui {
 
 namespace {
 
 const QLatin1StringView demoEndpoint("demo:");
 
-/// The one file that is dragged; empty when it is none, several, or a folder.
-QString draggedFile(const QMimeData& data)
+/// The files that are dragged; none when there is a folder among them, or something else.
+QStringList draggedFiles(const QMimeData& data)
 {
-    const QList<QUrl> urls = data.urls();
-    const QString path = urls.size() == 1 ? urls.front().toLocalFile() : QString();
-    return QFileInfo(path).isFile() ? path : QString();
+    QStringList files;
+    for (const QUrl& url : data.urls()) {
+        const QString path = url.toLocalFile();
+        if (!QFileInfo(path).isFile())
+            return {};
+        files += path;
+    }
+    return files;
 }
 
 } // namespace
@@ -80,6 +90,10 @@ struct CompensationWizard::Private {
     void showGuideOver(QDialog& dialog);
     void showOverview();
     void announceTitle();
+    [[nodiscard]] bool isWriteShown() const;
+    void open(const QStringList& files);
+    void saveMeasurement();
+    void showMarkOfMeasure();
 
     CompensationWizard& q;
     WizardOptions options;
@@ -87,7 +101,9 @@ struct CompensationWizard::Private {
     Language language;
     DirtyStyle style;
     WizardController controller;
+    RecordModel record;
     PageMenu* menu;
+    MeasurePage* measure;
     WizardPage* page;
     DropFrame* dropFrame;
     FileActions files;
@@ -108,7 +124,8 @@ CompensationWizard::Private::Private(
     , language(settings.language())
     , controller(wizardOptions)
     , menu(new PageMenu(&wizard))
-    , page(new WizardPage(controller, *options.profile, style, *menu, &wizard))
+    , measure(new MeasurePage(record))
+    , page(new WizardPage(controller, *options.profile, style, *menu, measure, &wizard))
     , dropFrame(new DropFrame(&wizard))
     , files(controller, settings, page->setup->dataField(), *options.profile, wizard)
     , writeFlow(controller, *page->preview)
@@ -167,6 +184,17 @@ void CompensationWizard::Private::connectParts()
     connect(menu, &PageMenu::guideRequested, &q, [this] { showGuide({}); });
     connect(menu, &PageMenu::overviewRequested, &q, [this] { showOverview(); });
     connect(menu, &PageMenu::saveLogRequested, &q, [this] { files.saveLog(page->log->text()); });
+    connect(measure, &MeasurePage::addRequested, &q, [this] { files.askForMeasurements(); });
+    connect(measure, &MeasurePage::saveRequested, &q, [this] { saveMeasurement(); });
+    connect(&files, &FileActions::measurementSaved, measure, &MeasurePage::showSaved);
+    connect(&files, &FileActions::measurementsChosen, &record, &RecordModel::addFiles);
+    connect(&record, &RecordModel::historyChanged, &q, [this] { offerHistory(); });
+    connect(page->tabs, &PageTabs::currentChanged, &q, [this] { offerHistory(); });
+    connect(&record, &RecordModel::stateChanged, &q, [this] { showMarkOfMeasure(); });
+    connect(&writeFlow, &WriteFlow::previewingChanged, &q, [this](bool isPreviewing) {
+        if (isPreviewing)
+            page->tabs->setCurrentIndex(PageTabs::Write);
+    });
     const auto announce = [this] { announceTitle(); };
     connect(&controller, &WizardController::currentAxisChanged, &q, announce);
     connect(&controller, &WizardController::axesChanged, &q, announce);
@@ -189,14 +217,28 @@ void CompensationWizard::Private::addShortcuts()
     });
     addShortcut(QKeySequence::HelpContents,
         [this] { showGuide(guidePlaceOf(QApplication::focusWidget())); });
-    addShortcut(QKeySequence::Open, [this] { files.askAndOpen(); });
-    addShortcut(Qt::CTRL | Qt::Key_Return, [this] { writeFlow.proceed(); });
-    addShortcut(Qt::CTRL | Qt::Key_Enter, [this] { writeFlow.proceed(); });
-    addShortcut(Qt::CTRL | Qt::Key_R, [this] { page->setup->revertFocused(); });
+    addShortcut(QKeySequence::Open, [this] {
+        if (isWriteShown())
+            files.askAndOpen();
+        else
+            files.askForMeasurements();
+    });
+    // What changes the setup or the drive needs what it changes in sight.
+    for (const auto key : {Qt::Key_Return, Qt::Key_Enter})
+        addShortcut(Qt::CTRL | key, [this] {
+            if (isWriteShown())
+                writeFlow.proceed();
+        });
+    addShortcut(Qt::CTRL | Qt::Key_R, [this] {
+        if (isWriteShown())
+            page->setup->revertFocused();
+    });
     addShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_R, [this] {
-        if (controller.action(Action::Revert).isEnabled)
+        if (isWriteShown() && controller.action(Action::Revert).isEnabled)
             controller.setup().revert();
     });
+    addShortcut(Qt::CTRL | Qt::Key_PageUp, [this] { page->tabs->step(-1); });
+    addShortcut(Qt::CTRL | Qt::Key_PageDown, [this] { page->tabs->step(1); });
     addShortcut(Qt::CTRL | Qt::Key_Z, [this] { undo(); });
     addShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_Z, [this] { redo(); });
     addShortcut(Qt::CTRL | Qt::Key_Y, [this] { redo(); });
@@ -326,6 +368,10 @@ void CompensationWizard::Private::offerActions()
 
 void CompensationWizard::Private::offerHistory()
 {
+    if (!isWriteShown()) {
+        menu->showHistory(record.undoText(), record.redoText());
+        return;
+    }
     const bool isBusy = controller.busy().isBusy;
     const SetupHistory& history = controller.history();
     menu->showHistory(
@@ -334,13 +380,17 @@ void CompensationWizard::Private::offerHistory()
 
 void CompensationWizard::Private::undo()
 {
-    if (!controller.busy().isBusy)
+    if (!isWriteShown())
+        record.undo();
+    else if (!controller.busy().isBusy)
         controller.history().undo();
 }
 
 void CompensationWizard::Private::redo()
 {
-    if (!controller.busy().isBusy)
+    if (!isWriteShown())
+        record.redo();
+    else if (!controller.busy().isBusy)
         controller.history().redo();
 }
 
@@ -396,6 +446,42 @@ void CompensationWizard::Private::announceTitle()
                                    : program + QStringLiteral(" - ")
             + controller.axes().at(static_cast<std::size_t>(axis)).label;
     Q_EMIT q.titleChanged(QStringLiteral("[*]") + title, controller.setup().isDirty());
+}
+
+bool CompensationWizard::Private::isWriteShown() const
+{
+    return page->tabs->currentIndex() == PageTabs::Write;
+}
+
+/// On the tab that is shown: a table to write, or the files of a measurement.
+void CompensationWizard::Private::open(const QStringList& dropped)
+{
+    if (isWriteShown())
+        files.open(dropped.front());
+    else
+        record.addFiles(dropped);
+}
+
+void CompensationWizard::Private::saveMeasurement()
+{
+    QStringList sources;
+    for (const MeasurementFile& file : record.record().files)
+        sources += file.path;
+    files.saveMeasurement(record.state().measurement, sources);
+}
+
+void CompensationWizard::Private::showMarkOfMeasure()
+{
+    const RecordState& state = record.state();
+    const bool hasProblems =
+        state.refusal || std::ranges::any_of(state.files, [](const ReadMeasurement& file) {
+            return file.refusal || (file.reading && !file.reading->diagnostics.empty());
+        });
+    page->tabs->setMark(PageTabs::Measure,
+        record.record().files.empty() ? PageTabs::Mark::Empty
+            : hasProblems             ? PageTabs::Mark::Warning
+            : state.measurement       ? PageTabs::Mark::Ready
+                                      : PageTabs::Mark::Empty);
 }
 
 CompensationWizard::CompensationWizard(WizardOptions options, QSettings* settings, QWidget* parent)
@@ -468,6 +554,7 @@ void CompensationWizard::changeEvent(QEvent* event)
         d->menu->retranslate();
         d->offerHistory();
         d->page->retranslate();
+        d->measure->retranslate();
         d->messages.retranslate();
         d->guard.retranslate();
         d->announceTitle();
@@ -477,11 +564,15 @@ void CompensationWizard::changeEvent(QEvent* event)
 
 void CompensationWizard::dragEnterEvent(QDragEnterEvent* event)
 {
-    const QString file = draggedFile(*event->mimeData());
-    if (file.isEmpty() || !d->controller.action(Action::OpenData).isEnabled)
+    const QStringList files = draggedFiles(*event->mimeData());
+    const bool isWelcome = d->isWriteShown()
+        ? files.size() == 1 && d->controller.action(Action::OpenData).isEnabled
+        : !files.isEmpty();
+    if (!isWelcome)
         return;
     event->acceptProposedAction();
-    d->dropFrame->showFor(QFileInfo(file).fileName());
+    const QString name = QFileInfo(files.front()).fileName();
+    d->dropFrame->showFor(files.size() == 1 ? name : name + QStringLiteral(", …"));
 }
 
 void CompensationWizard::dragLeaveEvent(QDragLeaveEvent* event)
@@ -493,11 +584,11 @@ void CompensationWizard::dragLeaveEvent(QDragLeaveEvent* event)
 void CompensationWizard::dropEvent(QDropEvent* event)
 {
     d->dropFrame->hide();
-    const QString file = draggedFile(*event->mimeData());
-    if (file.isEmpty())
+    const QStringList files = draggedFiles(*event->mimeData());
+    if (files.isEmpty() || (d->isWriteShown() && files.size() > 1))
         return;
     event->acceptProposedAction();
-    openData(file);
+    d->open(files);
 }
 
 void CompensationWizard::keyPressEvent(QKeyEvent* event)

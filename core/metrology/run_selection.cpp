@@ -4,6 +4,7 @@
 #include "core/text/token_scanner.h"
 
 #include <algorithm>
+#include <tuple>
 
 namespace axiscomp {
 
@@ -59,6 +60,17 @@ bool covers(const Exclusion& exclusion, const RunValue& value)
     return (!exclusion.direction || *exclusion.direction == value.direction)
         && (!exclusion.target || *exclusion.target == value.target + 1)
         && (!exclusion.run || *exclusion.run == value.run);
+}
+
+/// The values among which those of an exclusion are. They are sorted: one alone is found at once.
+std::span<RunValue> candidates(Measurement& measurement, const Exclusion& exclusion)
+{
+    if (!exclusion.direction || !exclusion.target || !exclusion.run)
+        return measurement.values;
+    const std::tuple wanted(*exclusion.direction, *exclusion.target, *exclusion.run);
+    return std::ranges::equal_range(measurement.values, wanted, {}, [](const RunValue& value) {
+        return std::tuple(value.direction, value.target + 1, value.run);
+    });
 }
 
 /// The targets of all, each once.
@@ -131,7 +143,7 @@ Result<void> exclude(Measurement& measurement, std::span<const Exclusion> exclus
 {
     for (const Exclusion& exclusion : exclusions) {
         bool isThere = false;
-        for (RunValue& value : measurement.values) {
+        for (RunValue& value : candidates(measurement, exclusion)) {
             if (!covers(exclusion, value))
                 continue;
             value.isUsed = false;

@@ -13,6 +13,7 @@ namespace axiscomp::ui {
 struct FileQuestion {
     enum class Purpose {
         OpenData,
+        OpenMeasurement,
         OpenConfiguration,
         OpenBackup,
         SaveExample,
@@ -20,6 +21,7 @@ struct FileQuestion {
         ExportTable,
         SaveConfiguration,
         SaveBackup,
+        SaveMeasurement,
     } purpose = Purpose::OpenData;
     QString title;
     QString filter;

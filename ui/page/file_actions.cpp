@@ -3,6 +3,7 @@
 
 #include "core/configuration/tam_configuration.h"
 #include "core/io/local_file.h"
+#include "core/metrology/formats/measurement_format.h"
 #include "ui/async/background_job.h"
 #include "ui/controller/wizard_controller.h"
 #include "ui/controller/wizard_settings.h"
@@ -20,6 +21,8 @@
 #include <QFileInfo>
 #include <QRegularExpression>
 #include <QWidget>
+
+#include <algorithm>
 
 namespace axiscomp::ui {
 
@@ -70,6 +73,61 @@ void FileActions::askAndOpen()
     question.filter = openFilter();
     question.start = m_settings.folder();
     m_picker(m_window, question, [this](const QString& path) { open(path); });
+}
+
+void FileActions::askForMeasurements()
+{
+    FileQuestion question;
+    question.purpose = FileQuestion::Purpose::OpenMeasurement;
+    question.title = tr("Add Measurement");
+    question.filter = measurementFilter();
+    question.start = m_measurementFolder.isEmpty() ? m_settings.folder() : m_measurementFolder;
+    m_picker(m_window, question, [this](const QString& path) {
+        if (path.isEmpty())
+            return;
+        m_measurementFolder = QFileInfo(path).absolutePath();
+        Q_EMIT measurementsChosen({path});
+    });
+}
+
+void FileActions::saveMeasurement(
+    const std::shared_ptr<const Measurement>& measurement, const QStringList& sources)
+{
+    FileQuestion question;
+    question.purpose = FileQuestion::Purpose::SaveMeasurement;
+    question.title = tr("Save as Runs");
+    question.filter = tr("Runs (*.csv)");
+    const QString name = QFileInfo(sources.value(0)).completeBaseName();
+    const QString folder =
+        m_measurementFolder.isEmpty() ? m_settings.folder() : m_measurementFolder;
+    question.start = QDir(folder).filePath(name + QStringLiteral("-runs.csv"));
+    m_picker(m_window, question, [this, measurement, sources](const QString& path) {
+        if (!path.isEmpty())
+            writeMeasurement(path, measurement, sources);
+    });
+}
+
+void FileActions::writeMeasurement(const QString& path,
+    const std::shared_ptr<const Measurement>& measurement, const QStringList& sources)
+{
+    const auto saved = inBackground<Result<void>>([path, measurement, sources]() -> Result<void> {
+        const QFileInfo file(path);
+        const bool isSource = std::ranges::any_of(
+            sources, [&](const QString& source) { return QFileInfo(source) == file; });
+        if (isSource)
+            return fail(ErrorCode::FileNotWritable,
+                {{"file", file.fileName().toStdString()},
+                    {"reason",
+                        AXISCOMP_TEXT("Error",
+                            "it is one of the files of this measurement; choose another name")}});
+        return saveFile(file.filesystemAbsoluteFilePath(), bytesOf(writeRunsCsv(*measurement)));
+    });
+    whenDone(saved, this, [this, path](const Result<void>& result) {
+        if (result)
+            Q_EMIT measurementSaved(path);
+        else
+            Q_EMIT failed(errorText(result.error()));
+    });
 }
 
 void FileActions::open(const QString& path)

@@ -17,6 +17,7 @@ class QDialog;
 
 namespace axiscomp {
 struct CompensationTable;
+struct Measurement;
 struct TamConfiguration;
 } // namespace axiscomp
 
@@ -42,6 +43,12 @@ public:
     [[nodiscard]] const FilePicker& picker() const { return m_picker; }
     void askAndOpen();
     void open(const QString& path);
+    /// A file of a measurement; measurementsChosen() follows.
+    void askForMeasurements();
+    /// Asks for a file, which gets a measurement with targets as runs; measurementSaved() follows.
+    /// sources: the files that it was read from, which are not written over.
+    void saveMeasurement(
+        const std::shared_ptr<const Measurement>& measurement, const QStringList& sources);
     /// Asks how the file is to be understood.
     void askForImport(const QString& path);
     /// The selected table as a file of another controller.
@@ -59,6 +66,8 @@ public:
 
 Q_SIGNALS:
     void failed(const QString& sentence);
+    void measurementsChosen(const QStringList& paths);
+    void measurementSaved(const QString& path);
 
 private:
     void askWhereToExport(
@@ -72,6 +81,8 @@ private:
         const std::shared_ptr<const TamConfiguration>& from, const std::string& text);
     void saveConfiguration(const QString& path, const QString& original,
         const std::shared_ptr<const TamConfiguration>& from, const std::string& text);
+    void writeMeasurement(const QString& path,
+        const std::shared_ptr<const Measurement>& measurement, const QStringList& sources);
     void save(const QString& path, std::string text);
     void report(const QFuture<Result<void>>& saved);
 
@@ -81,6 +92,7 @@ private:
     const DriveProfile& m_profile;
     QWidget& m_window;
     FilePicker m_picker;
+    QString m_measurementFolder; ///< of the last one; empty: none was opened yet
     QPointer<ImportDialog> m_import;
 };
 

@@ -16,8 +16,9 @@
 
 namespace axiscomp::ui {
 
-ProblemList::ProblemList(QWidget* parent)
+ProblemList::ProblemList(QWidget* parent, About about)
     : QWidget(parent)
+    , m_about(about)
     , m_title(new PlainLabel)
     , m_useDimensions(new QPushButton)
     , m_model(new ProblemModel(this))
@@ -83,8 +84,10 @@ void ProblemList::showSummary()
     const QString name = QFileInfo(m_path).fileName();
     const bool hasErrors =
         std::ranges::count(m_model->problems(), Severity::Error, &Diagnostic::severity) > 0;
-    QString title = hasErrors ? tr("%1 cannot be used; the previous selection is kept.").arg(name)
-                              : tr("%1 is used, with these warnings.").arg(name);
+    const QString refusal = m_about == About::Table
+        ? tr("%1 cannot be used; the previous selection is kept.")
+        : tr("%1 cannot be used.");
+    QString title = (hasErrors ? refusal : tr("%1 is used, with these warnings.")).arg(name);
     if (m_suppressed > 0)
         title += u' ' + tr("Further problems: %1.").arg(countText(m_suppressed));
     m_title->setText(title);

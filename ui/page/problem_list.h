@@ -22,7 +22,9 @@ class ProblemList : public QWidget {
     Q_OBJECT
 
 public:
-    explicit ProblemList(QWidget* parent = nullptr);
+    enum class About { Table, Measurement };
+
+    explicit ProblemList(QWidget* parent = nullptr, About about = About::Table);
 
     /// Those of the file. Whether they are new ones.
     bool setProblems(const DataFile& file);
@@ -41,6 +43,7 @@ private:
     void showSummary();
     void open();
 
+    About m_about;
     QLabel* m_title;
     QPushButton* m_useDimensions;
     ProblemModel* m_model;

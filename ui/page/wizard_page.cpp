@@ -2,11 +2,13 @@
 #include "ui/page/wizard_page.h"
 
 #include "core/drive/drive_profile.h"
+#include "ui/controller/wizard_controller.h"
 #include "ui/controller/wizard_settings.h"
 #include "ui/page/action_panel.h"
 #include "ui/page/drive_bar.h"
 #include "ui/page/log_view.h"
 #include "ui/page/message_stack.h"
+#include "ui/page/page_tabs.h"
 #include "ui/page/preview_panel.h"
 #include "ui/page/setup_panel.h"
 #include "ui/page/status_strip.h"
@@ -17,6 +19,9 @@
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSplitter>
+#include <QStackedWidget>
+
+#include <algorithm>
 
 namespace axiscomp::ui {
 
@@ -55,19 +60,54 @@ protected:
 } // namespace
 
 WizardPage::WizardPage(WizardController& controller, const DriveProfile& profile, QStyle& style,
-    QMenu& menu, QWidget* parent)
+    QMenu& menu, QWidget* measure, QWidget* parent)
     : QWidget(parent)
     , driveBar(new DriveBar(controller, menu))
     , messages(new MessageStack)
+    , tabs(new PageTabs)
     , setup(new SetupPanel(controller, profile, style))
     , actions(new ActionPanel(controller))
     , preview(new PreviewPanel(controller, profile))
     , log(new LogView(controller.logModel()))
     , status(new StatusStrip(controller))
+    , m_controller(controller)
+    , m_pages(new QStackedWidget)
     , m_columns(new QSplitter(Qt::Horizontal))
     , m_rows(new QSplitter(Qt::Vertical))
 {
     setObjectName(QStringLiteral("wizardPage"));
+    buildWritePage();
+    for (QWidget* shown : {measure, static_cast<QWidget*>(m_columns)})
+        m_pages->addWidget(shown);
+    m_pages->setCurrentIndex(PageTabs::Write);
+    m_rows->setObjectName(QStringLiteral("rows"));
+    m_rows->setChildrenCollapsible(false);
+    m_rows->addWidget(m_pages);
+    m_rows->addWidget(log);
+    m_rows->setStretchFactor(0, 1);
+    m_rows->setStretchFactor(1, 0);
+    m_rows->setSizes({560, 140});
+    log->hide();
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(margin, spacing, margin, spacing);
+    layout->setSpacing(spacing);
+    layout->addWidget(driveBar);
+    layout->addWidget(buildMessages());
+    layout->addWidget(tabs);
+    layout->addWidget(m_rows, 1);
+    layout->addWidget(rule());
+    layout->addWidget(status);
+    connect(status, &StatusStrip::logToggled, this, &WizardPage::showLog);
+    connect(log, &LogView::closeRequested, this, [this] { showLog(false); });
+    connect(tabs, &PageTabs::currentChanged, m_pages, &QStackedWidget::setCurrentIndex);
+    for (const auto changed : {&WizardController::selectedTableChanged,
+             &WizardController::dataFileChanged, &WizardController::outcomeChanged})
+        connect(&controller, changed, this, &WizardPage::showMarkOfWrite);
+    showMarkOfWrite();
+}
+
+void WizardPage::buildWritePage()
+{
     m_columns->setObjectName(QStringLiteral("columns"));
     m_columns->setChildrenCollapsible(false);
     m_columns->addWidget(buildLeft());
@@ -79,25 +119,18 @@ WizardPage::WizardPage(WizardController& controller, const DriveProfile& profile
     m_columns->setStretchFactor(0, 0);
     m_columns->setStretchFactor(1, 1);
     m_columns->setSizes({456, 800});
-    m_rows->setObjectName(QStringLiteral("rows"));
-    m_rows->setChildrenCollapsible(false);
-    m_rows->addWidget(m_columns);
-    m_rows->addWidget(log);
-    m_rows->setStretchFactor(0, 1);
-    m_rows->setStretchFactor(1, 0);
-    m_rows->setSizes({560, 140});
-    log->hide();
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(margin, spacing, margin, spacing);
-    layout->setSpacing(spacing);
-    layout->addWidget(driveBar);
-    layout->addWidget(buildMessages());
-    layout->addWidget(rule());
-    layout->addWidget(m_rows, 1);
-    layout->addWidget(rule());
-    layout->addWidget(status);
-    connect(status, &StatusStrip::logToggled, this, &WizardPage::showLog);
-    connect(log, &LogView::closeRequested, this, [this] { showLog(false); });
+}
+
+void WizardPage::showMarkOfWrite()
+{
+    const auto& problems = m_controller.dataFile().problems;
+    const bool hasErrors =
+        std::ranges::find(problems, Severity::Error, &Diagnostic::severity) != problems.end();
+    const bool isReady = m_controller.selectedTable() != nullptr;
+    tabs->setMark(PageTabs::Write,
+        hasErrors || m_controller.isOutcomeAnError() ? PageTabs::Mark::Warning
+            : isReady                                ? PageTabs::Mark::Ready
+                                                     : PageTabs::Mark::Empty);
 }
 
 /// Of a fixed height: a message that comes or goes moves nothing that somebody is about to press.
@@ -140,6 +173,7 @@ QWidget* WizardPage::buildLeft()
 void WizardPage::retranslate()
 {
     driveBar->retranslate();
+    tabs->retranslate();
     setup->retranslate();
     actions->retranslate();
     preview->retranslate();

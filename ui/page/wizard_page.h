@@ -5,6 +5,7 @@
 
 class QMenu;
 class QSplitter;
+class QStackedWidget;
 class QStyle;
 
 namespace axiscomp {
@@ -17,6 +18,7 @@ class ActionPanel;
 class DriveBar;
 class LogView;
 class MessageStack;
+class PageTabs;
 class PreviewPanel;
 class SetupPanel;
 class StatusStrip;
@@ -28,9 +30,10 @@ class WizardPage : public QWidget {
     Q_OBJECT
 
 public:
-    /// All references must outlive the page.
+    /// measure: what the tab of this name shows; the page takes it. All references must outlive the
+    /// page.
     WizardPage(WizardController& controller, const DriveProfile& profile, QStyle& style,
-        QMenu& menu, QWidget* parent = nullptr);
+        QMenu& menu, QWidget* measure, QWidget* parent = nullptr);
 
     void retranslate();
     void showLog(bool isShown);
@@ -41,6 +44,7 @@ public:
     // The parts; they live as long as the page.
     DriveBar* const driveBar;
     MessageStack* const messages;
+    PageTabs* const tabs;
     SetupPanel* const setup;
     ActionPanel* const actions;
     PreviewPanel* const preview;
@@ -50,7 +54,11 @@ public:
 private:
     [[nodiscard]] QWidget* buildMessages();
     [[nodiscard]] QWidget* buildLeft();
+    void buildWritePage();
+    void showMarkOfWrite();
 
+    WizardController& m_controller;
+    QStackedWidget* m_pages; ///< one for each tab
     QSplitter* m_columns;
     QSplitter* m_rows;
 };

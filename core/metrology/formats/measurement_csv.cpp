@@ -429,4 +429,26 @@ void MeasurementCsv::refuse(std::size_t line, std::string_view value, const Text
         DiagnosticCode::Syntax, line, 0, Verbatim{excerpt(value, Encoding::Utf8)}, expected);
 }
 
+std::optional<MeasurementPreview> previewMeasurement(
+    std::string_view text, std::size_t skippedLines, std::size_t mostRows)
+{
+    MeasurementReadOptions options;
+    options.skippedLines = skippedLines;
+    Measurement measurement;
+    DiagnosticList diagnostics(options.maximumDiagnostics);
+    MeasurementCsv csv(text, options, measurement, diagnostics);
+    if (!csv.readHeader())
+        return std::nullopt;
+    MeasurementPreview preview;
+    for (const csv::ColumnName& column : csv.columns())
+        preview.columns.push_back(
+            column.unit.empty() ? column.name : column.name + " [" + column.unit + "]");
+    while (preview.rows.size() < mostRows && csv.next()) {
+        std::vector<std::string>& row = preview.rows.emplace_back();
+        for (std::size_t column = 1; column <= preview.columns.size(); ++column)
+            row.push_back(csv.shown(csv.text(column)));
+    }
+    return preview;
+}
+
 } // namespace axiscomp

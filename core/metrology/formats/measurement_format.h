@@ -5,6 +5,7 @@
 #include "core/metrology/measurement.h"
 #include "core/text/diagnostic.h"
 
+#include <optional>
 #include <span>
 #include <stop_token>
 #include <string>
@@ -84,6 +85,15 @@ struct MeasurementFormat {
 /// mapped is CSV. Errors: UnknownFormat, FormatAmbiguous.
 [[nodiscard]] Result<const MeasurementFormat*> chooseMeasurementFormat(
     std::string_view text, std::string_view fileName, const MeasurementReadOptions& options);
+
+/// The beginning of a CSV file, for a person to say which column is what.
+struct MeasurementPreview {
+    std::vector<std::string> columns; ///< "Position [mm]"
+    std::vector<std::vector<std::string>> rows; ///< as many cells as columns
+};
+/// text: the beginning of the file. Nothing for what is no CSV with a line of names.
+[[nodiscard]] std::optional<MeasurementPreview> previewMeasurement(
+    std::string_view text, std::size_t skippedLines, std::size_t mostRows);
 
 /// The error for a file whose reading has errors: UnitMissing or InstrumentScale when that is all
 /// that is wrong, else InvalidMeasurement.

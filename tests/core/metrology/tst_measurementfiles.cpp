@@ -438,6 +438,22 @@ private Q_SLOTS:
         const Exclusion missing{Approach::Up, {}, 6};
         VERIFY_ERROR(exclude(m, std::span(&missing, 1)), ErrorCode::InvalidArgument);
     }
+
+    void eachValueIsLeftOutAlone()
+    {
+        const Measurement whole = publicRuns("bifrost.csv");
+        for (std::size_t n = 0; n < whole.values.size(); ++n) {
+            const RunValue& value = whole.values[n];
+            Measurement m = whole;
+            const Exclusion one{value.direction, value.target + 1, value.run};
+            QVERIFY(exclude(m, std::span(&one, 1)));
+            for (std::size_t other = 0; other < m.values.size(); ++other)
+                QCOMPARE(m.values[other].isUsed, other != n);
+        }
+        Measurement m = whole;
+        const Exclusion missing{Approach::Down, m.targets.size() + 1, 1};
+        VERIFY_ERROR(exclude(m, std::span(&missing, 1)), ErrorCode::InvalidArgument);
+    }
 };
 
 AXISCOMP_TEST(tst_MeasurementFiles)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "tests/ui/support/configuration_files.h"
+#include "tests/ui/support/measurement_files.h"
 #include "tests/ui/support/page_fixture.h"
 
 #include <QAction>
@@ -218,6 +219,25 @@ inline bool exportConfiguration(PageFixture& bench)
         && PageUser::waitFor([&] { return bench.user.the("saveConfigurationButton").isEnabled(); });
 }
 
+/// The tab Measure with a file that can be used and one that cannot.
+inline bool measure(PageFixture& bench)
+{
+    if (!bench.user.isThere())
+        return false;
+    bench.user.the("pageTabs").setFocus();
+    PageUser::press(Qt::Key_PageUp, Qt::ControlModifier);
+    bench.picked = publicMeasurement("b02_x");
+    if (!bench.user.click("addMeasurement"))
+        return false;
+    bench.picked = bench.file(QStringLiteral("other.csv"),
+        "target [mm],direction,run,deviation [um]\n0,+,1,0.2\n1,sideways,1,0.3\n");
+    return bench.user.click("addMeasurement") && PageUser::waitFor([&] {
+        const auto* page = bench.user.find("measurePage");
+        const auto* problems = page->findChild<QWidget*>(QStringLiteral("problems"));
+        return problems && problems->isVisible();
+    });
+}
+
 } // namespace page_states
 
 inline const std::vector<PageState>& allPageStates()
@@ -244,6 +264,7 @@ inline const std::vector<PageState>& allPageStates()
         {"export dialog", exportDialog},
         {"import configuration", importConfiguration},
         {"export configuration", exportConfiguration},
+        {"measure", measure},
     };
     return all;
 }

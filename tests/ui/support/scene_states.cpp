@@ -2,6 +2,8 @@
 #include "tests/ui/support/scene_states.h"
 
 #include "tests/ui/support/configuration_files.h"
+#include "tests/ui/support/measurement_files.h"
+#include "ui/page/page_tabs.h"
 #include "ui/plot/surface_view.h"
 
 #include <QAction>
@@ -702,6 +704,79 @@ void exportConfiguration(PageScene& scene)
     QTest::qWait(200);
 }
 
+void showPageTab(PageScene& scene, int tab)
+{
+    scene.showDrive();
+    scene.page().findChild<QTabBar*>(QStringLiteral("pageTabs"))->setCurrentIndex(tab);
+    QTest::qWait(100);
+}
+
+void addMeasurement(PageScene& scene, const QString& path, int count)
+{
+    scene.page().setFilePicker(
+        [path](QWidget&, const ui::FileQuestion&,
+            const std::function<void(const QString&)>& answer) { answer(path); });
+    scene.click("addMeasurement");
+    const auto* files = scene.page().findChild<QTableView*>(QStringLiteral("measurementFiles"));
+    constexpr int stateColumn = 1;
+    wait(
+        [&] {
+            const auto state = files->model()->index(count - 1, stateColumn);
+            return files->model()->rowCount() == count && state.data(Qt::DecorationRole).isValid();
+        },
+        "the measurement");
+    QTest::qWait(200);
+}
+
+void measureEmpty(PageScene& scene)
+{
+    showPageTab(scene, PageTabs::Measure);
+}
+
+void measureFiles(PageScene& scene)
+{
+    measureEmpty(scene);
+    addMeasurement(scene, publicMeasurement("ess_mcu1025"), 1);
+}
+
+void measureColumns(PageScene& scene)
+{
+    measureEmpty(scene);
+    addMeasurement(scene,
+        scene.stage().file(QStringLiteral("laser-export.csv"),
+            "Position [mm];Way;Lap;Measured error [um]\n0;+;1;0.4\n20;+;1;1.9\n40;+;1;2.2\n"
+            "40;-;1;1.1\n20;-;1;0.8\n0;-;1;-0.6\n"),
+        1);
+    scene.page().findChild<QTabWidget*>(QStringLiteral("measureTabs"))->setCurrentIndex(1);
+    QTest::qWait(200);
+}
+
+void measureBadFile(PageScene& scene)
+{
+    measureFiles(scene);
+    addMeasurement(scene,
+        scene.stage().file(QStringLiteral("before-x.csv"),
+            "target [mm],direction,run,deviation "
+            "[um]\n0,+,1,0.2\n25,sideways,1,0.3\n50,+,one,0.1\n"),
+        2);
+}
+
+void measureValues(PageScene& scene)
+{
+    measureFiles(scene);
+    scene.page().findChild<QTabWidget*>(QStringLiteral("measureTabs"))->setCurrentIndex(3);
+    auto* values = scene.page().findChild<QTableView*>(QStringLiteral("runValues"));
+    // The two that axiscomp judge proposes for exclusion.
+    constexpr int firstRunDown = 6;
+    for (const int target : {0, 1}) {
+        values->setCurrentIndex(values->model()->index(target, firstRunDown));
+        scene.click("excludeValues");
+    }
+    wait([&] { return values->model()->index(1, firstRunDown).data().toString().startsWith(u'✕'); },
+        "the exclusions");
+    QTest::qWait(200);
+}
+
 } // namespace
 
 const std::vector<SceneState>& sceneStates()
@@ -757,6 +832,11 @@ const std::vector<SceneState>& sceneStates()
         {"several-axes-failed", multiAxisFailed},
         {"import-configuration", importConfiguration},
         {"export-configuration", exportConfiguration},
+        {"measure-empty", measureEmpty},
+        {"measure-files", measureFiles},
+        {"measure-columns", measureColumns},
+        {"measure-bad-file", measureBadFile},
+        {"measure-values", measureValues},
     };
     return all;
 }

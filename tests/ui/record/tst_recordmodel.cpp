@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/patience.h"
+#include "tests/ui/support/measurement_files.h"
+#include "tests/ui/support/window_test.h"
+#include "ui/record/record_model.h"
+
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <cmath>
+
+namespace tst_recordmodel {
+
+using namespace axiscomp;
+using namespace axiscomp::ui;
+using test::publicMeasurement;
+
+namespace {
+
+[[nodiscard]] bool settled(const RecordModel& model)
+{
+    return QTest::qWaitFor([&] { return !model.isEvaluating(); }, test::patienceMs);
+}
+
+double figureOf(const RecordModel& model, Iso230Figure figure)
+{
+    const auto& judgement = model.state().judgement;
+    return judgement ? judgement->figures[figure].value.value_or(std::nan("")) : std::nan("");
+}
+
+std::size_t leftOut(const RecordModel& model)
+{
+    return model.state().measurement ? model.state().measurement->excludedCount() : 9999;
+}
+
+const Exclusion firstOutlier{Approach::Down, 1, 1};
+const Exclusion secondOutlier{Approach::Down, 2, 1};
+
+} // namespace
+
+/// What a person says of a measurement, and what it comes to. The numbers are those of
+/// docs/metrology.md, computed elsewhere.
+class TestRecordModel : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { test::failOnWindowWarnings(); }
+
+    void aFileIsReadAndJudgedOnAnotherThread()
+    {
+        RecordModel model;
+        QSignalSpy states(&model, &RecordModel::stateChanged);
+        model.addFiles({publicMeasurement("ess_mcu1025")});
+        QVERIFY(model.isEvaluating());
+        QVERIFY(!model.state().measurement); // nothing was read before this returned
+        QVERIFY(settled(model));
+        QCOMPARE(states.size(), 2);
+        QVERIFY(std::abs(figureOf(model, Iso230Figure::A) - 0.2047595) < 1e-6);
+        QVERIFY(std::abs(figureOf(model, Iso230Figure::R) - 0.2047595) < 1e-6);
+    }
+
+    void figuresLeaveOutWhatIsExcluded()
+    {
+        RecordModel model;
+        model.addFiles({publicMeasurement("ess_mcu1025")});
+        model.exclude({firstOutlier, secondOutlier});
+        QVERIFY(settled(model));
+        QCOMPARE(leftOut(model), std::size_t{2});
+        QVERIFY(std::abs(figureOf(model, Iso230Figure::A) - 0.0892653) < 1e-6);
+        QVERIFY(std::abs(figureOf(model, Iso230Figure::R) - 0.0582781) < 1e-6);
+        QVERIFY(model.state().judgement->ofAllValues);
+    }
+
+    void everyStepIsUndoneAndDoneAgain()
+    {
+        RecordModel model;
+        model.addFiles({publicMeasurement("ess_mcu1025")});
+        QVERIFY(settled(model));
+        std::vector<Record> records{model.record()};
+        const auto note = [&] { records.push_back(model.record()); };
+        model.exclude({firstOutlier});
+        note();
+        model.setDirectionsSwapped(true);
+        note();
+        model.setTolerance(Iso230Figure::A, 0.01);
+        note();
+        model.setUncertainty(0.002);
+        note();
+        model.setOutlierRule(OutlierRule::Grubbs);
+        note();
+        MeasurementChoices otherWay;
+        otherWay.invertsReference = true;
+        model.setChoices(0, otherWay);
+        note();
+        model.addFiles({publicMeasurement("b02_x")});
+        note();
+        model.removeFile(0);
+        note();
+        QCOMPARE(model.undoText(), QStringLiteral("Remove ess_mcu1025.csv"));
+        QVERIFY(model.redoText().isEmpty());
+        for (std::size_t n = records.size() - 1; n > 0; --n) {
+            QVERIFY(!(records[n] == records[n - 1]));
+            model.undo();
+            QVERIFY(model.record() == records[n - 1]);
+        }
+        QCOMPARE(model.redoText(), QStringLiteral("Exclude (1)"));
+        for (std::size_t n = 1; n < records.size(); ++n) {
+            model.redo();
+            QVERIFY(model.record() == records[n]);
+        }
+    }
+
+    void nothingIsAStepThatChangesNothing()
+    {
+        RecordModel model;
+        model.addFiles({publicMeasurement("b02_x")});
+        QVERIFY(settled(model));
+        const QString text = model.undoText();
+        QSignalSpy changes(&model, &RecordModel::changed);
+        model.addFiles({publicMeasurement("b02_x")});
+        model.setDirectionsSwapped(false);
+        model.setTolerance(Iso230Figure::A, std::nullopt);
+        model.setUncertainty(std::nullopt);
+        model.setChoices(0, {});
+        model.useAgain({firstOutlier});
+        model.exclude({});
+        QCOMPARE(changes.size(), 0);
+        QCOMPARE(model.undoText(), text);
+    }
+
+    void twoHundredStepsAreKept()
+    {
+        RecordModel model;
+        for (int n = 1; n <= RecordModel::mostSteps + 10; ++n)
+            model.setUncertainty(n * 0.001);
+        int steps = 0;
+        while (!model.undoText().isEmpty()) {
+            model.undo();
+            ++steps;
+        }
+        QCOMPARE(steps, RecordModel::mostSteps);
+        QCOMPARE(model.record().uncertainty, std::optional(0.01));
+    }
+
+    void ofARunThatWasLeftOutTheOtherValuesStayLeftOut()
+    {
+        RecordModel model;
+        model.addFiles({publicMeasurement("ess_mcu1025")});
+        model.exclude({{Approach::Down, std::nullopt, 1}});
+        QVERIFY(settled(model));
+        QCOMPARE(leftOut(model), std::size_t{5}); // of five targets
+        model.useAgain({{Approach::Down, 3, 1}});
+        QVERIFY(settled(model));
+        QCOMPARE(leftOut(model), std::size_t{4});
+        for (const RunValue& value : model.state().measurement->values)
+            if (value.direction == Approach::Down && value.run == 1)
+                QCOMPARE(value.isUsed, value.target == 2);
+    }
+
+    void exchangingDirectionsTakesWhatIsLeftOutAlong()
+    {
+        RecordModel model;
+        model.addFiles({publicMeasurement("ess_mcu1025")});
+        model.exclude({firstOutlier, secondOutlier});
+        QVERIFY(settled(model));
+        const double before = figureOf(model, Iso230Figure::A);
+        model.setDirectionsSwapped(true);
+        QVERIFY(settled(model));
+        QCOMPARE(leftOut(model), std::size_t{2});
+        QVERIFY(std::abs(figureOf(model, Iso230Figure::A) - before) < 1e-12);
+        QCOMPARE(model.record().exclusions[0].direction, std::optional(Approach::Up));
+    }
+
+    void otherFilesUseEverythingAgain()
+    {
+        RecordModel model;
+        model.addFiles({publicMeasurement("ess_mcu1025")});
+        model.exclude({firstOutlier});
+        QVERIFY(settled(model));
+        model.addFiles({publicMeasurement("b02_x")});
+        QVERIFY(model.record().exclusions.empty());
+        model.undo();
+        QCOMPARE(model.record().exclusions.size(), std::size_t{1});
+    }
+
+    void aFileThatIsNoMeasurementSaysWhyAndLeavesNothingToJudge()
+    {
+        QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("bad.csv"));
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write("target [mm],direction,run,deviation [um]\n0,+,1,0.2\n1,sideways,1,0.3\n");
+        file.close();
+        RecordModel model;
+        model.addFiles({publicMeasurement("b02_x"), path});
+        QVERIFY(settled(model));
+        QVERIFY(!model.state().measurement && !model.state().judgement);
+        QCOMPARE(model.state().files.size(), std::size_t{2});
+        QVERIFY(!model.state().files[0].refusal);
+        QVERIFY(model.state().files[1].refusal);
+        QVERIFY(std::ranges::any_of(
+            model.state().files[1].reading->diagnostics, [](const Diagnostic& diagnostic) {
+                return diagnostic.code == DiagnosticCode::BadDirection && diagnostic.line == 3;
+            }));
+    }
+
+    void aFileIsReadOnceUntilItChanges()
+    {
+        QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("runs.csv"));
+        QVERIFY(QFile::copy(publicMeasurement("b02_x"), path));
+        QVERIFY(QFile::setPermissions(path, QFile::ReadOwner | QFile::WriteOwner));
+        RecordModel model;
+        model.addFiles({path});
+        QVERIFY(settled(model));
+        const auto first = model.state().files[0].reading;
+        model.setTolerance(Iso230Figure::A, 0.01);
+        QVERIFY(settled(model));
+        QCOMPARE(model.state().files[0].reading, first);
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::Append));
+        file.write("0,+,99,0.001\n");
+        file.close();
+        model.readAgain();
+        QVERIFY(settled(model));
+        QVERIFY(model.state().files[0].reading != first);
+    }
+};
+
+AXISCOMP_WINDOW_TEST(TestRecordModel)
+
+} // namespace tst_recordmodel
+
+#include "tst_recordmodel.moc"

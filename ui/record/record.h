@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/metrology/formats/measurement_format.h"
+#include "core/metrology/judge/outliers.h"
+#include "core/metrology/judge/uncertainty.h"
+
+#include <QString>
+
+#include <optional>
+#include <vector>
+
+namespace axiscomp::ui {
+
+/// How the file of a measurement is read, as far as the user has said it.
+struct MeasurementChoices {
+    std::string format; ///< its name; empty: by the content
+    std::vector<ColumnMapping> columns; ///< empty: the header names them
+    std::size_t skippedLines = 0;
+    std::string unit; ///< of targets; empty: as the file says
+    std::string valueUnit; ///< likewise
+    MeasurementReadOptions::Values values = MeasurementReadOptions::Values::AsFileSays;
+    bool takesDirectionFromOrder = false;
+    bool invertsReference = false;
+
+    friend bool operator==(const MeasurementChoices&, const MeasurementChoices&) = default;
+};
+
+struct MeasurementFile {
+    QString path; ///< absolute
+    MeasurementChoices choices;
+
+    friend bool operator==(const MeasurementFile&, const MeasurementFile&) = default;
+};
+
+/// Everything that a person says of a measurement, as one value: what is undone and done again.
+struct Record {
+    std::vector<MeasurementFile> files; ///< joined in this order
+    bool swapsDirections = false;
+    /// Of the joined measurement, as it is shown: after the directions were exchanged.
+    std::vector<Exclusion> exclusions;
+    OutlierRule outlierRule = OutlierRule::PooledMad;
+    std::vector<Tolerance> tolerances; ///< in mm or deg
+    std::optional<double> uncertainty; ///< U with k = 2, in mm or deg
+
+    friend bool operator==(const Record&, const Record&) = default;
+};
+
+} // namespace axiscomp::ui

@@ -1,0 +1,301 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/record/record_model.h"
+
+#include "ui/text/value_text.h"
+
+#include <QFileInfo>
+
+#include <algorithm>
+
+namespace axiscomp::ui {
+
+namespace {
+
+bool coversValue(const Exclusion& exclusion, const RunValue& value)
+{
+    return (!exclusion.direction || *exclusion.direction == value.direction)
+        && (!exclusion.target || *exclusion.target == value.target + 1)
+        && (!exclusion.run || *exclusion.run == value.run);
+}
+
+/// Whether both can name the same value.
+bool overlap(const Exclusion& a, const Exclusion& b)
+{
+    const auto agree = [](const auto& one, const auto& other) {
+        return !one || !other || *one == *other;
+    };
+    return agree(a.direction, b.direction) && agree(a.target, b.target) && agree(a.run, b.run);
+}
+
+bool isOneValue(const Exclusion& exclusion)
+{
+    return exclusion.direction && exclusion.target && exclusion.run;
+}
+
+/// The values of a measurement that an exclusion leaves out, but for those of `used`.
+void addOthers(const Measurement& measurement, const Exclusion& exclusion,
+    const std::vector<Exclusion>& used, std::vector<Exclusion>& left)
+{
+    for (const RunValue& value : measurement.values) {
+        if (!coversValue(exclusion, value))
+            continue;
+        const bool isUsed = std::ranges::any_of(
+            used, [&](const Exclusion& one) { return coversValue(one, value); });
+        if (!isUsed)
+            left.push_back({value.direction, value.target + 1, value.run});
+    }
+}
+
+QString namesOf(const QStringList& paths)
+{
+    const QString name = QFileInfo(paths.front()).fileName();
+    return paths.size() == 1 ? name : name + QStringLiteral(", …");
+}
+
+} // namespace
+
+class RecordModel::Step final : public QUndoCommand {
+public:
+    Step(RecordModel& model, Record after, StepKind stepKind, QString stepSubject)
+        : kind(stepKind)
+        , subject(std::move(stepSubject))
+        , m_model(model)
+        , m_before(model.record())
+        , m_after(std::move(after))
+    {
+    }
+
+    void undo() override { m_model.apply(m_before); }
+    void redo() override { m_model.apply(m_after); }
+
+    const StepKind kind;
+    const QString subject;
+
+private:
+    RecordModel& m_model;
+    Record m_before;
+    Record m_after;
+};
+
+RecordModel::RecordModel(QObject* parent)
+    : QObject(parent)
+    , m_job([this](const RecordState& state) { take(state); })
+{
+    m_steps.setUndoLimit(mostSteps);
+    connect(&m_steps, &QUndoStack::indexChanged, this, &RecordModel::historyChanged);
+}
+
+RecordModel::~RecordModel()
+{
+    m_steps.disconnect(this); // it clears itself when it goes
+}
+
+void RecordModel::change(Record next, StepKind kind, const QString& subject)
+{
+    if (next != m_record)
+        m_steps.push(new Step(*this, std::move(next), kind, subject));
+}
+
+void RecordModel::apply(const Record& record)
+{
+    m_record = record;
+    evaluate();
+    Q_EMIT changed();
+}
+
+void RecordModel::evaluate()
+{
+    m_isEvaluating = true;
+    m_job.start([record = m_record, known = m_state.files](
+                    const std::stop_token& stop) { return evaluated(record, known, stop); });
+    Q_EMIT stateChanged();
+}
+
+/// Giving back the memory of a million values takes longer than a picture may be late.
+void RecordModel::take(const RecordState& state)
+{
+    const auto before = std::make_shared<RecordState>(std::exchange(m_state, state));
+    static_cast<void>(inBackground<bool>([before] {
+        *before = {};
+        return true;
+    }));
+    m_isEvaluating = false;
+    Q_EMIT stateChanged();
+}
+
+void RecordModel::readAgain()
+{
+    if (!m_record.files.empty())
+        evaluate();
+}
+
+void RecordModel::addFiles(const QStringList& paths)
+{
+    Record next = m_record;
+    QStringList added;
+    for (const QString& path : paths) {
+        const QString absolute = QFileInfo(path).absoluteFilePath();
+        const bool isKnown = std::ranges::any_of(
+            next.files, [&](const MeasurementFile& file) { return file.path == absolute; });
+        if (isKnown)
+            continue;
+        next.files.push_back({absolute, {}});
+        added += absolute;
+    }
+    if (added.isEmpty())
+        return;
+    next.exclusions.clear();
+    change(std::move(next), StepKind::AddFiles, namesOf(added));
+}
+
+void RecordModel::removeFile(std::size_t index)
+{
+    Record next = m_record;
+    const QString path = next.files.at(index).path;
+    next.files.erase(next.files.begin() + static_cast<std::ptrdiff_t>(index));
+    next.exclusions.clear();
+    change(std::move(next), StepKind::RemoveFile, namesOf({path}));
+}
+
+void RecordModel::setChoices(std::size_t index, const MeasurementChoices& choices)
+{
+    Record next = m_record;
+    MeasurementFile& file = next.files.at(index);
+    if (file.choices == choices)
+        return;
+    file.choices = choices;
+    next.exclusions.clear();
+    change(std::move(next), StepKind::ReadOtherwise, namesOf({file.path}));
+}
+
+void RecordModel::setDirectionsSwapped(bool isSwapped)
+{
+    if (m_record.swapsDirections == isSwapped)
+        return;
+    Record next = m_record;
+    next.swapsDirections = isSwapped;
+    for (Exclusion& exclusion : next.exclusions)
+        if (exclusion.direction)
+            exclusion.direction =
+                *exclusion.direction == Approach::Up ? Approach::Down : Approach::Up;
+    change(std::move(next), StepKind::SwapDirections);
+}
+
+bool RecordModel::isMeasurementShown() const
+{
+    return m_state.measurement && m_state.record.files == m_record.files
+        && m_state.record.swapsDirections == m_record.swapsDirections;
+}
+
+void RecordModel::exclude(const std::vector<Exclusion>& exclusions)
+{
+    Record next = m_record;
+    std::size_t added = 0;
+    for (const Exclusion& exclusion : exclusions) {
+        if (std::ranges::find(next.exclusions, exclusion) != next.exclusions.end())
+            continue;
+        next.exclusions.push_back(exclusion);
+        ++added;
+    }
+    change(std::move(next), StepKind::Exclude, countText(added));
+}
+
+bool RecordModel::isLeftOut(const std::vector<Exclusion>& values) const
+{
+    return std::ranges::any_of(m_record.exclusions, [&](const Exclusion& exclusion) {
+        return std::ranges::any_of(
+            values, [&](const Exclusion& one) { return overlap(exclusion, one); });
+    });
+}
+
+void RecordModel::useAgain(const std::vector<Exclusion>& values)
+{
+    if (!isMeasurementShown())
+        return;
+    Record next = m_record;
+    next.exclusions.clear();
+    for (const Exclusion& exclusion : m_record.exclusions) {
+        const bool isTouched = std::ranges::any_of(
+            values, [&](const Exclusion& one) { return overlap(exclusion, one); });
+        if (!isTouched)
+            next.exclusions.push_back(exclusion);
+        else if (!isOneValue(exclusion))
+            addOthers(*m_state.measurement, exclusion, values, next.exclusions);
+    }
+    change(std::move(next), StepKind::UseAgain, countText(values.size()));
+}
+
+void RecordModel::setOutlierRule(OutlierRule rule)
+{
+    Record next = m_record;
+    next.outlierRule = rule;
+    change(std::move(next), StepKind::OutlierRule);
+}
+
+void RecordModel::setTolerance(Iso230Figure figure, std::optional<double> value)
+{
+    Record next = m_record;
+    std::erase_if(next.tolerances,
+        [figure](const Tolerance& tolerance) { return tolerance.figure == figure; });
+    if (value)
+        next.tolerances.push_back({figure, *value});
+    std::ranges::sort(next.tolerances, {}, &Tolerance::figure);
+    change(std::move(next), StepKind::Tolerance, qString(figureName(figure)));
+}
+
+void RecordModel::setUncertainty(std::optional<double> value)
+{
+    Record next = m_record;
+    next.uncertainty = value;
+    change(std::move(next), StepKind::Uncertainty);
+}
+
+QString RecordModel::textOf(int index) const
+{
+    const auto* step = static_cast<const Step*>(m_steps.command(index));
+    if (!step)
+        return {};
+    switch (step->kind) {
+    case StepKind::AddFiles:
+        return tr("Add %1").arg(step->subject);
+    case StepKind::RemoveFile:
+        return tr("Remove %1").arg(step->subject);
+    case StepKind::ReadOtherwise:
+        return tr("How %1 is read").arg(step->subject);
+    case StepKind::SwapDirections:
+        return tr("Exchange up and down");
+    case StepKind::Exclude:
+        return tr("Exclude (%1)").arg(step->subject);
+    case StepKind::UseAgain:
+        return tr("Use again (%1)").arg(step->subject);
+    case StepKind::OutlierRule:
+        return tr("Rule for outliers");
+    case StepKind::Tolerance:
+        return tr("Tolerance of %1").arg(step->subject);
+    case StepKind::Uncertainty:
+        break;
+    }
+    return tr("Uncertainty");
+}
+
+QString RecordModel::undoText() const
+{
+    return textOf(m_steps.index() - 1);
+}
+
+QString RecordModel::redoText() const
+{
+    return textOf(m_steps.index());
+}
+
+void RecordModel::undo()
+{
+    m_steps.undo();
+}
+
+void RecordModel::redo()
+{
+    m_steps.redo();
+}
+
+} // namespace axiscomp::ui

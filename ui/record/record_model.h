@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/async/background_job.h"
+#include "ui/record/record_state.h"
+
+#include <QObject>
+#include <QUndoStack>
+
+namespace axiscomp::ui {
+
+/// The record that is being worked on: what was said of it, with every step to be undone and done
+/// again, and what it comes to, which follows on another thread.
+class RecordModel : public QObject {
+    Q_OBJECT
+
+public:
+    static constexpr int mostSteps = 200;
+
+    explicit RecordModel(QObject* parent = nullptr);
+    ~RecordModel() override;
+
+    [[nodiscard]] const Record& record() const { return m_record; }
+    /// Of record(), or of an earlier one while isEvaluating().
+    [[nodiscard]] const RecordState& state() const { return m_state; }
+    /// Whether the measurement of state() has the values that record() names, used or not.
+    [[nodiscard]] bool isMeasurementShown() const;
+    [[nodiscard]] bool isEvaluating() const { return m_isEvaluating; }
+
+    // Each is one step. Nothing happens where nothing changes.
+
+    /// Those that are not among the files yet, at their end. What was left out counts runs and
+    /// targets of all files, so that it is used again whenever the files are other ones.
+    void addFiles(const QStringList& paths);
+    void removeFile(std::size_t index);
+    void setChoices(std::size_t index, const MeasurementChoices& choices);
+    /// What was left out stays left out.
+    void setDirectionsSwapped(bool isSwapped);
+    void exclude(const std::vector<Exclusion>& exclusions);
+    /// The values that these name; of a run or target that was left out, the others stay left out.
+    void useAgain(const std::vector<Exclusion>& values);
+    /// Whether useAgain() has something to do for one of them: not for what a file leaves out.
+    [[nodiscard]] bool isLeftOut(const std::vector<Exclusion>& values) const;
+    void setOutlierRule(OutlierRule rule);
+    /// In mm or deg; none: no limit.
+    void setTolerance(Iso230Figure figure, std::optional<double> value);
+    void setUncertainty(std::optional<double> value);
+    /// Reads files again that have changed on disk.
+    void readAgain();
+
+    /// What undo() and redo() would do, a translated phrase; empty: there is nothing.
+    [[nodiscard]] QString undoText() const;
+    [[nodiscard]] QString redoText() const;
+    void undo();
+    void redo();
+
+Q_SIGNALS:
+    void changed(); ///< record()
+    void stateChanged(); ///< state(), isEvaluating()
+    void historyChanged(); ///< undoText(), redoText()
+
+private:
+    enum class StepKind {
+        AddFiles,
+        RemoveFile,
+        ReadOtherwise,
+        SwapDirections,
+        Exclude,
+        UseAgain,
+        OutlierRule,
+        Tolerance,
+        Uncertainty,
+    };
+    class Step;
+
+    void change(Record next, StepKind kind, const QString& subject = {});
+    void apply(const Record& record);
+    void evaluate();
+    void take(const RecordState& state);
+    [[nodiscard]] QString textOf(int step) const;
+
+    Record m_record;
+    RecordState m_state;
+    QUndoStack m_steps;
+    NewestJob<RecordState> m_job;
+    bool m_isEvaluating = false;
+};
+
+} // namespace axiscomp::ui

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/metrology/judge/judgement.h"
+#include "ui/data/data_file_loader.h"
+#include "ui/record/record.h"
+
+#include <memory>
+#include <optional>
+#include <stop_token>
+#include <vector>
+
+namespace axiscomp::ui {
+
+/// What reading one file gave.
+struct ReadMeasurement {
+    MeasurementFile file; ///< as which it was read
+    FileStamp stamp; ///< from before it was read
+    const MeasurementFormat* format = nullptr; ///< null: not known, or the file is not readable
+    std::shared_ptr<const MeasurementReading> reading; ///< null: likewise
+    std::optional<Error> refusal; ///< why there is no measurement
+    // Counted once: of a million values that takes longer than a picture may be late.
+    int upRuns = 0;
+    int downRuns = 0;
+
+    [[nodiscard]] const Measurement* measurement() const
+    {
+        return reading && reading->measurement ? &*reading->measurement : nullptr;
+    }
+};
+
+/// What a record comes to.
+struct RecordState {
+    Record record; ///< of which it is
+    std::vector<ReadMeasurement> files; ///< one for each of the record
+    /// All files as one, without what was left out; null when one of them cannot be used.
+    std::shared_ptr<const Measurement> measurement;
+    std::shared_ptr<const Judgement> judgement; ///< of a measurement with targets
+    std::optional<Error> refusal; ///< why the files are no measurement together
+    int upRuns = 0; ///< of measurement
+    int downRuns = 0;
+    std::size_t excludedCount = 0; ///< its values that are not used
+};
+
+/// Reads what `known` does not have yet, joins and judges it. Takes as long as the files are large:
+/// not for the window's thread. Cut short by `stop`.
+[[nodiscard]] RecordState evaluated(
+    const Record& record, std::vector<ReadMeasurement> known, const std::stop_token& stop);
+
+} // namespace axiscomp::ui

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+
+#include <optional>
+
+class QCheckBox;
+class QLabel;
+class QPushButton;
+class QStackedWidget;
+class QTabWidget;
+class QTableView;
+
+namespace axiscomp::ui {
+
+class ColumnPreview;
+class FileChoices;
+class FileFacts;
+class FileLinesView;
+class MeasurementFilesModel;
+class NextStep;
+class ProblemList;
+class RecordModel;
+class RunValuesView;
+struct ReadMeasurement;
+
+/// The tab Measure: the files of a measurement, how each is read, what it says and what is wrong
+/// with it.
+class MeasurePage : public QWidget {
+    Q_OBJECT
+
+public:
+    /// record must outlive the page.
+    explicit MeasurePage(RecordModel& record, QWidget* parent = nullptr);
+
+    void retranslate();
+    /// The measurement is in this file now.
+    void showSaved(const QString& path);
+
+Q_SIGNALS:
+    void addRequested(); ///< the user wants to choose files
+    void saveRequested(); ///< the measurement as runs; there is one with targets
+
+private:
+    void build();
+    [[nodiscard]] QWidget* buildLeft();
+    void connectParts();
+    void follow();
+    void showFile();
+    void showProblems(const ReadMeasurement* reading);
+    void sayNextStep();
+    void remove();
+    [[nodiscard]] std::optional<std::size_t> currentFile() const;
+    [[nodiscard]] const ReadMeasurement* currentReading() const;
+
+    RecordModel& m_record;
+    MeasurementFilesModel* m_model;
+    QLabel* m_title;
+    QPushButton* m_add;
+    QTableView* m_files;
+    QPushButton* m_remove;
+    QCheckBox* m_swap;
+    FileChoices* m_choices;
+    NextStep* m_nextStep;
+    QTabWidget* m_views;
+    FileFacts* m_facts;
+    ColumnPreview* m_columns;
+    RunValuesView* m_values;
+    QPushButton* m_save;
+    QStackedWidget* m_problemStack;
+    ProblemList* m_problems;
+    FileLinesView* m_lines;
+    std::size_t m_fileCount = 0; ///< as last seen
+    QString m_savedName; ///< of the file that has what is shown; empty: not saved
+};
+
+} // namespace axiscomp::ui
