@@ -4,6 +4,7 @@
 #include "ui/text/value_text.h"
 
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QFile>
 #include <QHeaderView>
 #include <QSignalBlocker>
