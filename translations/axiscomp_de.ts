@@ -5898,6 +5898,14 @@
         <source>it is one of the files of this measurement; choose another name</source>
         <translation>sie ist eine der Dateien dieser Messung; wählen Sie einen anderen Namen</translation>
     </message>
+    <message>
+        <source>the table was made for a position before the compensation, and {source} is one after it: choose another source, or make the table anew with --lookup-at set</source>
+        <translation>die Tabelle ist für eine Position vor der Kompensation gemacht, und {source} ist eine danach: eine andere Quelle wählen oder die Tabelle mit --lookup-at set neu machen</translation>
+    </message>
+    <message>
+        <source>the table was made for a position after the compensation, and {source} is one before it: choose another source, or make the table anew with --lookup-at encoder</source>
+        <translation>die Tabelle ist für eine Position nach der Kompensation gemacht, und {source} ist eine davor: eine andere Quelle wählen oder die Tabelle mit --lookup-at encoder neu machen</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>

@@ -44,6 +44,30 @@ Result<void> checkRecordAxis(const CalibrationRecord& record, const AxisStatus& 
                                    status.drive.serialNumber)));
 }
 
+std::optional<LookupAt> lookupAtSource(const DriveProfile& profile, std::string_view source)
+{
+    if (!profile.axisOfPosition(source))
+        return std::nullopt;
+    return profile.isBeforeCompensation(source) ? LookupAt::Encoder : LookupAt::Set;
+}
+
+Result<void> checkRecordSource(
+    const CalibrationRecord& record, const DriveProfile& profile, const std::string& source)
+{
+    const auto found = lookupAtSource(profile, source);
+    if (!record.fit || !record.fit->settings.lookupAt || !found
+        || *found == *record.fit->settings.lookupAt)
+        return {};
+    const TextPattern pattern = *found == LookupAt::Set
+        ? AXISCOMP_TEXT("Error",
+            "the table was made for a position before the compensation, and {source} is one after "
+            "it: choose another source, or make the table anew with --lookup-at set")
+        : AXISCOMP_TEXT("Error",
+            "the table was made for a position after the compensation, and {source} is one before "
+            "it: choose another source, or make the table anew with --lookup-at encoder");
+    return notOfRecord(pattern.with("source", source));
+}
+
 Result<void> recordWrite(
     CalibrationRecord& record, const AxisStatus& now, const std::string& profileName, WallTime time)
 {

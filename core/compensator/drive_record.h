@@ -5,9 +5,12 @@
 #include "core/axis/proof.h"
 #include "core/base/result.h"
 #include "core/base/wall_time.h"
+#include "core/drive/drive_profile.h"
 #include "core/metrology/record/calibration_record.h"
 
+#include <optional>
 #include <string>
+#include <string_view>
 
 namespace axiscomp {
 
@@ -17,6 +20,17 @@ namespace axiscomp {
 /// in that. Errors: InvalidArgument, with both axes.
 [[nodiscard]] Result<void> checkRecordAxis(
     const CalibrationRecord& record, const AxisStatus& status);
+
+/// Where the drive looks a table up whose source is this register; nothing where the profile does
+/// not know it as a position.
+[[nodiscard]] std::optional<LookupAt> lookupAtSource(
+    const DriveProfile& profile, std::string_view source);
+
+/// Whether a source is on the side of the compensation for which the record's table was made: its
+/// values belong to other positions there. A source that the profile does not know passes. Errors:
+/// InvalidArgument, with the way out.
+[[nodiscard]] Result<void> checkRecordSource(
+    const CalibrationRecord& record, const DriveProfile& profile, const std::string& source);
 
 /// Notes that the axis holds the table. now: as read after the write. What was on record of an
 /// earlier write, and its proof, is replaced. Errors: as checkRecordAxis; NoTable.

@@ -4,6 +4,7 @@
 #include "app/cli/input/conversion_options.h"
 #include "app/cli/output/status_text.h"
 #include "app/common/number_text.h"
+#include "core/compensator/drive_record.h"
 #include "core/drive/axis_target.h"
 #include "core/io/local_file.h"
 #include "core/store/drive_store.h"
@@ -58,13 +59,6 @@ Result<void> addBackup(AxisTables& tables, const std::filesystem::path& file,
     return {};
 }
 
-std::optional<LookupAt> lookupOf(const DriveProfile& profile, const std::string& source)
-{
-    if (!profile.axisOfPosition(source))
-        return std::nullopt;
-    return profile.isBeforeCompensation(source) ? LookupAt::Encoder : LookupAt::Set;
-}
-
 } // namespace
 
 Result<KnownTables> tablesOfFile(
@@ -108,7 +102,7 @@ Result<AxisTables> tablesOfAxis(
     const auto sources = sourcePaths(status.setup);
     if (!sources.empty()) {
         tables.source = sources.front();
-        tables.lookupAt = lookupOf(session.profile(), tables.source);
+        tables.lookupAt = lookupAtSource(session.profile(), tables.source);
     }
     const DriveStore store(session.storeRoot());
     for (const auto& file : store.backups(status.drive.serialNumber, axis)) {

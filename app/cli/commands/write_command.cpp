@@ -266,13 +266,40 @@ Result<TableInput> inputOfRecord(const CalibrationRecord& record, const WriteOpt
     return input;
 }
 
-Result<void> noteWritten(
-    CommandSession& session, const WriteOptions& options, CalibrationRecord record, int axis)
+/// What would make another table of it, or is about the reading of a file.
+Result<void> checkRecordAlone(const CalibrationRecord& record, const WriteOptions& options)
 {
-    AXISCOMP_TRY(const auto now, session.compensator().status(axis, session.operation()));
-    AXISCOMP_CHECK(
-        recordWrite(record, now, session.profile().name, std::chrono::system_clock::now()));
-    return saveRecord(options.record, record);
+    const TableInputOptions& input = options.input;
+    ConversionOptions conversion = options.conversion;
+    if (record.tables.front().table.target.empty())
+        conversion.targets.clear(); // it is asked for
+    const bool isChanged = conversion.isAnything() || !options.valueUnit.empty()
+        || !options.positionUnit.empty() || !input.from.empty() || !input.settings.empty()
+        || input.dimensions != 0 || !input.fill.empty() || input.crops || input.snap != 0.0;
+    if (isChanged)
+        return wrongUsage("the table of a record is written as it is, with its own units: leave "
+                          "out --dims, --from and everything that converts or resamples",
+            options.drive.command);
+    return {};
+}
+
+/// The sources that the axis will have, against the side of the compensation that the table is for.
+Result<void> checkSources(Environment& environment, CommandSession& session,
+    const CalibrationRecord& record, const WriteRequest& request, const AxisStatus& status)
+{
+    const auto sources = request.sources.empty() ? sourcePaths(status.setup) : request.sources;
+    for (const std::string& text : sources) {
+        AXISCOMP_TRY(
+            const auto source, session.compensator().resolveSource(text, session.operation()));
+        AXISCOMP_CHECK(checkRecordSource(record, session.profile(), source.path));
+        if (record.fit && record.fit->settings.lookupAt
+            && !lookupAtSource(session.profile(), source.path))
+            environment.warn("the profile does not say whether " + source.path
+                + " is a position before or after the compensation; the table was made for "
+                  "--lookup-at "
+                + std::string(lookupAtName(*record.fit->settings.lookupAt)));
+    }
+    return {};
 }
 
 /// Writes, and notes in the record, where there is one, what the drive holds then.
@@ -283,17 +310,21 @@ Result<ExitCode> writeAndNote(Environment& environment, CommandSession& session,
         return runWrite(environment, session, axis, request, options.isDryRun);
     AXISCOMP_TRY(const auto before, session.compensator().status(axis, session.operation()));
     AXISCOMP_CHECK(checkRecordAxis(record, before));
+    AXISCOMP_CHECK(checkSources(environment, session, record, request, before));
     AXISCOMP_TRY(
-        auto document, writeAndReport(environment, session, axis, request, options.isDryRun));
-    if (!options.isDryRun) {
-        const auto noted = noteWritten(session, options, std::move(record), axis);
+        const auto outcome, writeAndReport(environment, session, axis, request, options.isDryRun));
+    if (outcome.now) {
+        auto noted = recordWrite(
+            record, *outcome.now, session.profile().name, std::chrono::system_clock::now());
+        if (noted)
+            noted = saveRecord(options.record, record);
         if (!noted) {
             environment.console().note(
                 "note: the drive has the table; only the record does not say so");
             return fail(noted.error());
         }
     }
-    environment.document(document);
+    environment.document(outcome.document);
     return ExitCode::Done;
 }
 
@@ -309,6 +340,7 @@ Result<ExitCode> runWriteCommand(Environment& environment, const WriteOptions& o
     if (!options.record.empty()) {
         AXISCOMP_TRY(record, loadRecord(options.record));
         AXISCOMP_TRY(input, inputOfRecord(record, options));
+        AXISCOMP_CHECK(checkRecordAlone(record, options));
         pending.inputOptions = options.input;
         pending.inputOptions.file = options.record;
         AXISCOMP_CHECK(beginTable(environment, options, input, pending));

@@ -108,7 +108,7 @@ void StepLog::end(const char* outcome)
     static_cast<void>(m_environment.console().flush());
 }
 
-Result<Json> writeAndReport(Environment& environment, CommandSession& session, int axis,
+Result<WriteOutcome> writeAndReport(Environment& environment, CommandSession& session, int axis,
     const WriteRequest& request, bool isDryRun)
 {
     AXISCOMP_TRY(const auto before, settledStatus(environment, session, axis));
@@ -125,10 +125,10 @@ Result<Json> writeAndReport(Environment& environment, CommandSession& session, i
         environment.warn(large.english());
     if (isDryRun && !checkLargeAccepted(*plan, request))
         environment.warn("Writing this needs --accept-large. Check the unit of the values first.");
-    Json json = {{"plan", toJson(*plan)}, {"report", nullptr}};
+    WriteOutcome outcome{{{"plan", toJson(*plan)}, {"report", nullptr}}, {}};
     if (isDryRun) {
         environment.print("\nNothing was written (--dry-run).\n");
-        return json;
+        return outcome;
     }
     AXISCOMP_CHECK(checkLargeAccepted(*plan, request));
 
@@ -140,11 +140,13 @@ Result<Json> writeAndReport(Environment& environment, CommandSession& session, i
         return fail(report.error());
     if (report) {
         environment.print(reportText(*report, session.link().endpoint(), session.isDemo()));
-        json["report"] = toJson(*report);
+        outcome.document["report"] = toJson(*report);
+        outcome.now = report->now;
     } else {
         environment.print("Nothing had to be written.\n");
+        outcome.now = before.status;
     }
-    return json;
+    return outcome;
 }
 
 Result<Json> writeSeveral(Environment& environment, CommandSession& session,
@@ -158,15 +160,15 @@ Result<Json> writeSeveral(Environment& environment, CommandSession& session,
     for (std::size_t n = 0; n < writes.size(); ++n) {
         if (n > 0)
             environment.print("\n");
-        auto document =
+        auto outcome =
             writeAndReport(environment, session, writes[n].axis, writes[n].request, isDryRun);
-        if (!document) {
+        if (!outcome) {
             if (n > 0)
                 environment.console().note("note: written before the error: "
                     + axisList(names.first(n)) + "; not written: " + axisList(names.subspan(n)));
-            return fail(document.error());
+            return fail(outcome.error());
         }
-        documents.push_back(*std::move(document));
+        documents.push_back(std::move(outcome->document));
     }
     return documents;
 }
@@ -174,9 +176,8 @@ Result<Json> writeSeveral(Environment& environment, CommandSession& session,
 Result<ExitCode> runWrite(Environment& environment, CommandSession& session, int axis,
     const WriteRequest& request, bool isDryRun)
 {
-    AXISCOMP_TRY(
-        const auto document, writeAndReport(environment, session, axis, request, isDryRun));
-    environment.document(document);
+    AXISCOMP_TRY(const auto outcome, writeAndReport(environment, session, axis, request, isDryRun));
+    environment.document(outcome.document);
     return ExitCode::Done;
 }
 

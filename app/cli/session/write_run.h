@@ -4,6 +4,7 @@
 #include "app/cli/session/command_session.h"
 #include "core/compensator/multi_axis_write.h"
 
+#include <optional>
 #include <span>
 #include <string>
 
@@ -37,9 +38,13 @@ private:
     std::string m_step;
 };
 
-/// Plans, shows the plan, writes and reports in text; only shows the plan when isDryRun. The
-/// document: {"plan", "report"}.
-[[nodiscard]] Result<Json> writeAndReport(Environment& environment, CommandSession& session,
+/// What a write has come to.
+struct WriteOutcome {
+    Json document; ///< {"plan", "report"}
+    std::optional<AxisStatus> now; ///< of the axis, read back with the write; none: a dry run
+};
+/// Plans, shows the plan, writes and reports in text; only shows the plan when isDryRun.
+[[nodiscard]] Result<WriteOutcome> writeAndReport(Environment& environment, CommandSession& session,
     int axis, const WriteRequest& request, bool isDryRun);
 /// Plans all of them before the first is written, then one after the other. names: of their axes,
 /// for people. The documents of each.

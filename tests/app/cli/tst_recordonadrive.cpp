@@ -21,9 +21,13 @@ struct Fixture {
     Sandbox box;
     VirtualDriveProcess drive;
 
-    Fixture() : drive(box)
+    explicit Fixture(std::optional<LookupAt> lookupAt = {}) : drive(box)
     {
         CalibrationRecord record;
+        if (lookupAt) {
+            record.fit.emplace();
+            record.fit->settings.lookupAt = lookupAt;
+        }
         record.program = "axiscomp 0.1";
         RecordedTable table;
         table.table.name = "dX";
@@ -119,6 +123,53 @@ private Q_SLOTS:
             other.err.constData());
         QCOMPARE(bench.text(), before);
         QVERIFY(bench.run({"status", "--json"}, "1").json().value("table").isNull());
+    }
+
+    /// Its values belong to other positions on the other side of the compensation.
+    void aTableForTheEncoderIsNotLookedUpAtTheSetPosition()
+    {
+        const Fixture bench(LookupAt::Encoder);
+        const QByteArray before = bench.text();
+        const ProgramRun set = bench.write();
+        VERIFY_CODE(set, 2);
+        QVERIFY2(set.err.contains("the table was made for a position before the compensation, and "
+                                  "Axes[0]/Signals/PathPlanner/Position is one after it"),
+            set.err.constData());
+        QCOMPARE(bench.text(), before);
+        QVERIFY(bench.run({"status", "--json"}).json().value("table").isNull());
+        VERIFY_CODE(bench.run({"write", "--record", "job.axcal", "--own-position"}), 0);
+        // Now by the source that the axis has
+        VERIFY_CODE(bench.run({"write", "--record", "job.axcal", "--persistent"}), 0);
+        QVERIFY(bench.record().write->isPersistent);
+    }
+
+    void aTableForTheSetPositionIsWrittenToIt()
+    {
+        const Fixture bench(LookupAt::Set);
+        VERIFY_CODE(bench.write(), 0);
+        const ProgramRun encoder = bench.run({"write", "--record", "job.axcal", "--own-position"});
+        VERIFY_CODE(encoder, 2);
+        QVERIFY2(encoder.err.contains("--lookup-at encoder"), encoder.err.constData());
+    }
+
+    void theTableOfARecordIsWrittenAsItIs_data()
+    {
+        QTest::addColumn<QStringList>("options");
+        QTest::newRow("another unit") << QStringList{"--value-unit", "um"};
+        QTest::newRow("another sign") << QStringList{"--sign", "command"};
+        QTest::newRow("fewer points") << QStringList{"--points", "2"};
+        QTest::newRow("another target") << QStringList{"--target", "Y"};
+        QTest::newRow("dimensions") << QStringList{"--dims", "1"};
+    }
+    void theTableOfARecordIsWrittenAsItIs()
+    {
+        QFETCH(const QStringList, options);
+        const Fixture bench;
+        const ProgramRun run = bench.write(options);
+        VERIFY_CODE(run, 2);
+        QVERIFY2(
+            run.err.contains("the table of a record is written as it is"), run.err.constData());
+        QVERIFY(!bench.record().write);
     }
 
     /// Neither is it switched on.
