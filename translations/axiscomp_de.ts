@@ -5906,6 +5906,10 @@
         <source>the table was made for a position after the compensation, and {source} is one before it: choose another source, or make the table anew with --lookup-at encoder</source>
         <translation>die Tabelle ist für eine Position nach der Kompensation gemacht, und {source} ist eine davor: eine andere Quelle wählen oder die Tabelle mit --lookup-at encoder neu machen</translation>
     </message>
+    <message>
+        <source>the compensation of axis {axis} is on, and the drive does not say with which table: look at axiscomp status, or switch it off first</source>
+        <translation>die Kompensation von Achse {axis} ist eingeschaltet, und der Antrieb sagt nicht, mit welcher Tabelle: axiscomp status ansehen oder sie zuerst ausschalten</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/metrology/measurement.h"
 
+#include "core/text/crc_text.h"
+
 #include <algorithm>
 #include <tuple>
 
@@ -97,6 +99,15 @@ std::size_t targetIndex(const std::vector<double>& targets, double position)
     const auto index = static_cast<std::size_t>(after - targets.begin());
     const bool isBeyond = after == targets.end() || position - *(after - 1) < *after - position;
     return isBeyond ? index - 1 : index;
+}
+
+std::string measuredStateText(const MeasuredState& state)
+{
+    if (state.kind == MeasuredState::Kind::NotSaid)
+        return {};
+    if (state.kind == MeasuredState::Kind::Off)
+        return "off";
+    return state.tableCrc ? "crc:" + crcText(*state.tableCrc) : "on";
 }
 
 void sortValues(std::vector<RunValue>& values)

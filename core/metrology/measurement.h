@@ -77,6 +77,9 @@ struct MeasuredState {
     friend bool operator==(const MeasuredState&, const MeasuredState&) = default;
 };
 
+/// As a file of runs says it: "off", "on", "crc:1c291ca3"; empty: not said.
+[[nodiscard]] std::string measuredStateText(const MeasuredState& state);
+
 /// What the file says beside the values. Empty: it does not say it.
 struct MeasurementHeader {
     std::string machine;

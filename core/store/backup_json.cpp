@@ -115,13 +115,6 @@ WallTime timeFromJson(const JsonNode& node)
     return time.value_or(WallTime{});
 }
 
-std::string crcText(std::uint32_t crc)
-{
-    std::array<char, 9> buffer{};
-    std::snprintf(buffer.data(), buffer.size(), "%08x", crc);
-    return buffer.data();
-}
-
 std::uint32_t crcFromJson(const JsonNode& node)
 {
     const std::string_view text = node.textView();

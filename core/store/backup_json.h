@@ -4,6 +4,7 @@
 #include "core/base/wall_time.h"
 #include "core/drive/register_value.h"
 #include "core/io/strict_json.h"
+#include "core/text/crc_text.h"
 
 #include <cstdint>
 #include <span>
@@ -20,8 +21,6 @@ namespace axiscomp {
 
 [[nodiscard]] WallTime timeFromJson(const JsonNode& node);
 
-/// "1c291ca3"
-[[nodiscard]] std::string crcText(std::uint32_t crc);
 [[nodiscard]] std::uint32_t crcFromJson(const JsonNode& node);
 
 } // namespace axiscomp

@@ -7,8 +7,6 @@
 #include "core/text/token_scanner.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <utility>
 
@@ -29,15 +27,6 @@ std::string unitOfPlan(const MeasuringPlan& plan)
     return plan.isAngular ? "deg" : "mm";
 }
 
-std::string crcState(double crc)
-{
-    std::array<char, 8> digits{};
-    const auto end = std::to_chars(
-        digits.data(), digits.data() + digits.size(), static_cast<std::uint32_t>(crc), 16);
-    const std::string text(digits.data(), end.ptr);
-    return "crc:" + std::string(digits.size() - text.size(), '0') + text;
-}
-
 std::string axisShown(const AxisInfo& axis)
 {
     return axis.name.empty() ? std::to_string(axis.index) : axis.name;
@@ -56,6 +45,17 @@ Result<void> checkAxisOf(const AxisStatus& status, const MeasuringPlan& plan)
     return {};
 }
 
+tl::unexpected<Error> notSwitched(const AxisStatus& status, const std::string& state)
+{
+    return fail(ErrorCode::MeasurementState,
+        {{"reason",
+            AXISCOMP_TEXT("Error",
+                "the compensation of axis {axis} is neither on nor off (the drive says {state}): "
+                "switch it with axiscomp activate or axiscomp deactivate first")
+                .with("axis", axisShown(status.axis))
+                .with("state", state)}});
+}
+
 /// What an axis does that is switched neither on nor off gives no deviations of either.
 Result<void> checkSwitched(const AxisStatus& status)
 {
@@ -65,13 +65,7 @@ Result<void> checkSwitched(const AxisStatus& status)
     case CompensationState::Active:
         return {};
     default:
-        return fail(ErrorCode::MeasurementState,
-            {{"reason",
-                AXISCOMP_TEXT("Error",
-                    "the compensation of axis {axis} is neither on nor off (the drive says "
-                    "{state}): switch it with axiscomp activate or axiscomp deactivate first")
-                    .with("axis", axisShown(status.axis))
-                    .with("state", status.axis.stateWord)}});
+        return notSwitched(status, status.axis.stateWord);
     }
 }
 
@@ -91,6 +85,16 @@ Result<AxisReadings> AxisReadings::open(DriveLink& link, const DriveProfile& pro
     made.choosePaths(status);
     AXISCOMP_TRY(const auto readings, link.readRegisters(made.m_paths, exchange));
     made.m_state = made.stateOf(readings);
+    // It may have changed since, and is what the file of the values says.
+    if (made.m_state.starts_with("on, "))
+        return fail(ErrorCode::MeasurementState,
+            {{"reason",
+                AXISCOMP_TEXT("Error",
+                    "the compensation of axis {axis} is on, and the drive does not say with which "
+                    "table: look at axiscomp status, or switch it off first")
+                    .with("axis", axisShown(status.axis))}});
+    if (made.m_state != "off" && !made.m_state.starts_with("crc:"))
+        return notSwitched(status, made.m_state);
     for (const std::string& path : {made.m_registers.encoder, made.m_registers.reference}) {
         const auto reading = std::ranges::find(readings, path, &RegisterReading::path);
         if (reading == readings.end())
@@ -173,11 +177,14 @@ std::string AxisReadings::stateOf(const std::vector<RegisterReading>& readings) 
     switch (compensationState(m_profile->enums, word)) {
     case CompensationState::Disabled:
     case CompensationState::Evaluating:
-        return "off";
+        return measuredStateText({MeasuredState::Kind::Off});
     case CompensationState::Active: {
         const std::string table = toText(readings[AtTable].value);
-        return !m_slot.empty() && table == m_slot ? crcState(toDouble(readings[AtCrc].value))
-                                                  : "on, " + table;
+        const double crc =
+            !m_slot.empty() && table == m_slot ? toDouble(readings[AtCrc].value) : -1.0;
+        if (!(crc >= 0.0 && crc <= std::numeric_limits<std::uint32_t>::max()))
+            return "on, " + table;
+        return measuredStateText({MeasuredState::Kind::On, static_cast<std::uint32_t>(crc)});
     }
     default:
         return word;

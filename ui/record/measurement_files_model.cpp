@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/record/measurement_files_model.h"
 
+#include "core/text/crc_text.h"
 #include "ui/record/record_model.h"
 #include "ui/style/contrast.h"
 #include "ui/style/symbols.h"
@@ -22,7 +23,7 @@ QString stateOfCompensation(const MeasuredState& state)
     case MeasuredState::Kind::Off:
         return MeasurementFilesModel::tr("off", "compensation");
     case MeasuredState::Kind::On:
-        return state.tableCrc ? QStringLiteral("%1").arg(*state.tableCrc, 8, 16, QLatin1Char('0'))
+        return state.tableCrc ? qString(crcText(*state.tableCrc))
                               : MeasurementFilesModel::tr("on", "compensation");
     case MeasuredState::Kind::NotSaid:
         break;

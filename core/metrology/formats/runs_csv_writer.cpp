@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 
 namespace axiscomp {
 
@@ -14,21 +13,6 @@ void appendStatement(std::string& text, std::string_view key, const std::string&
 {
     if (!value.empty())
         text.append("// ").append(key).append(": ").append(value).append("\n");
-}
-
-std::string compensationText(const MeasuredState& state)
-{
-    if (state.kind == MeasuredState::Kind::NotSaid)
-        return {};
-    if (state.kind == MeasuredState::Kind::Off)
-        return "off";
-    if (!state.tableCrc)
-        return "on";
-    std::array<char, 8> digits{};
-    const auto end =
-        std::to_chars(digits.data(), digits.data() + digits.size(), *state.tableCrc, 16);
-    const std::string text(digits.data(), end.ptr);
-    return "crc:" + std::string(digits.size() - text.size(), '0') + text;
 }
 
 std::string numberOrNothing(const std::optional<double>& number)
@@ -48,7 +32,7 @@ std::string headerText(const Measurement& measurement)
     appendStatement(text, "date", header.date);
     appendStatement(text, "feed", header.feed);
     appendStatement(text, "dwell", header.dwell);
-    appendStatement(text, "compensation", compensationText(header.compensation));
+    appendStatement(text, "compensation", measuredStateText(header.compensation));
     appendStatement(text, "air temperature", numberOrNothing(header.airTemperature));
     appendStatement(text, "material temperature", numberOrNothing(header.materialTemperature));
     appendStatement(text, "expansion", numberOrNothing(header.expansion));

@@ -327,6 +327,19 @@ private Q_SLOTS:
                 reading.value = std::string("Ramping");
         };
         QVERIFY(contains(fixture.refusal(right), "neither on nor off (the drive says Ramping)"));
+        // There is no table whose CRC the file of the values could name.
+        fixture.link.altersReading = [](RegisterReading& reading) {
+            if (reading.path == "Axes[0]/Signals/Compensations/Axis/State")
+                reading.value = std::string("Active");
+        };
+        QVERIFY(contains(fixture.refusal(right), "the drive does not say with which table"));
+        // Ramping only when it is read for the capture itself
+        int states = 0;
+        fixture.link.altersReading = [&states](RegisterReading& reading) {
+            if (reading.path == "Axes[0]/Signals/Compensations/Axis/State" && ++states > 1)
+                reading.value = std::string("Ramping");
+        };
+        QVERIFY(contains(fixture.refusal(right), "neither on nor off (the drive says Ramping)"));
     }
 
     void aSingleSaysHowFarItsNumbersAreApart()
