@@ -55,13 +55,6 @@ std::optional<Exclusion> exclusionOf(const Token& item)
     return exclusion;
 }
 
-bool covers(const Exclusion& exclusion, const RunValue& value)
-{
-    return (!exclusion.direction || *exclusion.direction == value.direction)
-        && (!exclusion.target || *exclusion.target == value.target + 1)
-        && (!exclusion.run || *exclusion.run == value.run);
-}
-
 /// The values among which those of an exclusion are. They are sorted: one alone is found at once.
 std::span<RunValue> candidates(Measurement& measurement, const Exclusion& exclusion)
 {
@@ -137,6 +130,13 @@ std::string exclusionText(const Exclusion& exclusion)
     const std::string direction(approachName(*exclusion.direction));
     return exclusion.target ? direction + ":" + std::to_string(*exclusion.target) + ":" + run
                             : "run:" + direction + ":" + run;
+}
+
+bool covers(const Exclusion& exclusion, const RunValue& value)
+{
+    return (!exclusion.direction || *exclusion.direction == value.direction)
+        && (!exclusion.target || *exclusion.target == value.target + 1)
+        && (!exclusion.run || *exclusion.run == value.run);
 }
 
 Result<void> exclude(Measurement& measurement, std::span<const Exclusion> exclusions)
@@ -219,6 +219,16 @@ Result<Measurement> joined(std::span<const Measurement> measurements)
             whole.header.corrected = MeasurementHeader::Corrected::NotSaid;
     }
     sortValues(whole.values);
+    return whole;
+}
+
+Result<Measurement> selected(std::span<const Measurement> measurements, bool swapsDirections,
+    std::span<const Exclusion> exclusions)
+{
+    AXISCOMP_TRY(auto whole, joined(measurements));
+    if (swapsDirections)
+        swapDirections(whole);
+    AXISCOMP_CHECK(exclude(whole, exclusions));
     return whole;
 }
 

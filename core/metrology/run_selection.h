@@ -25,6 +25,9 @@ struct Exclusion {
 [[nodiscard]] Result<std::vector<Exclusion>> exclusionsFromText(std::string_view text);
 [[nodiscard]] std::string exclusionText(const Exclusion& exclusion);
 
+/// Whether it names this value.
+[[nodiscard]] bool covers(const Exclusion& exclusion, const RunValue& value);
+
 /// Marks the values as not used. Errors: InvalidArgument for what the measurement does not have.
 [[nodiscard]] Result<void> exclude(Measurement& measurement, std::span<const Exclusion> exclusions);
 
@@ -36,5 +39,10 @@ void swapDirections(Measurement& measurement);
 /// one. Errors: InvalidArgument for other kinds than runs and for lengths with angles; targets that
 /// only some files have are kept and become incomplete runs.
 [[nodiscard]] Result<Measurement> joined(std::span<const Measurement> measurements);
+
+/// All that was asked for: joined, then directions exchanged, then values left out. Errors: those
+/// of joined() and exclude().
+[[nodiscard]] Result<Measurement> selected(std::span<const Measurement> measurements,
+    bool swapsDirections, std::span<const Exclusion> exclusions);
 
 } // namespace axiscomp

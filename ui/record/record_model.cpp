@@ -11,13 +11,6 @@ namespace axiscomp::ui {
 
 namespace {
 
-bool coversValue(const Exclusion& exclusion, const RunValue& value)
-{
-    return (!exclusion.direction || *exclusion.direction == value.direction)
-        && (!exclusion.target || *exclusion.target == value.target + 1)
-        && (!exclusion.run || *exclusion.run == value.run);
-}
-
 /// Whether both can name the same value.
 bool overlap(const Exclusion& a, const Exclusion& b)
 {
@@ -37,10 +30,10 @@ void addOthers(const Measurement& measurement, const Exclusion& exclusion,
     const std::vector<Exclusion>& used, std::vector<Exclusion>& left)
 {
     for (const RunValue& value : measurement.values) {
-        if (!coversValue(exclusion, value))
+        if (!covers(exclusion, value))
             continue;
-        const bool isUsed = std::ranges::any_of(
-            used, [&](const Exclusion& one) { return coversValue(one, value); });
+        const bool isUsed =
+            std::ranges::any_of(used, [&](const Exclusion& one) { return covers(one, value); });
         if (!isUsed)
             left.push_back({value.direction, value.target + 1, value.run});
     }

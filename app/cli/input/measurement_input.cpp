@@ -151,14 +151,11 @@ Result<MeasurementInput> readMeasurements(
         AXISCOMP_TRY(auto measurement, readOne(environment, options, reading, file, input));
         measurements.push_back(std::move(measurement));
     }
-    AXISCOMP_TRY(auto whole, joined(measurements));
-    if (options.swapsDirections)
-        swapDirections(whole);
+    std::vector<Exclusion> exclusions;
     if (!options.excluded.empty()) {
-        AXISCOMP_TRY(const auto exclusions, exclusionsFromText(options.excluded));
-        AXISCOMP_CHECK(exclude(whole, exclusions));
+        AXISCOMP_TRY(exclusions, exclusionsFromText(options.excluded));
     }
-    input.measurement = std::move(whole);
+    AXISCOMP_TRY(input.measurement, selected(measurements, options.swapsDirections, exclusions));
     if (options.keepsFiles)
         input.files = std::move(measurements);
     return input;

@@ -326,10 +326,7 @@ Result<CorrectedMeasurement> correctedMeasurement(const RecordedMeasurement& rec
     std::vector<Measurement> measurements;
     for (const RecordedFile& file : recorded.files)
         measurements.push_back(file.measurement);
-    AXISCOMP_TRY(auto whole, joined(measurements));
-    if (recorded.swapsDirections)
-        swapDirections(whole);
-    AXISCOMP_CHECK(exclude(whole, recorded.exclusions));
+    AXISCOMP_TRY(auto whole, selected(measurements, recorded.swapsDirections, recorded.exclusions));
     return corrected(
         std::move(whole), {recorded.corrections.temperature, recorded.corrections.deadPath});
 }
