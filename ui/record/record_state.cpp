@@ -7,6 +7,7 @@
 #include <QFileInfo>
 
 #include <algorithm>
+#include <cmath>
 
 namespace axiscomp::ui {
 
@@ -71,11 +72,17 @@ Result<Measurement> wholeOf(const Record& record, const std::vector<ReadMeasurem
     std::vector<Measurement> measurements;
     for (const ReadMeasurement& file : files)
         measurements.push_back(*file.measurement());
-    AXISCOMP_TRY(auto whole, joined(measurements));
-    if (record.swapsDirections)
-        swapDirections(whole);
-    AXISCOMP_CHECK(exclude(whole, record.exclusions));
-    return whole;
+    return selected(measurements, record.swapsDirections, record.exclusions);
+}
+
+/// Of all values, which stand in one table.
+FineUnit unitOf(const Measurement& measurement)
+{
+    double largest = 0.0;
+    for (const RunValue& value : measurement.values)
+        largest = std::max(largest, std::abs(value.deviation));
+    const std::optional<double> shown[] = {largest};
+    return fineUnit(shown, measurement.isAngular);
 }
 
 } // namespace
@@ -102,6 +109,7 @@ RecordState evaluated(
     state.upRuns = whole->runCount(Approach::Up);
     state.downRuns = whole->runCount(Approach::Down);
     state.excludedCount = whole->excludedCount();
+    state.unit = unitOf(*whole);
     state.measurement = std::make_shared<const Measurement>(std::move(*whole));
     if (!state.measurement->hasTargets() || stop.stop_requested())
         return state;

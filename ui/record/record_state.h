@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/metrology/fine_quantity.h"
 #include "core/metrology/judge/judgement.h"
 #include "ui/data/data_file_loader.h"
 #include "ui/record/record.h"
@@ -37,6 +38,7 @@ struct RecordState {
     std::shared_ptr<const Measurement> measurement;
     std::shared_ptr<const Judgement> judgement; ///< of a measurement with targets
     std::optional<Error> refusal; ///< why the files are no measurement together
+    FineUnit unit; ///< in which the deviations of measurement are shown
     int upRuns = 0; ///< of measurement
     int downRuns = 0;
     std::size_t excludedCount = 0; ///< its values that are not used

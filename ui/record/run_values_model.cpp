@@ -91,7 +91,7 @@ QString RunValuesModel::text(const QModelIndex& cell) const
     const RunValue* value = valueOf(cell);
     if (!value)
         return QStringLiteral("–");
-    const FineScale scale(m_record.state().measurement->isAngular);
+    const FineScale scale(m_record.state().unit);
     return value->isUsed ? scale.text(value->deviation)
                          : QStringLiteral("✕ ") + scale.text(value->deviation);
 }
@@ -105,7 +105,7 @@ QString RunValuesModel::spoken(const QModelIndex& cell) const
     const RunValue* value = valueOf(cell);
     if (!value)
         return tr("no value");
-    const FineScale scale(m_record.state().measurement->isAngular);
+    const FineScale scale(m_record.state().unit);
     const QString words = tr("%1, target %2, run %3, %4")
                               .arg(translated(approachText(value->direction)))
                               .arg(value->target + 1)
@@ -151,7 +151,7 @@ QVariant RunValuesModel::headerData(int section, Qt::Orientation orientation, in
     return QStringLiteral("%1 %2 [%3]")
         .arg(arrow)
         .arg(run->second)
-        .arg(FineScale(measurement->isAngular).symbol());
+        .arg(FineScale(m_record.state().unit).symbol());
 }
 
 } // namespace axiscomp::ui

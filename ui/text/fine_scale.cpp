@@ -9,30 +9,22 @@ namespace axiscomp::ui {
 
 QString FineScale::symbol() const
 {
-    return m_isAngular ? QStringLiteral("″") : QStringLiteral("µm");
+    return QString::fromUtf8(m_unit.symbol);
 }
 
-QString FineScale::text(std::optional<double> value) const
+QString FineScale::text(double value) const
 {
-    if (!value)
-        return QStringLiteral("–");
     constexpr int decimals = 2;
     constexpr double half = 0.005;
-    const double shown = *value * factor();
+    const double shown = value * m_unit.factor;
     QLocale locale;
     locale.setNumberOptions(QLocale::OmitGroupSeparator);
     return locale.toString(std::abs(shown) < half ? 0.0 : shown, 'f', decimals);
 }
 
-QString FineScale::textWithUnit(std::optional<double> value) const
+QString FineScale::textWithUnit(double value) const
 {
-    return value ? text(value) + u' ' + symbol() : text(value);
-}
-
-QString FineScale::signedText(std::optional<double> value) const
-{
-    constexpr double half = 0.005;
-    return value && *value * factor() >= half ? u'+' + text(value) : text(value);
+    return text(value) + u' ' + symbol();
 }
 
 } // namespace axiscomp::ui

@@ -1,31 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QString>
+#include "core/metrology/fine_quantity.h"
 
-#include <optional>
+#include <QString>
 
 namespace axiscomp::ui {
 
-/// How deviations and figures of a measurement are shown: micrometres for lengths in mm, arc
-/// seconds for angles in degrees, with two decimals.
+/// How deviations of a measurement are shown: in the unit that suits them, with two decimals and
+/// the signs of the language.
 class FineScale {
 public:
-    explicit FineScale(bool isAngular = false) : m_isAngular(isAngular) { }
+    explicit FineScale(const FineUnit& unit) : m_unit(unit) { }
 
-    [[nodiscard]] double factor() const { return m_isAngular ? 3600.0 : 1000.0; }
-    [[nodiscard]] QString symbol() const; ///< "µm", "″"
-    /// "93.20", "-0.31"; "–" for what is not defined.
-    [[nodiscard]] QString text(std::optional<double> value) const;
+    [[nodiscard]] QString symbol() const; ///< "µm", "nm", "″"
+    /// value: in mm or deg; "93.20", "-0.31"
+    [[nodiscard]] QString text(double value) const;
     /// "93.20 µm"
-    [[nodiscard]] QString textWithUnit(std::optional<double> value) const;
-    /// "+93.20"
-    [[nodiscard]] QString signedText(std::optional<double> value) const;
-
-    friend bool operator==(const FineScale&, const FineScale&) = default;
+    [[nodiscard]] QString textWithUnit(double value) const;
 
 private:
-    bool m_isAngular = false;
+    FineUnit m_unit;
 };
 
 } // namespace axiscomp::ui

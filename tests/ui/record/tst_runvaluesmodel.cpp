@@ -104,6 +104,24 @@ private Q_SLOTS:
             model.index(1, 2).data(Qt::AccessibleTextRole).toString(), QStringLiteral("no value"));
     }
 
+    /// As axiscomp judge shows them.
+    void deviationsBelowAHundredNanometresAreInNanometres()
+    {
+        QTemporaryDir folder;
+        QFile file(folder.filePath(QStringLiteral("fine.csv")));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write("target [mm],direction,run,deviation [um]\n0,+,1,0.0012\n10,+,1,-0.08\n");
+        file.close();
+        RecordModel record;
+        RunValuesModel model(record);
+        record.addFiles({file.fileName()});
+        QVERIFY(settled(record));
+        QCOMPARE(text(model, 0, 1), QStringLiteral("1.20"));
+        QCOMPARE(text(model, 1, 1), QStringLiteral("-80.00"));
+        QCOMPARE(model.headerData(1, Qt::Horizontal, Qt::DisplayRole).toString(),
+            QStringLiteral("↑ 1 [nm]"));
+    }
+
     void anglesAreArcSeconds()
     {
         QTemporaryDir folder;
