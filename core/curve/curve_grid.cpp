@@ -68,8 +68,11 @@ void EvenLines::visitPlaces(const std::function<bool(double)>& visit) const
     if (m_curve.onto)
         addWithin(*m_curve.onto);
     std::ranges::sort(knots);
+    const double same = 1e-12 * (m_to - m_from);
     for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
         const double width = knots[i + 1] - knots[i];
+        if (width <= same) // a point of the table that the curve is added to
+            continue;
         for (int place = 0; place <= placesBetween; ++place)
             if (!visit(knots[i] + width * place / (placesBetween + 1)))
                 return;
