@@ -122,9 +122,9 @@ void FileActions::writeMeasurement(const QString& path,
                             "it is one of the files of this measurement; choose another name")}});
         return saveFile(file.filesystemAbsoluteFilePath(), bytesOf(writeRunsCsv(*measurement)));
     });
-    whenDone(saved, this, [this, path](const Result<void>& result) {
+    whenDone(saved, this, [this, path, measurement](const Result<void>& result) {
         if (result)
-            Q_EMIT measurementSaved(path);
+            Q_EMIT measurementSaved(path, measurement);
         else
             Q_EMIT failed(errorText(result.error()));
     });

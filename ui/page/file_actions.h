@@ -67,7 +67,8 @@ public:
 Q_SIGNALS:
     void failed(const QString& sentence);
     void measurementsChosen(const QStringList& paths);
-    void measurementSaved(const QString& path);
+    void measurementSaved(
+        const QString& path, const std::shared_ptr<const Measurement>& measurement);
 
 private:
     void askWhereToExport(

@@ -177,7 +177,7 @@ void MeasurePage::connectParts()
     connect(m_files->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
         &MeasurePage::showFile);
     connect(&m_record, &RecordModel::changed, this, [this] {
-        m_savedName.clear();
+        m_saved.reset();
         follow();
     });
     connect(&m_record, &RecordModel::stateChanged, this, &MeasurePage::follow);
@@ -308,7 +308,7 @@ void MeasurePage::sayNextStep()
         m_nextStep->say(Tone::Error, errorText(*refused->refusal));
     else if (state.refusal)
         m_nextStep->say(Tone::Error, errorText(*state.refusal));
-    else if (!m_savedName.isEmpty())
+    else if (m_saved && m_saved == state.measurement && !m_record.isEvaluating())
         m_nextStep->say(Tone::Success,
             tr("Saved as %1. The commands axiscomp judge and axiscomp fit go on with it: figures "
                "of ISO 230-2, and a table for Write.")
@@ -323,8 +323,10 @@ void MeasurePage::sayNextStep()
                "axiscomp fit."));
 }
 
-void MeasurePage::showSaved(const QString& path)
+void MeasurePage::showSaved(
+    const QString& path, const std::shared_ptr<const Measurement>& measurement)
 {
+    m_saved = measurement;
     m_savedName = QFileInfo(path).fileName();
     sayNextStep();
 }

@@ -36,7 +36,8 @@ public:
 
     void retranslate();
     /// The measurement is in this file now.
-    void showSaved(const QString& path);
+    /// Says where it is, as long as it is what is shown.
+    void showSaved(const QString& path, const std::shared_ptr<const Measurement>& measurement);
 
 Q_SIGNALS:
     void addRequested(); ///< the user wants to choose files
@@ -72,7 +73,8 @@ private:
     ProblemList* m_problems;
     FileLinesView* m_lines;
     std::size_t m_fileCount = 0; ///< as last seen
-    QString m_savedName; ///< of the file that has what is shown; empty: not saved
+    QString m_savedName; ///< of the file that has m_saved
+    std::shared_ptr<const Measurement> m_saved; ///< null: nothing was saved
 };
 
 } // namespace axiscomp::ui

@@ -4,6 +4,7 @@
 #include "tests/ui/support/page_fixture.h"
 #include "tests/ui/support/window_test.h"
 #include "ui/page/page_tabs.h"
+#include "ui/tabs/measure_page.h"
 
 #include <QCheckBox>
 #include <QDropEvent>
@@ -373,6 +374,21 @@ private Q_SLOTS:
         QFile file(path);
         QVERIFY(file.open(QIODevice::ReadOnly));
         QCOMPARE(file.readAll(), content);
+    }
+
+    /// A file is written while the measurement may already be another one.
+    void whatWasChangedMeanwhileIsNotSaidToBeSaved()
+    {
+        PageFixture bench;
+        QVERIFY(bench.user.isThere() && showMeasure(bench));
+        QVERIFY(add(bench,
+            bench.file(QStringLiteral("first.csv"),
+                "target [mm],direction,run,deviation [um]\n0,+,1,1\n10,+,1,2\n")));
+        const auto& hint = bench.user.the<QLabel>("measureHint");
+        QTRY_VERIFY(hint.text().startsWith(QStringLiteral("The measurement can be used.")));
+        auto& page = bench.user.the<MeasurePage>("measurePage");
+        page.showSaved(QStringLiteral("old-runs.csv"), std::make_shared<const Measurement>());
+        QVERIFY(hint.text().startsWith(QStringLiteral("The measurement can be used.")));
     }
 
     void aTrackIsNamedAsWhatHasNoTargets()
