@@ -21,6 +21,31 @@ const std::string activationX = "Axes[0]/Commands/Compensations/Axis/Activation"
 const std::string sourceX = "Axes[0]/Parameters/Compensations/Axis/Dim1Source";
 const std::string tableX = "Axes[0]/Parameters/Compensations/Axis/Table";
 
+drivecomm::VirtualDriveOptions stage()
+{
+    drivecomm::VirtualDriveOptions options = PageFixture::twoAxes();
+    options.name = "Stage-8";
+    options.serialNumber = 1560;
+    return options;
+}
+
+/// A page with a second drive, which is called Stage-8 and not the one that is chosen.
+struct TwoDrives {
+    PageFixture bench;
+    test::ServedDrive second{stage()};
+
+    [[nodiscard]] bool isThere()
+    {
+        auto& controller = bench.controller();
+        controller.setEndpoints({bench.served.url(), second.url()});
+        if (!bench.user.isThere()
+            || !test::PageUser::waitFor([&] { return controller.axes().size() == 4; }))
+            return false;
+        controller.selectAxis(0); // whichever has answered first was chosen
+        return true;
+    }
+};
+
 } // namespace
 
 /// What comes from outside while the page is open: lost connections, other clients, refusals, and
@@ -159,16 +184,10 @@ private Q_SLOTS:
 
     void aChosenDriveThatDoesNotAnswerIsNamedAndTriedAgain()
     {
-        PageFixture bench;
+        TwoDrives drives;
+        auto& [bench, second] = drives;
         auto& user = bench.user;
-        drivecomm::VirtualDriveOptions options = PageFixture::twoAxes();
-        options.name = "Stage-8";
-        options.serialNumber = 1560;
-        test::ServedDrive second(options);
-        bench.controller().setEndpoints({bench.served.url(), second.url()});
-        QVERIFY(user.isThere());
-        QTRY_COMPARE(bench.controller().axes().size(), std::size_t(4));
-        bench.controller().selectAxis(0); // the drive that answered first has been chosen
+        QVERIFY(drives.isThere());
         second.stop();
         bench.controller().refresh();
         QTRY_VERIFY(bench.controller().drives().at(1).connection == DriveState::Connection::Lost);
@@ -188,27 +207,21 @@ private Q_SLOTS:
     /// A drive that is lost is told of every second: who is about to choose keeps the place.
     void aListOfDrivesThatIsOpenKeepsItsPlace()
     {
-        PageFixture bench;
+        TwoDrives drives;
+        auto& [bench, second] = drives;
         auto& user = bench.user;
-        drivecomm::VirtualDriveOptions options = PageFixture::twoAxes();
-        options.name = "Stage-8";
-        options.serialNumber = 1560;
-        test::ServedDrive second(options);
-        bench.controller().setEndpoints({bench.served.url(), second.url()});
-        QVERIFY(user.isThere());
-        QTRY_COMPARE(bench.controller().axes().size(), std::size_t(4));
-        bench.controller().selectAxis(0);
-        auto& drives = user.the<QComboBox>("driveField");
-        drives.showPopup();
-        QTRY_VERIFY(drives.view()->isVisible());
-        drives.view()->setCurrentIndex(drives.model()->index(1, drives.modelColumn()));
-        QCOMPARE(drives.view()->currentIndex().row(), 1);
+        QVERIFY(drives.isThere());
+        auto& list = user.the<QComboBox>("driveField");
+        list.showPopup();
+        QTRY_VERIFY(list.view()->isVisible());
+        list.view()->setCurrentIndex(list.model()->index(1, list.modelColumn()));
+        QCOMPARE(list.view()->currentIndex().row(), 1);
         second.stop();
         bench.controller().refresh();
         QTRY_VERIFY(bench.controller().drives().at(1).connection == DriveState::Connection::Lost);
-        QVERIFY(drives.view()->isVisible());
-        QCOMPARE(drives.view()->currentIndex().row(), 1);
-        QTest::keyClick(drives.view(), Qt::Key_Return);
+        QVERIFY(list.view()->isVisible());
+        QCOMPARE(list.view()->currentIndex().row(), 1);
+        QTest::keyClick(list.view(), Qt::Key_Return);
         QTRY_VERIFY(user.message("unreachableMessage").startsWith(QStringLiteral("Stage-8 ")));
     }
 
