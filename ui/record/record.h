@@ -4,9 +4,11 @@
 #include "core/metrology/formats/measurement_format.h"
 #include "core/metrology/judge/outliers.h"
 #include "core/metrology/judge/uncertainty.h"
+#include "core/metrology/record/calibration_record.h"
 
 #include <QString>
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -42,6 +44,9 @@ struct Record {
     OutlierRule outlierRule = OutlierRule::PooledMad;
     std::vector<Tolerance> tolerances; ///< in mm or deg
     std::optional<double> uncertainty; ///< U with k = 2, in mm or deg
+    /// What was promised of the table that is used, and what came of it: as it was made then, even
+    /// when the measurement is judged or fitted otherwise since. null: no table is used.
+    std::shared_ptr<const CalibrationRecord> calibration;
 
     friend bool operator==(const Record&, const Record&) = default;
 };

@@ -243,6 +243,13 @@ void RecordModel::setUncertainty(std::optional<double> value)
     change(std::move(next), StepKind::Uncertainty);
 }
 
+void RecordModel::setCalibration(std::shared_ptr<const CalibrationRecord> calibration)
+{
+    Record next = m_record;
+    next.calibration = std::move(calibration);
+    change(std::move(next), StepKind::Calibration);
+}
+
 QString RecordModel::textOf(int index) const
 {
     const auto* step = static_cast<const Step*>(m_steps.command(index));
@@ -266,9 +273,11 @@ QString RecordModel::textOf(int index) const
     case StepKind::Tolerance:
         return tr("Tolerance of %1").arg(step->subject);
     case StepKind::Uncertainty:
+        return tr("Uncertainty");
+    case StepKind::Calibration:
         break;
     }
-    return tr("Uncertainty");
+    return tr("Table in use");
 }
 
 QString RecordModel::undoText() const

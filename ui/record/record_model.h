@@ -45,6 +45,7 @@ public:
     /// In mm or deg; none: no limit.
     void setTolerance(Iso230Figure figure, std::optional<double> value);
     void setUncertainty(std::optional<double> value);
+    void setCalibration(std::shared_ptr<const CalibrationRecord> calibration);
     /// Reads files again that have changed on disk.
     void readAgain();
 
@@ -70,6 +71,7 @@ private:
         OutlierRule,
         Tolerance,
         Uncertainty,
+        Calibration,
     };
     class Step;
 
