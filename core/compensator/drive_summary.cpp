@@ -21,6 +21,16 @@ std::optional<WallTime> lastWriteOf(const DriveStore& store, std::int32_t serial
 
 } // namespace
 
+std::optional<MeasuredFigures> measuredWith(
+    const AxisStatus& status, const std::filesystem::path& storeRoot)
+{
+    if (!status.table)
+        return std::nullopt;
+    auto known = DriveStore(storeRoot).measured(
+        status.drive.serialNumber, status.axis.index, status.table->crc);
+    return known ? *std::move(known) : std::nullopt;
+}
+
 Result<DriveSummary> summarizeDrive(AxisCompensator& compensator,
     const std::filesystem::path& storeRoot, const OperationOptions& options)
 {
@@ -41,6 +51,7 @@ Result<DriveSummary> summarizeDrive(AxisCompensator& compensator,
             return fail(std::move(status).error());
         if (status) {
             row.axis = status->axis;
+            row.measured = measuredWith(*status, storeRoot);
             row.status = *std::move(status);
         } else {
             row.problem = std::move(status).error();

@@ -6,6 +6,7 @@
 #include "core/base/result.h"
 #include "core/base/wall_time.h"
 #include "core/drive/operation.h"
+#include "core/store/measured_figures.h"
 #include "core/write/flash_account.h"
 
 #include <filesystem>
@@ -23,6 +24,8 @@ struct AxisSummary {
     std::optional<Error> problem; ///< why the axis could not be read
     /// Of the newest backup that this computer has: one is kept before each write.
     std::optional<WallTime> lastWrite;
+    /// With the table that the axis has now, as far as this computer knows.
+    std::optional<MeasuredFigures> measured;
 };
 
 /// All axes of one drive.
@@ -31,6 +34,11 @@ struct DriveSummary {
     std::vector<AxisSummary> axes;
     std::optional<FlashUse> flashUse; ///< none: it could not be read
 };
+
+/// What this computer knows of the table that the axis has. A store that cannot be read knows
+/// nothing.
+[[nodiscard]] std::optional<MeasuredFigures> measuredWith(
+    const AxisStatus& status, const std::filesystem::path& storeRoot);
 
 /// Reads all axes of a drive; changes nothing, also where a write did not end. Errors: those of the
 /// link, Cancelled; what is wrong with one axis stands at that axis.

@@ -234,6 +234,22 @@ Result<void> DriveStore::recordOwnTable(std::int32_t serialNumber, int axis, con
     });
 }
 
+Result<void> DriveStore::recordMeasured(
+    std::int32_t serialNumber, int axis, const MeasuredFigures& measured)
+{
+    return m_database->change([&](sqlite::Connection& database) {
+        records::putMeasured(database, serialNumber, axis, measured);
+    });
+}
+
+Result<std::optional<MeasuredFigures>> DriveStore::measured(
+    std::int32_t serialNumber, int axis, std::uint32_t crc)
+{
+    return m_database->get<std::optional<MeasuredFigures>>([&](sqlite::Connection& database) {
+        return records::measured(database, serialNumber, axis, crc);
+    });
+}
+
 Result<SavedState> DriveStore::savedState(std::int32_t serialNumber)
 {
     return m_database->get<SavedState>(

@@ -7,6 +7,7 @@
 #include "core/drive/journal_entry.h"
 #include "core/io/file_lock.h"
 #include "core/store/backup.h"
+#include "core/store/measured_figures.h"
 #include "core/store/saved_state.h"
 
 #include <chrono>
@@ -105,6 +106,13 @@ public:
     [[nodiscard]] Result<std::vector<OwnTable>> ownTables(std::int32_t serialNumber, int axis);
     [[nodiscard]] Result<void> recordOwnTable(
         std::int32_t serialNumber, int axis, const OwnTable& table);
+
+    /// Kept by the CRC of the table: the last 50 of each axis. Replaces what was kept for it.
+    [[nodiscard]] Result<void> recordMeasured(
+        std::int32_t serialNumber, int axis, const MeasuredFigures& measured);
+    /// nullopt: nothing was measured with this table, as far as this computer knows.
+    [[nodiscard]] Result<std::optional<MeasuredFigures>> measured(
+        std::int32_t serialNumber, int axis, std::uint32_t crc);
 
     [[nodiscard]] Result<SavedState> savedState(std::int32_t serialNumber);
     /// The parameters are about to be saved: what they named before stays until recordSaved.

@@ -99,6 +99,12 @@ void Statement::bind(int index, const std::optional<std::int64_t>& value)
         m_connection.check(::sqlite3_bind_null(m_statement.get(), index));
 }
 
+void Statement::bind(int index, const std::optional<double>& value)
+{
+    m_connection.check(value ? ::sqlite3_bind_double(m_statement.get(), index, *value)
+                             : ::sqlite3_bind_null(m_statement.get(), index));
+}
+
 bool Statement::next()
 {
     const int code = ::sqlite3_step(m_statement.get());
@@ -114,6 +120,12 @@ bool Statement::isNull(int column) const
 std::int64_t Statement::number(int column) const
 {
     return ::sqlite3_column_int64(m_statement.get(), column);
+}
+
+std::optional<double> Statement::real(int column) const
+{
+    return isNull(column) ? std::nullopt
+                          : std::optional(::sqlite3_column_double(m_statement.get(), column));
 }
 
 std::string Statement::text(int column) const

@@ -75,6 +75,7 @@ public:
     {
         return static_cast<Integer>(number(column));
     }
+    [[nodiscard]] std::optional<double> real(int column) const; ///< nothing: NULL
     [[nodiscard]] std::string text(int column) const;
     [[nodiscard]] int columns() const;
     /// The row of another statement becomes the parameters of this one, which then runs.
@@ -86,6 +87,7 @@ private:
     void bind(int index, std::int64_t value);
     void bind(int index, std::string_view value);
     void bind(int index, const std::optional<std::int64_t>& value);
+    void bind(int index, const std::optional<double>& value);
     template <typename Integer, std::enable_if_t<std::is_integral_v<Integer>, int> = 0>
     void bind(int index, Integer value)
     {

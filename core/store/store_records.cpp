@@ -16,6 +16,7 @@ using sqlite::Statement;
 
 constexpr int keptFlashOperations = 1000;
 constexpr int keptTablesPerSlot = 4;
+constexpr int keptMeasuredTables = 50; // of an axis
 constexpr JsonLimits registerLimits{.size = 1024 * 1024, .depth = 8, .values = 20'000};
 
 std::int64_t stored(WallTime time)
@@ -255,6 +256,57 @@ SavedState savedState(Connection& database, std::int32_t serialNumber)
          row.next();)
         state.covered.push_back(row.text(0));
     return state;
+}
+
+void putMeasured(
+    Connection& database, std::int32_t serialNumber, int axis, const MeasuredFigures& measured)
+{
+    for (const char* table : {"measured", "measured_figure"})
+        Statement(database,
+            "DELETE FROM " + std::string(table) + " WHERE serial = ?1 AND axis = ?2 AND crc = ?3",
+            serialNumber, axis, measured.crc)
+            .run();
+    Statement(database,
+        "INSERT INTO measured (serial, axis, crc, time, date, angular) "
+        "VALUES (?1, ?2, ?3, ?4, ?5, ?6)",
+        serialNumber, axis, measured.crc, stored(measured.time), measured.date, measured.isAngular)
+        .run();
+    for (const MeasuredFigures::Figure& figure : measured.figures)
+        Statement(database,
+            "INSERT INTO measured_figure (serial, axis, crc, name, before, predicted, after, "
+            "tolerance, result) VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9)",
+            serialNumber, axis, measured.crc, figure.name, figure.before, figure.predicted,
+            figure.after, figure.tolerance, figure.result)
+            .run();
+    Statement(database,
+        "DELETE FROM measured WHERE serial = ?1 AND axis = ?2 AND id <= (SELECT id FROM measured "
+        "WHERE serial = ?1 AND axis = ?2 ORDER BY id DESC LIMIT 1 OFFSET ?3)",
+        serialNumber, axis, keptMeasuredTables)
+        .run();
+    Statement(database,
+        "DELETE FROM measured_figure WHERE serial = ?1 AND axis = ?2 AND crc NOT IN (SELECT crc "
+        "FROM measured WHERE serial = ?1 AND axis = ?2)",
+        serialNumber, axis)
+        .run();
+}
+
+std::optional<MeasuredFigures> measured(
+    Connection& database, std::int32_t serialNumber, int axis, std::uint32_t crc)
+{
+    Statement table(database,
+        "SELECT time, date, angular FROM measured WHERE serial = ?1 AND axis = ?2 AND crc = ?3",
+        serialNumber, axis, crc);
+    if (!table.next())
+        return std::nullopt;
+    MeasuredFigures measured{crc, timeOf(table.number(0)), table.text(1), table.number(2) != 0};
+    for (Statement row(database,
+             "SELECT name, before, predicted, after, tolerance, result FROM measured_figure "
+             "WHERE serial = ?1 AND axis = ?2 AND crc = ?3 ORDER BY id",
+             serialNumber, axis, crc);
+         row.next();)
+        measured.figures.push_back(
+            {row.text(0), row.real(1), row.real(2), row.real(3), row.real(4), row.text(5)});
+    return measured;
 }
 
 void putCertificate(Connection& database, const TrustedCertificates::Entry& entry)

@@ -49,6 +49,12 @@ void setCovered(sqlite::Connection& database, std::int32_t serialNumber, const s
     bool isCovered);
 [[nodiscard]] SavedState savedState(sqlite::Connection& database, std::int32_t serialNumber);
 
+/// Replaces what was known with the same table.
+void putMeasured(sqlite::Connection& database, std::int32_t serialNumber, int axis,
+    const MeasuredFigures& measured);
+[[nodiscard]] std::optional<MeasuredFigures> measured(
+    sqlite::Connection& database, std::int32_t serialNumber, int axis, std::uint32_t crc);
+
 void putCertificate(sqlite::Connection& database, const TrustedCertificates::Entry& entry);
 void removeCertificate(sqlite::Connection& database, const std::string& endpoint);
 [[nodiscard]] std::vector<TrustedCertificates::Entry> certificates(sqlite::Connection& database);

@@ -55,6 +55,18 @@ CREATE TABLE taken_over ( -- files of older versions that are still to be rename
 ) STRICT;
 )",
     "ALTER TABLE journal ADD COLUMN deleted_slot TEXT NOT NULL DEFAULT ''", // empty: none
+    R"(
+CREATE TABLE measured (
+    id INTEGER PRIMARY KEY, serial INTEGER NOT NULL, axis INTEGER NOT NULL, crc INTEGER NOT NULL,
+    time INTEGER NOT NULL, date TEXT NOT NULL, angular INTEGER NOT NULL,
+    UNIQUE (serial, axis, crc)
+) STRICT;
+CREATE TABLE measured_figure ( -- in mm or deg, NULL: not known
+    id INTEGER PRIMARY KEY, serial INTEGER NOT NULL, axis INTEGER NOT NULL, crc INTEGER NOT NULL,
+    name TEXT NOT NULL, before REAL, predicted REAL, after REAL, tolerance REAL,
+    result TEXT NOT NULL, UNIQUE (serial, axis, crc, name)
+) STRICT;
+)",
 };
 
 } // namespace

@@ -21,7 +21,8 @@ enum class StoreIdentity {
 void migrateStore(sqlite::Connection& database);
 
 /// What is recovered from a damaged database.
-inline constexpr std::array<std::string_view, 8> storeTables{"drive", "flash_operation",
-    "flash_loss", "journal", "own_table", "saved_use", "covered_slot", "certificate"};
+inline constexpr std::array<std::string_view, 10> storeTables{"drive", "flash_operation",
+    "flash_loss", "journal", "own_table", "saved_use", "covered_slot", "certificate", "measured",
+    "measured_figure"};
 
 } // namespace axiscomp

@@ -117,6 +117,7 @@ void AxisOverview::take(DriveConnection& drive, const Result<DriveSummary>& summ
             continue;
         row.flashUse = summary->flashUse;
         row.lastWrite = found->lastWrite;
+        row.measured = found->measured;
         row.problem = found->problem;
         if (found->status)
             put(row, *found->status);
@@ -133,6 +134,7 @@ void AxisOverview::put(OverviewRow& row, const AxisStatus& status) const
     if (row.status && crcOf(row.status) != crcOf(status)) {
         row.file.clear();
         row.column.clear();
+        row.measured.reset();
         row.proof.reset();
     }
     row.status = status;
@@ -214,6 +216,7 @@ void AxisOverview::list()
         row.read = known->read;
         row.problem = known->problem;
         row.lastWrite = known->lastWrite;
+        row.measured = known->measured;
         row.flashUse = known->flashUse;
         row.file = known->file;
         row.column = known->column;

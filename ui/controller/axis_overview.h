@@ -33,6 +33,8 @@ struct OverviewRow {
     QDateTime read; ///< when status was
     std::optional<Error> problem; ///< why it could not be read although the drive answers
     std::optional<WallTime> lastWrite; ///< by this computer
+    /// With the table that the axis has, as far as this computer knows.
+    std::optional<MeasuredFigures> measured;
     std::optional<FlashUse> flashUse; ///< of the drive
     QString file; ///< from which this window wrote the table; empty: not known
     QString column; ///< the name of the table; empty: not known

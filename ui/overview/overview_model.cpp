@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/overview/overview_model.h"
 
+#include "core/metrology/record/kept_figures.h"
 #include "ui/controller/axis_overview.h"
 #include "ui/text/message_text.h"
 #include "ui/text/state_text.h"
+#include "ui/text/translated_text.h"
 #include "ui/text/value_text.h"
 
 #include <array>
@@ -136,7 +138,8 @@ QVariant OverviewModel::headerData(int section, Qt::Orientation orientation, int
         return {};
     if (role == Qt::DisplayRole) {
         const std::array<QString, ColumnCount> titles{tr("Drive"), tr("Axis"), tr("State"),
-            tr("Table"), tr("Persistency"), tr("Flash left"), tr("Last proof"), tr("Last write")};
+            tr("Table"), tr("Persistency"), tr("Flash left"), tr("Measured"), tr("Last proof"),
+            tr("Last write")};
         return titles.at(static_cast<std::size_t>(section));
     }
     if (role == Qt::TextAlignmentRole)
@@ -148,6 +151,8 @@ QVariant OverviewModel::headerData(int section, Qt::Orientation orientation, int
                "it, otherwise its place on the drive; and the checksum of its values"),
             tr("Whether the table survives a reboot"),
             tr("How many flash operations the drive can do now"),
+            tr("The accuracy of the axis with this table and before, as the records of this "
+               "computer have it"),
             tr("Over which part of the table this window has seen that the drive does what the "
                "table says, and when"),
             tr("When this computer last wrote to the axis")};
@@ -199,6 +204,8 @@ QString OverviewModel::text(const OverviewRow& row, int column)
         return persistenceText(row);
     case FlashLeft:
         return flashText(row);
+    case Measured:
+        return row.measured ? translated(measuredFiguresCell(*row.measured)) : QString();
     case LastProof:
         return proofText(row);
     case LastWrite:
@@ -235,6 +242,8 @@ QString OverviewModel::toolTip(const OverviewRow& row, int column)
         return errorText(*row.problem);
     if (column > State && !row.isConnected() && row.status)
         return asReadText(row.read);
+    if (column == Measured && row.measured)
+        return translated(measuredFiguresText(*row.measured));
     return text(row, column);
 }
 

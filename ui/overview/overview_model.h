@@ -20,6 +20,7 @@ public:
         Table,
         Persistence,
         FlashLeft,
+        Measured,
         LastProof,
         LastWrite,
         ColumnCount,

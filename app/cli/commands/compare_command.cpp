@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/commands/command_line.h"
+#include "app/cli/commands/record_figures.h"
 #include "app/cli/input/judging_options.h"
 #include "app/cli/input/measurement_input.h"
 #include "app/cli/output/comparison_output.h"
@@ -41,8 +42,8 @@ Measurement usedSide(const MeasurementInput& input, const CompareOptions& option
 }
 
 /// The second measurement, what it says of the prediction, and the verdict.
-Result<void> keepInRecord(CalibrationRecord record, const CompareOptions& options,
-    const MeasurementInput& after, const Comparison& comparison)
+Result<void> keepInRecord(Environment& environment, CalibrationRecord record,
+    const CompareOptions& options, const MeasurementInput& after, const Comparison& comparison)
 {
     const MeasurementSource& source = after.sources.front();
     RecordedAfter recorded;
@@ -50,9 +51,14 @@ Result<void> keepInRecord(CalibrationRecord record, const CompareOptions& option
     recorded.measurement.swapsDirections = options.input.swapsDirections;
     recorded.figures = figureValues(comparison.after);
     recorded.isAsPredicted = comparison.isAsPredicted;
+    if (!record.tables.empty())
+        recorded.tableCrc = record.tables.front().crc;
     record.after.push_back(std::move(recorded));
     record.verdict = RecordedVerdict{comparison.verdicts};
-    return saveRecord(options.record, record);
+    AXISCOMP_CHECK(saveRecord(options.record, record));
+    DriveStore store(DriveStore::defaultRoot());
+    keepFiguresOrWarn(environment, store, record);
+    return {};
 }
 
 Json bothSources(const MeasurementInput& before, const MeasurementInput& after)
@@ -82,7 +88,7 @@ Result<ExitCode> runCompare(Environment& environment, const CompareOptions& opti
     AXISCOMP_TRY(
         const auto comparison, compareMeasurements(usedSide(before, options), second, request));
     if (options.keeps)
-        AXISCOMP_CHECK(keepInRecord(std::move(record), options, after, comparison));
+        AXISCOMP_CHECK(keepInRecord(environment, std::move(record), options, after, comparison));
 
     environment.print("Before: " + sourcesText(before.sources)
         + "\nAfter:  " + sourcesText(after.sources) + "\n\n" + comparisonText(second, comparison));

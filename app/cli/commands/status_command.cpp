@@ -4,6 +4,8 @@
 #include "app/cli/output/status_text.h"
 #include "app/cli/session/command_session.h"
 #include "app/common/number_text.h"
+#include "core/compensator/drive_summary.h"
+#include "core/metrology/record/kept_figures.h"
 
 namespace axiscomp::app {
 
@@ -29,8 +31,13 @@ Result<ExitCode> runStatus(
     if (settled.settled)
         json["unfinishedWrite"] =
             unfinishedToJson(settled.settled->entry, settled.settled->outcome);
+    const auto measured = measuredWith(settled.status, session.storeRoot());
+    if (measured)
+        json["measured"] = toJson(*measured);
     environment.document(json);
     environment.print(statusText(settled.status, session.profile()));
+    if (measured)
+        environment.print("\nWith this table: " + measuredFiguresText(*measured).english() + "\n");
     environment.print("\n" + flashText(flash));
     return ExitCode::Done;
 }

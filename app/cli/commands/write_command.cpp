@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/commands/command_line.h"
+#include "app/cli/commands/record_figures.h"
 #include "app/cli/input/conversion_options.h"
 #include "app/cli/input/table_input.h"
 #include "app/cli/session/write_run.h"
@@ -318,6 +319,8 @@ Result<ExitCode> writeAndNote(Environment& environment, CommandSession& session,
             record, *outcome.now, session.profile().name, std::chrono::system_clock::now());
         if (noted)
             noted = saveRecord(options.record, record);
+        if (noted)
+            keepFiguresOrWarn(environment, session.store(), record);
         if (!noted) {
             environment.console().note(
                 "note: the drive has the table; only the record does not say so");

@@ -137,6 +137,21 @@ Json toJson(const FlashUse& use)
         {"damagedRecord", use.damagedRecord ? Json(use.damagedRecord->string()) : Json(nullptr)}};
 }
 
+Json toJson(const MeasuredFigures& measured)
+{
+    const auto known = [](const std::optional<double>& value) {
+        return value ? Json(*value) : Json(nullptr);
+    };
+    Json figures = Json::array();
+    for (const MeasuredFigures::Figure& figure : measured.figures)
+        figures.push_back({{"figure", figure.name}, {"before", known(figure.before)},
+            {"predicted", known(figure.predicted)}, {"after", known(figure.after)},
+            {"tolerance", known(figure.tolerance)}, {"verdict", textOrNull(figure.result)}});
+    return {{"crc", measured.crc}, {"noted", utcText(measured.time)},
+        {"date", textOrNull(measured.date)}, {"unit", measured.isAngular ? "deg" : "mm"},
+        {"figures", std::move(figures)}};
+}
+
 Json unfinishedToJson(const JournalEntry& entry, AxisCompensator::UnfinishedOutcome outcome)
 {
     return {{"began", utcText(entry.time)}, {"step", entry.step},

@@ -28,6 +28,9 @@ namespace axiscomp::app {
 [[nodiscard]] Json toJson(const AxisInfo& axis);
 [[nodiscard]] Json toJson(const AxisStatus& status);
 [[nodiscard]] Json toJson(const FlashUse& use);
+/// {"crc", "noted", "date", "unit", "figures": [{"figure", "before", "predicted", "after",
+/// "tolerance", "verdict"}]}, what is not known null
+[[nodiscard]] Json toJson(const MeasuredFigures& measured);
 [[nodiscard]] Json unfinishedToJson(
     const JournalEntry& entry, AxisCompensator::UnfinishedOutcome outcome);
 [[nodiscard]] Json toJson(const WritePlan& plan);

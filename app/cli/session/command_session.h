@@ -94,6 +94,7 @@ public:
     /// several; AxisNotFound, AxisAmbiguous.
     [[nodiscard]] Result<int> axis();
     [[nodiscard]] const std::filesystem::path& storeRoot() const { return m_storeRoot; }
+    [[nodiscard]] DriveStore& store() { return m_store; }
 
 private:
     CommandSession(Environment& environment, DriveOptions options, DriveProfile profile,

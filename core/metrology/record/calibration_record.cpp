@@ -204,6 +204,8 @@ OrderedJson frameToJson(const RecordedAfter& after)
 {
     OrderedJson object{{"measurement", nullptr}, {"figures", axiscomp::toJson(after.figures)}};
     putIfThere(object, "asPredicted", after.isAsPredicted);
+    if (after.tableCrc)
+        object["crc32"] = crcText(*after.tableCrc);
     return object;
 }
 
@@ -221,6 +223,8 @@ RecordedAfter afterFromJson(const JsonNode& node)
         recordedMeasurementFromJson(node["measurement"]), figureValuesFromJson(node["figures"])};
     if (isThere(node, "asPredicted"))
         after.isAsPredicted = node["asPredicted"].boolean();
+    if (isThere(node, "crc32"))
+        after.tableCrc = crcFromJson(node["crc32"]);
     after.others = otherMembers(node, frameToJson(after));
     return after;
 }
@@ -351,6 +355,18 @@ Result<DeadPathCorrection> deadPathFromText(std::string_view text, const std::st
                     .with("file", Verbatim{fileName})
                     .with("reason", json.problem()->reason)}});
     return correction;
+}
+
+const RecordedAfter* lastAfter(const CalibrationRecord& record)
+{
+    std::optional<std::uint32_t> active;
+    if (record.write)
+        active = record.write->crc;
+    else if (!record.tables.empty())
+        active = record.tables.front().crc;
+    const auto found = std::find_if(record.after.rbegin(), record.after.rend(),
+        [&](const RecordedAfter& after) { return !after.tableCrc || after.tableCrc == active; });
+    return found == record.after.rend() ? nullptr : &*found;
 }
 
 std::string recordText(const CalibrationRecord& record)

@@ -138,6 +138,8 @@ struct RecordedAfter {
     RecordedMeasurement measurement;
     FigureValues figures;
     std::optional<bool> isAsPredicted = {}; ///< nothing: nothing was predicted
+    /// Of the table that was active; nothing: older programs did not note it.
+    std::optional<std::uint32_t> tableCrc = {};
     OtherMembers others = {};
 };
 
@@ -161,6 +163,10 @@ struct CalibrationRecord {
     std::vector<std::string> notes = {};
     OtherMembers others = {};
 };
+
+/// The last measurement with the table of the record active: that of its write, where there was
+/// one. null: none. It lives as long as the record.
+[[nodiscard]] const RecordedAfter* lastAfter(const CalibrationRecord& record);
 
 /// Bytes that a record may have.
 inline constexpr std::uint64_t maximumRecordSize = 512ULL * 1024 * 1024;

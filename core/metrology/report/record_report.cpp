@@ -170,9 +170,9 @@ Result<ReportContent> reportContent(
         AXISCOMP_TRY(content.before, measured(*record.before));
         addInputs(content.inputs, *record.before);
     }
-    if (!record.after.empty()) {
-        AXISCOMP_TRY(content.after, measured(record.after.back().measurement));
-        addInputs(content.inputs, record.after.back().measurement);
+    if (const RecordedAfter* after = lastAfter(record)) {
+        AXISCOMP_TRY(content.after, measured(after->measurement));
+        addInputs(content.inputs, after->measurement);
     }
     for (const auto* one : {&content.after, &content.before}) {
         if (!*one)

@@ -5,6 +5,7 @@
 #include "tests/support/test_registry.h"
 #include "tests/support/verify.h"
 
+#include <QJsonArray>
 #include <QTest>
 
 namespace tst_recordonadrive {
@@ -89,6 +90,34 @@ private Q_SLOTS:
         QVERIFY(record.write->proof && record.write->proof->isProved);
         QVERIFY(record.write->proof->samples > 0);
         QVERIFY(record.write->proof->provedShare > 0.0);
+    }
+
+    /// So that who looks at the axis sees how good it is.
+    void statusSaysWhatTheRecordsOfThisComputerHave()
+    {
+        const Fixture bench;
+        CalibrationRecord record = bench.record();
+        record.prediction.emplace();
+        const auto a = static_cast<std::size_t>(Iso230Figure::A);
+        record.prediction->before.values[a] = 0.0143;
+        record.prediction->predicted.values[a] = 0.003;
+        bench.box.file("job.axcal", QByteArray::fromStdString(recordText(record)));
+        VERIFY_CODE(bench.write(), 0);
+        const ProgramRun status = bench.run({"status"});
+        QVERIFY2(status.out.contains("With this table: accuracy A 14.300 um before, 3.000 um "
+                                     "predicted, not measured since"),
+            status.out.constData());
+        const QJsonObject json = bench.run({"status", "--json"}).json();
+        const QJsonObject measured = json.value("measured").toObject();
+        QCOMPARE(measured.value("crc"), json.value("table").toObject().value("crc"));
+        const QJsonObject figure = measured.value("figures").toArray().first().toObject();
+        QCOMPARE(figure.value("figure").toString(), "A");
+        QCOMPARE(figure.value("before").toDouble(), 0.0143);
+        QVERIFY(figure.value("after").isNull());
+
+        bench.box.file("other.csv", "X [mm],Error [mm]\n0,0\n40,0.0011\n80,-0.003\n");
+        VERIFY_CODE(bench.run({"write", "--data", "other.csv", "--dims", "1"}), 0);
+        QVERIFY(!bench.run({"status", "--json"}).json().contains("measured"));
     }
 
     void aTableThatIsThereAlreadyIsNotedToo()

@@ -115,6 +115,9 @@ private Q_SLOTS:
     void whatStandsInTheWayIsNoObstacle();
 
     void ownTablesAreNewestFirst();
+    void figuresAreThoseOfOneTableOfOneAxis();
+    void theLatestFiguresOfATableCount();
+    void figuresOfTheLast50TablesAreKept();
     void whatIsBeingSavedIsAddedAndWhatIsSavedReplaces();
     void aSlotBelongsToWhoWroteItLast();
     void anUndoneWriteLeavesTheSlotKnown();
@@ -501,6 +504,42 @@ void TestDriveStore::ownTablesAreNewestFirst()
     QVERIFY(
         *m_store->ownTables(serial, 0) == (Tables{{"Small1", 4}, {"Small2", 2}, {"Small1", 1}}));
     QVERIFY(*m_store->ownTables(serial, 1) == (Tables{{"Small3", 3}}));
+}
+
+void TestDriveStore::figuresAreThoseOfOneTableOfOneAxis()
+{
+    QVERIFY(!m_store->measured(serial, 0, 7)->has_value());
+    const MeasuredFigures first{7, start, "2026-11-20", true,
+        {{"A", 0.1 + 0.2, 1e-300, std::nullopt, -0.0, "undecided"}, {"B"}}};
+    const MeasuredFigures second{4'000'000'000, start + 1s, "", false, {{"A", 1.0, {}, 2.0, 3.0}}};
+    VERIFY_RESULT(m_store->recordMeasured(serial, 0, first));
+    VERIFY_RESULT(m_store->recordMeasured(serial, 0, second));
+    m_store = std::make_unique<DriveStore>(m_root);
+    QVERIFY(*m_store->measured(serial, 0, 7) == first);
+    QVERIFY(*m_store->measured(serial, 0, 4'000'000'000) == second);
+    QVERIFY(!m_store->measured(serial, 1, 7)->has_value());
+    QVERIFY(!m_store->measured(serial + 1, 0, 7)->has_value());
+}
+
+void TestDriveStore::theLatestFiguresOfATableCount()
+{
+    VERIFY_RESULT(m_store->recordMeasured(serial, 0, {7, start, "", false, {{"A", 1.0}, {"B"}}}));
+    const MeasuredFigures later{7, start + 1s, "", false, {{"A", 1.0, {}, 0.1}}};
+    VERIFY_RESULT(m_store->recordMeasured(serial, 0, later));
+    QVERIFY(*m_store->measured(serial, 0, 7) == later);
+}
+
+void TestDriveStore::figuresOfTheLast50TablesAreKept()
+{
+    VERIFY_RESULT(m_store->recordMeasured(serial, 1, {1, start, "", false, {{"A", 1.0}}}));
+    for (std::uint32_t crc = 1; crc <= 51; ++crc)
+        VERIFY_RESULT(m_store->recordMeasured(serial, 0, {crc, start, "", false, {{"A", 1.0}}}));
+    QVERIFY(!m_store->measured(serial, 0, 1)->has_value());
+    QCOMPARE(m_store->measured(serial, 0, 2).value()->figures.size(), std::size_t{1});
+    QVERIFY(m_store->measured(serial, 1, 1)->has_value());
+    QCOMPARE(sqlite::Connection(m_root / "axiscomp.db", 0ms)
+                 .number("SELECT count(*) FROM measured_figure"),
+        std::int64_t{51});
 }
 
 void TestDriveStore::aSlotBelongsToWhoWroteItLast()

@@ -163,12 +163,13 @@ void TestStoreDamage::anOlderVersionIsTakenOver_data()
     QTest::newRow("damaged") << true;
 }
 
-/// Its journal does not know deletions.
+/// Its journal does not know deletions, and it has no figures of measurements.
 void TestStoreDamage::anOlderVersionIsTakenOver()
 {
     QFETCH(bool, isDamaged);
     sqlite::Connection(m_file, 0ms)
-        .run("ALTER TABLE journal DROP COLUMN deleted_slot; PRAGMA user_version = 1");
+        .run("ALTER TABLE journal DROP COLUMN deleted_slot; DROP TABLE measured; "
+             "DROP TABLE measured_figure; PRAGMA user_version = 1");
     if (isDamaged)
         damageFlashOperations(m_file);
     DriveStore store(m_root);
@@ -182,6 +183,8 @@ void TestStoreDamage::anOlderVersionIsTakenOver()
     deletion.deletedSlot = "Small3";
     VERIFY_RESULT(store.openJournal(deletion));
     QVERIFY(DriveStore(m_root).journal(serial, 1).value() == deletion);
+    VERIFY_RESULT(store.recordMeasured(serial, 0, {5, start}));
+    QVERIFY(DriveStore(m_root).measured(serial, 0, 5).value().has_value());
 }
 
 void TestStoreDamage::damageThatShowsLaterIsTreatedAlike()

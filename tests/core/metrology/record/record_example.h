@@ -93,6 +93,7 @@ inline CalibrationRecord fullRecord()
     RecordedAfter after{{{before.files.front()}}, prediction.predicted, true};
     record.after = {after, after};
     record.after[1].isAsPredicted.reset();
+    record.after[1].tableCrc = 0x00a1b2c3;
     record.verdict =
         RecordedVerdict{{{{Iso230Figure::A, 0.01}, 0.0032, 0.0021, VerdictResult::Passed},
             {{Iso230Figure::B, 0.001}, std::nullopt, std::nullopt, VerdictResult::NotDefined}}};

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/commands/record_figures.h"
+
+#include "core/metrology/record/kept_figures.h"
+
+namespace axiscomp::app {
+
+void keepFiguresOrWarn(Environment& environment, DriveStore& store, const CalibrationRecord& record)
+{
+    const auto kept = keepFigures(store, record, std::chrono::system_clock::now());
+    if (!kept)
+        environment.warn("axiscomp status will not know the figures of the record: "
+            + textOf(kept.error()).english());
+}
+
+} // namespace axiscomp::app

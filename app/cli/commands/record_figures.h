@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/cli/output/environment.h"
+#include "core/metrology/record/calibration_record.h"
+#include "core/store/drive_store.h"
+
+namespace axiscomp::app {
+
+/// Keeps the figures of a record for `status`. The record has them in any case: a store that cannot
+/// take them is a warning.
+void keepFiguresOrWarn(
+    Environment& environment, DriveStore& store, const CalibrationRecord& record);
+
+} // namespace axiscomp::app

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/wall_time.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace axiscomp {
+
+/// What measurements have said of an axis before and with one of its tables. In mm, or in degrees.
+struct MeasuredFigures {
+    struct Figure {
+        std::string name; ///< "A", as figureName() has it
+        std::optional<double> before = {};
+        std::optional<double> predicted = {};
+        std::optional<double> after = {};
+        std::optional<double> tolerance = {};
+        std::string result = {}; ///< "passed", as verdictName() has it; empty: no verdict
+
+        friend bool operator==(const Figure&, const Figure&) = default;
+    };
+    std::uint32_t crc = 0; ///< of the table, as the drive shows it
+    WallTime time{}; ///< when this was kept
+    std::string date = {}; ///< of the last measurement, as its file has it; empty: it has none
+    bool isAngular = false;
+    std::vector<Figure> figures = {};
+
+    friend bool operator==(const MeasuredFigures&, const MeasuredFigures&) = default;
+};
+
+} // namespace axiscomp

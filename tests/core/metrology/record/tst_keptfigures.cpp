@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/metrology/record/kept_figures.h"
+#include "tests/core/metrology/record/record_example.h"
+#include "tests/support/test_registry.h"
+#include "tests/support/verify.h"
+
+#include <QTemporaryDir>
+
+namespace tst_keptfigures {
+
+using namespace axiscomp;
+
+namespace {
+
+constexpr std::uint32_t writtenCrc = 0x10203040;
+
+FigureValues accuracy(double a, double m)
+{
+    FigureValues values;
+    values.values[static_cast<std::size_t>(Iso230Figure::A)] = a;
+    values.values[static_cast<std::size_t>(Iso230Figure::M)] = m;
+    return values;
+}
+
+/// Written to axis 1 of drive 1559; before A 14.3 um, predicted 3 um.
+CalibrationRecord writtenRecord()
+{
+    CalibrationRecord record;
+    record.before = RecordedMeasurement{{test::fullRecord().before->files.front()}};
+    record.before->files.front().measurement.header.date = "2026-11-20";
+    record.prediction = RecordedPrediction{accuracy(0.0143, 0.011), accuracy(0.003, 0.001)};
+    record.drive = RecordedDrive{"Triamec-616", 1559, "generic", 1, "X"};
+    record.write = RecordedWrite{{}, "Small1", true, writtenCrc};
+    return record;
+}
+
+void addAfter(CalibrationRecord& record, double a, std::optional<std::uint32_t> crc)
+{
+    RecordedAfter after{*record.before, accuracy(a, 0.0011)};
+    after.measurement.files.front().measurement.header.date = "2026-11-24";
+    after.tableCrc = crc;
+    record.after.push_back(after);
+}
+
+std::string sentenceOf(const CalibrationRecord& record)
+{
+    const auto kept = figuresToKeep(record, {});
+    return kept ? measuredFiguresText(*kept).english() : "nothing";
+}
+
+} // namespace
+
+class TestKeptFigures : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { test::failOnWarnings(); }
+
+    void aRecordThatWasNotWrittenKeepsNothing()
+    {
+        CalibrationRecord record = writtenRecord();
+        record.write.reset();
+        QCOMPARE(sentenceOf(record), std::string("nothing"));
+        record = writtenRecord();
+        record.prediction.reset();
+        record.before.reset();
+        QCOMPARE(sentenceOf(record), std::string("nothing"));
+    }
+
+    void whatWasPromisedIsSaidUntilItIsMeasured()
+    {
+        QCOMPARE(sentenceOf(writtenRecord()),
+            std::string("measured 2026-11-20: accuracy A 14.300 um before, 3.000 um predicted, not "
+                        "measured since"));
+    }
+
+    void beforeAndAfterAreSaidWithTheVerdict()
+    {
+        CalibrationRecord record = writtenRecord();
+        addAfter(record, 0.0032, writtenCrc);
+        QCOMPARE(sentenceOf(record),
+            std::string("measured 2026-11-24: accuracy A 14.300 um before, 3.200 um after"));
+        record.verdict =
+            RecordedVerdict{{{{Iso230Figure::A, 0.005}, 0.0032, {}, VerdictResult::Passed},
+                {{Iso230Figure::M, 0.001}, 0.0011, {}, VerdictResult::Failed}}};
+        QCOMPARE(sentenceOf(record),
+            std::string("measured 2026-11-24: mean bidirectional deviation M 11.000 um before, "
+                        "1.100 um after (tolerance 1.000 um: failed); accuracy A 14.300 um before, "
+                        "3.200 um after (tolerance 5.000 um: passed)"));
+        QCOMPARE(measuredFiguresCell(*figuresToKeep(record, {})).english(),
+            std::string("M 1.100 um, 11.000 um before"));
+    }
+
+    /// The figures of another table would be those of another machine.
+    void aMeasurementWithAnEarlierTableDoesNotCount()
+    {
+        CalibrationRecord record = writtenRecord();
+        addAfter(record, 0.0090, writtenCrc + 1);
+        record.verdict =
+            RecordedVerdict{{{{Iso230Figure::A, 0.005}, 0.0090, {}, VerdictResult::Failed}}};
+        QVERIFY(!lastAfter(record));
+        QCOMPARE(sentenceOf(record),
+            std::string("measured 2026-11-20: accuracy A 14.300 um before, 3.000 um predicted, not "
+                        "measured since"));
+        // Older programs did not note the table.
+        addAfter(record, 0.0032, std::nullopt);
+        QCOMPARE(lastAfter(record), &record.after[1]);
+        addAfter(record, 0.0033, writtenCrc + 1);
+        QCOMPARE(lastAfter(record), &record.after[1]);
+    }
+
+    void theyAreKeptByDriveAxisAndTable()
+    {
+        const QTemporaryDir folder;
+        DriveStore store(folder.path().toStdString());
+        CalibrationRecord record = writtenRecord();
+        VERIFY_RESULT(keepFigures(store, record, {}));
+        QVERIFY(*store.measured(1559, 1, writtenCrc) == *figuresToKeep(record, {}));
+        record.write.reset();
+        VERIFY_RESULT(keepFigures(store, record, {}));
+        QVERIFY(store.measured(1559, 1, writtenCrc)->has_value());
+    }
+
+    void aFileWithoutADateHasNone()
+    {
+        CalibrationRecord record = writtenRecord();
+        record.before->files.front().measurement.header.date.clear();
+        QCOMPARE(sentenceOf(record),
+            std::string("accuracy A 14.300 um before, 3.000 um predicted, not measured since"));
+    }
+};
+
+AXISCOMP_TEST(TestKeptFigures)
+
+} // namespace tst_keptfigures
+
+#include "tst_keptfigures.moc"
