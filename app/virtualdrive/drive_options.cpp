@@ -95,6 +95,9 @@ Result<void> addMachine(const VirtualDriveArguments& arguments, VirtualDriveOpti
         return {};
     AXISCOMP_TRY(const auto bytes, loadFile(arguments.program, mostPlanBytes));
     AXISCOMP_TRY(drive.program, readMeasuringPlan(asText(bytes), arguments.program));
+    if (arguments.programAfter)
+        drive.programStart = std::chrono::duration_cast<std::chrono::nanoseconds>(
+            std::chrono::duration<double>(*arguments.programAfter * arguments.speed));
     return {};
 }
 

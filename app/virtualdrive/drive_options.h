@@ -5,6 +5,7 @@
 #include "drivecomm/virtualdrive/firmware/virtual_drive.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,7 @@ struct VirtualDriveArguments {
     std::string configuration;
     std::string machine; ///< a machine file
     std::string program; ///< a measuring plan
+    std::optional<double> programAfter; ///< seconds, whatever the speed is
     std::string instrument; ///< a link to the instrument's port
     std::string stateFolder;
     std::vector<std::string> faults;

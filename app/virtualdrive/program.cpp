@@ -61,11 +61,16 @@ void addOptions(CLI::App& app, VirtualDriveArguments& arguments)
         "Move the machine of this file (JSON): axes with errors that nobody knows, and an "
         "instrument that measures them");
     machine->option_text("FILE");
-    app.add_option("--program", arguments.program,
-           "Play this measuring plan (axiscomp targets) as the machine's control would, from 10 s "
-           "after the start")
-        ->option_text("PLAN.csv")
-        ->needs(machine);
+    CLI::Option* program = app.add_option("--program", arguments.program,
+        "Play this measuring plan (axiscomp targets) as the machine's control would, from 10 s "
+        "after the start");
+    program->option_text("PLAN.csv")->needs(machine);
+    app.add_option("--program-after", arguments.programAfter,
+           "Begin the program so many seconds after the start, whatever --speed is; unless given, "
+           "after 10 s of the machine's time")
+        ->option_text("SECONDS")
+        ->check(CLI::Range(0.0, 86400.0))
+        ->needs(program);
     app.add_option("--instrument", arguments.instrument,
            "Serve the instrument's lines on a pseudo-terminal, and make LINK a symbolic link to it")
         ->option_text("LINK")

@@ -188,7 +188,7 @@ _axiscomp()
     fi
 }
 
-_axiscomp_virtualdrive_options="--help --version --http --serial --baud --name --axes --config --machine --program --instrument --state --fault --speed --unhomed --user --password-file --certificate --key --profile"
+_axiscomp_virtualdrive_options="--help --version --http --serial --baud --name --axes --config --machine --program --program-after --instrument --state --fault --speed --unhomed --user --password-file --certificate --key --profile"
 
 _axiscomp_virtualdrive()
 {
