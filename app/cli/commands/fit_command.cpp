@@ -35,6 +35,7 @@ struct FitOptions {
     int harmonics = 1;
     std::optional<double> turn;
     std::string direction = "mean";
+    std::string by; ///< temperature; empty: position alone
     std::string zero;
     std::optional<double> home;
     std::string removedSlope;
@@ -147,6 +148,7 @@ Result<FitSettings> settingsFrom(const FitOptions& options, const Measurement& m
     settings.lookupAt = sources.lookupAt;
     if (!options.lookupAt.empty())
         settings.lookupAt = options.lookupAt == "set" ? LookupAt::Set : LookupAt::Encoder;
+    settings.isByTemperature = !options.by.empty();
     settings.gain = options.gain;
     settings.mostPoints = mostPoints(profile);
     if (!options.fill.empty())
@@ -382,6 +384,13 @@ void addCurveOptions(CLI::App& command, FitOptions& options)
             "Which runs the table is made of: mean of both (the default), positive or negative")
         ->option_text("CHOICE")
         ->check(CLI::IsMember(std::vector<std::string>{"mean", "positive", "negative"}))
+        ->group(group);
+    command
+        .add_option("--by", options.by,
+            "temperature: a table over position and temperature, from runs in several thermal "
+            "states; --points and --distance take a second number for it")
+        ->option_text("WHAT")
+        ->check(CLI::IsMember(std::vector<std::string>{"temperature"}))
         ->group(group);
     command
         .add_option("--points", options.file.conversion.points,

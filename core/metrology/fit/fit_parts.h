@@ -21,6 +21,21 @@ struct FitInput {
 
 /// Runs and averages: along one axis.
 [[nodiscard]] Result<FitReport> fitRuns(const FitInput& input);
+/// Runs with temperatures: over position and temperature.
+[[nodiscard]] Result<FitReport> fitRunsByTemperature(const FitInput& input);
+
+/// The values of runs that are in use, and the index of each in the measurement. With raw positions
+/// reference - encoder at the place where the axis stood, as if no compensation had been active.
+struct FitValues {
+    std::vector<MeasuredValue> values;
+    std::vector<std::size_t> indices;
+};
+[[nodiscard]] FitValues fitValues(const Measurement& measurement, const FitInput& input);
+/// What is asked of a table of runs. Errors: InvalidArgument for what the settings leave open.
+[[nodiscard]] Result<TableFitRequest> requestOfRuns(const FitInput& input);
+/// What the drive will add where, at the knot where the table has its largest value.
+[[nodiscard]] Text signOfRuns(
+    const FitInput& input, const TableFit& fit, const CompensationTable& table);
 /// Tracks, and points of two or three axes.
 [[nodiscard]] Result<FitReport> fitScattered(const FitInput& input);
 

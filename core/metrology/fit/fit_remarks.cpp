@@ -2,6 +2,7 @@
 #include "core/metrology/fine_quantity.h"
 #include "core/metrology/fit/fit_parts.h"
 #include "core/table/large_correction.h"
+#include "core/table/position_unit.h"
 #include "core/text/number_text.h"
 
 #include <algorithm>
@@ -64,16 +65,20 @@ void remarkOfSteps(const FitInput& input, const FittedTable& made, Remarks& rema
     const SteepestStep steepest = steepestStep(table);
     const GridAxis& axis = table.grid.axes[steepest.dimension];
     const double from = positionOf(table.grid, steepest.from)[steepest.dimension];
+    const auto place = [&](double position) {
+        return isTemperatureUnit(axis.unit) ? Quantity{roundedText(position), axis.unit}
+                                            : remarks.place(position);
+    };
     remarks.say("LargestStep",
         AXISCOMP_TEXT("Measurement",
             "the steepest part of {table} is between {from} and {to}: {step}, {slope} for each "
             "{one}")
             .with("table", table.name)
-            .with("from", remarks.place(from))
-            .with("to", remarks.place(from + axis.distance))
+            .with("from", place(from))
+            .with("to", place(from + axis.distance))
             .with("step", remarks.fine(steepest.slope * axis.distance))
             .with("slope", remarks.fine(steepest.slope))
-            .with("one", remarks.place(1.0)));
+            .with("one", place(1.0)));
     if (input.settings.speed && made.density)
         remarks.say("VelocityStep",
             AXISCOMP_TEXT("Measurement",

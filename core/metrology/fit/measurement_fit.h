@@ -57,6 +57,10 @@ struct FitSettings {
     double gain = 1.0; ///< of the residuals, where they are merged
     /// One for each dimension, points or distance; empty: the targets where they are even.
     std::vector<AxisRequest> grid = {};
+    /// Of runs in several thermal states: a table of two dimensions, the second of which is the
+    /// temperature of the values. By default its grid has two points for up to 4 states, which a
+    /// line joins, else one for each state.
+    bool isByTemperature = false;
     std::optional<double> within = {}; ///< the fewest points that leave no more to the curve
     bool holdsEnds = false; ///< a grid beyond the targets is filled with the end values
     std::size_t mostPoints = 524'212; ///< of a table, as the largest slot holds it

@@ -545,6 +545,9 @@ Text signOf(const FitInput& input, const Scatter& scatter, const FittedTable& ma
 Result<FitReport> fitScattered(const FitInput& input)
 {
     const bool isTrack = input.measurement.kind == MeasurementKind::Track;
+    if (input.settings.isByTemperature)
+        return badFit(AXISCOMP_TEXT(
+            "Error", "a table over temperature is made of runs with targets along one axis"));
     Scatter scatter = isTrack ? scatterOfTrack(input) : scatterOfPoints(input);
     AXISCOMP_CHECK(checkScatterSettings(input, scatter.dimensions()));
     if (scatter.size() == 0)

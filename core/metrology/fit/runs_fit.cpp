@@ -52,13 +52,8 @@ private:
     FitDirection m_direction;
 };
 
-struct FitValues {
-    std::vector<MeasuredValue> values;
-    std::vector<std::size_t> indices; ///< of each in the measurement
-};
+} // namespace
 
-/// With raw positions reference - encoder at the place where the axis stood, as if no compensation
-/// had been active.
 FitValues fitValues(const Measurement& measurement, const FitInput& input)
 {
     const bool isRaw = input.state.kind == FoundState::Kind::Irrelevant;
@@ -83,6 +78,8 @@ FitValues fitValues(const Measurement& measurement, const FitInput& input)
     return result;
 }
 
+namespace {
+
 /// The table for the axis itself among those that were active.
 const CompensationTable* activeTable(const FitInput& input)
 {
@@ -104,7 +101,8 @@ Result<void> checkRunsSettings(const FitInput& input)
         return badFit(AXISCOMP_TEXT("Error",
             "--remove, --robust and --fill are for points of two or three axes and for tracks; "
             "this measurement has targets along one axis"));
-    if (settings.grid.size() > 1 || settings.zeroPosition.size() > 1)
+    const bool hasOneAxis = settings.grid.size() <= 1 || settings.isByTemperature;
+    if (!hasOneAxis || settings.zeroPosition.size() > 1)
         return badFit(AXISCOMP_TEXT(
             "Error", "the measurement is along one axis: give one number for its grid and zero"));
     const bool isSmooth = settings.method == FitMethod::Smooth;
@@ -224,7 +222,9 @@ Result<AxisRequest> gridBesideTargets(const FitInput& input, const CompensationT
         .end = last};
 }
 
-Result<TableFitRequest> requestOf(const FitInput& input)
+} // namespace
+
+Result<TableFitRequest> requestOfRuns(const FitInput& input)
 {
     const FitSettings& settings = input.settings;
     TableFitRequest request;
@@ -261,6 +261,8 @@ Result<TableFitRequest> requestOf(const FitInput& input)
     return request;
 }
 
+namespace {
+
 /// The same runs with the table active, as a measurement of its own.
 Result<Measurement> predictedMeasurement(
     const FitInput& input, const CompensationTable& table, const TableFitRequest& request)
@@ -289,7 +291,9 @@ void predictBetween(
         true);
 }
 
-Text signOf(const FitInput& input, const TableFit& fit, const CompensationTable& table)
+} // namespace
+
+Text signOfRuns(const FitInput& input, const TableFit& fit, const CompensationTable& table)
 {
     const bool isAngular = input.measurement.isAngular;
     const Lookup lookup(table, input.outside());
@@ -331,6 +335,8 @@ Text signOf(const FitInput& input, const TableFit& fit, const CompensationTable&
         .with("added", std::move(signedAmount));
 }
 
+namespace {
+
 FittedTable describe(const FitInput& input, const TableFit& fit)
 {
     const Measurement& measurement = input.measurement;
@@ -360,7 +366,9 @@ Result<FitReport> fitRuns(const FitInput& input)
 {
     const FitSettings& settings = input.settings;
     AXISCOMP_CHECK(checkRunsSettings(input));
-    AXISCOMP_TRY(const auto request, requestOf(input));
+    if (settings.isByTemperature)
+        return fitRunsByTemperature(input);
+    AXISCOMP_TRY(const auto request, requestOfRuns(input));
     const Measurement settled =
         settings.drift ? withoutDrift(input.measurement, *settings.drift) : input.measurement;
     const FitValues values = fitValues(settled, input);
@@ -379,7 +387,7 @@ Result<FitReport> fitRuns(const FitInput& input)
     report.predicted = iso230Figures(predicted);
     report.verdicts = verdicts(*report.predicted, settings.tolerances, settings.uncertainty);
     predictBetween(values.values, request, report);
-    report.sign = signOf(input, fit, table);
+    report.sign = signOfRuns(input, fit, table);
     addRunsRemarks(input, judgement, fit, report);
     return report;
 }

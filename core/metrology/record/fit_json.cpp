@@ -120,6 +120,8 @@ OrderedJson toJson(const FitSettings& settings)
     putEnum(object, "lookupAt", settings.lookupAt, lookupNames);
     object["gain"] = settings.gain;
     object["grid"] = listToJson(settings.grid);
+    if (settings.isByTemperature)
+        object["by"] = "temperature";
     putIfThere(object, "within", settings.within);
     object["hold"] = settings.holdsEnds;
     object["mostPoints"] = settings.mostPoints;
@@ -132,6 +134,16 @@ OrderedJson toJson(const FitSettings& settings)
     putIfThere(object, "uncertainty", settings.uncertainty);
     object["outliers"] = nameOf(settings.outlierRule, outlierNames);
     return object;
+}
+
+bool takesTemperature(const JsonNode& node)
+{
+    if (!isThere(node, "by"))
+        return false;
+    const JsonNode by = node["by"];
+    if (by.textView() != "temperature")
+        by.refuse(AXISCOMP_TEXT("Error", "\"{format}\" is expected").with("format", "temperature"));
+    return true;
 }
 
 FitSettings settingsFromJson(const JsonNode& node)
@@ -151,6 +163,7 @@ FitSettings settingsFromJson(const JsonNode& node)
     settings.lookupAt = maybeEnum<LookupAt>(node, "lookupAt", lookupNames);
     settings.gain = node["gain"].number();
     settings.grid = listFromJson(node["grid"], &axisRequestFromJson);
+    settings.isByTemperature = takesTemperature(node);
     settings.within = maybeNumber(node, "within");
     settings.holdsEnds = node["hold"].boolean();
     settings.mostPoints = node["mostPoints"].integer<std::size_t>(0, mostPoints);

@@ -1,0 +1,459 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/metrology/fine_quantity.h"
+#include "core/metrology/fit/fit_parts.h"
+#include "core/text/number_text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+namespace axiscomp {
+
+namespace {
+
+constexpr const char* celsius = "degC";
+constexpr double stateGap = 0.5; // K; runs that lie closer are of one thermal state (ours)
+constexpr double smallestSpan = 1.0; // K
+constexpr double spanPerScatter = 5.0;
+constexpr std::size_t mostStatesOnALine = 4;
+
+Quantity kelvin(double difference)
+{
+    return {roundedText(std::round(difference * 1e3) / 1e3), "K"};
+}
+
+Quantity degrees(double temperature)
+{
+    return {roundedText(std::round(temperature * 1e3) / 1e3), celsius};
+}
+
+/// The runs that were measured at about one temperature.
+struct ThermalState {
+    double temperature = 0.0; ///< mean of its values
+    double squares = 0.0; ///< of the differences from it
+    Measurement measurement; ///< with the values of the other runs left out
+    double weight = 0.0; ///< number of its values
+
+    [[nodiscard]] double firstTarget() const { return targetOf(true); }
+    [[nodiscard]] double lastTarget() const { return targetOf(false); }
+
+private:
+    [[nodiscard]] double targetOf(bool isFirst) const
+    {
+        std::optional<double> found;
+        for (const RunValue& value : measurement.values) {
+            const double target = measurement.targets[value.target];
+            if (value.isUsed && (!found || (isFirst ? target < *found : target > *found)))
+                found = target;
+        }
+        return found.value_or(0.0);
+    }
+};
+
+using RunNumber = std::pair<Approach, int>;
+
+/// The mean temperature of each run, from the coldest.
+std::vector<std::pair<double, RunNumber>> temperaturesOfRuns(const Measurement& measurement)
+{
+    std::map<RunNumber, std::pair<double, double>> sums;
+    for (const RunValue& value : measurement.values) {
+        if (!value.isUsed)
+            continue;
+        auto& [sum, count] = sums[{value.direction, value.run}];
+        sum += *value.temperature;
+        count += 1.0;
+    }
+    std::vector<std::pair<double, RunNumber>> runs;
+    for (const auto& [run, sum] : sums)
+        runs.emplace_back(sum.first / sum.second, run);
+    std::ranges::sort(runs);
+    return runs;
+}
+
+ThermalState stateOf(const Measurement& measurement, const std::set<RunNumber>& runs)
+{
+    ThermalState state;
+    state.measurement = measurement;
+    double sum = 0.0;
+    for (RunValue& value : state.measurement.values) {
+        value.isUsed = value.isUsed && runs.contains({value.direction, value.run});
+        if (value.isUsed) {
+            sum += *value.temperature;
+            state.weight += 1.0;
+        }
+    }
+    state.temperature = sum / state.weight;
+    for (const RunValue& value : state.measurement.values)
+        if (value.isUsed)
+            state.squares += std::pow(*value.temperature - state.temperature, 2);
+    return state;
+}
+
+std::vector<ThermalState> statesOf(const Measurement& measurement)
+{
+    std::vector<ThermalState> states;
+    std::set<RunNumber> together;
+    std::optional<double> before;
+    for (const auto& [temperature, run] : temperaturesOfRuns(measurement)) {
+        if (before && temperature - *before >= stateGap) {
+            states.push_back(stateOf(measurement, together));
+            together.clear();
+        }
+        together.insert(run);
+        before = temperature;
+    }
+    states.push_back(stateOf(measurement, together));
+    return states;
+}
+
+Result<void> checkSpan(const std::vector<ThermalState>& states)
+{
+    const double span = states.back().temperature - states.front().temperature;
+    if (states.size() < 2 || span < smallestSpan)
+        return badFit(AXISCOMP_COUNTED("Error",
+            "the runs were measured in {count} thermal states that span {span}; a table over "
+            "temperature needs at least two, {least} apart (runs within {gap} are one state)",
+            "all runs were measured in one thermal state; a table over temperature needs at least "
+            "two, {least} apart (runs within {gap} are one state)")
+                          .with("count", states.size())
+                          .with("span", kelvin(span))
+                          .with("least", kelvin(smallestSpan))
+                          .with("gap", kelvin(stateGap)));
+    double squares = 0.0;
+    double weight = 0.0;
+    for (const ThermalState& state : states) {
+        squares += state.squares;
+        weight += state.weight;
+    }
+    const double scatter = std::sqrt(squares / (weight - static_cast<double>(states.size())));
+    if (span < spanPerScatter * scatter)
+        return badFit(AXISCOMP_TEXT("Error",
+            "the thermal states span {span}, less than five times the {scatter} by which the "
+            "temperature varies within them: let the machine settle before each run")
+                          .with("span", kelvin(span))
+                          .with("scatter", kelvin(scatter)));
+    return {};
+}
+
+/// Each state has the whole range: beyond it nothing is known of how the error moves.
+Result<void> checkRange(const std::vector<ThermalState>& states, bool isAngular)
+{
+    for (const ThermalState& state : states)
+        if (state.firstTarget() != states.front().firstTarget()
+            || state.lastTarget() != states.front().lastTarget())
+            return badFit(AXISCOMP_TEXT("Error",
+                "at {temperature} it was measured from {from} to {to}, at {other} from {otherFrom} "
+                "to {otherTo}: measure the same range in each thermal state")
+                              .with("temperature", degrees(state.temperature))
+                              .with("from", placeOf(state.firstTarget(), isAngular))
+                              .with("to", placeOf(state.lastTarget(), isAngular))
+                              .with("other", degrees(states.front().temperature))
+                              .with("otherFrom", placeOf(states.front().firstTarget(), isAngular))
+                              .with("otherTo", placeOf(states.front().lastTarget(), isAngular)));
+    return {};
+}
+
+Result<void> checkInput(const FitInput& input)
+{
+    const auto missing = std::ranges::count_if(input.measurement.values,
+        [](const RunValue& value) { return value.isUsed && !value.temperature; });
+    if (missing > 0)
+        return badFit(AXISCOMP_COUNTED("Error",
+            "{count} values have no temperature; a table over temperature needs that of each (the "
+            "column temperature)",
+            "1 value has no temperature; a table over temperature needs that of each (the column "
+            "temperature)")
+                          .with("count", missing));
+    if (input.state.kind == FoundState::Kind::On)
+        return badFit(AXISCOMP_TEXT("Error",
+            "residuals are not merged over temperature: measure with the compensation off"));
+    if (input.settings.grid.size() > 2)
+        return badFit(AXISCOMP_TEXT("Error",
+            "a table over temperature has two dimensions: give at most two numbers for its grid"));
+    return {};
+}
+
+/// The curves of the states, over one grid of positions.
+struct StateCurves {
+    std::vector<ThermalState> states;
+    std::vector<TableFit> fits; ///< of each, without a zero
+    std::vector<TableFitRequest> requests;
+    std::size_t reference = 0; ///< the state nearest to 20 degrees
+    double removedConstant = 0.0; ///< of all, by the zero of the reference
+};
+
+/// One state as a measurement of its own, as far as fitRuns knows it.
+FitSettings settingsOfState(const FitSettings& settings, FitZero zero)
+{
+    FitSettings ofState = settings;
+    ofState.isByTemperature = false;
+    ofState.zero = zero;
+    ofState.drift.reset(); // it was taken out of all runs together
+    if (ofState.grid.size() > 1)
+        ofState.grid.resize(1);
+    return ofState;
+}
+
+Result<StateCurves> curvesOf(const FitInput& input, const Measurement& settled)
+{
+    StateCurves curves;
+    curves.states = statesOf(settled);
+    AXISCOMP_CHECK(checkSpan(curves.states));
+    AXISCOMP_CHECK(checkRange(curves.states, settled.isAngular));
+    const FitSettings settings = settingsOfState(input.settings, FitZero::Keep);
+    for (const ThermalState& state : curves.states) {
+        const FitInput ofState{
+            state.measurement, settings, input.state, input.lookupAt, input.stop};
+        AXISCOMP_TRY(auto request, requestOfRuns(ofState));
+        AXISCOMP_TRY(auto fit, fitTable(fitValues(state.measurement, ofState).values, request));
+        const AxisGrid& first = curves.fits.empty() ? fit.grid : curves.fits.front().grid;
+        if (fit.grid.size != first.size || fit.grid.start != first.start
+            || fit.grid.distance != first.distance)
+            return badFit(AXISCOMP_TEXT("Error",
+                "the targets differ from one thermal state to the other, so that they give no grid "
+                "together; say the grid of the table with --points or --distance"));
+        curves.fits.push_back(std::move(fit));
+        curves.requests.push_back(std::move(request));
+    }
+    constexpr double referenceTemperature = 20.0;
+    const auto nearest = std::ranges::min_element(curves.states, {}, [](const ThermalState& state) {
+        return std::abs(state.temperature - referenceTemperature);
+    });
+    curves.reference = static_cast<std::size_t>(nearest - curves.states.begin());
+    const FitSettings withZero = settingsOfState(input.settings, input.settings.zero);
+    const FitInput reference{
+        nearest->measurement, withZero, input.state, input.lookupAt, input.stop};
+    AXISCOMP_TRY(const auto request, requestOfRuns(reference));
+    AXISCOMP_TRY(
+        const auto fit, fitTable(fitValues(nearest->measurement, reference).values, request));
+    curves.removedConstant = fit.removedConstant;
+    return curves;
+}
+
+/// From the coldest state to the warmest. A distance is the widest that is wanted, so that both
+/// ends are temperatures that were measured.
+GridAxis temperatureAxis(const FitSettings& settings, const std::vector<ThermalState>& states)
+{
+    const double from = states.front().temperature;
+    const double span = states.back().temperature - from;
+    std::size_t points = states.size() > mostStatesOnALine ? states.size() : 2;
+    if (settings.grid.size() > 1) {
+        const AxisRequest& wanted = settings.grid[1];
+        points = wanted.points != 0
+            ? wanted.points
+            : static_cast<std::size_t>(std::ceil(span / wanted.distance * (1.0 - 1e-12))) + 1;
+    }
+    points = std::max<std::size_t>(points, 2);
+    return {"Temperature", celsius, from, span / static_cast<double>(points - 1),
+        static_cast<std::uint32_t>(points)};
+}
+
+/// The value at one point of the position grid, over temperature: the line of least squares through
+/// up to four states, straight lines from state to state where there are more.
+class OverTemperature {
+public:
+    OverTemperature(const StateCurves& curves, std::size_t point)
+    {
+        double weight = 0.0;
+        for (std::size_t n = 0; n < curves.states.size(); ++n) {
+            const ThermalState& state = curves.states[n];
+            m_temperatures.push_back(state.temperature);
+            m_values.push_back(curves.fits[n].values[point] - curves.removedConstant);
+            weight += state.weight;
+            m_mean += state.weight * state.temperature;
+            m_meanValue += state.weight * m_values.back();
+        }
+        m_mean /= weight;
+        m_meanValue /= weight;
+        double squares = 0.0;
+        for (std::size_t n = 0; n < m_values.size(); ++n) {
+            const double from = m_temperatures[n] - m_mean;
+            squares += curves.states[n].weight * from * from;
+            m_slope += curves.states[n].weight * from * (m_values[n] - m_meanValue);
+        }
+        m_slope /= squares;
+    }
+
+    [[nodiscard]] double at(double temperature) const
+    {
+        if (m_values.size() <= mostStatesOnALine)
+            return m_meanValue + m_slope * (temperature - m_mean);
+        const auto above = std::ranges::upper_bound(m_temperatures, temperature);
+        const auto last = static_cast<std::ptrdiff_t>(m_values.size()) - 1;
+        const auto n = static_cast<std::size_t>(
+            std::clamp<std::ptrdiff_t>(above - m_temperatures.begin(), 1, last));
+        const double share =
+            (temperature - m_temperatures[n - 1]) / (m_temperatures[n] - m_temperatures[n - 1]);
+        return m_values[n - 1] + share * (m_values[n] - m_values[n - 1]);
+    }
+    /// What the table leaves at a state.
+    [[nodiscard]] double leftAt(std::size_t state) const
+    {
+        return m_values[state] - at(m_temperatures[state]);
+    }
+
+private:
+    std::vector<double> m_temperatures;
+    std::vector<double> m_values;
+    double m_mean = 0.0;
+    double m_meanValue = 0.0;
+    double m_slope = 0.0;
+};
+
+Result<FittedTable> tableOf(const FitInput& input, const StateCurves& curves)
+{
+    const std::string unit(positionUnit(input.measurement));
+    const std::string& axis = input.measurement.header.axis;
+    const AxisGrid& positions = curves.fits.front().grid;
+    Grid grid;
+    grid.axes = {{axis.empty() ? "Position" : axis, unit, positions.start, positions.distance,
+                     static_cast<std::uint32_t>(positions.size)},
+        temperatureAxis(input.settings, curves.states)};
+    if (grid.pointCount() > input.settings.mostPoints)
+        return fail(ErrorCode::ResamplingImpossible,
+            {{"reason",
+                AXISCOMP_TEXT(
+                    "Error", "the grid has {count} points, and a table holds {most}; take fewer")
+                    .with("count", grid.pointCount())
+                    .with("most", input.settings.mostPoints)}});
+    std::vector<double> values(grid.pointCount());
+    double squares = 0.0;
+    double largest = 0.0;
+    for (std::size_t i = 0; i < positions.size; ++i) {
+        const OverTemperature line(curves, i);
+        for (std::size_t t = 0; t < grid.axes[1].size; ++t)
+            values[t * positions.size + i] = line.at(grid.axes[1].position(t));
+        for (std::size_t n = 0; n < curves.states.size(); ++n) {
+            squares += std::pow(line.leftAt(n), 2);
+            largest = std::max(largest, std::abs(line.leftAt(n)));
+        }
+    }
+    FittedTable made = fittedTable(
+        std::move(values), std::move(grid), axis.empty() ? "Error" : "d" + axis, axis, unit);
+    const TableFit& reference = curves.fits[curves.reference];
+    made.removedConstant = curves.removedConstant;
+    made.removedSlope = reference.removedSlope;
+    made.knots = reference.knots.size();
+    made.means = reference.knots;
+    made.periods = reference.curve.terms;
+    made.smoothness = reference.smoothness;
+    made.residualRms =
+        std::sqrt(squares / static_cast<double>(positions.size * curves.states.size()));
+    made.residualLargest = largest;
+    made.measuredNodes = made.table.values.size();
+    return made;
+}
+
+/// The table along the axis, at one temperature.
+CompensationTable sliceOf(const CompensationTable& table, double temperature)
+{
+    const Lookup lookup(table, Outside::Hold);
+    CompensationTable slice{table.name, table.unit, {}, {}};
+    slice.grid.axes = {table.grid.axes.front()};
+    for (std::size_t i = 0; i < slice.grid.axes.front().size; ++i)
+        slice.values.push_back(static_cast<float>(
+            lookup.at(std::vector<double>{slice.grid.axes.front().position(i), temperature})));
+    return slice;
+}
+
+/// The same runs with the table active, each at its own temperature.
+Result<Measurement> predictedRuns(
+    const FitInput& input, const StateCurves& curves, const CompensationTable& table)
+{
+    Measurement result = input.measurement;
+    const FitSettings settings = settingsOfState(input.settings, FitZero::Keep);
+    for (const auto& [temperature, run] : temperaturesOfRuns(input.measurement)) {
+        const ThermalState ofRun = stateOf(input.measurement, {run});
+        const FitInput single{ofRun.measurement, settings, input.state, input.lookupAt, input.stop};
+        const FitValues values = fitValues(ofRun.measurement, single);
+        AXISCOMP_TRY(const auto predicted,
+            predictRuns(
+                values.values, sliceOf(table, temperature), curves.requests[curves.reference]));
+        for (std::size_t i = 0; i < predicted.size(); ++i)
+            result.values[values.indices[i]].deviation = predicted[i].deviation;
+    }
+    return result;
+}
+
+/// That of all states; M is the largest of a state, since the axis is at one temperature at a time.
+Result<HeldOut> heldOutOf(const FitInput& input, const StateCurves& curves)
+{
+    HeldOut all;
+    double squares = 0.0;
+    const FitSettings settings = settingsOfState(input.settings, FitZero::Keep);
+    for (std::size_t n = 0; n < curves.states.size(); ++n) {
+        const Measurement& measurement = curves.states[n].measurement;
+        const FitInput ofState{measurement, settings, input.state, input.lookupAt, input.stop};
+        AXISCOMP_TRY(const auto one,
+            predictHeldOut(fitValues(measurement, ofState).values, curves.requests[n]));
+        all.residuals.insert(all.residuals.end(), one.residuals.begin(), one.residuals.end());
+        squares += one.rms * one.rms * static_cast<double>(one.residuals.size());
+        all.largest = std::max(all.largest, one.largest);
+        all.range = std::max(all.range, one.range);
+    }
+    all.rms = std::sqrt(squares / static_cast<double>(all.residuals.size()));
+    return all;
+}
+
+void addTemperatureRemarks(const FitInput& input, const StateCurves& curves, FitReport& report)
+{
+    std::vector<Text> temperatures;
+    for (const ThermalState& state : curves.states)
+        temperatures.push_back(AXISCOMP_TEXT("Measurement", "{temperature}")
+                                   .with("temperature", degrees(state.temperature)));
+    addRemark(report, "ThermalStates",
+        AXISCOMP_TEXT("Measurement",
+            "measured in {count} thermal states: {temperatures}; outside of them the drive holds "
+            "the values of the ends")
+            .with("count", curves.states.size())
+            .with("temperatures", std::move(temperatures)));
+    if (curves.states.size() > 2 && curves.states.size() <= mostStatesOnALine)
+        addRemark(report, "StraightOverTemperature",
+            AXISCOMP_TEXT("Measurement",
+                "the table is straight over temperature, which leaves up to {largest} of what was "
+                "measured in a state")
+                .with("largest",
+                    fineQuantity(
+                        report.tables.front().residualLargest, input.measurement.isAngular)));
+    addRemark(report, "InstrumentZeroKept",
+        AXISCOMP_TEXT("Measurement",
+            "the table has the movement of the zero from one thermal state to the other, as the "
+            "instrument saw it: that is only right if its own zero was not set anew in between"),
+        true);
+}
+
+} // namespace
+
+Result<FitReport> fitRunsByTemperature(const FitInput& input)
+{
+    const FitSettings& settings = input.settings;
+    AXISCOMP_CHECK(checkInput(input));
+    const Measurement settled =
+        settings.drift ? withoutDrift(input.measurement, *settings.drift) : input.measurement;
+    AXISCOMP_TRY(const auto curves, curvesOf(input, settled));
+    FitReport report;
+    AXISCOMP_TRY(auto made, tableOf(input, curves));
+    report.tables.push_back(std::move(made));
+    const CompensationTable& table = report.tables.front().table;
+    report.before = iso230Figures(input.measurement);
+    AXISCOMP_TRY(const auto predicted, predictedRuns(input, curves, table));
+    report.predicted = iso230Figures(predicted);
+    report.verdicts = verdicts(*report.predicted, settings.tolerances, settings.uncertainty);
+    if (auto heldOut = heldOutOf(input, curves))
+        report.heldOut = *std::move(heldOut);
+    const ThermalState& reference = curves.states[curves.reference];
+    const FitSettings ofState = settingsOfState(settings, settings.zero);
+    const FitInput referenceInput{
+        reference.measurement, ofState, input.state, input.lookupAt, input.stop};
+    TableFit fit = curves.fits[curves.reference];
+    fit.removedConstant += curves.removedConstant;
+    report.sign = AXISCOMP_TEXT("Measurement", "at {temperature}: {sentence}")
+                      .with("temperature", degrees(reference.temperature))
+                      .with("sentence",
+                          signOfRuns(referenceInput, fit, sliceOf(table, reference.temperature)));
+    addTemperatureRemarks(input, curves, report);
+    return report;
+}
+
+} // namespace axiscomp
