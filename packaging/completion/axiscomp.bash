@@ -21,7 +21,7 @@ _axiscomp_options()
         targets) echo "--help --json --from --to --count --spacing --period --cycles --seed --overrun --feed --dwell --axis --unit --dialect --output" ;;
         runs) echo "--help --json --output $measurement" ;;
         judge) echo "--help --json --tolerance --uncertainty --outliers --period --vdi $correction $measurement" ;;
-        fit) echo "--help --json $drive --axis --output --record --to --table --accept-large --target --to-sign --set-out $grid --smoothness --period --harmonics --turn --direction --speed --zero --home --remove-slope --remove-drift --lookup-at --measured-with --onto --gain --remove --fill --robust --tolerance --uncertainty $correction $measurement" ;;
+        fit) echo "--help --json $drive --axis --output --record --to --table --accept-large --target --to-sign --set-out $grid --by --smoothness --period --harmonics --turn --direction --speed --zero --home --remove-slope --remove-drift --lookup-at --measured-with --onto --gain --remove --fill --robust --tolerance --uncertainty $correction $measurement" ;;
         compare) echo "--help --json --record --measured-with --keep --tolerance --uncertainty ${measurement/--exclude /}" ;;
         report) echo "--help --json --output --language --lists" ;;
         axes) echo "--help --json --find --any-baud --network $drive" ;;
@@ -109,6 +109,7 @@ _axiscomp()
             COMPREPLY=($(compgen -W "$_axiscomp_formats" -- "$cur"))
             return ;;
         --sign | --to-sign) COMPREPLY=($(compgen -W "feedback command" -- "$cur")); return ;;
+        --by) COMPREPLY=($(compgen -W "temperature" -- "$cur")); return ;;
         --direction) COMPREPLY=($(compgen -W "mean positive negative" -- "$cur")); return ;;
         --outliers) COMPREPLY=($(compgen -W "mad grubbs none" -- "$cur")); return ;;
         --values) COMPREPLY=($(compgen -W "deviation reference" -- "$cur")); return ;;
