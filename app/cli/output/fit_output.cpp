@@ -57,6 +57,13 @@ std::string slotText(const Grid& grid, const DriveProfile& profile)
         + (smallest ? "a slot such as " + smallest->name + " holds it" : "no slot holds it");
 }
 
+/// The other methods go through what was measured.
+bool leavesResiduals(const Measurement& measurement, const FitSettings& settings)
+{
+    return settings.method == FitMethod::Smooth || settings.method == FitMethod::Harmonic
+        || settings.isByTemperature || isFittedOnGrid(measurement, settings);
+}
+
 std::string tableText(const Measurement& measurement, const FitSettings& settings,
     const FitReport& report, const FittedTable& made, std::uint32_t crc,
     const DriveProfile& profile)
@@ -73,8 +80,9 @@ std::string tableText(const Measurement& measurement, const FitSettings& setting
     lines.emplace_back("Looked up",
         report.lookupAt == LookupAt::Encoder ? "at the encoder's position, before the compensation"
                                              : "at the set position, after the compensation");
-    lines.emplace_back("Residuals of the fit",
-        fine(made.residualRms) + " rms, " + fine(made.residualLargest) + " at most");
+    if (leavesResiduals(measurement, settings))
+        lines.emplace_back("Residuals of the fit",
+            fine(made.residualRms) + " rms, " + fine(made.residualLargest) + " at most");
     if (made.crossValidation)
         lines.emplace_back(
             "Foretold", fine(*made.crossValidation) + " rms at values that were left out");

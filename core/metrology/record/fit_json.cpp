@@ -142,7 +142,8 @@ bool takesTemperature(const JsonNode& node)
         return false;
     const JsonNode by = node["by"];
     if (by.textView() != "temperature")
-        by.refuse(AXISCOMP_TEXT("Error", "\"{format}\" is expected").with("format", "temperature"));
+        by.refuse(AXISCOMP_TEXT("Error", "\"{format}\" is expected")
+                      .with("format", Verbatim{"temperature"}));
     return true;
 }
 

@@ -3,6 +3,7 @@
 
 #include "core/metrology/report/plot_ink.h"
 #include "core/text/number_text.h"
+#include "core/text/xml_tags.h"
 
 #include <algorithm>
 
@@ -34,34 +35,9 @@ table.numbers th:not(:first-child), table.numbers td { text-align: right;
 .page { break-before: page; }
 )";
 
-/// As text between tags and within quoted attributes.
-std::string escaped(std::string_view text)
-{
-    std::string result;
-    for (const char c : text) {
-        switch (c) {
-        case '&':
-            result += "&amp;";
-            break;
-        case '<':
-            result += "&lt;";
-            break;
-        case '>':
-            result += "&gt;";
-            break;
-        case '"':
-            result += "&quot;";
-            break;
-        default:
-            result += c;
-        }
-    }
-    return result;
-}
-
 std::string escaped(const Text& text)
 {
-    return escaped(text.english());
+    return xmlEscaped(text.english());
 }
 
 std::string millimetres(double value)
@@ -186,7 +162,7 @@ private:
 
 std::string reportHtml(const ReportDocument& document)
 {
-    std::string html = "<!DOCTYPE html>\n<html lang=\"" + escaped(document.language)
+    std::string html = "<!DOCTYPE html>\n<html lang=\"" + xmlEscaped(document.language)
         + "\">\n<head>\n<meta charset=\"utf-8\">\n<title>" + escaped(document.title)
         + "</title>\n<style>" + std::string(style) + "</style>\n</head>\n<body>\n<h1>"
         + escaped(document.title) + "</h1>\n";

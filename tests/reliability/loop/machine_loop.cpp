@@ -35,15 +35,16 @@ MachineDescription machineOf(std::uint64_t seed)
     return parseMachine(text, "screw").value();
 }
 
-MeasuringPlan planOf(std::uint64_t seed)
+MeasuringPlan planOf(std::uint64_t seed, const MachineLoop::Size& size)
 {
     MeasuringPlanRequest request;
     request.to = 500.0;
-    request.count = 51;
+    request.count = size.targets;
+    request.cycles = size.cycles;
     request.period = lead;
     request.seed = seed;
-    request.feedPerMinute = 6000.0;
-    request.dwellSeconds = 4.0;
+    request.overrun = 5.0;
+    request.dwellSeconds = 3.0;
     return makeMeasuringPlan(request).value();
 }
 
@@ -99,7 +100,8 @@ struct Session {
     AxisCompensator compensator;
 };
 
-/// Readings a fifth of a second apart: a standstill of four seconds has enough for its ten.
+/// Readings a tenth of a second apart: enough to see the axis turn beyond the last target, and for
+/// a value in a standstill of three seconds.
 Result<void> capture(
     Session& session, const MachineLoop::Fault& fault, const std::filesystem::path& file)
 {
@@ -117,8 +119,8 @@ Result<void> capture(
     session.milliseconds = std::chrono::milliseconds(beginning).count() - 500;
     const double seconds =
         ProgramMotion(session.plan, session.plan.steps.front().approach).endSeconds() + 60.0;
-    for (int n = 0; n < static_cast<int>(5.0 * seconds); ++n) {
-        session.milliseconds += 200;
+    for (int n = 0; n < static_cast<int>(10.0 * seconds); ++n) {
+        session.milliseconds += 100;
         if (fault.isSwitchedOff && run.taken() == 100) {
             session.isPassing = true;
             AXISCOMP_CHECK(session.compensator.deactivate(0));
@@ -158,7 +160,7 @@ Result<Measurement> MachineLoop::measure(
 {
     ++m_measurements;
     Session session(m_kind, machineOf(m_seed * 10 + m_measurements),
-        planOf(m_seed * 10 + m_measurements), m_folder.path().toStdString());
+        planOf(m_seed * 10 + m_measurements, m_size), m_folder.path().toStdString());
     if (table)
         AXISCOMP_CHECK(session.use(*table));
     const std::filesystem::path file =

@@ -18,15 +18,28 @@ namespace axiscomp::test {
 /// is written to it, and other targets.
 class MachineLoop {
 public:
+    struct Size {
+        int targets = 51;
+        int cycles = 5; ///< runs in each direction
+    };
     /// seed: of the noise of the machine and of the targets.
-    MachineLoop(AttachmentKind kind, std::uint64_t seed) : m_kind(std::move(kind)), m_seed(seed) { }
+    MachineLoop(AttachmentKind kind, std::uint64_t seed, Size size)
+        : m_kind(std::move(kind))
+        , m_seed(seed)
+        , m_size(size)
+    {
+    }
+    MachineLoop(AttachmentKind kind, std::uint64_t seed)
+        : MachineLoop(std::move(kind), seed, Size{})
+    {
+    }
 
     /// What goes wrong on the way; by default nothing.
     struct Fault {
         bool isInstrumentInverted = false; ///< the user says so, and it is not
         bool isSwitchedOff = false; ///< the compensation, in the middle of a measurement
     };
-    /// 51 targets, 5 runs in each direction, with the table written and active, or without one.
+    /// With the table written and active, or without one.
     /// Errors: those of writing, activating, the proof and capturing, MeasurementState when the
     /// capture stops.
     [[nodiscard]] Result<Measurement> measure(const std::optional<CompensationTable>& table = {})
@@ -45,6 +58,7 @@ public:
 private:
     AttachmentKind m_kind;
     std::uint64_t m_seed;
+    Size m_size;
     std::uint64_t m_measurements = 0; ///< so far: each has its own targets
     QTemporaryDir m_folder;
 };

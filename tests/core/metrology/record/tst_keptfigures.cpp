@@ -84,7 +84,7 @@ private Q_SLOTS:
             RecordedVerdict{{{{Iso230Figure::A, 0.005}, 0.0032, {}, VerdictResult::Passed},
                 {{Iso230Figure::M, 0.001}, 0.0011, {}, VerdictResult::Failed}}};
         QCOMPARE(sentenceOf(record),
-            std::string("measured 2026-11-24: mean bidirectional deviation M 11.000 um before, "
+            std::string("measured 2026-11-24: range of the mean deviation M 11.000 um before, "
                         "1.100 um after (tolerance 1.000 um: failed); accuracy A 14.300 um before, "
                         "3.200 um after (tolerance 5.000 um: passed)"));
         QCOMPARE(measuredFiguresCell(*figuresToKeep(record, {})).english(),

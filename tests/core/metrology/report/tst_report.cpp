@@ -318,7 +318,7 @@ private Q_SLOTS:
         QVERIFY(!html.contains(QStringLiteral("<script>")));
         QVERIFY(!html.contains(QStringLiteral("<b>")));
         QVERIFY(html.contains(
-            QStringLiteral("&lt;script&gt;alert(&quot;1&quot;)&lt;/script&gt; &amp; 'Co'")));
+            QStringLiteral("&lt;script&gt;alert(&quot;1&quot;)&lt;/script&gt; &amp; &apos;Co&apos;")));
     }
 
     void anglesAreInArcSeconds()
