@@ -188,6 +188,8 @@ void CompensationWizard::Private::connectParts()
     connect(menu, &PageMenu::overviewRequested, &q, [this] { showOverview(); });
     connect(menu, &PageMenu::saveLogRequested, &q, [this] { files.saveLog(page->log->text()); });
     connect(measure, &MeasurePage::addRequested, &q, [this] { files.askForMeasurements(); });
+    connect(judge, &JudgePage::deadPathRequested, &files, &FileActions::askForDeadPath);
+    connect(&files, &FileActions::deadPathChosen, judge, &JudgePage::readDeadPath);
     connect(measure, &MeasurePage::saveRequested, &q, [this] { saveMeasurement(); });
     connect(&files, &FileActions::measurementSaved, measure, &MeasurePage::showSaved);
     connect(&files, &FileActions::measurementsChosen, &record, &RecordModel::addFiles);

@@ -7,6 +7,7 @@
 #include "ui/record/record_model.h"
 #include "ui/style/plain_label.h"
 #include "ui/style/tone_label.h"
+#include "ui/tabs/corrections_dialog.h"
 #include "ui/tabs/judge_outlook.h"
 #include "ui/tabs/judgement_table.h"
 #include "ui/tabs/limit_fields.h"
@@ -17,6 +18,7 @@
 
 #include <QBoxLayout>
 #include <QCheckBox>
+#include <QPushButton>
 #include <QScrollArea>
 #include <QShortcut>
 #include <QSplitter>
@@ -41,6 +43,8 @@ JudgePage::JudgePage(RecordModel& record, QWidget* parent)
     , m_outliers(new OutlierList(record))
     , m_nextStep(new NextStep(QStringLiteral("judgeHint")))
     , m_limitsTitle(new PlainLabel)
+    , m_correctionsText(new PlainLabel)
+    , m_corrections(new QPushButton)
     , m_heading(new ToneLabel)
     , m_showsAll(new QCheckBox)
     , m_plot(new DeviationPlot)
@@ -78,6 +82,13 @@ QWidget* JudgePage::buildLeft()
     fieldLayout->addWidget(m_limitsTitle);
     fieldLayout->addWidget(m_limits);
     fieldLayout->addWidget(m_outliers, 1);
+    m_correctionsText->setObjectName(QStringLiteral("correctionsText"));
+    m_correctionsText->setWordWrap(true);
+    m_corrections->setObjectName(QStringLiteral("corrections"));
+    auto* corrections = new QHBoxLayout;
+    corrections->addWidget(m_correctionsText, 1);
+    corrections->addWidget(m_corrections);
+    fieldLayout->addLayout(corrections);
     auto* scroll = new QScrollArea;
     scroll->setObjectName(QStringLiteral("judgeScroll"));
     scroll->setFrameShape(QFrame::NoFrame);
@@ -153,6 +164,7 @@ void JudgePage::connectParts()
     auto* key = new QShortcut(QKeySequence::Delete, &m_plot->picture());
     key->setContext(Qt::WidgetShortcut);
     connect(key, &QShortcut::activated, m_outliers, &OutlierList::exclude);
+    connect(m_corrections, &QPushButton::clicked, this, &JudgePage::askForCorrections);
     connect(m_showsAll, &QCheckBox::toggled, this, [this](bool showsAll) {
         m_targets->setShowsAll(showsAll);
         showPlots();
@@ -167,6 +179,10 @@ void JudgePage::retranslate()
     m_showsAll->setText(tr("All &values"));
     m_showsAll->setToolTip(tr("Show plot and targets as if nothing were excluded"));
     m_showsAll->setAccessibleDescription(m_showsAll->toolTip());
+    m_corrections->setText(tr("&Corrections…"));
+    m_corrections->setToolTip(
+        tr("Bring the values to 20 °C, or correct them for the dead path of an interferometer"));
+    m_corrections->setAccessibleDescription(m_corrections->toolTip());
     m_plots->setTabText(0, tr("Deviation"));
     m_plots->setTabText(1, tr("Drift"));
     m_plots->tabBar()->setAccessibleName(tr("Plots"));
@@ -202,7 +218,41 @@ void JudgePage::follow()
     if (!m_showsAll->isEnabled())
         m_showsAll->setChecked(false);
     showHeading();
+    showCorrections();
     showPlots();
+}
+
+void JudgePage::showCorrections()
+{
+    const RecordState& state = m_record.state();
+    m_corrections->setEnabled(!state.files.empty() && !m_record.record().files.empty());
+    QStringList made;
+    for (const Text& text : correctionTexts(
+             state.record.corrections, state.largestByTemperature, state.largestByDeadPath))
+        made += sentenceText(text);
+    m_correctionsText->setText(
+        state.measurement && !made.isEmpty() ? made.join(u' ') : tr("No corrections."));
+}
+
+/// Of the first file: as read, before anything was made of it.
+void JudgePage::askForCorrections()
+{
+    const auto& files = m_record.state().files;
+    const Measurement* measurement = files.empty() ? nullptr : files.front().measurement();
+    if (!measurement)
+        return;
+    m_correctionsDialog = new CorrectionsDialog(*measurement, m_record.record().corrections, this);
+    connect(m_correctionsDialog, &CorrectionsDialog::deadPathRequested, this,
+        &JudgePage::deadPathRequested);
+    connect(
+        m_correctionsDialog, &CorrectionsDialog::chosen, &m_record, &RecordModel::setCorrections);
+    m_correctionsDialog->open();
+}
+
+void JudgePage::readDeadPath(const QString& path)
+{
+    if (m_correctionsDialog)
+        m_correctionsDialog->readDeadPath(path);
 }
 
 /// What the figures are, before anybody reads them.

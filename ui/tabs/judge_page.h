@@ -4,6 +4,7 @@
 #include "core/metrology/run_selection.h"
 #include "ui/page/page_tabs.h"
 
+#include <QPointer>
 #include <QWidget>
 
 #include <optional>
@@ -11,12 +12,14 @@
 
 class QCheckBox;
 class QLabel;
+class QPushButton;
 class QSplitter;
 class QTableView;
 class QTabWidget;
 
 namespace axiscomp::ui {
 
+class CorrectionsDialog;
 class DeviationPlot;
 class DriftPlot;
 class JudgementTableModel;
@@ -38,6 +41,11 @@ public:
 
     void retranslate();
     [[nodiscard]] PageTabs::Mark mark() const;
+    /// The file that the user has chosen for the corrections.
+    void readDeadPath(const QString& path);
+
+Q_SIGNALS:
+    void deadPathRequested(); ///< the user wants to choose its file
 
 protected:
     void showEvent(QShowEvent* event) override;
@@ -55,6 +63,8 @@ private:
     void follow();
     void showPlots();
     void showHeading();
+    void showCorrections();
+    void askForCorrections();
     void select(const std::optional<Exclusion>& values);
 
     RecordModel& m_record;
@@ -67,6 +77,9 @@ private:
     OutlierList* m_outliers;
     NextStep* m_nextStep;
     QLabel* m_limitsTitle;
+    QLabel* m_correctionsText;
+    QPushButton* m_corrections;
+    QPointer<CorrectionsDialog> m_correctionsDialog;
     ToneLabel* m_heading;
     QCheckBox* m_showsAll;
     DeviationPlot* m_plot;

@@ -8,6 +8,7 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QGroupBox>
 #include <QTabWidget>
 #include <QTableView>
 #include <QTest>
@@ -250,6 +251,74 @@ private Q_SLOTS:
         QCOMPARE(currentRow(bench, "runDrift"), 1);
         bench.user.press(Qt::Key_Down);
         QCOMPARE(currentRow(bench, "runDrift"), 6);
+    }
+
+    void valuesAreBroughtTo20DegreesWhenAskedFor()
+    {
+        PageFixture bench;
+        const QString path = bench.file(QStringLiteral("warm.csv"),
+            "// material temperature: 22.5\ntarget [mm],direction,run,deviation [um]\n"
+            "0,+,1,0\n500,+,1,0\n0,-,1,0\n500,-,1,0\n");
+        QVERIFY(judgeFile(bench, path));
+        QTRY_COMPARE(cell(bench, "figures", 11, 2), QStringLiteral("0.00")); // M
+        QVERIFY(bench.user.click("corrections"));
+        QTRY_VERIFY(bench.user.sees("correctionsDialog"));
+        // The file's temperature is proposed, and nothing is assumed.
+        QCOMPARE(bench.user.the<QLineEdit>("materialTemperature").text(), QStringLiteral("22.5"));
+        QVERIFY(bench.user.the<QLineEdit>("materialExpansion").text().isEmpty());
+        QVERIFY(!bench.user.the<QGroupBox>("temperatureCorrection").isChecked());
+        bench.user.the<QGroupBox>("temperatureCorrection").setChecked(true);
+        QVERIFY(bench.user.click("acceptCorrections"));
+        QVERIFY(bench.user.the<QLabel>("correctionProblem")
+                    .text()
+                    .startsWith(QStringLiteral("Enter temperatures")));
+        QVERIFY(bench.user.click("steelExpansion"));
+        QCOMPARE(bench.user.the<QLineEdit>("materialExpansion").text(), QStringLiteral("11.5"));
+        QVERIFY(bench.user.click("acceptCorrections"));
+        QVERIFY(bench.user.the<QLabel>("correctionProblem")
+                    .text()
+                    .startsWith(QStringLiteral("The file does not say")));
+        QVERIFY(bench.user.click("notCorrected"));
+        QVERIFY(bench.user.click("acceptCorrections"));
+        // 500 mm * 11.5e-6/K * 2.5 K
+        QTRY_COMPARE(cell(bench, "figures", 11, 2), QStringLiteral("14.37"));
+        QVERIFY(bench.user.the<QLabel>("correctionsText")
+                    .text()
+                    .contains(QStringLiteral("11.5 µm/(m·K): values changed by up to 14.37 µm")));
+        bench.user.the("outliers").setFocus();
+        bench.user.press(Qt::Key_Z, Qt::ControlModifier);
+        QTRY_COMPARE(cell(bench, "figures", 11, 2), QStringLiteral("0.00"));
+        QCOMPARE(
+            bench.user.the<QLabel>("correctionsText").text(), QStringLiteral("No corrections."));
+    }
+
+    void aDeadPathIsReadFromItsFile()
+    {
+        PageFixture bench;
+        QVERIFY(judgeFile(bench,
+            bench.file(QStringLiteral("laser.csv"),
+                "target [mm],direction,run,deviation [um]\n0,+,1,0\n500,+,1,0\n")));
+        QTRY_VERIFY(modelOf(bench, "figures").rowCount() > 0);
+        QVERIFY(bench.user.click("corrections"));
+        QTRY_VERIFY(bench.user.sees("correctionsDialog"));
+        bench.picked = bench.file(QStringLiteral("bad.json"), "{}");
+        QVERIFY(bench.user.click("openDeadPath"));
+        QCOMPARE(bench.questions.back().purpose, FileQuestion::Purpose::OpenDeadPath);
+        QTRY_VERIFY(bench.user.the<QLabel>("correctionProblem")
+                        .text()
+                        .contains(QStringLiteral("bad.json")));
+        bench.picked = bench.file(QStringLiteral("dead-path.json"),
+            R"({"length": 300, "atZero": {"pressure": 101.325, "temperature": 20, "humidity": 50},
+                "runs": [{"direction": "up", "run": 1,
+                          "air": {"pressure": 101.325, "temperature": 22, "humidity": 50}}]})");
+        QVERIFY(bench.user.click("openDeadPath"));
+        QTRY_COMPARE(bench.user.the<QLabel>("deadPathText").text(),
+            QStringLiteral("300 mm; runs with their air: 1"));
+        QVERIFY(bench.user.click("acceptCorrections"));
+        QTRY_VERIFY(
+            bench.user.the<QLabel>("correctionsText")
+                .text()
+                .startsWith(QStringLiteral("Dead path of 300 mm: values changed by up to ")));
     }
 
     void aTrackHasNoFiguresAndIsToldWhatToDo()
