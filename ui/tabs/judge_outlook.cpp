@@ -20,19 +20,24 @@ struct OutlookTexts {
     Q_DECLARE_TR_FUNCTIONS(JudgeOutlook)
 };
 
+/// What a table can do about a figure is in docs/metrology.md: nothing about reversal and spread.
 QString ofVerdict(const Verdict& verdict, bool isAngular)
 {
     const QString figure = translated(figureText(verdict.tolerance.figure));
     const QString tolerance = amountText(verdict.tolerance.value, isAngular);
     if (!verdict.value)
-        return OutlookTexts::tr("The %1 is not defined, so that its tolerance %2 cannot be met.")
-            .arg(figure, tolerance);
-    const QString words = verdict.result == VerdictResult::Failed
-        ? OutlookTexts::tr("The %1 is %2, above its tolerance %3. Go on to Fit for a table that "
-                           "makes it smaller.")
-        : OutlookTexts::tr("The %1 is %2, nearer to its tolerance %3 than the uncertainty: that is "
-                           "undecided.");
-    return words.arg(figure, fineText(*verdict.value, isAngular), tolerance);
+        return asSentence(
+            OutlookTexts::tr("%1: not defined, so that the tolerance %2 cannot be met.")
+                .arg(figure, tolerance));
+    const QString words = verdict.result == VerdictResult::Undecided
+        ? OutlookTexts::tr("%1: %2, nearer to the tolerance %3 than the uncertainty. That is "
+                           "undecided.")
+        : isRange(verdict.tolerance.figure)
+        ? OutlookTexts::tr("%1: %2, above the tolerance %3. Go on to Fit: a table may make it "
+                           "smaller.")
+        : OutlookTexts::tr("%1: %2, above the tolerance %3. No table makes it smaller: look at the "
+                           "mechanics.");
+    return asSentence(words.arg(figure, fineText(*verdict.value, isAngular), tolerance));
 }
 
 /// What a person should look at first; empty: nothing is wrong.

@@ -138,7 +138,7 @@ void LimitFields::retranslate()
                                             : QStringLiteral("U");
         field.label->setText(u'&' + symbol);
         field.edit->setAccessibleName(field.figure
-                ? tr("Tolerance of the %1").arg(translated(figureText(*field.figure)))
+                ? tr("Tolerance: %1").arg(translated(figureText(*field.figure)))
                 : tr("Uncertainty U, k = 2"));
         describe(field);
     }

@@ -113,17 +113,20 @@ private Q_SLOTS:
         QTRY_COMPARE(cell(bench, "figures", 0, 3), QStringLiteral("10.00"));
         QCOMPARE(cell(bench, "figures", 0, 4), QStringLiteral("failed, uncertainty not stated"));
         QCOMPARE(hint(bench),
-            QStringLiteral("The accuracy A is 18.57 µm, above its tolerance 10 µm. Go on to Fit "
-                           "for a table that makes it smaller."));
+            QStringLiteral("Accuracy A: 18.57 µm, above the tolerance 10 µm. Go on to Fit: a table "
+                           "may make it smaller."));
         QCOMPARE(tabsOf(bench).mark(PageTabs::Judge), PageTabs::Mark::Warning);
         QVERIFY(bench.user.enter("toleranceA", QStringLiteral("0.0195 mm")));
         QTRY_VERIFY(cell(bench, "figures", 0, 4).startsWith(QStringLiteral("passed")));
         QCOMPARE(bench.user.the<QLineEdit>("toleranceA").text(), QStringLiteral("19.5 µm"));
         QVERIFY(bench.user.enter("uncertainty", QStringLiteral("2")));
         QTRY_COMPARE(cell(bench, "figures", 0, 4), QStringLiteral("undecided, U 2.00 µm"));
-        QVERIFY(hint(bench).endsWith(QStringLiteral("that is undecided.")));
+        QVERIFY(hint(bench).endsWith(QStringLiteral("That is undecided.")));
         QVERIFY(bench.user.enter("toleranceA", QString()));
         QTRY_COMPARE(cell(bench, "figures", 0, 4), QStringLiteral("–"));
+        // What no table can do is not asked of one.
+        QVERIFY(bench.user.enter("toleranceR", QStringLiteral("1")));
+        QTRY_VERIFY(hint(bench).endsWith(QStringLiteral("look at the mechanics.")));
     }
 
     void whatIsNoAmountIsNotTaken()
