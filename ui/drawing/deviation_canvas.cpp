@@ -65,7 +65,6 @@ struct DeviationCanvas::Private {
     QCustomPlot* plot;
     MeasurementInks inks;
     QSharedPointer<ValueTicker> ticker{new ValueTicker};
-    QCPLegend* legend = nullptr;
     std::vector<DeviationSeries> series;
     std::optional<DeviationPlace> selected;
     FineUnit unit;
@@ -97,6 +96,13 @@ struct DeviationCanvas::Private {
             return one.measurement->targets.size() > DeviationSeries::mostPoints;
         });
     }
+    /// Where there are too many points to draw those that nobody sees.
+    [[nodiscard]] std::span<const PlacedDeviation> toDraw(
+        const std::vector<PlacedDeviation>& curve) const
+    {
+        return isDense() ? within(curve, plot->xAxis->range())
+                         : std::span<const PlacedDeviation>(curve);
+    }
     [[nodiscard]] bool isFirstOfTwo(std::size_t number) const
     {
         return series.size() > 1 && number == 0;
@@ -114,9 +120,10 @@ struct DeviationCanvas::Private {
         const double lowest = std::max(sight.top() + arrow, sight.bottom() - arrow);
         return {place.x(), std::clamp(place.y(), sight.top() + arrow, lowest)};
     }
+    /// Dashes through many points are slow to paint.
     [[nodiscard]] QPen pen(std::size_t number, const QColor& color, double width) const
     {
-        return {color, width, isFirstOfTwo(number) ? Qt::DashLine : Qt::SolidLine};
+        return {color, width, isFirstOfTwo(number) && !isDense() ? Qt::DashLine : Qt::SolidLine};
     }
     [[nodiscard]] QString named(std::size_t number, const QString& text) const
     {
@@ -143,7 +150,6 @@ DeviationCanvas::DeviationCanvas(QWidget* parent)
     plot.axisRect()->setupFullAxesBox(true);
     plot.yAxis->setTicker(d->ticker);
     // Below the picture: over it there is no place that is always free.
-    d->legend = plot.legend;
     plot.axisRect()->insetLayout()->take(plot.legend);
     plot.plotLayout()->addElement(1, 0, plot.legend);
     plot.plotLayout()->setRowStretchFactor(1, 0.001);
@@ -215,7 +221,7 @@ void DeviationCanvas::addSeries(std::size_t number)
     const auto graph = [&](const std::vector<PlacedDeviation>& curve, const QPen& pen) {
         QCPGraph* added = d->plot->addGraph();
         added->removeFromLegend();
-        fill(*added, within(curve, d->plot->xAxis->range()));
+        fill(*added, d->toDraw(curve));
         added->setPen(pen);
         return added;
     };
@@ -269,7 +275,7 @@ void DeviationCanvas::addRuns(std::size_t number)
         QCPGraph* graph = d->plot->addGraph();
         graph->removeFromLegend();
         graph->setPen(QPen(d->inks.run, 0.0));
-        fill(*graph, within(curve, d->plot->xAxis->range()));
+        fill(*graph, d->toDraw(curve));
         return graph;
     };
     if (curves.valueCount > DeviationSeries::mostPoints) {

@@ -14,7 +14,7 @@ namespace axiscomp::ui {
 struct DeviationSeries {
     /// Values that are drawn as runs; of more the smallest and the largest at each target are. So
     /// many points of a curve are drawn at once.
-    static constexpr std::size_t mostPoints = 4000;
+    static constexpr std::size_t mostPoints = 2000;
 
     QString name; ///< "before"; empty where there is but one
     std::shared_ptr<const Measurement> measurement; ///< null: there is none

@@ -215,8 +215,10 @@ private Q_SLOTS:
         QTest::qWait(50);
         bench.press(Qt::Key_Right);
         bench.press(Qt::Key_Up);
-        for (int i = 0; i < 20; ++i)
+        for (int i = 0; i < 20; ++i) {
             bench.press(Qt::Key_Plus);
+            QTest::qWait(1); // a person does not press twice in one event
+        }
         QTest::mouseClick(bench.plot, Qt::LeftButton, {}, bench.plot->axisRect()->center());
         QTest::qWait(50);
         bench.press(Qt::Key_Home);

