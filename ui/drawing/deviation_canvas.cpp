@@ -22,7 +22,8 @@ constexpr std::size_t mostDots = 600; ///< of single values
 constexpr std::size_t mostMarks = 2000; ///< of values that are excluded or proposed
 constexpr std::size_t mostThickPoints = 2000; ///< a wide line through more is slow to paint
 constexpr double bracketSpacing = 20.0; // pixels
-constexpr int legendColumns = 8;
+constexpr int widestLegend = 6; ///< of more, every row has fewer
+constexpr int legendColumns = 4;
 
 /// The points within a range of positions, and one on either side.
 std::span<const PlacedDeviation> within(
@@ -155,8 +156,7 @@ DeviationCanvas::DeviationCanvas(QWidget* parent)
     plot.plotLayout()->setRowStretchFactor(1, 0.001);
     plot.legend->setVisible(true);
     plot.legend->setFillOrder(QCPLegend::foColumnsFirst);
-    plot.legend->setWrap(legendColumns);
-    plot.legend->setMargins(QMargins(4, 0, 4, 0));
+    plot.legend->setMargins(QMargins(4, 0, 4, 4));
     plot.legend->setIconSize(24, 12);
     const auto paint = [&plot](const char* layer, PaintedItem::Paint paint, bool isClipped = true) {
         auto* item = new PaintedItem(plot, layer, std::move(paint));
@@ -218,22 +218,26 @@ void DeviationCanvas::addSeries(std::size_t number)
 {
     const DeviationSeries& series = d->series[number];
     const DeviationCurves& curves = d->curvesOf(number);
+    // Smooth lines and areas of many points are slow to paint, above all where they go up and down.
+    const bool isDense = series.measurement->targets.size() > mostThickPoints;
     const auto graph = [&](const std::vector<PlacedDeviation>& curve, const QPen& pen) {
         QCPGraph* added = d->plot->addGraph();
         added->removeFromLegend();
         fill(*added, d->toDraw(curve));
         added->setPen(pen);
+        added->setAntialiased(!isDense);
         return added;
     };
-    const bool isDense = series.measurement->targets.size() > mostThickPoints;
     const double thin = isDense ? 0.0 : 1.0;
     QCPGraph* high = graph(curves.up.high, d->pen(number, d->inks.up, 0.0));
     QCPGraph* low = graph(curves.up.low, d->pen(number, d->inks.up, 0.0));
     QColor band = d->inks.up;
     constexpr int seeThrough = 40;
     band.setAlpha(seeThrough);
-    high->setBrush(band);
-    high->setChannelFillGraph(low);
+    if (!isDense) {
+        high->setBrush(band);
+        high->setChannelFillGraph(low);
+    }
     for (const auto* limit : {&curves.down.low, &curves.down.high})
         graph(*limit, QPen(d->inks.down, thin, isDense ? Qt::SolidLine : Qt::DotLine));
     addRuns(number);
@@ -275,6 +279,7 @@ void DeviationCanvas::addRuns(std::size_t number)
         QCPGraph* graph = d->plot->addGraph();
         graph->removeFromLegend();
         graph->setPen(QPen(d->inks.run, 0.0));
+        graph->setAntialiased(curves.valueCount <= DeviationSeries::mostPoints);
         fill(*graph, d->toDraw(curve));
         return graph;
     };
@@ -334,6 +339,8 @@ void DeviationCanvas::addLegend()
     if (has(false))
         add(tr("proposed for exclusion"), Qt::NoPen,
             Shape(Shape::ssCircle, QPen(d->inks.doubtful, 1.5), Qt::NoBrush, 10));
+    QCPLegend* legend = d->plot->legend;
+    legend->setWrap(legend->itemCount() > widestLegend ? legendColumns : widestLegend);
 }
 
 /// The view stays while it shows the same targets and deviations.

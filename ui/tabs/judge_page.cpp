@@ -18,6 +18,7 @@
 
 #include <QBoxLayout>
 #include <QCheckBox>
+#include <QHeaderView>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QShortcut>
@@ -67,7 +68,7 @@ void JudgePage::build()
     columns->addWidget(buildRight());
     columns->setStretchFactor(0, 0);
     columns->setStretchFactor(1, 1);
-    columns->setSizes({400, 856});
+    columns->setSizes({456, 800});
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(columns);
@@ -116,9 +117,9 @@ QWidget* JudgePage::buildRight()
     m_views->setObjectName(QStringLiteral("judgeTabs"));
     m_views->setDocumentMode(true);
     addTable("figures", new FiguresModel(m_record, this));
-    addTable("targetFigures", m_targets);
-    addTable("runDrift", new RunDriftModel(m_record, this));
-    addTable("drift", new DriftModel(m_record, this));
+    addTable("targetFigures", m_targets, true);
+    addTable("runDrift", new RunDriftModel(m_record, this), true);
+    addTable("drift", new DriftModel(m_record, this), true);
     addTable("conditions", new ConditionsModel(m_record, this));
     addTable("judgeWarnings", new JudgeWarningsModel(m_record, this));
     auto* top = new QHBoxLayout;
@@ -140,9 +141,11 @@ QWidget* JudgePage::buildRight()
     return right;
 }
 
-void JudgePage::addTable(const char* name, JudgementTableModel* model)
+void JudgePage::addTable(const char* name, JudgementTableModel* model, bool endsWithNumber)
 {
     QTableView* view = newJudgementTable(name, *model);
+    // A number would stand far away from the others.
+    view->horizontalHeader()->setStretchLastSection(!endsWithNumber);
     m_tables.push_back({model, view});
     m_views->addTab(view, QString());
     connect(view->selectionModel(), &QItemSelectionModel::currentRowChanged, this,

@@ -59,7 +59,7 @@ private:
     [[nodiscard]] QWidget* buildLeft();
     [[nodiscard]] QWidget* buildRight();
     void connectParts();
-    void addTable(const char* name, JudgementTableModel* model);
+    void addTable(const char* name, JudgementTableModel* model, bool endsWithNumber = false);
     void follow();
     void showPlots();
     void showHeading();
