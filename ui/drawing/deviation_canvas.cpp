@@ -158,6 +158,7 @@ DeviationCanvas::DeviationCanvas(QWidget* parent)
     plot.legend->setFillOrder(QCPLegend::foColumnsFirst);
     plot.legend->setMargins(QMargins(4, 0, 4, 4));
     plot.legend->setIconSize(24, 12);
+    letLegendBeWide(*plot.legend);
     const auto paint = [&plot](const char* layer, PaintedItem::Paint paint, bool isClipped = true) {
         auto* item = new PaintedItem(plot, layer, std::move(paint));
         item->setClipToAxisRect(isClipped);
@@ -206,6 +207,7 @@ void DeviationCanvas::draw()
     for (std::size_t number = 0; number < d->series.size(); ++number)
         addSeries(number);
     addLegend();
+    d->plot->axisRect()->setVisible(!d->series.empty());
 }
 
 void DeviationCanvas::drawAgainIfDense()

@@ -43,6 +43,12 @@ MeasurementInks::MeasurementInks(const QPalette& palette)
 {
 }
 
+void letLegendBeWide(QCPLegend& legend)
+{
+    constexpr int beyondAnyScreen = 100'000; // pixels
+    legend.setMaximumSize(QSize(beyondAnyScreen, beyondAnyScreen));
+}
+
 void stylePlot(QCustomPlot& plot, const MeasurementInks& inks)
 {
     plot.setBackground(inks.base);

@@ -5,6 +5,7 @@
 #include <QPalette>
 
 class QCPAxis;
+class QCPLegend;
 class QCustomPlot;
 
 namespace axiscomp::ui {
@@ -26,6 +27,8 @@ struct MeasurementInks {
     QColor selected;
 };
 
+/// Of a legend below the axes, which would otherwise be as narrow as it is.
+void letLegendBeWide(QCPLegend& legend);
 /// Background, axes, and legend where there is one.
 void stylePlot(QCustomPlot& plot, const MeasurementInks& inks);
 

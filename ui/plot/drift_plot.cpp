@@ -76,7 +76,9 @@ void DriftPlot::build()
     m_plot->plotLayout()->setRowStretchFactor(1, 0.001);
     m_plot->legend->setFillOrder(QCPLegend::foColumnsFirst);
     m_plot->legend->setMargins(QMargins(4, 0, 4, 0));
-    m_plot->legend->setVisible(true);
+    m_plot->legend->setVisible(false);
+    letLegendBeWide(*m_plot->legend);
+    m_plot->axisRect()->setVisible(false);
     m_readout->setObjectName(QStringLiteral("driftReadout"));
     m_readout->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_readout->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
@@ -126,6 +128,8 @@ void DriftPlot::setJudgement(std::shared_ptr<const Judgement> judgement, bool is
     m_unit = fineUnit(shown, isAngular);
     qSharedPointerCast<ValueTicker>(m_plot->yAxis->ticker())->setFactor(m_unit.factor);
     const double room = largest > 0.0 ? 1.15 * largest : 0.5 / m_unit.factor;
+    m_plot->axisRect()->setVisible(m_judgement != nullptr);
+    m_plot->legend->setVisible(m_judgement != nullptr);
     m_plot->xAxis->setRange(0.5, lastRun + 0.5);
     m_plot->yAxis->setRange(-room, room);
     colour();

@@ -192,7 +192,7 @@ QString FiguresModel::vdiText(int row, Cell cell) const
     if (cell == Cell::Symbol)
         return symbol;
     if (cell == Cell::Meaning)
-        return tr("VDI/DGQ 3441 (assumption: its text was not at hand)");
+        return tr("VDI/DGQ 3441 (assumption)");
     if (cell == Cell::Value)
         return FineScale(unitOfFigures(state())).text(value);
     return cell == Cell::Places ? QString() : noFigure();

@@ -18,7 +18,6 @@
 
 #include <QBoxLayout>
 #include <QCheckBox>
-#include <QHeaderView>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QShortcut>
@@ -117,9 +116,9 @@ QWidget* JudgePage::buildRight()
     m_views->setObjectName(QStringLiteral("judgeTabs"));
     m_views->setDocumentMode(true);
     addTable("figures", new FiguresModel(m_record, this));
-    addTable("targetFigures", m_targets, true);
-    addTable("runDrift", new RunDriftModel(m_record, this), true);
-    addTable("drift", new DriftModel(m_record, this), true);
+    addTable("targetFigures", m_targets);
+    addTable("runDrift", new RunDriftModel(m_record, this));
+    addTable("drift", new DriftModel(m_record, this));
     addTable("conditions", new ConditionsModel(m_record, this));
     addTable("judgeWarnings", new JudgeWarningsModel(m_record, this));
     auto* top = new QHBoxLayout;
@@ -144,8 +143,6 @@ QWidget* JudgePage::buildRight()
 void JudgePage::addTable(const char* name, JudgementTableModel* model, bool endsWithNumber)
 {
     QTableView* view = newJudgementTable(name, *model);
-    // A number would stand far away from the others.
-    view->horizontalHeader()->setStretchLastSection(!endsWithNumber);
     m_tables.push_back({model, view});
     m_views->addTab(view, QString());
     connect(view->selectionModel(), &QItemSelectionModel::currentRowChanged, this,

@@ -24,7 +24,6 @@ QTableView* newJudgementTable(const char* name, JudgementTableModel& model)
     table->verticalHeader()->setDefaultSectionSize(table->fontMetrics().height() + 6);
     table->horizontalHeader()->setHighlightSections(false);
     table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    table->horizontalHeader()->setStretchLastSection(true);
     // Of a million rows some are enough to know how wide a column is.
     table->horizontalHeader()->setResizeContentsPrecision(20);
     return table;

@@ -12,6 +12,7 @@
 #include <QLineEdit>
 
 #include <algorithm>
+#include <array>
 
 namespace axiscomp::ui {
 
@@ -20,7 +21,14 @@ namespace {
 using F = Iso230Figure;
 constexpr std::array<std::optional<F>, 6> limitedFigures{
     F::A, F::E, F::M, F::B, F::R, std::nullopt};
-constexpr int fieldsInARow = 3;
+constexpr int fieldsInARow = 2;
+/// In the same order; each has a key of its own on the page.
+constexpr std::array labels{QT_TRANSLATE_NOOP("axiscomp::ui::LimitFields", "&Accuracy A"),
+    QT_TRANSLATE_NOOP("axiscomp::ui::LimitFields", "Systematic &E"),
+    QT_TRANSLATE_NOOP("axiscomp::ui::LimitFields", "Range of means &M"),
+    QT_TRANSLATE_NOOP("axiscomp::ui::LimitFields", "Reversal &B"),
+    QT_TRANSLATE_NOOP("axiscomp::ui::LimitFields", "Repeatab&ility R"),
+    QT_TRANSLATE_NOOP("axiscomp::ui::LimitFields", "&Uncertainty U")};
 
 } // namespace
 
@@ -51,7 +59,7 @@ LimitFields::LimitFields(RecordModel& record, QWidget* parent)
     m_problem->setObjectName(QStringLiteral("limitProblem"));
     m_problem->setTone(Tone::Error);
     m_problem->setWordWrap(true);
-    layout->addWidget(m_problem, 2, 0, 1, 2 * fieldsInARow);
+    layout->addWidget(m_problem, layout->rowCount(), 0, 1, 2 * fieldsInARow);
     m_problem->hide();
     connect(&record, &RecordModel::changed, this, &LimitFields::follow);
     connect(&record, &RecordModel::stateChanged, this, &LimitFields::follow);
@@ -133,10 +141,9 @@ void LimitFields::describe(const Field& field)
 
 void LimitFields::retranslate()
 {
-    for (const Field& field : m_fields) {
-        const QString symbol = field.figure ? QString::fromLatin1(figureName(*field.figure).data())
-                                            : QStringLiteral("U");
-        field.label->setText(u'&' + symbol);
+    for (std::size_t i = 0; i < m_fields.size(); ++i) {
+        const Field& field = m_fields[i];
+        field.label->setText(tr(labels.at(i)));
         field.edit->setAccessibleName(field.figure
                 ? tr("Tolerance: %1").arg(translated(figureText(*field.figure)))
                 : tr("Uncertainty U, k = 2"));
