@@ -140,7 +140,7 @@ QWidget* JudgePage::buildRight()
     return right;
 }
 
-void JudgePage::addTable(const char* name, JudgementTableModel* model, bool endsWithNumber)
+void JudgePage::addTable(const char* name, JudgementTableModel* model)
 {
     QTableView* view = newJudgementTable(name, *model);
     m_tables.push_back({model, view});

@@ -59,7 +59,7 @@ private:
     [[nodiscard]] QWidget* buildLeft();
     [[nodiscard]] QWidget* buildRight();
     void connectParts();
-    void addTable(const char* name, JudgementTableModel* model, bool endsWithNumber = false);
+    void addTable(const char* name, JudgementTableModel* model);
     void follow();
     void showPlots();
     void showHeading();

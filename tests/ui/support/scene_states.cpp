@@ -9,6 +9,7 @@
 #include <QAction>
 #include <QComboBox>
 #include <QDialog>
+#include <QGroupBox>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -830,6 +831,23 @@ void judgeOutliers(PageScene& scene)
     QTest::qWait(200);
 }
 
+/// Corrections that lack a coefficient.
+void judgeCorrections(PageScene& scene)
+{
+    measureEmpty(scene);
+    addMeasurement(scene,
+        scene.stage().file(QStringLiteral("warm.csv"),
+            "// material temperature: 22.5\ntarget [mm],direction,run,deviation [um]\n"
+            "0,+,1,0.4\n500,+,1,1.9\n500,-,1,1.1\n0,-,1,-0.6\n"),
+        1);
+    showTab(scene, PageTabs::Judge);
+    scene.click("corrections");
+    auto* dialog = scene.page().findChild<QDialog*>(QStringLiteral("correctionsDialog"));
+    dialog->findChild<QGroupBox*>(QStringLiteral("temperatureCorrection"))->setChecked(true);
+    dialog->findChild<QAbstractButton*>(QStringLiteral("acceptCorrections"))->click();
+    QTest::qWait(200);
+}
+
 /// Runs that lie beside each other, in the plot and in numbers.
 void judgeDrift(PageScene& scene)
 {
@@ -905,6 +923,7 @@ const std::vector<SceneState>& sceneStates()
         {"judge-figures", judgeFigures},
         {"judge-outliers", judgeOutliers},
         {"judge-drift", judgeDrift},
+        {"judge-corrections", judgeCorrections},
     };
     return all;
 }
