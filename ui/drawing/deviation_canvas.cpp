@@ -343,6 +343,7 @@ void DeviationCanvas::addLegend()
             Shape(Shape::ssCircle, QPen(d->inks.doubtful, 1.5), Qt::NoBrush, 10));
     QCPLegend* legend = d->plot->legend;
     legend->setWrap(legend->itemCount() > widestLegend ? legendColumns : widestLegend);
+    legend->setFillOrder(QCPLegend::foColumnsFirst, true); // what is in it already moves too
 }
 
 /// The view stays while it shows the same targets and deviations.
@@ -544,10 +545,16 @@ void DeviationCanvas::Private::paintBracket(
     for (const double y : {low, high})
         painter.drawLine(QLineF(x - half, y, x + half, y));
     const QSizeF size = noteSize(painter, text);
+    double middle = (low + high) / 2.0;
+    constexpr double gap = 6.0;
+    const bool isAlong = text.size() > 1;
+    if (isAlong
+        && low - high < size.width() + 2.0 * gap) // a short one would be hidden by its words
+        middle = high - gap - size.width() / 2.0;
     painter.save();
-    painter.translate(x, (low + high) / 2.0);
+    painter.translate(x, middle);
     QRectF place(QPointF(-size.width() / 2.0, -size.height() / 2.0), size);
-    if (text.size() > 1)
+    if (isAlong)
         painter.rotate(-90.0);
     painter.fillRect(place, inks.base);
     painter.drawText(place, Qt::AlignCenter, text);

@@ -310,7 +310,8 @@ void MeasurePage::sayNextStep()
         m_nextStep->say(Tone::Error, errorText(*state.refusal));
     else if (m_saved && m_saved == state.measurement && !m_record.isEvaluating())
         m_nextStep->say(Tone::Success,
-            tr("Saved as %1. Judge says what it is worth; the command axiscomp fit makes a table of "
+            tr("Saved as %1. Judge says what it is worth; the command axiscomp fit makes a table "
+               "of "
                "it for Write.")
                 .arg(m_savedName));
     else if (!state.measurement->hasTargets())
