@@ -5927,6 +5927,53 @@
     </message>
 </context>
 <context>
+    <name>JudgeOutlook</name>
+    <message>
+        <source>%1: not defined, so that the tolerance %2 cannot be met.</source>
+        <translation>%1: nicht definiert, so dass die Toleranz %2 nicht eingehalten sein kann.</translation>
+    </message>
+    <message>
+        <source>%1: %2, nearer to the tolerance %3 than the uncertainty. That is undecided.</source>
+        <translation>%1: %2, näher an der Toleranz %3 als die Messunsicherheit. Das ist nicht entscheidbar.</translation>
+    </message>
+    <message>
+        <source>%1: %2, above the tolerance %3. Go on to Fit: a table may make it smaller.</source>
+        <translation>%1: %2, über der Toleranz %3. Weiter mit Anpassen: eine Tabelle kann sie verkleinern.</translation>
+    </message>
+    <message>
+        <source>%1: %2, above the tolerance %3. No table makes it smaller: look at the mechanics.</source>
+        <translation>%1: %2, über der Toleranz %3. Keine Tabelle verkleinert sie: sehen Sie nach der Mechanik.</translation>
+    </message>
+    <message>
+        <source>A condition of the standard is not met: %1.</source>
+        <translation>Eine Bedingung der Norm ist nicht erfüllt: %1.</translation>
+    </message>
+    <message>
+        <source>Add the files of a measurement on the tab Measure.</source>
+        <translation>Fügen Sie auf der Seite Messen die Dateien einer Messung hinzu.</translation>
+    </message>
+    <message>
+        <source>The files are being read …</source>
+        <translation>Die Dateien werden gelesen …</translation>
+    </message>
+    <message>
+        <source>A file cannot be used: the tab Measure says why.</source>
+        <translation>Eine Datei ist nicht verwendbar: die Seite Messen sagt, warum.</translation>
+    </message>
+    <message>
+        <source>This measurement has no targets, and so no figures of ISO 230-2. Go on to Fit, or measure at targets.</source>
+        <translation>Diese Messung hat keine Zielpositionen und damit keine Kennwerte nach ISO 230-2. Weiter mit Anpassen, oder messen Sie an Zielpositionen.</translation>
+    </message>
+    <message>
+        <source>Enter the tolerances of the axis, or go on to Fit.</source>
+        <translation>Geben Sie die Toleranzen der Achse ein, oder weiter mit Anpassen.</translation>
+    </message>
+    <message>
+        <source>Every tolerance is met. A table can still make the axis better: go on to Fit.</source>
+        <translation>Jede Toleranz ist eingehalten. Eine Tabelle kann die Achse noch verbessern: weiter mit Anpassen.</translation>
+    </message>
+</context>
+<context>
     <name>Measurement</name>
     <message>
         <source>the file states the temperature</source>
@@ -6291,6 +6338,26 @@
     <message>
         <source>the new table is coarser than {name}: up to {lost} of what that has between the new points is lost; take more points (--points)</source>
         <translation>die neue Tabelle ist gröber als {name}: bis zu {lost} von dem, was diese zwischen den neuen Punkten hat, gehen verloren; mehr Punkte verlangen (--points)</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>nicht bekannt</translation>
+    </message>
+    <message>
+        <source>met</source>
+        <translation>erfüllt</translation>
+    </message>
+    <message>
+        <source>not met</source>
+        <translation>nicht erfüllt</translation>
+    </message>
+    <message numerus="yes">
+        <source>{count} values do not fit the others: look at them, and exclude them or leave them in</source>
+        <comment>1 value does not fit the others: look at it, and exclude it or leave it in</comment>
+        <translation>
+            <numerusform>1 Wert passt nicht zu den anderen: sehen Sie ihn an, und schließen Sie ihn aus oder lassen Sie ihn</numerusform>
+            <numerusform>{count} Werte passen nicht zu den anderen: sehen Sie sie an, und schließen Sie sie aus oder lassen Sie sie</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -7148,6 +7215,21 @@
     <message>
         <source>not stated</source>
         <translation>nicht angegeben</translation>
+    </message>
+</context>
+<context>
+    <name>RunValueText</name>
+    <message>
+        <source>%1, target %2, run %3, %4</source>
+        <translation>%1, Zielposition %2, Durchlauf %3, %4</translation>
+    </message>
+    <message>
+        <source>excluded</source>
+        <translation>ausgeschlossen</translation>
+    </message>
+    <message>
+        <source>proposed for exclusion</source>
+        <translation>zum Ausschließen vorgeschlagen</translation>
     </message>
 </context>
 <context>
@@ -8190,6 +8272,21 @@
     </message>
 </context>
 <context>
+    <name>axiscomp::ui::ConditionsModel</name>
+    <message>
+        <source>Condition of ISO 230-2</source>
+        <translation>Bedingung der ISO 230-2</translation>
+    </message>
+    <message>
+        <source>Met?</source>
+        <translation>Erfüllt?</translation>
+    </message>
+    <message>
+        <source>%1 (assumption)</source>
+        <translation>%1 (Annahme)</translation>
+    </message>
+</context>
+<context>
     <name>axiscomp::ui::ConnectionsDialog</name>
     <message>
         <source>Use the drives of the list</source>
@@ -8614,6 +8711,129 @@
     </message>
 </context>
 <context>
+    <name>axiscomp::ui::CorrectionsDialog</name>
+    <message>
+        <source>%1 mm; runs with their air: %2</source>
+        <translation>%1 mm; Durchläufe mit ihrer Luft: %2</translation>
+    </message>
+    <message>
+        <source>not corrected for</source>
+        <translation>nicht korrigiert</translation>
+    </message>
+    <message>
+        <source>Enter temperatures and coefficients as numbers; only the position that does not move may be left empty.</source>
+        <translation>Geben Sie Temperaturen und Koeffizienten als Zahlen ein; nur die Position, die sich nicht bewegt, darf leer bleiben.</translation>
+    </message>
+    <message>
+        <source>The file does not say whether its values are at 20 °C already. Only values that are not may be corrected.</source>
+        <translation>Die Datei sagt nicht, ob ihre Werte schon für 20 °C gelten. Nur Werte, die das nicht tun, dürfen korrigiert werden.</translation>
+    </message>
+    <message>
+        <source>Corrections Before Judging</source>
+        <translation>Korrekturen vor dem Beurteilen</translation>
+    </message>
+    <message>
+        <source>&amp;Bring the values to 20 °C</source>
+        <translation>Werte auf 20 °C &amp;bringen</translation>
+    </message>
+    <message>
+        <source>&amp;Temperature of the scale [°C]</source>
+        <translation>&amp;Temperatur des Maßstabs [°C]</translation>
+    </message>
+    <message>
+        <source>&amp;Expansion of the scale [%1]</source>
+        <translation>Ausd&amp;ehnung des Maßstabs [%1]</translation>
+    </message>
+    <message>
+        <source>Temperature of the &amp;reference [°C]</source>
+        <translation>Temperatur der &amp;Referenz [°C]</translation>
+    </message>
+    <message>
+        <source>E&amp;xpansion of the reference [%1]</source>
+        <translation>A&amp;usdehnung der Referenz [%1]</translation>
+    </message>
+    <message>
+        <source>&amp;Position that does not move [mm]</source>
+        <translation>&amp;Position, die sich nicht bewegt [mm]</translation>
+    </message>
+    <message>
+        <source>Of the material that the axis is measured by</source>
+        <translation>Des Materials, an dem die Achse gemessen wird</translation>
+    </message>
+    <message>
+        <source>Of the same material; steel has about 11.5</source>
+        <translation>Desselben Materials; Stahl hat etwa 11,5</translation>
+    </message>
+    <message>
+        <source>Of the measuring instrument</source>
+        <translation>Des Messgeräts</translation>
+    </message>
+    <message>
+        <source>0 for a laser that is compensated for its wavelength</source>
+        <translation>0 für einen Laser, dessen Wellenlänge kompensiert ist</translation>
+    </message>
+    <message>
+        <source>Empty: the first target</source>
+        <translation>Leer: die erste Zielposition</translation>
+    </message>
+    <message>
+        <source>the first target</source>
+        <translation>die erste Zielposition</translation>
+    </message>
+    <message>
+        <source>&amp;Steel</source>
+        <translation>&amp;Stahl</translation>
+    </message>
+    <message>
+        <source>Enter the coefficient of steel, 11.5 µm/(m·K)</source>
+        <translation>Den Koeffizienten von Stahl eintragen, 11,5 µm/(m·K)</translation>
+    </message>
+    <message>
+        <source>The instrument has &amp;not corrected the values itself</source>
+        <translation>Das Messgerät hat die Werte &amp;nicht selbst korrigiert</translation>
+    </message>
+    <message>
+        <source>Needed where the file does not say it</source>
+        <translation>Nötig, wo die Datei es nicht sagt</translation>
+    </message>
+    <message>
+        <source>Dead path of the interferometer</source>
+        <translation>Totstrecke des Interferometers</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>Ö&amp;ffnen…</translation>
+    </message>
+    <message>
+        <source>A JSON file with its length and the air of each run, as axiscomp judge --dead-path takes it</source>
+        <translation>Eine JSON-Datei mit ihrer Länge und der Luft jedes Durchlaufs, wie axiscomp judge --dead-path sie nimmt</translation>
+    </message>
+    <message>
+        <source>Re&amp;move</source>
+        <translation>Ent&amp;fernen</translation>
+    </message>
+    <message>
+        <source>Do not correct for the dead path</source>
+        <translation>Die Totstrecke nicht korrigieren</translation>
+    </message>
+    <message>
+        <source>&amp;Correct</source>
+        <translation>&amp;Korrigieren</translation>
+    </message>
+    <message>
+        <source>Judge the values with these corrections</source>
+        <translation>Die Werte mit diesen Korrekturen beurteilen</translation>
+    </message>
+    <message>
+        <source>Cance&amp;l</source>
+        <translation>Abbre&amp;chen</translation>
+    </message>
+    <message>
+        <source>Leave the corrections as they are (Esc)</source>
+        <translation>Die Korrekturen lassen, wie sie sind (Esc)</translation>
+    </message>
+</context>
+<context>
     <name>axiscomp::ui::DataFileField</name>
     <message>
         <source>No file is open</source>
@@ -8678,6 +8898,138 @@
     <message>
         <source>Format, sign and grid of the open file</source>
         <translation>Format, Vorzeichen und Gitter der offenen Datei</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::DeviationCanvas</name>
+    <message>
+        <source>smallest and largest value</source>
+        <translation>kleinster und größter Wert</translation>
+    </message>
+    <message>
+        <source>excluded</source>
+        <translation>ausgeschlossen</translation>
+    </message>
+    <message>
+        <source>proposed for exclusion</source>
+        <translation>zum Ausschließen vorgeschlagen</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Zielposition</translation>
+    </message>
+    <message>
+        <source>Deviation</source>
+        <translation>Abweichung</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::DeviationPlot</name>
+    <message>
+        <source>Deviation over position</source>
+        <translation>Abweichung über der Position</translation>
+    </message>
+    <message>
+        <source>A click selects a value; arrow keys go from value to value. The wheel and + and - zoom, dragging moves, Home or a double click shows everything.</source>
+        <translation>Ein Klick wählt einen Wert; Pfeiltasten gehen von Wert zu Wert. Das Rad sowie + und - vergrößern und verkleinern, Ziehen verschiebt, Pos1 oder ein Doppelklick zeigt alles.</translation>
+    </message>
+    <message>
+        <source>run %1, %2</source>
+        <translation>Durchlauf %1, %2</translation>
+    </message>
+    <message>
+        <source>target %1 %2, ↑ %3, ↓ %4 %5, B %6 %5</source>
+        <translation>Zielposition %1 %2, ↑ %3, ↓ %4 %5, B %6 %5</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::DriftModel</name>
+    <message>
+        <source>Drift of the runs</source>
+        <translation>Drift der Durchläufe</translation>
+    </message>
+    <message>
+        <source>Runs ↑</source>
+        <translation>Durchläufe ↑</translation>
+    </message>
+    <message>
+        <source>Runs ↓</source>
+        <translation>Durchläufe ↓</translation>
+    </message>
+    <message>
+        <source>Both</source>
+        <translation>Beide</translation>
+    </message>
+    <message>
+        <source>From the first to the last run</source>
+        <translation>Vom ersten zum letzten Durchlauf</translation>
+    </message>
+    <message>
+        <source>From run to run</source>
+        <translation>Von Durchlauf zu Durchlauf</translation>
+    </message>
+    <message>
+        <source>Per hour</source>
+        <translation>Je Stunde</translation>
+    </message>
+    <message>
+        <source>Per kelvin</source>
+        <translation>Je Kelvin</translation>
+    </message>
+    <message>
+        <source>s without the offsets of the runs</source>
+        <translation>s ohne die Versätze der Durchläufe</translation>
+    </message>
+    <message>
+        <source>Drift</source>
+        <translation>Drift</translation>
+    </message>
+    <message>
+        <source>A without the offsets of the runs</source>
+        <translation>A ohne die Versätze der Durchläufe</translation>
+    </message>
+    <message>
+        <source>R without the offsets of the runs</source>
+        <translation>R ohne die Versätze der Durchläufe</translation>
+    </message>
+    <message>
+        <source>suspected</source>
+        <translation>vermutet</translation>
+    </message>
+    <message>
+        <source>not suspected</source>
+        <translation>nicht vermutet</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::DriftPlot</name>
+    <message>
+        <source>%1, run %2: offset %3</source>
+        <translation>%1, Durchlauf %2: Versatz %3</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Durchlauf</translation>
+    </message>
+    <message>
+        <source>Offset of the run</source>
+        <translation>Versatz des Durchlaufs</translation>
+    </message>
+    <message>
+        <source>runs ↑</source>
+        <translation>Durchläufe ↑</translation>
+    </message>
+    <message>
+        <source>runs ↓</source>
+        <translation>Durchläufe ↓</translation>
+    </message>
+    <message>
+        <source>Drift: offsets of the runs</source>
+        <translation>Drift: Versätze der Durchläufe</translation>
+    </message>
+    <message>
+        <source>How far each run lies beside the mean of its direction. A click or the arrow keys select a run.</source>
+        <translation>Wie weit jeder Durchlauf neben dem Mittel seiner Richtung liegt. Ein Klick oder die Pfeiltasten wählen einen Durchlauf.</translation>
     </message>
 </context>
 <context>
@@ -8903,6 +9255,74 @@
     </message>
 </context>
 <context>
+    <name>axiscomp::ui::FiguresModel</name>
+    <message>
+        <source>Figure</source>
+        <translation>Kennwert</translation>
+    </message>
+    <message>
+        <source>Meaning</source>
+        <translation>Bedeutung</translation>
+    </message>
+    <message>
+        <source>Without excluded</source>
+        <translation>Ohne Ausgeschlossene</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>All values</source>
+        <translation>Alle Werte</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Toleranz</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Urteil</translation>
+    </message>
+    <message>
+        <source>At target</source>
+        <translation>An Zielposition</translation>
+    </message>
+    <message>
+        <source>not defined</source>
+        <translation>nicht definiert</translation>
+    </message>
+    <message>
+        <source>uncertainty not stated</source>
+        <translation>Messunsicherheit nicht angegeben</translation>
+    </message>
+    <message>
+        <source> and </source>
+        <comment>two positions</comment>
+        <translation> und </translation>
+    </message>
+    <message>
+        <source>U largest</source>
+        <translation>U größtes</translation>
+    </message>
+    <message>
+        <source>U mean</source>
+        <translation>U mittleres</translation>
+    </message>
+    <message>
+        <source>Ps largest</source>
+        <translation>Ps größtes</translation>
+    </message>
+    <message>
+        <source>Ps mean</source>
+        <translation>Ps mittleres</translation>
+    </message>
+    <message>
+        <source>VDI/DGQ 3441 (assumption)</source>
+        <translation>VDI/DGQ 3441 (Annahme)</translation>
+    </message>
+</context>
+<context>
     <name>axiscomp::ui::FileActions</name>
     <message>
         <source>Open Compensation Data</source>
@@ -8967,6 +9387,14 @@
     <message>
         <source>Runs (*.csv)</source>
         <translation>Durchläufe (*.csv)</translation>
+    </message>
+    <message>
+        <source>Dead Path</source>
+        <translation>Totstrecke</translation>
+    </message>
+    <message>
+        <source>Dead path (*.json)</source>
+        <translation>Totstrecke (*.json)</translation>
     </message>
 </context>
 <context>
@@ -9450,6 +9878,131 @@
     </message>
 </context>
 <context>
+    <name>axiscomp::ui::JudgePage</name>
+    <message>
+        <source>Tolerances, and the uncertainty U (k = 2)</source>
+        <translation>Toleranzen und die Messunsicherheit U (k = 2)</translation>
+    </message>
+    <message>
+        <source>All &amp;values</source>
+        <translation>Alle &amp;Werte</translation>
+    </message>
+    <message>
+        <source>Show plot and targets as if nothing were excluded</source>
+        <translation>Bild und Zielpositionen zeigen, als wäre nichts ausgeschlossen</translation>
+    </message>
+    <message>
+        <source>&amp;Corrections…</source>
+        <translation>&amp;Korrekturen…</translation>
+    </message>
+    <message>
+        <source>Bring the values to 20 °C, or correct them for the dead path of an interferometer</source>
+        <translation>Die Werte auf 20 °C bringen oder die Totstrecke eines Interferometers korrigieren</translation>
+    </message>
+    <message>
+        <source>Deviation</source>
+        <translation>Abweichung</translation>
+    </message>
+    <message>
+        <source>Drift</source>
+        <translation>Drift</translation>
+    </message>
+    <message>
+        <source>Plots</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>Tables</source>
+        <translation>Tabellen</translation>
+    </message>
+    <message>
+        <source>Figures</source>
+        <translation>Kennwerte</translation>
+    </message>
+    <message>
+        <source>Targets</source>
+        <translation>Zielpositionen</translation>
+    </message>
+    <message>
+        <source>Runs</source>
+        <translation>Durchläufe</translation>
+    </message>
+    <message>
+        <source>Drift in numbers</source>
+        <translation>Drift in Zahlen</translation>
+    </message>
+    <message>
+        <source>Conditions</source>
+        <translation>Bedingungen</translation>
+    </message>
+    <message>
+        <source>Warnings</source>
+        <translation>Warnungen</translation>
+    </message>
+    <message>
+        <source>Warnings (%1)</source>
+        <translation>Warnungen (%1)</translation>
+    </message>
+    <message>
+        <source>No corrections.</source>
+        <translation>Keine Korrekturen.</translation>
+    </message>
+    <message>
+        <source>Figures of ISO 230-2:2014</source>
+        <translation>Kennwerte nach ISO 230-2:2014</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::JudgeWarningsModel</name>
+    <message>
+        <source>Warning</source>
+        <translation>Warnung</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::LimitFields</name>
+    <message>
+        <source>The largest value that is allowed, such as 10 µm; empty: no tolerance</source>
+        <translation>Der größte erlaubte Wert, etwa 10 µm; leer: keine Toleranz</translation>
+    </message>
+    <message>
+        <source>Uncertainty of the measurement with k = 2, such as 2.1 µm; empty: not stated</source>
+        <translation>Messunsicherheit mit k = 2, etwa 2,1 µm; leer: nicht angegeben</translation>
+    </message>
+    <message>
+        <source>Tolerance: %1</source>
+        <translation>Toleranz: %1</translation>
+    </message>
+    <message>
+        <source>Uncertainty U, k = 2</source>
+        <translation>Messunsicherheit U, k = 2</translation>
+    </message>
+    <message>
+        <source>&amp;Accuracy A</source>
+        <translation>Gen&amp;auigkeit A</translation>
+    </message>
+    <message>
+        <source>Systematic &amp;E</source>
+        <translation>Systematisch &amp;E</translation>
+    </message>
+    <message>
+        <source>Range of means &amp;M</source>
+        <translation>Spanne der Mittel &amp;M</translation>
+    </message>
+    <message>
+        <source>Reversal &amp;B</source>
+        <translation>Umkehrspanne &amp;B</translation>
+    </message>
+    <message>
+        <source>Repeatab&amp;ility R</source>
+        <translation>Wiederhol&amp;präzision R</translation>
+    </message>
+    <message>
+        <source>&amp;Uncertainty U</source>
+        <translation>Un&amp;sicherheit U</translation>
+    </message>
+</context>
+<context>
     <name>axiscomp::ui::LogView</name>
     <message>
         <source>Log</source>
@@ -9539,16 +10092,16 @@
         <translation>Die Dateien werden gelesen …</translation>
     </message>
     <message>
-        <source>Saved as %1. The commands axiscomp judge and axiscomp fit go on with it: figures of ISO 230-2, and a table for Write.</source>
-        <translation>Gespeichert als %1. Damit arbeiten die Befehle axiscomp judge und axiscomp fit weiter: Kennwerte nach ISO 230-2 und eine Tabelle für Schreiben.</translation>
-    </message>
-    <message>
         <source>Without targets there are no figures of ISO 230-2; the command axiscomp fit makes a table of it for Write.</source>
         <translation>Ohne Zielpositionen gibt es keine Kennwerte nach ISO 230-2; der Befehl axiscomp fit macht daraus eine Tabelle für Schreiben.</translation>
     </message>
     <message>
-        <source>The measurement can be used. Save it as runs for the commands axiscomp judge and axiscomp fit.</source>
-        <translation>Die Messung kann verwendet werden. Speichern Sie sie als Durchläufe für die Befehle axiscomp judge und axiscomp fit.</translation>
+        <source>Saved as %1. Judge says what it is worth; the command axiscomp fit makes a table of it for Write.</source>
+        <translation>Gespeichert als %1. Beurteilen sagt, was sie taugt; der Befehl axiscomp fit macht daraus eine Tabelle für Schreiben.</translation>
+    </message>
+    <message>
+        <source>The measurement can be used. Go on to Judge, or save it as runs for the command axiscomp fit.</source>
+        <translation>Die Messung ist verwendbar. Weiter mit Beurteilen, oder speichern Sie sie als Durchläufe für den Befehl axiscomp fit.</translation>
     </message>
 </context>
 <context>
@@ -10018,6 +10571,100 @@
     </message>
 </context>
 <context>
+    <name>axiscomp::ui::OutlierList</name>
+    <message>
+        <source>&amp;Outliers by</source>
+        <translation>A&amp;usreißer nach</translation>
+    </message>
+    <message>
+        <source>pooled MAD, limit 4</source>
+        <translation>MAD aller Werte, Grenze 4</translation>
+    </message>
+    <message>
+        <source>Grubbs, 5 %</source>
+        <translation>Grubbs, 5 %</translation>
+    </message>
+    <message>
+        <source>no rule</source>
+        <translation>keiner Regel</translation>
+    </message>
+    <message>
+        <source>Rule for outliers</source>
+        <translation>Regel für Ausreißer</translation>
+    </message>
+    <message>
+        <source>How values that do not fit the others are found; a proposal, nothing is left out by it</source>
+        <translation>Wie Werte gefunden werden, die nicht zu den anderen passen; ein Vorschlag, nichts wird dadurch weggelassen</translation>
+    </message>
+    <message>
+        <source>Proposed for exclusion, and excluded</source>
+        <translation>Zum Ausschließen vorgeschlagen, und ausgeschlossen</translation>
+    </message>
+    <message>
+        <source>Exclude All &amp;Proposed</source>
+        <translation>Alle Vor&amp;geschlagenen ausschließen</translation>
+    </message>
+    <message>
+        <source>Leave out every value that the rule proposes</source>
+        <translation>Jeden Wert weglassen, den die Regel vorschlägt</translation>
+    </message>
+    <message>
+        <source>E&amp;xclude</source>
+        <translation>Ausschließe&amp;n</translation>
+    </message>
+    <message>
+        <source>Leave out the value, run or target that is selected in list, plot or table (Del)</source>
+        <translation>Den Wert, den Durchlauf oder die Zielposition weglassen, die in Liste, Bild oder Tabelle ausgewählt ist (Entf)</translation>
+    </message>
+    <message>
+        <source>Use A&amp;gain</source>
+        <translation>Wie&amp;der verwenden</translation>
+    </message>
+    <message>
+        <source>Use what is selected again</source>
+        <translation>Was ausgewählt ist, wieder verwenden</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::OutliersModel</name>
+    <message>
+        <source>Direction</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Zielposition</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Durchlauf</translation>
+    </message>
+    <message>
+        <source>Score</source>
+        <translation>Maß</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>both</source>
+        <translation>beide</translation>
+    </message>
+    <message>
+        <source>all</source>
+        <translation>alle</translation>
+    </message>
+    <message>
+        <source>proposed</source>
+        <translation>vorgeschlagen</translation>
+    </message>
+    <message>
+        <source>excluded</source>
+        <translation>ausgeschlossen</translation>
+    </message>
+</context>
+<context>
     <name>axiscomp::ui::OverviewDialog</name>
     <message>
         <source>Overview of All Axes</source>
@@ -10346,6 +10993,14 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <source>%1 (Ctrl+Page Up and Ctrl+Page Down change the tab)</source>
         <translation>%1 (Strg+Bild auf und Strg+Bild ab wechseln den Reiter)</translation>
     </message>
+    <message>
+        <source>Judge</source>
+        <translation>Beurteilen</translation>
+    </message>
+    <message>
+        <source>What the measurement says of the axis, against tolerances</source>
+        <translation>Was die Messung über die Achse sagt, gegen Toleranzen</translation>
+    </message>
 </context>
 <context>
     <name>axiscomp::ui::ParameterExport</name>
@@ -10497,6 +11152,14 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <source>Uncertainty</source>
         <translation>Messunsicherheit</translation>
     </message>
+    <message>
+        <source>Corrections</source>
+        <translation>Korrekturen</translation>
+    </message>
+    <message>
+        <source>Table in use</source>
+        <translation>Tabelle im Einsatz</translation>
+    </message>
 </context>
 <context>
     <name>axiscomp::ui::RestoreDriveDialog</name>
@@ -10535,6 +11198,25 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
     </message>
 </context>
 <context>
+    <name>axiscomp::ui::RunDriftModel</name>
+    <message>
+        <source>Direction</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Durchlauf</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>Versatz</translation>
+    </message>
+    <message>
+        <source>Slope</source>
+        <translation>Steigung</translation>
+    </message>
+</context>
+<context>
     <name>axiscomp::ui::RunValuesModel</name>
     <message>
         <source>target %1 at %2</source>
@@ -10543,14 +11225,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
     <message>
         <source>no value</source>
         <translation>kein Wert</translation>
-    </message>
-    <message>
-        <source>%1, target %2, run %3, %4</source>
-        <translation>%1, Zielposition %2, Durchlauf %3, %4</translation>
-    </message>
-    <message>
-        <source>excluded</source>
-        <translation>ausgeschlossen</translation>
     </message>
     <message>
         <source>Target</source>
@@ -11381,6 +12055,37 @@ B - A: %3</translation>
     <message>
         <source>compensation</source>
         <translation>Kompensation</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::TargetFiguresModel</name>
+    <message>
+        <source>Number</source>
+        <translation>Nummer</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Zielposition</translation>
+    </message>
+    <message>
+        <source>Values ↑</source>
+        <translation>Werte ↑</translation>
+    </message>
+    <message>
+        <source>Mean ↑</source>
+        <translation>Mittel ↑</translation>
+    </message>
+    <message>
+        <source>Values ↓</source>
+        <translation>Werte ↓</translation>
+    </message>
+    <message>
+        <source>Mean ↓</source>
+        <translation>Mittel ↓</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Mittel</translation>
     </message>
 </context>
 <context>

@@ -28,6 +28,7 @@
 #include "ui/record/record_model.h"
 #include "ui/style/dirty_style.h"
 #include "ui/style/plain_tool_tips.h"
+#include "ui/tabs/judge_page.h"
 #include "ui/tabs/measure_page.h"
 #include "ui/text/language.h"
 
@@ -104,6 +105,7 @@ struct CompensationWizard::Private {
     RecordModel record;
     PageMenu* menu;
     MeasurePage* measure;
+    JudgePage* judge;
     WizardPage* page;
     DropFrame* dropFrame;
     FileActions files;
@@ -125,7 +127,8 @@ CompensationWizard::Private::Private(
     , controller(wizardOptions)
     , menu(new PageMenu(&wizard))
     , measure(new MeasurePage(record))
-    , page(new WizardPage(controller, *options.profile, style, *menu, measure, &wizard))
+    , judge(new JudgePage(record))
+    , page(new WizardPage(controller, *options.profile, style, *menu, measure, judge, &wizard))
     , dropFrame(new DropFrame(&wizard))
     , files(controller, settings, page->setup->dataField(), *options.profile, wizard)
     , writeFlow(controller, *page->preview)
@@ -185,12 +188,16 @@ void CompensationWizard::Private::connectParts()
     connect(menu, &PageMenu::overviewRequested, &q, [this] { showOverview(); });
     connect(menu, &PageMenu::saveLogRequested, &q, [this] { files.saveLog(page->log->text()); });
     connect(measure, &MeasurePage::addRequested, &q, [this] { files.askForMeasurements(); });
+    connect(judge, &JudgePage::deadPathRequested, &files, &FileActions::askForDeadPath);
+    connect(&files, &FileActions::deadPathChosen, judge, &JudgePage::readDeadPath);
     connect(measure, &MeasurePage::saveRequested, &q, [this] { saveMeasurement(); });
     connect(&files, &FileActions::measurementSaved, measure, &MeasurePage::showSaved);
     connect(&files, &FileActions::measurementsChosen, &record, &RecordModel::addFiles);
     connect(&record, &RecordModel::historyChanged, &q, [this] { offerHistory(); });
     connect(page->tabs, &PageTabs::currentChanged, &q, [this] { offerHistory(); });
     connect(&record, &RecordModel::stateChanged, &q, [this] { showMarkOfMeasure(); });
+    connect(&record, &RecordModel::stateChanged, &q,
+        [this] { page->tabs->setMark(PageTabs::Judge, judge->mark()); });
     connect(&writeFlow, &WriteFlow::previewingChanged, &q, [this](bool isPreviewing) {
         if (isPreviewing)
             page->tabs->setCurrentIndex(PageTabs::Write);
@@ -555,6 +562,7 @@ void CompensationWizard::changeEvent(QEvent* event)
         d->offerHistory();
         d->page->retranslate();
         d->measure->retranslate();
+        d->judge->retranslate();
         d->messages.retranslate();
         d->guard.retranslate();
         d->announceTitle();

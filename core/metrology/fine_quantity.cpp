@@ -26,6 +26,11 @@ FineUnit fineUnit(std::span<const std::optional<double>> shown, bool isAngular)
     return suitsNm ? FineUnit{1e6, "nm", "nm"} : FineUnit{};
 }
 
+FineUnit slopeUnit(bool isAngular)
+{
+    return isAngular ? FineUnit{3600.0, "arcsec/deg", "″/°"} : FineUnit{1e6, "um/m", "µm/m"};
+}
+
 Quantity fineQuantity(double value, bool isAngular)
 {
     const std::optional<double> shown[] = {value};

@@ -22,6 +22,9 @@ struct FineUnit {
 /// is below 100 nm, and arcsec for angles. Below 5 pm there is only what computing leaves: 0 um.
 [[nodiscard]] FineUnit fineUnit(std::span<const std::optional<double>> shown, bool isAngular);
 
+/// In which slopes of deviations, in mm/mm or deg/deg, are shown: um/m, or arcsec/deg.
+[[nodiscard]] FineUnit slopeUnit(bool isAngular);
+
 /// A value in mm or deg that stands alone, in the unit that suits it.
 [[nodiscard]] Quantity fineQuantity(double value, bool isAngular);
 /// A position in mm or deg, to a nanometre, or 1e-7 deg.

@@ -110,6 +110,25 @@ std::string measuredStateText(const MeasuredState& state)
     return state.tableCrc ? "crc:" + crcText(*state.tableCrc) : "on";
 }
 
+std::span<const RunValue> valuesAt(
+    const Measurement& measurement, Approach direction, std::size_t target)
+{
+    const auto place = [](const RunValue& value) {
+        return std::pair(value.direction, value.target);
+    };
+    const auto found =
+        std::ranges::equal_range(measurement.values, std::pair(direction, target), {}, place);
+    return {found.begin(), found.end()};
+}
+
+const RunValue* findValue(
+    const Measurement& measurement, Approach direction, std::size_t target, int run)
+{
+    const auto values = valuesAt(measurement, direction, target);
+    const auto found = std::ranges::lower_bound(values, run, {}, &RunValue::run);
+    return found != values.end() && found->run == run ? &*found : nullptr;
+}
+
 void sortValues(std::vector<RunValue>& values)
 {
     std::ranges::sort(values, {}, [](const RunValue& value) {

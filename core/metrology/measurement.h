@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -144,6 +145,13 @@ struct Measurement {
 [[nodiscard]] std::vector<double> distinctTargets(std::vector<double> positions);
 /// The target nearest to a position. Not for an empty list.
 [[nodiscard]] std::size_t targetIndex(const std::vector<double>& targets, double position);
+
+/// The values of a target in one direction, by run. In a measurement whose values stand in order.
+[[nodiscard]] std::span<const RunValue> valuesAt(
+    const Measurement& measurement, Approach direction, std::size_t target);
+/// Null: there is no such value.
+[[nodiscard]] const RunValue* findValue(
+    const Measurement& measurement, Approach direction, std::size_t target, int run);
 
 /// The order in which Measurement::values stand, so that no result depends on the order of lines.
 void sortValues(std::vector<RunValue>& values);

@@ -132,6 +132,11 @@ std::string exclusionText(const Exclusion& exclusion)
                             : "run:" + direction + ":" + run;
 }
 
+bool isOneValue(const Exclusion& exclusion)
+{
+    return exclusion.direction && exclusion.target && exclusion.run;
+}
+
 bool covers(const Exclusion& exclusion, const RunValue& value)
 {
     return (!exclusion.direction || *exclusion.direction == value.direction)
@@ -159,6 +164,13 @@ Result<void> exclude(Measurement& measurement, std::span<const Exclusion> exclus
                              .with("down", measurement.runCount(Approach::Down)));
     }
     return {};
+}
+
+Measurement withAllValues(Measurement measurement)
+{
+    for (RunValue& value : measurement.values)
+        value.isUsed = true;
+    return measurement;
 }
 
 void swapDirections(Measurement& measurement)

@@ -25,11 +25,15 @@ struct Exclusion {
 [[nodiscard]] Result<std::vector<Exclusion>> exclusionsFromText(std::string_view text);
 [[nodiscard]] std::string exclusionText(const Exclusion& exclusion);
 
+[[nodiscard]] bool isOneValue(const Exclusion& exclusion); ///< neither a run nor a target
 /// Whether it names this value.
 [[nodiscard]] bool covers(const Exclusion& exclusion, const RunValue& value);
 
 /// Marks the values as not used. Errors: InvalidArgument for what the measurement does not have.
 [[nodiscard]] Result<void> exclude(Measurement& measurement, std::span<const Exclusion> exclusions);
+
+/// Every value is used, also those that a file leaves out.
+[[nodiscard]] Measurement withAllValues(Measurement measurement);
 
 /// Up becomes down and down becomes up.
 void swapDirections(Measurement& measurement);

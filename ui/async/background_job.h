@@ -29,6 +29,17 @@ template <typename T> [[nodiscard]] QFuture<T> inBackground(std::function<T()> f
     return future;
 }
 
+/// Gives back the memory of a value on another thread: of a million numbers that takes longer than
+/// a picture may be late. Nobody else should have what it shares with others any more.
+template <typename T> void letGo(T value)
+{
+    const auto held = std::make_shared<T>(std::move(value));
+    static_cast<void>(inBackground<bool>([held] {
+        *held = {};
+        return true;
+    }));
+}
+
 /// Calls handler(result) on the context's thread when the future has its result; not when it was
 /// cancelled, and not after the context's end. Always from the event loop, never before this
 /// returns, and in the order in which the futures ended: QFuture::then would call at once when the

@@ -14,6 +14,7 @@ struct FileQuestion {
     enum class Purpose {
         OpenData,
         OpenMeasurement,
+        OpenDeadPath,
         OpenConfiguration,
         OpenBackup,
         SaveExample,

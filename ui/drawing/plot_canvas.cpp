@@ -8,6 +8,7 @@
 #include "ui/drawing/custom_plot.h"
 #include "ui/drawing/map_contours.h"
 #include "ui/drawing/map_points.h"
+#include "ui/drawing/plot_style.h"
 #include "ui/drawing/table_map.h"
 #include "ui/drawing/travel_mark.h"
 #include "ui/drawing/value_ticker.h"
@@ -21,17 +22,6 @@ namespace {
 bool isDark(const QPalette& palette)
 {
     return palette.color(QPalette::Base).lightness() < 128;
-}
-
-void stylePen(QCPAxis* axis, const QColor& text, const QColor& grid)
-{
-    axis->setBasePen(QPen(text));
-    axis->setTickPen(QPen(text));
-    axis->setSubTickPen(QPen(text));
-    axis->setTickLabelColor(text);
-    axis->setLabelColor(text);
-    axis->grid()->setPen(QPen(grid, 1, Qt::DotLine));
-    axis->grid()->setZeroLinePen(QPen(grid, 1, Qt::SolidLine));
 }
 
 /// A horizontal and a vertical line through one point, with a ring where they meet.
@@ -367,9 +357,9 @@ void PlotCanvas::setPalette(const QPalette& palette)
     const QColor grid = mutedTextColor(palette);
     plot.setBackground(base);
     for (QCPAxis* axis : {plot.xAxis, plot.yAxis, plot.xAxis2, plot.yAxis2, d->scale->axis()})
-        stylePen(axis, text, grid);
+        stylePlotAxis(*axis, text, grid);
     for (QCPAxis* axis : d->sections->axes())
-        stylePen(axis, text, grid);
+        stylePlotAxis(*axis, text, grid);
     d->map->setGradient(divergingGradient(dark));
     d->contours->setColors(text, base);
     const QColor curve = dark ? QColor(110, 185, 255) : QColor(5, 80, 160);

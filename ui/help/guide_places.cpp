@@ -17,6 +17,7 @@ const QHash<QString, GuidePlace>& placesByName()
     const GuidePlace formats{
         QStringLiteral("Files of other controllers, and uneven measurements"), {}};
     const GuidePlace configurations{QStringLiteral("Parameters of a TAM configuration"), {}};
+    const GuidePlace judging{QStringLiteral("What a measurement says of the axis"), {}};
     const GuidePlace sources{choose, QStringLiteral("Dim1..3 Source")};
     const GuidePlace data{choose, QStringLiteral("Compensation data")};
     static const QHash<QString, GuidePlace> places{
@@ -53,6 +54,9 @@ const QHash<QString, GuidePlace>& placesByName()
         {QStringLiteral("exportConfigurationDialog"), configurations},
         {QStringLiteral("backupDialog"), {QStringLiteral("Backups"), {}}},
         {QStringLiteral("restoreDriveDialog"), {QStringLiteral("Backups"), {}}},
+        {QStringLiteral("judgePage"), judging},
+        {QStringLiteral("correctionsDialog"), judging},
+        {QStringLiteral("measurePage"), {QStringLiteral("Measurements"), {}}},
         {QStringLiteral("logView"), {QStringLiteral("What to do when ..."), {}}},
     };
     return places;

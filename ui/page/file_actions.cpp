@@ -90,6 +90,19 @@ void FileActions::askForMeasurements()
     });
 }
 
+void FileActions::askForDeadPath()
+{
+    FileQuestion question;
+    question.purpose = FileQuestion::Purpose::OpenDeadPath;
+    question.title = tr("Dead Path");
+    question.filter = tr("Dead path (*.json)");
+    question.start = m_measurementFolder.isEmpty() ? m_settings.folder() : m_measurementFolder;
+    m_picker(m_window, question, [this](const QString& path) {
+        if (!path.isEmpty())
+            Q_EMIT deadPathChosen(path);
+    });
+}
+
 void FileActions::saveMeasurement(
     const std::shared_ptr<const Measurement>& measurement, const QStringList& sources)
 {

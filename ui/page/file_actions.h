@@ -45,6 +45,8 @@ public:
     void open(const QString& path);
     /// A file of a measurement; measurementsChosen() follows.
     void askForMeasurements();
+    /// The file with the dead path of an interferometer; deadPathChosen() follows.
+    void askForDeadPath();
     /// Asks for a file, which gets a measurement with targets as runs; measurementSaved() follows.
     /// sources: the files that it was read from, which are not written over.
     void saveMeasurement(
@@ -67,6 +69,7 @@ public:
 Q_SIGNALS:
     void failed(const QString& sentence);
     void measurementsChosen(const QStringList& paths);
+    void deadPathChosen(const QString& path);
     void measurementSaved(
         const QString& path, const std::shared_ptr<const Measurement>& measurement);
 

@@ -18,6 +18,8 @@ QString nameOfTab(PageTabs::Tab tab)
     switch (tab) {
     case PageTabs::Measure:
         return PageTabs::tr("Measure");
+    case PageTabs::Judge:
+        return PageTabs::tr("Judge");
     case PageTabs::Write:
     case PageTabs::TabCount:
         break;
@@ -30,6 +32,8 @@ QString purposeOfTab(PageTabs::Tab tab)
     switch (tab) {
     case PageTabs::Measure:
         return PageTabs::tr("The files of a measurement, and how they are read");
+    case PageTabs::Judge:
+        return PageTabs::tr("What the measurement says of the axis, against tolerances");
     case PageTabs::Write:
     case PageTabs::TabCount:
         break;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/metrology/formats/measurement_format.h"
+#include "core/metrology/judge/corrections.h"
 #include "core/metrology/judge/outliers.h"
 #include "core/metrology/judge/uncertainty.h"
 #include "core/metrology/record/calibration_record.h"
@@ -41,7 +42,9 @@ struct Record {
     bool swapsDirections = false;
     /// Of the joined measurement, as it is shown: after the directions were exchanged.
     std::vector<Exclusion> exclusions;
+    CorrectionsBefore corrections; ///< before judging
     OutlierRule outlierRule = OutlierRule::PooledMad;
+    bool areLimitsAngles = false; ///< tolerances and uncertainty are in deg, else in mm
     std::vector<Tolerance> tolerances; ///< in mm or deg
     std::optional<double> uncertainty; ///< U with k = 2, in mm or deg
     /// What was promised of the table that is used, and what came of it: as it was made then, even

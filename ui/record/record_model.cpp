@@ -6,6 +6,7 @@
 #include <QFileInfo>
 
 #include <algorithm>
+#include <map>
 
 namespace axiscomp::ui {
 
@@ -20,11 +21,6 @@ bool overlap(const Exclusion& a, const Exclusion& b)
     return agree(a.direction, b.direction) && agree(a.target, b.target) && agree(a.run, b.run);
 }
 
-bool isOneValue(const Exclusion& exclusion)
-{
-    return exclusion.direction && exclusion.target && exclusion.run;
-}
-
 /// The values of a measurement that an exclusion leaves out, but for those of `used`.
 void addOthers(const Measurement& measurement, const Exclusion& exclusion,
     const std::vector<Exclusion>& used, std::vector<Exclusion>& left)
@@ -37,6 +33,22 @@ void addOthers(const Measurement& measurement, const Exclusion& exclusion,
         if (!isUsed)
             left.push_back({value.direction, value.target + 1, value.run});
     }
+}
+
+/// Of other files it would be about other values, and nobody would see it.
+void forgetWhatIsOfTheFiles(Record& record)
+{
+    record.exclusions.clear();
+    record.corrections = {};
+}
+
+/// The air of each run, with directions exchanged.
+void swapDirections(DeadPathCorrection& deadPath)
+{
+    std::map<std::pair<Approach, int>, AirState> swapped;
+    for (const auto& [run, air] : deadPath.duringRun)
+        swapped[{run.first == Approach::Up ? Approach::Down : Approach::Up, run.second}] = air;
+    deadPath.duringRun = std::move(swapped);
 }
 
 QString namesOf(const QStringList& paths)
@@ -104,14 +116,9 @@ void RecordModel::evaluate()
     Q_EMIT stateChanged();
 }
 
-/// Giving back the memory of a million values takes longer than a picture may be late.
 void RecordModel::take(const RecordState& state)
 {
-    const auto before = std::make_shared<RecordState>(std::exchange(m_state, state));
-    static_cast<void>(inBackground<bool>([before] {
-        *before = {};
-        return true;
-    }));
+    letGo(std::exchange(m_state, state));
     m_isEvaluating = false;
     Q_EMIT stateChanged();
 }
@@ -137,7 +144,7 @@ void RecordModel::addFiles(const QStringList& paths)
     }
     if (added.isEmpty())
         return;
-    next.exclusions.clear();
+    forgetWhatIsOfTheFiles(next);
     change(std::move(next), StepKind::AddFiles, namesOf(added));
 }
 
@@ -146,7 +153,7 @@ void RecordModel::removeFile(std::size_t index)
     Record next = m_record;
     const QString path = next.files.at(index).path;
     next.files.erase(next.files.begin() + static_cast<std::ptrdiff_t>(index));
-    next.exclusions.clear();
+    forgetWhatIsOfTheFiles(next);
     change(std::move(next), StepKind::RemoveFile, namesOf({path}));
 }
 
@@ -171,6 +178,8 @@ void RecordModel::setDirectionsSwapped(bool isSwapped)
         if (exclusion.direction)
             exclusion.direction =
                 *exclusion.direction == Approach::Up ? Approach::Down : Approach::Up;
+    if (next.corrections.deadPath)
+        swapDirections(*next.corrections.deadPath);
     change(std::move(next), StepKind::SwapDirections);
 }
 
@@ -225,9 +234,30 @@ void RecordModel::setOutlierRule(OutlierRule rule)
     change(std::move(next), StepKind::OutlierRule);
 }
 
-void RecordModel::setTolerance(Iso230Figure figure, std::optional<double> value)
+void RecordModel::setCorrections(const CorrectionsBefore& corrections)
 {
     Record next = m_record;
+    next.corrections = corrections;
+    change(std::move(next), StepKind::Corrections);
+}
+
+/// A limit in mm says nothing of an angle: those of the other kind go.
+Record RecordModel::withLimitsOfTheMeasurement() const
+{
+    Record next = m_record;
+    const bool areAngles =
+        m_state.measurement ? m_state.measurement->isAngular : next.areLimitsAngles;
+    if (areAngles == next.areLimitsAngles)
+        return next;
+    next.areLimitsAngles = areAngles;
+    next.tolerances.clear();
+    next.uncertainty.reset();
+    return next;
+}
+
+void RecordModel::setTolerance(Iso230Figure figure, std::optional<double> value)
+{
+    Record next = withLimitsOfTheMeasurement();
     std::erase_if(next.tolerances,
         [figure](const Tolerance& tolerance) { return tolerance.figure == figure; });
     if (value)
@@ -238,7 +268,7 @@ void RecordModel::setTolerance(Iso230Figure figure, std::optional<double> value)
 
 void RecordModel::setUncertainty(std::optional<double> value)
 {
-    Record next = m_record;
+    Record next = withLimitsOfTheMeasurement();
     next.uncertainty = value;
     change(std::move(next), StepKind::Uncertainty);
 }
@@ -270,6 +300,8 @@ QString RecordModel::textOf(int index) const
         return tr("Use again (%1)").arg(step->subject);
     case StepKind::OutlierRule:
         return tr("Rule for outliers");
+    case StepKind::Corrections:
+        return tr("Corrections");
     case StepKind::Tolerance:
         return tr("Tolerance of %1").arg(step->subject);
     case StepKind::Uncertainty:

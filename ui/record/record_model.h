@@ -30,7 +30,8 @@ public:
     // Each is one step. Nothing happens where nothing changes.
 
     /// Those that are not among the files yet, at their end. What was left out counts runs and
-    /// targets of all files, so that it is used again whenever the files are other ones.
+    /// targets of all files, so that it is used again whenever the files are other ones;
+    /// corrections are lost then too.
     void addFiles(const QStringList& paths);
     void removeFile(std::size_t index);
     void setChoices(std::size_t index, const MeasurementChoices& choices);
@@ -42,6 +43,8 @@ public:
     /// Whether useAgain() has something to do for one of them: not for what a file leaves out.
     [[nodiscard]] bool isLeftOut(const std::vector<Exclusion>& values) const;
     void setOutlierRule(OutlierRule rule);
+    /// Made before judging, and lost with the files that they are of.
+    void setCorrections(const CorrectionsBefore& corrections);
     /// In mm or deg; none: no limit.
     void setTolerance(Iso230Figure figure, std::optional<double> value);
     void setUncertainty(std::optional<double> value);
@@ -69,6 +72,7 @@ private:
         Exclude,
         UseAgain,
         OutlierRule,
+        Corrections,
         Tolerance,
         Uncertainty,
         Calibration,
@@ -79,6 +83,7 @@ private:
     void apply(const Record& record);
     void evaluate();
     void take(const RecordState& state);
+    [[nodiscard]] Record withLimitsOfTheMeasurement() const;
     [[nodiscard]] QString textOf(int step) const;
 
     Record m_record;

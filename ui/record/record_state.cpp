@@ -67,12 +67,14 @@ ReadMeasurement readAgainOrKnown(const MeasurementFile& file,
     return read;
 }
 
-Result<Measurement> wholeOf(const Record& record, const std::vector<ReadMeasurement>& files)
+Result<CorrectedMeasurement> wholeOf(
+    const Record& record, const std::vector<ReadMeasurement>& files)
 {
     std::vector<Measurement> measurements;
     for (const ReadMeasurement& file : files)
         measurements.push_back(*file.measurement());
-    return selected(measurements, record.swapsDirections, record.exclusions);
+    AXISCOMP_TRY(auto whole, selected(measurements, record.swapsDirections, record.exclusions));
+    return corrected(std::move(whole), record.corrections);
 }
 
 /// Of all values, which stand in one table.
@@ -83,6 +85,47 @@ FineUnit unitOf(const Measurement& measurement)
         largest = std::max(largest, std::abs(value.deviation));
     const std::optional<double> shown[] = {largest};
     return fineUnit(shown, measurement.isAngular);
+}
+
+JudgeOptions judgeOptionsOf(const Record& record, const Measurement& measurement)
+{
+    JudgeOptions options;
+    options.outlierRule = record.outlierRule;
+    options.wantsVdi = true;
+    // A limit of 10 um is none of an angle.
+    if (record.areLimitsAngles == measurement.isAngular) {
+        options.tolerances = record.tolerances;
+        options.uncertainty = record.uncertainty;
+    }
+    return options;
+}
+
+JudgedValues judgedValues(DeviationSeries series)
+{
+    const FineUnit unit = fineUnit(valuesOfTargets(*series.figures), series.measurement->isAngular);
+    return {std::move(series), unit};
+}
+
+/// Plot and tables of them are made here: of a million values that takes its time.
+void judgeInto(RecordState& state)
+{
+    const auto& measurement = state.measurement;
+    const auto judgement = std::make_shared<const Judgement>(
+        judge(*measurement, judgeOptionsOf(state.record, *measurement)));
+    state.judgement = judgement;
+    std::vector<std::optional<double>> offsets;
+    for (const DirectionDrift* drift : {&judgement->driftUp, &judgement->driftDown})
+        offsets.insert(offsets.end(), drift->offset.begin(), drift->offset.end());
+    state.offsetUnit = fineUnit(offsets, measurement->isAngular);
+    const std::shared_ptr<const Outliers> outliers(judgement, &judgement->outliers);
+    const auto figuresOf = [&](const Iso230Figures& figures) {
+        return std::shared_ptr<const Iso230Figures>(judgement, &figures);
+    };
+    state.used =
+        judgedValues(deviationSeries(measurement, figuresOf(judgement->figures), outliers));
+    state.all = judgement->ofAllValues
+        ? judgedValues(seriesOfAllValues(state.used.series, figuresOf(*judgement->ofAllValues)))
+        : state.used;
 }
 
 } // namespace
@@ -106,18 +149,16 @@ RecordState evaluated(
         state.refusal = whole.error();
         return state;
     }
-    state.upRuns = whole->runCount(Approach::Up);
-    state.downRuns = whole->runCount(Approach::Down);
-    state.excludedCount = whole->excludedCount();
-    state.unit = unitOf(*whole);
-    state.measurement = std::make_shared<const Measurement>(std::move(*whole));
-    if (!state.measurement->hasTargets() || stop.stop_requested())
-        return state;
-    JudgeOptions options;
-    options.outlierRule = record.outlierRule;
-    options.tolerances = record.tolerances;
-    options.uncertainty = record.uncertainty;
-    state.judgement = std::make_shared<const Judgement>(judge(*state.measurement, options));
+    state.largestByTemperature = whole->largestByTemperature;
+    state.largestByDeadPath = whole->largestByDeadPath;
+    const auto measurement = std::make_shared<const Measurement>(std::move(whole->measurement));
+    state.upRuns = measurement->runCount(Approach::Up);
+    state.downRuns = measurement->runCount(Approach::Down);
+    state.excludedCount = measurement->excludedCount();
+    state.unit = unitOf(*measurement);
+    state.measurement = measurement;
+    if (measurement->hasTargets() && !stop.stop_requested())
+        judgeInto(state);
     return state;
 }
 

@@ -4,6 +4,7 @@
 #include "core/metrology/fine_quantity.h"
 #include "core/metrology/judge/judgement.h"
 #include "ui/data/data_file_loader.h"
+#include "ui/record/deviation_series.h"
 #include "ui/record/record.h"
 
 #include <memory>
@@ -30,6 +31,12 @@ struct ReadMeasurement {
     }
 };
 
+/// Values of a measurement with targets, as plot and tables show them.
+struct JudgedValues {
+    DeviationSeries series; ///< without a measurement: there are none
+    FineUnit unit; ///< of the figures of its targets
+};
+
 /// What a record comes to.
 struct RecordState {
     Record record; ///< of which it is
@@ -37,6 +44,12 @@ struct RecordState {
     /// All files as one, without what was left out; null when one of them cannot be used.
     std::shared_ptr<const Measurement> measurement;
     std::shared_ptr<const Judgement> judgement; ///< of a measurement with targets
+    JudgedValues used; ///< of those in use; what judgement is about
+    JudgedValues all; ///< the same without exclusions
+    FineUnit offsetUnit; ///< of the offsets of its runs
+    // By how much the corrections of the record have changed a value at most, in mm.
+    std::optional<double> largestByTemperature;
+    std::optional<double> largestByDeadPath;
     std::optional<Error> refusal; ///< why the files are no measurement together
     FineUnit unit; ///< in which the deviations of measurement are shown
     int upRuns = 0; ///< of measurement

@@ -3,11 +3,8 @@
 
 #include "ui/record/record_model.h"
 #include "ui/text/fine_scale.h"
-#include "ui/text/translated_text.h"
+#include "ui/text/run_value_text.h"
 #include "ui/text/value_text.h"
-
-#include <algorithm>
-#include <tuple>
 
 namespace axiscomp::ui {
 
@@ -58,12 +55,7 @@ const RunValue* RunValuesModel::valueOf(const QModelIndex& cell) const
     const auto& measurement = m_record.state().measurement;
     if (!cell.isValid() || !run || !measurement)
         return nullptr;
-    const auto order = [](const RunValue& value) {
-        return std::tuple(value.direction, value.target, value.run);
-    };
-    const std::tuple wanted(run->first, static_cast<std::size_t>(cell.row()), run->second);
-    const auto found = std::ranges::lower_bound(measurement->values, wanted, {}, order);
-    return found != measurement->values.end() && order(*found) == wanted ? &*found : nullptr;
+    return findValue(*measurement, run->first, static_cast<std::size_t>(cell.row()), run->second);
 }
 
 std::optional<Exclusion> RunValuesModel::exclusionOf(const QModelIndex& cell) const
@@ -96,7 +88,6 @@ QString RunValuesModel::text(const QModelIndex& cell) const
                          : QStringLiteral("✕ ") + scale.text(value->deviation);
 }
 
-/// "down, target 1, run 1, 93.20 µm, excluded"
 QString RunValuesModel::spoken(const QModelIndex& cell) const
 {
     if (cell.column() == targetColumn)
@@ -105,13 +96,7 @@ QString RunValuesModel::spoken(const QModelIndex& cell) const
     const RunValue* value = valueOf(cell);
     if (!value)
         return tr("no value");
-    const FineScale scale(m_record.state().unit);
-    const QString words = tr("%1, target %2, run %3, %4")
-                              .arg(translated(approachText(value->direction)))
-                              .arg(value->target + 1)
-                              .arg(value->run)
-                              .arg(scale.textWithUnit(value->deviation));
-    return value->isUsed ? words : words + QStringLiteral(", ") + tr("excluded");
+    return runValueText(*value, FineScale(m_record.state().unit), false);
 }
 
 int RunValuesModel::rowCount(const QModelIndex& parent) const

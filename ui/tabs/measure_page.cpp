@@ -310,8 +310,9 @@ void MeasurePage::sayNextStep()
         m_nextStep->say(Tone::Error, errorText(*state.refusal));
     else if (m_saved && m_saved == state.measurement && !m_record.isEvaluating())
         m_nextStep->say(Tone::Success,
-            tr("Saved as %1. The commands axiscomp judge and axiscomp fit go on with it: figures "
-               "of ISO 230-2, and a table for Write.")
+            tr("Saved as %1. Judge says what it is worth; the command axiscomp fit makes a table "
+               "of "
+               "it for Write.")
                 .arg(m_savedName));
     else if (!state.measurement->hasTargets())
         m_nextStep->say(Tone::Information,
@@ -319,7 +320,7 @@ void MeasurePage::sayNextStep()
                "a table of it for Write."));
     else
         m_nextStep->say(Tone::Success,
-            tr("The measurement can be used. Save it as runs for the commands axiscomp judge and "
+            tr("The measurement can be used. Go on to Judge, or save it as runs for the command "
                "axiscomp fit."));
 }
 

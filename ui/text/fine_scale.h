@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/result.h"
 #include "core/metrology/fine_quantity.h"
 
 #include <QString>
@@ -22,5 +23,13 @@ public:
 private:
     FineUnit m_unit;
 };
+
+/// A deviation or figure that stands alone, in the unit that suits it: "93.20 µm".
+[[nodiscard]] QString fineText(double value, bool isAngular);
+/// An amount that a person has said, in mm or deg, as one would write it: "10 µm", "0.5 ″".
+[[nodiscard]] QString amountText(double value, bool isAngular);
+/// The amount that a person has written, in mm or deg: "10" in um or arcsec, "10 µm", "0,01 mm"
+/// with the decimal sign of the language. Errors: InvalidArgument.
+[[nodiscard]] Result<double> amountOf(const QString& text, bool isAngular);
 
 } // namespace axiscomp::ui

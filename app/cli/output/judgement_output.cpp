@@ -19,25 +19,22 @@ struct FigureLine {
     std::optional<Iso230Figure> up;
     std::optional<Iso230Figure> down;
     Iso230Figure both;
-    bool isRange;
 };
 constexpr std::array figureLines{
-    FigureLine{Iso230Figure::AUp, Iso230Figure::ADown, Iso230Figure::A, true},
-    FigureLine{Iso230Figure::RUp, Iso230Figure::RDown, Iso230Figure::R, false},
-    FigureLine{Iso230Figure::EUp, Iso230Figure::EDown, Iso230Figure::E, true},
-    FigureLine{std::nullopt, std::nullopt, Iso230Figure::B, false},
-    FigureLine{std::nullopt, std::nullopt, Iso230Figure::MeanReversal, false},
-    FigureLine{std::nullopt, std::nullopt, Iso230Figure::M, true},
+    FigureLine{Iso230Figure::AUp, Iso230Figure::ADown, Iso230Figure::A},
+    FigureLine{Iso230Figure::RUp, Iso230Figure::RDown, Iso230Figure::R},
+    FigureLine{Iso230Figure::EUp, Iso230Figure::EDown, Iso230Figure::E},
+    FigureLine{std::nullopt, std::nullopt, Iso230Figure::B},
+    FigureLine{std::nullopt, std::nullopt, Iso230Figure::MeanReversal},
+    FigureLine{std::nullopt, std::nullopt, Iso230Figure::M},
 };
 
 std::string placeText(const Iso230Figures& figures, const FigureLine& line)
 {
-    const AxisFigure& figure = figures[line.both];
-    if (!figure.value || line.both == Iso230Figure::MeanReversal)
-        return {};
-    const std::string high = shortText(figures.targets[figure.high].position);
-    const bool isAtTwo = line.isRange && figure.high != figure.low;
-    return isAtTwo ? high + " and " + shortText(figures.targets[figure.low].position) : high;
+    std::string text;
+    for (const double place : placesOf(figures, line.both))
+        text += (text.empty() ? "" : " and ") + shortText(place);
+    return text;
 }
 
 std::string figuresText(
@@ -119,13 +116,11 @@ std::string outliersText(const Measurement& measurement, const Outliers& outlier
     return text + ", a proposal; nothing was left out\n" + table.text();
 }
 
-std::string complianceText(const std::vector<ComplianceLine>& lines)
+std::string conditionsText(const std::vector<ComplianceLine>& lines)
 {
     TextTable table({"", "condition of ISO 230-2"});
     for (const ComplianceLine& line : lines)
-        table.add({!line.isMet ? "not known"
-                : *line.isMet  ? "met"
-                               : "not met",
+        table.add({complianceText(line.isMet).words,
             line.text.english() + (line.isAssumed ? " (assumption)" : "")});
     return "\nMeasured as the standard wants it?\n" + table.text();
 }
@@ -173,10 +168,9 @@ Json whereJson(const Iso230Figures& figures)
         const AxisFigure& place = figures[figure];
         if (!place.value || figure == Iso230Figure::MeanReversal)
             continue;
-        const bool isMaximum = figure == Iso230Figure::B || figure == Iso230Figure::R
-            || figure == Iso230Figure::RUp || figure == Iso230Figure::RDown;
-        where[std::string(figureName(figure))] =
-            isMaximum ? Json(number(place.high)) : Json{number(place.high), number(place.low)};
+        where[std::string(figureName(figure))] = isRange(figure)
+            ? Json{number(place.high), number(place.low)}
+            : Json(number(place.high));
     }
     return where;
 }
@@ -325,7 +319,7 @@ std::string judgementText(const Measurement& measurement, const Judgement& judge
     text += outliersText(measurement, judgement.outliers);
     if (judgement.vdi)
         text += vdiText(measurement, *judgement.vdi);
-    text += complianceText(judgement.compliance);
+    text += conditionsText(judgement.compliance);
     return text + verdictsText(measurement, judgement.verdicts);
 }
 

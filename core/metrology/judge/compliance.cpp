@@ -164,6 +164,13 @@ void Conditions::checkPeriod()
 
 } // namespace
 
+TextPattern complianceText(std::optional<bool> isMet)
+{
+    if (!isMet)
+        return AXISCOMP_TEXT("Measurement", "not known");
+    return *isMet ? AXISCOMP_TEXT("Measurement", "met") : AXISCOMP_TEXT("Measurement", "not met");
+}
+
 std::vector<ComplianceLine> complianceOf(
     const Measurement& measurement, const Iso230Figures& figures, std::optional<double> period)
 {

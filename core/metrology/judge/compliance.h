@@ -13,6 +13,9 @@ struct ComplianceLine {
     bool isAssumed = false; ///< the number is not from the standard's text, which was not at hand
 };
 
+/// "met", "not met"; nothing: "not known".
+[[nodiscard]] TextPattern complianceText(std::optional<bool> isMet);
+
 /// Whether it was measured as ISO 230-2 wants it: never a refusal. period: a known period of the
 /// axis such as the lead of its screw, in mm or deg.
 [[nodiscard]] std::vector<ComplianceLine> complianceOf(

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/metrology/judge/corrections.h"
 
+#include "core/metrology/fine_quantity.h"
+#include "core/text/number_text.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -139,6 +142,35 @@ Result<CorrectedMeasurement> corrected(
     }
     result.measurement = std::move(measurement);
     return result;
+}
+
+std::vector<Text> correctionTexts(const CorrectionsBefore& corrections,
+    const std::optional<double>& largestByTemperature,
+    const std::optional<double>& largestByDeadPath)
+{
+    // Corrections are of lengths.
+    const auto largest = [](const std::optional<double>& change) {
+        constexpr int decimals = 2;
+        const std::optional<double> shown[] = {change};
+        const FineUnit unit = fineUnit(shown, false);
+        return Quantity{unit.digits(change.value_or(0.0), decimals), unit.symbol};
+    };
+    std::vector<Text> list;
+    if (const auto& temperature = corrections.temperature)
+        list.push_back(
+            AXISCOMP_TEXT("Report",
+                "to 20 °C from {material} with {expansion}: values changed by up to {largest}")
+                .with("material", Quantity{roundedText(temperature->materialCelsius), "°C"})
+                .with("expansion",
+                    Quantity{
+                        roundedText(temperature->expansionPerKelvin / expansionUnit), "µm/(m·K)"})
+                .with("largest", largest(largestByTemperature)));
+    if (const auto& deadPath = corrections.deadPath)
+        list.push_back(
+            AXISCOMP_TEXT("Report", "dead path of {length}: values changed by up to {largest}")
+                .with("length", Quantity{roundedText(deadPath->lengthMm), "mm"})
+                .with("largest", largest(largestByDeadPath)));
+    return list;
 }
 
 } // namespace axiscomp

@@ -10,6 +10,8 @@ namespace axiscomp {
 
 // Corrections before judging. None is made without being asked for.
 
+/// 1 um/(m K), as which people write a coefficient, in 1/K.
+inline constexpr double expansionUnit = 1e-6;
 /// Proposed for steel where nobody knows better; it has to be accepted.
 inline constexpr double steelExpansionPerKelvin = 11.5e-6;
 
@@ -61,6 +63,8 @@ struct DeadPathCorrection {
 struct CorrectionsBefore {
     std::optional<TemperatureCorrection> temperature = {};
     std::optional<DeadPathCorrection> deadPath = {};
+
+    friend bool operator==(const CorrectionsBefore&, const CorrectionsBefore&) = default;
 };
 struct CorrectedMeasurement {
     Measurement measurement;
@@ -71,5 +75,11 @@ struct CorrectedMeasurement {
 /// For the dead path, then to 20 deg C. Errors: those of both.
 [[nodiscard]] Result<CorrectedMeasurement> corrected(
     Measurement measurement, const CorrectionsBefore& corrections);
+
+/// What was made of the values, a phrase for each correction: "to 20 °C from 22.5 °C with 11.5
+/// µm/(m·K): values changed by up to 3.1 µm". largest: of CorrectedMeasurement.
+[[nodiscard]] std::vector<Text> correctionTexts(const CorrectionsBefore& corrections,
+    const std::optional<double>& largestByTemperature,
+    const std::optional<double>& largestByDeadPath);
 
 } // namespace axiscomp

@@ -237,6 +237,73 @@ Iso230Figures iso230Figures(const Measurement& measurement)
     return result;
 }
 
+std::span<const Iso230Figure> shownIso230Figures()
+{
+    using F = Iso230Figure;
+    static constexpr std::array shown{F::A, F::AUp, F::ADown, F::R, F::RUp, F::RDown, F::E, F::EUp,
+        F::EDown, F::B, F::MeanReversal, F::M};
+    return shown;
+}
+
+std::string_view figureSymbol(Iso230Figure figure)
+{
+    switch (figure) {
+    case Iso230Figure::MeanReversal:
+        return "Bm";
+    case Iso230Figure::AUp:
+        return "A↑";
+    case Iso230Figure::ADown:
+        return "A↓";
+    case Iso230Figure::EUp:
+        return "E↑";
+    case Iso230Figure::EDown:
+        return "E↓";
+    case Iso230Figure::RUp:
+        return "R↑";
+    case Iso230Figure::RDown:
+        return "R↓";
+    case Iso230Figure::A:
+    case Iso230Figure::B:
+    case Iso230Figure::E:
+    case Iso230Figure::M:
+    case Iso230Figure::R:
+        break;
+    }
+    return figureName(figure);
+}
+
+bool isRange(Iso230Figure figure)
+{
+    switch (figure) {
+    case Iso230Figure::A:
+    case Iso230Figure::AUp:
+    case Iso230Figure::ADown:
+    case Iso230Figure::E:
+    case Iso230Figure::EUp:
+    case Iso230Figure::EDown:
+    case Iso230Figure::M:
+        return true;
+    case Iso230Figure::B:
+    case Iso230Figure::MeanReversal:
+    case Iso230Figure::R:
+    case Iso230Figure::RUp:
+    case Iso230Figure::RDown:
+        break;
+    }
+    return false;
+}
+
+std::vector<double> placesOf(const Iso230Figures& figures, Iso230Figure figure)
+{
+    const AxisFigure& place = figures[figure];
+    if (!place.value || figure == Iso230Figure::MeanReversal)
+        return {};
+    std::vector<double> places{figures.targets[place.high].position};
+    if (isRange(figure) && place.high != place.low)
+        places.push_back(figures.targets[place.low].position);
+    return places;
+}
+
 FigureValues figureValues(const Iso230Figures& figures)
 {
     FigureValues result;

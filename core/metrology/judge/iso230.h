@@ -35,6 +35,10 @@ inline constexpr std::size_t iso230FigureCount = 12;
 [[nodiscard]] std::string_view figureName(Iso230Figure figure);
 /// By that name in capital or small letters; "E+" and "E-" are EUp and EDown.
 [[nodiscard]] std::optional<Iso230Figure> figureNamed(std::string_view name);
+/// In the order in which people read them: A, R, E, B, its mean and M, each with its directions.
+[[nodiscard]] std::span<const Iso230Figure> shownIso230Figures();
+/// "A", "A↑", "B", "Bm" for its mean: as the standard's formulas have it.
+[[nodiscard]] std::string_view figureSymbol(Iso230Figure figure);
 /// "accuracy A"
 [[nodiscard]] TextPattern figureText(Iso230Figure figure);
 
@@ -75,6 +79,12 @@ struct Iso230Figures {
         return axis[static_cast<std::size_t>(figure)];
     }
 };
+
+/// Whether a figure reaches from a highest to a lowest place: A, E and M, also of one direction.
+[[nodiscard]] bool isRange(Iso230Figure figure);
+/// The positions where a figure arises: of a range the highest and the lowest place, where these
+/// are not the same. None where it is not defined, and for MeanReversal.
+[[nodiscard]] std::vector<double> placesOf(const Iso230Figures& figures, Iso230Figure figure);
 
 /// Of the values in use of a measurement with targets. A figure that needs values that are not
 /// there is not defined: with a single value somewhere s, R and A; with one direction alone B, its

@@ -44,9 +44,7 @@ Judgement judge(const Measurement& measurement, const JudgeOptions& options)
 {
     Judgement result;
     result.figures = iso230Figures(measurement);
-    Measurement whole = measurement;
-    for (RunValue& value : whole.values)
-        value.isUsed = true;
+    const Measurement whole = withAllValues(measurement);
     const std::size_t excluded = measurement.excludedCount();
     if (excluded > 0) {
         result.ofAllValues = iso230Figures(whole);

@@ -171,4 +171,13 @@ Exclusion exclusionOf(const Outlier& outlier)
     return {outlier.direction, outlier.target + 1, outlier.run};
 }
 
+std::vector<Exclusion> exclusionsOf(const Outliers& outliers)
+{
+    std::vector<Exclusion> all;
+    for (const DirectionOutliers* one : {&outliers.up, &outliers.down})
+        for (const Outlier& outlier : one->flagged)
+            all.push_back(exclusionOf(outlier));
+    return all;
+}
+
 } // namespace axiscomp

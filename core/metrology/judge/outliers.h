@@ -48,5 +48,7 @@ struct Outliers {
 
 /// What exclude() takes.
 [[nodiscard]] Exclusion exclusionOf(const Outlier& outlier);
+/// Of everything that is proposed.
+[[nodiscard]] std::vector<Exclusion> exclusionsOf(const Outliers& outliers);
 
 } // namespace axiscomp

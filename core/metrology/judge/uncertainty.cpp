@@ -72,7 +72,7 @@ Result<UncertaintyBudget> uncertaintyBudgetFromJson(std::string_view text, doubl
     return budget;
 }
 
-Result<double> amountFromText(std::string_view text, bool isAngular)
+Result<double> amountFromText(std::string_view text, bool isAngular, std::string_view defaultUnit)
 {
     // A unit has no digit and may follow without a blank: the longest number counts.
     std::size_t length = text.find_first_not_of("0123456789.+-eE");
@@ -81,7 +81,8 @@ Result<double> amountFromText(std::string_view text, bool isAngular)
     while (length > 0 && !numberOf(text.substr(0, length)))
         --length;
     const auto number = numberOf(text.substr(0, length));
-    const std::string_view unit = trimmedToken({text.substr(length), 0, 1}).text;
+    const std::string_view stated = trimmedToken({text.substr(length), 0, 1}).text;
+    const std::string_view unit = stated.empty() ? defaultUnit : stated;
     const std::string_view own = isAngular ? "deg" : "mm";
     const auto factor = unit.empty() ? std::optional(1.0) : unitFactor(unit, own);
     if (!number || !factor || !(*number >= 0.0) || !std::isfinite(*number))

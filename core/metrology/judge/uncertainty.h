@@ -46,8 +46,10 @@ struct Tolerance {
 /// "A=10um,R=4um"; without a unit mm, or deg for angles. Errors: InvalidArgument.
 [[nodiscard]] Result<std::vector<Tolerance>> tolerancesFromText(
     std::string_view text, bool isAngular);
-/// "2.1um" in mm, or in deg for angles. Errors: InvalidArgument.
-[[nodiscard]] Result<double> amountFromText(std::string_view text, bool isAngular);
+/// "2.1um" in mm, or in deg for angles. defaultUnit: of a number without one; empty: mm or deg.
+/// Errors: InvalidArgument.
+[[nodiscard]] Result<double> amountFromText(
+    std::string_view text, bool isAngular, std::string_view defaultUnit = {});
 
 enum class VerdictResult { Passed, Failed, Undecided, NotDefined };
 [[nodiscard]] std::string_view verdictName(VerdictResult result); ///< "passed", "notDefined"

@@ -5,9 +5,7 @@
 #include "core/metrology/report/report_text.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
 
 namespace axiscomp::report {
 
@@ -51,10 +49,10 @@ struct Scale {
 
 class DeviationPlot {
 public:
-    DeviationPlot(const Measurement& measurement, const Iso230Figures& figures,
+    DeviationPlot(const Measurement& measurement, const DeviationCurves& curves,
         const DeviationRange& range, const PlotSize& size)
         : m_measurement(measurement)
-        , m_figures(figures)
+        , m_curves(curves)
         , m_unit(unitOf(range, measurement.isAngular))
     {
         m_plot.width = size.width;
@@ -74,8 +72,8 @@ public:
         drawFrame();
         drawBand();
         drawRuns();
-        drawDirection(&TargetFigures::up, PlotInk::Up, PlotMarkerShape::TriangleUp);
-        drawDirection(&TargetFigures::down, PlotInk::Down, PlotMarkerShape::TriangleDown);
+        drawDirection(m_curves.up, PlotInk::Up, PlotMarkerShape::TriangleUp);
+        drawDirection(m_curves.down, PlotInk::Down, PlotMarkerShape::TriangleDown);
         drawMean();
         drawReversal();
         drawRanges();
@@ -84,8 +82,6 @@ public:
     }
 
 private:
-    using Direction = DirectionFigures TargetFigures::*;
-
     [[nodiscard]] static FineUnit unitOf(const DeviationRange& range, bool isAngular)
     {
         const std::optional<double> shown[] = {range.low, range.high};
@@ -134,68 +130,49 @@ private:
             PlotLabel::Side::Centre, false, smallFont});
     }
 
-    [[nodiscard]] std::vector<PlotPoint> limit(
-        Direction direction, std::optional<double> DirectionFigures::*which) const
+    [[nodiscard]] std::vector<PlotPoint> places(const std::vector<PlacedDeviation>& curve) const
     {
         std::vector<PlotPoint> points;
-        for (const TargetFigures& target : m_figures.targets)
-            if (const auto& value = target.*direction.*which)
-                points.push_back(place(target.position, *value));
+        for (const PlacedDeviation& one : curve)
+            points.push_back(place(one.position, one.deviation));
         return points;
     }
 
     /// PDF/A-1 has no transparency: one band is an area, the other two lines over it.
     void drawBand()
     {
-        auto outline = limit(&TargetFigures::up, &DirectionFigures::high);
-        const auto low = limit(&TargetFigures::up, &DirectionFigures::low);
+        auto outline = places(m_curves.up.high);
+        const auto low = places(m_curves.up.low);
         outline.insert(outline.end(), low.rbegin(), low.rend());
         if (low.size() > 1)
             m_plot.bands.push_back({std::move(outline), PlotInk::Up});
-        for (const auto which : {&DirectionFigures::low, &DirectionFigures::high})
-            line(limit(&TargetFigures::down, which), PlotInk::Down, 0.25, dotted);
+        for (const auto* limit : {&m_curves.down.low, &m_curves.down.high})
+            line(places(*limit), PlotInk::Down, 0.25, dotted);
     }
 
     void drawRuns()
     {
-        for (const Approach direction : {Approach::Up, Approach::Down}) {
-            const int runs = m_measurement.runCount(direction);
-            for (int run = 1; run <= runs; ++run) {
-                std::vector<PlotPoint> points;
-                for (const RunValue& value : m_measurement.values)
-                    if (value.direction == direction && value.run == run && value.isUsed)
-                        points.push_back(
-                            place(m_measurement.targets[value.target], value.deviation));
-                line(std::move(points), PlotInk::Run, 0.1);
-            }
-        }
+        for (const DeviationCurves::Run& run : m_curves.runs)
+            line(places(run.values), PlotInk::Run, 0.1);
     }
 
-    void drawDirection(Direction direction, PlotInk ink, PlotMarkerShape shape)
+    void drawDirection(
+        const DeviationCurves::Direction& direction, PlotInk ink, PlotMarkerShape shape)
     {
-        const auto points = limit(direction, &DirectionFigures::mean);
+        const auto points = places(direction.mean);
         for (const PlotPoint& point : points)
             m_plot.markers.push_back({point, shape, ink});
         line(points, ink, 0.25);
     }
 
-    void drawMean()
-    {
-        std::vector<PlotPoint> points;
-        for (const TargetFigures& target : m_figures.targets)
-            if (target.mean)
-                points.push_back(place(target.position, *target.mean));
-        line(std::move(points), PlotInk::Mean, 0.5);
-    }
+    void drawMean() { line(places(m_curves.mean), PlotInk::Mean, 0.5); }
 
     void drawReversal()
     {
-        const AxisFigure& reversal = m_figures[Iso230Figure::B];
-        if (!reversal.value)
+        if (!m_curves.reversal)
             return;
-        const TargetFigures& target = m_figures.targets[reversal.high];
-        const PlotPoint up = place(target.position, *target.up.mean);
-        const PlotPoint down = place(target.position, *target.down.mean);
+        const PlotPoint up = place(m_curves.reversal->position, m_curves.reversal->up);
+        const PlotPoint down = place(m_curves.reversal->position, m_curves.reversal->down);
         line({up, down}, PlotInk::Frame, 0.4);
         m_plot.labels.push_back({{up.x + 1.2, (up.y + down.y) / 2.0 + 0.35 * smallFont},
             Verbatim{"B"}, PlotLabel::Side::Left, false, smallFont});
@@ -205,31 +182,14 @@ private:
     void drawRanges()
     {
         struct Range {
-            Iso230Figure figure;
             const char* symbol;
-            DeviationRange range;
+            const std::optional<DeviationRange>& range;
         };
-        constexpr double infinity = std::numeric_limits<double>::infinity();
-        DeviationRange accuracy{infinity, -infinity};
-        DeviationRange systematic = accuracy;
-        DeviationRange mean = accuracy;
-        const auto widen = [](DeviationRange& range, const std::optional<double>& value) {
-            range.low = std::min(range.low, value.value_or(range.low));
-            range.high = std::max(range.high, value.value_or(range.high));
-        };
-        for (const TargetFigures& target : m_figures.targets) {
-            for (const DirectionFigures* one : {&target.up, &target.down}) {
-                widen(accuracy, one->low);
-                widen(accuracy, one->high);
-                widen(systematic, one->mean);
-            }
-            widen(mean, target.mean);
-        }
         double x = m_x.end + 3.0;
-        for (const Range& range : {Range{Iso230Figure::A, "A", accuracy},
-                 Range{Iso230Figure::E, "E", systematic}, Range{Iso230Figure::M, "M", mean}}) {
-            if (m_figures[range.figure].value)
-                drawRange(x, range.range, range.symbol);
+        for (const Range& range : {Range{"A", m_curves.accuracy}, Range{"E", m_curves.systematic},
+                 Range{"M", m_curves.meanRange}}) {
+            if (range.range)
+                drawRange(x, *range.range, range.symbol);
             x += 6.0;
         }
     }
@@ -254,7 +214,7 @@ private:
     }
 
     const Measurement& m_measurement;
-    const Iso230Figures& m_figures;
+    const DeviationCurves& m_curves;
     FineUnit m_unit;
     Scale m_x;
     Scale m_y;
@@ -263,34 +223,10 @@ private:
 
 } // namespace
 
-DeviationRange deviationRange(const Measurement& measurement, const Iso230Figures& figures)
-{
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    DeviationRange range{infinity, -infinity};
-    const auto widen = [&range](double value) {
-        range.low = std::min(range.low, value);
-        range.high = std::max(range.high, value);
-    };
-    for (const RunValue& value : measurement.values)
-        if (value.isUsed)
-            widen(value.deviation);
-    for (const TargetFigures& target : figures.targets)
-        for (const DirectionFigures* one : {&target.up, &target.down})
-            for (const auto& limit : {one->low, one->high})
-                if (limit)
-                    widen(*limit);
-    return range;
-}
-
-DeviationRange united(const DeviationRange& a, const DeviationRange& b)
-{
-    return {std::min(a.low, b.low), std::max(a.high, b.high)};
-}
-
-ReportPlot deviationPlot(const Measurement& measurement, const Iso230Figures& figures,
+ReportPlot deviationPlot(const Measurement& measurement, const DeviationCurves& curves,
     const DeviationRange& range, const PlotSize& size)
 {
-    return DeviationPlot(measurement, figures, range, size).drawn();
+    return DeviationPlot(measurement, curves, range, size).drawn();
 }
 
 ReportPlot deviationLegend(double width)
@@ -302,11 +238,7 @@ ReportPlot deviationLegend(double width)
     legend.width = width;
     legend.height = height;
     legend.description = AXISCOMP_TEXT("Report", "What lines and markers mean");
-    const std::array<Text, 6> words{AXISCOMP_TEXT("Report", "mean ↑"),
-        AXISCOMP_TEXT("Report", "mean ↓"), AXISCOMP_TEXT("Report", "mean of both"),
-        AXISCOMP_TEXT("Report", "mean ↑ ± 2 s"), AXISCOMP_TEXT("Report", "mean ↓ ± 2 s"),
-        AXISCOMP_TEXT("Report", "single run")};
-    const double column = width / static_cast<double>(words.size());
+    const double column = width / static_cast<double>(deviationLineCount);
     const auto line = [&](double x, PlotInk ink, double lineWidth,
                           const std::vector<double>& dashes = {}) {
         legend.lines.push_back({{{x, middle}, {x + sample, middle}}, ink, lineWidth, dashes});
@@ -323,10 +255,11 @@ ReportPlot deviationLegend(double width)
             PlotInk::Up});
     line(4.0 * column, PlotInk::Down, 0.25, dotted);
     line(5.0 * column, PlotInk::Run, 0.1);
-    for (std::size_t i = 0; i < words.size(); ++i)
+    for (std::size_t i = 0; i < deviationLineCount; ++i)
         legend.labels.push_back(
-            {{static_cast<double>(i) * column + sample + 1.0, middle + 0.35 * smallFont}, words[i],
-                PlotLabel::Side::Left, false, smallFont});
+            {{static_cast<double>(i) * column + sample + 1.0, middle + 0.35 * smallFont},
+                deviationLineText(static_cast<DeviationLine>(i)), PlotLabel::Side::Left, false,
+                smallFont});
     return legend;
 }
 

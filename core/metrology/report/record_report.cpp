@@ -18,23 +18,9 @@ using namespace report;
 std::vector<Text> correctionTexts(
     const RecordedCorrections& corrections, const CorrectedMeasurement& made)
 {
-    const auto largest = [&made](const std::optional<double>& change) {
-        return fineText(change.value_or(0.0), made.measurement.isAngular);
-    };
-    std::vector<Text> list;
-    if (const auto& temperature = corrections.temperature)
-        list.push_back(
-            AXISCOMP_TEXT("Report",
-                "to 20 °C from {material} with {expansion}: values changed by up to {largest}")
-                .with("material", quantityText(roundedText(temperature->materialCelsius), "°C"))
-                .with("expansion",
-                    quantityText(roundedText(temperature->expansionPerKelvin * 1e6), "µm/(m·K)"))
-                .with("largest", largest(made.largestByTemperature)));
-    if (const auto& deadPath = corrections.deadPath)
-        list.push_back(
-            AXISCOMP_TEXT("Report", "dead path of {length}: values changed by up to {largest}")
-                .with("length", quantityText(roundedText(deadPath->lengthMm), "mm"))
-                .with("largest", largest(made.largestByDeadPath)));
+    std::vector<Text> list =
+        axiscomp::correctionTexts({corrections.temperature, corrections.deadPath},
+            made.largestByTemperature, made.largestByDeadPath);
     if (corrections.drift)
         list.push_back(AXISCOMP_TEXT("Report", "drift taken out for the table, not for figures"));
     return list;

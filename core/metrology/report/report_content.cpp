@@ -25,6 +25,7 @@ constexpr std::size_t mostExclusions = 6;
 struct Judged {
     const ReportMeasurement* reported = nullptr; ///< null: not on record
     Iso230Figures figures;
+    DeviationCurves curves;
 };
 
 Judged judged(const std::optional<ReportMeasurement>& reported)
@@ -33,8 +34,10 @@ Judged judged(const std::optional<ReportMeasurement>& reported)
     if (!reported)
         return result;
     result.reported = &*reported;
-    if (reported->measurement.hasTargets())
+    if (reported->measurement.hasTargets()) {
         result.figures = iso230Figures(reported->measurement);
+        result.curves = deviationCurves(reported->measurement, result.figures);
+    }
     return result;
 }
 
@@ -270,7 +273,7 @@ private:
         for (const Judged* one : {&m_before, &m_after}) {
             if (!hasPlot(*one))
                 continue;
-            const auto own = deviationRange(one->reported->measurement, one->figures);
+            const DeviationRange& own = *one->curves.all;
             range = range ? united(*range, own) : own;
         }
         if (hasBoth)
@@ -286,7 +289,7 @@ private:
         for (const Judged* one : {&m_before, &m_after})
             if (hasPlot(*one))
                 plots.plots.push_back(
-                    deviationPlot(one->reported->measurement, one->figures, *range, size));
+                    deviationPlot(one->reported->measurement, one->curves, *range, size));
         m_document.blocks.emplace_back(std::move(plots));
         m_document.blocks.emplace_back(ReportPlots{{deviationLegend(pageWidth)}});
     }
@@ -302,9 +305,7 @@ private:
         table.header = {Text(), AXISCOMP_TEXT("Report", "before"),
             AXISCOMP_TEXT("Report", "predicted"), AXISCOMP_TEXT("Report", "held out"),
             AXISCOMP_TEXT("Report", "after")};
-        using F = Iso230Figure;
-        for (const F figure : {F::A, F::AUp, F::ADown, F::R, F::RUp, F::RDown, F::E, F::EUp,
-                 F::EDown, F::B, F::MeanReversal, F::M}) {
+        for (const Iso230Figure figure : shownIso230Figures()) {
             const auto measured = [&](const Judged& one) {
                 return one.reported ? cell(unit, one.figures[figure].value) : notStated();
             };

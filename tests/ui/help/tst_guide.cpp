@@ -95,6 +95,7 @@ private Q_SLOTS:
         row("multiAxisDialog", "Several axes from one file");
         row("importConfigurationDialog", "Parameters of a TAM configuration");
         row("exportConfigurationDialog", "Parameters of a TAM configuration");
+        row("correctionsDialog", "What a measurement says of the axis");
         row("backupDialog", "Backups");
         row("restoreDriveDialog", "Backups");
     }

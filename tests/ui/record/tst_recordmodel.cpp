@@ -72,6 +72,48 @@ private Q_SLOTS:
         QVERIFY(model.state().judgement->ofAllValues);
     }
 
+    void correctionsAreMadeBeforeJudgingAndGoWithTheirFiles()
+    {
+        RecordModel model;
+        model.addFiles({publicMeasurement("bifrost")});
+        QVERIFY(settled(model));
+        CorrectionsBefore corrections;
+        corrections.temperature = TemperatureCorrection{22.5, 11.5e-6};
+        corrections.temperature->isConfirmed = true;
+        model.setCorrections(corrections);
+        QVERIFY(settled(model));
+        // 40.8 mm from the first to the last target, 11.5e-6/K, 2.5 K: the last one by -1.173 um.
+        const Measurement& measurement = *model.state().measurement;
+        const RunValue* last = findValue(measurement, Approach::Up, 4, 1);
+        QVERIFY(last && std::abs(last->deviation - (0.00583 - 0.001173)) < 6e-6);
+        QVERIFY(std::abs(model.state().largestByTemperature.value_or(0.0) - 0.001173) < 1e-6);
+        model.addFiles({publicMeasurement("b02_x")});
+        QVERIFY(model.record().corrections == CorrectionsBefore{});
+        model.undo();
+        QVERIFY(model.record().corrections == corrections);
+        model.removeFile(0);
+        QVERIFY(model.record().corrections == CorrectionsBefore{});
+    }
+
+    void airOfTheDeadPathFollowsTheDirections()
+    {
+        RecordModel model;
+        model.addFiles({publicMeasurement("bifrost")});
+        QVERIFY(settled(model));
+        CorrectionsBefore corrections;
+        corrections.deadPath = DeadPathCorrection{100.0, {}, {}};
+        corrections.deadPath->duringRun[{Approach::Up, 2}] = {101.0, 21.0, 40.0};
+        model.setCorrections(corrections);
+        model.setDirectionsSwapped(true);
+        const auto& air = model.record().corrections.deadPath->duringRun;
+        QCOMPARE(air.size(), std::size_t{1});
+        QVERIFY(air.contains({Approach::Down, 2}));
+        QVERIFY(settled(model)); // the air of the other runs is not known
+        QVERIFY(model.state().refusal && !model.state().judgement);
+        model.undo();
+        QVERIFY(model.record().corrections == corrections);
+    }
+
     void everyStepIsUndoneAndDoneAgain()
     {
         RecordModel model;
@@ -88,6 +130,10 @@ private Q_SLOTS:
         model.setUncertainty(0.002);
         note();
         model.setOutlierRule(OutlierRule::Grubbs);
+        note();
+        CorrectionsBefore corrections;
+        corrections.temperature = TemperatureCorrection{22.5, 11.5e-6};
+        model.setCorrections(corrections);
         note();
         MeasurementChoices otherWay;
         otherWay.invertsReference = true;

@@ -4,9 +4,11 @@
 #include "tests/ui/support/configuration_files.h"
 #include "tests/ui/support/measurement_files.h"
 #include "tests/ui/support/page_fixture.h"
+#include "ui/page/page_tabs.h"
 
 #include <QAction>
 #include <QTabWidget>
+#include <QTableView>
 
 #include <functional>
 #include <vector>
@@ -224,8 +226,7 @@ inline bool measure(PageFixture& bench)
 {
     if (!bench.user.isThere())
         return false;
-    bench.user.the("pageTabs").setFocus();
-    PageUser::press(Qt::Key_PageUp, Qt::ControlModifier);
+    bench.user.the<ui::PageTabs>("pageTabs").setCurrentIndex(ui::PageTabs::Measure);
     bench.picked = publicMeasurement("b02_x");
     if (!bench.user.click("addMeasurement"))
         return false;
@@ -236,6 +237,26 @@ inline bool measure(PageFixture& bench)
         const auto* problems = page->findChild<QWidget*>(QStringLiteral("problems"));
         return problems && problems->isVisible();
     });
+}
+
+/// The tab Judge with a measurement that has outliers, one of them excluded, and a tolerance.
+inline bool judge(PageFixture& bench)
+{
+    if (!bench.user.isThere())
+        return false;
+    auto& tabs = bench.user.the<ui::PageTabs>("pageTabs");
+    tabs.setCurrentIndex(ui::PageTabs::Measure);
+    bench.picked = publicMeasurement("ess_mcu1025");
+    if (!bench.user.click("addMeasurement"))
+        return false;
+    tabs.setCurrentIndex(ui::PageTabs::Judge);
+    const auto& outliers = bench.user.the<QTableView>("outliers");
+    if (!PageUser::waitFor([&] { return outliers.model()->rowCount() == 2; }))
+        return false;
+    bench.user.the<QTableView>("outliers").setCurrentIndex(outliers.model()->index(0, 0));
+    return bench.user.click("excludeSelected")
+        && bench.user.enter("toleranceA", QStringLiteral("10"))
+        && PageUser::waitFor([&] { return bench.user.the("showAllValues").isEnabled(); });
 }
 
 } // namespace page_states
@@ -265,6 +286,7 @@ inline const std::vector<PageState>& allPageStates()
         {"import configuration", importConfiguration},
         {"export configuration", exportConfiguration},
         {"measure", measure},
+        {"judge", judge},
     };
     return all;
 }

@@ -9,6 +9,7 @@
 #include <QAction>
 #include <QComboBox>
 #include <QDialog>
+#include <QGroupBox>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -777,6 +778,87 @@ void measureValues(PageScene& scene)
     QTest::qWait(200);
 }
 
+void showTab(PageScene& scene, PageTabs::Tab tab)
+{
+    scene.page().findChild<QTabBar*>(QStringLiteral("pageTabs"))->setCurrentIndex(tab);
+    QTest::qWait(200);
+}
+
+void judgeEmpty(PageScene& scene)
+{
+    showPageTab(scene, PageTabs::Judge);
+}
+
+QLineEdit& limitField(PageScene& scene, const char* name)
+{
+    return *scene.page().findChild<QLineEdit*>(QLatin1StringView(name));
+}
+
+void enterLimit(PageScene& scene, const char* name, const QString& text)
+{
+    QLineEdit& field = limitField(scene, name);
+    wait([&] { return field.isEnabled(); }, "the field");
+    field.setText(text);
+    field.setModified(true);
+    Q_EMIT field.editingFinished();
+    QTest::qWait(200);
+}
+
+/// A machine that is good but for its screw: tolerances met, not met and undecided.
+void judgeFigures(PageScene& scene)
+{
+    measureEmpty(scene);
+    addMeasurement(scene, publicMeasurement("bifrost"), 1);
+    showTab(scene, PageTabs::Judge);
+    enterLimit(scene, "toleranceA", QStringLiteral("10"));
+    enterLimit(scene, "toleranceR", QStringLiteral("12"));
+    enterLimit(scene, "toleranceM", QStringLiteral("16"));
+    enterLimit(scene, "uncertainty", QStringLiteral("2"));
+}
+
+/// Values that do not fit, one of them excluded and one selected.
+void judgeOutliers(PageScene& scene)
+{
+    measureEmpty(scene);
+    addMeasurement(scene, publicMeasurement("ess_mcu1025"), 1);
+    showTab(scene, PageTabs::Judge);
+    auto* outliers = scene.page().findChild<QTableView*>(QStringLiteral("outliers"));
+    outliers->setCurrentIndex(outliers->model()->index(0, 0));
+    scene.click("excludeSelected");
+    const auto* showsAll = scene.page().findChild<QWidget*>(QStringLiteral("showAllValues"));
+    wait([&] { return showsAll->isEnabled(); }, "the exclusion");
+    outliers->setCurrentIndex(outliers->model()->index(0, 0));
+    QTest::qWait(200);
+}
+
+/// Corrections that lack a coefficient.
+void judgeCorrections(PageScene& scene)
+{
+    measureEmpty(scene);
+    addMeasurement(scene,
+        scene.stage().file(QStringLiteral("warm.csv"),
+            "// material temperature: 22.5\ntarget [mm],direction,run,deviation [um]\n"
+            "0,+,1,0.4\n500,+,1,1.9\n500,-,1,1.1\n0,-,1,-0.6\n"),
+        1);
+    showTab(scene, PageTabs::Judge);
+    scene.click("corrections");
+    auto* dialog = scene.page().findChild<QDialog*>(QStringLiteral("correctionsDialog"));
+    dialog->findChild<QGroupBox*>(QStringLiteral("temperatureCorrection"))->setChecked(true);
+    dialog->findChild<QAbstractButton*>(QStringLiteral("acceptCorrections"))->click();
+    QTest::qWait(200);
+}
+
+/// Runs that lie beside each other, in the plot and in numbers.
+void judgeDrift(PageScene& scene)
+{
+    measureEmpty(scene);
+    addMeasurement(scene, publicMeasurement("b02_y"), 1);
+    showTab(scene, PageTabs::Judge);
+    scene.page().findChild<QTabWidget*>(QStringLiteral("judgePlots"))->setCurrentIndex(1);
+    scene.page().findChild<QTabWidget*>(QStringLiteral("judgeTabs"))->setCurrentIndex(3);
+    QTest::qWait(200);
+}
+
 } // namespace
 
 const std::vector<SceneState>& sceneStates()
@@ -837,6 +919,11 @@ const std::vector<SceneState>& sceneStates()
         {"measure-columns", measureColumns},
         {"measure-bad-file", measureBadFile},
         {"measure-values", measureValues},
+        {"judge-empty", judgeEmpty},
+        {"judge-figures", judgeFigures},
+        {"judge-outliers", judgeOutliers},
+        {"judge-drift", judgeDrift},
+        {"judge-corrections", judgeCorrections},
     };
     return all;
 }

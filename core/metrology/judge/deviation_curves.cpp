@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/metrology/judge/deviation_curves.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+
+namespace axiscomp {
+
+namespace {
+
+void widen(std::optional<DeviationRange>& range, const std::optional<double>& value)
+{
+    if (value)
+        range = range ? united(*range, {*value, *value}) : DeviationRange{*value, *value};
+}
+
+void append(
+    std::vector<PlacedDeviation>& curve, double position, const std::optional<double>& deviation)
+{
+    if (deviation)
+        curve.push_back({position, *deviation});
+}
+
+void addFigures(DeviationCurves& curves, const Iso230Figures& figures)
+{
+    std::optional<DeviationRange> accuracy;
+    std::optional<DeviationRange> systematic;
+    std::optional<DeviationRange> meanRange;
+    for (const TargetFigures& target : figures.targets) {
+        const auto add = [&](DeviationCurves::Direction& direction, const DirectionFigures& one) {
+            append(direction.mean, target.position, one.mean);
+            append(direction.low, target.position, one.low);
+            append(direction.high, target.position, one.high);
+            widen(accuracy, one.low);
+            widen(accuracy, one.high);
+            widen(systematic, one.mean);
+        };
+        add(curves.up, target.up);
+        add(curves.down, target.down);
+        append(curves.mean, target.position, target.mean);
+        widen(meanRange, target.mean);
+    }
+    if (accuracy)
+        curves.all = accuracy;
+    if (figures[Iso230Figure::A].value)
+        curves.accuracy = accuracy;
+    if (figures[Iso230Figure::E].value)
+        curves.systematic = systematic;
+    if (figures[Iso230Figure::M].value)
+        curves.meanRange = meanRange;
+    if (const AxisFigure& reversal = figures[Iso230Figure::B]; reversal.value) {
+        const TargetFigures& target = figures.targets[reversal.high];
+        curves.reversal = {target.position, *target.up.mean, *target.down.mean};
+    }
+}
+
+void addToEnvelope(DeviationCurves::Direction& direction, const PlacedDeviation& value)
+{
+    if (direction.smallest.empty() || direction.smallest.back().position != value.position) {
+        direction.smallest.push_back(value);
+        direction.largest.push_back(value);
+        return;
+    }
+    double& smallest = direction.smallest.back().deviation;
+    double& largest = direction.largest.back().deviation;
+    smallest = std::min(smallest, value.deviation);
+    largest = std::max(largest, value.deviation);
+}
+
+/// The values stand by direction, target and run.
+void addValues(DeviationCurves& curves, const Measurement& measurement)
+{
+    std::map<std::pair<Approach, int>, DeviationCurves::Run> runs;
+    for (const RunValue& value : measurement.values) {
+        const PlacedDeviation placed{measurement.targets[value.target], value.deviation};
+        if (!value.isUsed) {
+            curves.excluded.push_back(placed);
+            continue;
+        }
+        DeviationCurves::Run& run = runs[{value.direction, value.run}];
+        run.values.push_back(placed);
+        addToEnvelope(value.direction == Approach::Up ? curves.up : curves.down, placed);
+        widen(curves.all, value.deviation);
+        ++curves.valueCount;
+    }
+    for (auto& [key, run] : runs) {
+        run.direction = key.first;
+        run.number = key.second;
+        curves.runs.push_back(std::move(run));
+    }
+}
+
+void thin(std::vector<PlacedDeviation>& curve, std::size_t most)
+{
+    const std::size_t count = curve.size();
+    if (count <= most)
+        return;
+    const std::size_t parts = std::max<std::size_t>(1, most / 2);
+    std::vector<PlacedDeviation> left;
+    for (std::size_t part = 0; part < parts; ++part) {
+        const auto begin = curve.begin() + static_cast<std::ptrdiff_t>(part * count / parts);
+        const auto end = curve.begin() + static_cast<std::ptrdiff_t>((part + 1) * count / parts);
+        const auto [low, high] =
+            std::ranges::minmax_element(begin, end, {}, &PlacedDeviation::deviation);
+        left.push_back(*std::min(low, high));
+        left.push_back(*std::max(low, high));
+    }
+    curve = std::move(left);
+}
+
+} // namespace
+
+DeviationRange united(const DeviationRange& a, const DeviationRange& b)
+{
+    return {std::min(a.low, b.low), std::max(a.high, b.high)};
+}
+
+TextPattern deviationLineText(DeviationLine line)
+{
+    switch (line) {
+    case DeviationLine::MeanUp:
+        return AXISCOMP_TEXT("Report", "mean ↑");
+    case DeviationLine::MeanDown:
+        return AXISCOMP_TEXT("Report", "mean ↓");
+    case DeviationLine::Mean:
+        return AXISCOMP_TEXT("Report", "mean of both");
+    case DeviationLine::BandUp:
+        return AXISCOMP_TEXT("Report", "mean ↑ ± 2 s");
+    case DeviationLine::BandDown:
+        return AXISCOMP_TEXT("Report", "mean ↓ ± 2 s");
+    case DeviationLine::Run:
+        break;
+    }
+    return AXISCOMP_TEXT("Report", "single run");
+}
+
+DeviationCurves deviationCurves(const Measurement& measurement, const Iso230Figures& figures)
+{
+    DeviationCurves curves;
+    addFigures(curves, figures);
+    addValues(curves, measurement);
+    return curves;
+}
+
+DeviationCurves thinned(DeviationCurves curves, std::size_t most)
+{
+    for (DeviationCurves::Direction* one : {&curves.up, &curves.down})
+        for (auto* curve : {&one->mean, &one->low, &one->high, &one->smallest, &one->largest})
+            thin(*curve, most);
+    thin(curves.mean, most);
+    if (curves.valueCount > most)
+        curves.runs.clear();
+    return curves;
+}
+
+} // namespace axiscomp

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/metrology/judge/iso230.h"
+
+namespace axiscomp {
+
+// What the plot of ISO 230-2 shows of a measurement, for any device. Positions and deviations are
+// in mm or deg.
+
+/// From a lowest to a highest deviation.
+struct DeviationRange {
+    double low = 0.0;
+    double high = 0.0;
+
+    friend bool operator==(const DeviationRange&, const DeviationRange&) = default;
+};
+[[nodiscard]] DeviationRange united(const DeviationRange& a, const DeviationRange& b);
+
+/// A deviation at a position.
+struct PlacedDeviation {
+    double position = 0.0;
+    double deviation = 0.0;
+
+    friend bool operator==(const PlacedDeviation&, const PlacedDeviation&) = default;
+};
+
+/// The lines of the plot.
+enum class DeviationLine { MeanUp, MeanDown, Mean, BandUp, BandDown, Run };
+inline constexpr std::size_t deviationLineCount = 6;
+/// What a legend says of it: "mean ↑ ± 2 s".
+[[nodiscard]] TextPattern deviationLineText(DeviationLine line);
+
+/// Curves over the targets, ascending; each has the targets for which it is defined.
+struct DeviationCurves {
+    /// Of the runs of one direction.
+    struct Direction {
+        std::vector<PlacedDeviation> mean; ///< xm_i
+        std::vector<PlacedDeviation> low; ///< xm_i - 2 s_i
+        std::vector<PlacedDeviation> high; ///< xm_i + 2 s_i
+        std::vector<PlacedDeviation> smallest; ///< of the values in use at a target
+        std::vector<PlacedDeviation> largest;
+    };
+    /// The values in use of one run.
+    struct Run {
+        Approach direction = Approach::Up;
+        int number = 1;
+        std::vector<PlacedDeviation> values;
+    };
+    /// B, where it arises.
+    struct Reversal {
+        double position = 0.0;
+        double up = 0.0; ///< xm_i of both directions there
+        double down = 0.0;
+    };
+
+    Direction up;
+    Direction down;
+    std::vector<PlacedDeviation> mean; ///< of both directions
+    std::vector<Run> runs; ///< by direction and number
+    std::size_t valueCount = 0; ///< of all runs
+    std::vector<PlacedDeviation> excluded; ///< values that are not used
+    // From the lowest to the highest place of A, E and M. Nothing: the figure is not defined.
+    std::optional<DeviationRange> accuracy;
+    std::optional<DeviationRange> systematic;
+    std::optional<DeviationRange> meanRange;
+    std::optional<Reversal> reversal;
+    std::optional<DeviationRange> all; ///< values and limits of 2 s; nothing without a value in use
+};
+
+/// measurement: with targets. figures: of its values in use.
+[[nodiscard]] DeviationCurves deviationCurves(
+    const Measurement& measurement, const Iso230Figures& figures);
+
+/// At most this many points of each curve over the targets: of neighbours the lowest and the
+/// highest ones, so that in a picture of fewer columns nothing is missed. Without runs where there
+/// are more values than that.
+[[nodiscard]] DeviationCurves thinned(DeviationCurves curves, std::size_t most);
+
+} // namespace axiscomp
