@@ -45,13 +45,10 @@ Result<void> keepInRecord(CalibrationRecord record, const CompareOptions& option
     const MeasurementInput& after, const Comparison& comparison)
 {
     const MeasurementSource& source = after.sources.front();
-    RecordedAfter recorded;
-    recorded.measurement.files = {{source.file, source.format, source.sha256, after.measurement}};
-    recorded.measurement.swapsDirections = options.input.swapsDirections;
-    recorded.figures = figureValues(comparison.after);
-    recorded.isAsPredicted = comparison.isAsPredicted;
-    record.after.push_back(std::move(recorded));
-    record.verdict = RecordedVerdict{comparison.verdicts};
+    RecordedMeasurement recorded;
+    recorded.files = {{source.file, source.format, source.sha256, after.measurement}};
+    recorded.swapsDirections = options.input.swapsDirections;
+    keepAfter(record, std::move(recorded), comparison);
     return saveRecord(options.record, record);
 }
 
