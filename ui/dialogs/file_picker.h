@@ -22,6 +22,9 @@ struct FileQuestion {
         SaveConfiguration,
         SaveBackup,
         SaveMeasurement,
+        OpenRecord,
+        SaveRecord,
+        SaveReport,
     } purpose = Purpose::OpenData;
     QString title;
     QString filter;

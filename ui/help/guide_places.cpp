@@ -53,6 +53,9 @@ const QHash<QString, GuidePlace>& placesByName()
         {QStringLiteral("exportConfigurationDialog"), configurations},
         {QStringLiteral("backupDialog"), {QStringLiteral("Backups"), {}}},
         {QStringLiteral("restoreDriveDialog"), {QStringLiteral("Backups"), {}}},
+        {QStringLiteral("measurePage"), {QStringLiteral("Measurements"), {}}},
+        {QStringLiteral("recordBar"), {QStringLiteral("The record, and the proof"), {}}},
+        {QStringLiteral("provePage"), {QStringLiteral("The record, and the proof"), {}}},
         {QStringLiteral("logView"), {QStringLiteral("What to do when ..."), {}}},
     };
     return places;

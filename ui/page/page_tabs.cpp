@@ -18,6 +18,8 @@ QString nameOfTab(PageTabs::Tab tab)
     switch (tab) {
     case PageTabs::Measure:
         return PageTabs::tr("Measure");
+    case PageTabs::Prove:
+        return PageTabs::tr("Prove");
     case PageTabs::Write:
     case PageTabs::TabCount:
         break;
@@ -30,6 +32,8 @@ QString purposeOfTab(PageTabs::Tab tab)
     switch (tab) {
     case PageTabs::Measure:
         return PageTabs::tr("The files of a measurement, and how they are read");
+    case PageTabs::Prove:
+        return PageTabs::tr("Measure again with the table active, and see what it has brought");
     case PageTabs::Write:
     case PageTabs::TabCount:
         break;

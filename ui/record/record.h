@@ -29,8 +29,10 @@ struct MeasurementChoices {
 };
 
 struct MeasurementFile {
-    QString path; ///< absolute
+    QString path; ///< absolute; of a file that a record holds, its name there
     MeasurementChoices choices;
+    /// As a record holds it: nothing is read, and the choices have no meaning. null: it is read.
+    std::shared_ptr<const RecordedFile> recorded = {};
 
     friend bool operator==(const MeasurementFile&, const MeasurementFile&) = default;
 };
@@ -41,6 +43,9 @@ struct Record {
     bool swapsDirections = false;
     /// Of the joined measurement, as it is shown: after the directions were exchanged.
     std::vector<Exclusion> exclusions;
+    RecordedCorrections corrections;
+    /// Of a measurement with the table active: a person says that it was, where its files do not.
+    bool isTableStated = false;
     OutlierRule outlierRule = OutlierRule::PooledMad;
     std::vector<Tolerance> tolerances; ///< in mm or deg
     std::optional<double> uncertainty; ///< U with k = 2, in mm or deg
