@@ -5910,6 +5910,10 @@
         <source>the compensation of axis {axis} is on, and the drive does not say with which table: look at axiscomp status, or switch it off first</source>
         <translation>die Kompensation von Achse {axis} ist eingeschaltet, und der Antrieb sagt nicht, mit welcher Tabelle: axiscomp status ansehen oder sie zuerst ausschalten</translation>
     </message>
+    <message>
+        <source>a report is PDF or HTML; choose a name that ends in .pdf or .html</source>
+        <translation>ein Bericht ist PDF oder HTML; wählen Sie einen Namen, der auf .pdf oder .html endet</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -8183,6 +8187,63 @@
     </message>
 </context>
 <context>
+    <name>axiscomp::ui::ComparisonFiguresModel</name>
+    <message>
+        <source>no tolerance</source>
+        <translation>keine Toleranz</translation>
+    </message>
+    <message>
+        <source>not defined</source>
+        <translation>nicht definiert</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <comment>column and its value</comment>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>figure and its values</comment>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Figure</source>
+        <translation>Kennwert</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Vorher</translation>
+    </message>
+    <message>
+        <source>Predicted</source>
+        <translation>Vorhergesagt</translation>
+    </message>
+    <message>
+        <source>Held out</source>
+        <translation>Ausgelassen</translation>
+    </message>
+    <message>
+        <source>After</source>
+        <translation>Nachher</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Änderung</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Toleranz</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Urteil</translation>
+    </message>
+    <message>
+        <source>What is left at targets that the table was made without: the figure to believe</source>
+        <translation>Was an Zielpositionen bleibt, ohne die die Tabelle gemacht wurde: der Wert, dem zu glauben ist</translation>
+    </message>
+</context>
+<context>
     <name>axiscomp::ui::CompensationWizard</name>
     <message>
         <source>Axis Compensation Wizard</source>
@@ -9234,6 +9295,25 @@
     </message>
 </context>
 <context>
+    <name>axiscomp::ui::FileViews</name>
+    <message>
+        <source>What the file says</source>
+        <translation>Was die Datei sagt</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translation>Spalten</translation>
+    </message>
+    <message>
+        <source>Views of the file</source>
+        <translation>Ansichten der Datei</translation>
+    </message>
+    <message>
+        <source>Problems (%1)</source>
+        <translation>Probleme (%1)</translation>
+    </message>
+</context>
+<context>
     <name>axiscomp::ui::FindDrivesDialog</name>
     <message>
         <source>Find Drives</source>
@@ -9475,22 +9555,6 @@
         <translation>Dateien</translation>
     </message>
     <message>
-        <source>&amp;Add…</source>
-        <translation>&amp;Hinzufügen…</translation>
-    </message>
-    <message>
-        <source>Add files of a measurement; they can also be dropped here (Ctrl+O)</source>
-        <translation>Dateien einer Messung hinzufügen; sie lassen sich auch hierher ziehen (Strg+O)</translation>
-    </message>
-    <message>
-        <source>Re&amp;move</source>
-        <translation>&amp;Entfernen</translation>
-    </message>
-    <message>
-        <source>Take the selected file out of the measurement (Del)</source>
-        <translation>Die gewählte Datei aus der Messung nehmen (Entf)</translation>
-    </message>
-    <message>
         <source>&amp;Save as Runs…</source>
         <translation>Als Durchläufe &amp;speichern…</translation>
     </message>
@@ -9503,32 +9567,8 @@
         <translation>Dateien der Messung</translation>
     </message>
     <message>
-        <source>E&amp;xchange up and down in all files</source>
-        <translation>A&amp;ufwärts und abwärts in allen Dateien tauschen</translation>
-    </message>
-    <message>
-        <source>For files that name the directions the other way round</source>
-        <translation>Für Dateien, die die Richtungen umgekehrt benennen</translation>
-    </message>
-    <message>
-        <source>What the file says</source>
-        <translation>Was die Datei sagt</translation>
-    </message>
-    <message>
-        <source>Columns</source>
-        <translation>Spalten</translation>
-    </message>
-    <message>
         <source>Values of all files</source>
         <translation>Werte aller Dateien</translation>
-    </message>
-    <message>
-        <source>Views of the file</source>
-        <translation>Ansichten der Datei</translation>
-    </message>
-    <message>
-        <source>Problems (%1)</source>
-        <translation>Probleme (%1)</translation>
     </message>
     <message>
         <source>Add the files of a measurement, or go on to Write with a table that is there.</source>
@@ -9549,6 +9589,33 @@
     <message>
         <source>The measurement can be used. Save it as runs for the commands axiscomp judge and axiscomp fit.</source>
         <translation>Die Messung kann verwendet werden. Speichern Sie sie als Durchläufe für die Befehle axiscomp judge und axiscomp fit.</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::MeasurementFiles</name>
+    <message>
+        <source>&amp;Add…</source>
+        <translation>&amp;Hinzufügen…</translation>
+    </message>
+    <message>
+        <source>Add files of a measurement; they can also be dropped here (Ctrl+O)</source>
+        <translation>Dateien einer Messung hinzufügen; sie lassen sich auch hierher ziehen (Strg+O)</translation>
+    </message>
+    <message>
+        <source>Re&amp;move</source>
+        <translation>&amp;Entfernen</translation>
+    </message>
+    <message>
+        <source>Take the selected file out of the measurement (Del)</source>
+        <translation>Die gewählte Datei aus der Messung nehmen (Entf)</translation>
+    </message>
+    <message>
+        <source>E&amp;xchange up and down in all files</source>
+        <translation>A&amp;ufwärts und abwärts in allen Dateien tauschen</translation>
+    </message>
+    <message>
+        <source>For files that name the directions the other way round</source>
+        <translation>Für Dateien, die die Richtungen umgekehrt benennen</translation>
     </message>
 </context>
 <context>
@@ -9614,6 +9681,10 @@
     <message>
         <source>State</source>
         <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>%1, as the record holds it</source>
+        <translation>%1, wie im Protokoll enthalten</translation>
     </message>
 </context>
 <context>
@@ -10346,6 +10417,14 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <source>%1 (Ctrl+Page Up and Ctrl+Page Down change the tab)</source>
         <translation>%1 (Strg+Bild auf und Strg+Bild ab wechseln den Reiter)</translation>
     </message>
+    <message>
+        <source>Prove</source>
+        <translation>Nachweisen</translation>
+    </message>
+    <message>
+        <source>Measure again with the table active, and see what it has brought</source>
+        <translation>Mit aktiver Tabelle noch einmal messen und sehen, was sie gebracht hat</translation>
+    </message>
 </context>
 <context>
     <name>axiscomp::ui::ParameterExport</name>
@@ -10460,6 +10539,326 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
     </message>
 </context>
 <context>
+    <name>axiscomp::ui::ProvePage</name>
+    <message>
+        <source>%1 %2 (tolerance %3)</source>
+        <translation>%1 %2 (Toleranz %3)</translation>
+    </message>
+    <message>
+        <source>%1 not defined (tolerance %2)</source>
+        <translation>%1 nicht definiert (Toleranz %2)</translation>
+    </message>
+    <message>
+        <source>Not within the tolerances: %1.</source>
+        <translation>Nicht innerhalb der Toleranzen: %1.</translation>
+    </message>
+    <message>
+        <source>Not judged by: %1.</source>
+        <translation>Nicht zu beurteilen: %1.</translation>
+    </message>
+    <message>
+        <source>Undecided, since the uncertainty is too large: %1.</source>
+        <translation>Unentschieden, da die Messunsicherheit zu groß ist: %1.</translation>
+    </message>
+    <message>
+        <source>The machine is not as good as was predicted.</source>
+        <translation>Die Maschine ist nicht so gut wie vorhergesagt.</translation>
+    </message>
+    <message>
+        <source>The machine is no better than before.</source>
+        <translation>Die Maschine ist nicht besser als vorher.</translation>
+    </message>
+    <message>
+        <source>No tolerance is given, so there is no verdict.</source>
+        <translation>Keine Toleranz ist angegeben, also gibt es kein Urteil.</translation>
+    </message>
+    <message>
+        <source>Within the tolerances.</source>
+        <translation>Innerhalb der Toleranzen.</translation>
+    </message>
+    <message>
+        <source>Within the tolerances (uncertainty not stated).</source>
+        <translation>Innerhalb der Toleranzen (Messunsicherheit nicht angegeben).</translation>
+    </message>
+    <message>
+        <source>Second measurement</source>
+        <translation>Zweite Messung</translation>
+    </message>
+    <message>
+        <source>Files of the second measurement</source>
+        <translation>Dateien der zweiten Messung</translation>
+    </message>
+    <message>
+        <source>Kee&amp;p in the Record</source>
+        <translation>Ins &amp;Protokoll übernehmen</translation>
+    </message>
+    <message>
+        <source>The second measurement, what it says of the prediction, and the verdict</source>
+        <translation>Die zweite Messung, was sie über die Vorhersage sagt, und das Urteil</translation>
+    </message>
+    <message>
+        <source>For a file that does not say which table was active</source>
+        <translation>Für eine Datei, die nicht sagt, welche Tabelle aktiv war</translation>
+    </message>
+    <message>
+        <source>Before and after</source>
+        <translation>Vorher und nachher</translation>
+    </message>
+    <message>
+        <source>What is left</source>
+        <translation>Was bleibt</translation>
+    </message>
+    <message>
+        <source>Figures before, predicted, held out and after</source>
+        <translation>Kennwerte vorher, vorhergesagt, ausgelassen und nachher</translation>
+    </message>
+    <message>
+        <source>What is left at the targets</source>
+        <translation>Was an den Zielpositionen bleibt</translation>
+    </message>
+    <message>
+        <source>Nothing was predicted between the targets: before and after are compared alone.</source>
+        <translation>Zwischen den Zielpositionen wurde nichts vorhergesagt: verglichen werden nur vorher und nachher.</translation>
+    </message>
+    <message>
+        <source>As predicted: M is %1 after, and up to %2 is as predicted (1.2 times M held out, and what cannot be told).</source>
+        <translation>Wie vorhergesagt: M ist nachher %1, und bis %2 gilt als wie vorhergesagt (das 1,2-Fache von M ausgelassen, und was sich nicht sagen lässt).</translation>
+    </message>
+    <message>
+        <source>Not as predicted: M is %1 after, and up to %2 is as predicted (1.2 times M held out, and what cannot be told).</source>
+        <translation>Nicht wie vorhergesagt: M ist nachher %1, und bis %2 gilt als wie vorhergesagt (das 1,2-Fache von M ausgelassen, und was sich nicht sagen lässt).</translation>
+    </message>
+    <message>
+        <source>No table of this record is in use: a second measurement is compared with that of Measure alone. Open a record with a table to prove that one.</source>
+        <translation>Keine Tabelle dieses Protokolls ist in Gebrauch: eine zweite Messung wird nur mit der von Messen verglichen. Um eine Tabelle nachzuweisen, öffnen Sie ein Protokoll mit ihr.</translation>
+    </message>
+    <message>
+        <source>Write the table and activate it, measure again, and add the files of that measurement here.</source>
+        <translation>Schreiben und aktivieren Sie die Tabelle, messen Sie noch einmal, und fügen Sie die Dateien dieser Messung hier hinzu.</translation>
+    </message>
+    <message>
+        <source>Measure again with the table active, and add the files of that measurement here.</source>
+        <translation>Messen Sie mit aktiver Tabelle noch einmal, und fügen Sie die Dateien dieser Messung hier hinzu.</translation>
+    </message>
+    <message>
+        <source>The measurement is in the record: save that, and write the report.</source>
+        <translation>Die Messung ist im Protokoll: speichern Sie es, und schreiben Sie den Bericht.</translation>
+    </message>
+    <message>
+        <source>Keep it in the record, which then has the proof.</source>
+        <translation>Übernehmen Sie sie ins Protokoll, das dann den Nachweis hat.</translation>
+    </message>
+    <message>
+        <source>The files are being read …</source>
+        <translation>Die Dateien werden gelesen …</translation>
+    </message>
+    <message>
+        <source>The second measurement does not say which table was active. If it was the table %1, say so above; otherwise measure again with it.</source>
+        <translation>Die zweite Messung sagt nicht, welche Tabelle aktiv war. War es die Tabelle %1, geben Sie das oben an; sonst messen Sie mit ihr noch einmal.</translation>
+    </message>
+    <message>
+        <source>The measurements are being compared …</source>
+        <translation>Die Messungen werden verglichen …</translation>
+    </message>
+    <message>
+        <source>There is no measurement to compare it with: add that one in Measure.</source>
+        <translation>Es gibt keine Messung zum Vergleich: fügen Sie diese unter Messen hinzu.</translation>
+    </message>
+    <message>
+        <source>The tabl&amp;e %1 was active</source>
+        <translation>&amp;Die Tabelle %1 war aktiv</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::RecordActions</name>
+    <message>
+        <source>Re&amp;cord</source>
+        <translation>Proto&amp;koll</translation>
+    </message>
+    <message>
+        <source>&amp;New Record</source>
+        <translation>&amp;Neues Protokoll</translation>
+    </message>
+    <message>
+        <source>&amp;Open Record…</source>
+        <translation>Protokoll ö&amp;ffnen…</translation>
+    </message>
+    <message>
+        <source>&amp;Save Record</source>
+        <translation>Protokoll &amp;speichern</translation>
+    </message>
+    <message>
+        <source>Save Record &amp;As…</source>
+        <translation>Protokoll speichern &amp;unter…</translation>
+    </message>
+    <message>
+        <source>&amp;Report…</source>
+        <translation>&amp;Bericht…</translation>
+    </message>
+    <message>
+        <source>Records (*.axcal)</source>
+        <translation>Protokolle (*.axcal)</translation>
+    </message>
+    <message>
+        <source>Open Record</source>
+        <translation>Protokoll öffnen</translation>
+    </message>
+    <message>
+        <source>Save Record</source>
+        <translation>Protokoll speichern</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Bericht</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>HTML (*.html *.htm)</source>
+        <translation>HTML (*.html *.htm)</translation>
+    </message>
+    <message>
+        <source>The record has never been saved.</source>
+        <translation>Das Protokoll wurde noch nie gespeichert.</translation>
+    </message>
+    <message>
+        <source>%1 has changes that are not saved.</source>
+        <translation>%1 hat Änderungen, die nicht gespeichert sind.</translation>
+    </message>
+    <message>
+        <source>Save, &amp;Then Begin</source>
+        <translation>S&amp;peichern, dann beginnen</translation>
+    </message>
+    <message>
+        <source>Save, &amp;Then Open</source>
+        <translation>S&amp;peichern, dann öffnen</translation>
+    </message>
+    <message>
+        <source>Begin Without Savin&amp;g</source>
+        <translation>Ohne Speichern be&amp;ginnen</translation>
+    </message>
+    <message>
+        <source>Open Without Savin&amp;g</source>
+        <translation>Ohne Speichern öffnen (&amp;x)</translation>
+    </message>
+    <message>
+        <source>Sta&amp;y</source>
+        <translation>Bleib&amp;en</translation>
+    </message>
+    <message>
+        <source>%1 is there already, and is another file.</source>
+        <translation>%1 gibt es schon, und es ist eine andere Datei.</translation>
+    </message>
+    <message>
+        <source>%1 has been changed by another program since it was read here.</source>
+        <translation>%1 wurde von einem anderen Programm geändert, seit es hier gelesen wurde.</translation>
+    </message>
+    <message>
+        <source>%1 says what was written and measured of another table. Saving it under another name keeps both.</source>
+        <translation>%1 sagt, was von einer anderen Tabelle geschrieben und gemessen wurde. Unter einem anderen Namen bleibt beides erhalten.</translation>
+    </message>
+    <message>
+        <source>Overwri&amp;te</source>
+        <translation>Überschre&amp;iben</translation>
+    </message>
+    <message>
+        <source>&amp;Keep Both…</source>
+        <translation>&amp;Beide behalten…</translation>
+    </message>
+    <message>
+        <source>The program did not end well. A record that was never saved was kept at %1.</source>
+        <translation>Das Programm wurde nicht ordentlich beendet. Ein nie gespeichertes Protokoll wurde um %1 gesichert.</translation>
+    </message>
+    <message>
+        <source>The program did not end well. Unsaved changes of %1 were kept at %2.</source>
+        <translation>Das Programm wurde nicht ordentlich beendet. Nicht gespeicherte Änderungen von %1 wurden um %2 gesichert.</translation>
+    </message>
+    <message>
+        <source>&amp;Take Them Up</source>
+        <translation>&amp;Übernehmen</translation>
+    </message>
+    <message>
+        <source>For&amp;get Them</source>
+        <translation>Ver&amp;gessen</translation>
+    </message>
+    <message>
+        <source>The report was written to %1.</source>
+        <translation>Der Bericht steht in %1.</translation>
+    </message>
+    <message>
+        <source>The drive has the table; only the record does not say so: %1</source>
+        <translation>Der Antrieb hat die Tabelle; nur das Protokoll sagt es nicht: %1</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::RecordBar</name>
+    <message>
+        <source>Record:</source>
+        <translation>Protokoll:</translation>
+    </message>
+    <message>
+        <source>Open…</source>
+        <translation>Öffnen…</translation>
+    </message>
+    <message>
+        <source>Open a record (.axcal); it can also be dropped on the window (Ctrl+Alt+O)</source>
+        <translation>Ein Protokoll (.axcal) öffnen; es lässt sich auch auf das Fenster ziehen (Strg+Alt+O)</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>Save measurement, table, what it promised and what came of it (Ctrl+S)</source>
+        <translation>Messung, Tabelle, was sie versprach und was daraus wurde, speichern (Strg+S)</translation>
+    </message>
+    <message>
+        <source>Report…</source>
+        <translation>Bericht…</translation>
+    </message>
+    <message>
+        <source>The report of the record as PDF or HTML (Ctrl+P)</source>
+        <translation>Der Bericht des Protokolls als PDF oder HTML (Strg+P)</translation>
+    </message>
+    <message>
+        <source>Open record</source>
+        <translation>Protokoll öffnen</translation>
+    </message>
+    <message>
+        <source>Save record</source>
+        <translation>Protokoll speichern</translation>
+    </message>
+    <message>
+        <source>Report of the record</source>
+        <translation>Bericht des Protokolls</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keines</translation>
+    </message>
+    <message>
+        <source>It has changes that are not saved.</source>
+        <translation>Es hat Änderungen, die nicht gespeichert sind.</translation>
+    </message>
+    <message>
+        <source>There are no unsaved changes.</source>
+        <translation>Es gibt keine ungespeicherten Änderungen.</translation>
+    </message>
+    <message>
+        <source>Record %1</source>
+        <translation>Protokoll %1</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::RecordFile</name>
+    <message>
+        <source>not saved yet</source>
+        <translation>noch nicht gespeichert</translation>
+    </message>
+</context>
+<context>
     <name>axiscomp::ui::RecordModel</name>
     <message>
         <source>Add %1</source>
@@ -10496,6 +10895,72 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
     <message>
         <source>Uncertainty</source>
         <translation>Messunsicherheit</translation>
+    </message>
+    <message>
+        <source>Table active while measured</source>
+        <translation>Aktive Tabelle während der Messung</translation>
+    </message>
+    <message>
+        <source>Table in use</source>
+        <translation>Tabelle in Gebrauch</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::ResidualModel</name>
+    <message>
+        <source>at %1: %2, standard error %3</source>
+        <translation>bei %1: %2, Standardfehler %3</translation>
+    </message>
+    <message>
+        <source>at %1: %2, standard error not defined</source>
+        <translation>bei %1: %2, Standardfehler nicht definiert</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Zielposition</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Verbleibend</translation>
+    </message>
+    <message>
+        <source>Standard error</source>
+        <translation>Standardfehler</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::ResidualPlot</name>
+    <message>
+        <source>before</source>
+        <translation>vorher</translation>
+    </message>
+    <message>
+        <source>after, with its standard error</source>
+        <translation>nachher, mit Standardfehler</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>Mean deviation</source>
+        <translation>Mittlere Abweichung</translation>
+    </message>
+    <message>
+        <source>There is nothing to compare.</source>
+        <translation>Es gibt nichts zu vergleichen.</translation>
+    </message>
+    <message>
+        <source>What is left lies between %1 and %2.</source>
+        <translation>Was bleibt, liegt zwischen %1 und %2.</translation>
+    </message>
+    <message>
+        <source>Mean deviation before and after</source>
+        <translation>Mittlere Abweichung vorher und nachher</translation>
+    </message>
+    <message>
+        <source>Dashed, with squares: before. Full line, with dots: after; the band is the standard error of the mean.</source>
+        <translation>Gestrichelt, mit Quadraten: vorher. Durchgezogen, mit Punkten: nachher; das Band ist der Standardfehler des Mittelwerts.</translation>
     </message>
 </context>
 <context>
@@ -11416,6 +11881,22 @@ B - A: %3</translation>
     <message>
         <source>%1 has changes that are not written to the drive.</source>
         <translation>%1 hat Änderungen, die nicht in den Antrieb geschrieben sind.</translation>
+    </message>
+    <message>
+        <source>%1 has changes that are not written to the drive, and the record has changes that are not saved: %2.</source>
+        <translation>%1 hat Änderungen, die nicht auf den Antrieb geschrieben sind, und das Protokoll hat Änderungen, die nicht gespeichert sind: %2.</translation>
+    </message>
+    <message>
+        <source>The record has changes that are not saved: %1.</source>
+        <translation>Das Protokoll hat Änderungen, die nicht gespeichert sind: %1.</translation>
+    </message>
+    <message>
+        <source>Save Record, &amp;Then Close</source>
+        <translation>S&amp;peichern, dann schließen</translation>
+    </message>
+    <message>
+        <source>Close Without Savin&amp;g</source>
+        <translation>Ohne Speichern s&amp;chließen</translation>
     </message>
 </context>
 <context>
