@@ -10558,7 +10558,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
     </message>
     <message>
         <source>Undecided, since the uncertainty is too large: %1.</source>
-        <translation>Unentschieden, da die Messunsicherheit zu groß ist: %1.</translation>
+        <translation>Nicht entscheidbar, da die Messunsicherheit zu groß ist: %1.</translation>
     </message>
     <message>
         <source>The machine is not as good as was predicted.</source>
@@ -10645,10 +10645,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <translation>Die Messung ist im Protokoll: speichern Sie es, und schreiben Sie den Bericht.</translation>
     </message>
     <message>
-        <source>Keep it in the record, which then has the proof.</source>
-        <translation>Übernehmen Sie sie ins Protokoll, das dann den Nachweis hat.</translation>
-    </message>
-    <message>
         <source>The files are being read …</source>
         <translation>Die Dateien werden gelesen …</translation>
     </message>
@@ -10667,6 +10663,14 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
     <message>
         <source>The tabl&amp;e %1 was active</source>
         <translation>&amp;Die Tabelle %1 war aktiv</translation>
+    </message>
+    <message>
+        <source>What to look at: %1</source>
+        <translation>Worauf zu achten ist: %1</translation>
+    </message>
+    <message>
+        <source>Keep it in the record.</source>
+        <translation>Übernehmen Sie sie ins Protokoll.</translation>
     </message>
 </context>
 <context>
@@ -10943,10 +10947,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <translation>Position</translation>
     </message>
     <message>
-        <source>Mean deviation</source>
-        <translation>Mittlere Abweichung</translation>
-    </message>
-    <message>
         <source>There is nothing to compare.</source>
         <translation>Es gibt nichts zu vergleichen.</translation>
     </message>
@@ -10961,6 +10961,10 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
     <message>
         <source>Dashed, with squares: before. Full line, with dots: after; the band is the standard error of the mean.</source>
         <translation>Gestrichelt, mit Quadraten: vorher. Durchgezogen, mit Punkten: nachher; das Band ist der Standardfehler des Mittelwerts.</translation>
+    </message>
+    <message>
+        <source>Deviation</source>
+        <translation>Abweichung</translation>
     </message>
 </context>
 <context>

@@ -205,12 +205,14 @@ QVariant ComparisonFiguresModel::headerData(
         return {};
     if (role == Qt::ToolTipRole && section == HeldOut)
         return tr("What is left at targets that the table was made without: the figure to believe");
+    if (role == Qt::TextAlignmentRole && (section == Figure || section == Verdict))
+        return QVariant::fromValue(Qt::AlignLeft | Qt::AlignVCenter);
     if (role != Qt::DisplayRole)
         return {};
-    const bool hasUnit = section != Figure && section != Verdict;
-    return hasUnit && m_isThere ? QStringLiteral("%1 [%2]").arg(
+    // It is the same for all columns.
+    return section == Figure && m_isThere ? QStringLiteral("%1 [%2]").arg(
                columnName(section), FineScale(m_comparison.state().unit).symbol())
-                                : columnName(section);
+                                          : columnName(section);
 }
 
 } // namespace axiscomp::ui

@@ -173,15 +173,20 @@ QWidget* ProvePage::buildComparison()
     m_hints->setObjectName(QStringLiteral("proveHints"));
     m_hints->setWordWrap(true);
     m_hints->setTone(Tone::Warning);
-    m_figures->horizontalHeader()->setSectionResizeMode(
-        ComparisonFiguresModel::Figure, QHeaderView::Stretch);
+    m_figures->horizontalHeader()->setStretchLastSection(true);
+    // All of it is seen; the rest of the height is the plot's.
+    const int rows = static_cast<int>(iso230FigureCount);
+    const int height = m_figures->verticalHeader()->defaultSectionSize();
+    m_figures->setMaximumHeight((rows + 2) * height);
+    m_figures->setMinimumHeight(4 * height);
     auto* parts = new QSplitter(Qt::Vertical);
     parts->setObjectName(QStringLiteral("proveRows"));
     parts->setChildrenCollapsible(false);
     parts->addWidget(m_figures);
     parts->addWidget(m_plot);
-    parts->setStretchFactor(0, 3);
-    parts->setStretchFactor(1, 2);
+    parts->setStretchFactor(0, 0);
+    parts->setStretchFactor(1, 1);
+    parts->setSizes({(rows + 2) * height, height});
     auto* view = new QWidget;
     auto* layout = new QVBoxLayout(view);
     layout->addWidget(m_promise);
@@ -250,7 +255,7 @@ void ProvePage::sayPromise()
     QStringList hints;
     for (const ComparisonHint& hint : comparison->hints)
         hints += sentenceText(hint.text);
-    m_hints->setText(hints.join(u'\n'));
+    m_hints->setText(tr("What to look at: %1").arg(hints.join(u' ')));
     if (!comparison->isAsPredicted) {
         m_promise->say(Tone::Information,
             tr("Nothing was predicted between the targets: before and after are compared alone."));
@@ -293,7 +298,7 @@ std::pair<Tone, QString> ProvePage::result() const
     if (state.isKept)
         sentence += u' ' + tr("The measurement is in the record: save that, and write the report.");
     else if (m_comparison.mayKeep())
-        sentence += u' ' + tr("Keep it in the record, which then has the proof.");
+        sentence += u' ' + tr("Keep it in the record.");
     return {tone, sentence};
 }
 

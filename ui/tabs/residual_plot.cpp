@@ -62,8 +62,14 @@ void ResidualPlot::build()
         }
         curve->mean = m_plot->addGraph();
     }
+    // Above the curves, not over them.
+    m_plot->axisRect()->insetLayout()->take(m_plot->legend);
+    m_plot->plotLayout()->insertRow(0);
+    m_plot->plotLayout()->addElement(0, 0, m_plot->legend);
+    m_plot->plotLayout()->setRowStretchFactor(0, 0.001);
     m_plot->legend->setFillOrder(QCPLegend::foColumnsFirst);
-    m_plot->axisRect()->insetLayout()->setInsetAlignment(0, Qt::AlignTop | Qt::AlignHCenter);
+    m_plot->legend->setBorderPen(Qt::NoPen);
+    m_plot->legend->setVisible(true);
     m_plot->setMinimumHeight(8 * fontMetrics().height());
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -101,7 +107,6 @@ void ResidualPlot::colour()
     m_plot->legend->setFont(font());
     m_plot->legend->setBrush(colors.color(QPalette::Base));
     m_plot->legend->setTextColor(text);
-    m_plot->legend->setBorderPen(QPen(grid));
 }
 
 void ResidualPlot::fill(const Curve& curve, const std::vector<RemainingError>& errors) const
@@ -131,15 +136,11 @@ void ResidualPlot::show(const ComparisonState& state)
     fill(m_after, isThere ? state.comparison->residual : nothing);
     m_ticker->setFactor(state.unit.factor);
     m_plot->yAxis->setNumberFormat(QStringLiteral("gb"));
-    m_plot->legend->setVisible(isThere);
+    m_plot->setVisible(isThere);
     if (isThere) {
         m_plot->rescaleAxes();
         widen(*m_plot->xAxis);
         widen(*m_plot->yAxis);
-        // Room for the names above the curves.
-        const QCPRange range = m_plot->yAxis->range();
-        constexpr double room = 0.18;
-        m_plot->yAxis->setRangeUpper(range.upper + room * range.size());
     }
     nameAxes();
     describe();
@@ -148,13 +149,15 @@ void ResidualPlot::show(const ComparisonState& state)
 
 void ResidualPlot::nameAxes()
 {
-    m_plot->setLocale(QLocale());
+    QLocale locale;
+    locale.setNumberOptions(QLocale::OmitGroupSeparator);
+    m_plot->setLocale(locale);
     m_before.mean->setName(tr("before"));
     m_after.mean->setName(tr("after, with its standard error"));
     m_plot->xAxis->setLabel(QStringLiteral("%1 [%2]").arg(
         tr("Position"), m_state.isAngular ? QStringLiteral("°") : QStringLiteral("mm")));
     m_plot->yAxis->setLabel(
-        QStringLiteral("%1 [%2]").arg(tr("Mean deviation"), FineScale(m_state.unit).symbol()));
+        QStringLiteral("%1 [%2]").arg(tr("Deviation"), FineScale(m_state.unit).symbol()));
 }
 
 /// For those who do not see it; the numbers stand in the tables.
