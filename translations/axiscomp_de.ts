@@ -9034,7 +9034,7 @@
     <name>axiscomp::ui::FileChoices</name>
     <message>
         <source>&amp;Format</source>
-        <translation>&amp;Format</translation>
+        <translation>For&amp;mat</translation>
     </message>
     <message>
         <source>by its content</source>
@@ -9603,7 +9603,7 @@
     </message>
     <message>
         <source>Re&amp;move</source>
-        <translation>&amp;Entfernen</translation>
+        <translation>Ent&amp;fernen</translation>
     </message>
     <message>
         <source>Take the selected file out of the measurement (Del)</source>
@@ -10741,11 +10741,11 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
     </message>
     <message>
         <source>Begin Without Savin&amp;g</source>
-        <translation>Ohne Speichern be&amp;ginnen</translation>
+        <translation>Ohne Spei&amp;chern beginnen</translation>
     </message>
     <message>
         <source>Open Without Savin&amp;g</source>
-        <translation>Ohne Speichern öffnen (&amp;x)</translation>
+        <translation>Ohne Spei&amp;chern öffnen</translation>
     </message>
     <message>
         <source>Sta&amp;y</source>
