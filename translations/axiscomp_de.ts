@@ -10672,6 +10672,10 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <source>Keep it in the record.</source>
         <translation>Übernehmen Sie sie ins Protokoll.</translation>
     </message>
+    <message>
+        <source>The two are corrected differently for temperature or dead path, so that they cannot be compared.</source>
+        <translation>Die beiden sind verschieden auf Temperatur oder Totstrecke korrigiert und lassen sich nicht vergleichen.</translation>
+    </message>
 </context>
 <context>
     <name>axiscomp::ui::RecordActions</name>
@@ -11885,14 +11889,6 @@ B - A: %3</translation>
     <message>
         <source>%1 has changes that are not written to the drive.</source>
         <translation>%1 hat Änderungen, die nicht in den Antrieb geschrieben sind.</translation>
-    </message>
-    <message>
-        <source>%1 has changes that are not written to the drive, and the record has changes that are not saved: %2.</source>
-        <translation>%1 hat Änderungen, die nicht auf den Antrieb geschrieben sind, und das Protokoll hat Änderungen, die nicht gespeichert sind: %2.</translation>
-    </message>
-    <message>
-        <source>The record has changes that are not saved: %1.</source>
-        <translation>Das Protokoll hat Änderungen, die nicht gespeichert sind: %1.</translation>
     </message>
     <message>
         <source>Save Record, &amp;Then Close</source>

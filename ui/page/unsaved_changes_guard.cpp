@@ -146,15 +146,14 @@ void UnsavedChangesGuard::askBeforeClosing()
     }
     m_ask = [this] { askBeforeClosing(); };
     m_isAboutClosing = true;
-    const bool isDirty = m_controller.setup().isDirty();
     Message question;
     question.id = questionId();
     question.tone = Tone::Warning;
-    question.text = isDirty
-        ? tr("%1 has changes that are not written to the drive, and the record has changes that "
-             "are not saved: %2.")
-              .arg(currentLabel(m_controller), record)
-        : tr("The record has changes that are not saved: %1.").arg(record);
+    question.text = record;
+    if (m_controller.setup().isDirty())
+        question.text =
+            tr("%1 has changes that are not written to the drive.").arg(currentLabel(m_controller))
+            + u' ' + record;
     question.buttons = {
         {QStringLiteral("saveAndCloseButton"), tr("Save Record, &Then Close"),
             [this] { m_record.save([this] { agree(); }); }},

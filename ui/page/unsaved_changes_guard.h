@@ -26,7 +26,8 @@ public:
     void loseChanges(Reason reason, std::function<void()> action);
     /// The record that is lost with the window.
     struct WatchedRecord {
-        std::function<QString()> unsaved; ///< its name; empty: nothing of it is unsaved
+        /// What is unsaved, as a sentence; empty: nothing of it.
+        std::function<QString()> unsaved;
         std::function<void(std::function<void()> done)> save; ///< done: only when it is saved
         std::function<void()> discard; ///< what is unsaved is not wanted
     };

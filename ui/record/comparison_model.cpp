@@ -15,6 +15,7 @@ namespace {
 struct Sides {
     std::shared_ptr<const CalibrationRecord> calibration; ///< null: no table is used
     std::shared_ptr<const Measurement> before; ///< without a table
+    RecordedCorrections corrections; ///< of before
     RecordState after;
     std::vector<Tolerance> tolerances;
     std::optional<double> uncertainty;
@@ -49,6 +50,17 @@ FineUnit unitOf(const Comparison& comparison, bool isAngular)
         for (const RemainingError& error : *errors)
             shown.emplace_back(error.value);
     return fineUnit(shown, isAngular);
+}
+
+/// The air differs from one measurement to the next; that it was taken into account must not.
+bool isCorrectedOtherwise(const Sides& sides)
+{
+    const RecordedCorrections& before = sides.calibration && sides.calibration->before
+        ? sides.calibration->before->corrections
+        : sides.corrections;
+    const RecordedCorrections& after = sides.after.record.corrections;
+    return before.temperature.has_value() != after.temperature.has_value()
+        || before.deadPath.has_value() != after.deadPath.has_value();
 }
 
 bool isKept(const Sides& sides)
@@ -89,6 +101,7 @@ ComparisonState compared(const Sides& sides, const std::stop_token& stop)
     state.unit = unitOf(*comparison, after->isAngular);
     state.comparison = std::make_shared<const Comparison>(std::move(*comparison));
     state.isKept = isKept(sides);
+    state.isCorrectedOtherwise = isCorrectedOtherwise(sides);
     return state;
 }
 
@@ -115,8 +128,8 @@ void ComparisonModel::follow()
         return;
     }
     const Record& record = m_record.record();
-    Sides sides{record.calibration, m_record.state().measurement, m_after.state(),
-        record.tolerances, record.uncertainty};
+    Sides sides{record.calibration, m_record.state().measurement, record.corrections,
+        m_after.state(), record.tolerances, record.uncertainty};
     sides.after.record = m_after.record();
     m_job.start(
         [sides = std::move(sides)](const std::stop_token& stop) { return compared(sides, stop); });

@@ -17,6 +17,8 @@ struct ComparisonState {
     std::optional<Error> refusal; ///< why
     std::optional<std::uint32_t> tableCrc; ///< of the table that is compared
     bool needsStatement = false; ///< the second measurement does not say which table was active
+    /// One is corrected for temperature or dead path, and the other is not.
+    bool isCorrectedOtherwise = false;
     bool isAngular = false;
     bool isKept = false; ///< the second measurement is in the record
     std::string date; ///< of the second measurement, as its file has it

@@ -76,6 +76,10 @@ std::pair<Tone, QString> verdictSentence(const ComparisonState& state)
         return {Tone::Warning, ProvePage::tr("The machine is not as good as was predicted.")};
     if (!comparison.hints.empty())
         return {Tone::Warning, ProvePage::tr("The machine is no better than before.")};
+    if (state.isCorrectedOtherwise)
+        return {Tone::Warning,
+            ProvePage::tr("The two are corrected differently for temperature or dead path, so that "
+                          "they cannot be compared.")};
     if (comparison.verdicts.empty())
         return {comparison.isAsPredicted ? Tone::Success : Tone::Information,
             ProvePage::tr("No tolerance is given, so there is no verdict.")};
@@ -129,6 +133,8 @@ QTableView* ProvePage::table(const char* name, QAbstractItemModel* model) const
     view->horizontalHeader()->setHighlightSections(false);
     view->horizontalHeader()->setDefaultAlignment(Qt::AlignRight | Qt::AlignVCenter);
     view->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    // Thousands of targets need not be looked at for it.
+    view->horizontalHeader()->setResizeContentsPrecision(20);
     return view;
 }
 

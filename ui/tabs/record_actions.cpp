@@ -111,7 +111,7 @@ void RecordActions::attach(const Page& page)
     page.guard.watchRecord({
         [this] {
             const bool isUnsaved = m_notes > 0 || (m_file.isModified() && !m_file.isEmpty());
-            return isUnsaved ? m_file.name() : QString();
+            return isUnsaved ? unsavedText() : QString();
         },
         [this](std::function<void()> done) { saveThen(std::move(done)); },
         [this] { m_recovery.end(); },
@@ -235,9 +235,7 @@ void RecordActions::loseRecord(Reason reason, std::function<void()> action)
     Message question;
     question.id = questionId();
     question.tone = Tone::Warning;
-    question.text = m_file.path().isEmpty()
-        ? tr("The record has never been saved.")
-        : tr("%1 has changes that are not saved.").arg(m_file.name());
+    question.text = unsavedText();
     question.buttons = {
         {QStringLiteral("saveFirstButton"),
             begins ? tr("Save, &Then Begin") : tr("Save, &Then Open"),
@@ -248,6 +246,12 @@ void RecordActions::loseRecord(Reason reason, std::function<void()> action)
     };
     question.isClosable = false;
     m_page->messages.show(question);
+}
+
+QString RecordActions::unsavedText() const
+{
+    return m_file.path().isEmpty() ? tr("The record has never been saved.")
+                                   : tr("%1 has changes that are not saved.").arg(m_file.name());
 }
 
 void RecordActions::saveThen(std::function<void()> action)

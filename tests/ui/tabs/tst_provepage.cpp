@@ -247,6 +247,18 @@ private Q_SLOTS:
         QCOMPARE(tabText(bench), QStringLiteral("Prove · warning"));
     }
 
+    void whatIsCorrectedAndWhatIsNotAreNotComparedInGreen()
+    {
+        PageFixture bench;
+        CalibrationRecord record = withTolerance(0.01);
+        record.before->corrections.temperature =
+            TemperatureCorrection{20.9, 11.5e-6, 20.0, 0.0, std::nullopt, true};
+        QVERIFY(showProve(bench, record));
+        QVERIFY(addAfter(bench, test::goodAfterMeasurement(test::stateOf(record))));
+        QVERIFY(hints(bench, QStringLiteral("corrected differently for temperature")));
+        QCOMPARE(tabText(bench), QStringLiteral("Prove · warning"));
+    }
+
     void whatIsKeptIsWhatTheCommandCompareKeeps()
     {
         PageFixture bench;
