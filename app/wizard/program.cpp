@@ -43,7 +43,7 @@ void addOptions(CLI::App& app, WizardArguments& arguments)
     app.add_option("--data", arguments.data, "Open this file of compensation data")
         ->option_text("FILE");
     app.add_option("RECORD", arguments.record, "Open this record of a compensation (.axcal)")
-        ->option_text("FILE.axcal");
+        ->option_text("[RECORD]");
     app.add_option("--timeout", arguments.timeoutSeconds,
            "How long one exchange with a drive may take (5 unless given)")
         ->option_text("SECONDS")
