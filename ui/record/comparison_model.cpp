@@ -15,7 +15,7 @@ namespace {
 struct Sides {
     std::shared_ptr<const CalibrationRecord> calibration; ///< null: no table is used
     std::shared_ptr<const Measurement> before; ///< without a table
-    RecordedCorrections corrections; ///< of before
+    CorrectionsBefore corrections; ///< of before
     RecordState after;
     std::vector<Tolerance> tolerances;
     std::optional<double> uncertainty;
@@ -55,10 +55,12 @@ FineUnit unitOf(const Comparison& comparison, bool isAngular)
 /// The air differs from one measurement to the next; that it was taken into account must not.
 bool isCorrectedOtherwise(const Sides& sides)
 {
-    const RecordedCorrections& before = sides.calibration && sides.calibration->before
-        ? sides.calibration->before->corrections
-        : sides.corrections;
-    const RecordedCorrections& after = sides.after.record.corrections;
+    CorrectionsBefore before = sides.corrections;
+    if (sides.calibration && sides.calibration->before) {
+        const RecordedCorrections& recorded = sides.calibration->before->corrections;
+        before = {recorded.temperature, recorded.deadPath};
+    }
+    const CorrectionsBefore& after = sides.after.record.corrections;
     return before.temperature.has_value() != after.temperature.has_value()
         || before.deadPath.has_value() != after.deadPath.has_value();
 }

@@ -43,7 +43,7 @@ struct Record {
     bool swapsDirections = false;
     /// Of the joined measurement, as it is shown: after the directions were exchanged.
     std::vector<Exclusion> exclusions;
-    RecordedCorrections corrections;
+    CorrectionsBefore corrections; ///< before judging
     /// Of a measurement with the table active: a person says that it was, where its files do not.
     bool isTableStated = false;
     OutlierRule outlierRule = OutlierRule::PooledMad;

@@ -20,7 +20,7 @@ void openMeasurement(const std::shared_ptr<const CalibrationRecord>& calibration
             std::shared_ptr<const RecordedFile>(calibration, &file)});
     record.swapsDirections = recorded.swapsDirections;
     record.exclusions = recorded.exclusions;
-    record.corrections = recorded.corrections;
+    record.corrections = {recorded.corrections.temperature, recorded.corrections.deadPath};
 }
 
 bool isUsable(const ReadMeasurement& file)
@@ -66,6 +66,7 @@ void keepMembers(const std::optional<RecordedMeasurement>& known, RecordedMeasur
     if (!known)
         return;
     made.others = known->others;
+    made.corrections.drift = known->corrections.drift; // of the table: it is not chosen here
     for (RecordedFile& file : made.files) {
         const auto same = std::ranges::find(known->files, file.sha256, &RecordedFile::sha256);
         if (same != known->files.end() && same->measurement == file.measurement)
@@ -178,7 +179,8 @@ Result<RecordedMeasurement> recordedMeasurement(const RecordState& state)
     }
     recorded.swapsDirections = state.record.swapsDirections;
     recorded.exclusions = state.record.exclusions;
-    recorded.corrections = state.record.corrections;
+    recorded.corrections.temperature = state.record.corrections.temperature;
+    recorded.corrections.deadPath = state.record.corrections.deadPath;
     return recorded;
 }
 
@@ -188,7 +190,9 @@ bool isSameMeasurement(const RecordedMeasurement& a, const RecordedMeasurement& 
         return one.sha256 == other.sha256 && one.measurement == other.measurement;
     };
     return a.swapsDirections == b.swapsDirections && a.exclusions == b.exclusions
-        && a.corrections == b.corrections && std::ranges::equal(a.files, b.files, isSameFile);
+        && a.corrections.temperature == b.corrections.temperature
+        && a.corrections.deadPath == b.corrections.deadPath
+        && std::ranges::equal(a.files, b.files, isSameFile);
 }
 
 Result<CalibrationRecord> assembled(const RecordParts& parts)

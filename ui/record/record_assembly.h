@@ -24,7 +24,8 @@ struct OpenedRecord {
 /// Errors: of the first file that cannot be used.
 [[nodiscard]] Result<RecordedMeasurement> recordedMeasurement(const RecordState& state);
 
-/// Whether two are the same but for members that this version does not know.
+/// Whether two are the same but for members that this version does not know, and for the drift that
+/// was taken out for a table.
 [[nodiscard]] bool isSameMeasurement(const RecordedMeasurement& a, const RecordedMeasurement& b);
 
 /// Everything that a record in the window comes to.

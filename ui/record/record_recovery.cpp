@@ -105,7 +105,7 @@ void RecordRecovery::setInterval(std::chrono::milliseconds interval)
 void RecordRecovery::end()
 {
     m_isEnded = true;
-    forget();
+    m_shelf->clear(); // at once: the program may end before another thread comes to it
 }
 
 bool RecordRecovery::isKept() const

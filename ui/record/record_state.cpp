@@ -95,8 +95,7 @@ Result<Measurement> wholeOf(const Record& record, const std::vector<ReadMeasurem
     for (const ReadMeasurement& file : files)
         measurements.push_back(*file.measurement());
     AXISCOMP_TRY(auto whole, selected(measurements, record.swapsDirections, record.exclusions));
-    AXISCOMP_TRY(auto made,
-        corrected(std::move(whole), {record.corrections.temperature, record.corrections.deadPath}));
+    AXISCOMP_TRY(auto made, corrected(std::move(whole), record.corrections));
     return std::move(made.measurement);
 }
 

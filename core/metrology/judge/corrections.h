@@ -61,6 +61,8 @@ struct DeadPathCorrection {
 struct CorrectionsBefore {
     std::optional<TemperatureCorrection> temperature = {};
     std::optional<DeadPathCorrection> deadPath = {};
+
+    friend bool operator==(const CorrectionsBefore&, const CorrectionsBefore&) = default;
 };
 struct CorrectedMeasurement {
     Measurement measurement;

@@ -265,6 +265,7 @@ private Q_SLOTS:
         record.others = {{"/later", "7"}};
         record.before->others = {{"/operatorMood", "\"good\""}};
         record.before->files.front().others = {{"/camera", "true"}};
+        record.before->corrections.drift = DriftRemoval::Offset;
         const QString path = bench.saved(QStringLiteral("x.axcal"), record);
         QVERIFY(bench.open(path));
         bench.record.setTolerance(Iso230Figure::A, 0.2);
@@ -272,6 +273,7 @@ private Q_SLOTS:
         const CalibrationRecord saved = loaded(path);
         QVERIFY(saved.others == record.others);
         QVERIFY(saved.before->others == record.before->others);
+        QVERIFY(saved.before->corrections == record.before->corrections && !saved.draft);
         QVERIFY(saved.before->files.front().others == record.before->files.front().others);
         QVERIFY(saved.judging && saved.judging->tolerances.size() == 1);
     }
