@@ -196,11 +196,12 @@ void RecordRecovery::look()
     const auto result =
         inBackground<std::optional<Finding>>([folder = m_folder] { return search(folder); });
     whenDone(result, this, [this](const std::optional<Finding>& finding) {
-        if (!finding || m_found)
-            return;
-        m_found = finding->found;
-        m_foundShelf = finding->shelf;
-        Q_EMIT found();
+        if (finding && !m_found) {
+            m_found = finding->found;
+            m_foundShelf = finding->shelf;
+            Q_EMIT found();
+        }
+        Q_EMIT looked();
     });
 }
 

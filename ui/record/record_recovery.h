@@ -39,7 +39,7 @@ public:
         std::string sha256; ///< of what that file had then
         QDateTime time; ///< when it was kept
     };
-    /// found() follows when there is one.
+    /// found() follows when there is one, looked() always.
     void look();
     [[nodiscard]] const std::optional<Found>& waiting() const { return m_found; }
     /// The one that is waiting becomes the record; it stays kept until it is saved.
@@ -49,6 +49,7 @@ public:
 
 Q_SIGNALS:
     void found(); ///< waiting()
+    void looked(); ///< whether there was one or not
 
 private:
     struct Shelf;

@@ -402,8 +402,9 @@ private Q_SLOTS:
             // One that runs keeps its own.
             Bench second(kept);
             QSignalSpy found(&second.recovery, &RecordRecovery::found);
+            QSignalSpy looked(&second.recovery, &RecordRecovery::looked);
             second.recovery.look();
-            QTest::qWait(200);
+            QTRY_COMPARE(looked.size(), 1);
             QVERIFY(found.isEmpty());
             QVERIFY(crashed.save(path));
             QTRY_VERIFY(keptIn(kept).isEmpty());
@@ -414,8 +415,9 @@ private Q_SLOTS:
         QTRY_COMPARE(found.size(), 1);
         // Two windows do not take the same.
         Bench other(left);
+        QSignalSpy looked(&other.recovery, &RecordRecovery::looked);
         other.recovery.look();
-        QTest::qWait(200);
+        QTRY_COMPARE(looked.size(), 1);
         QVERIFY(!other.recovery.waiting());
         next.recovery.take();
         QVERIFY(next.settled());
@@ -453,8 +455,7 @@ private Q_SLOTS:
         }
         {
             Bench clean(kept);
-            clean.recovery.setInterval(std::chrono::milliseconds(5));
-            QTest::qWait(50);
+            clean.recovery.keep();
         }
         QVERIFY(keptIn(kept).isEmpty());
     }
